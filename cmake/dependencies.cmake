@@ -1,0 +1,17 @@
+# Every third-party library, found once. OpenImageIO, ODE, Highway, xxHash and libav come through
+# pkg-config: their CMake packages are missing or broken on Debian 12.
+find_package(PkgConfig REQUIRED)
+find_package(Imath REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(Threads REQUIRED)
+pkg_check_modules(ODE REQUIRED IMPORTED_TARGET ode)
+pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
+pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
+pkg_check_modules(FLATBUFFERS REQUIRED IMPORTED_TARGET flatbuffers)
+pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO)
+pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavformat libavcodec libavutil libswscale)
+find_program(FLATC flatc REQUIRED)

@@ -1,0 +1,41 @@
+# How every target of ours is compiled, stated once.
+add_library(carom_compile_options INTERFACE)
+target_compile_features(carom_compile_options INTERFACE cxx_std_20)
+target_include_directories(carom_compile_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
+target_compile_options(carom_compile_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-align
+  -Woverloaded-virtual -Wconversion -Wno-sign-conversion -Werror
+  # The same source gives the same bits from g++ and clang, at -O0 and -O2.
+  -ffp-contract=off -fno-math-errno -fno-trapping-math)
+option(CAROM_ASSERTIONS "cheap assertions in the program (CAROM_ASSERT)" OFF)
+option(CAROM_VALIDATION "expensive assertions in the program (CAROM_VALIDATE)" OFF)
+target_compile_definitions(carom_compile_options INTERFACE
+  $<$<BOOL:${CAROM_ASSERTIONS}>:CAROM_ASSERTIONS>
+  $<$<BOOL:${CAROM_VALIDATION}>:CAROM_VALIDATION>)
+
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+# The layout of the build tree is that of an installed one: bin/, libexec/carom/, share/carom/.
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
+# carom_library(NAME SOURCES a.cpp … [PUBLIC libs…] [PRIVATE libs…]): a static library of ours.
+function(carom_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(${name} PUBLIC carom_compile_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+endfunction()
+
+# carom_test(NAME SOURCES a_test.cpp … LIBS libs… [TIMEOUT s]): one test program, every case of it known to CTest.
+function(carom_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBS} GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE CAROM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                                             CAROM_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+endfunction()

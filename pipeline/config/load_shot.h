@@ -1,0 +1,31 @@
+// From YAML to a Shot, with every problem at once.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/config/problem.h"
+#include "pipeline/shot/shot.h"
+
+namespace carom::pipeline {
+
+struct LoadResult {
+    std::optional<Shot> shot;       // set unless a problem is an error
+    std::vector<Problem> problems;  // errors and warnings, by file and place
+};
+
+/// `overrides` are "render.samples=64" as given to --set, `quality` the name of a preset in
+/// configs/quality ("draft", "preview", "final") or empty. A file that cannot be read is a problem,
+/// not an exception.
+[[nodiscard]] LoadResult load_shot(const std::string& path,
+                                   const std::vector<std::string>& overrides = {},
+                                   const std::string& quality = {});
+
+/// The same for a text in memory (a bake's shot_text, a fuzzer's input). Relative paths are below
+/// the folder of `origin`.
+[[nodiscard]] LoadResult load_shot_text(const std::string& text, const std::string& origin,
+                                        const std::vector<std::string>& overrides = {},
+                                        const std::string& quality = {});
+
+}  // namespace carom::pipeline

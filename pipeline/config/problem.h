@@ -1,0 +1,35 @@
+// What is wrong with a file, with its place, as a compiler would say it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace carom::pipeline {
+
+/// A place in a text file; lines and columns count from 1, 0 means unknown.
+struct SourcePlace {
+    std::string file;
+    int line = 0;
+    int column = 0;
+    int length = 1;  // characters that the caret underlines, >= 1
+};
+
+enum class Severity { error, warning };
+
+struct Problem {
+    Severity severity = Severity::error;
+    SourcePlace place;
+    std::string key_path;  // "cameras[0].position", may be empty
+    std::string message;   // "unknown key 'postion' in camera 'opening' (did you mean 'position'?)"
+    std::string source_line;  // the line of the file that `place` names, may be empty
+};
+
+/// The text for a person, with the source line and a caret:
+///   shot.yaml:14:9: error: unknown key ...
+///      14 |         postion: [0, -2, 1]
+///         |         ^~~~~~~
+[[nodiscard]] std::string format(const Problem& problem);
+
+[[nodiscard]] bool has_errors(const std::vector<Problem>& problems);
+
+}  // namespace carom::pipeline

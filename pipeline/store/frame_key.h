@@ -1,0 +1,25 @@
+// A frame's identity: the hash of its own inputs and nothing else.
+#pragma once
+
+#include "pipeline/camera/camera_rig.h"
+#include "pipeline/camera/frame_plan.h"
+#include "render/scene/render_settings.h"
+#include "render/scene/scene_description.h"
+#include "sim/timeline/hash.h"
+#include "sim/timeline/timeline.h"
+
+namespace carom::pipeline {
+
+/// Hash of the still part of a scene: description and the contents of the files it names (not
+/// their paths). Computed once per shot.
+[[nodiscard]] Hash128 hash_scene(const render::SceneDescription& scene);
+
+/// Hash of: tracks cut to the shutter interval, camera values, `scene_hash`, render settings, the
+/// renderer's revision and SIMD tier. Neither the bake nor names nor the frame's number enter. The
+/// frame's seed is the key's low half.
+[[nodiscard]] Hash128 frame_key(const PlannedFrame& frame, const Shutter& shutter,
+                                const render::SceneDescription& scene, const Hash128& scene_hash,
+                                const render::RenderSettings& settings,
+                                const sim::Timeline& timeline);
+
+}  // namespace carom::pipeline

@@ -1,0 +1,58 @@
+// Finished frames on disk, under their keys.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "render/film/film.h"
+#include "render/film/image_file.h"
+#include "sim/timeline/hash.h"
+
+namespace carom::pipeline {
+
+/// $CAROM_CACHE, else $XDG_CACHE_HOME/carom, else ~/.cache/carom.
+[[nodiscard]] std::string default_cache_folder();
+
+/// Held while a frame is being rendered; releases its lock when destroyed (also when the process
+/// is killed).
+class FrameClaim {
+  public:
+    FrameClaim(int lock_descriptor, std::string path);
+    ~FrameClaim();
+    FrameClaim(FrameClaim&& other) noexcept;
+    FrameClaim& operator=(FrameClaim&& other) noexcept;
+    FrameClaim(const FrameClaim&) = delete;
+    FrameClaim& operator=(const FrameClaim&) = delete;
+
+  private:
+    int lock_descriptor_ = -1;
+    std::string path_;
+};
+
+/// A folder of EXR files, one per key. Several threads and processes may share it.
+class FrameStore {
+  public:
+    /// Creates the folder if need be; throws Error if that fails.
+    explicit FrameStore(std::string folder);
+
+    /// Whether a file stands under the key (it may still turn out to be damaged).
+    [[nodiscard]] bool contains(const Hash128& key) const;
+
+    /// The frame, or nothing if there is none. A damaged file is removed and counts as none.
+    [[nodiscard]] std::optional<render::Film> read(const Hash128& key) const;
+
+    /// Under a temporary name, flushed, renamed. Throws Error.
+    void write(const Hash128& key, const render::Film& film,
+               const render::ImageMetadata& metadata) const;
+
+    /// The right to render this frame, or nothing if another process holds it now.
+    [[nodiscard]] std::optional<FrameClaim> claim(const Hash128& key) const;
+
+    [[nodiscard]] std::string path_of(const Hash128& key) const;
+
+  private:
+    std::string folder_;
+};
+
+}  // namespace carom::pipeline

@@ -1,0 +1,23 @@
+// What every acceleration structure answers.
+#pragma once
+
+#include "render/geometry/ray.h"
+
+namespace carom::render {
+
+/// Built over a frame's shapes for one shutter interval; immutable and shared by all threads. Rays
+/// must be finite with unit directions; implementations make every ray safe before handing it to a
+/// library.
+class AccelerationStructure {
+  public:
+    virtual ~AccelerationStructure() = default;
+
+    /// The nearest hit in (ray.t_min, ray.t_max); false and an untouched `hit` if there is none.
+    /// Of two hits at the same distance the lower (object, primitive) is reported.
+    [[nodiscard]] virtual bool closest_hit(const Ray& ray, Hit& hit) const = 0;
+
+    /// Whether anything is hit in (ray.t_min, ray.t_max).
+    [[nodiscard]] virtual bool any_hit(const Ray& ray) const = 0;
+};
+
+}  // namespace carom::render

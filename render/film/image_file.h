@@ -1,0 +1,26 @@
+// Pictures on disk, through OpenImageIO.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "render/film/film.h"
+
+namespace carom::render {
+
+using ImageMetadata = std::map<std::string, std::string>;
+
+/// Half-float RGBA (clamped to +-65504; Inf and NaN are an Error naming the pixel) and the film's
+/// further channels as floats, in one OpenEXR file, ZIP-compressed. Not atomic: callers choose the
+/// temporary name. Throws Error.
+void write_exr(const Film& film, const std::string& path, const ImageMetadata& metadata = {});
+
+/// Reads what write_exr wrote. Throws Error for anything that is not such a file.
+[[nodiscard]] Film read_exr(const std::string& path);
+
+/// An 8-bit picture, already display-referred: width * height * 3 values, in the format that the
+/// path's extension names (.png, .jpg, .bmp, .tga).
+void write_display_image(const std::vector<std::uint8_t>& rgb, int width, int height,
+                         const std::string& path, const ImageMetadata& metadata = {});
+
+}  // namespace carom::render

@@ -1,0 +1,58 @@
+// One frame: from a prepared scene, a timeline and the camera's values to pixels.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "render/camera/camera_state.h"
+#include "render/film/film.h"
+#include "render/scene/render_settings.h"
+#include "render/scene/scene_description.h"
+#include "sim/timeline/progress.h"
+#include "sim/timeline/timeline.h"
+
+namespace carom::render {
+
+/// Bumped whenever the renderer's pixels change for the same inputs.
+inline constexpr int kRendererRevision = 1;
+
+/// A frame's own inputs besides scene and tracks. Canonical: scene_open <= scene_close.
+struct FrameInput {
+    CameraState camera_open;   // at scene_open; equal to camera_close: the camera stands still
+    CameraState camera_close;  // at scene_close
+    double scene_open = 0;     // the shutter's interval in scene time, s
+    double scene_close = 0;
+    /// Share of the exposure spent opening and closing (together), [0, 1]: 0 is a box, 1 a
+    /// triangle.
+    double switch_ratio = 0;
+    std::uint64_t seed = 0;
+};
+
+/// What all frames of a shot share: meshes, textures, the structure over still shapes. Immutable;
+/// any number of threads may render from it. Construction reads files and throws Error naming the
+/// file.
+class PreparedScene {
+  public:
+    explicit PreparedScene(const SceneDescription& scene, const RenderSettings& settings);
+    ~PreparedScene();
+    PreparedScene(PreparedScene&&) noexcept;
+    PreparedScene& operator=(PreparedScene&&) noexcept;
+    PreparedScene(const PreparedScene&) = delete;
+    PreparedScene& operator=(const PreparedScene&) = delete;
+
+    struct Data;
+    [[nodiscard]] const Data& data() const { return *data_; }
+
+  private:
+    std::unique_ptr<const Data> data_;
+};
+
+/// Renders one frame, tiles in parallel on oneTBB. The pixels depend on the arguments alone, not on
+/// threads. `tracks` need only hold the tracks that the scene names; a name without a track is an
+/// Error.
+[[nodiscard]] Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks,
+                                const FrameInput& frame, const RenderSettings& settings,
+                                const WorkContext& context = {});
+
+}  // namespace carom::render

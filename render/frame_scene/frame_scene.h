@@ -1,0 +1,37 @@
+// The shapes of one frame, set up for its shutter interval: what integrators trace against.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "render/acceleration/acceleration_structure.h"
+#include "render/scene/render_settings.h"
+#include "sim/timeline/track.h"
+
+namespace carom::render {
+
+class StaticGeometry;  // render/frame_scene/static_geometry.h: what all frames share
+
+/// Moving spheres keep their exact paths (Hermite stretches with the instants of impacts between
+/// them); still shapes come from `StaticGeometry`.
+class FrameScene {
+  public:
+    /// `scene_open` <= `scene_close`, seconds of scene time.
+    FrameScene(const StaticGeometry& geometry, std::span<const sim::Track> tracks,
+               double scene_open, double scene_close);
+    ~FrameScene();
+    FrameScene(const FrameScene&) = delete;
+    FrameScene& operator=(const FrameScene&) = delete;
+
+    [[nodiscard]] const AccelerationStructure& structure() const { return *structure_; }
+
+    /// The point that `hit` names, at the ray's own time.
+    [[nodiscard]] SurfacePoint surface_at(const Ray& ray, const Hit& hit) const;
+
+  private:
+    struct Data;
+    std::unique_ptr<Data> data_;
+    std::unique_ptr<AccelerationStructure> structure_;
+};
+
+}  // namespace carom::render

@@ -1,0 +1,38 @@
+// The random numbers of one ray sample: Owen-scrambled Sobol points (Sobol 1967; Owen 1995;
+// hash-based scrambling after Laine and Karras 2011 and Burley 2020), a pure function of (seed,
+// pixel, sample, dimension).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "render/geometry/ray.h"
+
+namespace carom::render {
+
+/// Pixel, lens and time of a camera ray: one five-dimensional Sobol point. All in [0, 1).
+struct CameraSample {
+    V2f pixel;
+    V2f lens;
+    float time = 0;
+};
+
+/// Hands out the dimensions of one sample of one pixel, in order. Cheap to copy; no shared state.
+class SampleStream {
+  public:
+    SampleStream(std::uint64_t seed, std::uint32_t pixel_x, std::uint32_t pixel_y,
+                 std::uint32_t sample);
+
+    /// Does not advance the stream.
+    [[nodiscard]] CameraSample camera_sample() const;
+
+    /// The next four dimensions: one shuffled, scrambled four-dimensional Sobol point.
+    [[nodiscard]] std::array<float, 4> next_4d();
+
+  private:
+    std::uint32_t pixel_hash_ = 0;
+    std::uint32_t sample_ = 0;
+    std::uint32_t set_ = 0;  // index of the next four dimensions
+};
+
+}  // namespace carom::render

@@ -1,0 +1,76 @@
+// Surfaces as plain data: the layered `standard` material and the textures that vary it.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "sim/timeline/vocabulary.h"
+
+namespace carom::render {
+
+/// An image file, looked up by uv (meshes: their own uv; spheres: longitude and latitude).
+struct ImageTexture {
+    std::string file;        // absolute path
+    Vec2 scale{1, 1};        // repeats
+    bool is_linear = false;  // false: sRGB-encoded colour
+};
+
+/// A billiard ball, painted in object axes: solid or striped, a number in a white disc on both
+/// ends of the x axis; no number with 0.
+struct BallTexture {
+    Vec3 colour{1, 1, 1};
+    Vec3 white{0.9, 0.87, 0.78};
+    bool striped = false;
+    int number = 0;
+    double disc_radius = 0.48;  // of the number's disc, in ball radii
+    int spots = 0;              // small red dots, as on training balls (0, 6)
+};
+
+/// Woven cloth with a nap: small variations of colour in world or object xy.
+struct ClothTexture {
+    Vec3 colour{0.02, 0.22, 0.14};
+    double thread = 0.0008;   // spacing of the weave, m
+    double variation = 0.15;  // relative
+};
+
+struct WoodTexture {
+    Vec3 light{0.35, 0.17, 0.07};
+    Vec3 dark{0.13, 0.05, 0.02};
+    double ring = 0.012;  // mean spacing of the grain, m
+    Vec3 grain{1, 0, 0};  // direction of the grain in object axes
+};
+
+struct CheckerTexture {
+    Vec3 even{0.8, 0.8, 0.8};
+    Vec3 odd{0.2, 0.2, 0.2};
+    double size = 0.1;  // of a square, m
+};
+
+/// A colour, constant or varying over the surface.
+using ColourSource =
+    std::variant<Vec3, ImageTexture, BallTexture, ClothTexture, WoodTexture, CheckerTexture>;
+
+struct Coat {
+    double weight = 0;     // [0, 1]
+    double ior = 1.5;      // [1, 3]
+    double roughness = 0;  // [0, 1]
+};
+
+/// Layers from the bottom up: diffuse base or metal, sheen, coat.
+struct StandardMaterial {
+    ColourSource base = Vec3{0.8, 0.8, 0.8};  // albedo, each channel in [0, 1]
+    double metal = 0;                         // [0, 1]: base becomes the reflectance of a metal
+    double roughness = 0.5;  // [0, 1] of the base's specular lobe (GGX alpha = roughness^2)
+    double specular = 0;     // [0, 1] weight of the base's own dielectric highlight, ior 1.5
+    double sheen = 0;        // [0, 1] weight
+    Vec3 sheen_colour{1, 1, 1};
+    double bump = 0;  // strength of the texture's own relief, [0, 1] (cloth)
+    Coat coat;
+};
+
+struct MaterialDescription {
+    std::string name;
+    StandardMaterial surface;
+};
+
+}  // namespace carom::render

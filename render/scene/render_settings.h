@@ -1,0 +1,30 @@
+// How a frame is computed. Every field can change the pixels and is part of a frame's key.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace carom::render {
+
+enum class IntegratorKind { path };
+enum class PixelFilter { box, gaussian, blackman_harris };
+enum class AccelerationKind { hybrid, embree };
+
+struct RenderSettings {
+    int width = 1280;  // pixels, [16, 16384]
+    int height = 720;
+    IntegratorKind integrator = IntegratorKind::path;
+    int samples = 64;     // per pixel, [1, 65536]; powers of two converge best
+    int max_bounces = 4;  // [0, 64]
+    double clamp =
+        0;  // radiance of one sample's indirect light is clamped to this; 0: off (biased otherwise)
+    PixelFilter filter = PixelFilter::blackman_harris;
+    double filter_width = 1.5;  // full width in pixels, [0.5, 8]; box: 1
+    AccelerationKind acceleration = AccelerationKind::hybrid;
+    std::vector<std::string>
+        aovs;  // of "depth", "normal", "albedo", "motion", "object_id", "variance"
+
+    bool operator==(const RenderSettings&) const = default;
+};
+
+}  // namespace carom::render

@@ -1,0 +1,92 @@
+// What is seen, as plain data: shapes, materials, textures, lights. World axes, metres, Z up;
+// colour is linear Rec.709, scene-referred.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "render/scene/material_description.h"
+#include "sim/timeline/vocabulary.h"
+
+namespace carom::render {
+
+// ---- shapes, in the object's own axes --------------------------------------------------------
+
+struct SphereShape {
+    double radius = 1;  // centre at the origin
+};
+
+struct BoxShape {
+    Vec3 size{1, 1, 1};  // full edges, centre at the origin
+};
+
+/// The infinite plane z = 0, its normal +z.
+struct PlaneShape {};
+
+/// Centre at the origin, normal +z, size x by y.
+struct RectangleShape {
+    Vec2 size{1, 1};
+};
+
+/// Given in the scene itself (the table's surfaces) or read from an OBJ file.
+struct MeshShape {
+    std::string file;  // absolute path; empty: the arrays below
+    std::vector<Vec3> vertices;
+    std::vector<Vec3> normals;  // per vertex or empty
+    std::vector<Vec2> uv;       // per vertex or empty
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+using Shape = std::variant<SphereShape, BoxShape, PlaneShape, RectangleShape, MeshShape>;
+
+/// Something to see. With a `track` its place is the track's pose (body axes = object axes, after
+/// `world_from_object`'s scale); without one it stands still at `world_from_object`.
+struct ObjectDescription {
+    std::string name;
+    Shape shape;
+    Mat44 world_from_object{};  // p_world = p_object * world_from_object; affine, invertible
+    std::string track;          // name of a track of the timeline; empty: still
+    std::string material;       // name in SceneDescription::materials
+};
+
+// ---- lights ---------------------------------------------------------------------------------
+
+/// One-sided: radiates from the side of its normal. Seen by the camera and in reflections as such.
+struct RectangleLight {
+    Vec3 centre{0, 0, 1};
+    Vec3 edge_u{0.5, 0, 0};  // half edges, orthogonal; the light spans centre +- edge_u +- edge_v
+    Vec3 edge_v{0, 0.5, 0};
+    Vec3 normal{0, 0, -1};   // unit, orthogonal to both
+    Vec3 radiance{1, 1, 1};  // W/(m^2 sr)
+};
+
+struct SphereLight {
+    Vec3 centre{0, 0, 1};
+    double radius = 0.05;  // m, > 0
+    Vec3 radiance{1, 1, 1};
+};
+
+/// Light from infinitely far away in all directions: constant, or an equirectangular image (Z up,
+/// its centre column towards +x rotated by `rotation` about z).
+struct EnvironmentLight {
+    Vec3 radiance{1, 1, 1};  // multiplies the image
+    std::string image;       // absolute path; empty: constant
+    double rotation = 0;     // rad, counter-clockwise seen from above
+};
+
+struct LightDescription {
+    std::string name;
+    std::variant<RectangleLight, SphereLight, EnvironmentLight> light;
+};
+
+struct SceneDescription {
+    std::vector<ObjectDescription> objects;
+    std::vector<MaterialDescription> materials;
+    std::vector<LightDescription> lights;  // at most one environment
+};
+
+}  // namespace carom::render

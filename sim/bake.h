@@ -1,0 +1,28 @@
+// The one entry to the simulation.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/timeline/hash.h"
+#include "sim/timeline/progress.h"
+#include "sim/timeline/timeline.h"
+#include "sim/world.h"
+
+namespace carom::sim {
+
+struct BakeResult {
+    Timeline timeline;
+    std::vector<std::string> warnings;  // a strike that misses, a miscue, a loop's cap reached ...
+};
+
+/// Simulates the whole shot. Deterministic: the same description gives the same timeline, bit for
+/// bit. May run on several threads at once, one world each. Throws Error on a description with
+/// problems, Stopped when stopped.
+[[nodiscard]] BakeResult bake(const WorldDescription& world, const WorkContext& context = {});
+
+/// Hash of everything in the description that can change the bake, and of the simulation's own
+/// revision number.
+[[nodiscard]] Hash128 physics_hash(const WorldDescription& world);
+
+}  // namespace carom::sim

@@ -1,0 +1,95 @@
+// A billiard table: one set of measures, and the geometry made from it once. The simulation
+// collides with exactly the surfaces that are drawn.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/timeline/vocabulary.h"
+
+namespace carom::sim::billiards {
+
+enum class TableKind { pool, snooker, carom, cloth, custom };
+
+/// One kind of pocket (corner or side). All in metres and radians; see docs/tables.md for a
+/// drawing.
+struct PocketMeasures {
+    double mouth = 0;      // between the two cushion noses' ends
+    double throat = 0;     // between the jaws where they meet the pocket's hole
+    double jaw_angle = 0;  // between the cushion's nose line and the jaw facing (interior, > pi/2)
+    double hole_radius = 0;  // of the hole in the slate
+    double shelf = 0;        // from the line of the mouth to the hole's edge
+    double drop = 0;         // depth of the pocket's floor under the cloth
+    bool operator==(const PocketMeasures&) const = default;
+};
+
+struct TableMeasures {
+    TableKind kind = TableKind::pool;
+    double length = 2.54;           // playing field between cushion noses, along x, m
+    double width = 1.27;            // along y, m
+    double nose_height = 0.03629;   // of the cushion nose above the cloth, m
+    double cushion_width = 0.0508;  // from the nose to the rail, m
+    double rail_width = 0.127;      // wooden rail outside the cushion, m
+    double rail_height = 0.040;     // of the rail's top above the cloth, m
+    double height = 0.7874;         // of the cloth above the floor, m
+    std::optional<PocketMeasures> corner_pocket;
+    std::optional<PocketMeasures> side_pocket;
+    bool has_cushions = true;  // false: `cloth`, an unbounded plane
+    bool operator==(const TableMeasures&) const = default;
+};
+
+/// Published sizes: pool "7 ft", "8 ft", "9 ft"; snooker "12 ft"; carom "10 ft"; cloth "" . Empty
+/// if there is none of that name.
+[[nodiscard]] std::optional<TableMeasures> standard_table(TableKind kind, std::string_view size);
+
+/// All that is wrong with the measures, one sentence each.
+[[nodiscard]] std::vector<std::string> find_problems(const TableMeasures& measures);
+
+/// A vertical face that balls on the cloth bounce off: a cushion between two pockets or a jaw.
+struct CushionFace {
+    Vec2 from, to;  // the drawn nose's ends, playing field on the left going from -> to
+    Vec2 normal;    // unit, into the playing field
+    bool is_jaw = false;
+};
+
+/// A rounded corner of the nose (vertical cylinder) between a cushion and its jaw.
+struct CushionCorner {
+    Vec2 centre;
+    double radius = 0;
+};
+
+struct Pocket {
+    std::string name;  // "corner_left_front" ... ; see docs/tables.md
+    Vec2 centre;       // of the hole in the slate
+    double radius = 0;
+    double drop = 0;
+};
+
+enum class SurfacePart { cloth, cushion, rail, pocket_liner, pocket_floor, apron, leg, sight };
+
+/// A drawn (and, but for `sight`, `leg` and `apron`, collided) triangle mesh in world axes.
+struct Surface {
+    std::string name;  // "cloth", "cushion_1" ...
+    SurfacePart part = SurfacePart::cloth;
+    std::vector<Vec3> vertices;
+    std::vector<Vec3> normals;  // per vertex, unit; empty: flat
+    std::vector<Vec2> uv;       // per vertex, metres along the surface; empty: none
+    std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise seen from outside
+};
+
+struct TableGeometry {
+    std::vector<CushionFace> faces;
+    std::vector<CushionCorner> corners;
+    std::vector<Pocket> pockets;
+    std::vector<Surface> surfaces;
+};
+
+/// `ball_radius` matters since cushion faces are where such a ball is touched: the drawn nose lies
+/// R - sqrt(R^2 - (h - R)^2) inside the line where the ball's own front touches.
+[[nodiscard]] TableGeometry build_table(const TableMeasures& measures, double ball_radius);
+
+}  // namespace carom::sim::billiards

@@ -1,0 +1,67 @@
+// Restitution, friction and resistance by pair of physical materials.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace carom::sim {
+
+enum class CushionModel {
+    mirror,   // restitution along the horizontal normal, no friction: for tests
+    han2005,  // Han, I.: Dynamics in Carom and Three Cushion Billiards, J. Mech. Sci. Tech. 19(4),
+              // 2005
+    mathavan2010,  // Mathavan, Jackson, Parkin: A theoretical analysis of billiard ball dynamics
+                   // under cushion impacts, 2010
+};
+
+enum class BallFriction {
+    constant,   // `friction` of the pair
+    alciatore,  // 0.009951 + 0.108 exp(-1.088 v), v the relative surface speed in m/s (TP A-14)
+};
+
+struct BallCloth {
+    double sliding_friction = 0.2;      // -, >= 0
+    double rolling_friction = 0.01;     // -, >= 0: deceleration / g
+    double spinning_friction = 0.0127;  // -, >= 0: spin decays at 5/2 mu g / R
+    double restitution = 0.5;           // ball on slate, [0, 1]
+    bool operator==(const BallCloth&) const = default;
+};
+
+struct BallBall {
+    double restitution = 0.95;  // [0, 1]
+    double friction = 0.05;     // -, >= 0
+    BallFriction friction_model = BallFriction::constant;
+    bool operator==(const BallBall&) const = default;
+};
+
+struct BallCushion {
+    CushionModel model = CushionModel::han2005;
+    double restitution = 0.85;  // [0, 1]
+    double friction = 0.2;      // -, >= 0
+    bool operator==(const BallCushion&) const = default;
+};
+
+/// Any two other materials.
+struct PairContact {
+    double restitution = 0.3;       // [0, 1]
+    double friction = 0.4;          // Coulomb, >= 0
+    double rolling_friction = 0.0;  // -, >= 0
+    bool operator==(const PairContact&) const = default;
+};
+
+struct ContactLaw {
+    BallCloth ball_cloth;
+    BallBall ball_ball;
+    BallCushion ball_cushion;
+    PairContact otherwise;  // pairs not named in `pairs`
+    std::map<std::pair<std::string, std::string>, PairContact>
+        pairs;  // names in alphabetical order
+    /// Keep the vertical part of ball-ball friction and of cushion impulses for balls on the cloth.
+    bool hop = false;
+
+    /// The law for two materials, in either order.
+    [[nodiscard]] const PairContact& between(const std::string& a, const std::string& b) const;
+};
+
+}  // namespace carom::sim

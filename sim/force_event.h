@@ -1,0 +1,71 @@
+// What is done to a body, and when.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "sim/timeline/vocabulary.h"
+
+namespace carom::sim {
+
+enum class Axes { world, body };
+
+/// Newtons during `duration`; exact in impulse whatever the step. A duration of 0 is not a force.
+struct Force {
+    Vec3 newtons{0, 0, 0};
+    double duration = 0;     // s, > 0
+    Vec3 at_point{0, 0, 0};  // from the centre of mass, in `axes`, m
+    Axes axes = Axes::world;
+};
+
+/// Newton metres during `duration`.
+struct Torque {
+    Vec3 newton_metres{0, 0, 0};
+    double duration = 0;  // s, > 0
+    Axes axes = Axes::world;
+};
+
+/// Newton seconds in an instant.
+struct Impulse {
+    Vec3 newton_seconds{0, 0, 0};
+    Vec3 at_point{0, 0, 0};
+    Axes axes = Axes::world;
+};
+
+/// Sets what is given.
+struct SetVelocity {
+    std::optional<Vec3> linear;   // m/s, world axes
+    std::optional<Vec3> angular;  // rad/s, world axes
+};
+
+/// A ball struck by a cue stick (Alciatore, TP ). Exactly one of `toward` and
+/// `direction` gives the aim, exactly one of `speed` and `ball_speed` the strength.
+struct Strike {
+    std::optional<double> speed;        // of the stick, m/s, > 0
+    std::optional<double> ball_speed;   // the ball's own speed after it, m/s, > 0
+    std::optional<std::string> toward;  // the object aimed at (its centre when struck)
+    std::optional<Vec3> toward_point;   // or a point, m
+    std::optional<double> direction;    // or an angle counter-clockwise from +x, rad
+    double elevation = 0;               // of the stick, rad, [0, pi/2)
+    Vec2 tip{0, 0};             // offset to the right and up as the shooter sees it, in ball radii
+    double stick_mass = 0.567;  // kg, > 0
+    double end_mass_ratio = 1.0 / 30;  // effective end mass / ball mass, > 0 (squirt)
+};
+
+/// When: `time`, or with `trigger` the first time that it happens at or after `time`, plus `after`.
+struct Trigger {
+    enum class Kind { contact, potted, resting } kind = Kind::contact;
+    std::string a;  // object; empty with `resting`: all
+    std::string b;  // contact only: the other object or surface
+};
+
+struct ForceEvent {
+    std::string object;  // the body it acts on
+    double time = 0;     // scene time, s, >= 0
+    std::optional<Trigger> trigger;
+    double after = 0;  // delay behind the trigger, s, >= 0
+    std::variant<Force, Torque, Impulse, SetVelocity, Strike> action;
+};
+
+}  // namespace carom::sim

@@ -1,0 +1,56 @@
+// What happened during a shot: the event log and the energy over time.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "sim/timeline/vocabulary.h"
+
+namespace carom::sim {
+
+enum class EventKind {
+    impact,     // a and b touched and exchanged an impulse
+    sliding,    // a began to slide on the cloth
+    rolling,    // a began to roll without slip
+    spinning,   // a stands still and spins about the vertical
+    resting,    // a came to rest
+    airborne,   // a left what carried it
+    potted,     // a fell into pocket b
+    off_table,  // a left the table and is not in a pocket
+    force,      // force event: newtons on a from `time` to `end_time`
+    torque,     // force event: newton metres on a from `time` to `end_time`
+    impulse,    // force event: newton seconds on a
+    velocity,   // force event: a's velocity was set
+    strike,     // force event: a was struck by the stick; the vector is the velocity given
+};
+
+/// The name used in files: "impact", "rolling", "off_table" ...
+[[nodiscard]] std::string_view to_string(EventKind kind);
+
+struct Event {
+    EventKind kind = EventKind::impact;
+    double time = 0;       // scene time, s
+    double end_time = 0;   // s; differs from `time` for force and torque only
+    std::string a;         // name of the object it happened to
+    std::string b;         // impact: the other object or surface ("cushion", "cloth", "floor" ...);
+                           // potted: the pocket
+    Vec3 place{0, 0, 0};   // impact: the point of contact; otherwise a's centre
+    Vec3 normal{0, 0, 0};  // impact: unit, from b towards a; otherwise zero
+    double normal_impulse = 0;      // N s, impact only
+    double tangential_impulse = 0;  // N s, impact only
+    Vec3 vector{0, 0, 0};  // force events: the force, torque, impulse or velocity, world axes
+
+    bool operator==(const Event&) const = default;
+};
+
+/// Mechanical energy of all dynamic bodies, joules; potential relative to z = 0.
+struct EnergySample {
+    double time = 0;
+    double kinetic = 0;  // translation and rotation
+    double potential = 0;
+
+    [[nodiscard]] double total() const { return kinetic + potential; }
+    bool operator==(const EnergySample&) const = default;
+};
+
+}  // namespace carom::sim

@@ -1,0 +1,69 @@
+// What is simulated: bodies, the table, the contact law, and what is done to the bodies.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/billiards/table.h"
+#include "sim/contact_law.h"
+#include "sim/force_event.h"
+#include "sim/timeline/track_recorder.h"
+#include "sim/timeline/vocabulary.h"
+
+namespace carom::sim {
+
+struct Sphere {
+    double radius = 0.0285750;  // m, > 0
+};
+
+struct Box {
+    Vec3 size{1, 1, 1};  // full edge lengths along the body's axes, m, > 0
+};
+
+/// A closed or open surface. Allowed for static bodies only.
+struct TriangleMesh {
+    std::vector<Vec3> vertices;                           // body axes, m
+    std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise seen from outside
+};
+
+using BodyShape = std::variant<Sphere, Box, TriangleMesh>;
+
+enum class BodyKind {
+    dynamic,  // moves by the laws of physics
+    fixed,    // never moves, others collide with it
+};
+
+struct Body {
+    std::string name;  // unique in the world; names the track
+    BodyShape shape;
+    BodyKind kind = BodyKind::dynamic;
+    double mass = 0.170097;         // kg, > 0; ignored for fixed bodies
+    std::string material = "ball";  // physical material: "ball", or any name the contact law knows
+    Pose pose;
+    Vec3 velocity{0, 0, 0};          // m/s, world axes
+    Vec3 angular_velocity{0, 0, 0};  // rad/s, world axes
+};
+
+struct WorldDescription {
+    Vec3 gravity{0, 0, -9.81};  // m/s^2
+    double duration = 10;       // s, in (0, 3600]
+    double step = 1.0 / 240;    // longest step between touches, s, in [1e-5, 0.1]
+    std::uint64_t seed = 0;     // for racks' random gaps
+    KeyReduction key_reduction;
+    ContactLaw contact_law;
+    std::optional<billiards::TableMeasures> table;  // the cloth is the plane z = 0
+    std::optional<double>
+        floor_height;  // an infinite floor at this z, m; none: things fall for ever
+    std::vector<Body> bodies;
+    std::vector<ForceEvent> events;
+};
+
+/// All that is wrong with a description, one sentence each, naming the body or event; empty if
+/// it can be simulated. `bake` throws Error with the first of these.
+[[nodiscard]] std::vector<std::string> find_problems(const WorldDescription& world);
+
+}  // namespace carom::sim
