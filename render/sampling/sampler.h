@@ -1,6 +1,6 @@
 // The random numbers of one ray sample: Owen-scrambled Sobol points (Sobol 1967; Owen 1995;
 // hash-based scrambling after Laine and Karras 2011 and Burley 2020), a pure function of (seed,
-// pixel, sample, dimension).
+// pixel, sample, dimension). Any aligned run of 2^k samples of a pixel is stratified.
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ class SampleStream {
 
   private:
     std::uint32_t pixel_hash_ = 0;
-    std::uint32_t sample_ = 0;
-    std::uint32_t set_ = 0;  // index of the next four dimensions
+    std::uint32_t reversed_sample_ = 0;  // the sample's number, its lowest bit first
+    std::uint32_t set_ = 0;              // index of the next four dimensions
 };
 
 }  // namespace carom::render

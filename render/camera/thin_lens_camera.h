@@ -1,0 +1,79 @@
+// From a camera sample to a ray: pixel filter, thin lens, shutter.
+#pragma once
+
+#include <optional>
+
+#include "render/camera/camera_state.h"
+#include "render/geometry/ray.h"
+#include "render/sampling/pixel_filter.h"
+#include "render/sampling/sampler.h"
+
+namespace carom::render {
+
+/// The camera's values in the form that rays are made from: axes scaled so that the picture plane
+/// lies at distance 1. World axes, metres.
+struct CameraFrame {
+    V3f position;
+    V3f forward;               // unit, along the optical axis
+    V3f right;                 // unit, to the right in the picture
+    V3f up;                    // unit, upwards in the picture
+    float pixel_size = 0;      // of a pixel on the plane at distance 1
+    float focus_distance = 1;  // m
+    float lens_radius = 0;     // m
+    float blade_turns = 0;     // rotation of the blades, turns
+};
+
+/// The camera of one frame, which moves from `open` to `close` during the shutter: position,
+/// target, up, roll, focus, lens and the tangent of half the field of view change linearly.
+/// Immutable; every method may be called from any thread.
+///
+/// Focus plane perpendicular to the optical axis. Pixel (0, 0) is at the top left; the picture's
+/// centre is (width / 2, height / 2).
+class ThinLensCamera {
+  public:
+    /// `switch_ratio`: share of the exposure spent opening and closing, [0, 1]. Throws Error if a
+    /// state is unusable: an axis of no length or along `up`, a field of view outside (0, pi), a
+    /// focus distance not above 0, a negative lens radius, 1 or 2 blades, or a NaN.
+    ThinLensCamera(const CameraState& open, const CameraState& close, int width, int height,
+                   double switch_ratio, PixelFilter filter, double filter_width);
+
+    /// Unit direction, t_min 0, t_max infinite. With no lens and no motion the ray through a point
+    /// of the picture does not depend on the sample's lens and time, bit for bit.
+    [[nodiscard]] Ray ray(int pixel_x, int pixel_y, const CameraSample& sample) const;
+
+    /// The camera's values at `time` within the shutter, [0, 1].
+    [[nodiscard]] CameraFrame frame_at(float time) const;
+
+    /// Where in the picture (pixels) the point is seen through the centre of the lens at `time`;
+    /// nothing behind the camera.
+    [[nodiscard]] std::optional<V2f> project(const V3f& point, float time) const;
+
+    /// Solid angle (sr) of a pixel in the centre of the picture, at the shutter's opening.
+    [[nodiscard]] float pixel_solid_angle() const;
+
+  private:
+    [[nodiscard]] Ray pinhole_ray(const CameraFrame& frame, const V2f& picture) const;
+    [[nodiscard]] Ray lens_ray(const CameraFrame& frame, const V2f& picture, const V2f& lens) const;
+
+    /// A frame, and the values that change linearly where the frame's own do not.
+    struct Moving {
+        CameraFrame frame;
+        V3f axis;  // from position to target
+        V3f up;
+        float roll = 0;
+        float blade_rotation = 0;
+    };
+    [[nodiscard]] static Moving make_moving(const CameraState& state, int height);
+
+    Moving open_;
+    Moving close_;
+    PixelFilterSampler filter_;
+    float half_width_ = 0;  // pixels
+    float half_height_ = 0;
+    float switch_ratio_ = 0;
+    int blades_ = 0;
+    bool moves_ = false;
+    bool has_lens_ = false;
+};
+
+}  // namespace carom::render

@@ -1,0 +1,188 @@
+#include "render/film/image_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <span>
+
+#include <OpenImageIO/imageio.h>
+
+#include "sim/timeline/assert.h"
+#include "sim/timeline/error.h"
+
+namespace carom::render {
+namespace {
+
+constexpr float kLargestHalf = 65504;
+constexpr int kMaxEdge = 65'536;  // pixels
+constexpr int kMaxChannels = 256;
+constexpr std::size_t kMaxPixels = std::size_t{1} << 28;
+constexpr const char* kColourNames[4] = {"R", "G", "B", "A"};
+
+std::size_t pixel_count(const Film& film) {
+    return static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& what) {
+    throw Error("'" + path + "': " + what);
+}
+
+std::string reason(std::string library_text) {
+    while (!library_text.empty() && (library_text.back() == '\n' || library_text.back() == ' ')) {
+        library_text.pop_back();
+    }
+    std::replace(library_text.begin(), library_text.end(), '\n', ' ');
+    return library_text.empty() ? "no reason given" : library_text;
+}
+
+void check_finite(const std::string& channel, std::size_t pixel, float value, int width,
+                  const std::string& path) {
+    if (!std::isfinite(value)) {
+        const std::size_t columns = static_cast<std::size_t>(width);
+        refuse(path, "pixel (" + std::to_string(pixel % columns) + ", " +
+                         std::to_string(pixel / columns) + "), channel " + channel +
+                         ", is not a finite number; such a picture is not written");
+    }
+}
+
+void check_sizes(const Film& film) {
+    CAROM_ASSERT(film.width > 0 && film.height > 0);
+    CAROM_ASSERT(film.rgba.size() == 4 * pixel_count(film));
+    for (const Channel& aov : film.aovs) {
+        CAROM_ASSERT(aov.values.size() == pixel_count(film));
+    }
+}
+
+/// Pixel by pixel: all channels as floats, colours clamped to what a half can hold.
+std::vector<float> interleave(const Film& film, const std::string& path) {
+    const std::size_t channels = 4 + film.aovs.size();
+    std::vector<float> pixels(pixel_count(film) * channels);
+    for (std::size_t p = 0; p < pixel_count(film); ++p) {
+        float* out = &pixels[p * channels];
+        for (std::size_t c = 0; c < 4; ++c) {
+            const float value = film.rgba[4 * p + c];
+            check_finite(kColourNames[c], p, value, film.width, path);
+            out[c] = std::clamp(value, -kLargestHalf, kLargestHalf);
+        }
+        for (std::size_t c = 0; c < film.aovs.size(); ++c) {
+            const float value = film.aovs[c].values[p];
+            check_finite(film.aovs[c].name, p, value, film.width, path);
+            out[4 + c] = value;
+        }
+    }
+    return pixels;
+}
+
+void add_metadata(OIIO::ImageSpec& spec, const ImageMetadata& metadata) {
+    for (const auto& [key, value] : metadata) {
+        spec.attribute(key, value);
+    }
+}
+
+/// `format`: the library's name of it, or a path whose extension says which.
+void write_pixels(const std::string& path, const std::string& format, const OIIO::ImageSpec& spec,
+                  OIIO::TypeDesc type, const void* pixels) {
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
+    if (!output) {
+        refuse(path, "no picture can be written in that format: " + reason(OIIO::geterror()));
+    }
+    if (!output->open(path, spec) || !output->write_image(type, pixels) || !output->close()) {
+        refuse(path, "the picture cannot be written: " + reason(output->geterror()));
+    }
+}
+
+void check_opened(const OIIO::ImageSpec& spec, const std::string& path) {
+    const bool has_size = spec.width > 0 && spec.height > 0 && spec.depth <= 1 &&
+                          spec.width <= kMaxEdge && spec.height <= kMaxEdge;
+    if (!has_size || spec.nchannels < 4 || spec.nchannels > kMaxChannels ||
+        static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) > kMaxPixels) {
+        refuse(path, "not a frame of carom: " + std::to_string(spec.width) + " x " +
+                         std::to_string(spec.height) + " pixels, " +
+                         std::to_string(spec.nchannels) + " channels");
+    }
+    for (int c = 0; c < 4; ++c) {
+        if (spec.channelnames[static_cast<std::size_t>(c)] != kColourNames[c]) {
+            refuse(path, "not a frame of carom: its first channels are not R, G, B and A");
+        }
+    }
+}
+
+Film deinterleave(const OIIO::ImageSpec& spec, std::span<const float> pixels) {
+    Film film;
+    film.width = spec.width;
+    film.height = spec.height;
+    const std::size_t channels = static_cast<std::size_t>(spec.nchannels);
+    const std::size_t count = pixel_count(film);
+    film.rgba.resize(4 * count);
+    for (std::size_t c = 4; c < channels; ++c) {
+        film.aovs.push_back({spec.channelnames[c], std::vector<float>(count)});
+    }
+    for (std::size_t p = 0; p < count; ++p) {
+        const float* in = &pixels[p * channels];
+        std::copy_n(in, 4, &film.rgba[4 * p]);
+        for (std::size_t c = 4; c < channels; ++c) {
+            film.aovs[c - 4].values[p] = in[c];
+        }
+    }
+    return film;
+}
+
+}  // namespace
+
+void write_exr(const Film& film, const std::string& path, const ImageMetadata& metadata) {
+    check_sizes(film);
+    const std::vector<float> pixels = interleave(film, path);
+    const int channels = static_cast<int>(4 + film.aovs.size());
+    OIIO::ImageSpec spec(film.width, film.height, channels, OIIO::TypeFloat);
+    spec.alpha_channel = 3;
+    for (std::size_t c = 0; c < 4; ++c) {
+        spec.channelnames[c] = kColourNames[c];
+        spec.channelformats.push_back(OIIO::TypeHalf);
+    }
+    for (std::size_t c = 0; c < film.aovs.size(); ++c) {
+        spec.channelnames[4 + c] = film.aovs[c].name;
+        spec.channelformats.push_back(OIIO::TypeFloat);
+        if (film.aovs[c].name == "Z") {
+            spec.z_channel = static_cast<int>(4 + c);
+        }
+    }
+    spec.attribute("compression", "zip");
+    spec.attribute("oiio:ColorSpace", "Linear");
+    add_metadata(spec, metadata);
+    write_pixels(path, "openexr", spec, OIIO::TypeFloat, pixels.data());
+}
+
+Film read_exr(const std::string& path) {
+    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
+    if (!input) {
+        refuse(path, "the frame cannot be read: " + reason(OIIO::geterror()));
+    }
+    if (std::strcmp(input->format_name(), "openexr") != 0) {
+        refuse(path, std::string("not an OpenEXR file but ") + input->format_name());
+    }
+    const OIIO::ImageSpec spec = input->spec();
+    check_opened(spec, path);
+    std::vector<float> pixels(static_cast<std::size_t>(spec.width) *
+                              static_cast<std::size_t>(spec.height) *
+                              static_cast<std::size_t>(spec.nchannels));
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, pixels.data())) {
+        refuse(path, "the frame is damaged: " + reason(input->geterror()));
+    }
+    return deinterleave(spec, pixels);
+}
+
+void write_display_image(const std::vector<std::uint8_t>& rgb, int width, int height,
+                         const std::string& path, const ImageMetadata& metadata) {
+    CAROM_ASSERT(width > 0 && height > 0);
+    CAROM_ASSERT(rgb.size() ==
+                 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("CompressionQuality", 95);
+    add_metadata(spec, metadata);
+    write_pixels(path, path, spec, OIIO::TypeUInt8, rgb.data());
+}
+
+}  // namespace carom::render

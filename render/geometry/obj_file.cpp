@@ -1,0 +1,200 @@
+#include "render/geometry/obj_file.h"
+
+#define TINYOBJLOADER_USE_DOUBLE  // as libtinyobjloader_double was built
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <tuple>
+
+#include <tiny_obj_loader.h>
+
+#include "render/geometry/polygon.h"
+#include "render/geometry/triangle_mesh.h"
+#include "sim/timeline/error.h"
+
+namespace carom::render {
+namespace {
+
+constexpr std::streamoff kMaxFileBytes = 2'000'000'000;
+constexpr std::size_t kMaxLineBytes = 65'536;
+constexpr int kMaxCorners = 1'024;  // of one face
+
+[[noreturn]] void refuse(const std::string& path, const std::string& what) {
+    throw Error("'" + path + "': " + what);
+}
+
+std::string read_text(const std::string& path) {
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    if (!file) {
+        refuse(path, "the mesh cannot be opened");
+    }
+    const std::streamoff size = file.tellg();
+    if (size < 0 || size > kMaxFileBytes) {
+        refuse(path, "the mesh is larger than 2 GB or not a file");
+    }
+    std::string text(static_cast<std::size_t>(size), '\0');
+    file.seekg(0);
+    file.read(text.data(), size);
+    if (!file) {
+        refuse(path, "the mesh cannot be read to its end");
+    }
+    return text;
+}
+
+/// The library takes a word that is no number for zero; so numbers are looked at before it runs.
+void check_lines(const std::string& text, const std::string& path) {
+    std::size_t line_number = 0;
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        ++line_number;
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line(text.data() + begin, end - begin);
+        const auto refuse_line = [&](const std::string& what) {
+            refuse(path, "line " + std::to_string(line_number) + ": " + what);
+        };
+        if (line.size() > kMaxLineBytes) {
+            refuse_line("longer than " + std::to_string(kMaxLineBytes) + " bytes");
+        }
+        if (line.find('\0') != std::string_view::npos) {
+            refuse_line("a zero byte; this is not an OBJ file");
+        }
+        const std::size_t key_end = std::min(line.find_first_of(" \t"), line.size());
+        const std::string_view key = line.substr(0, key_end);
+        const bool is_vertex = key == "v" || key == "vn" || key == "vt";
+        if (is_vertex || key == "f") {
+            const std::string_view values = line.substr(key_end);
+            const std::string_view allowed =
+                is_vertex ? "0123456789+-.eE \t\r" : "0123456789-/ \t\r";
+            const std::size_t comment = std::min(values.find('#'), values.size());
+            if (values.substr(0, comment).find_first_not_of(allowed) != std::string_view::npos) {
+                refuse_line("'" + std::string(line.substr(0, 60)) +
+                            "' has something that is no number");
+            }
+        }
+        begin = end + 1;
+    }
+}
+
+/// Corners with their own normal and uv become vertices; equal ones are shared.
+class MeshBuilder {
+  public:
+    explicit MeshBuilder(const std::string& path) : path_(path) {}
+
+    void add_face(const tinyobj::index_t* indices, int count) {
+        if (count < 3 || count > kMaxCorners) {
+            refuse(path_, "a face of " + std::to_string(count) + " corners (3 to " +
+                              std::to_string(kMaxCorners) + " are possible)");
+        }
+        std::vector<std::uint32_t> corners;
+        std::vector<Vec3> places;
+        for (int i = 0; i < count; ++i) {
+            corners.push_back(vertex_of(indices[i]));
+            places.push_back(shape_.vertices[corners.back()]);
+        }
+        for (const auto& triangle : triangulate(places)) {
+            shape_.triangles.push_back(
+                {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]});
+        }
+        if (shape_.triangles.size() > kMaxMeshTriangles) {
+            refuse(path_, "more than " + std::to_string(kMaxMeshTriangles) + " triangles");
+        }
+    }
+
+    MeshShape finish() {
+        if (shape_.triangles.empty()) {
+            refuse(path_, "there is no face in it; is it an OBJ file?");
+        }
+        // Normals and uv count only where every corner has them.
+        if (without_normal_) {
+            shape_.normals.clear();
+        }
+        if (without_uv_) {
+            shape_.uv.clear();
+        }
+        return std::move(shape_);
+    }
+
+    std::vector<Vec3> points;
+    std::vector<Vec3> normals;
+    std::vector<Vec2> uv;
+
+  private:
+    /// 1 is the first of the file so far, -1 the last; -1 is returned for none (0).
+    std::ptrdiff_t resolve(int index, std::size_t count, const char* kind) const {
+        if (index == 0) {
+            return -1;
+        }
+        const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(count);
+        const std::ptrdiff_t at = index > 0 ? std::ptrdiff_t{index} - 1 : size + index;
+        if (at < 0 || at >= size) {
+            refuse(path_, std::string("a face refers to ") + kind + " " + std::to_string(index) +
+                              ", but only " + std::to_string(count) + " came before it");
+        }
+        return at;
+    }
+
+    std::uint32_t vertex_of(const tinyobj::index_t& index) {
+        const std::ptrdiff_t point = resolve(index.vertex_index, points.size(), "vertex");
+        const std::ptrdiff_t normal = resolve(index.normal_index, normals.size(), "normal");
+        const std::ptrdiff_t place = resolve(index.texcoord_index, uv.size(), "texture coordinate");
+        if (point < 0) {
+            refuse(path_, "a face refers to vertex 0; OBJ counts from 1");
+        }
+        const auto [known, is_new] = known_.try_emplace(
+            std::tuple(point, normal, place), static_cast<std::uint32_t>(shape_.vertices.size()));
+        if (is_new) {
+            shape_.vertices.push_back(points[static_cast<std::size_t>(point)]);
+            shape_.normals.push_back(normal < 0 ? Vec3(0, 0, 0)
+                                                : normals[static_cast<std::size_t>(normal)]);
+            shape_.uv.push_back(place < 0 ? Vec2(0, 0) : uv[static_cast<std::size_t>(place)]);
+            without_normal_ = without_normal_ || normal < 0;
+            without_uv_ = without_uv_ || place < 0;
+        }
+        return known->second;
+    }
+
+    const std::string& path_;
+    MeshShape shape_;
+    std::map<std::tuple<std::ptrdiff_t, std::ptrdiff_t, std::ptrdiff_t>, std::uint32_t> known_;
+    bool without_normal_ = false;
+    bool without_uv_ = false;
+};
+
+tinyobj::callback_t callbacks() {
+    tinyobj::callback_t result;
+    result.vertex_cb = [](void* user, tinyobj::real_t x, tinyobj::real_t y, tinyobj::real_t z,
+                          tinyobj::real_t) {
+        static_cast<MeshBuilder*>(user)->points.emplace_back(x, y, z);
+    };
+    result.normal_cb = [](void* user, tinyobj::real_t x, tinyobj::real_t y, tinyobj::real_t z) {
+        static_cast<MeshBuilder*>(user)->normals.emplace_back(x, y, z);
+    };
+    result.texcoord_cb = [](void* user, tinyobj::real_t x, tinyobj::real_t y, tinyobj::real_t) {
+        static_cast<MeshBuilder*>(user)->uv.emplace_back(x, y);
+    };
+    result.index_cb = [](void* user, tinyobj::index_t* indices, int count) {
+        static_cast<MeshBuilder*>(user)->add_face(indices, count);
+    };
+    return result;
+}
+
+}  // namespace
+
+MeshShape read_obj(const std::string& path) {
+    std::string text = read_text(path);
+    check_lines(text, path);
+    std::istringstream stream(std::move(text));
+    MeshBuilder builder(path);
+    std::string warnings;
+    std::string errors;
+    const bool read =
+        tinyobj::LoadObjWithCallback(stream, callbacks(), &builder, nullptr, &warnings, &errors);
+    if (!read) {
+        refuse(path, "not a readable OBJ file: " + errors);
+    }
+    return builder.finish();
+}
+
+}  // namespace carom::render

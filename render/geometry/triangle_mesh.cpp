@@ -1,0 +1,87 @@
+#include "render/geometry/triangle_mesh.h"
+
+#include <cmath>
+#include <string>
+
+#include "sim/timeline/error.h"
+
+namespace carom::render {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+    throw Error("mesh of '" + name + "': " + what);
+}
+
+bool is_finite(const V3f& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void check_sizes(const MeshShape& shape, const std::string& name) {
+    const std::size_t count = shape.vertices.size();
+    if (shape.triangles.empty() || count == 0) {
+        refuse(name, "there is no triangle in it");
+    }
+    if (shape.triangles.size() > kMaxMeshTriangles || count > kMaxMeshVertices) {
+        refuse(name, "more than " + std::to_string(kMaxMeshTriangles) + " triangles or vertices");
+    }
+    if (!shape.normals.empty() && shape.normals.size() != count) {
+        refuse(name, std::to_string(shape.normals.size()) + " normals for " +
+                         std::to_string(count) + " vertices");
+    }
+    if (!shape.uv.empty() && shape.uv.size() != count) {
+        refuse(name, std::to_string(shape.uv.size()) + " texture coordinates for " +
+                         std::to_string(count) + " vertices");
+    }
+}
+
+/// A normal that is zero or not finite becomes zero: shading then falls back on the triangle's own.
+V3f unit_or_zero(const V3f& n) {
+    const float length = n.length();
+    return std::isfinite(length) && length > 0 ? n / length : V3f(0, 0, 0);
+}
+
+}  // namespace
+
+TriangleMesh make_mesh(const MeshShape& shape, const Mat44& map, const std::string& name) {
+    check_sizes(shape, name);
+    TriangleMesh mesh;
+    mesh.vertices.reserve(shape.vertices.size());
+    for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
+        Vec3 p;
+        map.multVecMatrix(shape.vertices[i], p);
+        mesh.vertices.push_back(V3f(p));
+        if (!is_finite(mesh.vertices.back())) {
+            refuse(name, "vertex " + std::to_string(i) + " is not a finite point");
+        }
+    }
+    const Mat44 normal_map = map.inverse().transposed();
+    mesh.normals.reserve(shape.normals.size());
+    for (const Vec3& normal : shape.normals) {
+        Vec3 n;
+        normal_map.multDirMatrix(normal, n);
+        mesh.normals.push_back(unit_or_zero(V3f(n.normalized())));
+    }
+    mesh.uv.reserve(shape.uv.size());
+    for (const Vec2& uv : shape.uv) {
+        const V2f narrow(uv);
+        mesh.uv.push_back(std::isfinite(narrow.x) && std::isfinite(narrow.y) ? narrow : V2f(0, 0));
+    }
+    const bool mirrors = map.determinant() < 0;
+    mesh.triangles = shape.triangles;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        auto& triangle = mesh.triangles[i];
+        for (const std::uint32_t index : triangle) {
+            if (index >= mesh.vertices.size()) {
+                refuse(name, "triangle " + std::to_string(i) + " refers to vertex " +
+                                 std::to_string(index) + " of " +
+                                 std::to_string(mesh.vertices.size()));
+            }
+        }
+        if (mirrors) {
+            std::swap(triangle[1], triangle[2]);
+        }
+    }
+    return mesh;
+}
+
+}  // namespace carom::render

@@ -1,0 +1,32 @@
+// Triangles, narrowed to float, ready to be traced.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "render/geometry/ray.h"
+#include "render/scene/scene_description.h"
+
+namespace carom::render {
+
+/// Indexed triangles; corners counter-clockwise seen from outside. `normals` and `uv` have one
+/// entry per vertex or none at all. Every index is valid and every number finite.
+struct TriangleMesh {
+    std::vector<V3f> vertices;
+    std::vector<V3f> normals;  // unit
+    std::vector<V2f> uv;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// What a mesh may have at most; more is refused with an Error.
+inline constexpr std::size_t kMaxMeshTriangles = 64'000'000;
+inline constexpr std::size_t kMaxMeshVertices = 64'000'000;
+
+/// The shape's arrays mapped by `map` and rounded to float once. If the map mirrors, the order of
+/// corners is reversed, so that they stay counter-clockwise. Throws Error that names `name` if
+/// an index, a number or the arrays' lengths are wrong, or if there is no triangle.
+[[nodiscard]] TriangleMesh make_mesh(const MeshShape& shape, const Mat44& map,
+                                     const std::string& name);
+
+}  // namespace carom::render

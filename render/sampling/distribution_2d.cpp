@@ -1,0 +1,101 @@
+#include "render/sampling/distribution_2d.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/timeline/assert.h"
+
+namespace carom::render {
+namespace {
+
+double usable(float weight) {
+    return std::isfinite(weight) && weight > 0 ? weight : 0.0;
+}
+
+/// Writes the running sum of `values`, divided by their total, into `cdf` (one longer) and returns
+/// the total. Without any weight the cdf is that of the uniform distribution.
+template <class Values>
+double accumulate(const Values& values, std::span<float> cdf) {
+    double total = 0;
+    for (const auto value : values) {
+        total += value;
+    }
+    double running = 0;
+    const std::size_t count = cdf.size() - 1;
+    for (std::size_t i = 0; i < count; ++i) {
+        cdf[i] = static_cast<float>(
+            total > 0 ? running / total : static_cast<double>(i) / static_cast<double>(count));
+        running += values[i];
+    }
+    cdf[count] = 1;
+    return total;
+}
+
+struct Cell {
+    std::size_t index;
+    float within;  // [0, 1)
+};
+
+/// The cell whose share of the cdf contains u.
+Cell find_cell(std::span<const float> cdf, float u) {
+    const auto above = std::upper_bound(cdf.begin(), cdf.end() - 1, u);
+    const std::size_t index = static_cast<std::size_t>(above - cdf.begin()) - 1;
+    const float width = cdf[index + 1] - cdf[index];
+    const float within = width > 0 ? (u - cdf[index]) / width : 0;
+    return {index, std::min(within, 0x1.fffffep-1f)};
+}
+
+float coordinate(const Cell& cell, int count) {
+    return std::min((static_cast<float>(cell.index) + cell.within) / static_cast<float>(count),
+                    0x1.fffffep-1f);
+}
+
+}  // namespace
+
+Distribution2D::Distribution2D(std::span<const float> weights, int width, int height)
+    : width_(width), height_(height) {
+    CAROM_ASSERT(width > 0 && height > 0);
+    const std::size_t columns = static_cast<std::size_t>(width);
+    const std::size_t rows = static_cast<std::size_t>(height);
+    CAROM_ASSERT(weights.size() == columns * rows);
+    column_cdfs_.resize(rows * (columns + 1));
+    row_cdf_.resize(rows + 1);
+    std::vector<double> row_totals(rows);
+    std::vector<double> row(columns);
+    for (std::size_t y = 0; y < rows; ++y) {
+        std::transform(weights.begin() + static_cast<std::ptrdiff_t>(y * columns),
+                       weights.begin() + static_cast<std::ptrdiff_t>((y + 1) * columns),
+                       row.begin(), usable);
+        row_totals[y] =
+            accumulate(row, std::span(column_cdfs_).subspan(y * (columns + 1), columns + 1));
+    }
+    mean_ = accumulate(row_totals, row_cdf_) / static_cast<double>(columns * rows);
+    density_.resize(weights.size());
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        density_[i] = mean_ > 0 ? static_cast<float>(usable(weights[i]) / mean_) : 0.f;
+    }
+}
+
+Distribution2D::Sample Distribution2D::sample(V2f u) const {
+    if (mean_ <= 0) {
+        return {V2f(0, 0), 0};
+    }
+    const std::size_t columns = static_cast<std::size_t>(width_);
+    const Cell row = find_cell(row_cdf_, u.y);
+    const Cell column =
+        find_cell(std::span(column_cdfs_).subspan(row.index * (columns + 1), columns + 1), u.x);
+    return {V2f(coordinate(column, width_), coordinate(row, height_)),
+            density_[row.index * columns + column.index]};
+}
+
+float Distribution2D::pdf(V2f uv) const {
+    if (!(uv.x >= 0 && uv.x < 1 && uv.y >= 0 && uv.y < 1) || density_.empty()) {
+        return 0;
+    }
+    const int x = std::min(static_cast<int>(uv.x * static_cast<float>(width_)), width_ - 1);
+    const int y = std::min(static_cast<int>(uv.y * static_cast<float>(height_)), height_ - 1);
+    return density_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                    static_cast<std::size_t>(x)];
+}
+
+}  // namespace carom::render

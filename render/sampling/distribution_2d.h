@@ -1,0 +1,42 @@
+// Sampling a picture in proportion to its brightness.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/geometry/ray.h"
+
+namespace carom::render {
+
+/// A density over the unit square that is constant in each cell of a grid. Immutable.
+class Distribution2D {
+  public:
+    struct Sample {
+        V2f uv;         // [0, 1)^2: u along a row, v from the first row to the last
+        float pdf = 0;  // per area of the unit square
+    };
+
+    Distribution2D() = default;
+
+    /// `weights`: width * height values, row by row, finite and >= 0 (others count as 0).
+    Distribution2D(std::span<const float> weights, int width, int height);
+
+    /// With all weights zero the pdf returned is 0 and the point without meaning.
+    [[nodiscard]] Sample sample(V2f u) const;
+
+    /// Per area of the unit square; 0 outside it and where the weight is 0.
+    [[nodiscard]] float pdf(V2f uv) const;
+
+    /// Mean weight over the square.
+    [[nodiscard]] double mean() const { return mean_; }
+
+  private:
+    int width_ = 0;
+    int height_ = 0;
+    double mean_ = 0;
+    std::vector<float> density_;      // per cell, mean 1
+    std::vector<float> row_cdf_;      // height + 1 values from 0 to 1
+    std::vector<float> column_cdfs_;  // per row: width + 1 values from 0 to 1
+};
+
+}  // namespace carom::render

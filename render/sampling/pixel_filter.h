@@ -1,0 +1,41 @@
+// Pixel filters, by importance sampling: a camera ray is displaced from the pixel's centre with a
+// density proportional to the filter and counts with weight one, so that pixels stay independent.
+// (Ernst, Stamminger and Greiner 2006, "Filter importance sampling".)
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/geometry/ray.h"
+#include "render/scene/render_settings.h"
+
+namespace carom::render {
+
+/// One filter of one width, the product of the same profile in x and y. Immutable.
+class PixelFilterSampler {
+  public:
+    /// `width`: the full width of the profile in pixels, > 0; a box is as wide as that too.
+    PixelFilterSampler(PixelFilter filter, double width);
+
+    /// Offset from the pixel's centre, pixels; within half the width.
+    [[nodiscard]] V2f sample(V2f u) const { return V2f(offset(u.x), offset(u.y)); }
+
+    /// Density of `sample` in one of the two directions, per pixel; 0 beyond half the width.
+    [[nodiscard]] double pdf_1d(double offset_pixels) const;
+
+  private:
+    [[nodiscard]] float offset(float u) const;
+
+    PixelFilter filter_;
+    double width_;
+    double norm_ = 1;
+    std::vector<float> cdf_;            // at the edges of equal cells; empty for the box
+    std::vector<std::uint16_t> guide_;  // where the search for u starts (Chen and Asau 1974)
+};
+
+/// The unnormalised profile at x in [-1/2, 1/2] of the width: 1 for the box; a Gaussian whose
+/// standard deviation is a sixth of the width; the four-term window of Harris 1978, "On the use of
+/// windows for harmonic analysis with the discrete Fourier transform", table 1 (-92 dB).
+[[nodiscard]] double filter_profile(PixelFilter filter, double x);
+
+}  // namespace carom::render

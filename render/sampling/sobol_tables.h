@@ -1,0 +1,97 @@
+// Sobol's generating matrices for five dimensions, laid out for the sampler.
+//
+// Primitive polynomials and initial direction numbers: S. Joe and F. Y. Kuo, "Constructing Sobol
+// sequences with better two-dimensional projections", SIAM J. Sci. Comput. 30 (2008), their table
+// new-joe-kuo-6 (d, s, a, m_i); the recurrence is their equation (2).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace carom::render::detail {
+
+inline constexpr int kSobolDimensions = 5;
+
+/// Degree, inner coefficients and first direction numbers of one dimension.
+struct SobolPolynomial {
+    int degree;
+    std::uint32_t coefficients;
+    std::array<std::uint32_t, 3> initial;
+};
+
+inline constexpr std::array<SobolPolynomial, kSobolDimensions> kSobolPolynomials = {{
+    {0, 0, {}},  // dimension 0 is van der Corput's sequence
+    {1, 0, {1}},
+    {2, 1, {1, 3}},
+    {3, 1, {1, 3, 1}},
+    {3, 2, {1, 1, 1}},
+}};
+
+/// m_k of Joe and Kuo, k from 0: odd, below 2^(k+1).
+constexpr std::array<std::uint32_t, 32> direction_numbers(const SobolPolynomial& polynomial) {
+    std::array<std::uint32_t, 32> m{};
+    const int s = polynomial.degree;
+    for (int k = 0; k < 32; ++k) {
+        if (s == 0) {
+            m[k] = 1;
+        } else if (k < s) {
+            m[k] = polynomial.initial[k];
+        } else {
+            m[k] = m[k - s] ^ (m[k - s] << s);
+            for (int j = 1; j < s; ++j) {
+                if ((polynomial.coefficients >> (s - 1 - j)) & 1u) {
+                    m[k] ^= m[k - j] << j;
+                }
+            }
+        }
+    }
+    return m;
+}
+
+constexpr std::uint32_t reverse_bits(std::uint32_t x) {
+    x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+    x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+    x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
+    return (x >> 16) | (x << 16);
+}
+
+/// For each nibble of the bit-reversed index, the bit-reversed coordinates that it contributes:
+/// the point of a reversed index is the exclusive or over its eight nibbles. `values[j][n][d]`:
+/// nibble j has the value n, dimension d.
+struct SobolNibbleTables {
+    alignas(16) std::uint32_t values[8][16][4];
+    std::uint32_t fifth[8][16];
+};
+
+constexpr std::uint32_t nibble_contribution(const std::array<std::uint32_t, 32>& m, int nibble,
+                                            int value) {
+    std::uint32_t x = 0;
+    for (int bit = 0; bit < 4; ++bit) {
+        if ((value >> bit) & 1) {
+            const int k = 31 - (4 * nibble + bit);  // bit of the index itself
+            x ^= reverse_bits(m[k] << (31 - k));
+        }
+    }
+    return x;
+}
+
+constexpr SobolNibbleTables make_sobol_tables() {
+    SobolNibbleTables tables{};
+    for (int d = 0; d < kSobolDimensions; ++d) {
+        const std::array<std::uint32_t, 32> m = direction_numbers(kSobolPolynomials[d]);
+        for (int nibble = 0; nibble < 8; ++nibble) {
+            for (int value = 0; value < 16; ++value) {
+                const std::uint32_t x = nibble_contribution(m, nibble, value);
+                if (d < 4) {
+                    tables.values[nibble][value][d] = x;
+                } else {
+                    tables.fifth[nibble][value] = x;
+                }
+            }
+        }
+    }
+    return tables;
+}
+
+}  // namespace carom::render::detail

@@ -1,0 +1,141 @@
+// Maps from the unit square to the domains that a renderer samples, each with its density.
+//
+// Every `sample_X` takes numbers in [0, 1) and returns a point distributed as `pdf_X` says; the
+// density is per unit of the measure named at each pair and integrates to one over the domain. A
+// density of zero means that the point cannot be returned by the sampler.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/geometry/ray.h"
+#include "render/sampling/trigonometry.h"
+
+namespace carom::render {
+
+// ---- unit disk, per area ---------------------------------------------------------------------
+
+/// Concentric map (Shirley and Chiu 1997, "A low distortion map between disk and square").
+[[nodiscard]] inline V2f sample_disk(V2f u) {
+    const float a = 2 * u.x - 1;
+    const float b = 2 * u.y - 1;
+    if (a == 0 && b == 0) {
+        return V2f(0, 0);
+    }
+    if (std::abs(a) > std::abs(b)) {
+        const SinCos angle = sin_cos_eighth(kPi / 4 * (b / a));
+        return V2f(a * angle.cosine, a * angle.sine);
+    }
+    const SinCos angle = sin_cos_eighth(kPi / 4 * (a / b));
+    return V2f(b * angle.sine, b * angle.cosine);
+}
+
+[[nodiscard]] inline float pdf_disk(V2f p) {
+    return p.length2() <= 1 ? kInversePi : 0;
+}
+
+// ---- regular polygon inscribed in the unit circle, per area ----------------------------------
+
+/// The polygon's corners are at angles rotation + 2 pi k / blades; blades >= 3.
+[[nodiscard]] inline V2f sample_polygon(V2f u, int blades, float rotation_turns) {
+    const float scaled = u.x * static_cast<float>(blades);
+    const float blade = std::min(std::floor(scaled), static_cast<float>(blades - 1));
+    const float share = std::min(scaled - blade, 0x1.fffffep-1f);
+    const float r = std::sqrt(share);  // from the centre to the blade's edge
+    const auto corner = [&](float index) {
+        const float turns = index / static_cast<float>(blades) + rotation_turns;
+        const SinCos angle = sin_cos_turn(turns);
+        return V2f(angle.cosine, angle.sine);
+    };
+    return r * ((1 - u.y) * corner(blade) + u.y * corner(blade + 1));
+}
+
+/// Inside the polygon; zero outside is left to the caller.
+[[nodiscard]] inline float pdf_polygon(int blades) {
+    const float n = static_cast<float>(blades);
+    return 2 / (n * sin_cos_turn(1 / n).sine);
+}
+
+// ---- hemisphere about +z, per solid angle ----------------------------------------------------
+
+/// Density cos(theta) / pi (Malley's method over the concentric disk).
+[[nodiscard]] inline V3f sample_cosine_hemisphere(V2f u) {
+    const V2f p = sample_disk(u);
+    return V3f(p.x, p.y, std::sqrt(std::max(0.f, 1 - p.length2())));
+}
+
+[[nodiscard]] inline float pdf_cosine_hemisphere(float cos_theta) {
+    return std::max(0.f, cos_theta) * kInversePi;
+}
+
+// ---- cone about +z, per solid angle ----------------------------------------------------------
+
+/// 1 - cos(theta_max) of the cone that a sphere of `radius` fills, seen from `distance` > radius
+/// away from its centre; keeps its digits for a sphere far away, where the cosine is almost 1.
+[[nodiscard]] inline float one_minus_cos_of_sphere(float radius, float distance) {
+    const float sine = radius / distance;
+    const float sine2 = std::min(1.f, sine * sine);
+    return sine2 / (1 + std::sqrt(1 - sine2));
+}
+
+/// Uniform within the cone 1 - cos(theta) <= one_minus_cos, one_minus_cos in (0, 2].
+[[nodiscard]] inline V3f sample_cone(V2f u, float one_minus_cos) {
+    const float height = u.x * one_minus_cos;  // 1 - cos(theta)
+    const float sine = std::sqrt(std::max(0.f, height * (2 - height)));
+    const SinCos angle = sin_cos_turn(u.y);
+    return V3f(sine * angle.cosine, sine * angle.sine, 1 - height);
+}
+
+/// Inside the cone; zero outside is left to the caller.
+[[nodiscard]] inline float pdf_cone(float one_minus_cos) {
+    return 1 / (2 * kPi * one_minus_cos);
+}
+
+// ---- whole sphere, per solid angle -----------------------------------------------------------
+
+[[nodiscard]] inline V3f sample_sphere(V2f u) {
+    return sample_cone(u, 2);
+}
+[[nodiscard]] inline float pdf_sphere() {
+    return 0.25f * kInversePi;
+}
+
+// ---- triangle, per area ----------------------------------------------------------------------
+
+/// Barycentric weights of the second and third corner; density 1 / area.
+[[nodiscard]] inline V2f sample_triangle(V2f u) {
+    const float r = std::sqrt(u.x);
+    return V2f(r * (1 - u.y), r * u.y);
+}
+
+// ---- trapezoid over [0, 1], per length -------------------------------------------------------
+
+/// A shutter that opens linearly during the first switch_ratio / 2 and closes during the last:
+/// inverse of the cumulative distribution. switch_ratio in [0, 1]; 0 returns `u` itself.
+[[nodiscard]] inline float sample_trapezoid(float u, float switch_ratio) {
+    const float ramp = 0.5f * switch_ratio;
+    if (ramp <= 0) {
+        return u;
+    }
+    const float height = 1 / (1 - ramp);
+    const float ramp_share = 0.5f * ramp * height;
+    if (u < ramp_share) {
+        return std::sqrt(2 * u * ramp / height);
+    }
+    if (u > 1 - ramp_share) {
+        return std::min(1 - std::sqrt(2 * (1 - u) * ramp / height), 0x1.fffffep-1f);
+    }
+    return ramp + (u - ramp_share) / height;
+}
+
+[[nodiscard]] inline float pdf_trapezoid(float x, float switch_ratio) {
+    if (x < 0 || x > 1) {
+        return 0;
+    }
+    const float ramp = 0.5f * switch_ratio;
+    const float height = 1 / (1 - ramp);
+    const float edge = std::min(x, 1 - x);
+    return edge < ramp ? height * edge / ramp : height;
+}
+
+}  // namespace carom::render
