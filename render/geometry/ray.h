@@ -37,7 +37,8 @@ struct SurfacePoint {
     V3f geometric_normal;  // unit, outwards
     V3f shading_normal;    // unit, on the geometric normal's side
     V3f object_position;   // in the object's own axes at the ray's time, m
-    V2f uv;                // the mesh's own, or longitude / latitude in [0, 1]
+    V2f uv;                // the mesh's own, or longitude / latitude in [0, 1]; v upwards
+    float uv_per_metre = 0;  // how fast uv runs over the surface, 1/m; 0: not known
     float offset = 0;      // how far to step off the surface to be safe from hitting it again, m
     std::uint32_t object = kNoObject;
     std::uint32_t material = 0;

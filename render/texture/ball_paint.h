@@ -1,0 +1,35 @@
+// A billiard ball's colours.
+#pragma once
+
+#include <memory>
+
+#include "render/geometry/ray.h"
+#include "render/scene/material_description.h"
+#include "render/texture/number_mask.h"
+
+namespace carom::render {
+
+/// Solid: its colour all over; striped: white with a band of its colour around the z axis. A number
+/// stands in a white disc at both ends of the x axis, upright (z up) as seen from that side. Edges
+/// are as sharp as the pixel allows at any distance: they are computed, only the figures are looked
+/// up. Throws Error if the figures cannot be drawn.
+class BallPaint {
+  public:
+    explicit BallPaint(const BallTexture& texture);
+
+    /// `position`: in the ball's own axes, not 0; `footprint`: width of a pixel there, m.
+    [[nodiscard]] V3f colour(const V3f& position, float footprint) const;
+
+  private:
+    [[nodiscard]] V3f with_number(const V3f& below, const V3f& direction, float width) const;
+    [[nodiscard]] V3f with_spots(const V3f& below, const V3f& direction, float width) const;
+
+    V3f colour_;
+    V3f white_;
+    bool striped_;
+    float disc_radius_;  // chord radius in ball radii
+    int spots_;
+    std::shared_ptr<const CoverageMask> number_;  // null: no number
+};
+
+}  // namespace carom::render

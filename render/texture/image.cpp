@@ -1,0 +1,88 @@
+#include "render/texture/image.h"
+
+#include <cmath>
+
+#include <Imath/half.h>
+#include <OpenImageIO/imagebuf.h>
+
+#include "sim/timeline/error.h"
+
+namespace carom::render {
+namespace {
+
+constexpr int kLargestSide = 16384;
+
+// IEC 61966-2-1:1999, 5.2.
+float srgb_to_linear(float v) {
+    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+
+bool is_usable(const V3f& c) {
+    const auto usable = [](float x) { return std::isfinite(x) && x >= 0; };
+    return usable(c.x) && usable(c.y) && usable(c.z);
+}
+
+}  // namespace
+
+LinearImage read_linear_image(const std::string& path, bool is_linear) {
+    OIIO::ImageBuf buffer(path);
+    if (!buffer.init_spec(path, 0, 0)) {
+        throw Error("image '" + path + "' cannot be read: " + buffer.geterror());
+    }
+    const OIIO::ImageSpec& spec = buffer.spec();
+    if (spec.width <= 0 || spec.height <= 0 || spec.width > kLargestSide ||
+        spec.height > kLargestSide || spec.nchannels < 1) {
+        throw Error("image '" + path + "' is " + std::to_string(spec.width) + " x " +
+                    std::to_string(spec.height) + " pixels; at most 16384 x 16384 can be used");
+    }
+    const bool decode = !is_linear && !spec.format.is_floating_point();
+    const int channels = spec.nchannels;
+    LinearImage image{spec.width, spec.height, {}};
+    if (!buffer.read(0, 0, true, OIIO::TypeDesc::FLOAT)) {
+        throw Error("image '" + path + "' cannot be read: " + buffer.geterror());
+    }
+    const std::size_t count =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    std::vector<float> values(count * static_cast<std::size_t>(channels));
+    if (!buffer.get_pixels(OIIO::get_roi(buffer.spec()), OIIO::TypeDesc::FLOAT, values.data())) {
+        throw Error("image '" + path + "' cannot be read: " + buffer.geterror());
+    }
+    image.pixels.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float* value = &values[i * static_cast<std::size_t>(channels)];
+        V3f colour = channels >= 3 ? V3f(value[0], value[1], value[2]) : V3f(value[0]);
+        if (!is_usable(colour)) {
+            throw Error("image '" + path +
+                        "' holds a negative, infinite or undefined value at pixel (" +
+                        std::to_string(i % static_cast<std::size_t>(image.width)) + ", " +
+                        std::to_string(i / static_cast<std::size_t>(image.width)) + ")");
+        }
+        if (decode) {
+            colour = {srgb_to_linear(colour.x), srgb_to_linear(colour.y), srgb_to_linear(colour.z)};
+        }
+        image.pixels.push_back(colour);
+    }
+    return image;
+}
+
+V3f HalfColourCodec::decode(Texel texel) {
+    return {imath_half_to_float(texel.r), imath_half_to_float(texel.g),
+            imath_half_to_float(texel.b)};
+}
+
+HalfColourCodec::Texel HalfColourCodec::encode(const V3f& value) {
+    const auto narrow = [](float x) { return imath_float_to_half(std::min(x, 65504.0f)); };
+    return {narrow(value.x), narrow(value.y), narrow(value.z), 0};
+}
+
+std::shared_ptr<const ImagePyramid> load_image_pyramid(const std::string& path, bool is_linear) {
+    const LinearImage image = read_linear_image(path, is_linear);
+    std::vector<HalfColourCodec::Texel> texels;
+    texels.reserve(image.pixels.size());
+    for (const V3f& colour : image.pixels) {
+        texels.push_back(HalfColourCodec::encode(colour));
+    }
+    return std::make_shared<const ImagePyramid>(image.width, image.height, std::move(texels));
+}
+
+}  // namespace carom::render

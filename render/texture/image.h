@@ -1,0 +1,41 @@
+// Colour pictures read from files, as linear light.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/geometry/ray.h"
+#include "render/texture/mip_pyramid.h"
+
+namespace carom::render {
+
+/// width * height linear Rec.709 colours, row by row from the top left.
+struct LinearImage {
+    int width = 0;
+    int height = 0;
+    std::vector<V3f> pixels;
+};
+
+/// Reads any format that OpenImageIO knows. Grey pictures become colours; alpha is ignored. With
+/// `is_linear` false 8- and 16-bit values are decoded from sRGB (IEC 61966-2-1); floating-point
+/// files always hold linear light. Throws Error naming the file: unreadable, larger than 16384 on
+/// a side, or holding NaN, infinite or negative values.
+[[nodiscard]] LinearImage read_linear_image(const std::string& path, bool is_linear);
+
+/// Half-float storage: 8 bytes a texel.
+struct HalfColourCodec {
+    struct Texel {
+        std::uint16_t r, g, b, unused;
+    };
+    using Value = V3f;
+    static Value decode(Texel texel);
+    static Texel encode(const Value& value);
+};
+
+using ImagePyramid = MipPyramid<HalfColourCodec>;
+
+[[nodiscard]] std::shared_ptr<const ImagePyramid> load_image_pyramid(const std::string& path,
+                                                                     bool is_linear);
+
+}  // namespace carom::render

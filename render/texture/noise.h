@@ -1,0 +1,46 @@
+// Repeatable noise over the plane and over space, from an integer hash: the same bits everywhere.
+#pragma once
+
+#include <cstdint>
+
+#include "render/geometry/ray.h"
+
+namespace carom::render {
+
+/// A well-mixed permutation of 32-bit integers (C. Wellons, "Prospecting for Hash Functions", 2018:
+/// the two-round xorshift-multiply function of least bias, "lowbias32").
+[[nodiscard]] constexpr std::uint32_t mix_bits(std::uint32_t x) {
+    x ^= x >> 16;
+    x *= 0x7feb352du;
+    x ^= x >> 15;
+    x *= 0x846ca68bu;
+    x ^= x >> 16;
+    return x;
+}
+
+[[nodiscard]] constexpr float unit_float(std::uint32_t bits) {  // [0, 1)
+    return static_cast<float>(bits >> 8) * 0x1p-24f;
+}
+
+/// Gradient noise after Perlin, "Improving Noise", 2002 (quintic fade, eq. 1; gradients towards the
+/// edges of a cube), on a hashed instead of a tabulated lattice. Mean 0, range within [-1, 1], one
+/// feature per unit length. Coordinates beyond +-2^30 repeat.
+[[nodiscard]] float gradient_noise(const V3f& position, std::uint32_t seed);
+[[nodiscard]] float gradient_noise(const V2f& position, std::uint32_t seed);
+
+/// Sum of `octaves` gradient noises, each of twice the frequency and half the amplitude of the one
+/// before, normalised to a first amplitude of 1. Octaves finer than `footprint` (in units of
+/// `position`) fade out, so that the sum is band-limited to what a pixel can show.
+[[nodiscard]] float fractal_noise(const V3f& position, int octaves, float footprint,
+                                  std::uint32_t seed);
+[[nodiscard]] float fractal_noise(const V2f& position, int octaves, float footprint,
+                                  std::uint32_t seed);
+
+/// What is left of a pattern of the given period after averaging over `footprint` (same unit):
+/// 1 while the period is well resolved, 0 from two periods per three footprints on.
+[[nodiscard]] float band_weight(float footprint, float period);
+
+/// The share of [x - width/2, x + width/2] that lies above 0, made smooth: an anti-aliased step.
+[[nodiscard]] float smooth_step(float x, float width);
+
+}  // namespace carom::render

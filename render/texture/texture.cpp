@@ -1,0 +1,106 @@
+#include "render/texture/texture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::render {
+namespace {
+
+template <class... Visitors>
+struct Overloaded : Visitors... {
+    using Visitors::operator()...;
+};
+template <class... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;
+
+// The axis that a surface faces most: flat patterns are laid on along the two others.
+int facing_axis(const V3f& normal) {
+    const V3f a{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
+    if (a.z >= a.x && a.z >= a.y) {
+        return 2;
+    }
+    return a.x >= a.y ? 0 : 1;
+}
+
+V2f flat_place(const SurfacePoint& point) {
+    const V3f& p = point.object_position;
+    switch (facing_axis(point.geometric_normal)) {
+        case 0:
+            return {p.y, p.z};
+        case 1:
+            return {p.x, p.z};
+        default:
+            return {p.x, p.y};
+    }
+}
+
+V3f lay_flat(const V2f& v, int axis) {
+    switch (axis) {
+        case 0:
+            return {0, v.x, v.y};
+        case 1:
+            return {v.x, 0, v.y};
+        default:
+            return {v.x, v.y, 0};
+    }
+}
+
+}  // namespace
+
+std::shared_ptr<const ImagePyramid> ImageCache::get(const std::string& file, bool is_linear) {
+    auto& image = images_[{file, is_linear}];
+    if (!image) {
+        image = load_image_pyramid(file, is_linear);
+    }
+    return image;
+}
+
+Texture::Texture(const ColourSource& source, ImageCache& images)
+    : source_(make_source(source, images)) {}
+
+Texture::Source Texture::make_source(const ColourSource& source, ImageCache& images) {
+    return std::visit(
+        Overloaded{
+            [](const Vec3& colour) -> Source { return V3f(colour); },
+            [&](const ImageTexture& image) -> Source {
+                return Image{images.get(image.file, image.is_linear), V2f(image.scale)};
+            },
+            [](const BallTexture& ball) -> Source { return BallPaint(ball); },
+            [](const ClothTexture& cloth) -> Source { return ClothPattern(cloth); },
+            [](const WoodTexture& wood) -> Source { return WoodPattern(wood); },
+            [](const CheckerTexture& checker) -> Source { return CheckerPattern(checker); },
+        },
+        source);
+}
+
+V3f Texture::Image::colour(const SurfacePoint& point, float footprint) const {
+    const float repeats = std::max(std::abs(scale.x), std::abs(scale.y));
+    return pyramid->lookup(point.uv.x * scale.x, (1.0f - point.uv.y) * scale.y,
+                           footprint * point.uv_per_metre * repeats, Wrap::repeat, Wrap::repeat);
+}
+
+V3f Texture::colour(const SurfacePoint& point, float footprint) const {
+    return std::visit(
+        Overloaded{
+            [](const V3f& colour) { return colour; },
+            [&](const Image& image) { return image.colour(point, footprint); },
+            [&](const BallPaint& ball) { return ball.colour(point.object_position, footprint); },
+            [&](const ClothPattern& cloth) { return cloth.colour(flat_place(point), footprint); },
+            [&](const WoodPattern& wood) { return wood.colour(point.object_position, footprint); },
+            [&](const CheckerPattern& checker) {
+                return checker.colour(point.object_position, point.geometric_normal, footprint);
+            },
+        },
+        source_);
+}
+
+V3f Texture::normal_shift(const SurfacePoint& point, float footprint) const {
+    const ClothPattern* cloth = std::get_if<ClothPattern>(&source_);
+    if (cloth == nullptr) {
+        return {0, 0, 0};
+    }
+    return -lay_flat(cloth->slope(flat_place(point), footprint),
+                     facing_axis(point.geometric_normal));
+}
+
+}  // namespace carom::render

@@ -1,0 +1,58 @@
+// A material's colour, ready to be evaluated: a ColourSource with its files read.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "render/geometry/ray.h"
+#include "render/scene/material_description.h"
+#include "render/texture/ball_paint.h"
+#include "render/texture/image.h"
+#include "render/texture/patterns.h"
+
+namespace carom::render {
+
+/// Reads every file once, however many materials use it.
+class ImageCache {
+  public:
+    /// Throws Error naming the file.
+    [[nodiscard]] std::shared_ptr<const ImagePyramid> get(const std::string& file, bool is_linear);
+
+  private:
+    std::map<std::pair<std::string, bool>, std::shared_ptr<const ImagePyramid>> images_;
+};
+
+/// Immutable; evaluated by any number of threads.
+class Texture {
+  public:
+    /// Throws Error if a file or the font for a ball's number is missing.
+    Texture(const ColourSource& source, ImageCache& images);
+
+    /// Colour at `point`, averaged over about `footprint` (width of a pixel on the surface, m, 0:
+    /// as sharp as can be). Each channel is >= 0, and <= 1 unless an image holds more.
+    [[nodiscard]] V3f colour(const SurfacePoint& point, float footprint) const;
+
+    /// How the surface's own relief turns its normal: add to the unit normal and normalise. World
+    /// axes (the cloth's relief is taken to lie along them). 0 for textures without relief.
+    [[nodiscard]] V3f normal_shift(const SurfacePoint& point, float footprint) const;
+
+    [[nodiscard]] bool has_relief() const { return std::holds_alternative<ClothPattern>(source_); }
+
+  private:
+    struct Image {
+        std::shared_ptr<const ImagePyramid> pyramid;
+        V2f scale;
+
+        [[nodiscard]] V3f colour(const SurfacePoint& point, float footprint) const;
+    };
+    using Source = std::variant<V3f, Image, BallPaint, ClothPattern, WoodPattern, CheckerPattern>;
+
+    static Source make_source(const ColourSource& source, ImageCache& images);
+
+    Source source_;
+};
+
+}  // namespace carom::render
