@@ -1,0 +1,114 @@
+#include "pipeline/video/view_transform.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "pipeline/video/dither.h"
+#include "pipeline/video/tone_curve.h"
+#include "sim/timeline/assert.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+using Colour = std::array<float, 3>;
+
+// Beyond it every view is white; keeps the sums below finite.
+constexpr float kBrightest = 1e6F;
+
+/// Rec.709's luminance (ITU-R BT.709-6, item 3.2).
+float luminance(const Colour& c) {
+    return 0.2126F * c[0] + 0.7152F * c[1] + 0.0722F * c[2];
+}
+
+Colour exposed(const float* rgba, float gain) {
+    Colour colour{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const float value = rgba[i] * gain;
+        colour[i] = value > 0 ? std::min(value, kBrightest) : 0.0F;  // NaN is not > 0
+    }
+    return colour;
+}
+
+/// Each channel takes on a share of the colour's luminance before the tone curve, and gives most
+/// of it back after. Without it a bright saturated light ends at a bare primary; with it the other
+/// channels rise too and it goes to white, as on film ("channel crosstalk": Lottes 2016, as cited
+/// in tone_curve.h). Greys pass unchanged, and luminance is kept by both steps.
+class FilmicView {
+  public:
+    FilmicView() : curve_(filmic_curve(parameters_), parameters_.white) {}
+
+    [[nodiscard]] Colour operator()(Colour colour) const {
+        const auto mix = static_cast<float>(parameters_.crosstalk);
+        const auto unmix = static_cast<float>(parameters_.separation);
+        const float light = luminance(colour);
+        for (float& channel : colour) {
+            channel = curve_(channel + mix * (light - channel));
+        }
+        const float shown = luminance(colour);
+        for (float& channel : colour) {
+            channel = (channel - unmix * shown) / (1 - unmix);
+        }
+        return colour;
+    }
+
+  private:
+    FilmicParameters parameters_;
+    ToneCurve curve_;
+};
+
+struct PlainView {
+    [[nodiscard]] Colour operator()(const Colour& colour) const { return colour; }
+};
+
+template <class View>
+void transform(const render::Film& film, float gain, const View& view,
+               std::vector<std::uint16_t>& display) {
+    const ToneCurve encode(srgb_encode, 1.0);
+    const std::size_t pixels = film.rgba.size() / 4;
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+        const Colour colour = view(exposed(&film.rgba[4 * pixel], gain));
+        for (std::size_t i = 0; i < 3; ++i) {
+            display[3 * pixel + i] =
+                static_cast<std::uint16_t>(encode(colour[i]) * 65535.0F + 0.5F);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::uint16_t> to_display_16(const render::Film& film, const OutputSettings& output) {
+    const std::size_t pixels =
+        static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+    CAROM_ASSERT(film.rgba.size() == 4 * pixels);
+    const auto gain = static_cast<float>(std::exp2(output.exposure));
+    std::vector<std::uint16_t> display(3 * pixels);
+    switch (output.view) {
+        case ViewTransform::srgb:
+            transform(film, gain, PlainView{}, display);
+            break;
+        case ViewTransform::filmic:
+            transform(film, gain, FilmicView{}, display);
+            break;
+    }
+    return display;
+}
+
+std::vector<std::uint8_t> to_display_8(const render::Film& film, const OutputSettings& output) {
+    const std::vector<std::uint16_t> fine = to_display_16(film, output);
+    const auto width = static_cast<std::size_t>(film.width);
+    std::vector<std::uint8_t> display(fine.size());
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+        const auto x = static_cast<std::uint32_t>(i / 3 % width);
+        const auto y = static_cast<std::uint32_t>(i / 3 / width);
+        // 257 sixteen-bit steps are one of eight bits; the same threshold for all channels keeps
+        // greys grey.
+        const std::uint32_t threshold = dither_threshold(x, y) * 257U >> 16U;
+        display[i] = static_cast<std::uint8_t>((fine[i] + threshold) / 257U);
+    }
+    return display;
+}
+
+}  // namespace carom::pipeline

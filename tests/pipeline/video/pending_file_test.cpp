@@ -1,0 +1,98 @@
+#include "pipeline/video/pending_file.h"
+
+#include <optional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "sim/timeline/error.h"
+#include "tests/pipeline/video/scratch_folder.h"
+
+namespace carom::pipeline {
+namespace {
+
+using carom::testing::read_text;
+using carom::testing::ScratchFolder;
+using carom::testing::write_text;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+std::string message_of(const std::string& target) {
+    try {
+        const PendingFile file(target);
+        return {};
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+TEST(PendingFile, Committed_StandsUnderItsNameAlone) {
+    const ScratchFolder folder;
+    PendingFile file(folder.path("a.png"));
+    EXPECT_TRUE(file.temporary_path().ends_with(".png"));
+    write_text(file.temporary_path(), "whole");
+    file.commit();
+    EXPECT_THAT(folder.names(), ElementsAre("a.png"));
+    EXPECT_EQ(read_text(folder.path("a.png")), "whole");
+}
+
+TEST(PendingFile, Abandoned_LeavesNothingAndTheOldTarget) {
+    const ScratchFolder folder;
+    write_text(folder.path("a.txt"), "old");
+    {
+        const PendingFile file(folder.path("a.txt"));
+        write_text(file.temporary_path(), "half");
+    }
+    EXPECT_THAT(folder.names(), ElementsAre("a.txt"));
+    EXPECT_EQ(read_text(folder.path("a.txt")), "old");
+}
+
+TEST(PendingFile, TwoForOneTarget_DoNotDisturbEachOther) {
+    const ScratchFolder folder;
+    PendingFile first(folder.path("a"));
+    PendingFile second(folder.path("a"));
+    write_text(first.temporary_path(), "first");
+    write_text(second.temporary_path(), "second");
+    first.commit();
+    EXPECT_EQ(read_text(folder.path("a")), "first");
+    second.commit();
+    EXPECT_EQ(read_text(folder.path("a")), "second");
+    EXPECT_THAT(folder.names(), ElementsAre("a"));
+}
+
+TEST(PendingFile, LeftoverOfAKilledProcess_IsRemoved) {
+    const ScratchFolder folder;
+    write_text(folder.path(".a.mp4.123-0.part.mp4"), "half");  // nobody holds its lock
+    write_text(folder.path(".b.mp4.123-0.part.mp4"), "another target's");
+    { const PendingFile file(folder.path("a.mp4")); }
+    EXPECT_THAT(folder.names(), ElementsAre(".b.mp4.123-0.part.mp4"));
+}
+
+TEST(PendingFile, Folder_IsRefused) {
+    const ScratchFolder folder;
+    EXPECT_EQ(message_of(folder.path()), "cannot write '" + folder.path() + "': it is a folder");
+}
+
+TEST(PendingFile, MissingFolder_IsNamedWithTheReason) {
+    const ScratchFolder folder;
+    const std::string target = folder.path("none/a.mp4");
+    EXPECT_EQ(message_of(target), "cannot write '" + target + "': No such file or directory");
+}
+
+TEST(PendingFile, UnwritableFolder_IsNamedWithTheReason) {
+    if (::geteuid() == 0) {
+        // Permissions do not bind root; a folder that takes no files does.
+        EXPECT_THAT(message_of("/proc/a.mp4"),
+                    ::testing::StartsWith("cannot write '/proc/a.mp4': "));
+        return;
+    }
+    const ScratchFolder folder;
+    std::filesystem::permissions(
+        folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    const std::string target = folder.path("a.mp4");
+    EXPECT_EQ(message_of(target), "cannot write '" + target + "': Permission denied");
+}
+
+}  // namespace
+}  // namespace carom::pipeline

@@ -1,0 +1,349 @@
+#include "pipeline/video/video_writer.h"
+
+#include <cmath>
+#include <optional>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/timeline/error.h"
+#include "tests/pipeline/video/decoded_video.h"
+#include "tests/pipeline/video/scratch_folder.h"
+
+namespace carom::pipeline {
+namespace {
+
+using carom::testing::decode_video;
+using carom::testing::DecodedVideo;
+using carom::testing::read_text;
+using carom::testing::ScratchFolder;
+using carom::testing::write_text;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+using Picture = std::vector<std::uint16_t>;
+
+/// A soft saturated disc that moves over a gradient.
+Picture moving_disc(int width, int height, int frame) {
+    Picture picture;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const double dx = x - width * (0.3 + 0.02 * frame);
+            const double dy = y - height * 0.5;
+            const double disc =
+                1 / (1 + std::exp(0.5 * (std::sqrt(dx * dx + dy * dy) - height * 0.25)));
+            const double ground = 0.2 + 0.3 * y / height;
+            const auto code = [&](double paint, double cloth) {
+                return static_cast<std::uint16_t>(65535 *
+                                                  (disc * paint + (1 - disc) * cloth * ground));
+            };
+            picture.insert(picture.end(), {code(0.9, 0.1), code(0.7, 0.8), code(0.1, 0.5)});
+        }
+    }
+    return picture;
+}
+
+struct Film {
+    std::string name = "film.mp4";
+    int width = 128;
+    int height = 72;
+    int frames = 30;
+    Rational fps{24};
+    OutputSettings output;
+    std::map<std::string, std::string> metadata;
+
+    std::string write(const ScratchFolder& folder) const {
+        const std::string path = folder.path(name);
+        VideoWriter writer(path, {width, height, fps}, output, metadata);
+        for (int i = 0; i < frames; ++i) {
+            writer.write(moving_disc(width, height, i));
+        }
+        writer.finish();
+        return path;
+    }
+};
+
+double psnr(const Picture& a, const Picture& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double difference = (a[i] - b[i]) / 65535.0;
+        sum += difference * difference;
+    }
+    return -10 * std::log10(sum / static_cast<double>(a.size()));
+}
+
+std::size_t offset_of_box(const std::string& bytes, const std::string& type) {
+    std::size_t at = 0;
+    while (at + 8 <= bytes.size()) {
+        if (bytes.compare(at + 4, 4, type) == 0) {
+            return at;
+        }
+        std::size_t size = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            size = size << 8 | static_cast<unsigned char>(bytes[at + i]);
+        }
+        if (size < 8) {
+            break;
+        }
+        at += size;
+    }
+    return std::string::npos;
+}
+
+TEST(VideoWriter, H264_DecodesToTheSamePicturesAndTags) {
+    const ScratchFolder folder;
+    const Film film;
+    const DecodedVideo video = decode_video(film.write(folder));
+    EXPECT_EQ(video.codec, "h264");
+    EXPECT_EQ(video.profile, "High");
+    EXPECT_EQ(video.pixel_format, "yuv420p");
+    EXPECT_EQ(video.width, film.width);
+    EXPECT_EQ(video.height, film.height);
+    EXPECT_EQ(video.primaries, "bt709");
+    EXPECT_EQ(video.transfer, "bt709");
+    EXPECT_EQ(video.matrix, "bt709");
+    EXPECT_EQ(video.range, "tv");
+    EXPECT_EQ(video.chroma_location, "left");
+    ASSERT_EQ(video.frames.size(), static_cast<std::size_t>(film.frames));
+    for (int i = 0; i < film.frames; ++i) {
+        // The way back is swscale's, so a wrong matrix, range or plane would show here: BT.601's
+        // matrix instead of BT.709's alone brings it under 30 dB.
+        EXPECT_GT(psnr(video.frames[static_cast<std::size_t>(i)].rgb,
+                       moving_disc(film.width, film.height, i)),
+                  38)
+            << "frame " << i;
+    }
+}
+
+TEST(VideoWriter, TimeStamps_AreExactMultiplesOfTheFramesDuration) {
+    const ScratchFolder folder;
+    for (const Rational fps : {Rational(24), Rational(25), Rational(24000, 1001), Rational(1, 2)}) {
+        Film film;
+        film.fps = fps;
+        const DecodedVideo video = decode_video(film.write(folder));
+        EXPECT_EQ(video.rate_numerator, fps.numerator());
+        EXPECT_EQ(video.rate_denominator, fps.denominator());
+        EXPECT_EQ(video.start_time, 0);
+        ASSERT_EQ(video.frames.size(), 30U);
+        for (std::size_t n = 0; n < video.frames.size(); ++n) {
+            // pts * time_base == n / fps, in whole numbers
+            ASSERT_EQ(
+                video.frames[n].pts * video.time_base_numerator * fps.numerator(),
+                static_cast<std::int64_t>(n) * fps.denominator() * video.time_base_denominator);
+            ASSERT_EQ(video.frames[n].duration * video.time_base_numerator * fps.numerator(),
+                      fps.denominator() * video.time_base_denominator);
+        }
+        EXPECT_NEAR(video.duration, 30 / fps.to_double(), 1e-3);
+    }
+}
+
+TEST(VideoWriter, KeyFrames_ComeEveryTwoSecondsAtLeast) {
+    const ScratchFolder folder;
+    Film film;
+    film.frames = 60;
+    film.fps = Rational(10);
+    const DecodedVideo video = decode_video(film.write(folder));
+    int since = 0;
+    for (const auto& frame : video.frames) {
+        since = frame.key ? 0 : since + 1;
+        ASSERT_LT(since, 20);
+    }
+    EXPECT_TRUE(video.frames.front().key);
+}
+
+TEST(VideoWriter, Mp4_HasItsIndexBeforeThePictures) {
+    const ScratchFolder folder;
+    for (const char* name : {"film.mp4", "film.mov"}) {
+        Film film;
+        film.name = name;
+        const std::string bytes = read_text(film.write(folder));
+        const std::size_t index = offset_of_box(bytes, "moov");
+        const std::size_t pictures = offset_of_box(bytes, "mdat");
+        ASSERT_NE(index, std::string::npos);
+        ASSERT_NE(pictures, std::string::npos);
+        EXPECT_LT(index, pictures);
+        EXPECT_NE(bytes.find("colr"), std::string::npos) << "colour tags of the container";
+    }
+}
+
+TEST(VideoWriter, SameFramesTwice_GiveTheSameBytes) {
+    const ScratchFolder folder;
+    for (const char* name : {"film.mp4", "film.mkv"}) {
+        Film film;
+        film.name = name;
+        const std::string first = read_text(film.write(folder));
+        EXPECT_EQ(read_text(film.write(folder)), first) << name;
+    }
+    Film archive;
+    archive.name = "film.mkv";
+    archive.output.codec = Codec::ffv1;
+    const std::string first = read_text(archive.write(folder));
+    archive.output.threads = 1;  // FFV1's bytes do not follow the threads
+    EXPECT_EQ(read_text(archive.write(folder)), first);
+}
+
+TEST(VideoWriter, Ffv1_KeepsEveryBit) {
+    const ScratchFolder folder;
+    Film film;
+    film.name = "film.mkv";
+    film.output.codec = Codec::ffv1;
+    film.width = 33;
+    film.height = 17;
+    film.frames = 5;
+    const DecodedVideo video = decode_video(film.write(folder));
+    EXPECT_EQ(video.codec, "ffv1");
+    EXPECT_EQ(video.pixel_format, "gbrp16le");
+    EXPECT_EQ(video.primaries, "bt709");
+    EXPECT_EQ(video.transfer, "iec61966-2-1");
+    EXPECT_EQ(video.range, "pc");
+    ASSERT_EQ(video.frames.size(), 5U);
+    for (int n = 0; n < film.frames; ++n) {
+        const Picture source = moving_disc(film.width, film.height, n);
+        const auto& planes = video.frames[static_cast<std::size_t>(n)].planes;  // G, B, R
+        ASSERT_EQ(planes.size(), 3U);
+        for (std::size_t i = 0; i < source.size() / 3; ++i) {
+            const auto value = [&](std::size_t plane) {
+                return planes[plane][2 * i] | planes[plane][2 * i + 1] << 8;
+            };
+            ASSERT_EQ(value(2), source[3 * i]);
+            ASSERT_EQ(value(0), source[3 * i + 1]);
+            ASSERT_EQ(value(1), source[3 * i + 2]);
+        }
+    }
+}
+
+TEST(VideoWriter, OneFrameOfTheSmallestSize_IsAFilm) {
+    const ScratchFolder folder;
+    for (const Codec codec : {Codec::h264, Codec::ffv1}) {
+        Film film;
+        film.name = codec == Codec::h264 ? "film.mp4" : "film.mkv";
+        film.output.codec = codec;
+        film.width = film.height = 16;
+        film.frames = 1;
+        EXPECT_EQ(decode_video(film.write(folder)).frames.size(), 1U);
+    }
+}
+
+TEST(VideoWriter, Crf_TradesSizeForQuality) {
+    const ScratchFolder folder;
+    Film film;
+    film.output.crf = 30;
+    const std::string coarse = read_text(film.write(folder));
+    film.output.crf = 10;
+    const std::string fine = read_text(film.write(folder));
+    EXPECT_LT(2 * coarse.size(), fine.size());
+}
+
+TEST(VideoWriter, CrfZero_LosesNothingOfThePlanes) {
+    const ScratchFolder folder;
+    Film film;
+    film.frames = 3;
+    film.output.crf = 0;
+    const DecodedVideo video = decode_video(film.write(folder));
+    EXPECT_EQ(video.profile, "High 4:4:4 Predictive");
+    EXPECT_EQ(video.pixel_format, "yuv420p");
+}
+
+TEST(VideoWriter, Metadata_IsReadBackAndHoldsNoDate) {
+    const ScratchFolder folder;
+    Film film;
+    film.metadata = {{"title", "break"}, {"render.clamp", "10"}, {"samples", "64"}};
+    for (const char* name : {"film.mp4", "film.mkv"}) {
+        film.name = name;
+        const std::string path = film.write(folder);
+        const DecodedVideo video = decode_video(path);
+        EXPECT_EQ(video.metadata.at("title"), "break") << name;
+        const auto comment = video.metadata.count("COMMENT") != 0U ? "COMMENT" : "comment";
+        EXPECT_EQ(video.metadata.at(comment), "render.clamp=10; samples=64") << name;
+        EXPECT_EQ(video.metadata.count("creation_time"), 0U);
+        EXPECT_EQ(read_text(path).find("Lavf5"), std::string::npos) << "a version of the muxer";
+        EXPECT_EQ(read_text(path).find("Lavc5"), std::string::npos) << "a version of the codec";
+    }
+}
+
+TEST(VideoWriter, DestroyedBeforeFinish_LeavesNothing) {
+    const ScratchFolder folder;
+    {
+        VideoWriter writer(folder.path("film.mp4"), {64, 64}, {});
+        writer.write(moving_disc(64, 64, 0));
+    }
+    EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+TEST(VideoWriter, ExistingTarget_IsReplacedOnlyByAWholeFilm) {
+    const ScratchFolder folder;
+    write_text(folder.path("film.mp4"), "old");
+    {
+        VideoWriter writer(folder.path("film.mp4"), {64, 64}, {});
+        writer.write(moving_disc(64, 64, 0));
+        EXPECT_EQ(read_text(folder.path("film.mp4")), "old");
+    }
+    EXPECT_EQ(read_text(folder.path("film.mp4")), "old");
+    Film{}.write(folder);
+    EXPECT_THAT(folder.names(), ElementsAre("film.mp4"));
+    EXPECT_EQ(decode_video(folder.path("film.mp4")).frames.size(), 30U);
+}
+
+TEST(VideoWriter, NoFrames_IsAnErrorAndLeavesNothing) {
+    const ScratchFolder folder;
+    VideoWriter writer(folder.path("film.mp4"), {64, 64}, {});
+    EXPECT_THROW(writer.finish(), Error);
+    EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+TEST(VideoWriter, MissingFolder_IsNamed) {
+    const ScratchFolder folder;
+    const std::string path = folder.path("none/film.mp4");
+    try {
+        const VideoWriter writer(path, {64, 64}, {});
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.what(), "cannot write '" + path + "': No such file or directory");
+    }
+}
+
+TEST(VideoWriter, OddSize_IsRefusedAsTheCheckSays) {
+    const ScratchFolder folder;
+    try {
+        const VideoWriter writer(folder.path("film.mp4"), {65, 64}, {});
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("64x64 and 66x64"));
+    }
+    EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+TEST(VideoWriter, PathThatLooksLikeAProtocol_IsAFile) {
+    const ScratchFolder folder;
+    Film film;
+    film.name = "http:film %d?.mp4";
+    film.frames = 2;
+    film.write(folder);
+    EXPECT_THAT(folder.names(), ElementsAre(film.name));
+}
+
+TEST(VideoWriter, SeveralAtOnce_GiveWhatEachGivesAlone) {
+    const ScratchFolder folder;
+    std::vector<Film> films(3);
+    std::vector<std::string> alone;
+    for (std::size_t i = 0; i < films.size(); ++i) {
+        films[i].name = "film" + std::to_string(i) + ".mp4";
+        films[i].frames = 8 + static_cast<int>(i);
+        alone.push_back(read_text(films[i].write(folder)));
+    }
+    std::vector<std::thread> threads;
+    for (const Film& film : films) {
+        threads.emplace_back([&film, &folder] { film.write(folder); });
+    }
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
+    for (std::size_t i = 0; i < films.size(); ++i) {
+        EXPECT_EQ(read_text(folder.path(films[i].name)), alone[i]);
+    }
+}
+
+}  // namespace
+}  // namespace carom::pipeline
