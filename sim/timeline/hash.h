@@ -56,7 +56,10 @@ class Hasher {
     std::unique_ptr<State> state_;
 };
 
-/// Hash of a whole file's contents. Throws Error naming the file if it cannot be read.
+/// XXH3-128 of the bytes alone.
+[[nodiscard]] Hash128 hash_bytes(std::span<const std::byte> bytes);
+
+/// hash_bytes of a whole file's contents. Throws Error naming the file if it cannot be read.
 [[nodiscard]] Hash128 hash_file(const std::string& path);
 
 }  // namespace carom

@@ -1,7 +1,7 @@
 // One object's motion: keys, and the curve between them (docs/timeline.md has the formulas).
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,7 +48,8 @@ struct Bounds {
 class Track {
   public:
     /// Keys in strictly increasing time, all values finite, quaternions of unit length within
-    /// 1e-6, at least one key; throws Error otherwise, naming track and key.
+    /// 1e-6, at least one key, no more than 1e7 rad of turning about changing axes in all; throws
+    /// Error otherwise, naming track and key.
     Track(std::string name, std::vector<Key> keys);
 
     [[nodiscard]] const std::string& name() const { return name_; }
@@ -66,11 +67,36 @@ class Track {
     /// A box around every position taken during [from, to].
     [[nodiscard]] Bounds position_bounds(double from, double to) const;
 
-    bool operator==(const Track&) const = default;
+    bool operator==(const Track& other) const {
+        return name_ == other.name_ && keys_ == other.keys_;
+    }
 
   private:
+    // What sample() needs to know about the turn from one key to the next.
+    struct Segment {
+        Vec3 residual{0, 0, 0};            // rotation vector left over at the next key
+        std::size_t first_checkpoint = 0;  // orientation at every 16th substep
+    };
+
+    // A whole stretch between keys and the part of it that is meant.
+    struct Piece {
+        PathStretch stretch;
+        double from = 0;
+        double to = 0;
+    };
+
+    [[nodiscard]] std::size_t last_key_at(double scene_time) const;
+    [[nodiscard]] PathStretch segment_stretch(std::size_t index) const;
+    [[nodiscard]] std::vector<Piece> pieces(double from, double to) const;
+    [[nodiscard]] Quat orientation_in(std::size_t index, double scene_time) const;
+    void check_keys() const;
+    void prepare_segments();
+
     std::string name_;
     std::vector<Key> keys_;
+    std::vector<double> times_;  // of the keys, close together for the search
+    std::vector<Segment> segments_;
+    std::vector<Quat> checkpoints_;
 };
 
 }  // namespace carom::sim

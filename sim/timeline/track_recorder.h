@@ -1,6 +1,7 @@
 // From a dense series of states to a track of as few keys as the error bound allows.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,9 @@ struct KeyReduction {
     double orientation_error = 1.7453292519943e-4;  // rad (0.01 degree), > 0
 };
 
-/// Takes states in order of time. Keys added by `add` may be dropped; `add_break` keys never are.
+/// Takes states in order of time. Keys added by `add` may be dropped; `add_break` keys never are,
+/// nor are the first and the last. Throws Error, naming the track, for times out of order and for
+/// two states of one instant that differ.
 class TrackRecorder {
   public:
     explicit TrackRecorder(std::string name, KeyReduction reduction = {});
@@ -32,9 +35,12 @@ class TrackRecorder {
     [[nodiscard]] Track finish();
 
   private:
+    void add_key(const Key& key, bool is_kept);
+
     std::string name_;
     KeyReduction reduction_;
     std::vector<Key> dense_;
+    std::vector<std::size_t> kept_;  // indices into dense_, increasing
 };
 
 }  // namespace carom::sim

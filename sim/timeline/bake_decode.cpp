@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "bake_generated.h"
+#include "sim/timeline/bake_format.h"
+#include "sim/timeline/error.h"
+#include "sim/timeline/turning.h"
+
+namespace carom::sim {
+
+namespace {
+
+namespace fb = carom::bake_format;
+
+constexpr flatbuffers::uoffset_t kDeepest = 4;  // Content, Track or Asset, their strings
+constexpr flatbuffers::uoffset_t kMostTables = kMostTracks + kMostAssets + 1;
+
+Hash128 from_format(const fb::Hash& hash) {
+    return {hash.high(), hash.low()};
+}
+Vec3 from_format(const fb::Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+Quat from_format(const fb::Quat& q) {
+    return {q.w(), q.x(), q.y(), q.z()};
+}
+
+Key from_format(const fb::Key& key) {
+    return {key.time(),
+            from_format(key.position()),
+            from_format(key.orientation()),
+            from_format(key.velocity_in()),
+            from_format(key.angular_velocity_in()),
+            from_format(key.velocity_out()),
+            from_format(key.angular_velocity_out())};
+}
+
+/// In an honest file no two parts share bytes. A forged one might let many tracks share one list of
+/// keys and so grow a thousandfold when read.
+class Budget {
+  public:
+    explicit Budget(std::size_t bytes) : left_(bytes) {}
+
+    void spend(std::size_t count, std::size_t size) {
+        if (count > left_ / size)
+            throw Error("its parts overlap");
+        left_ -= count * size;
+    }
+    std::string text(const flatbuffers::String& string) {
+        spend(string.size(), 1);
+        return string.str();
+    }
+
+  private:
+    std::size_t left_;
+};
+
+std::vector<Track> read_tracks(const fb::Content& content, Budget& budget) {
+    std::vector<Track> tracks;
+    std::uint64_t substeps_in_all = 0;
+    for (const fb::Track* track : *content.tracks()) {
+        budget.spend(track->keys()->size(), sizeof(fb::Key));
+        std::vector<Key> keys;
+        keys.reserve(track->keys()->size());
+        for (const fb::Key* key : *track->keys())
+            keys.push_back(from_format(*key));
+        substeps_in_all += turn_substeps(keys);
+        if (substeps_in_all > kMostSubsteps)
+            throw Error("its objects turn more than 1e7 rad about changing axes");
+        std::string name = budget.text(*track->name());
+        if (name.size() > kLongestName)
+            throw Error("the name of a track is longer than " + std::to_string(kLongestName) +
+                        " bytes");
+        tracks.emplace_back(std::move(name), std::move(keys));
+    }
+    return tracks;
+}
+
+std::vector<Event> read_events(const fb::Content& content, Budget& budget) {
+    std::vector<std::string> names;
+    for (const flatbuffers::String* name : *content.names()) {
+        names.push_back(budget.text(*name));
+        if (names.back().size() > kLongestName)
+            throw Error("a name is longer than " + std::to_string(kLongestName) + " bytes");
+    }
+    const auto name_at = [&](std::uint32_t index) -> const std::string& {
+        if (index >= names.size())
+            throw Error("an event refers to a name that is not there");
+        return names[index];
+    };
+    std::vector<Event> events;
+    budget.spend(content.events()->size(), sizeof(fb::Event));
+    events.reserve(content.events()->size());
+    for (const fb::Event* event : *content.events()) {
+        if (event->kind() > fb::EventKind::MAX)
+            throw Error("an event is of an unknown kind");
+        events.push_back({static_cast<EventKind>(event->kind()), event->time(), event->end_time(),
+                          name_at(event->a()), name_at(event->b()), from_format(event->place()),
+                          from_format(event->normal()), event->normal_impulse(),
+                          event->tangential_impulse(), from_format(event->vector())});
+    }
+    return events;
+}
+
+std::vector<EnergySample> read_energy(const fb::Content& content, Budget& budget) {
+    std::vector<EnergySample> energy;
+    budget.spend(content.energy()->size(), sizeof(fb::EnergySample));
+    energy.reserve(content.energy()->size());
+    for (const fb::EnergySample* sample : *content.energy())
+        energy.push_back({sample->time(), sample->kinetic(), sample->potential()});
+    return energy;
+}
+
+std::vector<Asset> read_assets(const fb::Content& content, Budget& budget) {
+    std::vector<Asset> assets;
+    for (const fb::Asset* asset : *content.assets())
+        assets.push_back({budget.text(*asset->path()), from_format(*asset->content_hash())});
+    return assets;
+}
+
+flatbuffers::Verifier verifier_for(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), kDeepest,
+            kMostTables};
+}
+
+bool has_identifier(std::span<const std::byte> bytes) {
+    return bytes.size() >= 8 && std::memcmp(bytes.data() + 4, fb::EnvelopeIdentifier(), 4) == 0;
+}
+
+/// The inner buffer, after the envelope around it was found to be whole and unchanged. `bytes` are
+/// aligned to eight.
+std::span<const std::byte> open_envelope(std::span<const std::byte> bytes) {
+    // The head alone first: it stands at the beginning, also of a truncated file.
+    if (!verifier_for(bytes).VerifyBuffer<fb::EnvelopeHead>(nullptr))
+        throw Error(bytes.size() < 128 ? "is truncated" : "is damaged: its head cannot be read");
+    const fb::Head& head = *flatbuffers::GetRoot<fb::EnvelopeHead>(bytes.data())->head();
+    if (head.schema_version() != kSchemaVersion)
+        throw Error("is in version " + std::to_string(head.schema_version()) +
+                    " of the format and this carom reads version " +
+                    std::to_string(kSchemaVersion) + "; bake the shot again");
+    if (bytes.size() < head.file_size())
+        throw Error("is truncated: " + std::to_string(bytes.size()) + " of its " +
+                    std::to_string(head.file_size()) + " bytes are there");
+    if (bytes.size() > head.file_size())
+        throw Error("is damaged: something follows its " + std::to_string(head.file_size()) +
+                    " bytes");
+    if (!verifier_for(bytes).VerifyBuffer<fb::Envelope>(nullptr))
+        throw Error("is damaged: its envelope cannot be read");
+    const auto* vector = flatbuffers::GetRoot<fb::Envelope>(bytes.data())->content();
+    const std::span content(reinterpret_cast<const std::byte*>(vector->data()), vector->size());
+    if (content.size() > kLargestContent)
+        throw Error("is larger than 1 GiB");
+    if (hash_bytes(content) != from_format(head.content_hash()))
+        throw Error("is damaged: its content does not fit its hash");
+    // Padding and offsets are not under the hash: there is one right way to write them.
+    const std::vector<std::byte> expected = encode_envelope(content);
+    if (!std::equal(bytes.begin(), bytes.end(), expected.begin(), expected.end()))
+        throw Error("is damaged: its envelope is not as carom writes it");
+    return content;
+}
+
+bool is_aligned(std::span<const std::byte> bytes) {
+    return reinterpret_cast<std::uintptr_t>(bytes.data()) % sizeof(double) == 0;
+}
+
+}  // namespace
+
+Bake decode_content(std::span<const std::byte> content) {
+    if (!verifier_for(content).VerifyBuffer<fb::Content>(nullptr))
+        throw Error("its content cannot be read");
+    const fb::Content& root = *flatbuffers::GetRoot<fb::Content>(content.data());
+    Budget budget(content.size());
+    Bake bake;
+    bake.physics_hash = from_format(*root.physics_hash());
+    bake.timeline.start_time = root.start_time();
+    bake.timeline.end_time = root.end_time();
+    bake.timeline.tracks = read_tracks(root, budget);
+    bake.timeline.events = read_events(root, budget);
+    bake.timeline.energy = read_energy(root, budget);
+    bake.shot_text = budget.text(*root.shot_text());
+    bake.assets = read_assets(root, budget);
+    if (const auto problem = find_problem(bake))
+        throw Error(*problem);
+    return bake;
+}
+
+Bake decode_bake(std::span<const std::byte> bytes, const std::string& origin) {
+    if (!has_identifier(bytes))
+        throw Error("'" + origin + "' is not a carom bake");
+    std::vector<std::byte> copy;
+    if (!is_aligned(bytes)) {
+        copy.assign(bytes.begin(), bytes.end());
+        bytes = copy;
+    }
+    std::span<const std::byte> content;
+    try {
+        content = open_envelope(bytes);
+    } catch (const Error& error) {
+        throw Error("'" + origin + "' " + error.what());
+    }
+    try {
+        return decode_content(content);
+    } catch (const Error& error) {
+        throw Error("'" + origin + "' is damaged: " + error.what());
+    }
+}
+
+}  // namespace carom::sim

@@ -1,0 +1,198 @@
+#include "sim/timeline/hash.h"
+
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <new>
+#include <vector>
+
+#include <xxhash.h>
+
+#include "sim/timeline/assert.h"
+#include "sim/timeline/error.h"
+
+namespace carom {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little,
+              "the byte stream is little endian; swap bytes in feed() on other machines");
+
+// Goes before each value, so that values of different types never feed the same bytes.
+enum class Tag : std::uint8_t {
+    boolean = 1,
+    signed_integer,
+    unsigned_integer,
+    float64,
+    float32,
+    text,
+    vec2,
+    vec3,
+    quaternion,
+    matrix,
+    hash,
+    bytes
+};
+
+Hash128 from_xxhash(const XXH128_hash_t& hash) {
+    return {hash.high64, hash.low64};
+}
+
+}  // namespace
+
+std::string Hash128::to_string() const {
+    std::array<char, 33> text{};
+    std::snprintf(text.data(), text.size(), "%016llx%016llx", static_cast<unsigned long long>(high),
+                  static_cast<unsigned long long>(low));
+    return text.data();
+}
+
+struct Hasher::State {
+    XXH3_state_t* xxhash = XXH3_createState();
+
+    State() {
+        if (xxhash == nullptr)
+            throw std::bad_alloc();
+        XXH3_128bits_reset(xxhash);
+    }
+    ~State() { XXH3_freeState(xxhash); }
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+
+    void feed(const void* bytes, std::size_t size) { XXH3_128bits_update(xxhash, bytes, size); }
+    void feed(Tag tag) { feed(&tag, sizeof tag); }
+    void feed(std::uint64_t value) { feed(&value, sizeof value); }
+    void feed(double value) {
+        CAROM_ASSERT(!std::isnan(value));
+        feed(std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value));
+    }
+};
+
+Hasher::Hasher() : state_(std::make_unique<State>()) {}
+Hasher::~Hasher() = default;
+
+Hasher& Hasher::add(bool value) {
+    const std::uint8_t byte = value ? 1 : 0;
+    state_->feed(Tag::boolean);
+    state_->feed(&byte, 1);
+    return *this;
+}
+
+Hasher& Hasher::add(std::int64_t value) {
+    state_->feed(Tag::signed_integer);
+    state_->feed(std::bit_cast<std::uint64_t>(value));
+    return *this;
+}
+
+Hasher& Hasher::add(std::uint64_t value) {
+    state_->feed(Tag::unsigned_integer);
+    state_->feed(value);
+    return *this;
+}
+
+Hasher& Hasher::add(double value) {
+    state_->feed(Tag::float64);
+    state_->feed(value);
+    return *this;
+}
+
+Hasher& Hasher::add(float value) {
+    CAROM_ASSERT(!std::isnan(value));
+    const float canonical = value == 0 ? 0.0F : value;
+    state_->feed(Tag::float32);
+    state_->feed(&canonical, sizeof canonical);
+    return *this;
+}
+
+Hasher& Hasher::add(std::string_view text) {
+    state_->feed(Tag::text);
+    state_->feed(std::uint64_t{text.size()});
+    state_->feed(text.data(), text.size());
+    return *this;
+}
+
+Hasher& Hasher::add(const Vec2& value) {
+    state_->feed(Tag::vec2);
+    state_->feed(value.x);
+    state_->feed(value.y);
+    return *this;
+}
+
+Hasher& Hasher::add(const Vec3& value) {
+    state_->feed(Tag::vec3);
+    state_->feed(value.x);
+    state_->feed(value.y);
+    state_->feed(value.z);
+    return *this;
+}
+
+Hasher& Hasher::add(const Quat& value) {
+    state_->feed(Tag::quaternion);
+    state_->feed(value.r);
+    state_->feed(value.v.x);
+    state_->feed(value.v.y);
+    state_->feed(value.v.z);
+    return *this;
+}
+
+Hasher& Hasher::add(const Mat44& value) {
+    state_->feed(Tag::matrix);
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            state_->feed(value[row][column]);
+    return *this;
+}
+
+Hasher& Hasher::add(const Hash128& value) {
+    state_->feed(Tag::hash);
+    state_->feed(value.high);
+    state_->feed(value.low);
+    return *this;
+}
+
+Hasher& Hasher::add_bytes(std::span<const std::byte> bytes) {
+    state_->feed(Tag::bytes);
+    state_->feed(std::uint64_t{bytes.size()});
+    state_->feed(bytes.data(), bytes.size());
+    return *this;
+}
+
+Hash128 Hasher::finish() const {
+    return from_xxhash(XXH3_128bits_digest(state_->xxhash));
+}
+
+Hash128 hash_bytes(std::span<const std::byte> bytes) {
+    return from_xxhash(XXH3_128bits(bytes.data(), bytes.size()));
+}
+
+Hash128 hash_file(const std::string& path) {
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
+    const auto failed = [&] {
+        return Error("cannot read '" + path + "': " + std::strerror(errno));
+    };
+    if (!file)
+        throw failed();
+    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(),
+                                                                                &XXH3_freeState);
+    if (!state)
+        throw std::bad_alloc();
+    XXH3_128bits_reset(state.get());
+    std::vector<std::byte> chunk(std::size_t{1} << 18);
+    for (;;) {
+        const std::size_t size = std::fread(chunk.data(), 1, chunk.size(), file.get());
+        XXH3_128bits_update(state.get(), chunk.data(), size);
+        if (size < chunk.size())
+            break;
+    }
+    if (std::ferror(file.get()) != 0)
+        throw failed();
+    return from_xxhash(XXH3_128bits_digest(state.get()));
+}
+
+}  // namespace carom

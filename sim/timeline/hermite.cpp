@@ -1,0 +1,94 @@
+#include "sim/timeline/hermite.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace carom::sim {
+
+namespace {
+
+// p(s) = p0 + s (c1 + s (c2 + s c3)), s = (time - start)/h.
+struct Coefficients {
+    double h;
+    Vec3 c1, c2, c3;
+};
+
+Coefficients coefficients(const PathStretch& stretch) {
+    const double h = stretch.end - stretch.start;
+    const Vec3 d = stretch.p1 - stretch.p0;
+    const Vec3 m0 = h * stretch.v0;
+    const Vec3 m1 = h * stretch.v1;
+    return {h, m0, 3.0 * d - 2.0 * m0 - m1, m0 + m1 - 2.0 * d};
+}
+
+// Where c1 + 2 c2 s + 3 c3 s^2 = 0 in (0, 1); NaN for "nowhere".
+std::array<double, 2> turning_points(double c1, double c2, double c3) {
+    const double nowhere = std::nan("");
+    const double discriminant = c2 * c2 - 3 * c1 * c3;
+    if (discriminant < 0)
+        return {nowhere, nowhere};
+    const double root = std::sqrt(discriminant);
+    const double q = -(c2 + (c2 < 0 ? -root : root));
+    return {q / (3 * c3), c1 / q};
+}
+
+}  // namespace
+
+Vec3 hermite_position(const PathStretch& stretch, double time) {
+    if (time <= stretch.start)
+        return stretch.p0;
+    if (time >= stretch.end)
+        return stretch.p1;
+    const auto [h, c1, c2, c3] = coefficients(stretch);
+    const double s = (time - stretch.start) / h;
+    return stretch.p0 + s * (c1 + s * (c2 + s * c3));
+}
+
+Vec3 hermite_velocity(const PathStretch& stretch, double time) {
+    if (time <= stretch.start)
+        return stretch.v0;
+    if (time >= stretch.end)
+        return stretch.v1;
+    const auto [h, c1, c2, c3] = coefficients(stretch);
+    const double s = (time - stretch.start) / h;
+    return (c1 + s * (2.0 * c2 + (3.0 * s) * c3)) / h;
+}
+
+PathStretch cut(const PathStretch& stretch, double from, double to) {
+    return {from,
+            to,
+            hermite_position(stretch, from),
+            hermite_position(stretch, to),
+            hermite_velocity(stretch, from),
+            hermite_velocity(stretch, to)};
+}
+
+Bounds bounds_of(const PathStretch& stretch, double from, double to) {
+    const auto [h, c1, c2, c3] = coefficients(stretch);
+    const double s0 = (from - stretch.start) / h;
+    const double s1 = (to - stretch.start) / h;
+    const Vec3 begin = hermite_position(stretch, from);
+    const Vec3 end = hermite_position(stretch, to);
+    Bounds bounds;
+    for (int axis = 0; axis < 3; ++axis) {
+        double low = std::min(begin[axis], end[axis]);
+        double high = std::max(begin[axis], end[axis]);
+        for (const double s : turning_points(c1[axis], c2[axis], c3[axis])) {
+            if (!(s > s0 && s < s1))
+                continue;
+            const double p = stretch.p0[axis] + s * (c1[axis] + s * (c2[axis] + s * c3[axis]));
+            low = std::min(low, p);
+            high = std::max(high, p);
+        }
+        // What the terms of the sum can lose to rounding.
+        const double rounding =
+            4e-16 * (std::abs(stretch.p0[axis]) + std::abs(stretch.p1[axis]) + std::abs(c1[axis]) +
+                     std::abs(c2[axis]) + std::abs(c3[axis]));
+        bounds.low[axis] = low - rounding;
+        bounds.high[axis] = high + rounding;
+    }
+    return bounds;
+}
+
+}  // namespace carom::sim

@@ -1,0 +1,189 @@
+#include "sim/timeline/track_recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "sim/timeline/assert.h"
+#include "sim/timeline/error.h"
+#include "sim/timeline/hermite.h"
+#include "sim/timeline/turning.h"
+
+namespace carom::sim {
+
+namespace {
+
+constexpr double kSame = 1e-9;  // absolute below one, relative above
+
+bool is_same(const Vec3& a, const Vec3& b) {
+    const double size = std::max(1.0, std::max(a.length(), b.length()));
+    return (a - b).length() <= kSame * size;
+}
+
+bool is_same(const Quat& a, const Quat& b) {
+    return angle_between(a, b) <= kSame;
+}
+
+Key smooth_key(double time, const MotionState& state) {
+    return {time,
+            state.position,
+            state.orientation,
+            state.velocity,
+            state.angular_velocity,
+            state.velocity,
+            state.angular_velocity};
+}
+
+PathStretch stretch_between(const Key& from, const Key& to) {
+    return {from.time, to.time, from.position, to.position, from.velocity_out, to.velocity_in};
+}
+
+/// Whether the keys between the first and the last can be dropped.
+class SpanCheck {
+  public:
+    SpanCheck(std::span<const Key> keys, const KeyReduction& reduction)
+        : keys_(keys), reduction_(reduction) {}
+
+    [[nodiscard]] bool passes() const { return positions_pass() && orientations_pass(); }
+
+  private:
+    // At the keys between, and half-way between them, where the dense path is a curve of its own.
+    [[nodiscard]] bool positions_pass() const {
+        const PathStretch span = stretch_between(keys_.front(), keys_.back());
+        const double bound2 = reduction_.position_error * reduction_.position_error;
+        const auto is_near = [&](const Vec3& position, double time) {
+            const Vec3 error = hermite_position(span, time) - position;
+            return error.dot(error) <= bound2;
+        };
+        for (std::size_t index = 1; index < keys_.size(); ++index) {
+            const PathStretch piece = stretch_between(keys_[index - 1], keys_[index]);
+            const double middle = 0.5 * (piece.start + piece.end);
+            if (!is_near(piece.p1, piece.end) || !is_near(hermite_position(piece, middle), middle))
+                return false;
+        }
+        return true;
+    }
+
+    // Walks along the turn twice: once for the residual at its end, once with it spread.
+    [[nodiscard]] bool orientations_pass() const {
+        const Key& from = keys_.front();
+        const Key& to = keys_.back();
+        const double duration = to.time - from.time;
+        const Turning turning(from.angular_velocity_out, to.angular_velocity_in, duration);
+        const Vec3 residual = rotation_vector(
+            to.orientation * ~turning.advance(from.orientation, 0, turning.substeps()));
+        std::uint32_t substep = 0;
+        Quat at_substep = from.orientation;
+        for (const Key& key : keys_.subspan(1, keys_.size() - 2)) {
+            const double elapsed = key.time - from.time;
+            const std::uint32_t next = turning.substep_at(elapsed);
+            at_substep = turning.advance(at_substep, substep, next);
+            substep = next;
+            const Quat turned = turning.finish(at_substep, substep, elapsed);
+            const Quat orientation = rotation_from_vector(elapsed / duration * residual) * turned;
+            if (!(angle_between(orientation, key.orientation) <= reduction_.orientation_error))
+                return false;
+        }
+        return true;
+    }
+
+    std::span<const Key> keys_;
+    const KeyReduction& reduction_;
+};
+
+/// The largest step from `begin` (at most to `end`) that passes, found by doubling and bisection:
+/// O(n log n) states are looked at for n keys.
+std::size_t next_key(std::span<const Key> keys, std::size_t begin, std::size_t end,
+                     const KeyReduction& reduction) {
+    const auto passes = [&](std::size_t step) {
+        return step <= 1 || SpanCheck(keys.subspan(begin, step + 1), reduction).passes();
+    };
+    const std::size_t longest = end - begin;
+    std::size_t good = 1;
+    std::size_t bad = longest + 1;
+    while (good < longest && bad > longest) {
+        const std::size_t step = std::min(2 * good, longest);
+        if (passes(step))
+            good = step;
+        else
+            bad = step;
+    }
+    while (bad - good > 1 && good < longest) {
+        const std::size_t step = good + (bad - good) / 2;
+        if (passes(step))
+            good = step;
+        else
+            bad = step;
+    }
+    return begin + good;
+}
+
+}  // namespace
+
+TrackRecorder::TrackRecorder(std::string name, KeyReduction reduction)
+    : name_(std::move(name)), reduction_(reduction) {
+    CAROM_ASSERT(reduction.position_error > 0 && reduction.orientation_error > 0);
+}
+
+void TrackRecorder::add_key(const Key& key, bool is_kept) {
+    if (!dense_.empty() && !(key.time > dense_.back().time))
+        throw Error("track '" + name_ + "': a state at " + std::to_string(key.time) +
+                    " s comes after one at " + std::to_string(dense_.back().time) + " s");
+    if (is_kept || dense_.empty())
+        kept_.push_back(dense_.size());
+    dense_.push_back(key);
+}
+
+void TrackRecorder::add(double time, const MotionState& state) {
+    if (dense_.empty() || dense_.back().time != time) {
+        add_key(smooth_key(time, state), false);
+        return;
+    }
+    const Key& last = dense_.back();
+    if (!is_same(last.position, state.position) || !is_same(last.orientation, state.orientation) ||
+        !is_same(last.velocity_out, state.velocity) ||
+        !is_same(last.angular_velocity_out, state.angular_velocity))
+        throw Error("track '" + name_ + "': two different states at " + std::to_string(time) +
+                    " s without a break");
+}
+
+void TrackRecorder::add_break(double time, const MotionState& before, const MotionState& after) {
+    if (!is_same(before.position, after.position) ||
+        !is_same(before.orientation, after.orientation))
+        throw Error("track '" + name_ + "': the pose jumps at " + std::to_string(time) + " s");
+    if (dense_.empty() || dense_.back().time != time) {
+        Key key = smooth_key(time, before);
+        key.velocity_out = after.velocity;
+        key.angular_velocity_out = after.angular_velocity;
+        add_key(key, true);
+        return;
+    }
+    Key& last = dense_.back();
+    if (!is_same(last.position, before.position) || !is_same(last.orientation, before.orientation))
+        throw Error("track '" + name_ + "': the pose jumps at " + std::to_string(time) + " s");
+    last.velocity_out = after.velocity;
+    last.angular_velocity_out = after.angular_velocity;
+    if (kept_.back() != dense_.size() - 1)
+        kept_.push_back(dense_.size() - 1);
+}
+
+Track TrackRecorder::finish() {
+    std::vector<Key> keys;
+    if (!dense_.empty()) {
+        if (kept_.back() != dense_.size() - 1)
+            kept_.push_back(dense_.size() - 1);
+        keys.push_back(dense_.front());
+        std::size_t current = 0;
+        for (const std::size_t end : kept_)
+            while (current < end) {
+                current = next_key(dense_, current, end, reduction_);
+                keys.push_back(dense_[current]);
+            }
+    }
+    dense_.clear();
+    kept_.clear();
+    return Track(std::move(name_), std::move(keys));
+}
+
+}  // namespace carom::sim

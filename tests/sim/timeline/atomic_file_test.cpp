@@ -1,0 +1,136 @@
+#include "sim/timeline/atomic_file.h"
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "sim/timeline/error.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AtomicFile : public testing::Test {
+  protected:
+    AtomicFile() {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    ~AtomicFile() override { fs::remove_all(folder_); }
+
+    static void write(const fs::path& path, std::string_view text) {
+        write_file_atomically(path.string(), std::as_bytes(std::span(text)));
+    }
+    static std::string read(const fs::path& path) {
+        std::ifstream file(path, std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    [[nodiscard]] std::vector<std::string> names() const {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(folder_))
+            names.push_back(entry.path().filename());
+        return names;
+    }
+
+    fs::path folder_ = fs::path(testing::TempDir()) /
+                       (std::string("carom_atomic_file_") +
+                        testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(AtomicFile, NewFile_HasTheBytesAndNothingIsLeftBeside) {
+    const std::string text(3'000'000, 'z');
+    write(folder_ / "a.bake", text);
+    EXPECT_EQ(read(folder_ / "a.bake"), text);
+    EXPECT_THAT(names(), testing::ElementsAre("a.bake"));
+}
+
+TEST_F(AtomicFile, NoBytes_MakeAnEmptyFile) {
+    write(folder_ / "a", "");
+    EXPECT_EQ(fs::file_size(folder_ / "a"), 0U);
+}
+
+TEST_F(AtomicFile, ExistingFile_IsReplaced) {
+    write(folder_ / "a", "old and long");
+    write(folder_ / "a", "new");
+    EXPECT_EQ(read(folder_ / "a"), "new");
+    EXPECT_THAT(names(), testing::ElementsAre("a"));
+}
+
+TEST_F(AtomicFile, LeftoverOfAnotherRun_IsNotTouched) {
+    const fs::path leftover = folder_ / (".carom-" + std::to_string(getpid()) + "-0.part");
+    std::ofstream(leftover) << "theirs";
+    write(folder_ / "a", "mine");
+    EXPECT_EQ(read(folder_ / "a"), "mine");
+    EXPECT_EQ(read(leftover), "theirs");
+}
+
+TEST_F(AtomicFile, RelativeName_IsWrittenToTheWorkingFolder) {
+    const fs::path before = fs::current_path();
+    fs::current_path(folder_);
+    write("plain", "text");
+    fs::current_path(before);
+    EXPECT_EQ(read(folder_ / "plain"), "text");
+}
+
+TEST_F(AtomicFile, TargetIsAFolder_FailsAndLeavesNothing) {
+    fs::create_directory(folder_ / "taken");
+    EXPECT_THAT([&] { write(folder_ / "taken", "text"); },
+                testing::ThrowsMessage<Error>("cannot write '" + (folder_ / "taken").string() +
+                                              "': Is a directory"));
+    EXPECT_THAT(names(), testing::ElementsAre("taken"));
+}
+
+TEST_F(AtomicFile, MissingFolder_FailsWithTheSystemsReason) {
+    EXPECT_THAT([&] { write(folder_ / "no" / "a", "text"); },
+                testing::ThrowsMessage<Error>("cannot write '" + (folder_ / "no/a").string() +
+                                              "': No such file or directory"));
+    EXPECT_THAT(names(), testing::IsEmpty());
+}
+
+TEST_F(AtomicFile, FolderThatIsAFile_FailsWithTheSystemsReason) {
+    write(folder_ / "a", "text");
+    EXPECT_THAT([&] { write(folder_ / "a" / "b", "text"); },
+                testing::ThrowsMessage<Error>(testing::HasSubstr("Not a directory")));
+}
+
+TEST_F(AtomicFile, UnwritableFolder_FailsAndLeavesNothing) {
+    // A superuser may write anywhere but there.
+    const std::string path = geteuid() == 0 ? "/proc/carom_test" : (folder_ / "a").string();
+    fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
+    EXPECT_THROW(write(path, "text"), Error);
+    fs::permissions(folder_, fs::perms::owner_all);
+    EXPECT_THAT(names(), testing::IsEmpty());
+}
+
+TEST_F(AtomicFile, FullDisk_FailsAndKeepsTheOldFile) {
+    write(folder_ / "a", "old");
+    // A limit on file sizes stands in for a full disk: the write fails half-way.
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    rlimit small = before;
+    small.rlim_cur = 100'000;
+    const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const std::string text(1'000'000, 'z');
+    EXPECT_THAT([&] { write(folder_ / "a", text); },
+                testing::ThrowsMessage<Error>(testing::HasSubstr("File too large")));
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, old_handler);
+    EXPECT_EQ(read(folder_ / "a"), "old");
+    EXPECT_THAT(names(), testing::ElementsAre("a"));
+}
+
+TEST_F(AtomicFile, EmptyName_IsRefused) {
+    EXPECT_THAT([] { write("", "text"); },
+                testing::ThrowsMessage<Error>("cannot write a file without a name"));
+}
+
+}  // namespace
+}  // namespace carom

@@ -1,0 +1,172 @@
+#include "sim/timeline/bake_file.h"
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "bake_helpers.h"
+#include "sim/timeline/error.h"
+
+namespace carom::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(BakeFile, RoundTrip_IsEqualBitForBit) {
+    const Bake bake = test::small_bake();
+    const std::vector<std::byte> bytes = encode_bake(bake);
+    const Bake again = decode_bake(bytes, "memory");
+    EXPECT_EQ(again, bake);
+    EXPECT_EQ(encode_bake(again), bytes);
+}
+
+TEST(BakeFile, RoundTrip_KeepsNegativeZeroAndDenormals) {
+    Bake bake;
+    Key key;
+    key.position = {-0.0, std::numeric_limits<double>::denorm_min(), -1e308};
+    bake.timeline.tracks.emplace_back("ball", std::vector<Key>{key});
+    const Bake again = decode_bake(encode_bake(bake), "memory");
+    const Vec3 position = again.timeline.tracks[0].keys()[0].position;
+    EXPECT_TRUE(std::signbit(position.x));
+    EXPECT_EQ(position.y, std::numeric_limits<double>::denorm_min());
+    EXPECT_EQ(position.z, -1e308);
+}
+
+TEST(BakeFile, EmptyBake_RoundTrips) {
+    EXPECT_EQ(decode_bake(encode_bake(Bake{}), "memory"), Bake{});
+}
+
+TEST(BakeFile, LargeBake_RoundTrips) {
+    Bake bake;
+    for (std::uint64_t ball = 0; ball < 16; ++ball) {
+        const Track track = test::random_track(ball, 500);
+        bake.timeline.tracks.emplace_back(
+            "ball_" + std::to_string(ball),
+            std::vector<Key>(track.keys().begin(), track.keys().end()));
+    }
+    for (int index = 0; index < 5000; ++index)
+        bake.timeline.events.push_back(
+            {EventKind::impact, index * 0.01, index * 0.01, "ball_1", "cushion"});
+    EXPECT_EQ(decode_bake(encode_bake(bake), "memory"), bake);
+}
+
+TEST(BakeFile, SameBake_GivesTheSameBytes) {
+    EXPECT_EQ(encode_bake(test::small_bake()), encode_bake(test::small_bake()));
+}
+
+TEST(BakeFile, Bytes_BeginWithTheFileIdentifier) {
+    const auto bytes = encode_bake(test::small_bake());
+    EXPECT_EQ(std::string(reinterpret_cast<const char*>(bytes.data()) + 4, 4), "CBAK");
+}
+
+TEST(BakeFile, UnalignedBuffer_IsReadAllTheSame) {
+    const auto bytes = encode_bake(test::small_bake());
+    for (std::size_t shift = 1; shift < 8; ++shift) {
+        std::vector<std::byte> shifted(shift);
+        shifted.insert(shifted.end(), bytes.begin(), bytes.end());
+        EXPECT_EQ(decode_bake(std::span(shifted).subspan(shift), "memory"), test::small_bake());
+    }
+}
+
+struct BadBake {
+    const char* name;
+    void (*spoil)(Bake&);
+    const char* problem;
+};
+
+class BakeRefusal : public testing::TestWithParam<BadBake> {};
+
+// What could not be read again is not written.
+TEST_P(BakeRefusal, BadBake_IsNotWritten) {
+    Bake bake = test::small_bake();
+    GetParam().spoil(bake);
+    EXPECT_THAT([&] { (void)encode_bake(bake); },
+                testing::ThrowsMessage<Error>("the bake cannot be written: " +
+                                              std::string(GetParam().problem)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bakes, BakeRefusal,
+    testing::Values(
+        BadBake{"endless", [](Bake& b) { b.timeline.end_time = HUGE_VAL; },
+                "its start or end time is not finite"},
+        BadBake{"backwards", [](Bake& b) { b.timeline.end_time = -1; }, "it ends before it starts"},
+        BadBake{"nameless_track",
+                [](Bake& b) { b.timeline.tracks.emplace_back("", std::vector<Key>(1)); },
+                "a track has no name"},
+        BadBake{"twins", [](Bake& b) { b.timeline.tracks.push_back(b.timeline.tracks[0]); },
+                "two tracks are called 'cue'"},
+        BadBake{"long_name",
+                [](Bake& b) {
+                    b.timeline.tracks.emplace_back(std::string(1025, 'a'), std::vector<Key>(1));
+                },
+                "the name of a track is longer than 1024 bytes"},
+        BadBake{
+            "event_order",
+            [](Bake& b) { b.timeline.events[0].time = 1.5, b.timeline.events[0].end_time = 1.5; },
+            "event 1 is earlier than the one before"},
+        BadBake{"event_end", [](Bake& b) { b.timeline.events[0].end_time = 0.25; },
+                "event 0 ends before it begins"},
+        BadBake{"event_nan", [](Bake& b) { b.timeline.events[1].normal.y = std::nan(""); },
+                "event 1 has a value that is not finite"},
+        BadBake{"event_kind",
+                [](Bake& b) { b.timeline.events[2].kind = static_cast<EventKind>(13); },
+                "event 2 is of an unknown kind"},
+        BadBake{"event_name", [](Bake& b) { b.timeline.events[2].b = std::string(1025, 'a'); },
+                "event 2 names an object in more than 1024 bytes"},
+        BadBake{"energy_order", [](Bake& b) { b.timeline.energy[2].time = 0.25; },
+                "energy sample 2 is earlier than the one before"},
+        BadBake{"energy_nan", [](Bake& b) { b.timeline.energy[0].kinetic = std::nan(""); },
+                "energy sample 0 has a value that is not finite"},
+        BadBake{"asset_path", [](Bake& b) { b.assets[0].path = std::string(4097, 'a'); },
+                "the path of an asset is longer than 4096 bytes"}),
+    [](const auto& instance) { return instance.param.name; });
+
+class BakeOnDisk : public testing::Test {
+  protected:
+    BakeOnDisk() { fs::create_directories(folder_); }
+    ~BakeOnDisk() override { fs::remove_all(folder_); }
+
+    [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
+
+    fs::path folder_ = fs::path(testing::TempDir()) /
+                       (std::string("carom_bake_") +
+                        testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(BakeOnDisk, RoundTrip_IsEqualBitForBit) {
+    const Bake bake = test::small_bake();
+    write_bake(bake, path("shot.bake"));
+    EXPECT_EQ(read_bake(path("shot.bake")), bake);
+    EXPECT_EQ(fs::file_size(path("shot.bake")), encode_bake(bake).size());
+}
+
+TEST_F(BakeOnDisk, MissingFile_IsNamed) {
+    EXPECT_THAT([&] { (void)read_bake(path("no.bake")); },
+                testing::ThrowsMessage<Error>("cannot read '" + path("no.bake") +
+                                              "': No such file or directory"));
+}
+
+TEST_F(BakeOnDisk, Folder_IsRefused) {
+    EXPECT_THAT(
+        [&] { (void)read_bake(folder_.string()); },
+        testing::ThrowsMessage<Error>("cannot read '" + folder_.string() + "': Is a directory"));
+}
+
+TEST_F(BakeOnDisk, ForeignFile_HasASentenceOfItsOwn) {
+    std::ofstream(path("shot.yaml")) << "carom: 1\nballs: {cue: {at: [0, 0]}}\n";
+    std::ofstream(path("empty")) << "";
+    std::ofstream(path("huge")) << "x";
+    fs::resize_file(path("huge"), std::uintmax_t{1} << 40);  // sparse
+    for (const char* name : {"shot.yaml", "empty", "huge"})
+        EXPECT_THAT([&] { (void)read_bake(path(name)); },
+                    testing::ThrowsMessage<Error>("'" + path(name) + "' is not a carom bake"));
+    EXPECT_THAT([] { (void)read_bake("/dev/null"); },
+                testing::ThrowsMessage<Error>("'/dev/null' is not a carom bake"));
+}
+
+}  // namespace
+}  // namespace carom::sim

@@ -1,0 +1,158 @@
+// Files that someone made on purpose: the hash fits, the content lies.
+#include <cmath>
+#include <functional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "bake_generated.h"
+#include "bake_helpers.h"
+#include "sim/timeline/bake_format.h"
+#include "sim/timeline/error.h"
+
+namespace carom::sim {
+namespace {
+
+namespace fb = carom::bake_format;
+using flatbuffers::FlatBufferBuilder;
+using flatbuffers::Offset;
+
+std::string refusal_of_content(std::span<const std::byte> content) {
+    try {
+        (void)decode_bake(encode_envelope(content), "shot.bake");
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// A small bake's content, changed in place through the generated accessors.
+std::string refusal_after(const std::function<void(fb::Content&)>& change) {
+    std::vector<std::byte> content = encode_content(test::small_bake());
+    change(*flatbuffers::GetMutableRoot<fb::Content>(content.data()));
+    return refusal_of_content(content);
+}
+
+template <class T>
+T& mutable_at(flatbuffers::Vector<const T*>& vector, flatbuffers::uoffset_t index) {
+    return *vector.GetMutableObject(index);
+}
+
+TEST(BakeForgery, UnchangedContent_IsAccepted) {
+    EXPECT_EQ(refusal_after([](fb::Content&) {}), "");
+}
+
+TEST(BakeForgery, KeysOutOfOrder_AreNamed) {
+    EXPECT_EQ(refusal_after([](fb::Content& content) {
+                  auto* track = content.mutable_tracks()->GetMutableObject(0);
+                  mutable_at(*track->mutable_keys(), 2).mutate_time(1.25);
+              }),
+              "'shot.bake' is damaged: track 'cue', key 2: its time is not after that of the key "
+              "before");
+}
+
+TEST(BakeForgery, NotANumber_IsNamed) {
+    EXPECT_EQ(refusal_after([](fb::Content& content) {
+                  auto* track = content.mutable_tracks()->GetMutableObject(1);
+                  mutable_at(*track->mutable_keys(), 0).mutable_position().mutate_y(std::nan(""));
+              }),
+              "'shot.bake' is damaged: track 'one', key 0: a value is not finite");
+}
+
+TEST(BakeForgery, EndlessTurn_IsRefusedBeforeItIsIntegrated) {
+    EXPECT_EQ(
+        refusal_after([](fb::Content& content) {
+            auto* track = content.mutable_tracks()->GetMutableObject(0);
+            mutable_at(*track->mutable_keys(), 0).mutable_angular_velocity_out().mutate_x(1e300);
+        }),
+        "'shot.bake' is damaged: its objects turn more than 1e7 rad about changing axes");
+}
+
+TEST(BakeForgery, EventKindOutOfRange_IsRefused) {
+    EXPECT_EQ(
+        refusal_after([](fb::Content& content) {
+            mutable_at(*content.mutable_events(), 1).mutate_kind(static_cast<fb::EventKind>(13));
+        }),
+        "'shot.bake' is damaged: an event is of an unknown kind");
+}
+
+TEST(BakeForgery, EventNameOutOfRange_IsRefused) {
+    EXPECT_EQ(refusal_after([](fb::Content& content) {
+                  mutable_at(*content.mutable_events(), 1).mutate_b(4'000'000'000U);
+              }),
+              "'shot.bake' is damaged: an event refers to a name that is not there");
+}
+
+TEST(BakeForgery, EventsOutOfOrder_AreNamed) {
+    EXPECT_EQ(refusal_after([](fb::Content& content) {
+                  mutable_at(*content.mutable_events(), 2).mutate_time(1);
+              }),
+              "'shot.bake' is damaged: event 2 is earlier than the one before");
+}
+
+TEST(BakeForgery, EnergyNotFinite_IsNamed) {
+    EXPECT_EQ(refusal_after([](fb::Content& content) {
+                  mutable_at(*content.mutable_energy(), 1).mutate_potential(HUGE_VAL);
+              }),
+              "'shot.bake' is damaged: energy sample 1 has a value that is not finite");
+}
+
+TEST(BakeForgery, InfiniteDuration_IsRefused) {
+    EXPECT_EQ(refusal_after([](fb::Content& content) { content.mutate_end_time(HUGE_VAL); }),
+              "'shot.bake' is damaged: its start or end time is not finite");
+}
+
+// Ten thousand tracks that are all the same one would become gigabytes.
+TEST(BakeForgery, SharedParts_AreRefused) {
+    FlatBufferBuilder builder;
+    const std::vector<fb::Key> keys(1000);
+    const auto keys_offset = builder.CreateVectorOfStructs(keys);
+    const auto name = builder.CreateString("cue");
+    const auto track = fb::CreateTrack(builder, name, keys_offset);
+    const auto tracks = builder.CreateVector(std::vector<Offset<fb::Track>>(10'000, track));
+    const auto names = builder.CreateVectorOfStrings(std::vector<std::string>{});
+    const auto events = builder.CreateVectorOfStructs(std::vector<fb::Event>{});
+    const auto energy = builder.CreateVectorOfStructs(std::vector<fb::EnergySample>{});
+    const auto text = builder.CreateString("");
+    const auto assets = builder.CreateVector(std::vector<Offset<fb::Asset>>{});
+    const fb::Hash hash(0, 0);
+    builder.Finish(
+        fb::CreateContent(builder, &hash, 0, 1, tracks, names, events, energy, text, assets));
+    const std::span bytes(reinterpret_cast<const std::byte*>(builder.GetBufferPointer()),
+                          builder.GetSize());
+    // The first copy already fails for its quaternions; the budget is spent before that.
+    EXPECT_THAT(refusal_of_content(bytes), testing::StartsWith("'shot.bake' is damaged: "));
+}
+
+TEST(BakeForgery, Rubbish_IsRefusedWithoutACrash) {
+    test::Numbers numbers(77);
+    for (int trial = 0; trial < 2000; ++trial) {
+        std::vector<std::byte> rubbish(static_cast<std::size_t>(numbers.between(0, 300)));
+        for (std::byte& byte : rubbish)
+            byte = static_cast<std::byte>(numbers.between(0, 256));
+        EXPECT_NE(refusal_of_content(rubbish), "");
+    }
+}
+
+// Any byte of a true content replaced by any other: a bake or an Error, never anything else.
+TEST(BakeForgery, ReplacedBytes_AreReadOrRefused) {
+    const std::vector<std::byte> content = encode_content(test::small_bake());
+    test::Numbers numbers(78);
+    int refused = 0;
+    for (int trial = 0; trial < 20'000; ++trial) {
+        std::vector<std::byte> changed = content;
+        for (int byte = 0; byte < 1 + trial % 4; ++byte)
+            changed[numbers.below(changed.size())] =
+                static_cast<std::byte>(numbers.between(0, 256));
+        try {
+            const Bake bake = decode_content(changed);
+            EXPECT_EQ(find_problem(bake), std::nullopt);
+        } catch (const Error&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 1000);
+}
+
+}  // namespace
+}  // namespace carom::sim

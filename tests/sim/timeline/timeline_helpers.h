@@ -1,0 +1,76 @@
+// Small makers and random numbers for the tests of this folder and its users.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/timeline/track.h"
+
+namespace carom::sim::test {
+
+/// Numbers as a function of (seed, index): splitmix64's finaliser.
+class Numbers {
+  public:
+    explicit Numbers(std::uint64_t seed) : seed_(seed) {}
+
+    /// In [0, 1).
+    double unit() {
+        ++index_;
+        std::uint64_t x = (seed_ << 32) + index_ * 0x9E3779B97F4A7C15U;
+        x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9U;
+        x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
+        return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
+    }
+    /// One of 0 ... count - 1.
+    std::size_t below(std::size_t count) {
+        return static_cast<std::size_t>(unit() * static_cast<double>(count));
+    }
+    double between(double low, double high) { return low + (high - low) * unit(); }
+    Vec3 vector(double size) {
+        const double x = between(-size, size);
+        const double y = between(-size, size);
+        const double z = between(-size, size);
+        return {x, y, z};
+    }
+    Quat rotation() {
+        const double w = between(-1, 1);
+        return Quat(w, vector(1)).normalized();
+    }
+
+  private:
+    std::uint64_t seed_;
+    std::uint64_t index_ = 0;
+};
+
+/// The same velocities on arriving and on leaving.
+inline Key smooth_key(double time, const Vec3& position, const Vec3& velocity,
+                      const Quat& orientation = {}, const Vec3& angular_velocity = {0, 0, 0}) {
+    return {time, position, orientation, velocity, angular_velocity, velocity, angular_velocity};
+}
+
+inline Key random_key(Numbers& numbers, double time, bool is_break) {
+    Key key = smooth_key(time, numbers.vector(1), numbers.vector(3), numbers.rotation(),
+                         numbers.vector(20));
+    if (is_break) {
+        key.velocity_out = numbers.vector(3);
+        key.angular_velocity_out = numbers.vector(20);
+    }
+    return key;
+}
+
+/// Keys at uneven times from `start` on, about every third a break.
+inline Track random_track(std::uint64_t seed, int key_count, double start = 0.25) {
+    Numbers numbers(seed);
+    std::vector<Key> keys;
+    double time = start;
+    for (int index = 0; index < key_count; ++index) {
+        const bool is_break = numbers.unit() < 0.3;
+        keys.push_back(random_key(numbers, time, is_break));
+        time += numbers.between(0.001, 0.4);
+    }
+    return Track("ball", keys);
+}
+
+}  // namespace carom::sim::test

@@ -1,0 +1,113 @@
+// Stretches and boxes handed to those who intersect the path.
+#include <gtest/gtest.h>
+
+#include "sim/timeline/hermite.h"
+#include "sim/timeline/track.h"
+#include "timeline_helpers.h"
+
+namespace carom::sim {
+namespace {
+
+using test::smooth_key;
+
+void expect_covers(const std::vector<PathStretch>& stretches, double from, double to) {
+    ASSERT_FALSE(stretches.empty());
+    EXPECT_EQ(stretches.front().start, from);
+    EXPECT_EQ(stretches.back().end, to);
+    for (std::size_t index = 1; index < stretches.size(); ++index) {
+        EXPECT_EQ(stretches[index].start, stretches[index - 1].end);
+        EXPECT_EQ(stretches[index].p0, stretches[index - 1].p1);
+    }
+}
+
+TEST(TrackStretches, RandomIntervals_AreCoveredWithoutGapsAndAgreeWithSample) {
+    const Track track = test::random_track(11, 25);
+    test::Numbers numbers(11);
+    for (int trial = 0; trial < 300; ++trial) {
+        const double from = numbers.between(-1, 6);
+        const double to = from + numbers.between(0, 2);
+        const auto stretches = track.stretches(from, to);
+        expect_covers(stretches, from, to);
+        for (const PathStretch& stretch : stretches)
+            for (const double share : {0.1, 0.5, 0.77}) {
+                const double time = stretch.start + share * (stretch.end - stretch.start);
+                const MotionState state = track.sample(time);
+                EXPECT_LT((hermite_position(stretch, time) - state.position).length(), 1e-13);
+            }
+    }
+}
+
+TEST(TrackStretches, CutAtKeys_ReturnsTheirValues) {
+    const Track track = test::random_track(12, 6);
+    const auto keys = track.keys();
+    const auto stretches = track.stretches(keys[1].time, keys[4].time);
+    ASSERT_EQ(stretches.size(), 3U);
+    for (std::size_t index = 0; index < 3; ++index) {
+        EXPECT_EQ(stretches[index].p0, keys[index + 1].position);
+        EXPECT_EQ(stretches[index].v0, keys[index + 1].velocity_out);
+        EXPECT_EQ(stretches[index].p1, keys[index + 2].position);
+        EXPECT_EQ(stretches[index].v1, keys[index + 2].velocity_in);
+    }
+}
+
+TEST(TrackStretches, OneInstant_IsOnePiece) {
+    const Track track = test::random_track(13, 4);
+    const double first = track.keys().front().time;
+    const double last = track.keys().back().time;
+    for (const double time :
+         {first - 1, first, track.keys()[1].time, first + 0.0007, last, last + 1}) {
+        const auto stretches = track.stretches(time, time);
+        ASSERT_EQ(stretches.size(), 1U);
+        EXPECT_EQ(stretches[0].start, time);
+        EXPECT_EQ(stretches[0].end, time);
+        EXPECT_EQ(stretches[0].p0, track.sample(time).position);
+        EXPECT_EQ(stretches[0].p1, track.sample(time).position);
+        EXPECT_EQ(stretches[0].v0, track.sample(time).velocity);
+    }
+}
+
+TEST(TrackStretches, OutsideTheKeys_AreConstant) {
+    const Track track("ball",
+                      {smooth_key(1, {1, 0, 0}, {5, 0, 0}), smooth_key(2, {6, 0, 0}, {5, 0, 0})});
+    const auto stretches = track.stretches(0, 3);
+    ASSERT_EQ(stretches.size(), 3U);
+    EXPECT_EQ(stretches[0].p0, stretches[0].p1);
+    EXPECT_EQ(stretches[0].v1, Vec3(0));
+    EXPECT_EQ(stretches[1].v0, Vec3(5, 0, 0));
+    EXPECT_EQ(stretches[2].p1, Vec3(6, 0, 0));
+    EXPECT_EQ(stretches[2].v0, Vec3(0));
+}
+
+TEST(TrackBounds, RandomIntervals_ContainEverySample) {
+    for (std::uint64_t seed = 20; seed < 30; ++seed) {
+        const Track track = test::random_track(seed, 15);
+        test::Numbers numbers(seed);
+        for (int trial = 0; trial < 50; ++trial) {
+            const double from = numbers.between(-0.5, 4);
+            const double to = from + numbers.between(0, 1);
+            const Bounds bounds = track.position_bounds(from, to);
+            for (int sample = 0; sample <= 100; ++sample) {
+                const double time = sample == 100 ? to : from + sample * 0.01 * (to - from);
+                const Vec3 p = track.sample(time).position;
+                for (int axis = 0; axis < 3; ++axis) {
+                    ASSERT_LE(bounds.low[axis], p[axis]);
+                    ASSERT_GE(bounds.high[axis], p[axis]);
+                }
+            }
+        }
+    }
+}
+
+TEST(TrackBounds, ThrownBall_ReachesItsApexAndNoMore) {
+    // z = 2 t - 5 t^2: apex 0.2 at t = 0.2.
+    const Track track(
+        "ball", {smooth_key(0, {0, 0, 0}, {1, 0, 2}), smooth_key(0.4, {0.4, 0, 0}, {1, 0, -2})});
+    EXPECT_NEAR(track.position_bounds(0, 0.4).high.z, 0.2, 1e-14);
+    EXPECT_NEAR(track.position_bounds(0, 0.1).high.z, 0.15, 1e-14);
+    EXPECT_NEAR(track.position_bounds(0.3, 0.4).high.z, 0.15, 1e-14);
+    EXPECT_NEAR(track.position_bounds(0, 0.4).low.z, 0, 1e-14);
+    EXPECT_NEAR(track.position_bounds(0, 0.4).high.x, 0.4, 1e-14);
+}
+
+}  // namespace
+}  // namespace carom::sim
