@@ -2,8 +2,6 @@
 // values, the same bits everywhere and several times faster than the C library's.
 #pragma once
 
-#include <cmath>
-
 #include "render/geometry/ray.h"
 
 namespace carom::render {
@@ -24,9 +22,10 @@ struct SinCos {
     return {sine, cosine};
 }
 
-/// Of 2 pi `turns`, for any moderate number of turns.
+/// Of 2 pi `turns`, |turns| <= 250.
 [[nodiscard]] inline SinCos sin_cos_turn(float turns) {
-    const int quarter = static_cast<int>(std::floor(4 * turns + 0.5f));  // nearest quarter turn
+    // The nearest quarter turn; the shift makes truncation round down.
+    const int quarter = static_cast<int>(4 * turns + 1024.5f) - 1024;
     const SinCos r = sin_cos_eighth((turns - 0.25f * static_cast<float>(quarter)) * (2 * kPi));
     switch (quarter & 3) {
         case 0:
