@@ -44,8 +44,8 @@ struct Eased {
     Easing easing = Easing::linear;
 };
 
-/// What the lens is focused on: a distance in metres, an object's centre, or (empty name) the
-/// target.
+/// What the lens is focused on: a distance in metres, the plane through an object's centre, or
+/// (empty name) the target. Distances are along the optical axis.
 struct Focus {
     std::optional<double> distance;
     std::string object;
@@ -82,6 +82,10 @@ struct CameraRig {
     double blade_rotation = 0;  // rad
 };
 
+/// Whose seconds the exposure is measured in. video: the map carries the exposure to scene time, so
+/// slow motion has less blur. scene: objects blur as in real time whatever the map's speed, and not
+/// at all in frozen time; the camera, which lives on video time, blurs for the same number of
+/// seconds of that.
 enum class ShutterClock { video, scene };
 enum class ShutterPosition { start, centre, end };
 

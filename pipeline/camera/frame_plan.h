@@ -13,7 +13,8 @@
 namespace carom::pipeline {
 
 /// Everything about a frame that comes from rigs and time. `scene_open` <= `scene_close` always
-/// (canonical): in reversed time the ends are exchanged and `reversed` says so.
+/// (canonical): in reversed time the ends are exchanged, cameras included, and `reversed` says so.
+/// In frozen time both are equal and the cameras stand in the order of video time.
 struct PlannedFrame {
     std::int64_t number = 0;  // frame n is at video time n / fps
     std::string rig;
@@ -34,8 +35,8 @@ struct PlannedFrame {
 [[nodiscard]] PlannedFrame plan_frame(std::int64_t number, std::span<const CameraRig> rigs,
                                       const FilmTiming& timing, const sim::Timeline& timeline);
 
-/// All that is wrong with the rigs as a sequence (gaps, overlaps, unknown objects), one sentence
-/// each.
+/// All that is wrong with the timing and with the rigs as a sequence from video time 0 on (none,
+/// gaps, overlaps, stretches that do not go forward), one sentence each.
 [[nodiscard]] std::vector<std::string> find_problems(std::span<const CameraRig> rigs,
                                                      const FilmTiming& timing);
 

@@ -1,0 +1,134 @@
+#include "pipeline/camera/arc_length.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+namespace carom::pipeline {
+namespace {
+
+constexpr int kFirstPieces = 8;
+constexpr int kDeepest = 20;  // halvings of one of the first pieces
+
+struct Node {
+    double place;  // in [-1, 1]
+    double weight;
+};
+
+// Gauss-Legendre quadrature of 5 points, exact to degree 9 (Abramowitz and Stegun, "Handbook of
+// Mathematical Functions", 1964, table 25.4).
+constexpr std::array<Node, 5> kNodes{{{0, 0.568888888888888889},
+                                      {-0.538469310105683091, 0.478628670499366468},
+                                      {0.538469310105683091, 0.478628670499366468},
+                                      {-0.906179845938663993, 0.236926885056189088},
+                                      {0.906179845938663993, 0.236926885056189088}}};
+
+double speed(const BezierCurve& curve, double parameter) {
+    return curve.derivative({parameter, 1 - parameter}).length();
+}
+
+// The first control points may coincide; the curve then leaves towards the first that differs.
+Vec3 direction_at_start(const BezierCurve& curve) {
+    for (const Vec3& point : curve.points()) {
+        if (point != curve.points().front()) {
+            return (point - curve.points().front()).normalized();
+        }
+    }
+    return {0, 0, 0};
+}
+
+bool reads_smaller_backwards(const BezierCurve& curve) {
+    const auto points = curve.points();
+    return std::lexicographical_compare(points.rbegin(), points.rend(), points.begin(),
+                                        points.end(), [](const Vec3& a, const Vec3& b) {
+                                            return std::tie(a.x, a.y, a.z) <
+                                                   std::tie(b.x, b.y, b.z);
+                                        });
+}
+
+Vec3 position_from_start(const BezierCurve& curve, Progress share) {
+    const ArcLengthTable table(curve);
+    if (share.done <= 0) {
+        return curve.points().front() + direction_at_start(curve) * (share.done * table.length());
+    }
+    const double parameter = table.parameter_at(share.done * table.length());
+    return curve.position({parameter, 1 - parameter});
+}
+
+}  // namespace
+
+ArcLengthTable::ArcLengthTable(const BezierCurve& curve) : curve_(curve) {
+    std::array<double, kFirstPieces> first{};
+    double estimate = 0;
+    for (int i = 0; i < kFirstPieces; ++i) {
+        first[i] = length_between(double(i) / kFirstPieces, double(i + 1) / kFirstPieces);
+        estimate += first[i];
+    }
+    const double tolerance = kEvenPaceError / 10 * estimate / kFirstPieces;
+    for (int i = 0; i < kFirstPieces; ++i) {
+        divide(double(i) / kFirstPieces, double(i + 1) / kFirstPieces, first[i], tolerance, 0);
+    }
+}
+
+double ArcLengthTable::length_between(double start, double end) const {
+    const double middle = (start + end) / 2;
+    const double half = (end - start) / 2;
+    double sum = 0;
+    for (const Node& node : kNodes) {
+        sum += node.weight * speed(curve_, middle + half * node.place);
+    }
+    return sum * half;
+}
+
+// Appends the pieces of [start, end] in order. `length` is the stretch's length by one quadrature.
+void ArcLengthTable::divide(double start, double end, double length, double tolerance, int depth) {
+    const double middle = (start + end) / 2;
+    const double left = length_between(start, middle);
+    const double right = length_between(middle, end);
+    if (depth == kDeepest || std::fabs(left + right - length) <= tolerance) {
+        pieces_.push_back({start, middle, left, length_});
+        length_ += left;
+        pieces_.push_back({middle, end, right, length_});
+        length_ += right;
+        return;
+    }
+    divide(start, middle, left, tolerance / 2, depth + 1);
+    divide(middle, end, right, tolerance / 2, depth + 1);
+}
+
+// Newton's method on the length within one piece, kept inside a shrinking bracket.
+double ArcLengthTable::parameter_at(double travelled) const {
+    auto piece = std::upper_bound(pieces_.begin(), pieces_.end(), travelled,
+                                  [](double value, const Piece& p) { return value < p.before; });
+    if (piece != pieces_.begin()) {
+        --piece;
+    }
+    const double wanted = travelled - piece->before;
+    if (!(piece->length > 0)) {
+        return piece->start;
+    }
+    double low = piece->start;
+    double high = piece->end;
+    double parameter = low + (high - low) * std::clamp(wanted / piece->length, 0.0, 1.0);
+    for (int i = 0; i < 60; ++i) {
+        const double excess = length_between(piece->start, parameter) - wanted;
+        if (std::fabs(excess) <= kEvenPaceError / 100 * length_) {
+            break;
+        }
+        (excess > 0 ? high : low) = parameter;
+        const double next = parameter - excess / speed(curve_, parameter);
+        parameter = next > low && next < high ? next : (low + high) / 2;
+    }
+    return parameter;
+}
+
+Vec3 even_pace_position(const BezierCurve& curve, Progress share) {
+    // Measured from the nearer end, so that both directions do the same arithmetic.
+    const bool from_end =
+        share.left < share.done || (share.left == share.done && reads_smaller_backwards(curve));
+    return from_end ? position_from_start(curve.reversed(), share.reversed())
+                    : position_from_start(curve, share);
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,12 @@
+// Eased values between a rig's start and end.
+#pragma once
+
+#include "pipeline/camera/camera_rig.h"
+#include "pipeline/camera/progress.h"
+
+namespace carom::pipeline {
+
+/// Beyond the ends the easing continues with its end slope: 1 for linear, 0 for smooth.
+[[nodiscard]] Progress ease(Progress progress, Easing easing);
+
+}  // namespace carom::pipeline

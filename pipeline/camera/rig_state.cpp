@@ -1,0 +1,98 @@
+#include "pipeline/camera/rig_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pipeline/camera/easing.h"
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+namespace {
+
+double eased(const Eased<double>& value, Progress progress) {
+    return mix(value.start, value.end, ease(progress, value.easing));
+}
+
+// Distance along the optical axis, so that the plane of focus contains the point.
+double focus_distance(const Focus& focus, const render::CameraState& camera, double scene_time,
+                      const sim::Timeline& timeline) {
+    if (focus.distance) {
+        return *focus.distance;
+    }
+    const Vec3 axis = camera.target - camera.position;
+    if (focus.object.empty()) {
+        return axis.length();
+    }
+    const Vec3 place = find_track(timeline, focus.object).sample(scene_time).position;
+    const double depth = axis.normalized().dot(place - camera.position);
+    if (!(depth > 0)) {
+        throw Error("the focus is on '" + focus.object + "', which is behind the camera");
+    }
+    return depth;
+}
+
+// Two f-numbers are mixed as such, anything else by radius. Continued beyond the rig's end a
+// closing aperture stays closed.
+double eased_lens_radius(const Eased<Aperture>& aperture, Progress progress, double fov) {
+    const Progress eased_progress = ease(progress, aperture.easing);
+    if (aperture.start.is_f_number && aperture.end.is_f_number) {
+        const double number = mix(aperture.start.value, aperture.end.value, eased_progress);
+        return lens_radius({number, true}, fov);
+    }
+    return std::max(
+        0.0, mix(lens_radius(aperture.start, fov), lens_radius(aperture.end, fov), eased_progress));
+}
+
+void check_makes_a_picture(const render::CameraState& camera) {
+    const Vec3 axis = camera.target - camera.position;
+    constexpr double nearest = 1e-9;  // m
+    if (!(axis.length() > nearest)) {
+        throw Error("the camera's position and target are the same point");
+    }
+    constexpr double parallel = 1e-6;  // sine of the angle
+    if (!(camera.up.length() > 0) ||
+        !(axis.normalized().cross(camera.up.normalized()).length() > parallel)) {
+        throw Error("the camera looks straight along its up direction");
+    }
+    if (!(camera.vertical_fov > 0 && camera.vertical_fov < std::numbers::pi)) {
+        throw Error("the field of view is not between 0 and 180 degrees");
+    }
+}
+
+}  // namespace
+
+double lens_radius(const Aperture& aperture, double vertical_fov) {
+    if (!aperture.is_f_number) {
+        return aperture.value;
+    }
+    if (!(aperture.value > 0)) {
+        throw Error("the f-number is not above 0");
+    }
+    const double focal_length = kSensorHeight / 2 / std::tan(vertical_fov / 2);
+    return focal_length / (2 * aperture.value);
+}
+
+render::CameraState camera_state(const CameraRig& rig, const RigInstant& instant,
+                                 const sim::Timeline& timeline) {
+    render::CameraState camera;
+    camera.position = path_position(rig.position, instant, timeline);
+    camera.target = path_position(rig.target, instant, timeline);
+    camera.up = rig.up;
+    camera.roll = eased(rig.roll, instant.progress);
+    camera.vertical_fov = eased(rig.vertical_fov, instant.progress);
+    check_makes_a_picture(camera);
+    camera.focus_distance =
+        mix(focus_distance(rig.focus.start, camera, instant.scene_time, timeline),
+            focus_distance(rig.focus.end, camera, instant.scene_time, timeline),
+            ease(instant.progress, rig.focus.easing));
+    if (!(camera.focus_distance > 0)) {
+        throw Error("the focus distance is not above 0");
+    }
+    camera.lens_radius = eased_lens_radius(rig.aperture, instant.progress, camera.vertical_fov);
+    camera.blades = rig.blades;
+    camera.blade_rotation = rig.blade_rotation;
+    return camera;
+}
+
+}  // namespace carom::pipeline
