@@ -3,6 +3,7 @@
 
 #include "pipeline/camera/camera_rig.h"
 #include "pipeline/camera/frame_plan.h"
+#include "pipeline/store/frame_inputs.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
 #include "sim/timeline/hash.h"
@@ -21,5 +22,9 @@ namespace carom::pipeline {
                                 const render::SceneDescription& scene, const Hash128& scene_hash,
                                 const render::RenderSettings& settings,
                                 const sim::Timeline& timeline);
+
+/// The same for inputs that are already cut out (frame_inputs.h).
+[[nodiscard]] Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& scene,
+                                const Hash128& scene_hash, const render::RenderSettings& settings);
 
 }  // namespace carom::pipeline

@@ -31,15 +31,23 @@ class FrameClaim {
 };
 
 /// A folder of EXR files, one per key. Several threads and processes may share it.
+///   FOLDER/ab/abcdef....exr   whole frames, by the first two digits of the key
+///   FOLDER/partial/           frames being written; what killed writers left is removed
+///   FOLDER/locks/             claims
 class FrameStore {
   public:
     /// Creates the folder if need be; throws Error if that fails.
     explicit FrameStore(std::string folder);
 
+    /// Whether claims keep other processes off; false where the file system has no locks. Every
+    /// claim is granted then, and the same frame may be rendered twice.
+    [[nodiscard]] bool can_claim() const { return can_claim_; }
+
     /// Whether a file stands under the key (it may still turn out to be damaged).
     [[nodiscard]] bool contains(const Hash128& key) const;
 
-    /// The frame, or nothing if there is none. A damaged file is removed and counts as none.
+    /// The frame, or nothing if there is none. A damaged file is removed and counts as none. Throws
+    /// Error if the folder cannot be read.
     [[nodiscard]] std::optional<render::Film> read(const Hash128& key) const;
 
     /// Under a temporary name, flushed, renamed. Throws Error.
@@ -53,6 +61,7 @@ class FrameStore {
 
   private:
     std::string folder_;
+    bool can_claim_ = true;
 };
 
 }  // namespace carom::pipeline

@@ -1,0 +1,72 @@
+#include "pipeline/store/frame_inputs.h"
+
+#include <algorithm>
+
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+namespace {
+
+bool is_still(const sim::PathStretch& stretch) {
+    const Vec3 zero(0, 0, 0);
+    return stretch.p0 == stretch.p1 && stretch.v0 == zero && stretch.v1 == zero;
+}
+
+bool is_at_rest(const MotionState& state, const Quat& orientation) {
+    return state.angular_velocity == Vec3(0, 0, 0) && state.orientation == orientation;
+}
+
+// Between keys the angular velocity is linear, so that it is zero throughout if it is at both ends.
+bool rests(const sim::Track& track, double open, double close) {
+    const Quat orientation = track.sample(open).orientation;
+    for (const sim::PathStretch& stretch : track.stretches(open, close)) {
+        if (!is_still(stretch) || !is_at_rest(track.sample(stretch.start), orientation) ||
+            !is_at_rest(track.sample((stretch.start + stretch.end) / 2), orientation) ||
+            !is_at_rest(track.sample(stretch.end), orientation)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+sim::Track standing_still(const sim::Track& track, double scene_time) {
+    const MotionState state = track.sample(scene_time);
+    sim::Key key;
+    key.position = state.position;
+    key.orientation = state.orientation;
+    return sim::Track(track.name(), {key});
+}
+
+}  // namespace
+
+FrameInputs frame_inputs(const PlannedFrame& frame, const Shutter& shutter,
+                         const render::SceneDescription& scene, const sim::Timeline& timeline) {
+    FrameInputs inputs;
+    bool moves = false;
+    for (const render::ObjectDescription& object : scene.objects) {
+        const auto is_same = [&](const sim::Track& track) { return track.name() == object.track; };
+        if (object.track.empty() || std::ranges::any_of(inputs.tracks, is_same)) {
+            continue;
+        }
+        const sim::Track* track = timeline.find(object.track);
+        if (track == nullptr) {
+            throw Error("object '" + object.name + "' moves like '" + object.track +
+                        "', which is not in the timeline");
+        }
+        if (frame.scene_open == frame.scene_close ||
+            rests(*track, frame.scene_open, frame.scene_close)) {
+            inputs.tracks.push_back(standing_still(*track, frame.scene_open));
+        } else {
+            inputs.tracks.push_back(*track);
+            moves = true;
+        }
+    }
+    inputs.frame.camera_open = frame.camera_open;
+    inputs.frame.camera_close = frame.camera_close;
+    inputs.frame.scene_open = moves ? frame.scene_open : 0;
+    inputs.frame.scene_close = moves ? frame.scene_close : 0;
+    inputs.frame.switch_ratio = shutter.switch_ratio;
+    return inputs;
+}
+
+}  // namespace carom::pipeline

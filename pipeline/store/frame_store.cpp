@@ -1,0 +1,152 @@
+#include "pipeline/store/frame_store.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+#include <utility>
+
+#include <unistd.h>
+
+#include "pipeline/store/file_descriptor.h"
+#include "pipeline/store/lock_file.h"
+#include "pipeline/store/seal.h"
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? std::string() : std::string(value);
+}
+
+// Unique among all writers that live now on this machine and, through the key, almost surely
+// among those on others.
+std::string partial_name(const Hash128& key) {
+    static std::atomic<std::uint64_t> count{0};
+    return key.to_string() + "-" + std::to_string(::getpid()) + "-" + std::to_string(++count);
+}
+
+// A file being written, locked so that nobody takes it for a dead writer's. Removed unless it got
+// its final name.
+class PartialFile {
+  public:
+    explicit PartialFile(std::string path) : path_(std::move(path)), lock_(try_lock(path_)) {
+        // The name is ours alone; only somebody looking for abandoned files can hold it, briefly.
+        while (lock_.state == LockState::busy) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            lock_ = try_lock(path_);
+        }
+    }
+    ~PartialFile() {
+        if (!path_.empty()) {
+            ::unlink(path_.c_str());
+        }
+    }
+    PartialFile(const PartialFile&) = delete;
+    PartialFile& operator=(const PartialFile&) = delete;
+
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+    void rename_to(const std::string& final_path) {
+        create_folder(fs::path(final_path).parent_path().string());
+        if (::rename(path_.c_str(), final_path.c_str()) != 0) {
+            throw Error(system_problem(final_path, "the frame cannot be put in its place"));
+        }
+        path_.clear();
+    }
+
+  private:
+    std::string path_;
+    LockAttempt lock_;
+};
+
+bool locks_work(const std::string& folder) {
+    const std::string path = folder + "/test-" + std::to_string(::getpid());
+    try {
+        const LockAttempt attempt = try_lock(path);
+        ::unlink(path.c_str());
+        return attempt.state != LockState::unsupported;
+    } catch (const Error&) {
+        return false;  // a folder that can only be read
+    }
+}
+
+}  // namespace
+
+std::string default_cache_folder() {
+    if (const std::string own = environment("CAROM_CACHE"); !own.empty()) {
+        return own;
+    }
+    if (const std::string shared = environment("XDG_CACHE_HOME"); !shared.empty()) {
+        return shared + "/carom";
+    }
+    const std::string home = environment("HOME");
+    if (home.empty()) {
+        throw Error("there is no place for the cache: set CAROM_CACHE, XDG_CACHE_HOME or HOME");
+    }
+    return home + "/.cache/carom";
+}
+
+FrameStore::FrameStore(std::string folder) : folder_(std::move(folder)) {
+    create_folder(folder_);
+    can_claim_ = locks_work(folder_ + "/locks");
+    if (can_claim_) {
+        remove_abandoned(folder_ + "/locks");
+        remove_abandoned(folder_ + "/partial");
+    }
+}
+
+std::string FrameStore::path_of(const Hash128& key) const {
+    const std::string digits = key.to_string();
+    return folder_ + "/" + digits.substr(0, 2) + "/" + digits + ".exr";
+}
+
+bool FrameStore::contains(const Hash128& key) const {
+    return ::access(path_of(key).c_str(), F_OK) == 0;
+}
+
+std::optional<render::Film> FrameStore::read(const Hash128& key) const {
+    const std::string path = path_of(key);
+    switch (check_seal(path, key)) {
+        case SealState::missing:
+            return std::nullopt;
+        case SealState::damaged:
+            ::unlink(path.c_str());
+            return std::nullopt;
+        case SealState::whole:
+            break;
+    }
+    try {
+        return render::read_exr(path);
+    } catch (const Error&) {
+        ::unlink(path.c_str());
+        return std::nullopt;
+    }
+}
+
+void FrameStore::write(const Hash128& key, const render::Film& film,
+                       const render::ImageMetadata& metadata) const {
+    PartialFile partial(folder_ + "/partial/" + partial_name(key));
+    render::write_exr(film, partial.path(), metadata);
+    seal_file(partial.path(), key);
+    partial.rename_to(path_of(key));
+}
+
+std::optional<FrameClaim> FrameStore::claim(const Hash128& key) const {
+    if (!can_claim_) {
+        return FrameClaim(-1, {});
+    }
+    const std::string path = folder_ + "/locks/" + key.to_string();
+    LockAttempt attempt = try_lock(path);
+    if (attempt.state == LockState::busy) {
+        return std::nullopt;
+    }
+    return FrameClaim(attempt.descriptor.release(), path);
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,143 @@
+// The still part of a scene as one hash.
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "pipeline/store/frame_key.h"
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+namespace {
+
+// Feeds a scene into a hash. Every alternative of a variant starts with its index.
+class SceneHasher {
+  public:
+    explicit SceneHasher(const render::SceneDescription& scene) : scene_(scene) {}
+
+    Hash128 hash() {
+        hasher_.add("carom scene, format 1");
+        hasher_.add(std::uint64_t{scene_.objects.size()});
+        for (const render::ObjectDescription& object : scene_.objects) {
+            add(object);
+        }
+        hasher_.add(std::uint64_t{scene_.lights.size()});
+        for (const render::LightDescription& light : scene_.lights) {
+            add_variant(light.light);
+        }
+        return hasher_.finish();
+    }
+
+  private:
+    template <class Variant>
+    void add_variant(const Variant& variant) {
+        hasher_.add(std::uint64_t{variant.index()});
+        std::visit([this](const auto& alternative) { add(alternative); }, variant);
+    }
+
+    // Materials count by what they are; an object names one, but the name itself is not seen.
+    void add(const render::ObjectDescription& object) {
+        add_variant(object.shape);
+        hasher_.add(object.world_from_object).add(!object.track.empty());
+        for (const render::MaterialDescription& material : scene_.materials) {
+            if (material.name == object.material) {
+                add(material.surface);
+                return;
+            }
+        }
+        throw Error("object '" + object.name + "' has the material '" + object.material +
+                    "', which the scene does not describe");
+    }
+
+    void add(const render::SphereShape& sphere) { hasher_.add(sphere.radius); }
+    void add(const render::BoxShape& box) { hasher_.add(box.size); }
+    void add(const render::PlaneShape&) {}
+    void add(const render::RectangleShape& rectangle) { hasher_.add(rectangle.size); }
+
+    void add(const render::MeshShape& mesh) {
+        add_file(mesh.file);
+        hasher_.add(std::uint64_t{mesh.vertices.size()});
+        for (const Vec3& vertex : mesh.vertices) {
+            hasher_.add(vertex);
+        }
+        hasher_.add(std::uint64_t{mesh.normals.size()});
+        for (const Vec3& normal : mesh.normals) {
+            hasher_.add(normal);
+        }
+        hasher_.add(std::uint64_t{mesh.uv.size()});
+        for (const Vec2& uv : mesh.uv) {
+            hasher_.add(uv);
+        }
+        hasher_.add(std::uint64_t{mesh.triangles.size()});
+        for (const auto& triangle : mesh.triangles) {
+            hasher_.add(triangle[0]).add(triangle[1]).add(triangle[2]);
+        }
+    }
+
+    void add(const render::StandardMaterial& material) {
+        add_variant(material.base);
+        hasher_.add(material.metal).add(material.roughness).add(material.specular);
+        hasher_.add(material.sheen).add(material.sheen_colour).add(material.bump);
+        hasher_.add(material.coat.weight).add(material.coat.ior).add(material.coat.roughness);
+    }
+
+    void add(const Vec3& colour) { hasher_.add(colour); }
+
+    void add(const render::ImageTexture& texture) {
+        add_file(texture.file);
+        hasher_.add(texture.scale).add(texture.is_linear);
+    }
+
+    void add(const render::BallTexture& ball) {
+        hasher_.add(ball.colour).add(ball.white).add(ball.striped).add(ball.number);
+        hasher_.add(ball.disc_radius).add(ball.spots);
+    }
+
+    void add(const render::ClothTexture& cloth) {
+        hasher_.add(cloth.colour).add(cloth.thread).add(cloth.variation);
+    }
+
+    void add(const render::WoodTexture& wood) {
+        hasher_.add(wood.light).add(wood.dark).add(wood.ring).add(wood.grain);
+    }
+
+    void add(const render::CheckerTexture& checker) {
+        hasher_.add(checker.even).add(checker.odd).add(checker.size);
+    }
+
+    void add(const render::RectangleLight& light) {
+        hasher_.add(light.centre).add(light.edge_u).add(light.edge_v).add(light.normal);
+        hasher_.add(light.radiance);
+    }
+
+    void add(const render::SphereLight& light) {
+        hasher_.add(light.centre).add(light.radius).add(light.radiance);
+    }
+
+    void add(const render::EnvironmentLight& light) {
+        hasher_.add(light.radiance).add(light.rotation);
+        add_file(light.image);
+    }
+
+    // The contents, not the path; each file is read once.
+    void add_file(const std::string& path) {
+        hasher_.add(!path.empty());
+        if (path.empty()) {
+            return;
+        }
+        const auto known = files_.find(path);
+        hasher_.add(known != files_.end() ? known->second
+                                          : files_.emplace(path, hash_file(path)).first->second);
+    }
+
+    const render::SceneDescription& scene_;
+    Hasher hasher_;
+    std::map<std::string, Hash128> files_;
+};
+
+}  // namespace
+
+Hash128 hash_scene(const render::SceneDescription& scene) {
+    return SceneHasher(scene).hash();
+}
+
+}  // namespace carom::pipeline
