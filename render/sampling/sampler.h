@@ -29,6 +29,10 @@ class SampleStream {
     /// The next four dimensions: one shuffled, scrambled four-dimensional Sobol point.
     [[nodiscard]] std::array<float, 4> next_4d();
 
+    /// Goes on with the given set of four dimensions: a path whose branches end at different depths
+    /// gives every vertex sets of its own, so that samples stay comparable.
+    void seek(std::uint32_t set) { set_ = set; }
+
   private:
     std::uint32_t pixel_hash_ = 0;
     std::uint32_t reversed_sample_ = 0;  // the sample's number, its lowest bit first

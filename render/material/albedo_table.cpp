@@ -1,0 +1,87 @@
+#include "render/material/albedo_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/material/fresnel.h"
+#include "render/material/microfacet.h"
+#include "render/material/sheen.h"
+
+namespace carom::render {
+namespace {
+
+constexpr int kSteps = 24;  // of the quadrature, in both directions
+
+V3f direction_at(float cosine) {
+    return {std::sqrt(std::max(0.0f, 1.0f - cosine * cosine)), 0.0f, cosine};
+}
+
+// Mean of `integrand(u)` over the midpoints of a grid on the unit square.
+template <class Integrand>
+float mean_over_square(const Integrand& integrand) {
+    double sum = 0;
+    for (int j = 0; j < kSteps; ++j) {
+        for (int i = 0; i < kSteps; ++i) {
+            sum += integrand(V2f((static_cast<float>(i) + 0.5f) / kSteps,
+                                 (static_cast<float>(j) + 0.5f) / kSteps));
+        }
+    }
+    return static_cast<float>(sum / (kSteps * kSteps));
+}
+
+template <class Reflectance>
+float microfacet_albedo(float alpha, float cosine, const Reflectance& reflectance) {
+    const Ggx ggx(alpha);
+    const V3f wo = direction_at(cosine);
+    return mean_over_square([&](V2f u) {
+        const V3f m = ggx.sample_visible(wo, u);
+        const V3f wi = mirrored(wo, m);
+        return wi.z <= 0 ? 0.0f : reflectance(wo ^ m) * ggx.sample_weight(wo, wi);
+    });
+}
+
+}  // namespace
+
+template <class Albedo>
+AlbedoTable AlbedoTable::build(const Albedo& albedo_at) {
+    AlbedoTable table;
+    for (std::size_t i = 0; i < kNodes; ++i) {
+        const float root = static_cast<float>(i) / (kNodes - 1);
+        table.values_[i] = albedo_at(std::max(root * root, 1e-4f));
+    }
+    return table;
+}
+
+AlbedoTable AlbedoTable::of_dielectric(float alpha, float ior) {
+    return build([&](float cosine) {
+        return microfacet_albedo(alpha, cosine,
+                                 [&](float c) { return fresnel_dielectric(c, ior); });
+    });
+}
+
+AlbedoTable AlbedoTable::of_mirrors(float alpha) {
+    return build(
+        [&](float cosine) { return microfacet_albedo(alpha, cosine, [](float) { return 1.0f; }); });
+}
+
+AlbedoTable AlbedoTable::of_sheen() {
+    return build([](float cosine) {
+        const V3f wo = direction_at(cosine);
+        // Uniform over the hemisphere: u.x is the cosine.
+        return mean_over_square([&](V2f u) {
+            const float sine = std::sqrt(1.0f - u.x * u.x);
+            const SinCos angle = sin_cos_turn(u.y);
+            const V3f wi(sine * angle.cosine, sine * angle.sine, u.x);
+            return 2.0f * kPi * sheen_reflection(wo, wi);
+        });
+    });
+}
+
+float AlbedoTable::at(float cosine) const {
+    const float place = std::sqrt(std::clamp(cosine, 0.0f, 1.0f)) * static_cast<float>(kNodes - 1);
+    const std::size_t node = std::min(static_cast<std::size_t>(place), kNodes - 2);
+    const float fraction = place - static_cast<float>(node);
+    return values_[node] + (values_[node + 1] - values_[node]) * fraction;
+}
+
+}  // namespace carom::render

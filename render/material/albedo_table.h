@@ -1,0 +1,30 @@
+// How much of the light from one direction a lobe scatters in all: tabulated over the angle.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace carom::render {
+
+/// Directional albedo of a lobe over the cosine of the outgoing direction, by quadrature to about
+/// 1e-3, linear between nodes that lie closest at grazing angles. Zero until built.
+class AlbedoTable {
+  public:
+    /// Rough dielectric boundary of index `ior`; `alpha` >= kSmoothAlpha.
+    [[nodiscard]] static AlbedoTable of_dielectric(float alpha, float ior);
+    /// Microfacets that reflect everything: what single scattering keeps.
+    [[nodiscard]] static AlbedoTable of_mirrors(float alpha);
+    [[nodiscard]] static AlbedoTable of_sheen();
+
+    [[nodiscard]] float at(float cosine) const;
+
+  private:
+    static constexpr std::size_t kNodes = 32;
+
+    template <class Albedo>
+    static AlbedoTable build(const Albedo& albedo_at);
+
+    std::array<float, kNodes> values_{};
+};
+
+}  // namespace carom::render

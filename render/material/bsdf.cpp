@@ -1,0 +1,231 @@
+#include "render/material/bsdf.h"
+
+#include <algorithm>
+
+#include "render/material/fresnel.h"
+#include "render/material/microfacet.h"
+#include "render/material/sheen.h"
+#include "render/sampling/warp.h"
+#include "sim/timeline/assert.h"
+
+namespace carom::render {
+namespace {
+
+constexpr float kLeastCosine = 1e-4f;
+// Bounds on how seldom the coat or the base is followed when one of both is chosen: a path that
+// meets a light through a coat chosen with probability F would be a firefly (docs: the throw-away
+// prototype gained a factor 1.4 by a lower bound of 0.3).
+constexpr float kLeastChoice = 0.3f;
+constexpr float kMostChoice = 0.8f;
+
+float largest(const V3f& c) {
+    return std::max({c.x, c.y, c.z});
+}
+
+}  // namespace
+
+Bsdf::Bsdf(const Surface& surface, const V3f& wo)
+    : surface_(&surface), wo_(surface.frame.from_world(wo)) {
+    wo_.z = std::max(wo_.z, kLeastCosine);
+    const LayerConstants& layers = *surface.layers;
+    if (layers.coat_weight > 0) {
+        const float reflected = layers.coat_alpha > 0 ? layers.coat_albedo.at(wo_.z)
+                                                      : fresnel_dielectric(wo_.z, layers.coat_ior);
+        coat_ = layers.coat_weight * reflected;
+    }
+    weigh_base(1.0f - coat_);
+    if (coat_ > 0) {
+        const float base =
+            largest(diffuse_) + largest(sheen_) + facets_ * largest(facet_reflectance(wo_.z));
+        coat_choice_ = base > 0 ? std::clamp(coat_ / (coat_ + base), kLeastChoice, kMostChoice) : 1;
+    }
+}
+
+void Bsdf::weigh_base(float base_share) {
+    const LayerConstants& layers = *surface_->layers;
+    float rest = base_share;
+    if (layers.sheen > 0) {
+        const float albedo = layers.sheen * layers.sheen_albedo.at(wo_.z);
+        sheen_ = layers.sheen_colour * (layers.sheen * rest);
+        choose_sheen_ = albedo * rest * largest(layers.sheen_colour);
+        rest *= 1.0f - std::min(1.0f, albedo * largest(layers.sheen_colour));
+    }
+    float below = 1.0f - layers.metal;
+    if (layers.metal > 0 || layers.specular > 0) {
+        facets_ = rest;
+        if (layers.metal > 0) {
+            metal_scale_ = V3f(layers.metal);
+            if (layers.alpha > 0) {
+                // What single scattering loses comes back coloured (Turquin 2019, "Practical
+                // multiple scattering compensation for microfacet models", eq. 16).
+                const float kept = layers.mirror_albedo.at(wo_.z);
+                metal_scale_ *= V3f(1.0f) + surface_->base * ((1.0f - kept) / kept);
+            }
+        }
+        const float highlight =
+            layers.alpha > 0 ? layers.specular_albedo.at(wo_.z)
+                             : (layers.specular > 0 ? fresnel_dielectric(wo_.z, kSpecularIor) : 0);
+        below *= 1.0f - layers.specular * highlight;
+        choose_facets_ = rest * largest(facet_reflectance(wo_.z));
+    }
+    diffuse_ = surface_->base * (rest * below);
+    choose_diffuse_ = largest(diffuse_);
+    const float sum = choose_sheen_ + choose_facets_ + choose_diffuse_;
+    if (sum > 0) {
+        choose_sheen_ /= sum;
+        choose_facets_ /= sum;
+        choose_diffuse_ /= sum;
+    }
+}
+
+// Of a facet met at `cosine`, metal and highlight together.
+V3f Bsdf::facet_reflectance(float cosine) const {
+    const LayerConstants& layers = *surface_->layers;
+    V3f result{0, 0, 0};
+    if (layers.metal > 0) {
+        result += metal_scale_ * fresnel_schlick(cosine, surface_->base);
+    }
+    if (layers.specular > 0) {
+        result +=
+            V3f((1.0f - layers.metal) * layers.specular * fresnel_dielectric(cosine, kSpecularIor));
+    }
+    return result;
+}
+
+float Bsdf::coat_probability(Layers layers) const {
+    switch (layers) {
+        case Layers::coat:
+            return 1;
+        case Layers::base:
+            return 0;
+        default:
+            return coat_choice_;
+    }
+}
+
+bool Bsdf::can_evaluate(Layers layers) const {
+    const LayerConstants& constants = *surface_->layers;
+    const bool coat = layers != Layers::base && coat_ > 0 && constants.coat_alpha > 0;
+    const bool facets = facets_ > 0 && constants.alpha > 0;
+    const bool base =
+        layers != Layers::coat && (facets || choose_diffuse_ > 0 || choose_sheen_ > 0);
+    return coat || base;
+}
+
+BsdfValue Bsdf::evaluate(Layers layers, const V3f& wi) const {
+    return (surface_->geometric_normal ^ wi) > 0
+               ? evaluate_local(layers, surface_->frame.from_world(wi))
+               : BsdfValue{};
+}
+
+BsdfValue Bsdf::evaluate_local(Layers layers, const V3f& wi) const {
+    BsdfValue result;
+    if (wi.z <= 0) {
+        return result;
+    }
+    const V3f m = (wo_ + wi).normalized();
+    const float coat_share = coat_probability(layers);
+    if (layers != Layers::base) {
+        const BsdfValue coat = evaluate_coat(wi, m);
+        result.value += coat.value;
+        result.pdf += coat_share * coat.pdf;
+    }
+    if (layers != Layers::coat) {
+        const BsdfValue base = evaluate_base(wi, m);
+        result.value += base.value;
+        result.pdf += (1.0f - coat_share) * base.pdf;
+    }
+    CAROM_ASSERT(result.pdf >= 0);
+    return result;
+}
+
+BsdfValue Bsdf::evaluate_coat(const V3f& wi, const V3f& m) const {
+    const LayerConstants& layers = *surface_->layers;
+    if (coat_ <= 0 || layers.coat_alpha <= 0) {
+        return {};
+    }
+    const Ggx ggx(layers.coat_alpha);
+    const float reflected = fresnel_dielectric(wo_ ^ m, layers.coat_ior);
+    return {V3f(layers.coat_weight * reflected * ggx.reflection(wo_, wi, m)),
+            ggx.reflection_pdf(wo_, m)};
+}
+
+BsdfValue Bsdf::evaluate_base(const V3f& wi, const V3f& m) const {
+    BsdfValue result;
+    const float cosine = wi.z * kInversePi;
+    result.value = diffuse_ * cosine;
+    result.pdf = choose_diffuse_ * cosine;
+    if (choose_sheen_ > 0) {
+        result.value += sheen_ * sheen_reflection(wo_, wi);
+        result.pdf += choose_sheen_ * (0.5f * kInversePi);
+    }
+    if (facets_ > 0 && surface_->layers->alpha > 0) {
+        const Ggx ggx(surface_->layers->alpha);
+        result.value += facet_reflectance(wo_ ^ m) * (facets_ * ggx.reflection(wo_, wi, m));
+        result.pdf += choose_facets_ * ggx.reflection_pdf(wo_, m);
+    }
+    return result;
+}
+
+std::optional<BsdfSample> Bsdf::sample(Layers layers, const V3f& u) const {
+    const float coat_share = coat_probability(layers);
+    if (u.x < coat_share) {
+        return sample_coat(layers, V3f(u.x / coat_share, u.y, u.z), coat_share);
+    }
+    const float rest = 1.0f - coat_share;
+    return sample_base(layers, V3f((u.x - coat_share) / rest, u.y, u.z), rest);
+}
+
+std::optional<BsdfSample> Bsdf::sample_coat(Layers layers, const V3f& u, float probability) const {
+    if (coat_ <= 0) {
+        return std::nullopt;
+    }
+    const float alpha = surface_->layers->coat_alpha;
+    if (alpha <= 0) {
+        return mirror(V3f(coat_ / probability));
+    }
+    return finish(layers, mirrored(wo_, Ggx(alpha).sample_visible(wo_, V2f(u.y, u.z))));
+}
+
+std::optional<BsdfSample> Bsdf::sample_base(Layers layers, const V3f& u, float probability) const {
+    const V2f square(u.y, u.z);
+    if (u.x < choose_facets_) {
+        const float alpha = surface_->layers->alpha;
+        if (alpha <= 0) {
+            return mirror(facet_reflectance(wo_.z) * (facets_ / (probability * choose_facets_)));
+        }
+        return finish(layers, mirrored(wo_, Ggx(alpha).sample_visible(wo_, square)));
+    }
+    if (u.x < choose_facets_ + choose_sheen_) {
+        return finish(layers, sample_cone(square, 1.0f));  // the whole hemisphere, evenly
+    }
+    return choose_diffuse_ > 0 ? finish(layers, sample_cosine_hemisphere(square)) : std::nullopt;
+}
+
+std::optional<BsdfSample> Bsdf::mirror(const V3f& weight) const {
+    BsdfSample sample;
+    sample.direction = surface_->frame.to_world(V3f(-wo_.x, -wo_.y, wo_.z)).normalized();
+    if ((surface_->geometric_normal ^ sample.direction) <= 0) {
+        return std::nullopt;
+    }
+    sample.weight = weight;
+    sample.is_delta = true;
+    return sample;
+}
+
+std::optional<BsdfSample> Bsdf::finish(Layers layers, const V3f& wi) const {
+    BsdfSample sample;
+    sample.direction = surface_->frame.to_world(wi).normalized();
+    if (wi.z <= 0 || (surface_->geometric_normal ^ sample.direction) <= 0) {
+        return std::nullopt;
+    }
+    const BsdfValue value = evaluate_local(layers, wi);
+    if (value.pdf <= 0) {
+        return std::nullopt;
+    }
+    sample.weight = value.value / value.pdf;
+    sample.pdf = value.pdf;
+    return sample;
+}
+
+}  // namespace carom::render

@@ -1,0 +1,81 @@
+// Scattering at one point for one direction of view: evaluation, sampling, density.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "render/geometry/ray.h"
+#include "render/material/material.h"
+
+namespace carom::render {
+
+/// Which part of a surface scatters. A path may follow the coat and what lies below it separately:
+/// the two parts' values add up to the whole.
+enum class Layers : std::uint8_t { all, coat, base };
+
+struct BsdfValue {
+    V3f value{0, 0, 0};  // BSDF times cosine of the incoming direction, 1/sr
+    float pdf = 0;       // with which `sample` makes that direction, 1/sr; mirrors not counted
+};
+
+struct BsdfSample {
+    V3f direction;          // unit, world, away from the surface
+    V3f weight;             // value / pdf; for a mirror its reflectance over its probability
+    float pdf = 0;          // 1/sr; without meaning for a mirror
+    bool is_delta = false;  // a mirror: no other way than this leads there
+};
+
+/// All directions are unit, in world axes, and point away from the surface. Light comes only from
+/// the viewer's side. With `wo` the direction to the previous vertex of the path:
+///   coat = w E(wo) [as a lobe],  below = (1 - w E(wo)) x the rest,
+/// E being the share that the coat reflects: for a smooth coat Fresnel's F(wo) of a mirror.
+class Bsdf {
+  public:
+    Bsdf(const Surface& surface, const V3f& wo);
+
+    /// Whether the surface has a coat that can be followed by itself.
+    [[nodiscard]] bool has_coat() const { return coat_ > 0; }
+
+    /// Whether anything but mirrors is there, so that `evaluate` is not 0 everywhere.
+    [[nodiscard]] bool can_evaluate(Layers layers) const;
+
+    /// Value and density for light from `wi`; both 0 below the surface.
+    [[nodiscard]] BsdfValue evaluate(Layers layers, const V3f& wi) const;
+
+    /// A direction for the numbers `u` in [0, 1)^3. Empty: absorbed, the contribution is 0. The
+    /// weight is below 1 / (probability of the chosen part) for every channel.
+    [[nodiscard]] std::optional<BsdfSample> sample(Layers layers, const V3f& u) const;
+
+    [[nodiscard]] float pdf(Layers layers, const V3f& wi) const { return evaluate(layers, wi).pdf; }
+
+  private:
+    [[nodiscard]] float coat_probability(Layers layers) const;
+    [[nodiscard]] BsdfValue evaluate_coat(const V3f& wi, const V3f& m) const;
+    [[nodiscard]] BsdfValue evaluate_base(const V3f& wi, const V3f& m) const;
+    [[nodiscard]] V3f facet_reflectance(float cosine) const;
+    // From here on directions are in the surface's own axes; `probability`: of having come here.
+    [[nodiscard]] BsdfValue evaluate_local(Layers layers, const V3f& wi) const;
+    [[nodiscard]] std::optional<BsdfSample> sample_coat(Layers layers, const V3f& u,
+                                                        float probability) const;
+    [[nodiscard]] std::optional<BsdfSample> sample_base(Layers layers, const V3f& u,
+                                                        float probability) const;
+    [[nodiscard]] std::optional<BsdfSample> mirror(const V3f& weight) const;
+    [[nodiscard]] std::optional<BsdfSample> finish(Layers layers, const V3f& wi) const;
+    void weigh_base(float base_share);
+
+    const Surface* surface_;
+    V3f wo_;  // in the surface's axes, z > 0
+    // What each part scatters towards wo.
+    float coat_ = 0;            // share that the coat reflects
+    float coat_choice_ = 0;     // probability of following the coat when one of two is chosen
+    V3f diffuse_{0, 0, 0};      // albedo after all layers above
+    float facets_ = 0;          // scale of metal and highlight after all layers above
+    V3f metal_scale_{0, 0, 0};  // of the metal's own reflectance within `facets_`
+    V3f sheen_{0, 0, 0};
+    // Probabilities of the base's lobes, adding up to 1 unless all are 0.
+    float choose_facets_ = 0;
+    float choose_sheen_ = 0;
+    float choose_diffuse_ = 0;
+};
+
+}  // namespace carom::render

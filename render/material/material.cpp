@@ -1,0 +1,74 @@
+#include "render/material/material.h"
+
+#include <algorithm>
+
+#include "render/material/microfacet.h"
+
+namespace carom::render {
+namespace {
+
+float share(double value) {
+    return static_cast<float>(std::clamp(value, 0.0, 1.0));
+}
+
+// 0 where the lobe is so narrow that it is treated as a mirror.
+float alpha_of(double roughness) {
+    const float alpha = share(roughness) * share(roughness);
+    return alpha < kSmoothAlpha ? 0.0f : alpha;
+}
+
+LayerConstants make_layers(const StandardMaterial& m) {
+    LayerConstants layers;
+    layers.coat_weight = share(m.coat.weight);
+    layers.coat_ior = static_cast<float>(std::clamp(m.coat.ior, 1.0, 3.0));
+    layers.coat_alpha = alpha_of(m.coat.roughness);
+    layers.sheen = share(m.sheen);
+    layers.sheen_colour = V3f(m.sheen_colour);
+    layers.metal = share(m.metal);
+    layers.specular = share(m.specular);
+    layers.alpha = alpha_of(m.roughness);
+    if (layers.coat_weight > 0 && layers.coat_alpha > 0) {
+        layers.coat_albedo = AlbedoTable::of_dielectric(layers.coat_alpha, layers.coat_ior);
+    }
+    if (layers.sheen > 0) {
+        layers.sheen_albedo = AlbedoTable::of_sheen();
+    }
+    if (layers.alpha > 0 && layers.specular > 0) {
+        layers.specular_albedo = AlbedoTable::of_dielectric(layers.alpha, kSpecularIor);
+    }
+    if (layers.alpha > 0 && layers.metal > 0) {
+        layers.mirror_albedo = AlbedoTable::of_mirrors(layers.alpha);
+    }
+    return layers;
+}
+
+V3f limited(const V3f& c) {
+    return {std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f)};
+}
+
+}  // namespace
+
+Material::Material(const StandardMaterial& description, ImageCache& images)
+    : texture_(description.base, images),
+      layers_(make_layers(description)),
+      bump_(texture_.has_relief() ? share(description.bump) : 0.0f) {}
+
+Surface Material::resolve(const SurfacePoint& point, const V3f& wo, float footprint) const {
+    Surface surface;
+    const bool from_behind = (point.geometric_normal ^ wo) < 0;
+    surface.geometric_normal = from_behind ? -point.geometric_normal : point.geometric_normal;
+    V3f normal = from_behind ? -point.shading_normal : point.shading_normal;
+    if (bump_ > 0) {
+        const V3f shift = texture_.normal_shift(point, footprint) * bump_;
+        normal = (normal + shift - normal * (normal ^ shift)).normalized();
+    }
+    if ((normal ^ wo) <= 0) {
+        normal = surface.geometric_normal;  // a smoothed or bumped normal turned away from view
+    }
+    surface.frame = OrthonormalBasis::around(normal);
+    surface.base = limited(texture_.colour(point, footprint));
+    surface.layers = &layers_;
+    return surface;
+}
+
+}  // namespace carom::render

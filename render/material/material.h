@@ -1,0 +1,65 @@
+// A material ready for shading, and the surface that it resolves to at one point.
+#pragma once
+
+#include "render/geometry/orthonormal_basis.h"
+#include "render/geometry/ray.h"
+#include "render/material/albedo_table.h"
+#include "render/scene/material_description.h"
+#include "render/texture/texture.h"
+
+namespace carom::render {
+
+/// The part of a `standard` material that does not vary over the surface. From the top down: coat,
+/// sheen, then metal or dielectric highlight over a diffuse base. Each layer takes from those below
+/// what it scatters itself towards the viewer, so that no layering gives off more than it gets.
+struct LayerConstants {
+    float coat_weight = 0;
+    float coat_ior = 1.5f;
+    float coat_alpha = 0;  // 0: a smooth mirror
+    AlbedoTable coat_albedo;
+
+    float sheen = 0;
+    V3f sheen_colour{1, 1, 1};
+    AlbedoTable sheen_albedo;
+
+    float metal = 0;
+    float specular = 0;
+    float alpha = 0;  // of metal and highlight, 0: a smooth mirror
+    AlbedoTable specular_albedo;
+    AlbedoTable mirror_albedo;
+};
+
+inline constexpr float kSpecularIor = 1.5f;
+
+/// Everything that scattering at one point needs: plain data, no textures, no scene.
+struct Surface {
+    V3f geometric_normal;    // unit, on the viewer's side
+    OrthonormalBasis frame;  // z: the shading normal, on the viewer's side
+    V3f base;                // albedo, or reflectance of the metal
+    const LayerConstants* layers = nullptr;
+};
+
+/// Immutable; shared by all threads.
+class Material {
+  public:
+    /// Throws Error if a texture's file is missing.
+    Material(const StandardMaterial& description, ImageCache& images);
+
+    /// The surface at `point` as seen from the unit direction `wo` (away from the surface);
+    /// `footprint`: width of a pixel there, m. Both sides of a surface scatter alike.
+    [[nodiscard]] Surface resolve(const SurfacePoint& point, const V3f& wo, float footprint) const;
+
+    /// Albedo as an image channel shows it: the base's colour.
+    [[nodiscard]] V3f base_colour(const SurfacePoint& point, float footprint) const {
+        return texture_.colour(point, footprint);
+    }
+
+    [[nodiscard]] const LayerConstants& layers() const { return layers_; }
+
+  private:
+    Texture texture_;
+    LayerConstants layers_;
+    float bump_ = 0;
+};
+
+}  // namespace carom::render
