@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "render/geometry/ray.h"
-#include "render/sampling/trigonometry.h"
+#include "render/sampling/warp.h"
 
 namespace carom::render {
 

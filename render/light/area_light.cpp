@@ -1,0 +1,112 @@
+#include "render/light/area_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/geometry/orthonormal_basis.h"
+#include "render/sampling/warp.h"
+
+namespace carom::render {
+namespace {
+
+// Lower bound on the cosine at the surface in estimates of a light that its horizon cuts: neither
+// then is chosen hardly ever.
+constexpr float kLeastCosine = 0.1f;
+
+/// Cosine towards the light's middle for an estimate; 0 if all of it lies below the horizon.
+/// `reach`: the light's radius over the distance.
+float surface_cosine(float cosine, float reach) {
+    return cosine + reach <= 0 ? 0.0f : std::max(cosine, kLeastCosine);
+}
+
+}  // namespace
+
+RectangleEmitter::RectangleEmitter(const RectangleLight& light)
+    : centre_(light.centre),
+      edge_u_(light.edge_u),
+      edge_v_(light.edge_v),
+      normal_(light.normal),
+      radiance_(light.radiance),
+      area_(4.0f * edge_u_.length() * edge_v_.length()),
+      half_diagonal_((edge_u_ + edge_v_).length()) {}
+
+std::optional<LightSample> RectangleEmitter::sample(const V3f& point, V2f u) const {
+    const V3f on_light = centre_ + edge_u_ * (2.0f * u.x - 1.0f) + edge_v_ * (2.0f * u.y - 1.0f);
+    const V3f way = on_light - point;
+    const float height = -(way ^ normal_);
+    if (height <= 0) {
+        return std::nullopt;
+    }
+    const float distance2 = way.length2();
+    const float distance = std::sqrt(distance2);
+    return LightSample{way / distance, distance, radiance_,
+                       distance2 * distance / (height * area_)};
+}
+
+float RectangleEmitter::pdf(const V3f& /*point*/, const V3f& direction, float distance) const {
+    const float cosine = -(direction ^ normal_);
+    return cosine > 0 ? distance * distance / (cosine * area_) : 0.0f;
+}
+
+V3f RectangleEmitter::emitted(const V3f& direction) const {
+    return (direction ^ normal_) > 0 ? radiance_ : V3f(0, 0, 0);
+}
+
+float RectangleEmitter::importance(const V3f& point, const V3f& normal) const {
+    const V3f way = centre_ - point;
+    const float distance2 = std::max(way.length2(), 1e-12f);
+    const float distance = std::sqrt(distance2);
+    const float height = -(way ^ normal_);
+    if (height <= 0) {
+        return 0;
+    }
+    const float cosine = surface_cosine((way ^ normal) / distance, half_diagonal_ / distance);
+    // No closer than the light is large: the solid angle does not grow without end.
+    return luminance(radiance_) * area_ * cosine * (height / distance) /
+           std::max(distance2, 0.25f * area_);
+}
+
+SphereEmitter::SphereEmitter(const SphereLight& light)
+    : centre_(light.centre), radiance_(light.radiance), radius_(static_cast<float>(light.radius)) {}
+
+std::optional<LightSample> SphereEmitter::sample(const V3f& point, V2f u) const {
+    const V3f way = centre_ - point;
+    const float distance2 = way.length2();
+    if (distance2 <= radius_ * radius_) {
+        return std::nullopt;
+    }
+    const float distance = std::sqrt(distance2);
+    const float one_minus_cos = one_minus_cos_of_sphere(radius_, distance);
+    const V3f local = sample_cone(u, one_minus_cos);
+    const float sine2 = local.x * local.x + local.y * local.y;
+    // Near side of the sphere along the direction.
+    const float inside = std::sqrt(std::max(0.0f, radius_ * radius_ - distance2 * sine2));
+    return LightSample{OrthonormalBasis::around(way / distance).to_world(local).normalized(),
+                       std::max(0.0f, distance * local.z - inside), radiance_,
+                       pdf_cone(one_minus_cos)};
+}
+
+float SphereEmitter::pdf(const V3f& point, const V3f& /*direction*/, float /*distance*/) const {
+    const float distance2 = (centre_ - point).length2();
+    if (distance2 <= radius_ * radius_) {
+        return 0;
+    }
+    return pdf_cone(one_minus_cos_of_sphere(radius_, std::sqrt(distance2)));
+}
+
+V3f SphereEmitter::emitted(const V3f& /*direction*/) const {
+    return radiance_;
+}
+
+float SphereEmitter::importance(const V3f& point, const V3f& normal) const {
+    const V3f way = centre_ - point;
+    const float distance = std::max(way.length(), 1e-6f);
+    if (distance <= radius_) {
+        return 0;
+    }
+    const float solid_angle = 2.0f * kPi * one_minus_cos_of_sphere(radius_, distance);
+    return luminance(radiance_) * solid_angle *
+           surface_cosine((way ^ normal) / distance, radius_ / distance);
+}
+
+}  // namespace carom::render

@@ -1,0 +1,108 @@
+#include "render/light/environment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "render/sampling/warp.h"
+
+namespace carom::render {
+namespace {
+
+constexpr float kTurn = 2.0f * kPi;
+
+}  // namespace
+
+Environment::Environment(const EnvironmentLight& light)
+    : scale_(light.radiance), turns_(static_cast<float>(light.rotation) / kTurn) {
+    mean_luminance_ = luminance(scale_);
+    if (light.image.empty()) {
+        return;
+    }
+    image_ = read_linear_image(light.image, false);
+    std::vector<float> weights;
+    weights.reserve(image_.pixels.size());
+    double sum = 0;
+    double area = 0;
+    for (int y = 0; y < image_.height; ++y) {
+        const float latitude = (static_cast<float>(y) + 0.5f) / static_cast<float>(image_.height);
+        const float sine = std::sin(kPi * latitude);
+        for (int x = 0; x < image_.width; ++x) {
+            weights.push_back(cell_brightness(x, y) * sine);
+            sum += weights.back();
+            area += sine;
+        }
+    }
+    distribution_ = Distribution2D(weights, image_.width, image_.height);
+    mean_luminance_ = static_cast<float>(sum / area) * luminance(scale_);
+}
+
+// (u, v) in the picture, v = 0 at the top. The middle column lies towards +x; columns to its right
+// towards -y, as someone in the middle of the scene sees it.
+V2f Environment::picture_from_direction(const V3f& direction) const {
+    const float u = 0.5f + turns_ - std::atan2(direction.y, direction.x) / kTurn;
+    return {u - std::floor(u), std::acos(std::clamp(direction.z, -1.0f, 1.0f)) / kPi};
+}
+
+V3f Environment::pixel(int x, int y) const {
+    const int column = (x % image_.width + image_.width) % image_.width;
+    const int row = std::clamp(y, 0, image_.height - 1);
+    return image_.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(image_.width) +
+                         static_cast<std::size_t>(column)];
+}
+
+V3f Environment::picture_radiance(V2f uv) const {
+    const float x = uv.x * static_cast<float>(image_.width) - 0.5f;
+    const float y = uv.y * static_cast<float>(image_.height) - 0.5f;
+    const int x0 = static_cast<int>(std::floor(x));
+    const int y0 = static_cast<int>(std::floor(y));
+    const float fx = x - static_cast<float>(x0);
+    const float fy = y - static_cast<float>(y0);
+    const V3f top = pixel(x0, y0) * (1.0f - fx) + pixel(x0 + 1, y0) * fx;
+    const V3f bottom = pixel(x0, y0 + 1) * (1.0f - fx) + pixel(x0 + 1, y0 + 1) * fx;
+    return (top * (1.0f - fy) + bottom * fy) * scale_;
+}
+
+// Mean of the bilinear picture over one pixel's square: weights 1, 6, 1 over 8 both ways. It is
+// above 0 wherever the interpolated picture is.
+float Environment::cell_brightness(int x, int y) const {
+    constexpr float kWeight[3] = {0.125f, 0.75f, 0.125f};
+    float sum = 0;
+    for (int j = -1; j <= 1; ++j) {
+        for (int i = -1; i <= 1; ++i) {
+            sum += kWeight[i + 1] * kWeight[j + 1] * luminance(pixel(x + i, y + j));
+        }
+    }
+    return sum;
+}
+
+V3f Environment::radiance(const V3f& direction) const {
+    return is_sampled() ? picture_radiance(picture_from_direction(direction)) : scale_;
+}
+
+std::optional<LightSample> Environment::sample(V2f u) const {
+    const Distribution2D::Sample place = distribution_.sample(u);
+    const SinCos polar = sin_cos_turn(0.5f * place.uv.y);
+    if (place.pdf <= 0 || polar.sine <= 0) {
+        return std::nullopt;
+    }
+    const SinCos azimuth = sin_cos_turn(0.5f + turns_ - place.uv.x);
+    return LightSample{
+        V3f(polar.sine * azimuth.cosine, polar.sine * azimuth.sine, polar.cosine).normalized(),
+        kInfinity, picture_radiance(place.uv), place.pdf / (kTurn * kPi * polar.sine)};
+}
+
+float Environment::pdf(const V3f& direction) const {
+    const float sine = std::sqrt(direction.x * direction.x + direction.y * direction.y);
+    if (!is_sampled() || sine <= 0) {
+        return 0;
+    }
+    return distribution_.pdf(picture_from_direction(direction)) / (kTurn * kPi * sine);
+}
+
+float Environment::importance() const {
+    // As if half of the hemisphere's cosine-weighted sky were seen.
+    return 0.5f * kPi * mean_luminance_;
+}
+
+}  // namespace carom::render

@@ -1,0 +1,51 @@
+// Light from infinitely far away.
+#pragma once
+
+#include <optional>
+
+#include "render/geometry/ray.h"
+#include "render/light/area_light.h"
+#include "render/sampling/distribution_2d.h"
+#include "render/scene/scene_description.h"
+#include "render/texture/image.h"
+
+namespace carom::render {
+
+/// Constant or an equirectangular picture, interpolated bilinearly. Immutable.
+class Environment {
+  public:
+    /// No light at all.
+    Environment() = default;
+
+    /// Throws Error if the picture cannot be read.
+    explicit Environment(const EnvironmentLight& light);
+
+    [[nodiscard]] V3f radiance(const V3f& direction) const;
+
+    /// Whether sampling it beats waiting for scattered rays to leave the scene: not so for a
+    /// constant one, which cosine-distributed directions sample perfectly.
+    [[nodiscard]] bool is_sampled() const { return !image_.pixels.empty(); }
+
+    /// In proportion to brightness and solid angle. Only if `is_sampled`.
+    [[nodiscard]] std::optional<LightSample> sample(V2f u) const;
+
+    /// Of `sample`, 1/sr; 0 if not `is_sampled`.
+    [[nodiscard]] float pdf(const V3f& direction) const;
+
+    /// Estimate of the irradiance that it gives, in the unit of AreaLight's importance.
+    [[nodiscard]] float importance() const;
+
+  private:
+    [[nodiscard]] V2f picture_from_direction(const V3f& direction) const;
+    [[nodiscard]] V3f picture_radiance(V2f uv) const;
+    [[nodiscard]] V3f pixel(int x, int y) const;
+    [[nodiscard]] float cell_brightness(int x, int y) const;
+
+    V3f scale_{0, 0, 0};
+    LinearImage image_;  // empty: constant
+    Distribution2D distribution_;
+    float turns_ = 0;  // rotation about z
+    float mean_luminance_ = 0;
+};
+
+}  // namespace carom::render

@@ -1,0 +1,82 @@
+#include "render/light/light_set.h"
+
+#include <algorithm>
+
+#include "sim/timeline/error.h"
+
+namespace carom::render {
+
+LightSet::LightSet(const std::vector<LightDescription>& lights) {
+    bool has_environment = false;
+    for (const LightDescription& description : lights) {
+        if (const auto* rectangle = std::get_if<RectangleLight>(&description.light)) {
+            area_lights_.emplace_back(RectangleEmitter(*rectangle));
+        } else if (const auto* sphere = std::get_if<SphereLight>(&description.light)) {
+            area_lights_.emplace_back(SphereEmitter(*sphere));
+        } else {
+            if (has_environment) {
+                throw Error("light '" + description.name +
+                            "' is a second environment; a scene has at most one");
+            }
+            has_environment = true;
+            environment_ = Environment(std::get<EnvironmentLight>(description.light));
+        }
+    }
+}
+
+float LightSet::importance(std::size_t light, const V3f& point, const V3f& normal) const {
+    if (light >= area_lights_.size()) {
+        return environment_.importance();
+    }
+    return std::visit([&](const auto& emitter) { return emitter.importance(point, normal); },
+                      area_lights_[light]);
+}
+
+float LightSet::total_importance(const V3f& point, const V3f& normal) const {
+    float total = 0;
+    for (std::size_t light = 0; light < sampled_count(); ++light) {
+        total += importance(light, point, normal);
+    }
+    return total;
+}
+
+std::optional<LightSet::Choice> LightSet::choose(const V3f& point, const V3f& normal, float total,
+                                                 float u) const {
+    std::optional<Choice> last;
+    float rest = u * total;
+    for (std::size_t light = 0; light < sampled_count(); ++light) {
+        const float weight = importance(light, point, normal);
+        if (weight > 0) {
+            last = Choice{light, weight / total};
+            if (rest < weight) {
+                return last;
+            }
+            rest -= weight;
+        }
+    }
+    return last;  // rounding: `u` just below 1
+}
+
+std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point, V2f u) const {
+    if (light >= area_lights_.size()) {
+        return environment_.sample(u);
+    }
+    return std::visit([&](const auto& emitter) { return emitter.sample(point, u); },
+                      area_lights_[light]);
+}
+
+float LightSet::pdf(std::size_t light, const V3f& point, const V3f& direction,
+                    float distance) const {
+    if (light >= area_lights_.size()) {
+        return environment_.pdf(direction);
+    }
+    return std::visit([&](const auto& emitter) { return emitter.pdf(point, direction, distance); },
+                      area_lights_[light]);
+}
+
+V3f LightSet::emitted(std::size_t light, const V3f& direction) const {
+    return std::visit([&](const auto& emitter) { return emitter.emitted(direction); },
+                      area_lights_[light]);
+}
+
+}  // namespace carom::render

@@ -1,0 +1,64 @@
+// All lights of a scene, and the choice between them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "render/geometry/ray.h"
+#include "render/light/area_light.h"
+#include "render/light/environment.h"
+#include "render/scene/scene_description.h"
+
+namespace carom::render {
+
+/// Lights that can be sampled are numbered from 0: area lights in the order of the description,
+/// then the environment if it is sampled. Immutable; shared by all threads.
+class LightSet {
+  public:
+    LightSet() = default;
+
+    /// Throws Error: more than one environment, a picture that cannot be read.
+    explicit LightSet(const std::vector<LightDescription>& lights);
+
+    [[nodiscard]] std::size_t area_light_count() const { return area_lights_.size(); }
+    [[nodiscard]] std::size_t sampled_count() const {
+        return area_lights_.size() + (environment_.is_sampled() ? 1 : 0);
+    }
+
+    /// Estimate of the unoccluded light that reaches a surface at `point`: what lights are chosen
+    /// by. 0 only where nothing arrives.
+    [[nodiscard]] float importance(std::size_t light, const V3f& point, const V3f& normal) const;
+
+    /// The sum of all importances.
+    [[nodiscard]] float total_importance(const V3f& point, const V3f& normal) const;
+
+    struct Choice {
+        std::size_t light = 0;
+        float probability = 0;  // importance / total
+    };
+
+    /// One light in proportion to importance, for `u` in [0, 1); empty if `total` is 0.
+    [[nodiscard]] std::optional<Choice> choose(const V3f& point, const V3f& normal, float total,
+                                               float u) const;
+
+    /// A direction towards one light; empty if it cannot shine on the point.
+    [[nodiscard]] std::optional<LightSample> sample(std::size_t light, const V3f& point,
+                                                    V2f u) const;
+
+    /// Density of `sample` (1/sr, given that light) for a direction from `point` that reaches it
+    /// after `distance`.
+    [[nodiscard]] float pdf(std::size_t light, const V3f& point, const V3f& direction,
+                            float distance) const;
+
+    /// Radiance of an area light towards the unit `direction`, away from it.
+    [[nodiscard]] V3f emitted(std::size_t light, const V3f& direction) const;
+
+    [[nodiscard]] const Environment& environment() const { return environment_; }
+
+  private:
+    std::vector<AreaLight> area_lights_;
+    Environment environment_;
+};
+
+}  // namespace carom::render

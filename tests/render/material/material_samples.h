@@ -1,0 +1,80 @@
+// Materials for the tests: every lobe alone and layered.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/material/bsdf.h"
+#include "render/sampling/warp.h"
+
+namespace carom::render::test_materials {
+
+struct Named {
+    std::string name;
+    StandardMaterial material;
+};
+
+inline StandardMaterial diffuse(double albedo) {
+    StandardMaterial m;
+    m.base = Vec3(albedo, 0.5 * albedo, 0.25 * albedo);
+    return m;
+}
+
+inline std::vector<Named> all() {
+    std::vector<Named> list;
+    list.push_back({"diffuse", diffuse(1.0)});
+
+    StandardMaterial metal = diffuse(0.95);
+    metal.metal = 1;
+    metal.roughness = 0.4;
+    list.push_back({"metal", metal});
+    metal.roughness = 1;
+    list.push_back({"rough metal", metal});
+
+    StandardMaterial plastic = diffuse(0.9);
+    plastic.specular = 1;
+    plastic.roughness = 0.45;
+    list.push_back({"highlight over diffuse", plastic});
+    plastic.metal = 0.4;
+    list.push_back({"half metal", plastic});
+
+    StandardMaterial cloth = diffuse(0.8);
+    cloth.sheen = 1;
+    list.push_back({"sheen over diffuse", cloth});
+
+    StandardMaterial coated = diffuse(0.9);
+    coated.coat.weight = 1;
+    list.push_back({"smooth coat", coated});
+    coated.coat.roughness = 0.5;
+    list.push_back({"rough coat", coated});
+    coated.coat.weight = 0.6;
+    coated.coat.ior = 2.2;
+    list.push_back({"partial dense coat", coated});
+
+    StandardMaterial everything = plastic;
+    everything.sheen = 0.5;
+    everything.coat = {1, 1.5, 0.6};
+    list.push_back({"everything", everything});
+    return list;
+}
+
+inline Material make(const StandardMaterial& description) {
+    ImageCache images;
+    return Material(description, images);
+}
+
+inline Surface resolve(const Material& material, const V3f& normal, const V3f& wo) {
+    SurfacePoint point;
+    point.geometric_normal = normal;
+    point.shading_normal = normal;
+    return material.resolve(point, wo, 0);
+}
+
+/// A direction at `angle` (rad) from `normal`.
+inline V3f tilted(const V3f& normal, float angle) {
+    const auto basis = OrthonormalBasis::around(normal);
+    const SinCos s = sin_cos(angle);
+    return basis.to_world(V3f(s.sine * 0.6f, s.sine * 0.8f, s.cosine));
+}
+
+}  // namespace carom::render::test_materials
