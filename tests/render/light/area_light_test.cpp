@@ -1,0 +1,203 @@
+#include "render/light/area_light.h"
+
+#include <gtest/gtest.h>
+
+#include "render/sampling/warp.h"
+#include "tests/render/direction_density.h"
+
+namespace carom::render {
+namespace {
+
+RectangleLight lamp() {
+    RectangleLight light;
+    light.centre = Vec3(0.3, -0.2, 1.4);
+    light.edge_u = Vec3(0.6, 0, 0);
+    light.edge_v = Vec3(0, 0.25, 0);
+    light.normal = Vec3(0, 0, -1);
+    light.radiance = Vec3(20, 18, 15);
+    return light;
+}
+
+SphereLight bulb() {
+    SphereLight light;
+    light.centre = Vec3(-0.5, 0.4, 0.9);
+    light.radius = 0.3;
+    light.radiance = Vec3(5, 6, 7);
+    return light;
+}
+
+/// Distance along `direction` to the rectangle, or a negative number.
+double distance_to(const RectangleLight& light, const V3f& point, const V3f& direction) {
+    const Vec3 o(point);
+    const Vec3 d(direction);
+    const double t = ((light.centre - o) ^ light.normal) / (d ^ light.normal);
+    const Vec3 p = o + d * t - light.centre;
+    const bool inside = std::abs(p ^ light.edge_u) <= light.edge_u.length2() &&
+                        std::abs(p ^ light.edge_v) <= light.edge_v.length2();
+    return inside ? t : -1;
+}
+
+/// Irradiance (per unit radiance) of a polygon wholly above the horizon: half the sum over its
+/// edges of the angle that the edge subtends times the cosine between the normal and the edge's
+/// plane (Lambert 1760; in this form Arvo 1995, "Analytic methods for simulated light transport",
+/// eq. 2.2).
+double polygon_irradiance(const std::vector<Vec3>& corners, const Vec3& point, const Vec3& normal) {
+    double sum = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec3 a = (corners[i] - point).normalized();
+        const Vec3 b = (corners[(i + 1) % corners.size()] - point).normalized();
+        sum += std::acos(a ^ b) * (a.cross(b).normalized() ^ normal);
+    }
+    return std::abs(0.5 * sum);
+}
+
+TEST(RectangleEmitter, Samples_FollowPdf) {
+    const RectangleLight light = lamp();
+    const RectangleEmitter emitter(light);
+    for (const V3f& point : {V3f(0, 0, 0), V3f(1.5f, 0.2f, 1.0f)}) {
+        test::DensityTest setup;
+        setup.tests = 4;
+        // Places on the light, (0, 0) to (1, 1); the density per solid angle made one per place.
+        test::expect_square_density(
+            [&](V3f u) -> std::optional<Vec2> {
+                const auto sample = emitter.sample(point, V2f(u.x, u.y));
+                EXPECT_TRUE(sample.has_value());
+                const Vec3 place =
+                    Vec3(point) + Vec3(sample->direction) * sample->distance - light.centre;
+                return Vec2(0.5 + 0.5 * (place ^ light.edge_u) / light.edge_u.length2(),
+                            0.5 + 0.5 * (place ^ light.edge_v) / light.edge_v.length2());
+            },
+            [&](const Vec2& place) {
+                const Vec3 way = light.centre + light.edge_u * (2 * place.x - 1) +
+                                 light.edge_v * (2 * place.y - 1) - Vec3(point);
+                const double distance = way.length();
+                const double per_place =
+                    -(way ^ light.normal) / distance * 0.6 / (distance * distance);
+                return per_place *
+                       emitter.pdf(point, V3f(way / distance), static_cast<float>(distance));
+            },
+            setup);
+    }
+}
+
+TEST(SphereEmitter, Samples_FollowPdf) {
+    const SphereEmitter emitter(bulb());
+    const V3f centre(bulb().centre);
+    for (const V3f& point : {V3f(0, 0, 0), V3f(-0.5f, 0.4f, 0.55f)}) {
+        test::DensityTest setup;
+        setup.tests = 4;
+        const float distance = (centre - point).length();
+        test::expect_direction_density(
+            [&](V3f u) -> std::optional<V3f> {
+                const auto sample = emitter.sample(point, V2f(u.x, u.y));
+                EXPECT_TRUE(sample.has_value());
+                return sample->direction;
+            },
+            [&](const V3f& direction) { return emitter.pdf(point, direction, 1); },
+            (centre - point) / distance, one_minus_cos_of_sphere(0.3f, distance), setup);
+    }
+}
+
+TEST(AreaLights, EverySample_LiesOnTheLightAndHasItsPdf) {
+    test::TestRandom random(5);
+    const RectangleEmitter rectangle(lamp());
+    const SphereEmitter sphere(bulb());
+    const V3f point(0.2f, 0.1f, 0);
+    for (int i = 0; i < 500; ++i) {
+        const float x = random.unit();
+        const float y = random.unit();
+        const auto on_rectangle = rectangle.sample(point, V2f(x, y));
+        ASSERT_TRUE(on_rectangle);
+        EXPECT_NEAR(distance_to(lamp(), point, on_rectangle->direction), on_rectangle->distance,
+                    1e-5);
+        EXPECT_NEAR(rectangle.pdf(point, on_rectangle->direction, on_rectangle->distance) /
+                        on_rectangle->pdf,
+                    1, 1e-5);
+        const auto on_sphere = sphere.sample(point, V2f(x, y));
+        ASSERT_TRUE(on_sphere);
+        const V3f place = point + on_sphere->direction * on_sphere->distance;
+        EXPECT_NEAR((place - V3f(bulb().centre)).length(), 0.3f, 1e-3f);
+        EXPECT_EQ(sphere.pdf(point, on_sphere->direction, 1), on_sphere->pdf);
+    }
+}
+
+TEST(RectangleEmitter, Irradiance_IsLambertsFormula) {
+    const RectangleLight light = lamp();
+    const RectangleEmitter emitter(light);
+    const V3f point(0, 0, 0.1f);
+    const V3f normal = V3f(0.2f, 0.1f, 1).normalized();
+    test::TestRandom random(9);
+    double sum = 0;
+    double squares = 0;
+    constexpr int kSamples = 100'000;
+    for (int i = 0; i < kSamples; ++i) {
+        const float x = random.unit();
+        const float y = random.unit();
+        const auto sample = emitter.sample(point, V2f(x, y));
+        const double value = (sample->direction ^ normal) * sample->radiance.x / sample->pdf;
+        sum += value;
+        squares += value * value;
+    }
+    const double mean = sum / kSamples;
+    const double error = std::sqrt((squares / kSamples - mean * mean) / kSamples);
+    const std::vector<Vec3> corners{
+        light.centre + light.edge_u + light.edge_v, light.centre - light.edge_u + light.edge_v,
+        light.centre - light.edge_u - light.edge_v, light.centre + light.edge_u - light.edge_v};
+    const double exact = light.radiance.x * polygon_irradiance(corners, Vec3(point), Vec3(normal));
+    EXPECT_NEAR(mean, exact, 4 * error);
+    EXPECT_LT(error, 0.005 * exact);
+}
+
+TEST(SphereEmitter, Irradiance_IsPiTimesSquareOfTheRatio) {
+    // pi L (R / d)^2 cos(theta) as long as the sphere is above the horizon.
+    const SphereEmitter emitter(bulb());
+    const V3f point(0, 0, 0);
+    const V3f normal(0, 0, 1);
+    test::TestRandom random(13);
+    double sum = 0;
+    double squares = 0;
+    constexpr int kSamples = 100'000;
+    for (int i = 0; i < kSamples; ++i) {
+        const float x = random.unit();
+        const float y = random.unit();
+        const auto sample = emitter.sample(point, V2f(x, y));
+        const double value = (sample->direction ^ normal) * sample->radiance.x / sample->pdf;
+        sum += value;
+        squares += value * value;
+    }
+    const double mean = sum / kSamples;
+    const double error = std::sqrt((squares / kSamples - mean * mean) / kSamples);
+    const double distance2 = bulb().centre.length2();
+    const double exact =
+        static_cast<double>(kPi) * 5 * 0.09 / distance2 * 0.9 / std::sqrt(distance2);
+    EXPECT_NEAR(mean, exact, 4 * error);
+    EXPECT_LT(error, 0.005 * exact);
+}
+
+TEST(RectangleEmitter, PointBehindIt_GetsNothing) {
+    const RectangleEmitter emitter(lamp());
+    const V3f above(0, 0, 2);
+    EXPECT_FALSE(emitter.sample(above, V2f(0.5f, 0.5f)));
+    EXPECT_EQ(emitter.importance(above, V3f(0, 0, -1)), 0);
+    EXPECT_EQ(emitter.pdf(above, V3f(0, 0, -1), 0.6f), 0);
+    EXPECT_EQ(emitter.emitted(V3f(0, 0, 1)), V3f(0, 0, 0));
+    EXPECT_EQ(emitter.emitted(V3f(0, 0, -1)), V3f(20, 18, 15));
+}
+
+TEST(SphereEmitter, PointInsideIt_IsNotSampled) {
+    const SphereEmitter emitter(bulb());
+    EXPECT_FALSE(emitter.sample(V3f(-0.5f, 0.4f, 1.0f), V2f(0.5f, 0.5f)));
+    EXPECT_EQ(emitter.pdf(V3f(-0.5f, 0.4f, 1.0f), V3f(0, 0, 1), 1), 0);
+}
+
+TEST(AreaLights, PartlyAboveTheHorizon_AreStillChosen) {
+    const SphereEmitter sphere(bulb());
+    const V3f point(0, 0, 0);
+    const V3f towards = (V3f(bulb().centre) - point).normalized();
+    const V3f sideways = towards.cross(V3f(0, 0, 1)).normalized();
+    EXPECT_GT(sphere.importance(point, (sideways - towards * 0.1f).normalized()), 0);
+    EXPECT_EQ(sphere.importance(point, -towards), 0);
+}
+
+}  // namespace
+}  // namespace carom::render
