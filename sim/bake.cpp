@@ -1,0 +1,20 @@
+#include "sim/bake.h"
+
+#include "sim/scheduler/scheduler.h"
+#include "sim/timeline/error.h"
+
+namespace carom::sim {
+
+BakeResult bake(const WorldDescription& world, const WorkContext& context) {
+    const std::vector<std::string> problems = find_problems(world);
+    if (!problems.empty())
+        throw Error(problems.front());
+    Scheduler scheduler(world);
+    scheduler.run(context);
+    BakeResult result;
+    result.timeline = scheduler.take_timeline();
+    result.warnings = scheduler.take_warnings();
+    return result;
+}
+
+}  // namespace carom::sim

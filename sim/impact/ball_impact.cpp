@@ -1,0 +1,81 @@
+#include "sim/impact/ball_impact.h"
+
+#include <algorithm>
+
+#include "sim/numeric/elementary.h"
+
+namespace carom::sim {
+namespace {
+
+ode::ImpactBody impact_body(const BallBody& ball) {
+    ode::ImpactBody body;
+    body.mass = ball.mass;
+    const double inertia = 0.4 * ball.mass * ball.radius * ball.radius;
+    body.inertia = Vec3(inertia);
+    body.pose.position = ball.state.position;
+    body.velocities = {ball.state.velocity, ball.state.angular_velocity};
+    return body;
+}
+
+void take(BallBody& ball, const ode::Velocities& velocities) {
+    ball.state.velocity = velocities.linear;
+    ball.state.angular_velocity = velocities.angular;
+}
+
+}  // namespace
+
+ImpulsePair ball_ball_impact(ode::ImpactSolver& solver, BallBody& a, BallBody& b,
+                             const Vec3& normal, double restitution, double friction) {
+    ImpulsePair impulse;
+    if ((a.state.velocity - b.state.velocity).dot(normal) < 0) {
+        const ode::ImpactContact contact{a.state.position - normal * a.radius, normal, restitution,
+                                         friction};
+        const ode::ImpactResult result = solver.solve(impact_body(a), impact_body(b), contact);
+        take(a, result.first);
+        take(b, result.second);
+        impulse = {result.normal_impulse, result.tangential_impulse};
+    }
+    const double separation = (a.state.velocity - b.state.velocity).dot(normal);
+    if (separation < kLeastSeparation) {
+        const double extra = (kLeastSeparation - separation) / (1 / a.mass + 1 / b.mass);
+        a.state.velocity += normal * (extra / a.mass);
+        b.state.velocity -= normal * (extra / b.mass);
+        impulse.normal += extra;
+    }
+    return impulse;
+}
+
+ImpulsePair ball_static_impact(ode::ImpactSolver& solver, BallBody& ball, const Vec3& normal,
+                               double restitution, double friction) {
+    ImpulsePair impulse;
+    if (ball.state.velocity.dot(normal) < 0) {
+        const ode::ImpactContact contact{ball.state.position - normal * ball.radius, normal,
+                                         restitution, friction};
+        const ode::ImpactResult result = solver.solve_static(impact_body(ball), contact);
+        take(ball, result.first);
+        impulse = {result.normal_impulse, result.tangential_impulse};
+    }
+    const double separation = ball.state.velocity.dot(normal);
+    if (separation < kLeastSeparation) {
+        ball.state.velocity += normal * (kLeastSeparation - separation);
+        impulse.normal += ball.mass * (kLeastSeparation - separation);
+    }
+    return impulse;
+}
+
+double ball_friction(const BallBall& law, double slip_speed) {
+    // Alciatore, TP A-14, fit to Marlow's data.
+    if (law.friction_model == BallFriction::alciatore)
+        return 9.951e-3 + 0.108 * exponential(-1.088 * slip_speed);
+    return law.friction;
+}
+
+Vec3 contact_slip(const BallBody& a, const BallBody& b, const Vec3& normal) {
+    const Vec3 velocity = a.state.velocity - b.state.velocity -
+                          (a.state.angular_velocity * a.radius +
+                           b.state.angular_velocity * b.radius)
+                              .cross(normal);
+    return velocity - normal * velocity.dot(normal);
+}
+
+}  // namespace carom::sim

@@ -1,0 +1,92 @@
+#include "sim/motion/cloth_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::sim {
+namespace {
+
+const Vec3 kUp(0, 0, 1);
+// Below these a ball counts as not slipping, not rolling, not spinning: round-off of a shot at
+// 15 m/s is far smaller, and what is cut off moves a ball by less than a nanometre.
+constexpr double kSlipEpsilon = 1e-9;   // m/s
+constexpr double kSpeedEpsilon = 1e-9;  // m/s
+constexpr double kSpinEpsilon = 1e-9;   // rad/s
+
+double length(const Vec3& v) { return std::sqrt(v.dot(v)); }
+
+/// Spin about the vertical slows at a constant rate, 5/2 mu_sp g / R, until it stops.
+void add_spin_decay(Stretch& stretch, double radius, double gravity, double friction) {
+    const double spin = stretch.state.angular_velocity.z;
+    if (spin == 0 || friction == 0)
+        return;
+    const double rate = 2.5 * friction * gravity / radius;
+    stretch.angular_acceleration.z = spin > 0 ? -rate : rate;
+    stretch.end = std::min(stretch.end, stretch.start + std::abs(spin) / rate);
+}
+
+/// Coulomb friction against the slip u, whose direction stays: dv/dt = -mu g u/|u|,
+/// dw/dt = 5/2 (mu g / R) z x u/|u|; u vanishes after 2 |u| / (7 mu g).
+void slide(Stretch& stretch, const Vec3& slip, double radius, double gravity, double friction) {
+    stretch.kind = MotionKind::sliding;
+    if (friction == 0)
+        return;
+    const double speed = length(slip);
+    const Vec3 direction = slip / speed;
+    stretch.acceleration = direction * (-friction * gravity);
+    stretch.angular_acceleration = kUp.cross(direction) * (2.5 * friction * gravity / radius);
+    stretch.end = stretch.start + 2 * speed / (7 * friction * gravity);
+}
+
+void roll(Stretch& stretch, double radius, double gravity, double friction) {
+    stretch.kind = MotionKind::rolling;
+    const Vec3& velocity = stretch.state.velocity;
+    const double speed = length(velocity);
+    stretch.acceleration = velocity * (-friction * gravity / speed);
+    stretch.angular_acceleration = kUp.cross(stretch.acceleration) / radius;
+    if (friction > 0)
+        stretch.end = stretch.start + speed / (friction * gravity);
+}
+
+}  // namespace
+
+Vec3 slip_velocity(const MotionState& state, double radius) {
+    return state.velocity + state.angular_velocity.cross(Vec3(0, 0, -radius));
+}
+
+Stretch cloth_stretch(double time, const MotionState& from, double radius, double gravity,
+                      const SupportLaw& law) {
+    Stretch stretch;
+    stretch.start = time;
+    stretch.state = from;
+    MotionState& state = stretch.state;
+    state.velocity.z = 0;
+    if (std::abs(state.angular_velocity.z) < kSpinEpsilon)
+        state.angular_velocity.z = 0;
+    const Vec3 slip = slip_velocity(state, radius);
+    if (length(slip) > kSlipEpsilon) {
+        slide(stretch, slip, radius, gravity, law.sliding_friction);
+    } else if (length(state.velocity) > kSpeedEpsilon) {
+        const Vec3 rolling = kUp.cross(state.velocity) / radius;
+        state.angular_velocity = {rolling.x, rolling.y, state.angular_velocity.z};
+        roll(stretch, radius, gravity, law.rolling_friction);
+    } else {
+        state.velocity = {0, 0, 0};
+        state.angular_velocity = {0, 0, state.angular_velocity.z};
+        stretch.kind =
+            state.angular_velocity.z != 0 ? MotionKind::spinning : MotionKind::resting;
+    }
+    add_spin_decay(stretch, radius, gravity, law.spinning_friction);
+    return stretch;
+}
+
+Stretch flight_stretch(double time, const MotionState& state, const Vec3& gravity) {
+    Stretch stretch;
+    stretch.kind = MotionKind::flying;
+    stretch.start = time;
+    stretch.state = state;
+    stretch.acceleration = gravity;
+    return stretch;
+}
+
+}  // namespace carom::sim

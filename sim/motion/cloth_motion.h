@@ -1,0 +1,28 @@
+// A ball on a level surface: the closed forms of sliding, rolling, spinning and resting
+// (Marlow, The Physics of Pocket Billiards, 1995, chapter 2; Alciatore, TP A-4 and TP B-2).
+#pragma once
+
+#include "sim/motion/stretch.h"
+
+namespace carom::sim {
+
+/// What carries the ball.
+struct SupportLaw {
+    double sliding_friction = 0.2;      // mu_s
+    double rolling_friction = 0.01;     // mu_r
+    double spinning_friction = 0.0127;  // mu_sp
+};
+
+/// Velocity of the ball's lowest point: u = v + w x (-R z).
+[[nodiscard]] Vec3 slip_velocity(const MotionState& state, double radius);
+
+/// The stretch that begins at `time` from `state`: which law holds, with which accelerations, until
+/// when. `gravity` > 0, m/s^2. Vertical velocity is taken as zero. States that round-off keeps from
+/// rolling or resting exactly are put right.
+[[nodiscard]] Stretch cloth_stretch(double time, const MotionState& state, double radius,
+                                    double gravity, const SupportLaw& law);
+
+/// A ball that touches nothing.
+[[nodiscard]] Stretch flight_stretch(double time, const MotionState& state, const Vec3& gravity);
+
+}  // namespace carom::sim

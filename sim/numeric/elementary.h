@@ -1,0 +1,21 @@
+// sin, cos and exp from additions and multiplications only. libm's differ in the last bit between
+// processors and library releases, which would change every shot that uses them.
+#pragma once
+
+namespace carom::sim {
+
+struct SinCos {
+    double sin = 0;
+    double cos = 1;
+};
+
+/// For |angle| up to 1e5 rad; within 2 units in the last place of 1.
+[[nodiscard]] SinCos sin_cos(double angle);
+
+/// e^x for x in [-700, 700], relative error under 1e-15; 0 below, infinity above.
+[[nodiscard]] double exponential(double x);
+
+/// The angle in (-pi, pi] of the point (x, y), within 4e-16; 0 at the origin.
+[[nodiscard]] double angle_of(double x, double y);
+
+}  // namespace carom::sim

@@ -1,0 +1,122 @@
+#include "sim/ode/impact_solver.h"
+
+#include <cmath>
+
+#include "sim/ode/handles.h"
+#include "sim/timeline/assert.h"
+
+namespace carom::sim::ode {
+namespace {
+
+// Impulses do not depend on it; a power of two keeps the products with it exact.
+constexpr double kStep = 1.0 / 1024;
+
+Vec3 velocity_at(const ImpactBody& body, const Vec3& point) {
+    return body.velocities.linear + body.velocities.angular.cross(point - body.pose.position);
+}
+
+void load(dBodyID body, const ImpactBody& from) {
+    dMass mass;
+    dMassSetParameters(&mass, from.mass, 0, 0, 0, from.inertia.x, from.inertia.y, from.inertia.z, 0,
+                       0, 0);
+    dBodySetMass(body, &mass);
+    const Pose& pose = from.pose;
+    dBodySetPosition(body, pose.position.x, pose.position.y, pose.position.z);
+    const dQuaternion q = {pose.orientation.r, pose.orientation.v.x, pose.orientation.v.y,
+                           pose.orientation.v.z};
+    dBodySetQuaternion(body, q);
+    const Velocities& v = from.velocities;
+    dBodySetLinearVel(body, v.linear.x, v.linear.y, v.linear.z);
+    dBodySetAngularVel(body, v.angular.x, v.angular.y, v.angular.z);
+}
+
+Velocities velocities_of(dBodyID body) {
+    return {to_vec3(dBodyGetLinearVel(body)), to_vec3(dBodyGetAngularVel(body))};
+}
+
+/// The slip's direction, or any direction across the normal where nothing slips.
+Vec3 friction_direction(const Vec3& relative_velocity, const Vec3& normal) {
+    const Vec3 slip = relative_velocity - normal * relative_velocity.dot(normal);
+    const double speed = std::sqrt(slip.dot(slip));
+    if (speed > 1e-12)
+        return slip / speed;
+    const Vec3 axis = std::abs(normal.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+    const Vec3 across = normal.cross(axis);
+    return across / std::sqrt(across.dot(across));
+}
+
+dContact contact_of(const ImpactContact& from, const Vec3& relative_velocity) {
+    dContact contact{};
+    contact.surface.mode = dContactBounce | dContactSoftERP | dContactSoftCFM | dContactApprox1 |
+                           dContactFDir1;
+    contact.surface.mu = from.friction;
+    contact.surface.bounce = from.restitution;
+    const Vec3 direction = friction_direction(relative_velocity, from.normal);
+    for (int i = 0; i < 3; ++i) {
+        contact.geom.pos[i] = from.point[i];
+        contact.geom.normal[i] = from.normal[i];
+        contact.fdir1[i] = direction[i];
+    }
+    return contact;
+}
+
+void measure_impulse(const ImpactBody& first, const Vec3& normal, ImpactResult& result) {
+    const Vec3 impulse = (result.first.linear - first.velocities.linear) * first.mass;
+    result.normal_impulse = impulse.dot(normal);
+    const Vec3 across = impulse - normal * result.normal_impulse;
+    result.tangential_impulse = std::sqrt(across.dot(across));
+}
+
+}  // namespace
+
+// Destroyed from the last to the first: the joints before their world.
+struct ImpactSolver::State {
+    World world{dWorldCreate()};
+    JointGroup contacts{dJointGroupCreate(0)};
+    dBodyID first = dBodyCreate(world.get());
+    dBodyID second = dBodyCreate(world.get());
+
+    void step(const dContact& contact, dBodyID other) {
+        dJointAttach(dJointCreateContact(world.get(), contacts.get(), &contact), first, other);
+        dWorldStep(world.get(), kStep);
+        dJointGroupEmpty(contacts.get());
+    }
+};
+
+ImpactSolver::ImpactSolver() : state_(std::make_unique<State>()) {
+    dWorldSetCFM(state_->world.get(), 0);
+    dWorldSetERP(state_->world.get(), 0);
+    for (dBodyID body : {state_->first, state_->second})
+        dBodySetGyroscopicMode(body, 0);
+}
+
+ImpactSolver::~ImpactSolver() = default;
+
+ImpactResult ImpactSolver::solve(const ImpactBody& first, const ImpactBody& second,
+                                 const ImpactContact& contact) {
+    const Vec3 relative = velocity_at(first, contact.point) - velocity_at(second, contact.point);
+    CAROM_ASSERT(relative.dot(contact.normal) < 0);
+    load(state_->first, first);
+    load(state_->second, second);
+    dBodyEnable(state_->second);
+    state_->step(contact_of(contact, relative), state_->second);
+    ImpactResult result;
+    result.first = velocities_of(state_->first);
+    result.second = velocities_of(state_->second);
+    measure_impulse(first, contact.normal, result);
+    return result;
+}
+
+ImpactResult ImpactSolver::solve_static(const ImpactBody& first, const ImpactContact& contact) {
+    const Vec3 relative = velocity_at(first, contact.point);
+    CAROM_ASSERT(relative.dot(contact.normal) < 0);
+    load(state_->first, first);
+    dBodyDisable(state_->second);
+    state_->step(contact_of(contact, relative), nullptr);
+    ImpactResult result;
+    result.first = velocities_of(state_->first);
+    measure_impulse(first, contact.normal, result);
+    return result;
+}
+
+}  // namespace carom::sim::ode

@@ -1,0 +1,171 @@
+#include "sim/scheduler/actions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/numeric/elementary.h"
+#include "sim/stick/strike.h"
+
+namespace carom::sim {
+namespace {
+
+Vec3 rotated(const Quat& q, const Vec3& v) {
+    const Vec3 t = q.v.cross(v) * 2;
+    return v + t * q.r + q.v.cross(t);
+}
+
+Vec3 in_world(Axes axes, const Quat& orientation, const Vec3& v) {
+    return axes == Axes::world ? v : rotated(orientation, v);
+}
+
+std::string seconds(double time) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3f s", time);
+    return text.data();
+}
+
+}  // namespace
+
+Actions::Actions(const WorldDescription& world, Balls& balls, Recording& recording)
+    : world_(world), balls_(balls), recording_(recording) {
+    for (std::uint32_t i = 0; i < balls.all().size(); ++i)
+        index_.emplace(balls.all()[i].name, i);
+}
+
+int Actions::apply(const DueAction& due) {
+    const ForceEvent& event = world_.events[due.event];
+    const auto found = index_.find(event.object);
+    if (found == index_.end())
+        return -1;
+    const std::uint32_t ball = found->second;
+    if (due.kick >= 0) {
+        kick(due, ball);
+    } else {
+        std::visit([&](const auto& action) { begin(action, due, ball); }, event.action);
+    }
+    return static_cast<int>(ball);
+}
+
+void Actions::begin(const Force& force, const DueAction& due, std::uint32_t ball) {
+    const MotionState state = balls_[ball].stretch.state_at(due.time);
+    recording_.log_action(EventKind::force, due.time, due.time + force.duration, balls_[ball].name,
+                          state.position,
+                          in_world(force.axes, state.orientation, force.newtons));
+}
+
+void Actions::begin(const Torque& torque, const DueAction& due, std::uint32_t ball) {
+    const MotionState state = balls_[ball].stretch.state_at(due.time);
+    recording_.log_action(EventKind::torque, due.time, due.time + torque.duration,
+                          balls_[ball].name, state.position,
+                          in_world(torque.axes, state.orientation, torque.newton_metres));
+}
+
+void Actions::begin(const Impulse& impulse, const DueAction& due, std::uint32_t ball) {
+    const MotionState state = balls_[ball].stretch.state_at(due.time);
+    const Vec3 p = in_world(impulse.axes, state.orientation, impulse.newton_seconds);
+    const Vec3 arm = in_world(impulse.axes, state.orientation, impulse.at_point);
+    recording_.log_action(EventKind::impulse, due.time, due.time, balls_[ball].name,
+                          state.position, p);
+    push(ball, due.time, p, arm.cross(p));
+}
+
+void Actions::begin(const SetVelocity& velocity, const DueAction& due, std::uint32_t ball) {
+    const MotionState before = balls_[ball].stretch.state_at(due.time);
+    MotionState after = before;
+    after.velocity = velocity.linear.value_or(before.velocity);
+    after.angular_velocity = velocity.angular.value_or(before.angular_velocity);
+    recording_.log_action(EventKind::velocity, due.time, due.time, balls_[ball].name,
+                          before.position, after.velocity);
+    balls_.change(ball, due.time, before, after);
+}
+
+void Actions::begin(const Strike& strike, const DueAction& due, std::uint32_t ball) {
+    const Ball& struck = balls_[ball];
+    const MotionState before = struck.stretch.state_at(due.time);
+    const Vec3 aim = aim_of(strike, before.position, due.time);
+    if (aim == Vec3(0, 0, 0)) {
+        recording_.warn("strike on '" + struck.name + "' at " + seconds(due.time) +
+                        ": the target is straight above or below the ball; nothing is struck");
+        return;
+    }
+    if (strike.tip.dot(strike.tip) > kMiscueOffset * kMiscueOffset)
+        recording_.warn("strike on '" + struck.name + "' at " + seconds(due.time) +
+                        ": a tip more than half a radius off centre would miscue");
+    const StrikeResult given = strike_ball(strike, aim, struck.mass, struck.radius);
+    MotionState after = before;
+    after.velocity += given.velocity;
+    after.angular_velocity += given.angular_velocity;
+    recording_.log_action(EventKind::strike, due.time, due.time, struck.name, before.position,
+                          given.velocity);
+    if (strike.toward)
+        aimed_.push_back({struck.name, *strike.toward, due.time});
+    balls_.change(ball, due.time, before, after);
+}
+
+void Actions::kick(const DueAction& due, std::uint32_t ball) {
+    const ForceEvent& event = world_.events[due.event];
+    const Quat orientation = balls_[ball].stretch.state_at(due.time).orientation;
+    if (const auto* force = std::get_if<Force>(&event.action)) {
+        const double share = force->duration / kick_count(force->duration);
+        const Vec3 p = in_world(force->axes, orientation, force->newtons) * share;
+        push(ball, due.time, p, in_world(force->axes, orientation, force->at_point).cross(p));
+    } else if (const auto* torque = std::get_if<Torque>(&event.action)) {
+        const double share = torque->duration / kick_count(torque->duration);
+        push(ball, due.time, Vec3(0, 0, 0),
+             in_world(torque->axes, orientation, torque->newton_metres) * share);
+    }
+}
+
+void Actions::push(std::uint32_t ball, double time, const Vec3& impulse,
+                   const Vec3& angular_impulse) {
+    const Ball& pushed = balls_[ball];
+    const MotionState before = pushed.stretch.state_at(time);
+    MotionState after = before;
+    after.velocity += impulse / pushed.mass;
+    after.angular_velocity +=
+        angular_impulse / (0.4 * pushed.mass * pushed.radius * pushed.radius);
+    balls_.change(ball, time, before, after);
+}
+
+Vec3 Actions::aim_of(const Strike& strike, const Vec3& from, double time) const {
+    if (strike.direction) {
+        const SinCos direction = sin_cos(*strike.direction);
+        return {direction.cos, direction.sin, 0};
+    }
+    const Vec3 target = strike.toward ? place_of(*strike.toward, time)
+                                      : strike.toward_point.value_or(Vec3(0, 0, 0));
+    const Vec3 d(target.x - from.x, target.y - from.y, 0);
+    const double distance = std::sqrt(d.dot(d));
+    return distance > 1e-9 ? d / distance : Vec3(0, 0, 0);
+}
+
+Vec3 Actions::place_of(const std::string& name, double time) const {
+    const auto found = index_.find(name);
+    if (found != index_.end())
+        return balls_.all()[found->second].stretch.position_at(time);
+    for (const Body& body : world_.bodies) {
+        if (body.name == name)
+            return body.pose.position;
+    }
+    return {0, 0, 0};
+}
+
+std::vector<std::string> Actions::missed_strikes() const {
+    std::vector<std::string> sentences;
+    for (const Aimed& aimed : aimed_) {
+        const auto& events = recording_.events();
+        const bool hit = std::any_of(events.begin(), events.end(), [&](const Event& event) {
+            return event.kind == EventKind::impact && event.time >= aimed.time &&
+                   ((event.a == aimed.ball && event.b == aimed.target) ||
+                    (event.a == aimed.target && event.b == aimed.ball));
+        });
+        if (!hit)
+            sentences.push_back("strike on '" + aimed.ball + "' at " + seconds(aimed.time) +
+                                ": it never touched '" + aimed.target +
+                                "', which it was aimed at");
+    }
+    return sentences;
+}
+
+}  // namespace carom::sim

@@ -1,0 +1,46 @@
+// What force events do to the balls.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/scheduler/balls.h"
+#include "sim/scheduler/force_schedule.h"
+
+namespace carom::sim {
+
+class Actions {
+  public:
+    Actions(const WorldDescription& world, Balls& balls, Recording& recording);
+
+    /// Carries out one due action. Returns the index of the ball that it changed, or -1.
+    int apply(const DueAction& action);
+
+    /// Strikes that never reached what they were aimed at, as sentences.
+    [[nodiscard]] std::vector<std::string> missed_strikes() const;
+
+  private:
+    void begin(const Force& force, const DueAction& due, std::uint32_t ball);
+    void begin(const Torque& torque, const DueAction& due, std::uint32_t ball);
+    void begin(const Impulse& impulse, const DueAction& due, std::uint32_t ball);
+    void begin(const SetVelocity& velocity, const DueAction& due, std::uint32_t ball);
+    void begin(const Strike& strike, const DueAction& due, std::uint32_t ball);
+    void kick(const DueAction& due, std::uint32_t ball);
+    void push(std::uint32_t ball, double time, const Vec3& impulse, const Vec3& angular_impulse);
+    [[nodiscard]] Vec3 aim_of(const Strike& strike, const Vec3& from, double time) const;
+    [[nodiscard]] Vec3 place_of(const std::string& name, double time) const;
+
+    struct Aimed {
+        std::string ball, target;
+        double time = 0;
+    };
+
+    const WorldDescription& world_;
+    Balls& balls_;
+    Recording& recording_;
+    std::map<std::string, std::uint32_t> index_;
+    std::vector<Aimed> aimed_;
+};
+
+}  // namespace carom::sim

@@ -1,0 +1,56 @@
+// The balls of a world while it is simulated.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/impact/ball_impact.h"
+#include "sim/motion/cloth_motion.h"
+#include "sim/scheduler/surroundings.h"
+
+namespace carom::sim {
+
+/// How a ball and a level surface get on.
+struct GroundLaw {
+    SupportLaw motion;
+    double restitution = 0;
+    double friction = 0;
+};
+
+struct Ball {
+    std::string name;
+    std::string material;
+    std::size_t track = 0;  // its place among the moving bodies
+    double mass = 0;
+    double radius = 0;
+    GroundLaw cloth_law, floor_law, pocket_law;
+
+    Stretch stretch;
+    Ground ground = Ground::none;  // what carries it
+    int pocket = -1;               // the pocket that it is in
+    bool is_potted = false;
+    bool is_off_table = false;
+    std::uint32_t version = 0;  // counts its stretches: older predictions are void
+
+    [[nodiscard]] bool is_still() const { return stretch.kind == MotionKind::resting; }
+    [[nodiscard]] BallBody body_at(double time) const {
+        return {mass, radius, stretch.state_at(time)};
+    }
+    [[nodiscard]] const GroundLaw& law_of(Ground on) const {
+        return on == Ground::cloth ? cloth_law : on == Ground::floor ? floor_law : pocket_law;
+    }
+};
+
+/// The height of a level surface under a ball.
+[[nodiscard]] double ground_height(const Ball& ball, Ground ground, const Surroundings& around);
+
+/// The moving spheres of the world, in its order.
+[[nodiscard]] std::vector<Ball> make_balls(const WorldDescription& world,
+                                           const Surroundings& around);
+
+/// The stretch that `ball` begins at `time` from `state`, carried by `ball.ground` or flying.
+[[nodiscard]] Stretch next_stretch(const Ball& ball, double time, const MotionState& state,
+                                   const Surroundings& around);
+
+}  // namespace carom::sim

@@ -1,0 +1,127 @@
+#include "sim/scheduler/force_schedule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom::sim {
+namespace {
+
+double duration_of(const ForceEvent& event) {
+    if (const auto* force = std::get_if<Force>(&event.action))
+        return force->duration;
+    if (const auto* torque = std::get_if<Torque>(&event.action))
+        return torque->duration;
+    return 0;
+}
+
+bool fires(const Trigger& trigger, const Event& event) {
+    switch (trigger.kind) {
+        case Trigger::Kind::contact:
+            return event.kind == EventKind::impact &&
+                   ((event.a == trigger.a && event.b == trigger.b) ||
+                    (event.a == trigger.b && event.b == trigger.a));
+        case Trigger::Kind::potted:
+            return event.kind == EventKind::potted && event.a == trigger.a;
+        case Trigger::Kind::resting:
+            return false;  // asked for by notice_rest
+    }
+    return false;
+}
+
+std::string described(const Trigger& trigger) {
+    switch (trigger.kind) {
+        case Trigger::Kind::contact:
+            return "'" + trigger.a + "' never touched '" + trigger.b + "'";
+        case Trigger::Kind::potted:
+            return "'" + trigger.a + "' was never potted";
+        case Trigger::Kind::resting:
+            break;
+    }
+    return trigger.a.empty() ? "not everything came to rest"
+                             : "'" + trigger.a + "' never came to rest";
+}
+
+}  // namespace
+
+int kick_count(double duration) {
+    return static_cast<int>(std::min(1e6, std::max(1.0, std::ceil(duration / kKickInterval))));
+}
+
+ForceSchedule::ForceSchedule(const std::vector<ForceEvent>& events) : events_(events) {
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        if (!events[i].trigger) {
+            due_.insert({events[i].time + events[i].after, i, -1});
+            continue;
+        }
+        waiting_.insert(i);
+        watch_from_.insert({events[i].time, i});
+    }
+}
+
+double ForceSchedule::next_time() const {
+    double next = std::numeric_limits<double>::infinity();
+    if (!due_.empty())
+        next = due_.begin()->time;
+    if (!watch_from_.empty())
+        next = std::min(next, watch_from_.begin()->first);
+    return next;
+}
+
+std::vector<DueAction> ForceSchedule::take_due(double now) {
+    while (!watch_from_.empty() && watch_from_.begin()->first <= now)
+        watch_from_.erase(watch_from_.begin());
+    std::vector<DueAction> taken;
+    while (!due_.empty() && due_.begin()->time <= now) {
+        const DueAction action = *due_.begin();
+        due_.erase(due_.begin());
+        if (action.kick < 0)
+            add_kicks(action);
+        taken.push_back(action);
+    }
+    return taken;
+}
+
+void ForceSchedule::add_kicks(const DueAction& begin) {
+    const double duration = duration_of(events_[begin.event]);
+    if (duration <= 0)
+        return;
+    const int count = kick_count(duration);
+    for (int i = 0; i < count; ++i)
+        due_.insert({begin.time + (i + 0.5) * duration / count, begin.event, i});
+}
+
+void ForceSchedule::notice(const Event& event) {
+    for (auto it = waiting_.begin(); it != waiting_.end();) {
+        const ForceEvent& force = events_[*it];
+        if (event.time >= force.time && fires(*force.trigger, event)) {
+            due_.insert({event.time + force.after, *it, -1});
+            it = waiting_.erase(it);
+        } else {
+            ++it;
+        }
+    }
+}
+
+void ForceSchedule::notice_rest(double now, const RestingQuery& is_resting) {
+    for (auto it = waiting_.begin(); it != waiting_.end();) {
+        const ForceEvent& force = events_[*it];
+        if (now >= force.time && force.trigger->kind == Trigger::Kind::resting &&
+            is_resting(force.trigger->a)) {
+            due_.insert({now + force.after, *it, -1});
+            it = waiting_.erase(it);
+        } else {
+            ++it;
+        }
+    }
+}
+
+std::vector<std::string> ForceSchedule::unmet_triggers() const {
+    std::vector<std::string> sentences;
+    for (const std::size_t i : waiting_)
+        sentences.push_back("event " + std::to_string(i + 1) + " on '" + events_[i].object +
+                            "' never happened: " + described(*events_[i].trigger));
+    return sentences;
+}
+
+}  // namespace carom::sim

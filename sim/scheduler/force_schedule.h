@@ -1,0 +1,63 @@
+// When force events act.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "sim/force_event.h"
+#include "sim/timeline/event.h"
+
+namespace carom::sim {
+
+/// A force acts as a train of impulses, this far apart at most (s): each one exact, the motion
+/// between them in closed form.
+inline constexpr double kKickInterval = 1.0 / 2000;
+
+/// One thing to do: the whole event, or one impulse of a force or torque.
+struct DueAction {
+    double time = 0;
+    std::size_t event = 0;  // index into the world's events
+    int kick = -1;          // -1: the event begins; else which impulse of its train
+
+    [[nodiscard]] friend bool operator<(const DueAction& a, const DueAction& b) {
+        return std::tie(a.time, a.event, a.kick) < std::tie(b.time, b.event, b.kick);
+    }
+};
+
+class ForceSchedule {
+  public:
+    /// Whether an object rests now; asked with an empty name: whether all do.
+    using RestingQuery = std::function<bool(const std::string&)>;
+
+    explicit ForceSchedule(const std::vector<ForceEvent>& events);
+
+    /// When something has to be done or watched next; infinity if nothing is left.
+    [[nodiscard]] double next_time() const;
+
+    /// What is due at `now`, in order; it is taken off the schedule.
+    [[nodiscard]] std::vector<DueAction> take_due(double now);
+
+    /// Lets triggers see what was logged, and who rests.
+    void notice(const Event& event);
+    void notice_rest(double now, const RestingQuery& is_resting);
+
+    /// Triggers that never happened, as sentences.
+    [[nodiscard]] std::vector<std::string> unmet_triggers() const;
+
+  private:
+    void add_kicks(const DueAction& begin);
+
+    const std::vector<ForceEvent>& events_;
+    std::set<DueAction> due_;
+    std::set<std::size_t> waiting_;  // for their triggers
+    std::set<std::pair<double, std::size_t>> watch_from_;
+};
+
+/// How many impulses a force of `duration` is made of.
+[[nodiscard]] int kick_count(double duration);
+
+}  // namespace carom::sim

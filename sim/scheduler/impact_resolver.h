@@ -1,0 +1,30 @@
+// What happens when a predicted touch comes true.
+#pragma once
+
+#include "sim/scheduler/balls.h"
+#include "sim/scheduler/touch_queue.h"
+
+namespace carom::sim {
+
+class ImpactResolver {
+  public:
+    ImpactResolver(const Surroundings& around, Balls& balls, Recording& recording)
+        : around_(around), balls_(balls), recording_(recording) {}
+
+    /// Changes the balls that the touch is about; their versions tell that they changed.
+    void resolve(const Touch& touch);
+
+  private:
+    void meet_ball(const Touch& touch);
+    void meet_cushion(const Touch& touch, const Vec2& nearest);
+    void meet_pocket_wall(const Touch& touch);
+    void enter_pocket(const Touch& touch);
+    void sink(const Touch& touch);
+    void land(const Touch& touch);
+
+    const Surroundings& around_;
+    Balls& balls_;
+    Recording& recording_;
+};
+
+}  // namespace carom::sim

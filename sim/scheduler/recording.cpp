@@ -1,0 +1,87 @@
+#include "sim/scheduler/recording.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace carom::sim {
+
+Recording::Recording(const WorldDescription& world) {
+    for (const Body& body : world.bodies) {
+        if (body.kind == BodyKind::dynamic)
+            recorders_.emplace_back(body.name, world.key_reduction);
+    }
+}
+
+void Recording::keep(std::size_t track, double time, const MotionState& state) {
+    recorders_[track].add_break(time, state, state);
+}
+
+void Recording::add(std::size_t track, double time, const MotionState& state) {
+    recorders_[track].add(time, state);
+}
+
+void Recording::add_break(std::size_t track, double time, const MotionState& before,
+                          const MotionState& after) {
+    recorders_[track].add_break(time, before, after);
+}
+
+void Recording::log_impact(double time, const std::string& a, const std::string& b,
+                           const Vec3& place, const Vec3& normal, const ImpulsePair& impulse) {
+    Event event;
+    event.kind = EventKind::impact;
+    event.time = event.end_time = time;
+    event.a = a;
+    event.b = b;
+    event.place = place;
+    event.normal = normal;
+    event.normal_impulse = impulse.normal;
+    event.tangential_impulse = impulse.tangential;
+    events_.push_back(std::move(event));
+}
+
+void Recording::log(EventKind kind, double time, const std::string& a, const Vec3& place,
+                    const std::string& b) {
+    Event event;
+    event.kind = kind;
+    event.time = event.end_time = time;
+    event.a = a;
+    event.b = b;
+    event.place = place;
+    events_.push_back(std::move(event));
+}
+
+void Recording::log_action(EventKind kind, double time, double end_time, const std::string& a,
+                           const Vec3& place, const Vec3& vector) {
+    Event event;
+    event.kind = kind;
+    event.time = time;
+    event.end_time = end_time;
+    event.a = a;
+    event.place = place;
+    event.vector = vector;
+    events_.push_back(std::move(event));
+}
+
+void Recording::add_energy(const EnergySample& sample) {
+    if (!energy_.empty() && energy_.back() == sample)
+        return;
+    energy_.push_back(sample);
+}
+
+void Recording::warn(std::string sentence) {
+    constexpr std::size_t kMostWarnings = 100;
+    if (warnings_.size() < kMostWarnings)
+        warnings_.push_back(std::move(sentence));
+}
+
+Timeline Recording::take_timeline(double end_time) {
+    Timeline timeline;
+    timeline.end_time = end_time;
+    for (TrackRecorder& recorder : recorders_)
+        timeline.tracks.push_back(recorder.finish());
+    timeline.events = std::move(events_);
+    timeline.energy = std::move(energy_);
+    return timeline;
+}
+
+}  // namespace carom::sim

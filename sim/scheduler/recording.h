@@ -1,0 +1,45 @@
+// What a simulation writes down: tracks, events, energy.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/impact/ball_impact.h"
+#include "sim/timeline/timeline.h"
+#include "sim/world.h"
+
+namespace carom::sim {
+
+class Recording {
+  public:
+    explicit Recording(const WorldDescription& world);
+
+    /// The state of moving body `track` at one instant, kept as a key.
+    void keep(std::size_t track, double time, const MotionState& state);
+    /// A state on a smooth stretch, dropped if its neighbours give it.
+    void add(std::size_t track, double time, const MotionState& state);
+    void add_break(std::size_t track, double time, const MotionState& before,
+                   const MotionState& after);
+
+    /// `place`: the point of contact; `normal` from b towards a.
+    void log_impact(double time, const std::string& a, const std::string& b, const Vec3& place,
+                    const Vec3& normal, const ImpulsePair& impulse);
+    void log(EventKind kind, double time, const std::string& a, const Vec3& place,
+             const std::string& b = {});
+    void log_action(EventKind kind, double time, double end_time, const std::string& a,
+                    const Vec3& place, const Vec3& vector);
+    void add_energy(const EnergySample& sample);
+    void warn(std::string sentence);
+
+    [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+    [[nodiscard]] Timeline take_timeline(double end_time);
+    [[nodiscard]] std::vector<std::string> take_warnings() { return std::move(warnings_); }
+
+  private:
+    std::vector<TrackRecorder> recorders_;
+    std::vector<Event> events_;
+    std::vector<EnergySample> energy_;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace carom::sim

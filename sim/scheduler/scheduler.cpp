@@ -1,0 +1,179 @@
+#include "sim/scheduler/scheduler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/timeline/error.h"
+
+namespace carom::sim {
+namespace {
+
+constexpr double kEnergyInterval = 1.0 / 60;  // s
+/// More touches than this in one window mean that balls are caught in a corner that the laws do
+/// not resolve. A break has some tens, a spinning ball pressed to a cushion a hundred.
+constexpr std::size_t kMostTouchesPerWindow = 100000;
+
+std::string cap_warning(const Touch& touch, const Ball& ball) {
+    const Vec3 p = ball.stretch.position_at(touch.time);
+    std::array<char, 200> text{};
+    std::snprintf(text.data(), text.size(),
+                  "more than %zu touches in one step at %.6f s near '%s' at (%.4f, %.4f, %.4f): "
+                  "touches are ignored until the step's end",
+                  kMostTouchesPerWindow, touch.time, ball.name.c_str(), p.x, p.y, p.z);
+    return text.data();
+}
+
+}  // namespace
+
+Scheduler::Scheduler(const WorldDescription& world)
+    : world_(world),
+      around_(world),
+      recording_(world),
+      balls_(world, around_, recording_),
+      finder_(around_, balls_.all()),
+      resolver_(around_, balls_, recording_),
+      schedule_(world.events),
+      actions_(world, balls_, recording_) {}
+
+void Scheduler::run(const WorkContext& context) {
+    balls_.start(0);
+    double reported = 0;
+    while (now_ < world_.duration) {
+        if (context.stop.stop_requested())
+            throw Stopped();
+        run_window();
+        const double share = now_ / world_.duration;
+        if (context.progress && share >= reported + 0.01) {
+            reported = share;
+            context.progress(std::min(share, 1.0));
+        }
+    }
+    conclude();
+    if (context.progress && reported < 1)
+        context.progress(1.0);
+}
+
+void Scheduler::run_window() {
+    queue_ = {};
+    touches_in_window_ = 0;
+    is_capped_ = false;
+    measure_energy();
+    window_end_ = window_end_from(now_);
+    act();
+    look_ahead_for_all();
+    while (!queue_.empty() && queue_.top().time <= window_end_) {
+        const Touch touch = queue_.top();
+        queue_.pop();
+        if (is_valid(touch))
+            meet(touch);
+    }
+    now_ = window_end_;
+}
+
+double Scheduler::window_end_from(double now) const {
+    // Multiples of the step, so that what happens between does not shift those that follow.
+    double end = (std::floor(now / world_.step * (1 + 1e-15)) + 1) * world_.step;
+    if (end <= now)
+        end = now + world_.step;
+    end = std::min(end, world_.duration);
+    if (next_energy_time_ > now)
+        end = std::min(end, next_energy_time_);
+    const double next_action = schedule_.next_time();
+    return next_action > now ? std::min(end, next_action) : end;
+}
+
+void Scheduler::act() {
+    schedule_.notice_rest(now_, [this](const std::string& name) { return is_resting(name); });
+    for (;;) {
+        const std::vector<DueAction> due = schedule_.take_due(now_);
+        if (due.empty())
+            break;
+        if (std::any_of(due.begin(), due.end(), [](const DueAction& a) { return a.kick < 0; }))
+            recording_.add_energy(balls_.energy(now_));
+        for (DueAction action : due) {
+            action.time = now_;
+            actions_.apply(action);
+        }
+        recording_.add_energy(balls_.energy(now_));
+        notice_events();
+    }
+    window_end_ = window_end_from(now_);
+}
+
+void Scheduler::look_ahead_for_all() {
+    for (std::uint32_t i = 0; i < balls_.all().size(); ++i)
+        finder_.find(i, now_, window_end_, true, queue_);
+}
+
+void Scheduler::look_ahead(std::uint32_t ball) {
+    finder_.find(ball, now_, window_end_, false, queue_);
+}
+
+bool Scheduler::is_valid(const Touch& touch) const {
+    const std::vector<Ball>& balls = balls_.all();
+    return balls[touch.first].version == touch.first_version &&
+           (touch.kind != TouchKind::ball || balls[touch.second].version == touch.second_version);
+}
+
+void Scheduler::meet(const Touch& touch) {
+    const bool is_law_change = touch.kind == TouchKind::stretch_end;
+    if (++touches_in_window_ > kMostTouchesPerWindow && !is_law_change) {
+        if (!is_capped_)
+            recording_.warn(cap_warning(touch, balls_.all()[touch.first]));
+        is_capped_ = true;
+        return;
+    }
+    now_ = touch.time;
+    resolver_.resolve(touch);
+    look_ahead(touch.first);
+    if (touch.kind == TouchKind::ball)
+        look_ahead(touch.second);
+    notice_events();
+}
+
+void Scheduler::notice_events() {
+    const std::vector<Event>& events = recording_.events();
+    bool something_rests = false;
+    for (; noticed_events_ < events.size(); ++noticed_events_) {
+        schedule_.notice(events[noticed_events_]);
+        something_rests =
+            something_rests || events[noticed_events_].kind == EventKind::resting;
+    }
+    if (something_rests)
+        schedule_.notice_rest(now_,
+                              [this](const std::string& name) { return is_resting(name); });
+    // A trigger may have called for something before this window's end.
+    window_end_ = std::max(now_, std::min(window_end_, schedule_.next_time()));
+}
+
+bool Scheduler::is_resting(const std::string& name) const {
+    if (name.empty())
+        return balls_.all_rest();
+    for (const Ball& ball : balls_.all()) {
+        if (ball.name == name)
+            return ball.is_still();
+    }
+    return true;  // fixed bodies
+}
+
+void Scheduler::measure_energy() {
+    if (now_ < next_energy_time_)
+        return;
+    recording_.add_energy(balls_.energy(now_));
+    next_energy_time_ = (std::floor(now_ / kEnergyInterval + 0.5) + 1) * kEnergyInterval;
+}
+
+void Scheduler::conclude() {
+    act();
+    recording_.add_energy(balls_.energy(now_));
+    balls_.finish(now_);
+    for (std::string& sentence : actions_.missed_strikes())
+        recording_.warn(std::move(sentence));
+    for (std::string& sentence : schedule_.unmet_triggers())
+        recording_.warn(std::move(sentence));
+    for (const std::string& sentence : guard_.messages())
+        recording_.warn(sentence);
+}
+
+}  // namespace carom::sim

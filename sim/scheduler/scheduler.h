@@ -1,0 +1,63 @@
+// Runs a world from its start to its end: one window of time after the other, and within each one
+// touch after the other.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/ode/process.h"
+#include "sim/scheduler/actions.h"
+#include "sim/scheduler/balls.h"
+#include "sim/scheduler/force_schedule.h"
+#include "sim/scheduler/impact_resolver.h"
+#include "sim/scheduler/recording.h"
+#include "sim/scheduler/surroundings.h"
+#include "sim/scheduler/touch_finder.h"
+#include "sim/scheduler/touch_queue.h"
+#include "sim/timeline/progress.h"
+
+namespace carom::sim {
+
+/// Use once: run, then take the results. The world must outlive it and have no problems.
+class Scheduler {
+  public:
+    explicit Scheduler(const WorldDescription& world);
+
+    /// Throws Stopped when asked to stop.
+    void run(const WorkContext& context);
+
+    [[nodiscard]] Timeline take_timeline() { return recording_.take_timeline(world_.duration); }
+    [[nodiscard]] std::vector<std::string> take_warnings() { return recording_.take_warnings(); }
+
+  private:
+    void run_window();
+    void act();
+    void meet(const Touch& touch);
+    void look_ahead_for_all();
+    void look_ahead(std::uint32_t ball);
+    void notice_events();
+    void measure_energy();
+    void conclude();
+    [[nodiscard]] bool is_valid(const Touch& touch) const;
+    [[nodiscard]] double window_end_from(double now) const;
+    [[nodiscard]] bool is_resting(const std::string& name) const;
+
+    ode::ThreadGuard guard_;
+    const WorldDescription& world_;
+    Surroundings around_;
+    Recording recording_;
+    Balls balls_;
+    TouchFinder finder_;
+    ImpactResolver resolver_;
+    ForceSchedule schedule_;
+    Actions actions_;
+    TouchQueue queue_;
+    double now_ = 0;
+    double window_end_ = 0;
+    double next_energy_time_ = 0;
+    std::size_t noticed_events_ = 0;
+    std::size_t touches_in_window_ = 0;
+    bool is_capped_ = false;  // for the rest of this window
+};
+
+}  // namespace carom::sim

@@ -1,0 +1,41 @@
+// Predicted touches, the earliest first.
+#pragma once
+
+#include <cstdint>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+namespace carom::sim {
+
+enum class TouchKind : std::uint8_t {
+    ball,            // ball `first` meets ball `second`
+    cushion_face,    // `second`: index of the face
+    cushion_corner,  // `second`: index of the corner
+    pocket_edge,     // its centre passes over the edge of pocket `second`
+    below_cloth,     // its centre sinks below the cloth in pocket `second`
+    pocket_wall,     // meets the wall of pocket `second`
+    ground,          // comes down on ground `second`
+    stretch_end,     // its law of motion changes
+};
+
+/// `first` is a ball; predictions hold as long as the versions are those of the balls.
+struct Touch {
+    double time = 0;
+    TouchKind kind = TouchKind::stretch_end;
+    std::uint32_t first = 0;
+    std::uint32_t second = 0;
+    std::uint32_t first_version = 0;
+    std::uint32_t second_version = 0;  // with kind `ball`
+
+    /// A total order, so that simultaneous touches always come in the same one.
+    [[nodiscard]] friend bool operator<(const Touch& a, const Touch& b) {
+        return std::tie(a.time, a.kind, a.first, a.second, a.first_version, a.second_version) <
+               std::tie(b.time, b.kind, b.first, b.second, b.first_version, b.second_version);
+    }
+    [[nodiscard]] friend bool operator>(const Touch& a, const Touch& b) { return b < a; }
+};
+
+using TouchQueue = std::priority_queue<Touch, std::vector<Touch>, std::greater<>>;
+
+}  // namespace carom::sim

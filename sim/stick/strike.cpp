@@ -1,0 +1,50 @@
+#include "sim/stick/strike.h"
+
+#include <cmath>
+
+#include "sim/numeric/elementary.h"
+
+namespace carom::sim {
+namespace {
+
+/// Alciatore, TP A-30: v = 2 V0 / (1 + m/M + 5/2 (a^2 + b^2) / R^2); a and b are the offsets to the
+/// right and up across the stick. (The proof writes b for the height above the centre and c for the
+/// depth of the contact in the level frame of a stick raised by theta; b cos(theta) - c sin(theta)
+/// there is our b.)
+double ball_speed(const Strike& strike, double mass) {
+    if (strike.ball_speed)
+        return *strike.ball_speed;
+    const double offset2 = strike.tip.dot(strike.tip);
+    return 2 * *strike.speed / (1 + mass / strike.stick_mass + 2.5 * offset2);
+}
+
+/// `aim` turned by the squirt, counter-clockwise for a tip to the right (Alciatore, TP A-31):
+/// tan = 5/2 a sqrt(1 - a^2) / (1 + m/m_end + 5/2 (1 - a^2)), a in radii.
+Vec3 squirted(const Vec3& aim, const Strike& strike) {
+    const double a = strike.tip.x;
+    const double y = 2.5 * a * std::sqrt(1 - a * a);
+    const double x = 1 + 1 / strike.end_mass_ratio + 2.5 * (1 - a * a);
+    const double length = std::sqrt(x * x + y * y);
+    const Vec3 left(-aim.y, aim.x, 0);
+    return (aim * x + left * y) / length;
+}
+
+}  // namespace
+
+StrikeResult strike_ball(const Strike& strike, const Vec3& aim, double mass, double radius) {
+    const SinCos elevation = sin_cos(strike.elevation);
+    const Vec3 right(aim.y, -aim.x, 0);
+    const Vec3 up(0, 0, 1);
+    const double speed = ball_speed(strike, mass);
+    StrikeResult result;
+    result.velocity = squirted(aim, strike) * (speed * elevation.cos) - up * (speed * elevation.sin);
+    // Spin from r x F with F along the stick: 5 v / (2 R^2) (-b, a sin, a cos) in (right, aim, up).
+    const double a = strike.tip.x * radius;
+    const double b = strike.tip.y * radius;
+    const double rate = 5 * speed / (2 * radius * radius);
+    result.angular_velocity =
+        (right * -b + aim * (a * elevation.sin) + up * (a * elevation.cos)) * rate;
+    return result;
+}
+
+}  // namespace carom::sim

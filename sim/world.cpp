@@ -1,0 +1,252 @@
+#include "sim/world.h"
+
+#include <cmath>
+#include <set>
+#include <string>
+
+namespace carom::sim {
+namespace {
+
+/// Collects sentences that all begin with the same words.
+class Complaints {
+  public:
+    explicit Complaints(std::vector<std::string>& list) : list_(list) {}
+    void about(std::string subject) { subject_ = std::move(subject); }
+    void require(bool holds, const std::string& sentence) {
+        if (!holds)
+            list_.push_back(subject_.empty() ? sentence : subject_ + ": " + sentence);
+    }
+
+  private:
+    std::vector<std::string>& list_;
+    std::string subject_;
+};
+
+bool is_finite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool is_positive(double value) { return std::isfinite(value) && value > 0; }
+bool is_not_negative(double value) { return std::isfinite(value) && value >= 0; }
+bool is_fraction(double value) { return value >= 0 && value <= 1; }
+
+void check_pair(const PairContact& pair, const std::string& name, Complaints& complaints) {
+    complaints.about("contact of " + name);
+    complaints.require(is_fraction(pair.restitution), "restitution has to be in [0, 1]");
+    complaints.require(is_not_negative(pair.friction), "friction has to be 0 or more");
+    complaints.require(is_not_negative(pair.rolling_friction),
+                       "rolling_friction has to be 0 or more");
+}
+
+void check_contact_law(const ContactLaw& law, Complaints& complaints) {
+    complaints.about("ball_cloth");
+    complaints.require(is_not_negative(law.ball_cloth.sliding_friction) &&
+                           is_not_negative(law.ball_cloth.rolling_friction) &&
+                           is_not_negative(law.ball_cloth.spinning_friction),
+                       "friction has to be 0 or more");
+    complaints.require(is_fraction(law.ball_cloth.restitution), "restitution has to be in [0, 1]");
+    complaints.about("ball_ball");
+    complaints.require(is_fraction(law.ball_ball.restitution), "restitution has to be in [0, 1]");
+    complaints.require(is_not_negative(law.ball_ball.friction), "friction has to be 0 or more");
+    complaints.about("ball_cushion");
+    complaints.require(law.ball_cushion.model != CushionModel::mathavan2010,
+                       "the model mathavan2010 is not available yet; use han2005 or mirror");
+    complaints.require(is_fraction(law.ball_cushion.restitution),
+                       "restitution has to be in [0, 1]");
+    complaints.require(is_not_negative(law.ball_cushion.friction), "friction has to be 0 or more");
+    check_pair(law.otherwise, "other materials", complaints);
+    for (const auto& [names, pair] : law.pairs)
+        check_pair(pair, "'" + names.first + "' and '" + names.second + "'", complaints);
+}
+
+void check_shape(const Body& body, Complaints& complaints) {
+    if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
+        complaints.require(is_positive(sphere->radius), "radius has to be greater than 0");
+    } else if (const auto* box = std::get_if<Box>(&body.shape)) {
+        complaints.require(
+            is_positive(box->size.x) && is_positive(box->size.y) && is_positive(box->size.z),
+            "every edge of a box has to be longer than 0");
+    } else if (const auto* mesh = std::get_if<TriangleMesh>(&body.shape)) {
+        complaints.require(body.kind == BodyKind::fixed, "a mesh has to be fixed");
+        bool vertices_fit = true;
+        for (const Vec3& vertex : mesh->vertices)
+            vertices_fit = vertices_fit && is_finite(vertex);
+        complaints.require(vertices_fit, "every vertex has to be finite");
+        bool indices_fit = true;
+        for (const auto& triangle : mesh->triangles) {
+            for (const std::uint32_t index : triangle)
+                indices_fit = indices_fit && index < mesh->vertices.size();
+        }
+        complaints.require(indices_fit, "a triangle names a vertex that the mesh does not have");
+    }
+}
+
+void check_body(const Body& body, Complaints& complaints) {
+    complaints.about("body '" + body.name + "'");
+    complaints.require(!body.name.empty(), "the name is empty");
+    check_shape(body, complaints);
+    if (body.kind == BodyKind::dynamic)
+        complaints.require(is_positive(body.mass), "mass has to be greater than 0");
+    const Quat& q = body.pose.orientation;
+    const double norm = std::sqrt(q.r * q.r + q.v.dot(q.v));
+    complaints.require(std::abs(norm - 1) < 1e-6, "the orientation has to be a unit quaternion");
+    complaints.require(is_finite(body.pose.position) && is_finite(body.velocity) &&
+                           is_finite(body.angular_velocity),
+                       "position and velocities have to be finite");
+}
+
+void check_overlaps(const WorldDescription& world, Complaints& complaints) {
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+        for (std::size_t j = i + 1; j < world.bodies.size(); ++j) {
+            const auto* a = std::get_if<Sphere>(&world.bodies[i].shape);
+            const auto* b = std::get_if<Sphere>(&world.bodies[j].shape);
+            if (a == nullptr || b == nullptr)
+                continue;
+            const Vec3 d = world.bodies[i].pose.position - world.bodies[j].pose.position;
+            complaints.about("body '" + world.bodies[j].name + "'");
+            complaints.require(
+                std::sqrt(d.dot(d)) > (a->radius + b->radius) * (1 - 1e-9),
+                "it overlaps '" + world.bodies[i].name + "' at the start");
+        }
+    }
+}
+
+class EventChecker {
+  public:
+    EventChecker(const WorldDescription& world, Complaints& complaints)
+        : world_(world), complaints_(complaints) {}
+
+    void check(const ForceEvent& event, std::size_t index) {
+        complaints_.about("event " + std::to_string(index + 1) + " on '" + event.object + "'");
+        complaints_.require(is_dynamic(event.object),
+                            "there is no body of that name that can move");
+        complaints_.require(is_not_negative(event.time), "its time has to be 0 or more");
+        complaints_.require(is_not_negative(event.after), "the delay has to be 0 or more");
+        if (event.trigger)
+            check_trigger(*event.trigger);
+        object_ = &event.object;
+        std::visit([this](const auto& action) { check_action(action); }, event.action);
+    }
+
+  private:
+    [[nodiscard]] const Body* find(const std::string& name) const {
+        for (const Body& body : world_.bodies) {
+            if (body.name == name)
+                return &body;
+        }
+        return nullptr;
+    }
+    [[nodiscard]] bool is_dynamic(const std::string& name) const {
+        const Body* body = find(name);
+        return body != nullptr && body->kind == BodyKind::dynamic;
+    }
+
+    void check_trigger(const Trigger& trigger) {
+        const bool all_rest = trigger.kind == Trigger::Kind::resting && trigger.a.empty();
+        complaints_.require(all_rest || find(trigger.a) != nullptr,
+                            "its trigger names '" + trigger.a + "', which does not exist");
+        if (trigger.kind == Trigger::Kind::contact) {
+            static const std::set<std::string> surfaces{"cushion", "cloth", "floor", "rail",
+                                                        "pocket"};
+            complaints_.require(find(trigger.b) != nullptr || surfaces.contains(trigger.b),
+                                "its trigger names '" + trigger.b + "', which does not exist");
+        }
+    }
+
+    void check_action(const Force& force) {
+        complaints_.require(is_finite(force.newtons) && is_finite(force.at_point),
+                            "the force has to be finite");
+        complaints_.require(is_positive(force.duration), "a force has to last longer than 0 s");
+    }
+    void check_action(const Torque& torque) {
+        complaints_.require(is_finite(torque.newton_metres), "the torque has to be finite");
+        complaints_.require(is_positive(torque.duration), "a torque has to last longer than 0 s");
+    }
+    void check_action(const Impulse& impulse) {
+        complaints_.require(is_finite(impulse.newton_seconds) && is_finite(impulse.at_point),
+                            "the impulse has to be finite");
+    }
+    void check_action(const SetVelocity& velocity) {
+        complaints_.require(is_finite(velocity.linear.value_or(Vec3(0, 0, 0))) &&
+                                is_finite(velocity.angular.value_or(Vec3(0, 0, 0))),
+                            "the velocity has to be finite");
+    }
+    void check_action(const Strike& strike) {
+        const Body* body = find(*object_);
+        complaints_.require(
+            body == nullptr || std::holds_alternative<Sphere>(body->shape),
+            "only a ball can be struck");
+        const int aims = int{strike.toward.has_value()} + int{strike.toward_point.has_value()} +
+                         int{strike.direction.has_value()};
+        complaints_.require(aims == 1, "a strike needs exactly one of toward and direction");
+        complaints_.require(strike.speed.has_value() != strike.ball_speed.has_value(),
+                            "a strike needs exactly one of speed and ball_speed");
+        complaints_.require(is_positive(strike.speed.value_or(1)) &&
+                                is_positive(strike.ball_speed.value_or(1)),
+                            "the speed of a strike has to be greater than 0");
+        if (strike.toward) {
+            complaints_.require(find(*strike.toward) != nullptr,
+                                "it aims at '" + *strike.toward + "', which does not exist");
+            complaints_.require(*strike.toward != *object_, "a ball cannot be aimed at itself");
+        }
+        complaints_.require(is_finite(strike.toward_point.value_or(Vec3(0, 0, 0))) &&
+                                std::abs(strike.direction.value_or(0)) < 1e5,
+                            "the aim has to be finite");
+        complaints_.require(strike.elevation >= 0 && strike.elevation < 1.5707963267948966,
+                            "elevation has to be in [0, 90) degrees");
+        complaints_.require(strike.tip.dot(strike.tip) < 1, "the tip misses the ball");
+        complaints_.require(is_positive(strike.stick_mass), "stick_mass has to be greater than 0");
+        complaints_.require(is_positive(strike.end_mass_ratio),
+                            "end_mass_ratio has to be greater than 0");
+    }
+
+    const WorldDescription& world_;
+    Complaints& complaints_;
+    const std::string* object_ = nullptr;
+};
+
+void check_table(const WorldDescription& world, Complaints& complaints,
+                 std::vector<std::string>& problems) {
+    if (!world.table)
+        return;
+    for (const std::string& sentence : billiards::find_problems(*world.table))
+        problems.push_back("table: " + sentence);
+    if (!world.table->has_cushions)
+        return;
+    for (const Body& body : world.bodies) {
+        const auto* sphere = std::get_if<Sphere>(&body.shape);
+        if (sphere == nullptr || body.kind == BodyKind::fixed)
+            continue;
+        complaints.about("body '" + body.name + "'");
+        complaints.require(world.table->nose_height < 2 * sphere->radius,
+                           "the ball would roll under the cushion, whose nose is higher than it");
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> find_problems(const WorldDescription& world) {
+    std::vector<std::string> problems;
+    Complaints complaints(problems);
+    complaints.require(is_finite(world.gravity), "gravity has to be finite");
+    complaints.require(is_positive(world.duration) && world.duration <= 3600,
+                       "duration has to be in (0, 3600] s");
+    complaints.require(world.step >= 1e-5 && world.step <= 0.1, "step has to be in [1e-5, 0.1] s");
+    complaints.require(is_positive(world.key_reduction.position_error) &&
+                           is_positive(world.key_reduction.orientation_error),
+                       "the errors that key reduction allows have to be greater than 0");
+    check_contact_law(world.contact_law, complaints);
+    check_table(world, complaints, problems);
+    std::set<std::string> names;
+    for (const Body& body : world.bodies) {
+        check_body(body, complaints);
+        complaints.require(names.insert(body.name).second, "there are two bodies of that name");
+    }
+    check_overlaps(world, complaints);
+    EventChecker checker(world, complaints);
+    for (std::size_t i = 0; i < world.events.size(); ++i)
+        checker.check(world.events[i], i);
+    return problems;
+}
+
+}  // namespace carom::sim
