@@ -26,9 +26,15 @@ bool is_finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-bool is_positive(double value) { return std::isfinite(value) && value > 0; }
-bool is_not_negative(double value) { return std::isfinite(value) && value >= 0; }
-bool is_fraction(double value) { return value >= 0 && value <= 1; }
+bool is_positive(double value) {
+    return std::isfinite(value) && value > 0;
+}
+bool is_not_negative(double value) {
+    return std::isfinite(value) && value >= 0;
+}
+bool is_fraction(double value) {
+    return value >= 0 && value <= 1;
+}
 
 void check_pair(const PairContact& pair, const std::string& name, Complaints& complaints) {
     complaints.about("contact of " + name);
@@ -104,9 +110,8 @@ void check_overlaps(const WorldDescription& world, Complaints& complaints) {
                 continue;
             const Vec3 d = world.bodies[i].pose.position - world.bodies[j].pose.position;
             complaints.about("body '" + world.bodies[j].name + "'");
-            complaints.require(
-                std::sqrt(d.dot(d)) > (a->radius + b->radius) * (1 - 1e-9),
-                "it overlaps '" + world.bodies[i].name + "' at the start");
+            complaints.require(std::sqrt(d.dot(d)) > (a->radius + b->radius) * (1 - 1e-9),
+                               "it overlaps '" + world.bodies[i].name + "' at the start");
         }
     }
 }
@@ -173,17 +178,16 @@ class EventChecker {
     }
     void check_action(const Strike& strike) {
         const Body* body = find(*object_);
-        complaints_.require(
-            body == nullptr || std::holds_alternative<Sphere>(body->shape),
-            "only a ball can be struck");
+        complaints_.require(body == nullptr || std::holds_alternative<Sphere>(body->shape),
+                            "only a ball can be struck");
         const int aims = int{strike.toward.has_value()} + int{strike.toward_point.has_value()} +
                          int{strike.direction.has_value()};
         complaints_.require(aims == 1, "a strike needs exactly one of toward and direction");
         complaints_.require(strike.speed.has_value() != strike.ball_speed.has_value(),
                             "a strike needs exactly one of speed and ball_speed");
-        complaints_.require(is_positive(strike.speed.value_or(1)) &&
-                                is_positive(strike.ball_speed.value_or(1)),
-                            "the speed of a strike has to be greater than 0");
+        complaints_.require(
+            is_positive(strike.speed.value_or(1)) && is_positive(strike.ball_speed.value_or(1)),
+            "the speed of a strike has to be greater than 0");
         if (strike.toward) {
             complaints_.require(find(*strike.toward) != nullptr,
                                 "it aims at '" + *strike.toward + "', which does not exist");

@@ -71,10 +71,9 @@ double ball_friction(const BallBall& law, double slip_speed) {
 }
 
 Vec3 contact_slip(const BallBody& a, const BallBody& b, const Vec3& normal) {
-    const Vec3 velocity = a.state.velocity - b.state.velocity -
-                          (a.state.angular_velocity * a.radius +
-                           b.state.angular_velocity * b.radius)
-                              .cross(normal);
+    const Vec3 velocity =
+        a.state.velocity - b.state.velocity -
+        (a.state.angular_velocity * a.radius + b.state.angular_velocity * b.radius).cross(normal);
     return velocity - normal * velocity.dot(normal);
 }
 

@@ -37,8 +37,7 @@ ImpulsePair han2005(BallBody& ball, const Vec3& normal, const BallCushion& law) 
     if (slip_speed > 0)
         friction = slip * (-across / slip_speed);
     state.velocity += (normal * along + friction) / ball.mass;
-    state.angular_velocity +=
-        arm.cross(friction) / (0.4 * ball.mass * ball.radius * ball.radius);
+    state.angular_velocity += arm.cross(friction) / (0.4 * ball.mass * ball.radius * ball.radius);
     return {along, across};
 }
 

@@ -13,7 +13,9 @@ constexpr double kSlipEpsilon = 1e-9;   // m/s
 constexpr double kSpeedEpsilon = 1e-9;  // m/s
 constexpr double kSpinEpsilon = 1e-9;   // rad/s
 
-double length(const Vec3& v) { return std::sqrt(v.dot(v)); }
+double length(const Vec3& v) {
+    return std::sqrt(v.dot(v));
+}
 
 /// Spin about the vertical slows at a constant rate, 5/2 mu_sp g / R, until it stops.
 void add_spin_decay(Stretch& stretch, double radius, double gravity, double friction) {
@@ -73,8 +75,7 @@ Stretch cloth_stretch(double time, const MotionState& from, double radius, doubl
     } else {
         state.velocity = {0, 0, 0};
         state.angular_velocity = {0, 0, state.angular_velocity.z};
-        stretch.kind =
-            state.angular_velocity.z != 0 ? MotionKind::spinning : MotionKind::resting;
+        stretch.kind = state.angular_velocity.z != 0 ? MotionKind::spinning : MotionKind::resting;
     }
     add_spin_decay(stretch, radius, gravity, law.spinning_friction);
     return stretch;

@@ -22,8 +22,8 @@ MotionState Stretch::state_at(double time) const {
     result.position = position_at(time);
     result.velocity = velocity_at(time);
     result.angular_velocity = angular_velocity_at(time);
-    result.orientation = turned(state.orientation, state.angular_velocity, result.angular_velocity,
-                                time - start);
+    result.orientation =
+        turned(state.orientation, state.angular_velocity, result.angular_velocity, time - start);
     return result;
 }
 

@@ -24,8 +24,8 @@ struct Stretch {
     MotionKind kind = MotionKind::resting;
     double start = 0;  // scene time, s
     double end = kNever;
-    MotionState state;              // at `start`
-    Vec3 acceleration{0, 0, 0};     // m/s^2
+    MotionState state;                   // at `start`
+    Vec3 acceleration{0, 0, 0};          // m/s^2
     Vec3 angular_acceleration{0, 0, 0};  // rad/s^2
 
     [[nodiscard]] Vec3 position_at(double time) const;

@@ -55,7 +55,9 @@ std::optional<double> closing(const Relative& m, double distance, double now, do
         first_closing(squared_gap(m, distance), 2 * distance * kTouchDistance, until - now), now);
 }
 
-Vec3 across(const Vec3& v, const Vec3& direction) { return v - direction * v.dot(direction); }
+Vec3 across(const Vec3& v, const Vec3& direction) {
+    return v - direction * v.dot(direction);
+}
 
 Relative across(const Relative& m, const Vec3& direction) {
     return {across(m.d, direction), across(m.w, direction), across(m.a, direction)};

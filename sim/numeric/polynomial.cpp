@@ -6,7 +6,9 @@
 namespace carom::sim {
 namespace {
 
-Quartic derivative(const Quartic& c) { return {c[1], 2 * c[2], 3 * c[3], 4 * c[4], 0}; }
+Quartic derivative(const Quartic& c) {
+    return {c[1], 2 * c[2], 3 * c[3], 4 * c[4], 0};
+}
 
 std::size_t degree(const Quartic& c) {
     for (std::size_t n = 4; n > 0; --n) {

@@ -21,8 +21,7 @@ Quat turned(const Quat& from, const Vec3& omega0, const Vec3& omega1, double dur
     const Vec3 mean = (omega0 + omega1) * 0.5;
     const double fastest = std::sqrt(std::max(omega0.dot(omega0), omega1.dot(omega1)));
     const bool parallel = cross == Vec3(0, 0, 0);
-    const double steps =
-        parallel ? 1 : std::max(1.0, std::ceil(fastest * duration / kLongestTurn));
+    const double steps = parallel ? 1 : std::max(1.0, std::ceil(fastest * duration / kLongestTurn));
     const int count = static_cast<int>(std::min(steps, 1e6));
     const double h = duration / count;
     // For linear omega the cross product of a substep's ends is the whole one's, divided by count.

@@ -21,6 +21,8 @@ using World = std::unique_ptr<dxWorld, WorldDeleter>;
 /// To be declared after its world: it is destroyed first.
 using JointGroup = std::unique_ptr<dxJointGroup, JointGroupDeleter>;
 
-inline Vec3 to_vec3(const dReal* v) { return {v[0], v[1], v[2]}; }
+inline Vec3 to_vec3(const dReal* v) {
+    return {v[0], v[1], v[2]};
+}
 
 }  // namespace carom::sim::ode

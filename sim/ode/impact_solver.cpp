@@ -47,8 +47,8 @@ Vec3 friction_direction(const Vec3& relative_velocity, const Vec3& normal) {
 
 dContact contact_of(const ImpactContact& from, const Vec3& relative_velocity) {
     dContact contact{};
-    contact.surface.mode = dContactBounce | dContactSoftERP | dContactSoftCFM | dContactApprox1 |
-                           dContactFDir1;
+    contact.surface.mode =
+        dContactBounce | dContactSoftERP | dContactSoftCFM | dContactApprox1 | dContactFDir1;
     contact.surface.mu = from.friction;
     contact.surface.bounce = from.restitution;
     const Vec3 direction = friction_direction(relative_velocity, from.normal);

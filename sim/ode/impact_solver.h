@@ -14,9 +14,9 @@ struct Velocities {
 
 /// What an impact needs to know of a body.
 struct ImpactBody {
-    double mass = 1;              // kg
-    Vec3 inertia{1, 1, 1};        // principal moments, kg m^2
-    Pose pose;                    // body axes are the principal ones
+    double mass = 1;        // kg
+    Vec3 inertia{1, 1, 1};  // principal moments, kg m^2
+    Pose pose;              // body axes are the principal ones
     Velocities velocities;
 };
 

@@ -55,7 +55,9 @@ ThreadGuard::ThreadGuard() : outer_(current_guard) {
     current_guard = this;
 }
 
-ThreadGuard::~ThreadGuard() { current_guard = outer_; }
+ThreadGuard::~ThreadGuard() {
+    current_guard = outer_;
+}
 
 void ThreadGuard::add_message(std::string text) {
     if (std::find(messages_.begin(), messages_.end(), text) == messages_.end())

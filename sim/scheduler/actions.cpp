@@ -50,8 +50,7 @@ int Actions::apply(const DueAction& due) {
 void Actions::begin(const Force& force, const DueAction& due, std::uint32_t ball) {
     const MotionState state = balls_[ball].stretch.state_at(due.time);
     recording_.log_action(EventKind::force, due.time, due.time + force.duration, balls_[ball].name,
-                          state.position,
-                          in_world(force.axes, state.orientation, force.newtons));
+                          state.position, in_world(force.axes, state.orientation, force.newtons));
 }
 
 void Actions::begin(const Torque& torque, const DueAction& due, std::uint32_t ball) {
@@ -65,8 +64,8 @@ void Actions::begin(const Impulse& impulse, const DueAction& due, std::uint32_t 
     const MotionState state = balls_[ball].stretch.state_at(due.time);
     const Vec3 p = in_world(impulse.axes, state.orientation, impulse.newton_seconds);
     const Vec3 arm = in_world(impulse.axes, state.orientation, impulse.at_point);
-    recording_.log_action(EventKind::impulse, due.time, due.time, balls_[ball].name,
-                          state.position, p);
+    recording_.log_action(EventKind::impulse, due.time, due.time, balls_[ball].name, state.position,
+                          p);
     push(ball, due.time, p, arm.cross(p));
 }
 
@@ -123,8 +122,7 @@ void Actions::push(std::uint32_t ball, double time, const Vec3& impulse,
     const MotionState before = pushed.stretch.state_at(time);
     MotionState after = before;
     after.velocity += impulse / pushed.mass;
-    after.angular_velocity +=
-        angular_impulse / (0.4 * pushed.mass * pushed.radius * pushed.radius);
+    after.angular_velocity += angular_impulse / (0.4 * pushed.mass * pushed.radius * pushed.radius);
     balls_.change(ball, time, before, after);
 }
 
@@ -162,8 +160,7 @@ std::vector<std::string> Actions::missed_strikes() const {
         });
         if (!hit)
             sentences.push_back("strike on '" + aimed.ball + "' at " + seconds(aimed.time) +
-                                ": it never touched '" + aimed.target +
-                                "', which it was aimed at");
+                                ": it never touched '" + aimed.target + "', which it was aimed at");
     }
     return sentences;
 }

@@ -68,8 +68,7 @@ void Balls::start(double time) {
     }
 }
 
-void Balls::change(std::uint32_t index, double time, const MotionState& before,
-                   MotionState after) {
+void Balls::change(std::uint32_t index, double time, const MotionState& before, MotionState after) {
     Ball& ball = balls_[index];
     settle(ball, time, after);
     begin(ball, time, after);
@@ -126,8 +125,7 @@ EnergySample Balls::energy(double time) const {
     for (const Ball& ball : balls_) {
         const Vec3 v = ball.stretch.velocity_at(time);
         const Vec3 w = ball.stretch.angular_velocity_at(time);
-        sample.kinetic +=
-            0.5 * ball.mass * (v.dot(v) + 0.4 * ball.radius * ball.radius * w.dot(w));
+        sample.kinetic += 0.5 * ball.mass * (v.dot(v) + 0.4 * ball.radius * ball.radius * w.dot(w));
         sample.potential -= ball.mass * around_.gravity.dot(ball.stretch.position_at(time));
     }
     return sample;

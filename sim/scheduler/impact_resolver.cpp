@@ -8,7 +8,9 @@
 namespace carom::sim {
 namespace {
 
-Vec3 unit(const Vec3& v) { return v / std::sqrt(v.dot(v)); }
+Vec3 unit(const Vec3& v) {
+    return v / std::sqrt(v.dot(v));
+}
 
 /// Restitution and friction of two balls that meet.
 PairContact pair_law(const ContactLaw& law, const Ball& a, const Ball& b, double slip_speed) {
@@ -63,8 +65,8 @@ void ImpactResolver::meet_ball(const Touch& touch) {
     const double approach = -(before_a.velocity - before_b.velocity).dot(normal);
     const Vec3 slip = contact_slip(body_a, body_b, normal);
     const PairContact law = pair_law(around_.law, a, b, std::sqrt(slip.dot(slip)));
-    const ImpulsePair impulse = ball_ball_impact(balls_.solver(), body_a, body_b, normal,
-                                                 law.restitution, law.friction);
+    const ImpulsePair impulse =
+        ball_ball_impact(balls_.solver(), body_a, body_b, normal, law.restitution, law.friction);
     // The reference models leave out what would make balls on the cloth hop.
     if (!around_.law.hop && a.ground != Ground::none && b.ground != Ground::none) {
         body_a.state.velocity.z = 0;
@@ -93,8 +95,7 @@ void ImpactResolver::meet_cushion(const Touch& touch, const Vec2& nearest) {
         PairContact law = around_.law.between(ball.material, "cushion");
         if (ball.material == "ball")
             law = {around_.law.ball_cushion.restitution, around_.law.ball_cushion.friction, 0};
-        impulse =
-            ball_static_impact(balls_.solver(), body, normal, law.restitution, law.friction);
+        impulse = ball_static_impact(balls_.solver(), body, normal, law.restitution, law.friction);
     }
     if (on_ground) {
         if (!around_.law.hop)
@@ -113,8 +114,8 @@ void ImpactResolver::meet_pocket_wall(const Touch& touch) {
     BallBody body = ball.body_at(touch.time);
     const MotionState before = body.state;
     const billiards::Pocket& pocket = around_.table.pockets[touch.second];
-    const Vec3 normal = unit(
-        Vec3(pocket.centre.x - before.position.x, pocket.centre.y - before.position.y, 0));
+    const Vec3 normal =
+        unit(Vec3(pocket.centre.x - before.position.x, pocket.centre.y - before.position.y, 0));
     const double approach = -before.velocity.dot(normal);
     const GroundLaw& law = ball.pocket_law;
     const ImpulsePair impulse =

@@ -137,12 +137,10 @@ void Scheduler::notice_events() {
     bool something_rests = false;
     for (; noticed_events_ < events.size(); ++noticed_events_) {
         schedule_.notice(events[noticed_events_]);
-        something_rests =
-            something_rests || events[noticed_events_].kind == EventKind::resting;
+        something_rests = something_rests || events[noticed_events_].kind == EventKind::resting;
     }
     if (something_rests)
-        schedule_.notice_rest(now_,
-                              [this](const std::string& name) { return is_resting(name); });
+        schedule_.notice_rest(now_, [this](const std::string& name) { return is_resting(name); });
     // A trigger may have called for something before this window's end.
     window_end_ = std::max(now_, std::min(window_end_, schedule_.next_time()));
 }

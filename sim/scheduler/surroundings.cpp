@@ -26,8 +26,8 @@ Surroundings::Surroundings(const WorldDescription& world)
     has_cloth = true;
     has_cushions = world.table->has_cushions;
     nose_height = world.table->nose_height;
-    cloth_half_extent = Vec2(world.table->length, world.table->width) * 0.5 +
-                        Vec2(world.table->cushion_width);
+    cloth_half_extent =
+        Vec2(world.table->length, world.table->width) * 0.5 + Vec2(world.table->cushion_width);
     if (has_cushions)
         table = billiards::build_table(*world.table, table_ball_radius(world));
 }

@@ -11,7 +11,9 @@ namespace {
 
 const Vec3 kUp(0, 0, 1);
 
-Vec3 in_space(const Vec2& v, double z) { return {v.x, v.y, z}; }
+Vec3 in_space(const Vec2& v, double z) {
+    return {v.x, v.y, z};
+}
 
 void push(TouchQueue& queue, const Ball& ball, std::uint32_t index, TouchKind kind,
           std::size_t other, std::optional<double> time) {
@@ -118,9 +120,8 @@ void TouchFinder::find_in_air(std::uint32_t index, double now, double until,
             const billiards::CushionFace& face = table.faces[i];
             const Vec2 along = face.to - face.from;
             const Vec2 direction = along / std::sqrt(along.dot(along));
-            const auto time =
-                line_touch(ball.stretch, in_space(face.from, around_.nose_height),
-                           in_space(direction, 0), ball.radius, now, until);
+            const auto time = line_touch(ball.stretch, in_space(face.from, around_.nose_height),
+                                         in_space(direction, 0), ball.radius, now, until);
             if (!time)
                 continue;
             const Vec3 p = ball.stretch.position_at(*time);

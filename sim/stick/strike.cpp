@@ -37,7 +37,8 @@ StrikeResult strike_ball(const Strike& strike, const Vec3& aim, double mass, dou
     const Vec3 up(0, 0, 1);
     const double speed = ball_speed(strike, mass);
     StrikeResult result;
-    result.velocity = squirted(aim, strike) * (speed * elevation.cos) - up * (speed * elevation.sin);
+    result.velocity =
+        squirted(aim, strike) * (speed * elevation.cos) - up * (speed * elevation.sin);
     // Spin from r x F with F along the stick: 5 v / (2 R^2) (-b, a sin, a cos) in (right, aim, up).
     const double a = strike.tip.x * radius;
     const double b = strike.tip.y * radius;

@@ -1,0 +1,88 @@
+// Closed forms of one ball on the cloth: Marlow, The Physics of Pocket Billiards, 1995, chapter 2.
+#include "sim/motion/cloth_motion.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace carom::sim {
+namespace {
+
+constexpr double kRadius = 0.028575;
+constexpr double kGravity = 9.81;
+const SupportLaw kLaw{0.2, 0.01, 0.0127};
+
+MotionState moving(const Vec3& velocity, const Vec3& spin) {
+    MotionState state;
+    state.position = {0, 0, kRadius};
+    state.velocity = velocity;
+    state.angular_velocity = spin;
+    return state;
+}
+
+TEST(ClothMotion_StunShot, RollsAtFiveSeventhsOfItsSpeed) {
+    for (const double speed : {0.1, 1.0, 5.0, 15.0}) {
+        const Stretch slide =
+            cloth_stretch(2.0, moving({speed, 0, 0}, {0, 0, 0}), kRadius, kGravity, kLaw);
+        ASSERT_EQ(slide.kind, MotionKind::sliding);
+        EXPECT_NEAR(slide.end - 2.0, 2 * speed / (7 * 0.2 * kGravity), 1e-14);
+        const MotionState end = slide.state_at(slide.end);
+        EXPECT_NEAR(end.velocity.x, speed * 5 / 7, 1e-13 * speed);
+        EXPECT_NEAR(end.angular_velocity.y, speed * 5 / 7 / kRadius, 1e-11 * speed / kRadius);
+        EXPECT_NEAR(end.position.x, 12 * speed * speed / (49 * 0.2 * kGravity), 1e-12 * speed);
+    }
+}
+
+TEST(ClothMotion_DrawShot, ComesBackIfTheSpinIsLargeEnough) {
+    // v_end = 5/7 v + 2/7 R w for spin about the axis of rolling; here it is negative.
+    const double spin = -4 / kRadius;
+    const Stretch slide =
+        cloth_stretch(0, moving({1, 0, 0}, {0, spin, 0}), kRadius, kGravity, kLaw);
+    const MotionState end = slide.state_at(slide.end);
+    EXPECT_NEAR(end.velocity.x, 5.0 / 7 + 2.0 / 7 * kRadius * spin, 1e-13);
+}
+
+TEST(ClothMotion_Masse, FollowsAParabolaToItsRollingVelocity) {
+    const MotionState start = moving({2, 0.5, 0}, {60, -30, 20});
+    const Stretch slide = cloth_stretch(0, start, kRadius, kGravity, kLaw);
+    const MotionState end = slide.state_at(slide.end);
+    // u' = -7/2 mu g, and the velocity changes by 2/7 of the slip that is gone.
+    const Vec3 slip = slip_velocity(start, kRadius);
+    const Vec3 expected = start.velocity - slip * (2.0 / 7);
+    EXPECT_NEAR((end.velocity - expected).length(), 0, 1e-13);
+    EXPECT_NEAR(slip_velocity(end, kRadius).length(), 0, 1e-12);
+}
+
+TEST(ClothMotion_Rolling, StopsAfterVSquaredOverTwoMuG) {
+    const MotionState start =
+        moving({0.6, 0.8, 0}, Vec3(0, 0, 1).cross(Vec3(0.6, 0.8, 0)) / kRadius);
+    const Stretch roll = cloth_stretch(0, start, kRadius, kGravity, kLaw);
+    ASSERT_EQ(roll.kind, MotionKind::rolling);
+    EXPECT_NEAR(roll.end, 1 / (0.01 * kGravity), 1e-12);
+    const MotionState end = roll.state_at(roll.end);
+    EXPECT_NEAR(end.position.length(), Vec3(0.6, 0.8, 0).length() / (2 * 0.01 * kGravity), 1e-3);
+    EXPECT_NEAR(Vec2(end.position.x, end.position.y).length(), 1 / (2 * 0.01 * kGravity), 1e-12);
+}
+
+TEST(ClothMotion_SpinAboutTheVertical, DecaysAtAConstantRate) {
+    const Stretch spin = cloth_stretch(0, moving({0, 0, 0}, {0, 0, -50}), kRadius, kGravity, kLaw);
+    ASSERT_EQ(spin.kind, MotionKind::spinning);
+    EXPECT_NEAR(spin.end, 50 / (2.5 * 0.0127 * kGravity / kRadius), 1e-12);
+    EXPECT_NEAR(spin.angular_velocity_at(spin.end / 2).z, -25, 1e-11);
+}
+
+TEST(ClothMotion_NoVelocity, Rests) {
+    const Stretch rest = cloth_stretch(0, moving({0, 0, 0}, {0, 0, 0}), kRadius, kGravity, kLaw);
+    EXPECT_EQ(rest.kind, MotionKind::resting);
+    EXPECT_EQ(rest.end, kNever);
+}
+
+TEST(ClothMotion_WithoutFriction, SlidesForEver) {
+    const Stretch slide =
+        cloth_stretch(0, moving({1, 0, 0}, {0, 0, 0}), kRadius, kGravity, {0, 0, 0});
+    EXPECT_EQ(slide.kind, MotionKind::sliding);
+    EXPECT_EQ(slide.end, kNever);
+}
+
+}  // namespace
+}  // namespace carom::sim

@@ -1,0 +1,195 @@
+// Force events and triggers.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "shots.h"
+#include "sim/timeline/error.h"
+
+namespace carom::sim::test {
+namespace {
+
+ForceEvent event_on(const std::string& object, double time,
+                    std::variant<Force, Torque, Impulse, SetVelocity, Strike> action) {
+    ForceEvent event;
+    event.object = object;
+    event.time = time;
+    event.action = std::move(action);
+    return event;
+}
+
+TEST(Impulse_ThroughTheCentre, GivesItsVelocity) {
+    WorldDescription world = cloth_world(1);
+    world.bodies = {ball("cue", 0, 0)};
+    world.events = {event_on("cue", 0.25, Impulse{{0.3, 0, 0}, {0, 0, 0}, Axes::world})};
+    const Timeline timeline = bake(world).timeline;
+    EXPECT_EQ(state_at(timeline, "cue", 0.24).velocity, Vec3(0, 0, 0));
+    EXPECT_NEAR(key_at(timeline, "cue", 0.25).velocity_out.x, 0.3 / kMass, 1e-12);
+    const Event* logged = find_event(timeline, EventKind::impulse, "cue");
+    ASSERT_NE(logged, nullptr);
+    EXPECT_EQ(logged->vector, Vec3(0.3, 0, 0));
+    EXPECT_EQ(logged->time, 0.25);
+}
+
+TEST(Impulse_AtSevenFifthsOfTheRadius, RollsAtOnce) {
+    WorldDescription world = cloth_world(1);
+    world.bodies = {ball("cue", 0, 0)};
+    world.events = {event_on("cue", 0, Impulse{{0.2, 0, 0}, {0, 0, 0.4 * kRadius}, Axes::world})};
+    const Timeline timeline = bake(world).timeline;
+    EXPECT_NE(find_event(timeline, EventKind::rolling, "cue"), nullptr);
+    EXPECT_EQ(find_event(timeline, EventKind::sliding, "cue"), nullptr);
+}
+
+TEST(Force_OverAnyDuration, GivesItsImpulseExactly) {
+    for (const double duration : {0.00031, 0.0123, 0.2}) {
+        WorldDescription world = cloth_world(1);
+        world.contact_law.ball_cloth = {0, 0, 0, 0.5};
+        world.bodies = {ball("cue", 0, 0)};
+        world.events = {event_on("cue", 0.1, Force{{2, -1, 0}, duration, {0, 0, 0}, Axes::world})};
+        const Timeline timeline = bake(world).timeline;
+        const Vec3 expected = Vec3(2, -1, 0) * (duration / kMass);
+        EXPECT_NEAR((state_at(timeline, "cue", 1).velocity - expected).length(), 0, 1e-12);
+        const Event* logged = find_event(timeline, EventKind::force, "cue");
+        EXPECT_NEAR(logged->end_time - logged->time, duration, 1e-15);
+        // And the place of a uniform acceleration.
+        const double t = 0.9 - duration;
+        EXPECT_NEAR(state_at(timeline, "cue", 1).position.x, expected.x * (duration / 2 + t), 1e-9);
+    }
+}
+
+TEST(Force_PushingARollingBall, AcceleratesItByFiveSevenths) {
+    WorldDescription world = cloth_world(1);
+    world.contact_law.ball_cloth.rolling_friction = 0;
+    world.bodies = {ball("cue", 0, 0)};
+    const double newtons = 0.1;
+    world.events = {event_on("cue", 0, Force{{newtons, 0, 0}, 1, {0, 0, 0}, Axes::world})};
+    const double expected = 5.0 / 7 * newtons / kMass;
+    EXPECT_NEAR(state_at(bake(world).timeline, "cue", 1).velocity.x, expected, 1e-3 * expected);
+}
+
+TEST(Torque_AboutTheVertical, SpinsTheBall) {
+    WorldDescription world = cloth_world(0.2);
+    world.contact_law.ball_cloth.spinning_friction = 0;
+    world.bodies = {ball("cue", 0, 0)};
+    world.events = {event_on("cue", 0, Torque{{0, 0, 1e-3}, 0.1, Axes::world})};
+    const double inertia = 0.4 * kMass * kRadius * kRadius;
+    EXPECT_NEAR(state_at(bake(world).timeline, "cue", 0.2).angular_velocity.z, 1e-4 / inertia,
+                1e-9);
+}
+
+TEST(SetVelocity_OnlyOnePart, KeepsTheOther) {
+    WorldDescription world = cloth_world(0.1);
+    world.bodies = {ball("cue", 0, 0, {1, 0, 0})};
+    SetVelocity velocity;
+    velocity.angular = Vec3(0, 0, 9);
+    world.events = {event_on("cue", 0, velocity)};
+    const Key key = key_at(bake(world).timeline, "cue", 0);
+    EXPECT_EQ(key.velocity_out, Vec3(1, 0, 0));
+    EXPECT_EQ(key.angular_velocity_out, Vec3(0, 0, 9));
+}
+
+TEST(Strike_TowardABall, HitsItAndIsLogged) {
+    WorldDescription world = cloth_world(2);
+    world.bodies = {ball("cue", -0.5, 0.2), ball("one", 0.3, -0.1)};
+    world.events = {strike_towards("cue", "one", 2.5, 0.5)};
+    const BakeResult result = bake(world);
+    EXPECT_TRUE(result.warnings.empty());
+    const Event* strike = find_event(result.timeline, EventKind::strike, "cue");
+    ASSERT_NE(strike, nullptr);
+    EXPECT_NEAR(strike->vector.length(), 5 / (1 + kMass / 0.567), 1e-12);
+    const Event* impact = find_event(result.timeline, EventKind::impact, "cue", "one");
+    ASSERT_NE(impact, nullptr);
+    const Vec3 line = Vec3(-0.8, 0.3, 0) / Vec3(-0.8, 0.3, 0).length();
+    EXPECT_NEAR((impact->normal - line).length(), 0, 1e-9);
+}
+
+TEST(Strike_FarOffCentre, IsWarnedOf) {
+    WorldDescription world = cloth_world(0.5);
+    world.bodies = {ball("cue", 0, 0), ball("one", 0.5, 0)};
+    world.events = {strike_towards("cue", "one", 1, 0, {0, -0.6})};
+    const std::vector<std::string> warnings = bake(world).warnings;
+    ASSERT_FALSE(warnings.empty());
+    EXPECT_NE(warnings[0].find("miscue"), std::string::npos);
+}
+
+TEST(Strike_ThatNeverArrives, IsWarnedOf) {
+    WorldDescription world = cloth_world(1);
+    world.bodies = {ball("cue", 0, 0), ball("one", 2, 0)};
+    world.events = {strike_towards("cue", "one", 0.2)};
+    const std::vector<std::string> warnings = bake(world).warnings;
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_EQ(warnings[0],
+              "strike on 'cue' at 0.000 s: it never touched 'one', which it was aimed at");
+}
+
+TEST(Trigger_Contact, FiresAfterTheFirstTouch) {
+    WorldDescription world = cloth_world(2);
+    world.bodies = {ball("cue", -0.3, 0, {1.5, 0, 0}), ball("one", 0, 0), ball("two", 0, 1)};
+    ForceEvent event = event_on("two", 0, Impulse{{0.1, 0, 0}, {0, 0, 0}, Axes::world});
+    event.trigger = Trigger{Trigger::Kind::contact, "one", "cue"};
+    event.after = 0.1;
+    world.events = {event};
+    const Timeline timeline = bake(world).timeline;
+    const Event* impact = find_event(timeline, EventKind::impact, "cue", "one");
+    const Event* impulse = find_event(timeline, EventKind::impulse, "two");
+    ASSERT_NE(impact, nullptr);
+    ASSERT_NE(impulse, nullptr);
+    EXPECT_NEAR(impulse->time, impact->time + 0.1, 1e-12);
+}
+
+TEST(Trigger_AllResting, FiresWhenTheLastBallStops) {
+    WorldDescription world = cloth_world(20);
+    world.bodies = {ball("cue", 0, 0, {0.5, 0, 0}), ball("one", 0, 1, {0.3, 0, 0})};
+    ForceEvent event = event_on("one", 0, Impulse{{0.01, 0, 0}, {0, 0, 0}, Axes::world});
+    event.trigger = Trigger{Trigger::Kind::resting, "", ""};
+    world.events = {event};
+    const Timeline timeline = bake(world).timeline;
+    const Event* resting = find_event(timeline, EventKind::resting, "cue");
+    const Event* impulse = find_event(timeline, EventKind::impulse, "one");
+    ASSERT_NE(impulse, nullptr);
+    EXPECT_EQ(impulse->time, resting->time);
+}
+
+TEST(Trigger_RestingFromTheStart, FiresAtItsOwnTime) {
+    WorldDescription world = cloth_world(1);
+    world.bodies = {ball("cue", 0, 0)};
+    ForceEvent event = event_on("cue", 0.4, Impulse{{0.01, 0, 0}, {0, 0, 0}, Axes::world});
+    event.trigger = Trigger{Trigger::Kind::resting, "cue", ""};
+    world.events = {event};
+    EXPECT_NEAR(find_event(bake(world).timeline, EventKind::impulse, "cue")->time, 0.4, 1e-12);
+}
+
+TEST(Trigger_ThatNeverHappens, IsWarnedOf) {
+    WorldDescription world = cloth_world(0.5);
+    world.bodies = {ball("cue", 0, 0), ball("one", 1, 0)};
+    ForceEvent event = event_on("cue", 0, Impulse{{0.01, 0, 0}, {0, 0, 0}, Axes::world});
+    event.trigger = Trigger{Trigger::Kind::contact, "cue", "one"};
+    world.events = {event};
+    EXPECT_EQ(bake(world).warnings.at(0),
+              "event 1 on 'cue' never happened: 'cue' never touched 'one'");
+}
+
+TEST(Bake_StoppedBeforeItBegins, ThrowsStopped) {
+    WorldDescription world = cloth_world(1);
+    world.bodies = {ball("cue", 0, 0, {1, 0, 0})};
+    std::stop_source source;
+    source.request_stop();
+    WorkContext context;
+    context.stop = source.get_token();
+    EXPECT_THROW((void)bake(world, context), Stopped);
+}
+
+TEST(Bake_Progress, RisesToOne) {
+    WorldDescription world = cloth_world(1);
+    world.bodies = {ball("cue", 0, 0, {1, 0, 0})};
+    std::vector<double> shares;
+    WorkContext context;
+    context.progress = [&](double share) { shares.push_back(share); };
+    (void)bake(world, context);
+    ASSERT_FALSE(shares.empty());
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_EQ(shares.back(), 1);
+}
+
+}  // namespace
+}  // namespace carom::sim::test

@@ -1,0 +1,100 @@
+// What is wrong with a world, and its hash.
+#include <functional>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "shots.h"
+#include "sim/timeline/error.h"
+
+namespace carom::sim::test {
+namespace {
+
+std::string first_problem(const std::function<void(WorldDescription&)>& spoil) {
+    WorldDescription world = cloth_world(1);
+    world.bodies = {ball("cue", 0, 0), ball("one", 0.5, 0)};
+    world.events = {strike_towards("cue", "one", 2)};
+    spoil(world);
+    const std::vector<std::string> problems = find_problems(world);
+    return problems.empty() ? "" : problems.front();
+}
+
+TEST(FindProblems_GoodWorld, FindsNone) {
+    EXPECT_EQ(first_problem([](WorldDescription&) {}), "");
+}
+
+TEST(FindProblems_EachFault, IsNamed) {
+    using World = WorldDescription;
+    EXPECT_EQ(first_problem([](World& w) { w.duration = 0; }), "duration has to be in (0, 3600] s");
+    EXPECT_EQ(first_problem([](World& w) { w.step = 1; }), "step has to be in [1e-5, 0.1] s");
+    EXPECT_EQ(first_problem([](World& w) { w.bodies[0].mass = 0; }),
+              "body 'cue': mass has to be greater than 0");
+    EXPECT_EQ(first_problem([](World& w) { w.bodies[1].name = "cue"; }),
+              "body 'cue': there are two bodies of that name");
+    EXPECT_EQ(first_problem([](World& w) { w.bodies[1].pose.position.x = 0.05; }),
+              "body 'one': it overlaps 'cue' at the start");
+    EXPECT_EQ(first_problem([](World& w) { w.contact_law.ball_ball.restitution = 1.2; }),
+              "ball_ball: restitution has to be in [0, 1]");
+    EXPECT_EQ(first_problem([](World& w) { w.events[0].object = "qew"; }),
+              "event 1 on 'qew': there is no body of that name that can move");
+    EXPECT_EQ(first_problem([](World& w) { std::get<Strike>(w.events[0].action).direction = 1; }),
+              "event 1 on 'cue': a strike needs exactly one of toward and direction");
+    EXPECT_EQ(first_problem([](World& w) { std::get<Strike>(w.events[0].action).toward = "two"; }),
+              "event 1 on 'cue': it aims at 'two', which does not exist");
+    EXPECT_EQ(first_problem([](World& w) {
+                  std::get<Strike>(w.events[0].action).tip = {1, 0.2};
+              }),
+              "event 1 on 'cue': the tip misses the ball");
+}
+
+TEST(Bake_WorldWithProblems, ThrowsTheFirst) {
+    WorldDescription world = cloth_world(-1);
+    try {
+        (void)bake(world);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "duration has to be in (0, 3600] s");
+    }
+}
+
+TEST(PhysicsHash_AnyField, ChangesIt) {
+    using World = WorldDescription;
+    const std::vector<std::function<void(World&)>> changes = {
+        [](World&) {},
+        [](World& w) { w.gravity.z = -9.8; },
+        [](World& w) { w.duration = 2; },
+        [](World& w) { w.step = 0.01; },
+        [](World& w) { w.seed = 1; },
+        [](World& w) { w.key_reduction.position_error = 1e-5; },
+        [](World& w) { w.contact_law.ball_ball.friction = 0.06; },
+        [](World& w) { w.contact_law.ball_cloth.spinning_friction = 0.02; },
+        [](World& w) { w.contact_law.ball_cushion.model = CushionModel::mirror; },
+        [](World& w) { w.contact_law.hop = true; },
+        [](World& w) {
+            w.contact_law.pairs[{"a", "b"}] = {};
+        },
+        [](World& w) { w.table.reset(); },
+        [](World& w) { w.table->length = 3; },
+        [](World& w) { w.floor_height = -0.8; },
+        [](World& w) { w.bodies[0].name = "queue"; },
+        [](World& w) { w.bodies[0].pose.position.x = 0.01; },
+        [](World& w) { w.bodies[0].angular_velocity.z = 1; },
+        [](World& w) { w.bodies[1].shape = Box{}; },
+        [](World& w) { w.events[0].time = 0.1; },
+        [](World& w) { w.events[0].after = 0.1; },
+        [](World& w) { w.events[0].trigger = Trigger{}; },
+        [](World& w) { std::get<Strike>(w.events[0].action).elevation = 0.1; },
+        [](World& w) { w.events.clear(); },
+    };
+    std::set<Hash128> hashes;
+    for (const auto& change : changes) {
+        World world = cloth_world(1);
+        world.bodies = {ball("cue", 0, 0), ball("one", 0.5, 0)};
+        world.events = {strike_towards("cue", "one", 2)};
+        change(world);
+        EXPECT_TRUE(hashes.insert(physics_hash(world)).second) << hashes.size();
+    }
+}
+
+}  // namespace
+}  // namespace carom::sim::test
