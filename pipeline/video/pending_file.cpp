@@ -59,6 +59,15 @@ void flush_to_disk(const std::string& path, const std::string& target) {
     }
 }
 
+/// So that the new name outlives a power cut. The file is whole either way: failing is no error.
+void flush_folder(const fs::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor >= 0) {
+        ::fsync(descriptor);
+        ::close(descriptor);
+    }
+}
+
 }  // namespace
 
 PendingFile::PendingFile(std::string target) : target_(std::move(target)) {
@@ -129,8 +138,7 @@ void PendingFile::commit() {
     }
     temporary_path_.clear();
     ::close(std::exchange(lock_descriptor_, -1));
-    // The new name itself outlives a power cut only once its folder is on disk.
-    flush_to_disk(folder_of(target_).string(), target_);
+    flush_folder(folder_of(target_));
 }
 
 void PendingFile::discard() noexcept {

@@ -1,0 +1,63 @@
+// bin/carom: reads the command line and runs what needs no renderer. For the rest it becomes
+// libexec/carom/carom-film, which links OpenImageIO (200 ms to load) and libav.
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <unistd.h>
+
+#include "pipeline/cli/command_line.h"
+#include "pipeline/cli/light_commands.h"
+#include "pipeline/cli/overload.h"
+
+namespace {
+
+using namespace carom::cli;
+
+/// Returns only if it fails.
+int become_film_program(char** arguments) {
+    std::error_code error;
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::filesystem::path film =
+        self.parent_path().parent_path() / "libexec" / "carom" / "carom-film";
+    ::execv(film.c_str(), arguments);
+    const std::string reason = std::generic_category().message(errno);
+    std::fprintf(stderr,
+                 "carom: error: cannot start the renderer '%s': %s; is carom installed "
+                 "completely?\n",
+                 film.c_str(), reason.c_str());
+    return kFailed;
+}
+
+bool needs_renderer(const Command& command) {
+    return std::holds_alternative<RenderCommand>(command) ||
+           std::holds_alternative<FrameCommand>(command);
+}
+
+void run(const Command& command, CommandContext& context) {
+    std::visit(Overload{
+                   [&](const CheckCommand& check) { run_check(check, context); },
+                   [&](const BakeCommand& bake) { run_bake(bake, context); },
+                   [&](const ExportCommand& export_) { run_export(export_, context); },
+                   [](const RenderCommand&) {},  // never here: needs_renderer
+                   [](const FrameCommand&) {},
+               },
+               command);
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+    const auto parsed = parse_command_line({arguments + 1, arguments + argument_count});
+    if (const auto* nothing = std::get_if<NothingToRun>(&parsed)) {
+        return print(*nothing);
+    }
+    const auto& line = std::get<CommandLine>(parsed);
+    if (needs_renderer(line.command)) {
+        return become_film_program(arguments);
+    }
+    return run_command(line, run);
+}

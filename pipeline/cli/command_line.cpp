@@ -1,0 +1,238 @@
+#include "pipeline/cli/command_line.h"
+
+#include <cstdio>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+
+#include "pipeline/cli/exit_code.h"
+#include "pipeline/cli/help_formatter.h"
+
+namespace carom::cli {
+
+namespace {
+
+// The help begins with what most people came for.
+constexpr const char* kFirstLines =
+    "  carom render shot.yaml -o film.mp4     simulate, render and encode a shot\n"
+    "  carom check shot.yaml                  say everything that is wrong with it\n"
+    "  carom frame shot.yaml --at 1.5s        one picture of it\n";
+
+constexpr const char* kLastLines =
+    "Results go to standard output, all talk to standard error.\n"
+    "Exit codes: 0 done, 1 failed while running, 2 wrong usage or input,\n"
+    "130 interrupted.\n"
+    "'carom COMMAND --help' explains a command.";
+
+std::string example(const char* lines) {
+    return std::string("Example:\n") + lines;
+}
+
+/// Everything that the options write to.
+struct Targets {
+    TalkOptions talk;
+    std::string log = "text";
+    RenderCommand render;
+    BakeCommand bake;
+    FrameCommand frame;
+    CheckCommand check;
+    ExportCommand export_;
+};
+
+void add_input(CLI::App& app, InputOptions& input, const char* name, const char* what) {
+    app.add_option(name, input.path, what)->required()->option_text(" ");
+    app.add_option("--set", input.overrides,
+                   "change a value of the shot, by its path: --set render.samples=64; may be "
+                   "repeated")
+        ->option_text("KEY=VALUE")
+        ->allow_extra_args(false);
+    app.add_option("--quality", input.quality, "a preset: draft, preview or final")
+        ->option_text("NAME");
+}
+
+void add_talk(CLI::App& app, Targets& targets) {
+    app.add_flag("--quiet,-q", targets.talk.quiet, "only errors and warnings");
+    app.add_option("--log", targets.log, "how to talk: text, or json for one object per line")
+        ->option_text("FORMAT")
+        ->check(CLI::IsMember({"text", "json"}));
+}
+
+void add_cache(CLI::App& app, CacheOptions& cache) {
+    app.add_option("--cache", cache.folder,
+                   "where bakes and finished frames are kept (else $CAROM_CACHE, "
+                   "$XDG_CACHE_HOME/carom, ~/.cache/carom)")
+        ->option_text("FOLDER");
+}
+
+void add_threads(CLI::App& app, int& threads) {
+    app.add_option("--threads", threads, "for rendering; 0: one per processor")
+        ->option_text("N")
+        ->check(CLI::Range(0, 1024));
+}
+
+void add_output(CLI::App& app, std::string& output, const char* what) {
+    app.add_option("-o,--output", output, what)->option_text("FILE");
+}
+
+void add_render(CLI::App& app, Targets& targets) {
+    CLI::App& command = *app.add_subcommand("render", "simulate, render and encode a shot");
+    RenderCommand& render = targets.render;
+    add_input(command, render.input, "SHOT|BAKE", "a shot, or a bake to film as it is");
+    add_output(command, render.output,
+               "the film: .mp4, .mov or .mkv (else the shot's name in the current folder)");
+    command
+        .add_option("--frames", render.frames,
+                    "only these, counted from 0: 0-47, every second one 0-47x2, several 0-9,20")
+        ->option_text("RANGE");
+    add_threads(command, render.threads);
+    add_cache(command, render.cache);
+    add_talk(command, targets);
+    command.footer(example("  carom render break.yaml --quality draft -o try.mp4\n") +
+                   "\nFinished frames are kept: a run that was interrupted goes on where it was\n"
+                   "when it is repeated, and a film that changes in part renders only that part.");
+}
+
+void add_bake(CLI::App& app, Targets& targets) {
+    CLI::App& command = *app.add_subcommand("bake", "simulate a shot, without a picture");
+    add_input(command, targets.bake.input, "SHOT", "a shot");
+    add_output(command, targets.bake.output, "else the shot's name and .bake");
+    add_talk(command, targets);
+    command.footer(example("  carom bake break.yaml -o break.bake"));
+}
+
+void add_frame(CLI::App& app, Targets& targets) {
+    CLI::App& command = *app.add_subcommand("frame", "render one frame of a shot");
+    FrameCommand& frame = targets.frame;
+    add_input(command, frame.input, "SHOT|BAKE", "a shot, or a bake to film as it is");
+    CLI::Option* number =
+        command.add_option("--frame", frame.frame, "its number, counted from 0 (the default)")
+            ->option_text("N")
+            ->check(CLI::NonNegativeNumber);
+    command.add_option("--at", frame.at, "or its time in the film: 1.25s, 500ms")
+        ->option_text("TIME")
+        ->excludes(number);
+    add_output(command, frame.output,
+               "the picture: .png, .jpg, .bmp or .tga as the film shows it, .exr as it was "
+               "computed (else the shot's name, the frame's number and .png)");
+    add_threads(command, frame.threads);
+    add_cache(command, frame.cache);
+    add_talk(command, targets);
+    command.footer(example("  carom frame break.yaml --at 1.25s -o contact.png"));
+}
+
+void add_check(CLI::App& app, Targets& targets) {
+    CLI::App& command = *app.add_subcommand("check", "say everything that is wrong with a shot");
+    add_input(command, targets.check.input, "SHOT|BAKE", "a shot or a bake");
+    add_talk(command, targets);
+    command.footer(example("  carom check break.yaml") +
+                   "\nExit code 0 if it can be rendered, warnings or not, 2 if not.");
+}
+
+void add_export(CLI::App& app, Targets& targets) {
+    CLI::App& command = *app.add_subcommand("export", "the motion as a table for other programs");
+    ExportCommand& command_options = targets.export_;
+    add_input(command, command_options.input, "SHOT|BAKE", "a shot or a bake");
+    add_output(command, command_options.output,
+               "object,time,position,orientation,velocities (else the shot's name and .csv; - is "
+               "standard output)");
+    command
+        .add_option("--rate", command_options.rate,
+                    "samples per second, evenly; else the keys of each track")
+        ->option_text("HZ")
+        ->check(CLI::PositiveNumber);
+    command
+        .add_option("--events", command_options.events,
+                    "a second table: impacts, rolling, pottings, force events")
+        ->option_text("FILE");
+    add_cache(command, command_options.cache);
+    add_talk(command, targets);
+    command.footer(
+        example("  carom export break.yaml --rate 240 -o tracks.csv --events events.csv"));
+}
+
+Command chosen_command(const CLI::App& app, Targets& targets) {
+    const std::string name = app.get_subcommands().front()->get_name();
+    if (name == "render") {
+        return std::move(targets.render);
+    }
+    if (name == "bake") {
+        return std::move(targets.bake);
+    }
+    if (name == "frame") {
+        return std::move(targets.frame);
+    }
+    if (name == "check") {
+        return std::move(targets.check);
+    }
+    return std::move(targets.export_);
+}
+
+/// "unknown command 'rendr' (did you mean 'render'?)" instead of CLI11's "a subcommand is
+/// required".
+std::string complaint_about(const CLI::App& app, const CLI::ParseError& error,
+                            const std::vector<std::string>& arguments) {
+    if (!app.get_subcommands().empty() || arguments.empty()) {
+        return error.what();
+    }
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) {
+        names.push_back(command->get_name());
+    }
+    const std::string& given = arguments.front();
+    const std::string hint = nearest(given, names);
+    return std::string("unknown ") + (given.starts_with('-') ? "option" : "command") + " '" +
+           given + "'" + (hint.empty() ? "" : " (did you mean '" + hint + "'?)");
+}
+
+NothingToRun report(const CLI::App& app, const CLI::ParseError& error,
+                    const std::vector<std::string>& arguments) {
+    std::ostringstream out;
+    std::ostringstream err;
+    NothingToRun nothing;
+    if (app.exit(error, out, err) == 0) {  // help, version
+        nothing.out = out.str();
+        return nothing;
+    }
+    nothing.exit_code = kWrongUsage;
+    const auto chosen = app.get_subcommands();
+    const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + " ";
+    nothing.err = arguments.empty() ? app.help()
+                                    : "carom: error: " + complaint_about(app, error, arguments) +
+                                          "\n'carom " + command + "--help' says what there is\n";
+    return nothing;
+}
+
+}  // namespace
+
+std::variant<CommandLine, NothingToRun> parse_command_line(
+    const std::vector<std::string>& arguments) {
+    Targets targets;
+    CLI::App app(kFirstLines, "carom");
+    app.formatter(std::make_shared<HelpFormatter>());
+    app.set_help_flag("-h,--help", "print this help");
+    app.set_version_flag("--version", "carom " CAROM_VERSION, "print the version");
+    app.require_subcommand(1);
+    app.footer(kLastLines);
+    add_render(app, targets);
+    add_bake(app, targets);
+    add_frame(app, targets);
+    add_check(app, targets);
+    add_export(app, targets);
+    try {
+        // CLI11 takes its arguments from the back.
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::ParseError& error) {
+        return report(app, error, arguments);
+    }
+    targets.talk.json = targets.log == "json";
+    return CommandLine{targets.talk, chosen_command(app, targets)};
+}
+
+int print(const NothingToRun& nothing) {
+    std::fputs(nothing.err.c_str(), stderr);
+    std::fputs(nothing.out.c_str(), stdout);
+    const bool written = std::fflush(stdout) == 0;
+    return written ? nothing.exit_code : kFailed;
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,70 @@
+// What the command line asked for: one struct per command, filled by command_line.h.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace carom::cli {
+
+/// How a command talks.
+struct TalkOptions {
+    bool quiet = false;
+    bool json = false;
+};
+
+/// The shot or bake, and what is changed in it.
+struct InputOptions {
+    std::string path;
+    std::vector<std::string> overrides;  // "render.samples=64"
+    std::string quality;                 // "draft", "preview", "final"; empty: the shot's own
+};
+
+struct CacheOptions {
+    std::string folder;  // empty: the usual one
+};
+
+struct RenderCommand {
+    InputOptions input;
+    CacheOptions cache;
+    std::string output;  // empty: the shot's name in the current folder
+    std::string frames;  // "0-47x2"; empty: all
+    int threads = 0;     // 0: as many as there are processors
+};
+
+struct BakeCommand {
+    InputOptions input;
+    std::string output;
+};
+
+struct FrameCommand {
+    InputOptions input;
+    CacheOptions cache;
+    std::string output;
+    std::optional<std::int64_t> frame;
+    std::string at;  // video time, "1.25s"; empty: `frame` counts, and without it frame 0
+    int threads = 0;
+};
+
+struct CheckCommand {
+    InputOptions input;
+};
+
+struct ExportCommand {
+    InputOptions input;
+    CacheOptions cache;
+    std::string output;
+    std::string events;          // a second table; empty: none
+    std::optional<double> rate;  // Hz; none: the keys
+};
+
+using Command = std::variant<RenderCommand, BakeCommand, FrameCommand, CheckCommand, ExportCommand>;
+
+struct CommandLine {
+    TalkOptions talk;
+    Command command;
+};
+
+}  // namespace carom::cli

@@ -1,0 +1,141 @@
+#include "pipeline/cli/film_commands.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/cli/job_talk.h"
+#include "pipeline/cli/output_file.h"
+#include "pipeline/cli/picture_file.h"
+#include "pipeline/cli/shot_input.h"
+#include "pipeline/cli/terminal/duration_text.h"
+#include "pipeline/cli/time_text.h"
+#include "pipeline/job/film_job.h"
+#include "pipeline/store/frame_store.h"
+#include "pipeline/video/video_format.h"
+
+namespace carom::cli {
+
+namespace {
+
+using pipeline::FilmJobOptions;
+using pipeline::Shot;
+
+std::string cache_folder(const CacheOptions& cache) {
+    return cache.folder.empty() ? pipeline::default_cache_folder() : cache.folder;
+}
+
+/// The bake that the input is or carries; otherwise the kept one, or a new one.
+sim::Bake bake_of(ShotInput& input, const std::string& cache, CommandContext& context) {
+    if (input.bake) {
+        return std::move(*input.bake);
+    }
+    bool baked = false;
+    sim::Bake bake = pipeline::bake_or_reuse(input.shot, cache, talk_about_job(context.console),
+                                             context.stop, &baked);
+    context.console.end_progress();
+    context.console.info(baked ? "simulated the shot"
+                               : "the physics is unchanged: using the bake that was kept");
+    return bake;
+}
+
+pipeline::FrameRange frame_range(const std::string& text) {
+    try {
+        return text.empty() ? pipeline::FrameRange{} : pipeline::parse_frame_range(text);
+    } catch (const Error& error) {
+        throw InputError(error.what());
+    }
+}
+
+/// How many frames the job takes. Throws InputError if there are none.
+std::int64_t job_frames(const Shot& shot, const pipeline::FrameRange& range,
+                        const std::string& text) {
+    const std::int64_t all = pipeline::frame_count(shot.cameras, shot.timing);
+    const auto frames = static_cast<std::int64_t>(range.frames(all).size());
+    if (frames == 0) {
+        throw InputError(all == 0 ? "the film has no frames: no camera films anything"
+                                  : "none of the film's frames, 0 to " + std::to_string(all - 1) +
+                                        ", is in --frames " + text);
+    }
+    return frames;
+}
+
+void check_film(const Shot& shot, const std::string& path) {
+    const std::string problem = pipeline::check_video_format(
+        {shot.render.width, shot.render.height, shot.timing.fps}, shot.output, path);
+    if (!problem.empty()) {
+        throw InputError(problem);
+    }
+    check_output_folder(path);
+}
+
+std::int64_t chosen_frame(const FrameCommand& command, const Shot& shot) {
+    const std::int64_t count = pipeline::frame_count(shot.cameras, shot.timing);
+    std::int64_t frame = command.frame.value_or(0);
+    std::string asked = "frame " + std::to_string(frame);
+    if (!command.at.empty()) {
+        frame = frame_shown_at(seconds_from_text(command.at), shot.timing.fps);
+        asked = "--at " + command.at;
+    }
+    if (frame < 0 || frame >= count) {
+        throw InputError(asked + " is outside the film, which has the frames 0 to " +
+                         std::to_string(count - 1));
+    }
+    return frame;
+}
+
+std::string numbered_extension(std::int64_t frame) {
+    std::string digits = std::to_string(frame);
+    digits.insert(0, 4 - std::min<std::size_t>(4, digits.size()), '0');
+    return "." + digits + ".png";
+}
+
+}  // namespace
+
+void run_render(const RenderCommand& command, CommandContext& context) {
+    const auto begin = std::chrono::steady_clock::now();
+    ShotInput input = read_shot_input(command.input, context.console);
+    const std::string path = output_or_default(
+        command.output, command.input.path, pipeline::default_extension(input.shot.output.codec));
+    check_film(input.shot, path);
+
+    FilmJobOptions options;
+    options.output = path;
+    options.frames = frame_range(command.frames);
+    options.cache_folder = cache_folder(command.cache);
+    options.threads = command.threads;
+    const std::int64_t frames = job_frames(input.shot, options.frames, command.frames);
+
+    const sim::Bake bake = bake_of(input, options.cache_folder, context);
+    const pipeline::FilmJobResult result = pipeline::make_film(
+        input.shot, bake, options, talk_about_job(context.console, frames), context.stop);
+    context.console.end_progress();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    context.console.info(std::to_string(result.frames) + " frames, " +
+                         std::to_string(result.rendered) + " of them rendered now, in " +
+                         duration_text(elapsed.count()));
+    print_path(path);
+}
+
+void run_frame(const FrameCommand& command, CommandContext& context) {
+    ShotInput input = read_shot_input(command.input, context.console);
+    const std::int64_t frame = chosen_frame(command, input.shot);
+    const std::string path =
+        output_or_default(command.output, command.input.path, numbered_extension(frame));
+    check_picture_path(path);
+    check_output_folder(path);
+
+    FilmJobOptions options;
+    options.cache_folder = cache_folder(command.cache);
+    options.threads = command.threads;
+    const sim::Bake bake = bake_of(input, options.cache_folder, context);
+    const render::Film film = pipeline::make_frame(
+        input.shot, bake, frame, options, talk_about_job(context.console, 1), context.stop);
+    context.console.end_progress();
+    write_picture(film, input.shot.output, path,
+                  {{"shot", input.shot.name}, {"frame", std::to_string(frame)}});
+    print_path(path);
+}
+
+}  // namespace carom::cli

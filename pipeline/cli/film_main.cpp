@@ -1,0 +1,30 @@
+// libexec/carom/carom-film: the commands that render. Started by bin/carom with its own arguments.
+#include <cstdio>
+
+#include "pipeline/cli/command_line.h"
+#include "pipeline/cli/film_commands.h"
+#include "pipeline/cli/overload.h"
+
+namespace {
+
+using namespace carom::cli;
+
+void run(const Command& command, CommandContext& context) {
+    std::visit(
+        Overload{
+            [&](const RenderCommand& render) { run_render(render, context); },
+            [&](const FrameCommand& frame) { run_frame(frame, context); },
+            [](const auto&) { throw InputError("this program only renders; call carom instead"); },
+        },
+        command);
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+    const auto parsed = parse_command_line({arguments + 1, arguments + argument_count});
+    if (const auto* nothing = std::get_if<NothingToRun>(&parsed)) {
+        return print(*nothing);
+    }
+    return run_command(std::get<CommandLine>(parsed), run);
+}

@@ -1,0 +1,36 @@
+#include "pipeline/cli/job_talk.h"
+
+#include <chrono>
+#include <memory>
+
+#include "pipeline/cli/terminal/progress_meter.h"
+
+namespace carom::cli {
+
+namespace {
+
+double now() {
+    const auto time = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(time).count();
+}
+
+}  // namespace
+
+pipeline::JobObserver talk_about_job(Console& console, std::int64_t frames) {
+    const auto meter = std::make_shared<ProgressMeter>();
+    meter->expect_frames(frames);
+    pipeline::JobObserver observer;
+    observer.on_progress = [meter, &console](std::string_view stage, double share) {
+        meter->on_progress(stage, share, now());
+        console.progress(meter->snapshot(now()));
+    };
+    observer.on_warning = [&console](const std::string& message) { console.warning(message); };
+    observer.on_frame = [meter, &console](std::int64_t /*frame*/, bool from_store,
+                                          double /*seconds*/, std::uint64_t rays) {
+        meter->on_frame(from_store, rays, now());
+        console.progress(meter->snapshot(now()));
+    };
+    return observer;
+}
+
+}  // namespace carom::cli

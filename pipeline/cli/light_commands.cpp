@@ -1,0 +1,98 @@
+#include "pipeline/cli/light_commands.h"
+
+#include <chrono>
+
+#include "pipeline/cli/job_talk.h"
+#include "pipeline/cli/output_file.h"
+#include "pipeline/cli/shot_input.h"
+#include "pipeline/cli/terminal/duration_text.h"
+#include "pipeline/export/timeline_csv.h"
+#include "pipeline/video/video_format.h"
+#include "sim/bake.h"
+
+namespace carom::cli {
+
+namespace {
+
+/// A bake of a shot, made now.
+sim::Bake simulate(const pipeline::Shot& shot, CommandContext& context) {
+    const pipeline::JobObserver observer = talk_about_job(context.console);
+    WorkContext work;
+    work.progress = [&observer](double share) { observer.on_progress("bake", share); };
+    work.stop = context.stop;
+    sim::BakeResult result = sim::bake(shot.world, work);
+    context.console.end_progress();
+    for (const std::string& warning : result.warnings) {
+        context.console.warning(warning);
+    }
+    return {std::move(result.timeline), sim::physics_hash(shot.world), shot.resolved_text,
+            shot.assets};
+}
+
+/// A bake's own timeline, or that of a shot, from the kept bake if there is one.
+sim::Timeline timeline_of(const ExportCommand& command, CommandContext& context) {
+    if (is_bake_file(command.input.path)) {
+        return read_bake_input(command.input.path).timeline;
+    }
+    const ShotInput input = read_shot_input(command.input, context.console);
+    sim::Bake bake = pipeline::bake_or_reuse(input.shot, command.cache.folder,
+                                             talk_about_job(context.console), context.stop);
+    context.console.end_progress();
+    return std::move(bake.timeline);
+}
+
+}  // namespace
+
+void run_check(const CheckCommand& command, CommandContext& context) {
+    const ShotInput input = read_shot_input(command.input, context.console);
+    const pipeline::Shot& shot = input.shot;
+    const std::string film = shot.name + pipeline::default_extension(shot.output.codec);
+    const std::string problem = pipeline::check_video_format(
+        {shot.render.width, shot.render.height, shot.timing.fps}, shot.output, film);
+    if (!problem.empty()) {
+        throw InputError("'" + command.input.path + "': " + problem);
+    }
+    context.console.info("'" + command.input.path + "' can be rendered");
+}
+
+void run_bake(const BakeCommand& command, CommandContext& context) {
+    if (is_bake_file(command.input.path)) {
+        throw InputError("'" + command.input.path + "' is a bake already; give the shot");
+    }
+    const std::string path = output_or_default(command.output, command.input.path, ".bake");
+    check_output_folder(path);
+    const ShotInput input = read_shot_input(command.input, context.console);
+    const auto begin = std::chrono::steady_clock::now();
+    const sim::Bake bake = simulate(input.shot, context);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    sim::write_bake(bake, path);
+    context.console.info("simulated " + duration_text(input.shot.world.duration) + " of " +
+                         std::to_string(bake.timeline.tracks.size()) + " objects, with " +
+                         std::to_string(bake.timeline.events.size()) + " events, in " +
+                         duration_text(elapsed.count()));
+    print_path(path);
+}
+
+void run_export(const ExportCommand& command, CommandContext& context) {
+    // Someone who asks for the events alone gets them alone.
+    const bool tracks_wanted = !command.output.empty() || command.events.empty();
+    const std::string path = output_or_default(command.output, command.input.path, ".csv");
+    if (tracks_wanted) {
+        if (path == command.events) {
+            throw InputError("'" + path + "' cannot hold both the tracks and the events");
+        }
+        check_output_folder(path);
+    }
+    check_output_folder(command.events);
+
+    const sim::Timeline timeline = timeline_of(command, context);
+    if (tracks_wanted) {
+        write_text_output(path, command.rate ? pipeline::samples_to_csv(timeline, *command.rate)
+                                             : pipeline::keys_to_csv(timeline));
+    }
+    if (!command.events.empty()) {
+        write_text_output(command.events, pipeline::events_to_csv(timeline));
+    }
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,13 @@
+// The commands that neither render nor encode; bin/carom runs them itself.
+#pragma once
+
+#include "pipeline/cli/commands.h"
+#include "pipeline/cli/run_program.h"
+
+namespace carom::cli {
+
+void run_check(const CheckCommand& command, CommandContext& context);
+void run_bake(const BakeCommand& command, CommandContext& context);
+void run_export(const ExportCommand& command, CommandContext& context);
+
+}  // namespace carom::cli

@@ -1,0 +1,73 @@
+#include "pipeline/cli/run_program.h"
+
+#include <cerrno>
+#include <new>
+#include <string_view>
+#include <system_error>
+
+#include <unistd.h>
+
+#include "pipeline/cli/terminal/interrupts.h"
+
+namespace carom::cli {
+
+namespace {
+
+ExitCode run_guarded(const Command& command, const CommandHandler& handler,
+                     CommandContext& context) {
+    Console& console = context.console;
+    try {
+        handler(command, context);
+        return kDone;
+    } catch (const Stopped&) {
+        console.end_progress();
+        const bool resumes =
+            std::holds_alternative<RenderCommand>(command);  // the others are over in seconds
+        console.warning(resumes ? "interrupted; the frames that were finished are kept, and the "
+                                  "same command goes on from there"
+                                : "interrupted; nothing was written");
+        return kInterrupted;
+    } catch (const InputError& error) {
+        console.end_progress();
+        console.error(error.what());
+        return kWrongUsage;
+    } catch (const Error& error) {
+        console.end_progress();
+        console.error(error.what());
+    } catch (const std::bad_alloc&) {
+        console.end_progress();
+        console.error("there is not enough memory");
+    } catch (const std::exception& error) {
+        console.end_progress();
+        console.error(std::string("this should not happen: ") + error.what());
+    }
+    return kFailed;
+}
+
+}  // namespace
+
+ExitCode run_command(const CommandLine& line, const CommandHandler& handler) {
+    Console console(console_on_stderr(line.talk.json, line.talk.quiet));
+    const Interrupts interrupts(
+        [&console] { console.warning("stopping; a second Ctrl-C stops at once"); });
+    CommandContext context{console, interrupts.token()};
+    return run_guarded(line.command, handler, context);
+}
+
+void print_text(const std::string& text) {
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const ssize_t written = ::write(STDOUT_FILENO, rest.data(), rest.size());
+        if (written < 0 && errno != EINTR) {
+            throw Error("cannot write to standard output: " +
+                        std::generic_category().message(errno));
+        }
+        rest.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
+    }
+}
+
+void print_path(const std::string& path) {
+    print_text(path + "\n");
+}
+
+}  // namespace carom::cli

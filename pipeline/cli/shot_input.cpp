@@ -1,0 +1,113 @@
+#include "pipeline/cli/shot_input.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "pipeline/cli/run_program.h"
+#include "pipeline/config/load_shot.h"
+#include "sim/bake.h"
+
+namespace carom::cli {
+
+namespace {
+
+// Bytes 4 to 7 of every bake (FlatBuffers' file identifier, sim/timeline/bake.fbs).
+constexpr std::string_view kBakeIdentifier = "CBAK";
+
+std::string counted(std::ptrdiff_t count, const char* noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// The shot that a bake carries, under the options given. They may change the look but not what
+/// was simulated.
+pipeline::LoadResult load_carried_shot(const sim::Bake& bake, const InputOptions& input) {
+    pipeline::LoadResult changed =
+        pipeline::load_shot_text(bake.shot_text, input.path, input.overrides, input.quality);
+    const bool may_differ = !input.overrides.empty() || !input.quality.empty();
+    if (changed.shot && may_differ) {
+        const pipeline::LoadResult plain = pipeline::load_shot_text(bake.shot_text, input.path);
+        if (plain.shot &&
+            sim::physics_hash(plain.shot->world) != sim::physics_hash(changed.shot->world)) {
+            throw InputError("'" + input.path +
+                             "' is a bake: --set cannot change what was simulated; bake the shot "
+                             "again");
+        }
+    }
+    return changed;
+}
+
+}  // namespace
+
+bool is_bake_file(const std::string& path) {
+    if (std::filesystem::path(path).extension() == ".bake") {
+        return true;
+    }
+    std::array<char, 8> head{};
+    std::ifstream file(path, std::ios::binary);
+    return file.read(head.data(), head.size()) &&
+           std::string_view(head.data() + 4, 4) == kBakeIdentifier;
+}
+
+sim::Bake read_bake_input(const std::string& path) {
+    try {
+        return sim::read_bake(path);
+    } catch (const Error& error) {
+        throw InputError(error.what());
+    }
+}
+
+ShotInput read_shot_input(const InputOptions& input, Console& console) {
+    ShotInput result;
+    pipeline::LoadResult loaded;
+    if (is_bake_file(input.path)) {
+        result.bake = read_bake_input(input.path);
+        loaded = load_carried_shot(*result.bake, input);
+    } else {
+        loaded = pipeline::load_shot(input.path, input.overrides, input.quality);
+    }
+    report_problems(loaded.problems, console);
+    if (!loaded.shot) {
+        throw InputError("'" + input.path + "' has " + count_text(loaded.problems));
+    }
+    result.shot = std::move(*loaded.shot);
+    return result;
+}
+
+void report_problems(const std::vector<pipeline::Problem>& problems, Console& console) {
+    for (const pipeline::Problem& problem : problems) {
+        JsonMembers members;
+        members.add("severity", problem.severity == pipeline::Severity::error ? "error" : "warning")
+            .add("file", problem.place.file)
+            .add("line", problem.place.line)
+            .add("column", problem.place.column)
+            .add("length", problem.place.length)
+            .add("key", problem.key_path)
+            .add("message", problem.message);
+        std::string text = format(problem);
+        if (text.empty() || text.back() != '\n') {
+            text += '\n';
+        }
+        console.event("problem", members, text, true);
+    }
+}
+
+std::string count_text(const std::vector<pipeline::Problem>& problems) {
+    const std::ptrdiff_t errors =
+        std::count_if(problems.begin(), problems.end(), [](const pipeline::Problem& problem) {
+            return problem.severity == pipeline::Severity::error;
+        });
+    const std::ptrdiff_t warnings = std::ssize(problems) - errors;
+    std::string text;
+    if (errors > 0) {
+        text += counted(errors, "error");
+    }
+    if (warnings > 0) {
+        text += (text.empty() ? "" : " and ") + counted(warnings, "warning");
+    }
+    return text;
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,201 @@
+#include "pipeline/cli/terminal/console.h"
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <mutex>
+
+#include <spdlog/details/null_mutex.h>
+#include <spdlog/logger.h>
+#include <spdlog/sinks/base_sink.h>
+
+#include "pipeline/cli/terminal/progress_text.h"
+
+namespace carom::cli {
+
+namespace {
+
+constexpr double kSecondsBetweenBars = 0.1;
+constexpr double kSecondsBetweenLines = 5;
+constexpr int kUsualColumns = 80;
+
+// ECMA-48: carriage return and erase the line; colours.
+constexpr const char* kEraseLine = "\r\x1b[K";
+constexpr const char* kRed = "\x1b[1;31m";
+constexpr const char* kYellow = "\x1b[1;33m";
+constexpr const char* kPlain = "\x1b[0m";
+
+std::string utc_text(std::chrono::system_clock::time_point time) {
+    const auto milliseconds =
+        std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch()).count();
+    const std::time_t seconds = std::chrono::system_clock::to_time_t(time);
+    std::tm calendar{};
+    gmtime_r(&seconds, &calendar);
+    std::array<char, 32> date{};
+    std::strftime(date.data(), date.size(), "%Y-%m-%dT%H:%M:%S", &calendar);
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%s.%03dZ", date.data(),
+                  static_cast<int>(milliseconds % 1000));
+    return text.data();
+}
+
+/// The last word on what reaches the screen: keeps the bar below the lines.
+class Screen {
+  public:
+    explicit Screen(ConsoleSettings settings) : settings_(std::move(settings)) {}
+
+    [[nodiscard]] const ConsoleSettings& settings() const { return settings_; }
+
+    void write_lines(const std::string& lines) {
+        settings_.write((bar_.empty() ? "" : kEraseLine) + lines + bar_);
+    }
+
+    void draw_bar(const std::string& bar) {
+        bar_ = bar;
+        settings_.write(kEraseLine + bar_);
+    }
+
+    void erase_bar() {
+        if (!bar_.empty()) {
+            bar_.clear();
+            settings_.write(kEraseLine);
+        }
+    }
+
+  private:
+    ConsoleSettings settings_;
+    std::string bar_;
+};
+
+std::string coloured(const std::string& text, const char* colour, bool wanted) {
+    return wanted ? colour + text + kPlain : text;
+}
+
+std::string level_word(spdlog::level::level_enum level, bool colour) {
+    switch (level) {
+        case spdlog::level::err:
+            return coloured("error:", kRed, colour) + " ";
+        case spdlog::level::warn:
+            return coloured("warning:", kYellow, colour) + " ";
+        default:
+            return {};
+    }
+}
+
+/// {"time":...,"NAME":"VALUE",members}
+std::string json_line(const char* name, std::string_view value, const JsonMembers& members) {
+    JsonMembers all;
+    all.add("time", utc_text(std::chrono::system_clock::now())).add(name, value).add(members);
+    return all.object() + "\n";
+}
+
+/// Where spdlog's messages go: onto the screen, as a line for people or for machines.
+class ScreenSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+  public:
+    explicit ScreenSink(Screen& screen) : screen_(screen) {}
+
+  protected:
+    void sink_it_(const spdlog::details::log_msg& message) override {
+        const std::string text(message.payload.data(), message.payload.size());
+        if (screen_.settings().json) {
+            const auto level = spdlog::level::to_string_view(message.level);
+            JsonMembers members;
+            members.add("message", text);
+            screen_.write_lines(json_line("level", {level.data(), level.size()}, members));
+        } else {
+            screen_.write_lines("carom: " + level_word(message.level, screen_.settings().colour) +
+                                text + "\n");
+        }
+    }
+    void flush_() override {}
+
+  private:
+    Screen& screen_;  // guarded by the console's mutex
+};
+
+}  // namespace
+
+struct Console::State {
+    explicit State(ConsoleSettings given)
+        : screen(std::move(given)), logger("carom", std::make_shared<ScreenSink>(screen)) {
+        logger.set_level(screen.settings().quiet ? spdlog::level::warn : spdlog::level::info);
+    }
+
+    std::mutex mutex;
+    Screen screen;
+    spdlog::logger logger;
+    std::string last_stage;
+    double next_progress = 0;
+};
+
+Console::Console(ConsoleSettings settings) {
+    if (!settings.columns) {
+        settings.columns = [] { return kUsualColumns; };
+    }
+    state_ = std::make_unique<State>(std::move(settings));
+}
+
+Console::~Console() {
+    end_progress();
+}
+
+void Console::info(const std::string& message) {
+    const std::lock_guard lock(state_->mutex);
+    state_->logger.info("{}", message);
+}
+
+void Console::warning(const std::string& message) {
+    const std::lock_guard lock(state_->mutex);
+    state_->logger.warn("{}", message);
+}
+
+void Console::error(const std::string& message) {
+    const std::lock_guard lock(state_->mutex);
+    state_->logger.error("{}", message);
+}
+
+void Console::event(std::string_view kind, const JsonMembers& members, const std::string& text,
+                    bool important) {
+    const std::lock_guard lock(state_->mutex);
+    const ConsoleSettings& settings = state_->screen.settings();
+    if (settings.quiet && !important) {
+        return;
+    }
+    if (settings.json) {
+        state_->screen.write_lines(json_line("event", kind, members));
+    } else if (!text.empty()) {
+        state_->screen.write_lines(text);
+    }
+}
+
+void Console::progress(const ProgressSnapshot& snapshot) {
+    const std::lock_guard lock(state_->mutex);
+    State& state = *state_;
+    const ConsoleSettings& settings = state.screen.settings();
+    if (settings.quiet) {
+        return;
+    }
+    const bool bar = settings.terminal && !settings.json;
+    const double now = settings.clock();
+    const bool new_stage = snapshot.stage != state.last_stage;
+    if (now < state.next_progress && !(new_stage && bar)) {
+        return;
+    }
+    state.last_stage = snapshot.stage;
+    state.next_progress = now + (bar ? kSecondsBetweenBars : kSecondsBetweenLines);
+    if (settings.json) {
+        state.screen.write_lines(json_line("event", "progress", progress_json(snapshot)));
+    } else if (bar) {
+        state.screen.draw_bar(progress_bar(snapshot, settings.columns() - 1));
+    } else {
+        state.screen.write_lines("carom: " + progress_line(snapshot) + "\n");
+    }
+}
+
+void Console::end_progress() {
+    const std::lock_guard lock(state_->mutex);
+    state_->screen.erase_bar();
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,39 @@
+// Just enough JSON to write one flat object per line (RFC 8259).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace carom::cli {
+
+/// With quotation marks. Bytes that are not UTF-8 become U+FFFD, so that the line always parses.
+[[nodiscard]] std::string json_string(std::string_view text);
+
+/// "name":value pairs with commas between them.
+class JsonMembers {
+  public:
+    JsonMembers& add(std::string_view name, std::string_view value);
+    JsonMembers& add(std::string_view name, const std::string& value) {
+        return add(name, std::string_view(value));
+    }
+    JsonMembers& add(std::string_view name, const char* value) {
+        return add(name, std::string_view(value));
+    }
+    JsonMembers& add(std::string_view name, std::int64_t value);
+    JsonMembers& add(std::string_view name, int value) { return add(name, std::int64_t{value}); }
+    /// Shortest text that reads back as the same double; null if not finite.
+    JsonMembers& add(std::string_view name, double value);
+
+    JsonMembers& add(const JsonMembers& others);
+
+    [[nodiscard]] const std::string& text() const { return text_; }
+    [[nodiscard]] std::string object() const { return "{" + text_ + "}"; }
+
+  private:
+    JsonMembers& add_raw(std::string_view name, std::string_view value);
+
+    std::string text_;
+};
+
+}  // namespace carom::cli

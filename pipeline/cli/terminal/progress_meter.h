@@ -1,0 +1,47 @@
+// What a job has done so far, how fast, and how long the rest will take.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace carom::cli {
+
+struct ProgressSnapshot {
+    std::string stage;                // "bake", "render", "encode"; empty before the first one
+    double share = 0;                 // of the stage, [0, 1]
+    std::int64_t frames_total = 0;    // 0: the stage has no frames to count
+    std::int64_t frames_done = 0;     // rendered or found
+    std::int64_t frames_found = 0;    // of these, finished by an earlier run
+    double elapsed = 0;               // s since the stage began
+    std::optional<double> left;       // s, once there is something to go by
+    std::optional<double> rays_rate;  // per second of the stage
+};
+
+/// Adds up what a job's observer is told. Times are seconds of any steady clock. For one thread at
+/// a time.
+class ProgressMeter {
+  public:
+    /// Frames that the "render" stage is going to take.
+    void expect_frames(std::int64_t total) { frames_total_ = total; }
+
+    void on_progress(std::string_view stage, double share, double now);
+    void on_frame(bool found, std::uint64_t rays, double now);
+
+    [[nodiscard]] ProgressSnapshot snapshot(double now) const;
+
+  private:
+    void enter(std::string_view stage, double now);
+    [[nodiscard]] std::optional<double> seconds_left(double elapsed) const;
+
+    std::string stage_;
+    double stage_begin_ = 0;
+    double share_ = 0;
+    std::int64_t frames_total_ = 0;
+    std::int64_t frames_done_ = 0;
+    std::int64_t frames_found_ = 0;
+    std::uint64_t rays_ = 0;
+};
+
+}  // namespace carom::cli

@@ -1,0 +1,23 @@
+// A job's progress as a bar, as a line and as JSON.
+#pragma once
+
+#include <string>
+
+#include "pipeline/cli/terminal/json_text.h"
+#include "pipeline/cli/terminal/progress_meter.h"
+
+namespace carom::cli {
+
+/// For a terminal, without a line break, at most `columns` wide:
+///   render [=========>                    ]  12/240  5 %  1 min 20 s left  8.12 Mrays/s
+/// What does not fit is left out from the right, the bar shrinks first.
+[[nodiscard]] std::string progress_bar(const ProgressSnapshot& snapshot, int columns);
+
+/// For a log: "render: 12 of 240 frames (5 %, 3 from an earlier run), 1 min 20 s left, 8.12
+/// Mrays/s".
+[[nodiscard]] std::string progress_line(const ProgressSnapshot& snapshot);
+
+/// For machines.
+[[nodiscard]] JsonMembers progress_json(const ProgressSnapshot& snapshot);
+
+}  // namespace carom::cli

@@ -1,0 +1,59 @@
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "pipeline/cli/terminal/console.h"
+
+namespace carom::cli {
+
+namespace {
+
+constexpr int kUsualColumns = 80;
+
+bool environment_has(const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr && *value != '\0';
+}
+
+int columns_of_stderr() {
+    winsize size{};
+    const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return known ? static_cast<int>(size.ws_col) : kUsualColumns;
+}
+
+double steady_seconds() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count();
+}
+
+void write_to_stderr(std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+        if (written < 0 && errno != EINTR) {
+            return;  // nobody listens any more; the work goes on
+        }
+        text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    }
+}
+
+}  // namespace
+
+ConsoleSettings console_on_stderr(bool json, bool quiet) {
+    const char* term = std::getenv("TERM");
+    ConsoleSettings settings;
+    settings.json = json;
+    settings.quiet = quiet;
+    settings.terminal =
+        ::isatty(STDERR_FILENO) == 1 && term != nullptr && std::string_view(term) != "dumb";
+    settings.colour = settings.terminal && !environment_has("NO_COLOR");
+    settings.columns = columns_of_stderr;
+    settings.clock = steady_seconds;
+    settings.write = write_to_stderr;
+    return settings;
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,152 @@
+#include "pipeline/cli/command_line.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace carom::cli {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+template <class T>
+T parsed(const std::vector<std::string>& arguments) {
+    const auto result = parse_command_line(arguments);
+    return std::get<T>(std::get<CommandLine>(result).command);
+}
+
+NothingToRun refused(const std::vector<std::string>& arguments) {
+    return std::get<NothingToRun>(parse_command_line(arguments));
+}
+
+TEST(CommandLine, Help_StartsWithThreeRealCommands) {
+    const NothingToRun help = refused({"--help"});
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_EQ(help.err, "");
+    EXPECT_THAT(help.out, StartsWith("  carom render shot.yaml -o film.mp4"));
+    for (const char* part : {"\n  carom check shot.yaml", "\n  carom frame shot.yaml", "130"}) {
+        EXPECT_THAT(help.out, HasSubstr(part));
+    }
+}
+
+TEST(CommandLine, EveryCommandsHelp_HasAnExampleThatParses) {
+    for (const std::string name : {"render", "bake", "frame", "check", "export"}) {
+        const NothingToRun help = refused({name, "--help"});
+        EXPECT_EQ(help.exit_code, 0);
+        const std::size_t at = help.out.find("Example:\n  carom ");
+        ASSERT_NE(at, std::string::npos) << name;
+        const std::size_t begin = at + std::string("Example:\n  carom ").size();
+        std::istringstream words(help.out.substr(begin, help.out.find('\n', begin) - begin));
+        std::vector<std::string> arguments;
+        for (std::string word; words >> word;) {
+            arguments.push_back(word);
+        }
+        EXPECT_TRUE(std::holds_alternative<CommandLine>(parse_command_line(arguments))) << name;
+    }
+}
+
+TEST(CommandLine, Version_IsPrinted) {
+    EXPECT_THAT(refused({"--version"}).out, StartsWith("carom 0."));
+    EXPECT_EQ(refused({"--version"}).exit_code, 0);
+}
+
+TEST(CommandLine, Render_TakesItsOptions) {
+    const auto command = parsed<RenderCommand>(
+        {"render", "a.yaml", "-o", "b.mp4", "--frames", "0-47x2", "--quality", "draft", "--set",
+         "render.samples=4", "--set=output.crf=20", "--threads", "3", "--cache", "/c"});
+    EXPECT_EQ(command.input.path, "a.yaml");
+    EXPECT_EQ(command.output, "b.mp4");
+    EXPECT_EQ(command.frames, "0-47x2");
+    EXPECT_EQ(command.input.quality, "draft");
+    EXPECT_THAT(command.input.overrides, ElementsAre("render.samples=4", "output.crf=20"));
+    EXPECT_EQ(command.threads, 3);
+    EXPECT_EQ(command.cache.folder, "/c");
+}
+
+TEST(CommandLine, SetBeforeTheShot_DoesNotSwallowIt) {
+    const auto command =
+        parsed<RenderCommand>({"render", "--set", "a=1", "--set", "b=2", "s.yaml"});
+    EXPECT_EQ(command.input.path, "s.yaml");
+    EXPECT_THAT(command.input.overrides, ElementsAre("a=1", "b=2"));
+}
+
+TEST(CommandLine, SetWithListsAndSpaces_IsKeptWhole) {
+    const auto command =
+        parsed<CheckCommand>({"check", "s.yaml", "--set", "render.size=[640, 360]"});
+    EXPECT_THAT(command.input.overrides, ElementsAre("render.size=[640, 360]"));
+}
+
+TEST(CommandLine, Defaults_AreEmpty) {
+    const auto command = parsed<RenderCommand>({"render", "a.yaml"});
+    EXPECT_EQ(command.output, "");
+    EXPECT_EQ(command.threads, 0);
+    EXPECT_THAT(command.input.overrides, IsEmpty());
+    EXPECT_FALSE(parsed<FrameCommand>({"frame", "a.yaml"}).frame.has_value());
+    EXPECT_FALSE(parsed<ExportCommand>({"export", "a.yaml"}).rate.has_value());
+}
+
+TEST(CommandLine, Talk_IsReadAfterTheCommand) {
+    const auto result = parse_command_line({"check", "a.yaml", "--log", "json", "-q"});
+    EXPECT_TRUE(std::get<CommandLine>(result).talk.json);
+    EXPECT_TRUE(std::get<CommandLine>(result).talk.quiet);
+}
+
+TEST(CommandLine, FrameAndAt_ExcludeEachOther) {
+    EXPECT_EQ(parsed<FrameCommand>({"frame", "a.yaml", "--frame", "12"}).frame, 12);
+    EXPECT_EQ(parsed<FrameCommand>({"frame", "a.yaml", "--at", "1.25s"}).at, "1.25s");
+    EXPECT_EQ(refused({"frame", "a.yaml", "--frame", "1", "--at", "1s"}).exit_code, 2);
+}
+
+TEST(CommandLine, WrongUsage_IsExitCode2WithAPointerToHelp) {
+    const std::vector<std::vector<std::string>> wrong{
+        {"rendr", "a.yaml"},
+        {"render"},
+        {"render", "a.yaml", "b.yaml"},
+        {"render", "a.yaml", "--frobnicate"},
+        {"render", "a.yaml", "--threads", "-1"},
+        {"render", "a.yaml", "--threads", "many"},
+        {"frame", "a.yaml", "--frame", "-3"},
+        {"export", "a.yaml", "--rate", "0"},
+        {"check", "a.yaml", "--log", "xml"},
+    };
+    for (const auto& arguments : wrong) {
+        const NothingToRun nothing = refused(arguments);
+        EXPECT_EQ(nothing.exit_code, 2);
+        EXPECT_EQ(nothing.out, "");
+        EXPECT_THAT(nothing.err, StartsWith("carom: error: "));
+        EXPECT_THAT(nothing.err, HasSubstr("--help' says what there is\n"));
+    }
+}
+
+TEST(CommandLine, MisspeltCommand_GetsAHint) {
+    EXPECT_THAT(refused({"rendr", "a.yaml"}).err,
+                StartsWith("carom: error: unknown command 'rendr' (did you mean 'render'?)\n"));
+    EXPECT_THAT(refused({"shot.yaml"}).err,
+                StartsWith("carom: error: unknown command 'shot.yaml'\n"));
+    EXPECT_THAT(refused({"--verison"}).err, StartsWith("carom: error: unknown option '--verison'"));
+}
+
+TEST(CommandLine, MissingShot_IsNamed) {
+    EXPECT_THAT(refused({"render"}).err, StartsWith("carom: error: SHOT|BAKE is required\n"));
+}
+
+TEST(CommandLine, NoArguments_GiveTheHelpOnStderr) {
+    const NothingToRun nothing = refused({});
+    EXPECT_EQ(nothing.exit_code, 2);
+    EXPECT_EQ(nothing.out, "");
+    EXPECT_EQ(nothing.err, refused({"--help"}).out);
+}
+
+TEST(CommandLine, Help_FitsEightyColumns) {
+    for (const std::string name : {"render", "bake", "frame", "check", "export", "--help"}) {
+        std::istringstream lines(refused({name, "--help"}).out);
+        for (std::string line; std::getline(lines, line);) {
+            EXPECT_LE(line.size(), 80U) << line;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace carom::cli

@@ -1,0 +1,133 @@
+#include "pipeline/cli/terminal/console.h"
+
+#include <regex>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace carom::cli {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// What a console writes, with a clock in our hand.
+struct Recorder {
+    std::string text;
+    double time = 1000;
+
+    ConsoleSettings settings() {
+        ConsoleSettings settings;
+        settings.clock = [this] { return time; };
+        settings.write = [this](std::string_view written) { text += written; };
+        return settings;
+    }
+};
+
+ProgressSnapshot at(double share) {
+    ProgressSnapshot snapshot;
+    snapshot.stage = "bake";
+    snapshot.share = share;
+    return snapshot;
+}
+
+TEST(Console, Messages_AreLinesWithTheirLevel) {
+    Recorder recorder;
+    Console console(recorder.settings());
+    console.info("done {} %s");  // not a format string
+    console.warning("odd");
+    console.error("bad");
+    EXPECT_EQ(recorder.text, "carom: done {} %s\ncarom: warning: odd\ncarom: error: bad\n");
+}
+
+TEST(Console, Quiet_KeepsWarningsAndErrorsOnly) {
+    Recorder recorder;
+    ConsoleSettings settings = recorder.settings();
+    settings.quiet = true;
+    Console console(settings);
+    console.info("chat");
+    console.progress(at(0.5));
+    console.event("chat", {}, "chat\n", false);
+    console.warning("odd");
+    console.event("problem", {}, "shot.yaml:1:1: error: bad\n", true);
+    EXPECT_EQ(recorder.text, "carom: warning: odd\nshot.yaml:1:1: error: bad\n");
+}
+
+TEST(Console, Colour_IsUsedOnlyWhenWanted) {
+    Recorder recorder;
+    ConsoleSettings settings = recorder.settings();
+    {
+        Console console(settings);
+        console.error("bad");
+    }
+    EXPECT_THAT(recorder.text, Not(HasSubstr("\x1b")));
+    settings.colour = true;
+    Console console(settings);
+    console.error("bad");
+    EXPECT_THAT(recorder.text, HasSubstr("\x1b[1;31merror:\x1b[0m bad"));
+}
+
+TEST(Console, Json_IsOneObjectPerLine) {
+    Recorder recorder;
+    ConsoleSettings settings = recorder.settings();
+    settings.json = true;
+    settings.terminal = true;  // makes no difference
+    settings.colour = true;
+    Console console(settings);
+    console.warning("say \"hi\"");
+    JsonMembers members;
+    members.add("line", 3);
+    console.event("problem", members, "text for people\n", true);
+    console.progress(at(0.5));
+    const std::regex lines(
+        R"re(\{"time":"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z","level":"warning","message":"say \\"hi\\""\}
+\{"time":"[^"]*","event":"problem","line":3\}
+\{"time":"[^"]*","event":"progress","stage":"bake","share":0.5,"seconds_elapsed":0\}
+)re");
+    EXPECT_TRUE(std::regex_match(recorder.text, lines)) << recorder.text;
+}
+
+TEST(Console, LogWithoutTerminal_HasALineEveryFewSeconds) {
+    Recorder recorder;
+    Console console(recorder.settings());
+    for (int i = 0; i < 100; ++i) {
+        recorder.time += 0.11;
+        console.progress(at(i / 100.0));
+    }
+    EXPECT_EQ(recorder.text, "carom: bake: 0 %\ncarom: bake: 46 %\ncarom: bake: 92 %\n");
+    EXPECT_THAT(recorder.text, Not(HasSubstr("\r")));
+}
+
+TEST(Console, Bar_IsDrawnOverItselfBelowTheLines) {
+    Recorder recorder;
+    ConsoleSettings settings = recorder.settings();
+    settings.terminal = true;
+    settings.columns = [] { return 31; };
+    Console console(settings);
+    console.progress(at(0.5));
+    console.progress(at(0.6));  // too soon
+    recorder.time += 0.2;
+    console.progress(at(1));
+    console.warning("odd");
+    console.end_progress();
+    console.end_progress();  // twice does no harm
+    const std::string erase = "\r\x1b[K";
+    EXPECT_EQ(recorder.text, erase + "bake [========>       ]   50 %" +      //
+                                 erase + "bake [================]  100 %" +  //
+                                 erase + "carom: warning: odd\nbake [================]  100 %" +
+                                 erase);
+}
+
+TEST(Console, Destroyed_TakesItsBarAway) {
+    Recorder recorder;
+    ConsoleSettings settings = recorder.settings();
+    settings.terminal = true;
+    {
+        Console console(settings);
+        console.progress(at(0.5));
+    }
+    EXPECT_TRUE(recorder.text.ends_with("\r\x1b[K"));
+}
+
+}  // namespace
+}  // namespace carom::cli
