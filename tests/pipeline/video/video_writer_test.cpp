@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 
 #include "sim/timeline/error.h"
 #include "tests/pipeline/video/decoded_video.h"
@@ -301,6 +303,49 @@ TEST(VideoWriter, MissingFolder_IsNamed) {
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_EQ(error.what(), "cannot write '" + path + "': No such file or directory");
+    }
+}
+
+/// Files of this process may grow to that many bytes, as on a disk that is nearly full.
+class FileSizeLimit {
+  public:
+    explicit FileSizeLimit(rlim_t bytes) {
+        ::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        rlimit limit = before_;
+        limit.rlim_cur = bytes;
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+  private:
+    rlimit before_{};
+};
+
+TEST(VideoWriter, DiskThatFillsUp_IsAnErrorThatLeavesNothing) {
+    // At any moment: in the header, in the pictures, while the index is moved to the front.
+    std::size_t whole = 0;
+    {
+        const ScratchFolder folder;
+        whole = read_text(Film{}.write(folder)).size();
+    }
+    for (const std::size_t bytes : {std::size_t{16}, whole / 2, whole - 600, whole - 1}) {
+        const ScratchFolder folder;
+        const std::string path = folder.path("film.mp4");
+        std::string message;
+        {
+            const FileSizeLimit limit(bytes);
+            try {
+                Film{}.write(folder);
+            } catch (const Error& error) {
+                message = error.what();
+            }
+        }
+        EXPECT_THAT(message, HasSubstr("cannot write '" + path + "'")) << bytes << " of " << whole;
+        EXPECT_THAT(message, HasSubstr("File too large")) << bytes << " of " << whole;
+        EXPECT_THAT(folder.names(), IsEmpty());
     }
 }
 
