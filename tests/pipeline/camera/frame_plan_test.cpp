@@ -237,7 +237,7 @@ TEST(FramePlan, CameraWithoutAPicture_IsAnErrorWithItsName) {
     rig.up = {0, -4, 1};
     expect_error(rig, 3, "camera 'a', frame 3: the camera looks straight along its up direction");
     rig = make_rig(0, 2);
-    rig.target = FollowPath{"queue", {}, 0};
+    rig.target = FollowPath{"queue", {0, 0, 0}, 0};
     expect_error(rig, 0, "camera 'a', frame 0: object 'queue' is not in the timeline");
     rig = make_rig(0, 2);
     rig.target = BezierPath{{{{0, -9, 1}, "", 0}}, false};

@@ -1,0 +1,244 @@
+#include "pipeline/store/frame_key.h"
+
+#include <cmath>
+#include <functional>
+
+#include <gmock/gmock.h>
+
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+namespace {
+
+sim::Key make_key(double time, const Vec3& position, const Vec3& velocity, const Vec3& spin,
+                  const Quat& orientation = {}) {
+    sim::Key key;
+    key.time = time;
+    key.position = position;
+    key.orientation = orientation;
+    key.velocity_in = key.velocity_out = velocity;
+    key.angular_velocity_in = key.angular_velocity_out = spin;
+    return key;
+}
+
+Quat turned_about_y(double angle) {
+    return {std::cos(angle / 2), 0, std::sin(angle / 2), 0};
+}
+
+/// "cue" rolls along x from 0 s to 2 s and rests from then on; "one" rests.
+std::vector<sim::Key> cue_keys() {
+    return {make_key(0, {0, 0, 0.03}, {1, 0, 0}, {0, 33, 0}),
+            make_key(1, {0.75, 0, 0.03}, {0.5, 0, 0}, {0, 17, 0}, turned_about_y(25)),
+            make_key(2, {1, 0, 0.03}, {0, 0, 0}, {0, 0, 0}, turned_about_y(33.5)),
+            make_key(4, {1, 0, 0.03}, {0, 0, 0}, {0, 0, 0}, turned_about_y(33.5))};
+}
+
+/// All that a key is made from, ready to be changed in one place.
+struct Inputs {
+    PlannedFrame frame;
+    Shutter shutter;
+    render::SceneDescription scene;
+    render::RenderSettings settings;
+    std::vector<sim::Key> cue = cue_keys();
+    std::vector<sim::Key> one{make_key(0, {2, 0.1, 0.03}, {0, 0, 0}, {0, 0, 0})};
+    std::string cue_name = "cue";
+
+    Inputs() {
+        frame.scene_open = 0.4;
+        frame.scene_close = 0.42;
+        scene.materials = {{"red", {}}, {"blue", {}}};
+        scene.materials[1].surface.base = Vec3(0, 0, 1);
+        scene.objects.resize(3);
+        scene.objects[0] = {"cloth", render::PlaneShape{}, {}, "", "blue"};
+        scene.objects[1] = {"cue ball", render::SphereShape{0.03}, {}, "cue", "red"};
+        scene.objects[2] = {"one ball", render::SphereShape{0.03}, {}, "one", "red"};
+        scene.lights = {{"sky", render::EnvironmentLight{}}};
+    }
+
+    [[nodiscard]] sim::Timeline timeline() const {
+        sim::Timeline timeline;
+        timeline.tracks.emplace_back("unseen",
+                                     std::vector{make_key(0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0})});
+        timeline.tracks.emplace_back(cue_name, cue);
+        timeline.tracks.emplace_back("one", one);
+        return timeline;
+    }
+
+    [[nodiscard]] Hash128 key() const {
+        return frame_key(frame, shutter, scene, hash_scene(scene), settings, timeline());
+    }
+};
+
+using Change = std::function<void(Inputs&)>;
+
+Hash128 key_with(const Change& change) {
+    Inputs inputs;
+    change(inputs);
+    return inputs.key();
+}
+
+TEST(FrameKey, SameInputs_HaveTheSameKey) {
+    EXPECT_EQ(Inputs().key(), Inputs().key());
+}
+
+TEST(FrameKey, NumbersNamesAndDirection_DoNotEnter) {
+    const Hash128 key = Inputs().key();
+    EXPECT_EQ(key, key_with([](Inputs& i) { i.frame.number = 77; }));
+    EXPECT_EQ(key, key_with([](Inputs& i) { i.frame.rig = "other"; }));
+    EXPECT_EQ(key, key_with([](Inputs& i) { i.frame.reversed = true; }));
+    EXPECT_EQ(key, key_with([](Inputs& i) { i.frame.video_time = i.frame.scene_time = 9; }));
+    EXPECT_EQ(key, key_with([](Inputs& i) { i.scene.objects[1].name = "white"; }));
+    EXPECT_EQ(key, key_with([](Inputs& i) { i.scene.lights[0].name = "dome"; }));
+    EXPECT_EQ(key, key_with([](Inputs& i) {
+                  i.cue_name = "queue";
+                  i.scene.objects[1].track = "queue";
+              }));
+    EXPECT_EQ(key, key_with([](Inputs& i) {
+                  i.scene.materials[0].name = "crimson";
+                  i.scene.objects[1].material = i.scene.objects[2].material = "crimson";
+              }));
+    EXPECT_EQ(key, key_with([](Inputs& i) { i.scene.materials.push_back({"unused", {}}); }));
+}
+
+TEST(FrameKey, MotionOutsideTheShutter_DoesNotEnter) {
+    const Hash128 key = Inputs().key();
+    EXPECT_EQ(key, key_with([](Inputs& i) { i.cue.back().time = 60; }));
+    EXPECT_EQ(key, key_with([](Inputs& i) { i.cue.pop_back(); }));
+    EXPECT_EQ(key, key_with([](Inputs& i) { i.cue[2].position.x = 3; }));
+    EXPECT_EQ(key, key_with([](Inputs& i) {
+                  i.cue[1].velocity_out = {0, 5, 0};
+                  i.cue[1].angular_velocity_out = {9, 0, 0};
+              }));
+    EXPECT_EQ(key, key_with([](Inputs& i) {
+                  i.one.push_back(make_key(3, {2, 0.1, 0.03}, {0, 0, 0}, {0, 0, 0}));
+              }));
+}
+
+TEST(FrameKey, WhateverIsSeen_ChangesIt) {
+    const std::vector<std::pair<const char*, Change>> changes{
+        {"scene_open", [](Inputs& i) { i.frame.scene_open = 0.39; }},
+        {"scene_close", [](Inputs& i) { i.frame.scene_close = 0.43; }},
+        {"camera_open.position", [](Inputs& i) { i.frame.camera_open.position.x = 1; }},
+        {"camera_close.position", [](Inputs& i) { i.frame.camera_close.position.x = 1; }},
+        {"camera.target", [](Inputs& i) { i.frame.camera_open.target.x = 1; }},
+        {"camera.up",
+         [](Inputs& i) {
+             i.frame.camera_open.up = {0, 1, 1};
+         }},
+        {"camera.roll", [](Inputs& i) { i.frame.camera_open.roll = 1; }},
+        {"camera.vertical_fov", [](Inputs& i) { i.frame.camera_open.vertical_fov = 1; }},
+        {"camera.focus_distance", [](Inputs& i) { i.frame.camera_open.focus_distance = 1; }},
+        {"camera.lens_radius", [](Inputs& i) { i.frame.camera_open.lens_radius = 0.01; }},
+        {"camera.blades", [](Inputs& i) { i.frame.camera_open.blades = 5; }},
+        {"camera.blade_rotation", [](Inputs& i) { i.frame.camera_open.blade_rotation = 1; }},
+        {"switch_ratio", [](Inputs& i) { i.shutter.switch_ratio = 0.5; }},
+        {"width", [](Inputs& i) { i.settings.width = 640; }},
+        {"height", [](Inputs& i) { i.settings.height = 640; }},
+        {"samples", [](Inputs& i) { i.settings.samples = 65; }},
+        {"max_bounces", [](Inputs& i) { i.settings.max_bounces = 5; }},
+        {"clamp", [](Inputs& i) { i.settings.clamp = 10; }},
+        {"filter", [](Inputs& i) { i.settings.filter = render::PixelFilter::box; }},
+        {"filter_width", [](Inputs& i) { i.settings.filter_width = 2; }},
+        {"acceleration",
+         [](Inputs& i) { i.settings.acceleration = render::AccelerationKind::embree; }},
+        {"aovs", [](Inputs& i) { i.settings.aovs = {"depth"}; }},
+        {"path", [](Inputs& i) { i.cue[1].position.y = 1e-5; }},
+        {"velocity", [](Inputs& i) { i.cue[0].velocity_out.y = 1e-5; }},
+        {"spin", [](Inputs& i) { i.cue[0].angular_velocity_out.z = 1e-5; }},
+        {"turns", [](Inputs& i) { i.cue[1].orientation = turned_about_y(25.1); }},
+        {"resting place", [](Inputs& i) { i.one[0].position.x = 2.00001; }},
+        {"resting orientation", [](Inputs& i) { i.one[0].orientation = turned_about_y(0.1); }},
+        {"binding",
+         [](Inputs& i) { std::swap(i.scene.objects[1].track, i.scene.objects[2].track); }},
+        {"shared track", [](Inputs& i) { i.scene.objects[2].track = "cue"; }},
+        {"no track", [](Inputs& i) { i.scene.objects[2].track = ""; }},
+        {"shape", [](Inputs& i) { i.scene.objects[2].shape = render::SphereShape{0.031}; }},
+        {"material", [](Inputs& i) { i.scene.objects[2].material = "blue"; }},
+    };
+    std::vector<std::pair<Hash128, std::string>> seen{{Inputs().key(), "nothing"}};
+    for (const auto& [name, change] : changes) {
+        const Hash128 key = key_with(change);
+        for (const auto& [other, other_name] : seen) {
+            EXPECT_NE(key, other) << name << " gives the key of " << other_name;
+        }
+        seen.emplace_back(key, name);
+    }
+}
+
+TEST(FrameKey, ImpactInsideTheShutter_EntersWithItsInstant) {
+    const auto impact_at = [](double time, double angle) {
+        return key_with([&](Inputs& i) {
+            i.frame.scene_open = 0.9;
+            i.frame.scene_close = 1.1;
+            i.cue[1].time = time;
+            i.cue[1].velocity_out = {-std::cos(angle), std::sin(angle), 0};
+        });
+    };
+    EXPECT_EQ(impact_at(1, 0.2), impact_at(1, 0.2));
+    EXPECT_NE(impact_at(1, 0.2), impact_at(1.0001, 0.2));
+    EXPECT_NE(impact_at(1, 0.2), impact_at(1, 0.2001));
+}
+
+TEST(FrameKey, AllAtRest_DoesNotDependOnTheTime) {
+    const auto resting_at = [](double open, double close) {
+        return key_with([&](Inputs& i) {
+            i.frame.scene_open = open;
+            i.frame.scene_close = close;
+        });
+    };
+    EXPECT_EQ(resting_at(2.5, 2.52), resting_at(3.5, 3.52));
+    EXPECT_EQ(resting_at(2.5, 2.52), resting_at(3.9, 4.1));  // the end of the bake
+    EXPECT_EQ(resting_at(2, 2.02), resting_at(7, 7.5));
+    EXPECT_NE(resting_at(1.99, 2.01), resting_at(7, 7.5));
+}
+
+TEST(FrameKey, FrozenTime_IsThePoseAlone) {
+    const auto frozen = [](const Change& change) {
+        return key_with([&](Inputs& i) {
+            i.frame.scene_open = i.frame.scene_close = 1;
+            change(i);
+        });
+    };
+    const Hash128 key = frozen([](Inputs&) {});
+    EXPECT_EQ(key, frozen([](Inputs& i) { i.cue[1].velocity_out = {3, 3, 3}; }));
+    EXPECT_NE(key, frozen([](Inputs& i) { i.cue[1].position.y = 1e-6; }));
+}
+
+TEST(FrameInputs, TracksThatRest_AreOneKey) {
+    Inputs i;
+    const FrameInputs moving = frame_inputs(i.frame, i.shutter, i.scene, i.timeline());
+    ASSERT_EQ(moving.tracks.size(), 2u);
+    EXPECT_EQ(moving.tracks[0], *i.timeline().find("cue"));
+    EXPECT_EQ(moving.tracks[1].keys().size(), 1u);
+    EXPECT_EQ(moving.frame.scene_open, 0.4);
+    i.frame.scene_open = 3;
+    i.frame.scene_close = 3.5;
+    const FrameInputs resting = frame_inputs(i.frame, i.shutter, i.scene, i.timeline());
+    EXPECT_EQ(resting.tracks[0].keys().size(), 1u);
+    EXPECT_EQ(resting.tracks[0].keys()[0].position, Vec3(1, 0, 0.03));
+    EXPECT_EQ(resting.frame.scene_open, 0);
+    EXPECT_EQ(resting.frame.scene_close, 0);
+}
+
+TEST(FrameInputs, SpinningInPlace_IsMotion) {
+    Inputs i;
+    i.one = {
+        make_key(0, {2, 0.1, 0.03}, {0, 0, 0}, {0, 0, 1}),
+        make_key(1, {2, 0.1, 0.03}, {0, 0, 0}, {0, 0, 1}, {std::cos(0.5), 0, 0, std::sin(0.5)})};
+    EXPECT_EQ(frame_inputs(i.frame, i.shutter, i.scene, i.timeline()).tracks[1].keys().size(), 2u);
+}
+
+TEST(FrameInputs, MissingTrack_IsAnErrorNamingBoth) {
+    Inputs i;
+    i.scene.objects[2].track = "two";
+    try {
+        (void)frame_inputs(i.frame, i.shutter, i.scene, i.timeline());
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(),
+                     "object 'one ball' moves like 'two', which is not in the timeline");
+    }
+}
+
+}  // namespace
+}  // namespace carom::pipeline

@@ -1,0 +1,264 @@
+#include "pipeline/store/frame_store.h"
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "sim/timeline/error.h"
+#include "tests/pipeline/store/sample_frames.h"
+#include "tests/pipeline/video/scratch_folder.h"
+
+namespace carom::pipeline {
+namespace {
+
+using carom::testing::make_film;
+using carom::testing::make_key;
+using carom::testing::read_text;
+using carom::testing::ScratchFolder;
+using carom::testing::write_text;
+using ::testing::IsEmpty;
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> names_in(const std::string& folder) {
+    std::vector<std::string> names;
+    if (fs::exists(folder)) {
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            names.push_back(entry.path().filename().string());
+        }
+    }
+    return names;
+}
+
+TEST(CacheFolder, Environment_DecidesInOrder) {
+    ::setenv("CAROM_CACHE", "/a", 1);
+    ::setenv("XDG_CACHE_HOME", "/b", 1);
+    ::setenv("HOME", "/c", 1);
+    EXPECT_EQ(default_cache_folder(), "/a");
+    ::unsetenv("CAROM_CACHE");
+    EXPECT_EQ(default_cache_folder(), "/b/carom");
+    ::setenv("XDG_CACHE_HOME", "", 1);
+    EXPECT_EQ(default_cache_folder(), "/c/.cache/carom");
+    ::unsetenv("HOME");
+    EXPECT_THROW((void)default_cache_folder(), Error);
+}
+
+TEST(FrameStore, WrittenFrame_ComesBackAsItWas) {
+    const ScratchFolder folder;
+    const FrameStore store(folder.path("frames"));
+    const Hash128 key = make_key(1);
+    EXPECT_FALSE(store.contains(key));
+    EXPECT_FALSE(store.read(key));
+    const render::Film film = make_film(1);
+    store.write(key, film, {{"carom:samples", "64"}});
+    EXPECT_TRUE(store.contains(key));
+    const std::optional<render::Film> back = store.read(key);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->width, film.width);
+    EXPECT_EQ(back->height, film.height);
+    EXPECT_EQ(back->rgba, film.rgba);
+    ASSERT_EQ(back->aovs.size(), 1u);
+    EXPECT_EQ(back->aovs[0].name, "Z");
+    EXPECT_EQ(back->aovs[0].values, film.aovs[0].values);
+    EXPECT_THAT(names_in(folder.path("frames/partial")), IsEmpty());
+    EXPECT_EQ(store.path_of(key), folder.path("frames/") + key.to_string().substr(0, 2) + "/" +
+                                      key.to_string() + ".exr");
+}
+
+TEST(FrameStore, FrameWithoutNumbers_IsRefusedAndLeavesNothing) {
+    const ScratchFolder folder;
+    const FrameStore store(folder.path());
+    render::Film film = make_film(1);
+    film.rgba[5] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_THROW(store.write(make_key(1), film, {}), Error);
+    EXPECT_FALSE(store.contains(make_key(1)));
+    EXPECT_THAT(names_in(folder.path("partial")), IsEmpty());
+}
+
+TEST(FrameStore, AnyDamagedByte_MakesTheFrameMissing) {
+    const ScratchFolder folder;
+    const FrameStore store(folder.path());
+    const Hash128 key = make_key(1);
+    store.write(key, make_film(1), {});
+    const std::string whole = read_text(store.path_of(key));
+    for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 100) {
+        std::string damaged = whole;
+        damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
+        write_text(store.path_of(key), damaged);
+        EXPECT_FALSE(store.read(key)) << at;
+        EXPECT_FALSE(store.contains(key)) << at;
+    }
+    write_text(store.path_of(key), whole);
+    EXPECT_TRUE(store.read(key));
+}
+
+TEST(FrameStore, TruncatedEmptyOrForeignFile_IsMissing) {
+    const ScratchFolder folder;
+    const FrameStore store(folder.path());
+    const Hash128 key = make_key(1), other = make_key(2);
+    store.write(key, make_film(1), {});
+    const std::string whole = read_text(store.path_of(key));
+    for (const std::string& text :
+         {std::string(), whole.substr(0, whole.size() / 2), whole.substr(0, whole.size() - 1),
+          whole + "x", std::string("not a picture at all, but long enough to hold a seal")}) {
+        write_text(store.path_of(key), text);
+        EXPECT_FALSE(store.read(key)) << text.size();
+    }
+    // A whole frame under another frame's name.
+    fs::create_directories(fs::path(store.path_of(other)).parent_path());
+    write_text(store.path_of(other), whole);
+    EXPECT_FALSE(store.read(other));
+}
+
+TEST(FrameStore, FolderThatVanishes_IsMadeAgain) {
+    const ScratchFolder folder;
+    const FrameStore store(folder.path("frames"));
+    fs::remove_all(folder.path("frames"));
+    EXPECT_TRUE(store.claim(make_key(1)));
+    store.write(make_key(1), make_film(1), {});
+    EXPECT_TRUE(store.read(make_key(1)));
+}
+
+TEST(FrameStore, FolderThatCannotBeMade_IsAnErrorWithItsName) {
+    const ScratchFolder folder;
+    write_text(folder.path("file"), "in the way");
+    try {
+        const FrameStore store(folder.path("file/frames"));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), ::testing::StartsWith("'" + folder.path("file/frames") +
+                                                        "': the folder cannot be made: "));
+    }
+}
+
+TEST(FrameClaim, SecondClaim_IsRefusedUntilTheFirstEnds) {
+    const ScratchFolder folder;
+    const FrameStore store(folder.path());
+    ASSERT_TRUE(store.can_claim());
+    {
+        std::optional<FrameClaim> first = store.claim(make_key(1));
+        ASSERT_TRUE(first);
+        EXPECT_FALSE(store.claim(make_key(1)));
+        EXPECT_TRUE(store.claim(make_key(2)));
+        const FrameClaim moved = std::move(*first);
+        first.reset();
+        EXPECT_FALSE(store.claim(make_key(1)));
+    }
+    EXPECT_TRUE(store.claim(make_key(1)));
+    EXPECT_THAT(names_in(folder.path("locks")), IsEmpty());
+}
+
+/// Runs `work` in a child and returns its process id.
+template <class Work>
+pid_t start_child(const Work& work) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        work();
+        ::_exit(0);
+    }
+    return child;
+}
+
+TEST(FrameClaim, KilledOwner_FreesItsFrame) {
+    const ScratchFolder folder;
+    std::array<int, 2> ends{};
+    ASSERT_EQ(::pipe(ends.data()), 0);
+    const FrameStore store(folder.path());
+    const pid_t child = start_child([&] {
+        const std::optional<FrameClaim> claim = store.claim(make_key(1));
+        const char done = claim ? 'y' : 'n';
+        if (::write(ends[1], &done, 1) == 1) {
+            ::pause();
+        }
+    });
+    char claimed = 0;
+    ASSERT_EQ(::read(ends[0], &claimed, 1), 1);
+    EXPECT_EQ(claimed, 'y');
+    EXPECT_FALSE(store.claim(make_key(1)));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    EXPECT_EQ(names_in(folder.path("locks")).size(), 1u);
+    EXPECT_TRUE(store.claim(make_key(1)));
+    EXPECT_THAT(names_in(folder.path("locks")), IsEmpty());
+    ::close(ends[0]);
+    ::close(ends[1]);
+}
+
+TEST(FrameClaim, LockOfAKilledOwner_IsSweptByTheNextStore) {
+    const ScratchFolder folder;
+    { const FrameStore store(folder.path()); }
+    write_text(folder.path("locks/") + make_key(7).to_string(), "");
+    write_text(folder.path("partial/left"), "half a frame");
+    const FrameStore held_by(folder.path());
+    EXPECT_THAT(names_in(folder.path("locks")), IsEmpty());
+    EXPECT_THAT(names_in(folder.path("partial")), IsEmpty());
+    const std::optional<FrameClaim> claim = held_by.claim(make_key(7));
+    const FrameStore next(folder.path());
+    EXPECT_FALSE(next.claim(make_key(7)));
+}
+
+TEST(FrameClaim, ManyProcesses_NeverHoldItTogether) {
+    const ScratchFolder folder;
+    const FrameStore store(folder.path());
+    const std::string in_use = folder.path("in_use");
+    std::vector<pid_t> children;
+    for (int i = 0; i < 4; ++i) {
+        children.push_back(start_child([&] {
+            for (int granted = 0; granted < 300;) {
+                const std::optional<FrameClaim> claim = store.claim(make_key(1));
+                if (!claim) {
+                    std::this_thread::yield();
+                    continue;
+                }
+                ++granted;
+                if (::mkdir(in_use.c_str(), 0700) != 0 || ::rmdir(in_use.c_str()) != 0) {
+                    ::_exit(1);
+                }
+            }
+        }));
+    }
+    for (const pid_t child : children) {
+        int status = -1;
+        ::waitpid(child, &status, 0);
+        EXPECT_EQ(status, 0);
+    }
+    EXPECT_THAT(names_in(folder.path("locks")), IsEmpty());
+}
+
+TEST(FrameStore, KilledWriter_LeavesNothingHalf) {
+    const ScratchFolder folder;
+    const std::string writer = CAROM_BINARY_DIR "/tests/carom_store_writer";
+    for (int round = 0; round < 6; ++round) {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            ::execl(writer.c_str(), writer.c_str(), folder.path().c_str(), nullptr);
+            ::_exit(1);
+        }
+        while (!FrameStore(folder.path()).contains(make_key(0))) {
+            ASSERT_EQ(::waitpid(child, nullptr, WNOHANG), 0) << "the writer ended by itself";
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(3 + 7 * round));
+        ::kill(child, SIGKILL);
+        ::waitpid(child, nullptr, 0);
+        const FrameStore store(folder.path());
+        EXPECT_THAT(names_in(folder.path("partial")), IsEmpty());
+        for (std::uint64_t number = 0; number < 8; ++number) {
+            if (store.contains(make_key(number))) {
+                const std::optional<render::Film> film = store.read(make_key(number));
+                ASSERT_TRUE(film);
+                EXPECT_EQ(film->rgba, make_film(static_cast<int>(number)).rgba);
+            }
+        }
+        fs::remove(store.path_of(make_key(0)));
+    }
+}
+
+}  // namespace
+}  // namespace carom::pipeline
