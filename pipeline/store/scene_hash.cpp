@@ -31,7 +31,7 @@ class SceneHasher {
     template <class Variant>
     void add_variant(const Variant& variant) {
         hasher_.add(std::uint64_t{variant.index()});
-        std::visit([this](const auto& alternative) { add(alternative); }, variant);
+        std::visit([this](const auto& alternative) { this->add(alternative); }, variant);
     }
 
     // Materials count by what they are; an object names one, but the name itself is not seen.
