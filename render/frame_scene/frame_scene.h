@@ -16,7 +16,8 @@ class StaticGeometry;  // render/frame_scene/static_geometry.h: what all frames 
 /// them); still shapes come from `StaticGeometry`.
 class FrameScene {
   public:
-    /// `scene_open` <= `scene_close`, seconds of scene time.
+    /// `scene_open` <= `scene_close`, seconds of scene time. `geometry` outlives this. Throws Error
+    /// if an object names a track that is not among `tracks`.
     FrameScene(const StaticGeometry& geometry, std::span<const sim::Track> tracks,
                double scene_open, double scene_close);
     ~FrameScene();
@@ -27,6 +28,11 @@ class FrameScene {
 
     /// The point that `hit` names, at the ray's own time.
     [[nodiscard]] SurfacePoint surface_at(const Ray& ray, const Hit& hit) const;
+
+    /// Where the point of the object's surface that is at `position` at one time of the shutter is
+    /// at another; both in [0, 1].
+    [[nodiscard]] V3f moved(std::uint32_t object, const V3f& position, float from_time,
+                            float to_time) const;
 
   private:
     struct Data;

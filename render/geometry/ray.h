@@ -15,8 +15,8 @@ using V3f = Imath::V3f;
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 struct Ray {
-    V3f origin;
-    V3f direction;  // unit length
+    V3f origin{0, 0, 0};
+    V3f direction{0, 0, 1};  // unit length
     float t_min = 0;
     float t_max = kInfinity;
     float time = 0;  // within the shutter: 0 is scene_open, 1 is scene_close
@@ -27,21 +27,27 @@ inline constexpr std::uint32_t kNoObject = 0xffffffffu;
 struct Hit {
     float t = kInfinity;
     std::uint32_t object = kNoObject;  // index in the frame scene's objects
-    std::uint32_t primitive = 0;       // of the object: triangle, box face
-    float u = 0, v = 0;                // barycentrics or surface parameters of that primitive
+    std::uint32_t primitive = 0;       // meshes: the triangle; otherwise 0
+    float u = 0, v = 0;                // meshes: weights of the triangle's second and third corner
 };
+
+inline constexpr std::uint32_t kNoMaterial = 0xffffffffu;
 
 /// What shading needs to know about a hit. All world axes unless named otherwise.
 struct SurfacePoint {
-    V3f position;
-    V3f geometric_normal;  // unit, outwards
-    V3f shading_normal;    // unit, on the geometric normal's side
-    V3f object_position;   // in the object's own axes at the ray's time, m
-    V2f uv;                // the mesh's own, or longitude / latitude in [0, 1]; v upwards
-    float uv_per_metre = 0;  // how fast uv runs over the surface, 1/m; 0: not known
-    float offset = 0;      // how far to step off the surface to be safe from hitting it again, m
+    V3f position{0, 0, 0};
+    V3f geometric_normal{0, 0, 1};  // unit, outwards
+    V3f shading_normal{0, 0, 1};    // unit, on the geometric normal's side
+    /// In the object's own axes at the ray's time, m, scaled as the object is. This and `uv` are
+    /// filled in only where the object's material has a texture.
+    V3f object_position{0, 0, 0};
+    /// Meshes: their own, or the barycentric weights; spheres: longitude from +x over +y and
+    /// latitude from -z to +z; boxes and rectangles: across the face; planes: metres. Otherwise in
+    /// [0, 1].
+    V2f uv{0, 0};
+    float offset = 0;  // how far to step off the surface to be safe from hitting it again, m
     std::uint32_t object = kNoObject;
-    std::uint32_t material = 0;
+    std::uint32_t material = 0;  // index in the scene's materials; kNoMaterial for lights
 };
 
 }  // namespace carom::render

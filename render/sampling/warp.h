@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "render/geometry/ray.h"
-#include "render/sampling/trigonometry.h"
+#include "render/geometry/trigonometry.h"
 
 namespace carom::render {
 

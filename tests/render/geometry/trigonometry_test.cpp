@@ -1,4 +1,4 @@
-#include "render/sampling/trigonometry.h"
+#include "render/geometry/trigonometry.h"
 
 #include <cmath>
 #include <numbers>

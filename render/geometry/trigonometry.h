@@ -1,5 +1,5 @@
-// Sine and cosine for sampling: Taylor polynomials on a reduced range, within 1e-7 of the true
-// values, the same bits everywhere and several times faster than the C library's.
+// Sine and cosine for sampling and turning: Taylor polynomials on a reduced range, within 1e-7 of
+// the true values, the same bits everywhere and several times faster than the C library's.
 #pragma once
 
 #include "render/geometry/ray.h"

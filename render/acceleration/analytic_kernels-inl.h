@@ -1,0 +1,357 @@
+// The kernels of analytic_kernels.h for one instruction set; included once per set by the .cpp.
+#include "render/acceleration/analytic_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class D>
+using Int = hn::RebindToSigned<D>;
+
+/// One ray in every lane.
+template <class D>
+struct RayLanes {
+    hn::Vec<D> origin[3];
+    hn::Vec<D> direction[3];
+    hn::Vec<D> t_min;
+    hn::Vec<D> time;
+};
+
+template <class D>
+HWY_INLINE RayLanes<D> broadcast(D d, const Ray& ray) {
+    return {{hn::Set(d, ray.origin.x), hn::Set(d, ray.origin.y), hn::Set(d, ray.origin.z)},
+            {hn::Set(d, ray.direction.x), hn::Set(d, ray.direction.y), hn::Set(d, ray.direction.z)},
+            hn::Set(d, ray.t_min),
+            hn::Set(d, ray.time)};
+}
+
+template <class D>
+HWY_INLINE hn::Vec<D> load(D d, const Lanes& lanes, int lane) {
+    return hn::LoadU(d, lanes.values + lane);
+}
+
+template <class D>
+HWY_INLINE hn::Vec<D> dot(const hn::Vec<D> (&a)[3], const hn::Vec<D> (&b)[3]) {
+    return hn::MulAdd(a[0], b[0], hn::MulAdd(a[1], b[1], hn::Mul(a[2], b[2])));
+}
+
+/// The nearer of two distances (near <= far) beyond t_min.
+template <class D>
+HWY_INLINE hn::Vec<D> first_beyond(const RayLanes<D>& ray, hn::Vec<D> near, hn::Vec<D> far) {
+    return hn::IfThenElse(hn::Gt(near, ray.t_min), near, far);
+}
+
+/// A sphere whose centre lies at `offset` from the ray's origin; the direction has unit length.
+/// Discriminant from the distance between centre and line (Haines, Günther and Akenine-Möller 2019,
+/// "Precision improvements for ray/sphere intersection", section 7.3).
+template <class D>
+HWY_INLINE hn::Mask<D> hit_sphere(D d, const RayLanes<D>& ray, const hn::Vec<D> (&offset)[3],
+                                  hn::Vec<D> radius2, hn::Vec<D>& t) {
+    const hn::Vec<D> along = dot<D>(offset, ray.direction);
+    const hn::Vec<D> beside[3] = {hn::NegMulAdd(along, ray.direction[0], offset[0]),
+                                  hn::NegMulAdd(along, ray.direction[1], offset[1]),
+                                  hn::NegMulAdd(along, ray.direction[2], offset[2])};
+    const hn::Vec<D> discriminant = hn::Sub(radius2, dot<D>(beside, beside));
+    const hn::Mask<D> meets = hn::Ge(discriminant, hn::Zero(d));
+    if (hn::AllFalse(d, meets)) {
+        return meets;
+    }
+    const hn::Vec<D> half_chord = hn::Sqrt(hn::Max(discriminant, hn::Zero(d)));
+    t = first_beyond<D>(ray, hn::Sub(along, half_chord), hn::Add(along, half_chord));
+    return hn::And(meets, hn::Gt(t, ray.t_min));
+}
+
+struct StillSphereTest {
+    template <class D>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const StillSphereBlock& block,
+                                      int lane, hn::Vec<D>& t) const {
+        const hn::Vec<D> offset[3] = {hn::Sub(load(d, block.centre[0], lane), ray.origin[0]),
+                                      hn::Sub(load(d, block.centre[1], lane), ray.origin[1]),
+                                      hn::Sub(load(d, block.centre[2], lane), ray.origin[2])};
+        return hit_sphere(d, ray, offset, load(d, block.radius2, lane), t);
+    }
+};
+
+struct MovingSphereTest {
+    template <class D>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MovingSphereBlock& block,
+                                      int lane, hn::Vec<D>& t) const {
+        const hn::Vec<D> elapsed = hn::Sub(ray.time, load(d, block.path_start, lane));
+        const auto offset_along = [&](int axis) HWY_ATTR {
+            hn::Vec<D> place = load(d, block.path[3][axis], lane);
+            place = hn::MulAdd(place, elapsed, load(d, block.path[2][axis], lane));
+            place = hn::MulAdd(place, elapsed, load(d, block.path[1][axis], lane));
+            place = hn::MulAdd(place, elapsed, load(d, block.path[0][axis], lane));
+            return hn::Sub(place, ray.origin[axis]);
+        };
+        const hn::Vec<D> offset[3] = {offset_along(0), offset_along(1), offset_along(2)};
+        const hn::Mask<D> in_force = hn::And(hn::Ge(ray.time, load(d, block.start, lane)),
+                                             hn::Lt(ray.time, load(d, block.end, lane)));
+        return hn::And(in_force, hit_sphere(d, ray, offset, load(d, block.radius2, lane), t));
+    }
+};
+
+/// 1 / x with a huge finite number in place of infinity, so that zero times it is zero.
+template <class D>
+HWY_INLINE hn::Vec<D> finite_reciprocal(D d, hn::Vec<D> x) {
+    const hn::Vec<D> size = hn::Max(hn::Abs(x), hn::Set(d, 1e-30f));
+    return hn::Div(hn::Set(d, 1.f), hn::CopySign(size, x));
+}
+
+/// Slabs of Kay and Kajiya 1986: low and high relative to the origin.
+template <class D>
+HWY_INLINE hn::Mask<D> hit_slabs(D, const RayLanes<D>& ray, const hn::Vec<D> (&low)[3],
+                                 const hn::Vec<D> (&high)[3], const hn::Vec<D> (&inverse)[3],
+                                 hn::Vec<D>& t) {
+    const hn::Vec<D> x0 = hn::Mul(low[0], inverse[0]);
+    const hn::Vec<D> x1 = hn::Mul(high[0], inverse[0]);
+    const hn::Vec<D> y0 = hn::Mul(low[1], inverse[1]);
+    const hn::Vec<D> y1 = hn::Mul(high[1], inverse[1]);
+    const hn::Vec<D> z0 = hn::Mul(low[2], inverse[2]);
+    const hn::Vec<D> z1 = hn::Mul(high[2], inverse[2]);
+    const hn::Vec<D> enter = hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Min(z0, z1));
+    const hn::Vec<D> leave = hn::Min(hn::Min(hn::Max(x0, x1), hn::Max(y0, y1)), hn::Max(z0, z1));
+    t = first_beyond<D>(ray, enter, leave);
+    return hn::And(hn::Le(enter, leave), hn::Gt(t, ray.t_min));
+}
+
+template <class D>
+struct AlignedBoxTest {
+    hn::Vec<D> inverse[3];
+
+    HWY_INLINE AlignedBoxTest(D d, const RayLanes<D>& ray)
+        : inverse{finite_reciprocal(d, ray.direction[0]), finite_reciprocal(d, ray.direction[1]),
+                  finite_reciprocal(d, ray.direction[2])} {}
+
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const AlignedBoxBlock& block,
+                                      int lane, hn::Vec<D>& t) const {
+        const hn::Vec<D> low[3] = {hn::Sub(load(d, block.low[0], lane), ray.origin[0]),
+                                   hn::Sub(load(d, block.low[1], lane), ray.origin[1]),
+                                   hn::Sub(load(d, block.low[2], lane), ray.origin[2])};
+        const hn::Vec<D> high[3] = {hn::Sub(load(d, block.high[0], lane), ray.origin[0]),
+                                    hn::Sub(load(d, block.high[1], lane), ray.origin[1]),
+                                    hn::Sub(load(d, block.high[2], lane), ray.origin[2])};
+        return hit_slabs(d, ray, low, high, inverse, t);
+    }
+};
+
+template <class D>
+HWY_INLINE hn::Vec<D> mapped_coordinate(D d, const MappedBlock& block, int lane, int axis,
+                                        const hn::Vec<D> (&p)[3], hn::Vec<D> last) {
+    hn::Vec<D> sum = hn::MulAdd(p[0], load(d, block.map[0][axis], lane), last);
+    sum = hn::MulAdd(p[1], load(d, block.map[1][axis], lane), sum);
+    return hn::MulAdd(p[2], load(d, block.map[2][axis], lane), sum);
+}
+
+template <class D>
+HWY_INLINE hn::Vec<D> mapped_origin(D d, const RayLanes<D>& ray, const MappedBlock& block, int lane,
+                                    int axis) {
+    return mapped_coordinate(d, block, lane, axis, ray.origin, load(d, block.map[3][axis], lane));
+}
+
+template <class D>
+HWY_INLINE hn::Vec<D> mapped_direction(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                       int lane, int axis) {
+    return mapped_coordinate(d, block, lane, axis, ray.direction, hn::Zero(d));
+}
+
+struct MappedBallTest {
+    template <class D>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                      int lane, hn::Vec<D>& t) const {
+        const hn::Vec<D> o[3] = {mapped_origin(d, ray, block, lane, 0),
+                                 mapped_origin(d, ray, block, lane, 1),
+                                 mapped_origin(d, ray, block, lane, 2)};
+        const hn::Vec<D> v[3] = {mapped_direction(d, ray, block, lane, 0),
+                                 mapped_direction(d, ray, block, lane, 1),
+                                 mapped_direction(d, ray, block, lane, 2)};
+        const hn::Vec<D> inverse_length2 = hn::Div(hn::Set(d, 1.f), dot<D>(v, v));
+        const hn::Vec<D> along = hn::Neg(hn::Mul(dot<D>(o, v), inverse_length2));
+        const hn::Vec<D> beside[3] = {hn::MulAdd(along, v[0], o[0]), hn::MulAdd(along, v[1], o[1]),
+                                      hn::MulAdd(along, v[2], o[2])};
+        const hn::Vec<D> discriminant = hn::Sub(hn::Set(d, 1.f), dot<D>(beside, beside));
+        const hn::Mask<D> meets = hn::Ge(discriminant, hn::Zero(d));
+        const hn::Vec<D> half_chord =
+            hn::Sqrt(hn::Mul(hn::Max(discriminant, hn::Zero(d)), inverse_length2));
+        t = first_beyond<D>(ray, hn::Sub(along, half_chord), hn::Add(along, half_chord));
+        return hn::And(meets, hn::Gt(t, ray.t_min));
+    }
+};
+
+struct MappedBoxTest {
+    template <class D>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                      int lane, hn::Vec<D>& t) const {
+        hn::Vec<D> low[3];
+        hn::Vec<D> high[3];
+        hn::Vec<D> inverse[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const hn::Vec<D> origin = mapped_origin(d, ray, block, lane, axis);
+            low[axis] = hn::Sub(hn::Set(d, -1.f), origin);
+            high[axis] = hn::Sub(hn::Set(d, 1.f), origin);
+            inverse[axis] = finite_reciprocal(d, mapped_direction(d, ray, block, lane, axis));
+        }
+        return hit_slabs(d, ray, low, high, inverse, t);
+    }
+};
+
+struct PlaneTest {
+    template <class D>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                      int lane, hn::Vec<D>& t) const {
+        const hn::Vec<D> height = mapped_origin(d, ray, block, lane, 2);
+        const hn::Vec<D> slope = mapped_direction(d, ray, block, lane, 2);
+        t = hn::Neg(hn::Div(height, slope));
+        // Infinite and NaN distances of rays within the plane are misses.
+        return hn::And(hn::Gt(t, ray.t_min), hn::Lt(t, hn::Set(d, kInfinity)));
+    }
+};
+
+struct RectangleTest {
+    template <class D>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                      int lane, hn::Vec<D>& t) const {
+        const hn::Vec<D> slope = mapped_direction(d, ray, block, lane, 2);
+        const hn::Vec<D> height = mapped_origin(d, ray, block, lane, 2);
+        t = hn::Neg(hn::Div(height, slope));
+        const hn::Vec<D> x = hn::MulAdd(t, mapped_direction(d, ray, block, lane, 0),
+                                        mapped_origin(d, ray, block, lane, 0));
+        const hn::Vec<D> y = hn::MulAdd(t, mapped_direction(d, ray, block, lane, 1),
+                                        mapped_origin(d, ray, block, lane, 1));
+        const hn::Vec<D> one = hn::Set(d, 1.f);
+        const hn::Mask<D> inside = hn::And(hn::Le(hn::Abs(x), one), hn::Le(hn::Abs(y), one));
+        // From behind (slope > 0) a one-sided rectangle is not there.
+        const hn::Mask<D> seen =
+            hn::Or(hn::Lt(slope, hn::Zero(d)), hn::Eq(load(d, block.one_sided, lane), hn::Zero(d)));
+        return hn::And(hn::And(inside, seen), hn::Gt(t, ray.t_min));
+    }
+};
+
+template <class D>
+struct BestLanes {
+    hn::Vec<D> t;
+    hn::Vec<Int<D>> object;
+
+    /// Nearer, or as near and lower; the object -1, none yet, is never tied.
+    HWY_INLINE void offer(D d, hn::Mask<D> valid, hn::Vec<D> other_t, const ObjectLanes& objects,
+                          int lane) {
+        const Int<D> di;
+        const hn::Vec<Int<D>> other = hn::LoadU(di, objects.values + lane);
+        const hn::Mask<D> lower = hn::RebindMask(d, hn::Lt(other, object));
+        const hn::Mask<D> better = hn::Or(hn::Lt(other_t, t), hn::And(hn::Eq(other_t, t), lower));
+        const hn::Mask<D> take = hn::And(valid, better);
+        t = hn::IfThenElse(take, other_t, t);
+        object = hn::IfThenElse(hn::RebindMask(di, take), other, object);
+    }
+
+    HWY_INLINE void reduce(D d, Candidate& best) const {
+        const Int<D> di;
+        const float nearest = hn::GetLane(hn::MinOfLanes(d, t));
+        const hn::Mask<D> at_nearest = hn::Eq(t, hn::Set(d, nearest));
+        const hn::Vec<Int<D>> candidates = hn::IfThenElse(
+            hn::RebindMask(di, at_nearest), object, hn::Set(di, hwy::LimitsMax<std::int32_t>()));
+        const std::int32_t lowest = hn::GetLane(hn::MinOfLanes(di, candidates));
+        best = {nearest, static_cast<std::uint32_t>(lowest)};
+    }
+};
+
+template <class D, class Block, class Test>
+HWY_INLINE void scan(D d, const RayLanes<D>& ray, const std::vector<Block>& blocks,
+                     const Test& test, BestLanes<D>& best) {
+    for (const Block& block : blocks) {
+        for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
+            hn::Vec<D> t = best.t;
+            const hn::Mask<D> valid = test(d, ray, block, lane, t);
+            best.offer(d, valid, t, block.object, lane);
+        }
+    }
+}
+
+template <class D, class Block, class Test>
+HWY_INLINE bool scan_any(D d, const RayLanes<D>& ray, hn::Vec<D> t_max,
+                         const std::vector<Block>& blocks, const Test& test) {
+    for (const Block& block : blocks) {
+        for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
+            hn::Vec<D> t = t_max;
+            const hn::Mask<D> valid = test(d, ray, block, lane, t);
+            if (!hn::AllFalse(d, hn::And(valid, hn::Lt(t, t_max)))) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+using WideTag = hn::CappedTag<float, kBlockLanes>;
+using OneTag = hn::CappedTag<float, 1>;
+
+inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const Ray& ray, Candidate& best) {
+    const WideTag d;
+    const RayLanes<WideTag> lanes = broadcast(d, ray);
+    BestLanes<WideTag> nearest{hn::Set(d, best.t),
+                               hn::Set(Int<WideTag>(), static_cast<std::int32_t>(best.object))};
+    scan(d, lanes, blocks.moving_spheres, MovingSphereTest(), nearest);
+    scan(d, lanes, blocks.still_spheres, StillSphereTest(), nearest);
+    scan(d, lanes, blocks.boxes, AlignedBoxTest<WideTag>(d, lanes), nearest);
+    scan(d, lanes, blocks.mapped_boxes, MappedBoxTest(), nearest);
+    scan(d, lanes, blocks.mapped_balls, MappedBallTest(), nearest);
+    scan(d, lanes, blocks.rectangles, RectangleTest(), nearest);
+    scan(d, lanes, blocks.planes, PlaneTest(), nearest);
+    nearest.reduce(d, best);
+}
+
+inline HWY_ATTR bool any(const AnalyticBlocks& blocks, const Ray& ray) {
+    const WideTag d;
+    const RayLanes<WideTag> lanes = broadcast(d, ray);
+    const hn::Vec<WideTag> t_max = hn::Set(d, ray.t_max);
+    return scan_any(d, lanes, t_max, blocks.moving_spheres, MovingSphereTest()) ||
+           scan_any(d, lanes, t_max, blocks.still_spheres, StillSphereTest()) ||
+           scan_any(d, lanes, t_max, blocks.boxes, AlignedBoxTest<WideTag>(d, lanes)) ||
+           scan_any(d, lanes, t_max, blocks.mapped_boxes, MappedBoxTest()) ||
+           scan_any(d, lanes, t_max, blocks.mapped_balls, MappedBallTest()) ||
+           scan_any(d, lanes, t_max, blocks.rectangles, RectangleTest()) ||
+           scan_any(d, lanes, t_max, blocks.planes, PlaneTest());
+}
+
+template <class Block, class Test>
+HWY_INLINE bool hit_one(const Block& block, int lane, const RayLanes<OneTag>& ray, const Test& test,
+                        float& t) {
+    const OneTag d;
+    hn::Vec<OneTag> distance = hn::Set(d, t);
+    const hn::Mask<OneTag> valid = test(d, ray, block, lane, distance);
+    if (hn::AllFalse(d, hn::And(valid, hn::Lt(distance, hn::Set(d, t))))) {
+        return false;
+    }
+    t = hn::GetLane(distance);
+    return true;
+}
+
+template <class Block, class Test>
+HWY_ATTR bool one_shape(const Block& block, int lane, const Ray& ray, float& t) {
+    return hit_one(block, lane, broadcast(OneTag(), ray), Test(), t);
+}
+
+inline HWY_ATTR bool one_box(const AlignedBoxBlock& block, int lane, const Ray& ray, float& t) {
+    const RayLanes<OneTag> lanes = broadcast(OneTag(), ray);
+    return hit_one(block, lane, lanes, AlignedBoxTest<OneTag>(OneTag(), lanes), t);
+}
+
+inline const AnalyticKernels& kernels_of_target() {
+    static const AnalyticKernels kKernels = {
+        closest,
+        any,
+        one_shape<StillSphereBlock, StillSphereTest>,
+        one_shape<MovingSphereBlock, MovingSphereTest>,
+        one_box,
+        one_shape<MappedBlock, MappedBallTest>,
+        one_shape<MappedBlock, MappedBoxTest>,
+        one_shape<MappedBlock, RectangleTest>,
+        one_shape<MappedBlock, PlaneTest>,
+        hwy::TargetName(HWY_TARGET),
+    };
+    return kKernels;
+}
+
+}  // namespace carom::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

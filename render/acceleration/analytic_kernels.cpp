@@ -1,0 +1,29 @@
+#include "render/acceleration/analytic_kernels.h"
+
+// Tiers above AVX2 bring nothing for these loops and would change the bits.
+#define HWY_DISABLED_TARGETS (HWY_AVX3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/acceleration/analytic_kernels.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once per instruction set
+// Must follow foreach_target.h.
+#include <hwy/highway.h>
+
+#include "render/acceleration/analytic_kernels-inl.h"
+
+#if HWY_ONCE
+
+namespace carom::render {
+
+HWY_EXPORT(kernels_of_target);
+
+const AnalyticKernels& best_kernels() {
+    return HWY_DYNAMIC_DISPATCH(kernels_of_target)();
+}
+
+std::string_view simd_tier() {
+    return best_kernels().tier;
+}
+
+}  // namespace carom::render
+
+#endif

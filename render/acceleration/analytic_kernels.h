@@ -1,0 +1,50 @@
+// Rays against blocks of analytic shapes, vectorised, for the best instruction set that the
+// processor has, up to AVX2 (the bits of a picture must not depend on having more).
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "render/acceleration/analytic_blocks.h"
+#include "render/geometry/ray.h"
+
+namespace carom::render {
+
+/// The nearest hit so far: `t` begins as the ray's t_max and `object` as kNoObject. A hit replaces
+/// it if it is nearer, or as near and of a lower object.
+struct Candidate {
+    float t = kInfinity;
+    std::uint32_t object = kNoObject;
+
+    void offer(float other_t, std::uint32_t other_object) {
+        const bool is_tie = other_t == t && object != kNoObject && other_object < object;
+        if (other_t < t || is_tie) {
+            t = other_t;
+            object = other_object;
+        }
+    }
+};
+
+/// Rays must be safe (safe_ray.h). The tests of one shape compute the same bits as those of all.
+struct AnalyticKernels {
+    void (*closest)(const AnalyticBlocks& blocks, const Ray& ray, Candidate& best);
+    bool (*any)(const AnalyticBlocks& blocks, const Ray& ray);
+
+    // The shape in one lane: whether its first hit is nearer than `t`, which is then replaced.
+    bool (*still_sphere)(const StillSphereBlock& block, int lane, const Ray& ray, float& t);
+    bool (*moving_sphere)(const MovingSphereBlock& block, int lane, const Ray& ray, float& t);
+    bool (*box)(const AlignedBoxBlock& block, int lane, const Ray& ray, float& t);
+    bool (*mapped_ball)(const MappedBlock& block, int lane, const Ray& ray, float& t);
+    bool (*mapped_box)(const MappedBlock& block, int lane, const Ray& ray, float& t);
+    bool (*rectangle)(const MappedBlock& block, int lane, const Ray& ray, float& t);
+    bool (*plane)(const MappedBlock& block, int lane, const Ray& ray, float& t);
+
+    std::string_view tier;  // "AVX2", "SSE4" ...
+};
+
+[[nodiscard]] const AnalyticKernels& best_kernels();
+
+/// The instruction set that rays are traced with; part of a frame's key.
+[[nodiscard]] std::string_view simd_tier();
+
+}  // namespace carom::render

@@ -1,0 +1,94 @@
+#include "render/acceleration/embree_handles.h"
+
+#include <cstring>
+
+#include <tbb/task_arena.h>
+
+#include "render/geometry/ray.h"
+#include "sim/timeline/assert.h"
+#include "sim/timeline/error.h"
+
+namespace carom::render {
+namespace {
+
+/// AVX2 and no more, so that the bits do not depend on what else the processor has.
+const char* device_settings() {
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? "isa=avx2"
+                                                                           : "max_isa=sse4.2";
+}
+
+}  // namespace
+
+EmbreeDevice::EmbreeDevice() : device_(rtcNewDevice(device_settings())) {
+    if (device_ == nullptr) {
+        throw Error("Embree cannot be started, error " +
+                    std::to_string(static_cast<int>(rtcGetDeviceError(nullptr))));
+    }
+    rtcSetDeviceErrorFunction(device_, note_error, this);
+}
+
+EmbreeDevice::~EmbreeDevice() {
+    rtcReleaseDevice(device_);
+}
+
+void EmbreeDevice::note_error(void* self, RTCError code, const char* text) {
+    auto* device = static_cast<EmbreeDevice*>(self);
+    const std::lock_guard lock(device->mutex_);
+    if (device->error_.empty()) {
+        device->error_ = std::string(text == nullptr ? "no reason given" : text) + " (error " +
+                         std::to_string(static_cast<int>(code)) + ")";
+    }
+}
+
+void EmbreeDevice::check(const std::string& doing) const {
+    std::string error;
+    {
+        const std::lock_guard lock(mutex_);
+        error.swap(error_);
+    }
+    if (!error.empty()) {
+        throw Error("Embree failed while " + doing + ": " + error);
+    }
+}
+
+GeometryHandle make_triangle_geometry(const EmbreeDevice& device, const TriangleMesh& mesh) {
+    GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    void* vertices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0,
+                                             RTC_FORMAT_FLOAT3, sizeof(V3f), mesh.vertices.size());
+    device.check("reserving memory for a mesh");
+    CAROM_ASSERT(vertices != nullptr);
+    std::memcpy(vertices, mesh.vertices.data(), mesh.vertices.size() * sizeof(V3f));
+    rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               mesh.triangles.data(), 0, sizeof(mesh.triangles[0]),
+                               mesh.triangles.size());
+    rtcCommitGeometry(geometry.get());
+    device.check("taking over a mesh");
+    return geometry;
+}
+
+void commit_alone(const EmbreeDevice& device, RTCScene scene) {
+    // With several threads Embree orders triangles by who came first, and the order decides between
+    // two at the same distance. (Its setting threads=1 would throttle oneTBB in the whole process.)
+    tbb::task_arena alone(1);
+    alone.execute([&] { rtcJoinCommitScene(scene); });
+    device.check("building the hierarchy over triangles");
+}
+
+RTCRay to_embree(const Ray& ray) {
+    RTCRay result;
+    result.org_x = ray.origin.x;
+    result.org_y = ray.origin.y;
+    result.org_z = ray.origin.z;
+    result.tnear = ray.t_min;
+    result.dir_x = ray.direction.x;
+    result.dir_y = ray.direction.y;
+    result.dir_z = ray.direction.z;
+    result.time = ray.time;
+    result.tfar = ray.t_max;
+    result.mask = 0xffffffffu;
+    result.id = 0;
+    result.flags = 0;
+    return result;
+}
+
+}  // namespace carom::render

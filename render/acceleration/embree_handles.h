@@ -1,0 +1,53 @@
+// Embree's handles with owners. For the .cpp files of this folder only.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include <embree3/rtcore.h>
+
+#include "render/geometry/ray.h"
+#include "render/geometry/triangle_mesh.h"
+
+namespace carom::render {
+
+/// Owns the device and keeps the first error that it reported.
+class EmbreeDevice {
+  public:
+    EmbreeDevice();
+    ~EmbreeDevice();
+    EmbreeDevice(const EmbreeDevice&) = delete;
+    EmbreeDevice& operator=(const EmbreeDevice&) = delete;
+
+    [[nodiscard]] RTCDevice get() const { return device_; }
+
+    /// Throws Error if Embree reported one since the last call. `doing`: "building ...".
+    void check(const std::string& doing) const;
+
+  private:
+    static void note_error(void* self, RTCError code, const char* text);
+
+    RTCDevice device_ = nullptr;
+    mutable std::mutex mutex_;
+    mutable std::string error_;
+};
+
+struct EmbreeRelease {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+using SceneHandle = std::unique_ptr<RTCSceneTy, EmbreeRelease>;
+using GeometryHandle = std::unique_ptr<RTCGeometryTy, EmbreeRelease>;
+
+/// Triangles as a committed geometry. The mesh's index list is used in place.
+[[nodiscard]] GeometryHandle make_triangle_geometry(const EmbreeDevice& device,
+                                                    const TriangleMesh& mesh);
+
+/// Builds the scene's hierarchy on the calling thread alone, so that it never depends on threads.
+void commit_alone(const EmbreeDevice& device, RTCScene scene);
+
+/// `ray` must be safe (safe_ray.h).
+[[nodiscard]] RTCRay to_embree(const Ray& ray);
+
+}  // namespace carom::render

@@ -1,0 +1,124 @@
+#include "render/acceleration/embree_structure.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "render/acceleration/embree_user_shapes.h"
+#include "render/acceleration/moving_shape.h"
+#include "render/acceleration/safe_ray.h"
+#include "render/acceleration/triangle_scene.h"
+
+namespace carom::render {
+
+struct EmbreeStructure::Data {
+    // Destroyed from the last to the first: the scene goes before what it refers to.
+    std::shared_ptr<const EmbreeDevice> device;
+    std::vector<std::uint32_t> mesh_objects;  // by Embree's geometry number
+    UserShapes shapes;
+    AnalyticBlocks unbounded;  // infinite planes, which no hierarchy can hold
+    std::vector<MovingShape> moving_planes;
+    SceneHandle scene;
+
+    [[nodiscard]] Hit to_hit(const RTCRayHit& query) const {
+        Hit hit{query.ray.tfar, kNoObject, query.hit.primID, query.hit.u, query.hit.v};
+        if (query.hit.geomID < mesh_objects.size()) {
+            hit.object = mesh_objects[query.hit.geomID];
+        } else {
+            hit.object = shapes.shapes[query.hit.primID].object;
+            hit.primitive = __builtin_bit_cast(std::uint32_t, query.hit.Ng_x);
+        }
+        return hit;
+    }
+};
+
+EmbreeStructure::EmbreeStructure(std::shared_ptr<const EmbreeDevice> device, const ShapeSet& shapes,
+                                 std::span<const MeshEntry> meshes)
+    : data_(std::make_unique<Data>()) {
+    data_->device = std::move(device);
+    data_->shapes = make_user_shapes(shapes);
+    ShapeSet planes;
+    planes.planes = shapes.planes;
+    data_->unbounded = make_blocks(planes);
+    std::copy_if(shapes.moving.begin(), shapes.moving.end(),
+                 std::back_inserter(data_->moving_planes),
+                 [](const MovingShape& shape) { return shape.kind == MovingShape::Kind::plane; });
+    data_->scene.reset(rtcNewScene(data_->device->get()));
+    data_->device->check("making a scene");
+    unsigned id = 0;
+    for (const MeshEntry& entry : meshes) {
+        const GeometryHandle geometry = make_triangle_geometry(*data_->device, *entry.mesh);
+        rtcAttachGeometryByID(data_->scene.get(), geometry.get(), id++);
+        data_->mesh_objects.push_back(entry.object);
+    }
+    if (!data_->shapes.shapes.empty()) {
+        const GeometryHandle geometry = make_user_geometry(*data_->device, data_->shapes);
+        rtcAttachGeometryByID(data_->scene.get(), geometry.get(), id);
+    }
+    commit_alone(*data_->device, data_->scene.get());
+}
+
+EmbreeStructure::~EmbreeStructure() = default;
+
+bool EmbreeStructure::closest_hit(const Ray& ray, Hit& hit) const {
+    if (!is_traceable(ray)) {
+        return false;
+    }
+    const Ray safe = made_safe(ray);
+    QueryContext context;
+    rtcInitIntersectContext(&context.embree);
+    context.ray = &safe;
+    RTCRayHit query;
+    query.ray = to_embree(safe);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(data_->scene.get(), &context.embree, &query);
+    const bool found = query.hit.geomID != RTC_INVALID_GEOMETRY_ID && query.ray.tfar < safe.t_max &&
+                       query.ray.tfar > safe.t_min;
+    Hit best = found ? data_->to_hit(query) : Hit{safe.t_max, kNoObject, 0, 0, 0};
+    const auto offer = [&](const Hit& other) {
+        const bool is_tie = other.t == best.t && other.object < best.object;
+        if (other.t < best.t || (is_tie && best.object != kNoObject)) {
+            best = other;
+        }
+    };
+    Candidate plane{safe.t_max, kNoObject};
+    data_->shapes.kernels->closest(data_->unbounded, safe, plane);
+    if (plane.object != kNoObject) {
+        offer({plane.t, plane.object, 0, 0, 0});
+    }
+    for (const MovingShape& shape : data_->moving_planes) {
+        Hit other;
+        if (intersect_moving(shape, safe, other)) {
+            offer(other);
+        }
+    }
+    if (best.object == kNoObject) {
+        return false;
+    }
+    hit = best;
+    return true;
+}
+
+bool EmbreeStructure::any_hit(const Ray& ray) const {
+    if (!is_traceable(ray)) {
+        return false;
+    }
+    const Ray safe = made_safe(ray);
+    if (data_->shapes.kernels->any(data_->unbounded, safe)) {
+        return true;
+    }
+    for (const MovingShape& shape : data_->moving_planes) {
+        if (occluded_by_moving(shape, safe)) {
+            return true;
+        }
+    }
+    QueryContext context;
+    rtcInitIntersectContext(&context.embree);
+    context.ray = &safe;
+    RTCRay query = to_embree(safe);
+    rtcOccluded1(data_->scene.get(), &context.embree, &query);
+    return query.tfar < 0;
+}
+
+}  // namespace carom::render

@@ -1,0 +1,82 @@
+#include "render/acceleration/hybrid_structure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/acceleration/moving_shape.h"
+#include "render/acceleration/safe_ray.h"
+#include "render/acceleration/triangle_scene.h"
+
+namespace carom::render {
+namespace {
+
+/// Lets a search that wants hits before t_max also find one at `t` itself, for the tie rule.
+float just_beyond(float t) {
+    return std::nextafter(t, kInfinity);
+}
+
+}  // namespace
+
+HybridStructure::HybridStructure(const ShapeSet& shapes)
+    : kernels_(best_kernels()),
+      blocks_(make_blocks(shapes)),
+      moving_(shapes.moving),
+      triangles_(shapes.triangles) {
+    std::stable_sort(
+        moving_.begin(), moving_.end(),
+        [](const MovingShape& a, const MovingShape& b) { return a.object < b.object; });
+}
+
+bool HybridStructure::closest_hit(const Ray& ray, Hit& hit) const {
+    if (!is_traceable(ray)) {
+        return false;
+    }
+    Ray remaining = made_safe(ray);
+    Candidate analytic{remaining.t_max, kNoObject};
+    kernels_.closest(blocks_, remaining, analytic);
+    Hit best;
+    best.t = remaining.t_max;
+    const auto accept = [&](const Hit& other) {
+        const bool is_tie = other.t == best.t && other.object < best.object;
+        if (best.object == kNoObject || other.t < best.t || is_tie) {
+            best = other;
+            remaining.t_max = just_beyond(best.t);
+        }
+    };
+    if (analytic.object != kNoObject) {
+        accept({analytic.t, analytic.object, 0, 0, 0});
+    }
+    for (const MovingShape& shape : moving_) {
+        Hit other;
+        if (intersect_moving(shape, remaining, other)) {
+            accept(other);
+        }
+    }
+    Hit other;
+    if (triangles_ && triangles_->closest_hit(remaining, other)) {
+        accept(other);
+    }
+    if (best.object == kNoObject) {
+        return false;
+    }
+    hit = best;
+    return true;
+}
+
+bool HybridStructure::any_hit(const Ray& ray) const {
+    if (!is_traceable(ray)) {
+        return false;
+    }
+    const Ray safe = made_safe(ray);
+    if (kernels_.any(blocks_, safe)) {
+        return true;
+    }
+    for (const MovingShape& shape : moving_) {
+        if (occluded_by_moving(shape, safe)) {
+            return true;
+        }
+    }
+    return triangles_ && triangles_->any_hit(safe);
+}
+
+}  // namespace carom::render

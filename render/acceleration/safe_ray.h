@@ -1,0 +1,30 @@
+// No bad ray reaches a kernel: Debian's Embree is built with its assertions and ends the process
+// over a NaN origin, a negative t_min or a time outside [0, 1].
+#pragma once
+
+#include <algorithm>
+
+#include "render/geometry/ray.h"
+
+namespace carom::render {
+
+/// Whether the ray can hit anything: every number finite (t_max may be infinite), a direction, and
+/// an interval that is not empty.
+[[nodiscard]] inline bool is_traceable(const Ray& ray) {
+    const V3f& o = ray.origin;
+    const V3f& d = ray.direction;
+    // Infinity or NaN times zero is NaN; so is the sum then.
+    const float probe = 0 * o.x + 0 * o.y + 0 * o.z + 0 * d.x + 0 * d.y + 0 * d.z + 0 * ray.time;
+    const bool has_direction = d.x != 0 || d.y != 0 || d.z != 0;
+    return probe == 0 && has_direction && ray.t_max > 0 && ray.t_max > ray.t_min;
+}
+
+/// The same ray with t_min >= 0 and its time in [0, 1]. Only for traceable rays.
+[[nodiscard]] inline Ray made_safe(const Ray& ray) {
+    Ray safe = ray;
+    safe.t_min = ray.t_min > 0 ? ray.t_min : 0;
+    safe.time = std::clamp(ray.time, 0.f, 1.f);
+    return safe;
+}
+
+}  // namespace carom::render

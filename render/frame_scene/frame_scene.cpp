@@ -1,0 +1,131 @@
+#include "render/frame_scene/frame_scene.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "render/acceleration/embree_structure.h"
+#include "render/acceleration/hybrid_structure.h"
+#include "render/acceleration/moving_shape.h"
+#include "render/frame_scene/static_geometry_data.h"
+#include "render/frame_scene/surface.h"
+#include "sim/timeline/assert.h"
+#include "sim/timeline/error.h"
+
+namespace carom::render {
+
+struct FrameScene::Data {
+    const StaticGeometry::Data* geometry = nullptr;
+    std::vector<std::shared_ptr<const RigidMotion>> motions;  // by object; null for still ones
+};
+
+namespace {
+
+const sim::Track& find_track(std::span<const sim::Track> tracks, const SceneObject& object) {
+    for (const sim::Track& track : tracks) {
+        if (track.name() == object.track) {
+            return track;
+        }
+    }
+    throw Error("object '" + object.name + "' follows the track '" + object.track +
+                "', which the timeline does not have");
+}
+
+void add_spheres(ShapeSet& shapes, const RigidMotion& motion, float radius, std::uint32_t object) {
+    const std::span<const PathPiece> path = motion.path();
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        SphereStretch sphere;
+        sphere.path = path[i];
+        sphere.start = i == 0 ? -kInfinity : path[i].start;
+        sphere.end = i + 1 == path.size() ? kInfinity : path[i].end;
+        sphere.radius = radius;
+        sphere.object = object;
+        shapes.spheres.push_back(sphere);
+    }
+}
+
+MovingShape::Kind moving_kind(ShapeKind kind) {
+    switch (kind) {
+        case ShapeKind::ball:
+            return MovingShape::Kind::ball;
+        case ShapeKind::box:
+            return MovingShape::Kind::box;
+        case ShapeKind::rectangle:
+            return MovingShape::Kind::rectangle;
+        case ShapeKind::plane:
+            return MovingShape::Kind::plane;
+        case ShapeKind::mesh:
+            break;
+    }
+    return MovingShape::Kind::mesh;
+}
+
+void add_moving(ShapeSet& shapes, const StaticGeometry::Data& geometry, std::uint32_t index,
+                const std::shared_ptr<const RigidMotion>& motion) {
+    const SceneObject& object = geometry.objects[index];
+    if (object.is_round) {
+        add_spheres(shapes, *motion, object.half_size.x, index);
+        return;
+    }
+    if (motion->is_still() && object.kind != ShapeKind::mesh) {
+        const UnitFrame frame =
+            unit_frame(object.half_size, motion->position(0), motion->world_from_body(0));
+        add_still_shape(shapes, object, index, frame);
+        return;
+    }
+    MovingShape shape;
+    shape.kind = moving_kind(object.kind);
+    shape.half_size = object.half_size;
+    shape.motion = motion;
+    shape.mesh = geometry.tracked_meshes[index];
+    shape.bounds = swept_bounds(*motion, object.reach);
+    shape.object = index;
+    shapes.moving.push_back(std::move(shape));
+}
+
+}  // namespace
+
+FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Track> tracks,
+                       double scene_open, double scene_close)
+    : data_(std::make_unique<Data>()) {
+    CAROM_ASSERT(scene_open <= scene_close);
+    const StaticGeometry::Data& shared = geometry.data();
+    data_->geometry = &shared;
+    data_->motions.resize(shared.objects.size());
+    ShapeSet shapes = shared.still;
+    for (std::uint32_t i = 0; i < shared.objects.size(); ++i) {
+        const SceneObject& object = shared.objects[i];
+        if (object.is_tracked()) {
+            data_->motions[i] = std::make_shared<const RigidMotion>(find_track(tracks, object),
+                                                                    scene_open, scene_close);
+            add_moving(shapes, shared, i, data_->motions[i]);
+        }
+    }
+    if (shared.acceleration == AccelerationKind::embree) {
+        structure_ = std::make_unique<EmbreeStructure>(shared.device, shapes, shared.still_meshes);
+    } else {
+        structure_ = std::make_unique<HybridStructure>(shapes);
+    }
+}
+
+FrameScene::~FrameScene() = default;
+
+SurfacePoint FrameScene::surface_at(const Ray& ray, const Hit& hit) const {
+    CAROM_ASSERT(hit.object < data_->motions.size());
+    return surface_of(data_->geometry->objects[hit.object], data_->motions[hit.object].get(), ray,
+                      hit);
+}
+
+V3f FrameScene::moved(std::uint32_t object, const V3f& position, float from_time,
+                      float to_time) const {
+    CAROM_ASSERT(object < data_->motions.size());
+    const RigidMotion* motion = data_->motions[object].get();
+    if (motion == nullptr) {
+        return position;
+    }
+    const V3f arm =
+        rotate_back(motion->world_from_body(from_time), position - motion->position(from_time));
+    return motion->position(to_time) + rotate(motion->world_from_body(to_time), arm);
+}
+
+}  // namespace carom::render

@@ -1,0 +1,182 @@
+#include "render/frame_scene/static_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/frame_scene/static_geometry_data.h"
+#include "sim/timeline/assert.h"
+#include "sim/timeline/error.h"
+
+namespace carom::render {
+namespace {
+
+std::uint32_t find_material(const SceneDescription& scene, const ObjectDescription& object) {
+    for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
+        if (scene.materials[i].name == object.material) {
+            return i;
+        }
+    }
+    throw Error("object '" + object.name + "': the scene has no material '" + object.material +
+                "'");
+}
+
+bool has_texture(const MaterialDescription& material) {
+    return !std::holds_alternative<Vec3>(material.surface.base);
+}
+
+/// Whether the axes of the unit shape are those of the world, in any order and direction.
+bool is_aligned(const Affine& world_from_unit) {
+    for (int row = 0; row < 3; ++row) {
+        const V3f axis(world_from_unit.linear[row][0], world_from_unit.linear[row][1],
+                       world_from_unit.linear[row][2]);
+        const float largest = std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
+        int beside = 0;
+        for (int k = 0; k < 3; ++k) {
+            beside += std::abs(axis[k]) > 1e-7f * largest ? 1 : 0;
+        }
+        if (beside != 1) {
+            return false;
+        }
+    }
+    return true;
+}
+
+AlignedBox aligned_box(const Affine& world_from_unit, std::uint32_t object) {
+    V3f half(0, 0, 0);
+    for (int row = 0; row < 3; ++row) {
+        for (int k = 0; k < 3; ++k) {
+            half[k] = std::max(half[k], std::abs(world_from_unit.linear[row][k]));
+        }
+    }
+    return {world_from_unit.translation - half, world_from_unit.translation + half, object};
+}
+
+void add_objects(StaticGeometry::Data& data, const SceneDescription& scene) {
+    MeshFiles files;
+    for (const ObjectDescription& object : scene.objects) {
+        const std::uint32_t material = find_material(scene, object);
+        data.objects.push_back(
+            make_object(object, material, has_texture(scene.materials[material]), files));
+    }
+    for (std::uint32_t light = 0; light < scene.lights.size(); ++light) {
+        data.object_of_light.emplace_back();
+        if (auto object = make_light_object(scene.lights[light], light)) {
+            data.object_of_light.back() = static_cast<std::uint32_t>(data.objects.size());
+            data.objects.push_back(std::move(*object));
+        }
+    }
+    if (data.objects.size() >= (std::size_t{1} << 31)) {
+        throw Error("the scene has too many objects");
+    }
+}
+
+void add_meshes(StaticGeometry::Data& data) {
+    data.tracked_meshes.resize(data.objects.size());
+    for (std::uint32_t i = 0; i < data.objects.size(); ++i) {
+        const SceneObject& object = data.objects[i];
+        if (object.kind == ShapeKind::mesh && object.is_tracked()) {
+            const MeshEntry entry{object.mesh.get(), 0};
+            data.tracked_meshes[i] =
+                std::make_shared<TriangleScene>(data.device, std::span(&entry, 1));
+        } else if (object.kind == ShapeKind::mesh) {
+            data.still_meshes.push_back({object.mesh.get(), i});
+        }
+    }
+    if (!data.still_meshes.empty() && data.acceleration == AccelerationKind::hybrid) {
+        data.still.triangles = std::make_shared<TriangleScene>(data.device, data.still_meshes);
+    }
+}
+
+bool needs_embree(const StaticGeometry::Data& data) {
+    if (data.acceleration == AccelerationKind::embree) {
+        return true;
+    }
+    for (const SceneObject& object : data.objects) {
+        if (object.kind == ShapeKind::mesh) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+void add_still_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t index,
+                     const UnitFrame& frame) {
+    const MappedShape mapped{frame.unit_from_world, index, object.is_one_sided};
+    switch (object.kind) {
+        case ShapeKind::ball:
+            if (object.is_round) {
+                SphereStretch sphere;
+                sphere.path.c[0] = frame.world_from_unit.translation;
+                sphere.radius = object.half_size.x;
+                sphere.object = index;
+                shapes.spheres.push_back(sphere);
+            } else {
+                shapes.mapped_balls.push_back(mapped);
+            }
+            break;
+        case ShapeKind::box:
+            if (is_aligned(frame.world_from_unit)) {
+                shapes.boxes.push_back(aligned_box(frame.world_from_unit, index));
+            } else {
+                shapes.mapped_boxes.push_back(mapped);
+            }
+            break;
+        case ShapeKind::rectangle:
+            shapes.rectangles.push_back(mapped);
+            break;
+        case ShapeKind::plane:
+            shapes.planes.push_back(mapped);
+            break;
+        case ShapeKind::mesh:
+            break;  // in the shared scene of triangles
+    }
+}
+
+StaticGeometry::StaticGeometry(const SceneDescription& scene, const RenderSettings& settings) {
+    auto data = std::make_unique<Data>();
+    data->acceleration = settings.acceleration;
+    add_objects(*data, scene);
+    if (needs_embree(*data)) {
+        data->device = make_embree_device();
+    }
+    add_meshes(*data);
+    for (std::uint32_t i = 0; i < data->objects.size(); ++i) {
+        if (!data->objects[i].is_tracked()) {
+            add_still_shape(data->still, data->objects[i], i, data->objects[i].frame);
+        }
+    }
+    data_ = std::move(data);
+}
+
+StaticGeometry::~StaticGeometry() = default;
+StaticGeometry::StaticGeometry(StaticGeometry&&) noexcept = default;
+StaticGeometry& StaticGeometry::operator=(StaticGeometry&&) noexcept = default;
+
+std::size_t StaticGeometry::object_count() const {
+    return data_->objects.size();
+}
+
+std::optional<std::uint32_t> StaticGeometry::light_of_object(std::uint32_t object) const {
+    CAROM_ASSERT(object < data_->objects.size());
+    return data_->objects[object].light;
+}
+
+std::optional<std::uint32_t> StaticGeometry::object_of_light(std::uint32_t light) const {
+    CAROM_ASSERT(light < data_->object_of_light.size());
+    return data_->object_of_light[light];
+}
+
+const std::string& StaticGeometry::name_of_object(std::uint32_t object) const {
+    CAROM_ASSERT(object < data_->objects.size());
+    return data_->objects[object].name;
+}
+
+std::uint32_t StaticGeometry::material_of_object(std::uint32_t object) const {
+    CAROM_ASSERT(object < data_->objects.size());
+    return data_->objects[object].material;
+}
+
+}  // namespace carom::render

@@ -1,0 +1,191 @@
+#include "render/frame_scene/surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/geometry/intersect.h"
+#include "render/geometry/trigonometry.h"
+
+namespace carom::render {
+namespace {
+
+/// A surface point is known to within a few roundings of the coordinates it was computed from (ray
+/// origin transformed, distance, shape); 16 units in the last place leave room for all of them and
+/// for those of the next ray.
+constexpr float kOffsetShare = 0x1p-19f;
+
+float offset_at(const V3f& position, float reach) {
+    const float size = std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
+    return kOffsetShare * (size + reach);
+}
+
+V3f unit(const V3f& v) {
+    return v * (1 / std::sqrt(v.dot(v)));
+}
+
+V2f longitude_latitude(const V3f& p) {
+    const float turns = std::atan2(p.y, p.x) * (0.5f * kInversePi);
+    const float sine = std::clamp(p.z / p.length(), -1.f, 1.f);
+    return V2f(turns < 0 ? turns + 1 : turns, 0.5f + std::asin(sine) * kInversePi);
+}
+
+void fill_ball(SurfacePoint& point, const SceneObject& object, const RigidMotion* motion,
+               const Ray& ray, const Hit& hit) {
+    const V3f centre =
+        motion != nullptr ? motion->position(ray.time) : object.frame.world_from_unit.translation;
+    const V3f normal = unit((ray.origin - centre) + hit.t * ray.direction);
+    const V3f arm = object.half_size.x * normal;
+    point.position = centre + arm;
+    point.geometric_normal = normal;
+    point.shading_normal = normal;
+    if (object.has_texture) {
+        point.object_position = motion != nullptr
+                                    ? rotate_back(motion->world_from_body(ray.time), arm)
+                                    : object.body_from_world.vector(arm);
+        point.uv = longitude_latitude(point.object_position);
+    }
+}
+
+/// Place and outward normal on the unit shape, and parameters across it.
+struct UnitPoint {
+    V3f position;
+    V3f normal;
+    V2f uv;
+};
+
+UnitPoint on_unit_ball(const V3f& origin, const V3f& direction, float t) {
+    const V3f n = unit(origin + t * direction);
+    return {n, n, longitude_latitude(n)};
+}
+
+UnitPoint on_unit_box(const V3f& origin, const V3f& direction, float t) {
+    const V3f inverse(finite_reciprocal(direction.x), finite_reciprocal(direction.y),
+                      finite_reciprocal(direction.z));
+    const auto crossing = cross_box(origin, inverse, V3f(-1), V3f(1));
+    V3f p = origin + t * direction;
+    int face = 0;
+    if (crossing) {
+        const bool enters = std::abs(t - crossing->enter) <= std::abs(t - crossing->leave);
+        face = enters ? crossing->enter_face : crossing->leave_face;
+    } else {  // an edge that rounding has moved away
+        for (int axis = 0; axis < 3; ++axis) {
+            if (std::abs(p[axis]) > std::abs(p[face / 2])) {
+                face = 2 * axis;
+            }
+        }
+        face += p[face / 2] > 0 ? 1 : 0;
+    }
+    const int axis = face / 2;
+    const float side = (face & 1) != 0 ? 1.f : -1.f;
+    for (int k = 0; k < 3; ++k) {
+        p[k] = std::clamp(p[k], -1.f, 1.f);
+    }
+    p[axis] = side;
+    V3f normal(0, 0, 0);
+    normal[axis] = side;
+    const V2f across(p[(axis + 1) % 3], p[(axis + 2) % 3]);
+    return {p, normal, 0.5f * (across + V2f(1))};
+}
+
+UnitPoint on_unit_plane(const V3f& origin, const V3f& direction, float t, bool bounded) {
+    V3f p = origin + t * direction;
+    p.z = 0;
+    if (!bounded) {
+        return {p, V3f(0, 0, 1), V2f(p.x, p.y)};
+    }
+    p.x = std::clamp(p.x, -1.f, 1.f);
+    p.y = std::clamp(p.y, -1.f, 1.f);
+    return {p, V3f(0, 0, 1), 0.5f * (V2f(p.x, p.y) + V2f(1))};
+}
+
+UnitPoint on_unit_shape(ShapeKind kind, const V3f& origin, const V3f& direction, float t) {
+    switch (kind) {
+        case ShapeKind::ball:
+            return on_unit_ball(origin, direction, t);
+        case ShapeKind::box:
+            return on_unit_box(origin, direction, t);
+        case ShapeKind::rectangle:
+            return on_unit_plane(origin, direction, t, true);
+        default:
+            return on_unit_plane(origin, direction, t, false);
+    }
+}
+
+void fill_analytic(SurfacePoint& point, const SceneObject& object, const RigidMotion* motion,
+                   const Ray& ray, const Hit& hit) {
+    UnitFrame moved;
+    if (motion != nullptr) {
+        moved = unit_frame(object.half_size, motion->position(ray.time),
+                           motion->world_from_body(ray.time));
+    }
+    const UnitFrame& frame = motion != nullptr ? moved : object.frame;
+    const V3f origin = frame.unit_from_world.point(ray.origin);
+    const V3f direction = frame.unit_from_world.vector(ray.direction);
+    const UnitPoint on_shape = on_unit_shape(object.kind, origin, direction, hit.t);
+    point.position = frame.world_from_unit.point(on_shape.position);
+    point.geometric_normal = unit(Affine::normal(on_shape.normal, frame.unit_from_world));
+    point.shading_normal = point.geometric_normal;
+    if (object.has_texture) {
+        point.object_position = motion != nullptr ? on_shape.position * object.half_size
+                                                  : object.body_from_world.point(point.position);
+        point.uv = on_shape.uv;
+    }
+}
+
+void fill_mesh(SurfacePoint& point, const SceneObject& object, const RigidMotion* motion,
+               const Ray& ray, const Hit& hit) {
+    const TriangleMesh& mesh = *object.mesh;
+    const auto& corners = mesh.triangles[hit.primitive];
+    const V3f& a = mesh.vertices[corners[0]];
+    const V3f edge_b = mesh.vertices[corners[1]] - a;
+    const V3f edge_c = mesh.vertices[corners[2]] - a;
+    const float w = 1 - hit.u - hit.v;
+    const V3f local = a + hit.u * edge_b + hit.v * edge_c;
+    V3f geometric = unit(edge_b.cross(edge_c));
+    V3f shading = geometric;
+    if (!mesh.normals.empty()) {
+        const V3f mixed = w * mesh.normals[corners[0]] + hit.u * mesh.normals[corners[1]] +
+                          hit.v * mesh.normals[corners[2]];
+        const float length2 = mixed.dot(mixed);
+        const float cosine = mixed.dot(geometric);
+        if (length2 > 1e-12f && cosine != 0) {
+            shading = mixed * (std::copysign(1.f, cosine) / std::sqrt(length2));
+        }
+    }
+    point.position = local;
+    if (motion != nullptr) {
+        const Imath::Quatf turn = motion->world_from_body(ray.time);
+        point.position = motion->position(ray.time) + rotate(turn, local);
+        geometric = rotate(turn, geometric);
+        shading = rotate(turn, shading);
+    }
+    point.geometric_normal = geometric;
+    point.shading_normal = shading;
+    if (object.has_texture) {
+        point.object_position =
+            motion != nullptr ? local : object.body_from_world.point(point.position);
+        point.uv = mesh.uv.empty() ? V2f(hit.u, hit.v)
+                                   : w * mesh.uv[corners[0]] + hit.u * mesh.uv[corners[1]] +
+                                         hit.v * mesh.uv[corners[2]];
+    }
+}
+
+}  // namespace
+
+SurfacePoint surface_of(const SceneObject& object, const RigidMotion* motion, const Ray& ray,
+                        const Hit& hit) {
+    SurfacePoint point;
+    point.object = hit.object;
+    point.material = object.material;
+    if (object.kind == ShapeKind::mesh) {
+        fill_mesh(point, object, motion, ray, hit);
+    } else if (object.is_round) {
+        fill_ball(point, object, motion, ray, hit);
+    } else {
+        fill_analytic(point, object, motion, ray, hit);
+    }
+    point.offset = offset_at(point.position, object.reach);
+    return point;
+}
+
+}  // namespace carom::render

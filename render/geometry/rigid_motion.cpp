@@ -1,0 +1,155 @@
+#include "render/geometry/rigid_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/geometry/trigonometry.h"
+#include "sim/timeline/assert.h"
+#include "sim/timeline/rotation.h"
+
+namespace carom::render {
+namespace {
+
+constexpr double kTurnTolerance = 3e-5;  // rad, at the places that are checked
+constexpr double kLargestTurn = 1.0;     // rad in one piece
+constexpr int kDeepest = 14;             // halvings of one stretch of the path
+constexpr float kRoundingShare = 1e-5f;  // of the coordinates, by which bounds are widened
+
+Imath::Quatf narrowed(const Quat& q) {
+    return Imath::Quatf(static_cast<float>(q.r), V3f(q.v)).normalized();
+}
+
+/// The Hermite stretch as a cubic in the shutter's time; `shutter` is its length in seconds.
+PathPiece make_piece(const sim::PathStretch& stretch, double scene_open, double shutter) {
+    PathPiece piece;
+    piece.c[0] = V3f(stretch.p0);
+    const double h = stretch.end - stretch.start;
+    if (!(shutter > 0) || !(h > 0)) {
+        return piece;
+    }
+    const Vec3 chord = stretch.p1 - stretch.p0;
+    const Vec3 quadratic = 3.0 * chord - h * (2.0 * stretch.v0 + stretch.v1);
+    const Vec3 cubic = h * (stretch.v0 + stretch.v1) - 2.0 * chord;
+    const double scale = shutter / h;
+    piece.c[1] = V3f(shutter * stretch.v0);
+    piece.c[2] = V3f(scale * scale * quadratic);
+    piece.c[3] = V3f(scale * scale * scale * cubic);
+    piece.start = static_cast<float>((stretch.start - scene_open) / shutter);
+    piece.end = static_cast<float>((stretch.end - scene_open) / shutter);
+    return piece;
+}
+
+/// The piece of a list ordered by `start` that is in force.
+template <class Piece>
+const Piece& piece_at(const std::vector<Piece>& pieces, float time) {
+    const auto after =
+        std::upper_bound(pieces.begin() + 1, pieces.end(), time,
+                         [](float value, const Piece& piece) { return value < piece.start; });
+    return *(after - 1);
+}
+
+Imath::Box3f widened(const sim::Bounds& bounds) {
+    Imath::Box3f box(V3f(bounds.low), V3f(bounds.high));
+    for (int axis = 0; axis < 3; ++axis) {
+        const float size = std::max(std::abs(box.min[axis]), std::abs(box.max[axis]));
+        box.min[axis] -= kRoundingShare * size;
+        box.max[axis] += kRoundingShare * size;
+    }
+    return box;
+}
+
+/// The turn between two orientations, the short way.
+Vec3 turn_between(const Quat& from, const Quat& to) {
+    return sim::rotation_vector(to * ~from);
+}
+
+}  // namespace
+
+RigidMotion::RigidMotion(const Pose& pose) {
+    PathPiece piece;
+    piece.c[0] = V3f(pose.position);
+    path_.push_back(piece);
+    TurnPiece turn;
+    turn.world_from_body = narrowed(pose.orientation);
+    turns_.push_back(turn);
+    bounds_ = widened({pose.position, pose.position});
+}
+
+RigidMotion::RigidMotion(const sim::Track& track, double scene_open, double scene_close) {
+    CAROM_ASSERT(scene_open <= scene_close);
+    const double shutter = scene_close - scene_open;
+    for (const sim::PathStretch& stretch : track.stretches(scene_open, scene_close)) {
+        path_.push_back(make_piece(stretch, scene_open, shutter));
+        add_turns(track, scene_open, scene_close, stretch.start, stretch.end, 0);
+    }
+    join_rests();
+    for (std::size_t i = 0; i + 1 < path_.size(); ++i) {
+        path_[i].end = path_[i + 1].start;
+    }
+    bounds_ = widened(track.position_bounds(scene_open, scene_close));
+}
+
+void RigidMotion::join_rests() {
+    const auto same_rest = [](const PathPiece& a, const PathPiece& b) {
+        return a.is_constant() && b.is_constant() && a.c[0] == b.c[0];
+    };
+    path_.erase(std::unique(path_.begin(), path_.end(), same_rest), path_.end());
+    const auto same_stand = [](const TurnPiece& a, const TurnPiece& b) {
+        return a.half_angle == 0 && b.half_angle == 0 && a.world_from_body == b.world_from_body;
+    };
+    turns_.erase(std::unique(turns_.begin(), turns_.end(), same_stand), turns_.end());
+}
+
+void RigidMotion::add_turns(const sim::Track& track, double scene_open, double scene_close,
+                            double from, double to, int depth) {
+    const double shutter = scene_close - scene_open;
+    const MotionState begin = track.sample(from);
+    TurnPiece piece;
+    piece.world_from_body = narrowed(begin.orientation);
+    if (!(shutter > 0) || !(to > from)) {
+        turns_.push_back(piece);
+        return;
+    }
+    const double middle = 0.5 * (from + to);
+    const MotionState halfway = track.sample(middle);
+    const Vec3 turn = turn_between(begin.orientation, track.sample(to).orientation);
+    // The angular velocity is linear within a stretch, so that its ends bound it.
+    const Vec3 rate_at_end = 2.0 * halfway.angular_velocity - begin.angular_velocity;
+    const double rate = std::max(begin.angular_velocity.length(), rate_at_end.length());
+    const double error = sim::angle_between(
+        sim::rotation_from_vector(0.5 * turn) * begin.orientation, halfway.orientation);
+    if ((rate * (to - from) > kLargestTurn || error > kTurnTolerance) && depth < kDeepest) {
+        add_turns(track, scene_open, scene_close, from, middle, depth + 1);
+        add_turns(track, scene_open, scene_close, middle, to, depth + 1);
+        return;
+    }
+    const double angle = turn.length();
+    piece.start = static_cast<float>((from - scene_open) / shutter);
+    if (angle > 0) {
+        piece.inverse_duration = static_cast<float>(shutter / (to - from));
+        piece.axis = V3f(turn / angle);
+        piece.half_angle = static_cast<float>(0.5 * angle);
+    }
+    turns_.push_back(piece);
+}
+
+V3f RigidMotion::position(float time) const {
+    return piece_at(path_, time).position(time);
+}
+
+Imath::Quatf RigidMotion::world_from_body(float time) const {
+    const TurnPiece& piece = piece_at(turns_, time);
+    if (piece.half_angle == 0) {
+        return piece.world_from_body;
+    }
+    const float share = std::clamp((time - piece.start) * piece.inverse_duration, 0.f, 1.f);
+    const SinCos turn = sin_cos(share * piece.half_angle);
+    return Imath::Quatf(turn.cosine, turn.sine * piece.axis) * piece.world_from_body;
+}
+
+bool RigidMotion::is_still() const {
+    return path_.size() == 1 && path_[0].is_constant() && turns_.size() == 1 &&
+           turns_[0].half_angle == 0;
+}
+
+}  // namespace carom::render

@@ -1,0 +1,87 @@
+// How one object moves while the shutter is open, in float and in the shutter's own time: 0 when it
+// opens, 1 when it closes.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Imath/ImathBox.h>
+
+#include "render/geometry/affine.h"
+#include "render/geometry/ray.h"
+#include "sim/timeline/track.h"
+
+namespace carom::render {
+
+/// One cubic piece of a path: position(d) = c[0] + d (c[1] + d (c[2] + d c[3])) with
+/// d = time - start. In force while start <= time < end.
+struct PathPiece {
+    V3f c[4] = {V3f(0), V3f(0), V3f(0), V3f(0)};
+    float start = 0;
+    float end = 1;
+
+    [[nodiscard]] V3f position(float time) const {
+        const float d = time - start;
+        return c[0] + d * (c[1] + d * (c[2] + d * c[3]));
+    }
+    [[nodiscard]] bool is_constant() const {
+        const V3f zero(0, 0, 0);
+        return c[1] == zero && c[2] == zero && c[3] == zero;
+    }
+};
+
+/// A rotation by less than half a turn between two instants, at an even rate about a fixed axis.
+struct TurnPiece {
+    float start = 0;
+    float inverse_duration = 0;      // 1 / (end - start), 0 where nothing turns
+    V3f axis{0, 0, 1};               // unit, world axes
+    float half_angle = 0;            // rad
+    Imath::Quatf world_from_body{};  // at `start`
+};
+
+/// Pose of an object during one shutter. The place is the timeline's own cubic curve, piece by
+/// piece with the instants of impacts between them; the orientation is within 1e-4 rad of the
+/// timeline's. Immutable.
+class RigidMotion {
+  public:
+    /// Standing still.
+    explicit RigidMotion(const Pose& pose);
+
+    /// As `track` moves between two instants of scene time, scene_open <= scene_close. Equal
+    /// instants: standing still.
+    RigidMotion(const sim::Track& track, double scene_open, double scene_close);
+
+    /// In order of time; the first is in force from minus infinity, the last to infinity, and each
+    /// begins where the one before ends.
+    [[nodiscard]] std::span<const PathPiece> path() const { return path_; }
+
+    [[nodiscard]] V3f position(float time) const;
+    [[nodiscard]] Imath::Quatf world_from_body(float time) const;
+
+    /// Neither moves nor turns.
+    [[nodiscard]] bool is_still() const;
+
+    /// A box around every position taken, widened for rounding.
+    [[nodiscard]] const Imath::Box3f& position_bounds() const { return bounds_; }
+
+  private:
+    void join_rests();
+    void add_turns(const sim::Track& track, double scene_open, double scene_close, double from,
+                   double to, int depth);
+
+    std::vector<PathPiece> path_;
+    std::vector<TurnPiece> turns_;
+    Imath::Box3f bounds_;
+};
+
+/// v turned by the unit quaternion q, and back.
+[[nodiscard]] inline V3f rotate(const Imath::Quatf& q, const V3f& v) {
+    const V3f t = 2.f * q.v.cross(v);
+    return v + q.r * t + q.v.cross(t);
+}
+[[nodiscard]] inline V3f rotate_back(const Imath::Quatf& q, const V3f& v) {
+    const V3f t = 2.f * v.cross(q.v);
+    return v + q.r * t + t.cross(q.v);
+}
+
+}  // namespace carom::render

@@ -1,0 +1,191 @@
+// Random rays and shapes for tests of acceleration structures.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "render/acceleration/moving_shape.h"
+#include "render/acceleration/shapes.h"
+#include "render/acceleration/triangle_scene.h"
+#include "tests/render/statistics.h"
+
+namespace carom::test {
+
+using render::Affine;
+using render::Ray;
+using render::V2f;
+using render::V3f;
+
+inline V3f random_point(TestRandom& random, float size) {
+    const float x = random.between(-size, size);
+    const float y = random.between(-size, size);
+    const float z = random.between(-size, size);
+    return V3f(x, y, z);
+}
+
+inline V3f random_direction(TestRandom& random) {
+    for (;;) {
+        const V3f v = random_point(random, 1);
+        if (v.length2() > 0.01f && v.length2() <= 1) {
+            return v * (1 / std::sqrt(v.dot(v)));
+        }
+    }
+}
+
+inline Ray random_ray(TestRandom& random, float size) {
+    Ray ray;
+    ray.origin = random_point(random, size);
+    ray.direction = random_direction(random);
+    ray.time = random.unit();
+    return ray;
+}
+
+/// From somewhere within `from` towards somewhere within `to`.
+inline Ray random_ray_toward(TestRandom& random, float from, float to) {
+    Ray ray = random_ray(random, from);
+    const V3f v = random_point(random, to) - ray.origin;
+    ray.direction = v * (1 / std::sqrt(v.dot(v)));
+    return ray;
+}
+
+inline Quat random_turn(TestRandom& random) {
+    const V3f axis = random_direction(random);
+    const double half = static_cast<double>(random.between(0, 3));
+    return Quat(std::cos(half), std::sin(half) * Vec3(axis)).normalized();
+}
+
+/// Maps world to the unit shape of the given half sizes, turned and placed at random.
+inline Affine random_map(TestRandom& random, const V3f& half_size, float size) {
+    const Quat turn = random_turn(random);
+    Mat44 scale;
+    scale.setScale(Vec3(half_size));
+    const Mat44 world_from_unit =
+        scale * render::pose_matrix({Vec3(random_point(random, size)), turn});
+    return Affine::narrowed(world_from_unit.inverse());
+}
+
+/// A path of three stretches with two impacts, turning fast.
+inline sim::Track random_track(TestRandom& random, float size) {
+    std::vector<sim::Key> keys;
+    Vec3 position(random_point(random, size));
+    for (int i = 0; i < 4; ++i) {
+        sim::Key key;
+        key.time = i / 3.0;
+        key.position = position;
+        key.velocity_in = Vec3(random_point(random, 0.5f));
+        key.velocity_out = Vec3(random_point(random, 0.5f));
+        key.angular_velocity_in = Vec3(random_point(random, 3));
+        key.angular_velocity_out = Vec3(random_point(random, 3));
+        key.orientation = random_turn(random);
+        keys.push_back(key);
+        position += Vec3(random_point(random, 0.15f));
+    }
+    return sim::Track("moving", keys);
+}
+
+inline void add_moving_sphere(render::ShapeSet& shapes, const render::RigidMotion& motion,
+                              float radius, std::uint32_t object) {
+    const auto path = motion.path();
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        render::SphereStretch sphere;
+        sphere.path = path[i];
+        sphere.start = i == 0 ? -render::kInfinity : path[i].start;
+        sphere.end = i + 1 == path.size() ? render::kInfinity : path[i].end;
+        sphere.radius = radius;
+        sphere.object = object;
+        shapes.spheres.push_back(sphere);
+    }
+}
+
+/// A closed, bumpy surface around the origin: 2 * rings * (2 * rings) triangles.
+inline render::TriangleMesh bumpy_ball(float radius, int rings) {
+    render::TriangleMesh mesh;
+    const int sectors = 2 * rings;
+    for (int r = 0; r <= rings; ++r) {
+        for (int s = 0; s < sectors; ++s) {
+            const float theta = 3.14159265f * static_cast<float>(r) / static_cast<float>(rings);
+            const float phi = 6.2831853f * static_cast<float>(s) / static_cast<float>(sectors);
+            const float size = radius * (1 + 0.2f * std::sin(5 * theta) * std::cos(4 * phi));
+            mesh.vertices.emplace_back(size * std::sin(theta) * std::cos(phi),
+                                       size * std::sin(theta) * std::sin(phi),
+                                       size * std::cos(theta));
+        }
+    }
+    for (int r = 0; r < rings; ++r) {
+        for (int s = 0; s < sectors; ++s) {
+            const auto at = [&](int ring, int sector) {
+                return static_cast<std::uint32_t>(ring * sectors + sector % sectors);
+            };
+            mesh.triangles.push_back({at(r, s), at(r + 1, s), at(r + 1, s + 1)});
+            mesh.triangles.push_back({at(r, s), at(r + 1, s + 1), at(r, s + 1)});
+        }
+    }
+    return mesh;
+}
+
+/// Some of every kind of shape. Its meshes live as long as it does.
+struct RandomScene {
+    render::ShapeSet shapes;
+    std::vector<std::unique_ptr<render::TriangleMesh>> meshes;
+    std::vector<render::MeshEntry> still_meshes;
+    std::shared_ptr<const render::EmbreeDevice> device = render::make_embree_device();
+    std::uint32_t object_count = 0;
+
+    void add_still(TestRandom& random, int count) {
+        for (int i = 0; i < count; ++i) {
+            render::SphereStretch sphere;
+            sphere.path.c[0] = random_point(random, 2);
+            sphere.radius = random.between(0.05f, 0.3f);
+            sphere.object = object_count++;
+            shapes.spheres.push_back(sphere);
+            const V3f low = random_point(random, 2);
+            const V3f size = random_point(random, 0.2f) + V3f(0.25f);
+            shapes.boxes.push_back({low, low + size, object_count++});
+            const V3f half = random_point(random, 0.1f) + V3f(0.15f);
+            shapes.mapped_boxes.push_back({random_map(random, half, 2), object_count++});
+            shapes.mapped_balls.push_back({random_map(random, half, 2), object_count++});
+            shapes.rectangles.push_back({random_map(random, half, 2), object_count++, i % 2 == 0});
+        }
+        shapes.planes.push_back({random_map(random, V3f(1), 0.2f), object_count++});
+    }
+
+    void add_moving(TestRandom& random, int count) {
+        using Kind = render::MovingShape::Kind;
+        for (int i = 0; i < count; ++i) {
+            const render::RigidMotion motion(random_track(random, 2), 0, 1);
+            add_moving_sphere(shapes, motion, random.between(0.05f, 0.3f), object_count++);
+            for (const Kind kind : {Kind::ball, Kind::box, Kind::rectangle, Kind::mesh}) {
+                render::MovingShape shape;
+                shape.kind = kind;
+                shape.half_size = random_point(random, 0.1f) + V3f(0.15f);
+                shape.motion = std::make_shared<render::RigidMotion>(random_track(random, 2), 0, 1);
+                float reach = shape.half_size.length();
+                if (kind == Kind::mesh) {
+                    meshes.push_back(std::make_unique<render::TriangleMesh>(bumpy_ball(0.2f, 6)));
+                    const render::MeshEntry entry{meshes.back().get(), 0};
+                    shape.mesh =
+                        std::make_shared<render::TriangleScene>(device, std::span(&entry, 1));
+                    reach = 0.25f;
+                }
+                shape.bounds = render::swept_bounds(*shape.motion, reach);
+                shape.object = object_count++;
+                shapes.moving.push_back(shape);
+            }
+        }
+    }
+
+    void add_still_meshes(TestRandom& random, int count) {
+        for (int i = 0; i < count; ++i) {
+            meshes.push_back(std::make_unique<render::TriangleMesh>(bumpy_ball(0.3f, 10)));
+            const V3f place = random_point(random, 2);
+            for (V3f& vertex : meshes.back()->vertices) {
+                vertex += place;
+            }
+            still_meshes.push_back({meshes.back().get(), object_count++});
+        }
+        shapes.triangles = std::make_shared<render::TriangleScene>(device, still_meshes);
+    }
+};
+
+}  // namespace carom::test
