@@ -1,0 +1,49 @@
+#include "pipeline/config/build/build_shot.h"
+
+#include <utility>
+
+#include "pipeline/config/build/builder.h"
+
+namespace carom::pipeline::config {
+
+Place Builder::place_of(const std::vector<std::string>& path) const {
+    const Node* node = &root;
+    Place place = root.place;
+    for (const std::string& key : path) {
+        const Entry* entry = node->find(key);
+        if (entry == nullptr) {
+            break;
+        }
+        place = entry->key_place;
+        node = &entry->value;
+    }
+    return place;
+}
+
+bool Builder::claim(const std::string& name, const Place& place, const std::string& noun) {
+    const auto [known, is_new] = placed.emplace(name, place);
+    if (!is_new) {
+        reader.error(place, noun + " '" + name + "' has the name of something else (at " +
+                                reader.sources().to_string(known->second) + ")");
+    }
+    return is_new;
+}
+
+Shot build_shot(const ShotFile& file, const Node& root, const std::string& name, Reader& reader) {
+    Builder builder{file, root, reader, {}, {}, {}, {}, {}, {}, {}, {}};
+    builder.shot.name = name;
+    builder.shot.world = file.world;
+    build_table(builder);
+    build_balls(builder);
+    build_objects(builder);
+    build_table_scene(builder);
+    build_look(builder);
+    build_events(builder);
+    build_film(builder);
+    check_references(builder);
+    check_placement(builder);
+    check_world(builder);
+    return std::move(builder.shot);
+}
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,94 @@
+#include <set>
+
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/config/build/builder.h"
+#include "pipeline/config/text.h"
+#include "pipeline/video/video_format.h"
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+/// The place of a camera's own `name`, or of the camera.
+Place place_of_camera(const Builder& builder, std::size_t index) {
+    const Entry* cameras = builder.root.find("cameras");
+    if (cameras == nullptr || index >= cameras->value.items.size()) {
+        return builder.file.cameras_place;
+    }
+    const Node& camera = cameras->value.items[index];
+    const Entry* name = camera.find("name");
+    return name != nullptr ? name->value.place : camera.place;
+}
+
+void add_cameras(Builder& builder) {
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < builder.file.cameras.size(); ++i) {
+        CameraRig rig = builder.file.cameras[i];
+        if (rig.name.empty()) {
+            rig.name = "camera_" + std::to_string(i + 1);
+        }
+        if (!names.insert(rig.name).second) {
+            builder.reader.error(place_of_camera(builder, i),
+                                 "there is another camera " + quote(rig.name));
+        }
+        builder.shot.cameras.push_back(std::move(rig));
+    }
+}
+
+/// Gaps and overlaps, each at the last camera that its sentence names.
+void check_sequence(Builder& builder) {
+    const Shot& shot = builder.shot;
+    for (const std::string& problem : find_problems(shot.cameras, shot.timing)) {
+        Place place = builder.file.cameras_place;
+        std::size_t last = 0;
+        for (std::size_t i = 0; i < shot.cameras.size(); ++i) {
+            const std::size_t at = problem.rfind("'" + shot.cameras[i].name + "'");
+            if (at != std::string::npos && at >= last) {
+                last = at;
+                place = place_of_camera(builder, i);
+            }
+        }
+        builder.reader.warning(place, problem);
+    }
+}
+
+Rational exposure_of(const ShutterSection& shutter, const Rational& fps) {
+    if (!shutter.is_turn) {
+        return shutter.length;
+    }
+    try {
+        return shutter.length / fps;
+    } catch (const Error&) {  // the exact fraction has too many digits
+        return Rational::nearest(shutter.length.to_double() / fps.to_double());
+    }
+}
+
+}  // namespace
+
+void build_film(Builder& builder) {
+    const RenderSection& render = builder.file.render;
+    Shot& shot = builder.shot;
+    shot.render = render.settings;
+    shot.output = builder.file.output;
+    shot.timing.fps = render.fps;
+    shot.timing.shutter.exposure = exposure_of(render.shutter, render.fps);
+    shot.timing.shutter.clock = render.shutter.clock;
+    shot.timing.shutter.position = render.shutter.position;
+    shot.timing.shutter.switch_ratio = render.shutter.switch_ratio;
+    const std::string problem =
+        check_video_format({shot.render.width, shot.render.height, shot.timing.fps}, shot.output,
+                           "film" + default_extension(shot.output.codec));
+    if (!problem.empty()) {
+        builder.reader.error(builder.place_of({"render", "size"}), problem);
+    }
+    add_cameras(builder);
+    if (shot.cameras.empty()) {
+        builder.reader.warning(builder.file.cameras_place,
+                               "the shot has no camera: it can be baked, but not filmed");
+    } else {
+        check_sequence(builder);
+    }
+}
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <vector>
+
+#include "pipeline/config/build/builder.h"
+#include "pipeline/config/text.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+const std::vector<std::string> kSurfaces{"cushion", "cloth", "floor", "rail", "pocket"};
+
+void append(std::vector<std::string>& names, const std::set<std::string>& more) {
+    names.insert(names.end(), more.begin(), more.end());
+}
+
+std::vector<std::string> known_names(const Builder& builder, ReferenceKind kind) {
+    std::vector<std::string> names;
+    switch (kind) {
+        case ReferenceKind::ball:
+            append(names, builder.balls);
+            break;
+        case ReferenceKind::material:
+            append(names, builder.materials);
+            break;
+        case ReferenceKind::placed:
+            append(names, builder.bodies);
+            append(names, builder.fixed);
+            for (const auto& [name, position] : builder.scenery) {
+                names.push_back(name);
+            }
+            break;
+        case ReferenceKind::touchable:
+            append(names, builder.bodies);
+            append(names, builder.fixed);
+            names.insert(names.end(), kSurfaces.begin(), kSurfaces.end());
+            break;
+        case ReferenceKind::body:
+            append(names, builder.bodies);
+            break;
+    }
+    return names;
+}
+
+std::string noun(ReferenceKind kind) {
+    switch (kind) {
+        case ReferenceKind::ball:
+            return "ball";
+        case ReferenceKind::material:
+            return "material";
+        case ReferenceKind::touchable:
+            return "object or surface";
+        case ReferenceKind::placed:
+        case ReferenceKind::body:
+            break;
+    }
+    return "ball or object";
+}
+
+/// Why something that exists cannot stand here.
+std::string wrong_kind(const Builder& builder, const Reference& reference) {
+    const bool stands_still =
+        builder.fixed.count(reference.name) != 0 || builder.scenery.count(reference.name) != 0;
+    if (!stands_still && builder.bodies.count(reference.name) == 0) {
+        return {};
+    }
+    switch (reference.kind) {
+        case ReferenceKind::ball:
+            return quote(reference.name) + " is not a ball";
+        case ReferenceKind::body:
+            return quote(reference.name) +
+                   " does not move: only balls and objects with physics have a path";
+        case ReferenceKind::touchable:
+            return quote(reference.name) + " has no physics, so nothing touches it";
+        case ReferenceKind::placed:
+        case ReferenceKind::material:
+            break;
+    }
+    return {};
+}
+
+}  // namespace
+
+void check_references(Builder& builder) {
+    for (const Reference& reference : builder.reader.references()) {
+        const std::vector<std::string> known = known_names(builder, reference.kind);
+        if (std::find(known.begin(), known.end(), reference.name) != known.end()) {
+            continue;
+        }
+        std::string message = wrong_kind(builder, reference);
+        if (message.empty()) {
+            message = "there is no " + noun(reference.kind) + " " + quote(reference.name) +
+                      hint(reference.name, known);
+        }
+        builder.reader.error_at_path(reference.place, message, reference.key_path);
+    }
+}
+
+}  // namespace carom::pipeline::config

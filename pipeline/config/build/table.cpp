@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "pipeline/config/build/builder.h"
+#include "pipeline/config/text.h"
+#include "pipeline/shot/table_scene.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+using sim::billiards::TableKind;
+using sim::billiards::TableMeasures;
+
+constexpr std::array kSizes{"7 ft", "8 ft", "9 ft", "10 ft", "12 ft"};
+
+std::string default_size(TableKind kind) {
+    switch (kind) {
+        case TableKind::snooker:
+            return "12 ft";
+        case TableKind::carom:
+            return "10 ft";
+        case TableKind::cloth:
+            return "";
+        case TableKind::pool:
+        case TableKind::custom:
+            break;
+    }
+    return "9 ft";
+}
+
+/// "9ft" and "9  ft" are "9 ft".
+std::string normal_size(const std::string& size) {
+    std::string result;
+    for (const char c : size) {
+        const bool is_digit = c >= '0' && c <= '9';
+        if (c == ' ') {
+            continue;
+        }
+        if (!is_digit && !result.empty() && result.back() >= '0' && result.back() <= '9') {
+            result += ' ';
+        }
+        result += c;
+    }
+    return result;
+}
+
+std::optional<TableMeasures> standard_measures(Builder& builder, const TableSection& section) {
+    const TableKind kind = section.kind == TableKind::custom ? TableKind::pool : section.kind;
+    const std::string size = section.size ? normal_size(*section.size) : default_size(kind);
+    std::optional<TableMeasures> measures = sim::billiards::standard_table(kind, size);
+    if (!measures) {
+        std::vector<std::string> known;
+        for (const char* candidate : kSizes) {
+            if (sim::billiards::standard_table(kind, candidate)) {
+                known.emplace_back(candidate);
+            }
+        }
+        builder.reader.error(section.size_place, "there is no such table of " +
+                                                     quote(*section.size) + "; the sizes are " +
+                                                     join(known, "and"));
+    }
+    return measures;
+}
+
+void override_measures(TableMeasures& measures, const TableSection& section) {
+    measures.kind = section.kind;
+    measures.length = section.length.value_or(measures.length);
+    measures.width = section.width.value_or(measures.width);
+    measures.nose_height = section.cushion_height.value_or(measures.nose_height);
+    measures.cushion_width = section.cushion_width.value_or(measures.cushion_width);
+    measures.rail_width = section.rail_width.value_or(measures.rail_width);
+    measures.rail_height = section.rail_height.value_or(measures.rail_height);
+    measures.height = section.height.value_or(measures.height);
+    if (section.pockets && section.pockets->none) {
+        measures.corner_pocket.reset();
+        measures.side_pocket.reset();
+    } else if (section.pockets) {
+        if (section.pockets->corner) {
+            measures.corner_pocket = section.pockets->corner;
+        }
+        if (section.pockets->side) {
+            measures.side_pocket = section.pockets->side;
+        }
+    }
+}
+
+}  // namespace
+
+void build_table(Builder& builder) {
+    if (!builder.file.table) {
+        return;
+    }
+    const TableSection& section = *builder.file.table;
+    std::optional<TableMeasures> measures = standard_measures(builder, section);
+    if (!measures) {
+        return;
+    }
+    override_measures(*measures, section);
+    const std::vector<std::string> problems = sim::billiards::find_problems(*measures);
+    for (const std::string& problem : problems) {
+        builder.reader.error(builder.place_of({"table"}), problem);
+    }
+    if (problems.empty()) {
+        if (measures->has_cushions) {
+            builder.shot.world.floor_height = -measures->height;
+        }
+        builder.shot.world.table = measures;
+    }
+}
+
+std::vector<sim::billiards::PlacedBall> place_rack(Builder& builder) {
+    const ShotFile& file = builder.file;
+    if (!file.rack) {
+        return {};
+    }
+    if (!file.table) {
+        builder.reader.error(builder.place_of({"rack"}),
+                             "a rack needs a table; 'table' is missing");
+    }
+    if (!builder.shot.world.table) {
+        return {};  // its problem is known
+    }
+    return sim::billiards::rack(file.rack->set, *builder.shot.world.table,
+                                measures_of_set(file).radius, {file.rack->gap, file.world.seed});
+}
+
+void build_table_scene(Builder& builder) {
+    if (!builder.shot.world.table) {
+        return;
+    }
+    const TableMeasures& measures = *builder.shot.world.table;
+    builder.table_geometry =
+        sim::billiards::build_table(measures, measures_of_set(builder.file).radius);
+    add_table(builder.shot.scene, measures, *builder.table_geometry);
+}
+
+}  // namespace carom::pipeline::config

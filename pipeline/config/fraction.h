@@ -1,0 +1,21 @@
+// Exact fractions that give up instead of overflowing.
+#pragma once
+
+#include <optional>
+
+#include "pipeline/config/units.h"
+
+namespace carom::pipeline::config {
+
+[[nodiscard]] std::optional<Fraction> make_fraction(std::int64_t numerator,
+                                                    std::int64_t denominator);
+[[nodiscard]] std::optional<Fraction> multiply(const Fraction& a, const Fraction& b);
+[[nodiscard]] std::optional<Fraction> divide(const Fraction& a, const Fraction& b);
+
+/// A plain decimal such as "-12.5e-3" (already checked to be one), exactly.
+[[nodiscard]] std::optional<Fraction> decimal_fraction(std::string_view text);
+
+/// Correctly rounded where numerator and denominator are below 2^53; empty otherwise.
+[[nodiscard]] std::optional<double> to_double(const Fraction& fraction);
+
+}  // namespace carom::pipeline::config

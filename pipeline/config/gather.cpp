@@ -1,0 +1,254 @@
+#include "pipeline/config/gather.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "pipeline/config/merge.h"
+#include "pipeline/config/parse_yaml.h"
+#include "pipeline/config/text.h"
+
+namespace carom::pipeline::config {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kDeepestInclude = 16;
+constexpr int kMostIncludes = 256;
+
+/// A file on the way from the root to the one that is being read.
+struct OpenFile {
+    std::string path;  // absolute, or the origin's name for a text in memory
+    std::string name;  // as problems print it
+};
+
+class Gatherer {
+  public:
+    Gatherer(SourceSet& sources, const ConfigFolders& folders, ProblemList& problems)
+        : sources_(sources), folders_(folders), problems_(problems) {}
+
+    /// The tree of a text with its includes merged beneath it. With `use_quality` the shot's own
+    /// preset stands between the two.
+    std::optional<Node> read(int source, std::vector<OpenFile>& trail, bool use_quality);
+
+    /// The preset that `name` (at `place`) names.
+    std::optional<Node> read_preset(const std::string& name, const Place& place,
+                                    std::vector<OpenFile>& trail);
+
+  private:
+    std::optional<Node> read_included(const Node& name, std::vector<OpenFile>& trail);
+    std::optional<Node> read_file(const std::string& path, std::string shown_name,
+                                  const Place& named_at, std::vector<OpenFile>& trail);
+    std::optional<Node> merge_includes(const Node& own, std::vector<OpenFile>& trail);
+    bool check_version(const Node& root);
+    [[nodiscard]] std::vector<std::string> preset_names() const;
+
+    SourceSet& sources_;
+    const ConfigFolders& folders_;
+    ProblemList& problems_;
+    int include_count_ = 0;
+};
+
+Node take_entry(Node& map, std::string_view key) {
+    Node value;
+    const auto found = std::find_if(map.entries.begin(), map.entries.end(),
+                                    [&](const Entry& entry) { return entry.key == key; });
+    if (found != map.entries.end()) {
+        value = std::move(found->value);
+        map.entries.erase(found);
+    }
+    return value;
+}
+
+/// False for a file of another version: nothing in it can be relied on.
+bool Gatherer::check_version(const Node& root) {
+    const Entry* version = root.find("carom");
+    if (version == nullptr || (version->value.is_scalar() && version->value.text == "1")) {
+        return true;
+    }
+    problems_.error(
+        version->value.place,
+        "this program reads version 1 of the format ('carom: 1'), not " +
+            (version->value.is_scalar() ? quote(version->value.text) : std::string("this")));
+    return false;
+}
+
+std::optional<Node> Gatherer::read(int source, std::vector<OpenFile>& trail, bool use_quality) {
+    std::optional<Node> own = parse_yaml(sources_, source, problems_);
+    if (!own) {
+        return std::nullopt;
+    }
+    const bool is_root = trail.size() == 1;
+    if (!own->is_map()) {
+        problems_.error(own->place,
+                        own->is_null() ? "the file is empty" : "the file must be a map of keys");
+        return std::nullopt;
+    }
+    if (!check_version(*own)) {
+        return std::nullopt;
+    }
+    std::optional<Node> base = merge_includes(*own, trail);
+    if (!base) {
+        return std::nullopt;
+    }
+    take_entry(*own, "include");
+    take_entry(*base, "carom");  // the shot itself has to say it
+    Node inherited = take_entry(*base, "quality");
+    Node quality = take_entry(*own, "quality");
+    if (quality.is_null()) {
+        quality = std::move(inherited);
+    }
+    if (!quality.is_null() && !quality.is_scalar()) {
+        problems_.error(quality.place, "'quality' must be the name of a preset");
+    } else if (is_root && use_quality && quality.is_scalar()) {
+        if (std::optional<Node> preset = read_preset(quality.text, quality.place, trail)) {
+            merge(*base, std::move(*preset));
+        }
+    } else if (!is_root && quality.is_scalar()) {
+        own->entries.push_back({"quality", quality.place, std::move(quality)});
+    }
+    merge(*base, std::move(*own));
+    return base;
+}
+
+std::optional<Node> Gatherer::merge_includes(const Node& own, std::vector<OpenFile>& trail) {
+    Node base;
+    base.kind = Node::Kind::map;
+    base.place = own.place;
+    const Entry* include = own.find("include");
+    if (include == nullptr) {
+        return base;
+    }
+    const Node& value = include->value;
+    const std::vector<Node> names = value.is_sequence() ? value.items : std::vector<Node>{value};
+    bool is_whole = true;
+    for (const Node& name : names) {
+        if (!name.is_scalar()) {
+            problems_.error(name.place, "'include' must be the name of a file or a list of them");
+            continue;
+        }
+        std::optional<Node> included = read_included(name, trail);
+        if (included) {
+            merge(base, std::move(*included));
+        } else {
+            is_whole = false;
+        }
+    }
+    return is_whole ? std::optional(std::move(base)) : std::nullopt;
+}
+
+std::optional<Node> Gatherer::read_included(const Node& name, std::vector<OpenFile>& trail) {
+    const std::string& folder = sources_.at(name.place.source).folder;
+    const FoundFile found = find_config_file(name.text, folder, folders_);
+    if (found.path.empty()) {
+        problems_.error(name.place, "included " + found.problem);
+        return std::nullopt;
+    }
+    // Shown as seen from where the including file is shown.
+    const fs::path beside = fs::path(trail.back().name).parent_path() / name.text;
+    std::error_code code;
+    const bool is_beside = fs::equivalent(beside, found.path, code) && !code;
+    return read_file(found.path, is_beside ? beside.lexically_normal().string() : found.path,
+                     name.place, trail);
+}
+
+std::optional<Node> Gatherer::read_file(const std::string& path, std::string shown_name,
+                                        const Place& named_at, std::vector<OpenFile>& trail) {
+    const auto same = [&](const OpenFile& open) { return open.path == path; };
+    if (std::any_of(trail.begin(), trail.end(), same)) {
+        std::string way;
+        for (const OpenFile& open : trail) {
+            way += open.name + " -> ";
+        }
+        problems_.error(named_at, "files include each other in a circle: " + way + shown_name);
+        return std::nullopt;
+    }
+    if (trail.size() > kDeepestInclude || ++include_count_ > kMostIncludes) {
+        problems_.error(named_at,
+                        trail.size() > kDeepestInclude
+                            ? "files include each other deeper than " +
+                                  std::to_string(kDeepestInclude) + " levels"
+                            : "more than " + std::to_string(kMostIncludes) + " files are included");
+        return std::nullopt;
+    }
+    std::string text;
+    if (!read_text_file(path, YamlLimits{}.bytes, text)) {
+        problems_.error(named_at, "file " + quote(shown_name) + " " + text);
+        return std::nullopt;
+    }
+    const std::string folder = fs::path(path).parent_path().string();
+    const int source = sources_.add({shown_name, folder, std::move(text)});
+    trail.push_back({path, std::move(shown_name)});
+    std::optional<Node> tree = read(source, trail, false);
+    trail.pop_back();
+    return tree;
+}
+
+std::vector<std::string> Gatherer::preset_names() const {
+    std::vector<std::string> names;
+    for (const std::string& folder : folders_.folders) {
+        std::error_code code;
+        for (const fs::directory_entry& entry :
+             fs::directory_iterator(fs::path(folder) / "quality", code)) {
+            if (entry.path().extension() == ".yaml") {
+                names.push_back(entry.path().stem().string());
+            }
+        }
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+std::optional<Node> Gatherer::read_preset(const std::string& name, const Place& place,
+                                          std::vector<OpenFile>& trail) {
+    const std::vector<std::string> known = preset_names();
+    const std::string& folder = sources_.at(place.source).folder;
+    const bool is_name = !name.empty() && name.find('/') == std::string::npos;
+    const FoundFile found =
+        is_name ? find_config_file("quality/" + name + ".yaml", folder, folders_) : FoundFile{};
+    if (found.path.empty()) {
+        problems_.error(
+            place, "there is no quality preset " + quote(name) +
+                       (known.empty() ? std::string() : " (there are " + join(known, "and") + ")"));
+        return std::nullopt;
+    }
+    std::optional<Node> preset = read_file(found.path, found.path, place, trail);
+    if (preset) {
+        take_entry(*preset, "carom");
+    }
+    return preset;
+}
+
+}  // namespace
+
+std::optional<Node> gather(SourceSet& sources, int root_source, const ConfigFolders& folders,
+                           const GatherOptions& options, ProblemList& problems) {
+    Gatherer gatherer(sources, folders, problems);
+    const SourceText& root_text = sources.at(root_source);
+    std::error_code code;
+    const fs::path canonical = fs::canonical(root_text.name, code);
+    std::vector<OpenFile> trail{{code ? root_text.name : canonical.string(), root_text.name}};
+    const std::string root_folder = root_text.folder;
+    std::optional<Node> root = gatherer.read(root_source, trail, options.quality.empty());
+    if (!root) {
+        return std::nullopt;
+    }
+    if (!options.quality.empty()) {
+        const int source = sources.add({"--quality", root_folder, options.quality});
+        const Place place = sources.place_at(source, 0, options.quality.size());
+        if (std::optional<Node> preset = gatherer.read_preset(options.quality, place, trail)) {
+            merge(*root, std::move(*preset));
+        }
+    }
+    for (const std::string& override_text : options.overrides) {
+        // Paths in an override are those of the shot.
+        const int source = sources.add({"--set", root_folder, override_text});
+        apply_override(*root, sources, source, problems);
+    }
+    return root;
+}
+
+}  // namespace carom::pipeline::config

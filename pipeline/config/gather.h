@@ -1,0 +1,27 @@
+// One tree of YAML out of a shot, the files that it includes, a quality preset and --set.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/config/config_files.h"
+#include "pipeline/config/node.h"
+#include "pipeline/config/problem_list.h"
+
+namespace carom::pipeline::config {
+
+struct GatherOptions {
+    std::vector<std::string> overrides;  // "render.samples=64", the strongest
+    std::string quality;                 // of the command line; empty: as the shot says
+};
+
+/// Text `root_source` with all that it includes. From the weakest to the strongest: included files
+/// in their order, the preset that the shot's own `quality` names, the shot's own keys, the preset
+/// of the command line (which takes the place of the shot's), --set. The keys `include` and
+/// `quality` are used up. Empty after a syntax error in any file.
+[[nodiscard]] std::optional<Node> gather(SourceSet& sources, int root_source,
+                                         const ConfigFolders& folders, const GatherOptions& options,
+                                         ProblemList& problems);
+
+}  // namespace carom::pipeline::config

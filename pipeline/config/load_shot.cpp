@@ -1,0 +1,82 @@
+#include "pipeline/config/load_shot.h"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "pipeline/config/build/build_shot.h"
+#include "pipeline/config/config_files.h"
+#include "pipeline/config/emit_yaml.h"
+#include "pipeline/config/gather.h"
+#include "pipeline/config/parse_yaml.h"
+#include "pipeline/config/sections/sections.h"
+#include "pipeline/config/text.h"
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+
+namespace fs = std::filesystem;
+using namespace config;
+
+namespace {
+
+std::vector<sim::Asset> hash_assets(const std::vector<std::string>& files, const Node& root,
+                                    Reader& reader) {
+    std::vector<sim::Asset> assets;
+    for (const std::string& path : files) {
+        try {
+            assets.push_back({path, hash_file(path)});
+        } catch (const Error& failure) {
+            reader.error(root.place, failure.what());
+        }
+    }
+    return assets;
+}
+
+std::string absolute_folder(const std::string& origin) {
+    std::error_code code;
+    const fs::path absolute = fs::absolute(origin, code);
+    return code ? "." : absolute.lexically_normal().parent_path().string();
+}
+
+}  // namespace
+
+LoadResult load_shot_text(const std::string& text, const std::string& origin,
+                          const std::vector<std::string>& overrides, const std::string& quality) {
+    SourceSet sources;
+    ProblemList problems(sources);
+    LoadResult result;
+    const ConfigFolders folders = standard_config_folders();
+    const int source = sources.add({origin, absolute_folder(origin), text});
+    const std::optional<Node> root =
+        gather(sources, source, folders, {overrides, quality}, problems);
+    if (root) {
+        Reader reader(sources, folders, problems);
+        ShotFile file;
+        shot_spec().read(reader, *root, file);
+        Shot shot = build_shot(file, *root, fs::path(origin).stem().string(), reader);
+        if (!problems.has_error()) {
+            shot.assets = hash_assets(reader.files(), *root, reader);
+            shot.resolved_text = emit_yaml(*root, reader.absolute_paths());
+        }
+        if (!problems.has_error()) {
+            result.shot = std::move(shot);
+        }
+    }
+    result.problems = problems.take();
+    return result;
+}
+
+LoadResult load_shot(const std::string& path, const std::vector<std::string>& overrides,
+                     const std::string& quality) {
+    std::string text;
+    if (!read_text_file(path, YamlLimits{}.bytes, text)) {
+        Problem problem;
+        problem.place.file = path;
+        problem.message = "the file " + text;
+        return {std::nullopt, {problem}};
+    }
+    return load_shot_text(text, path, overrides, quality);
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,88 @@
+#include "pipeline/config/map_spec.h"
+
+#include <algorithm>
+
+#include "pipeline/config/text.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+constexpr std::size_t kMostListedKeys = 12;
+
+std::vector<std::string> quoted(const std::vector<std::string>& words) {
+    std::vector<std::string> result;
+    for (const std::string& word : words) {
+        result.push_back("'" + word + "'");
+    }
+    return result;
+}
+
+void report_unknown(Reader& reader, const Entry& entry, const MapInfo& info) {
+    const std::vector<std::string> known = info.key_names();
+    std::string help = hint(entry.key, known);
+    if (help.empty() && known.size() <= kMostListedKeys) {
+        help = known.size() == 1 ? " (the only key is " + known[0] + ")"
+                                 : " (the keys are " + join(known, "and") + ")";
+    }
+    reader.error(entry.key_place,
+                 "unknown key " + quote(entry.key) + " in " + reader.label() + help);
+}
+
+void report_contradiction(Reader& reader, const Entry& first, const Entry& second) {
+    std::string message = "'" + second.key + "' contradicts '" + first.key + "' in " +
+                          reader.label() + "; give one of them";
+    if (first.key_place.source != second.key_place.source) {
+        message += " (the other comes from " + reader.sources().to_string(first.key_place) + "; '" +
+                   first.key + ": null' takes it away)";
+    }
+    reader.error(second.key_place, message);
+}
+
+void check_group(Reader& reader, const Node& node, const KeyGroup& group) {
+    std::vector<const Entry*> given;
+    for (const Entry& entry : node.entries) {
+        if (std::find(group.keys.begin(), group.keys.end(), entry.key) != group.keys.end()) {
+            given.push_back(&entry);
+        }
+    }
+    if (given.empty() && group.rule == KeyGroup::Rule::exactly_one) {
+        reader.error(reader.key_place(), reader.label() + " needs " +
+                                             (group.keys.size() > 2 ? "one of " : "either ") +
+                                             join(quoted(group.keys), "or"));
+    }
+    for (std::size_t i = 1; i < given.size(); ++i) {
+        report_contradiction(reader, *given[0], *given[i]);
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> MapInfo::key_names() const {
+    std::vector<std::string> names;
+    for (const KeyInfo& key : keys) {
+        names.push_back(key.name);
+    }
+    return names;
+}
+
+void check_keys(Reader& reader, const Node& node, const MapInfo& info) {
+    for (const Entry& entry : node.entries) {
+        const bool is_known =
+            std::any_of(info.keys.begin(), info.keys.end(),
+                        [&](const KeyInfo& key) { return key.name == entry.key; });
+        if (!is_known) {
+            report_unknown(reader, entry, info);
+        }
+    }
+    for (const KeyInfo& key : info.keys) {
+        if (key.is_required && node.find(key.name) == nullptr) {
+            reader.error(reader.key_place(), reader.label() + " needs the key '" + key.name + "'");
+        }
+    }
+    for (const KeyGroup& group : info.groups) {
+        check_group(reader, node, group);
+    }
+}
+
+}  // namespace carom::pipeline::config

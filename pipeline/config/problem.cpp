@@ -1,0 +1,105 @@
+#include "pipeline/config/problem.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace carom::pipeline {
+
+namespace {
+
+constexpr std::size_t kWidestShownLine = 160;  // characters; longer lines are shown in part
+
+bool is_continuation(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+/// Control characters could move the cursor or hide text on a terminal.
+std::string printable(std::string_view text) {
+    std::string shown;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        shown += (byte < 0x20 && c != '\t') || byte == 0x7F ? '?' : c;
+    }
+    return shown;
+}
+
+/// The text cut into its characters.
+std::vector<std::string> characters(std::string_view text) {
+    std::vector<std::string> all;
+    for (const char c : text) {
+        if (all.empty() || !is_continuation(c)) {
+            all.emplace_back();
+        }
+        all.back() += c;
+    }
+    return all;
+}
+
+struct ShownLine {
+    std::string text;
+    std::string caret;
+};
+
+/// The line, or the part of a long one around the place, and the caret line under it.
+ShownLine show_line(const Problem& problem) {
+    const std::vector<std::string> all = characters(printable(problem.source_line));
+    const auto column = static_cast<std::size_t>(std::max(1, problem.place.column)) - 1;
+    std::size_t first = 0;
+    std::size_t last = all.size();
+    if (all.size() > kWidestShownLine) {
+        first = column > kWidestShownLine / 2 ? column - kWidestShownLine / 2 : 0;
+        first = std::min(first, all.size() - kWidestShownLine);
+        last = first + kWidestShownLine;
+    }
+    ShownLine shown;
+    if (first > 0) {
+        shown.text = shown.caret = "...";
+        shown.caret = "   ";
+    }
+    for (std::size_t i = first; i < last; ++i) {
+        shown.text += all[i];
+        if (i < column) {
+            shown.caret += all[i] == "\t" ? '\t' : ' ';
+        }
+    }
+    shown.text += last < all.size() ? "..." : "";
+    shown.caret.append(column > last ? column - last : 0, ' ');
+    const auto length = static_cast<std::size_t>(std::max(1, problem.place.length));
+    const std::size_t room = last > column ? last - column : 1;
+    shown.caret += '^' + std::string(std::min(length, room) - 1, '~');
+    return shown;
+}
+
+std::string place_text(const SourcePlace& place) {
+    std::string text = place.file;
+    if (place.line > 0) {
+        text += ":" + std::to_string(place.line);
+        if (place.column > 0) {
+            text += ":" + std::to_string(place.column);
+        }
+    }
+    return text.empty() ? text : text + ": ";
+}
+
+}  // namespace
+
+std::string format(const Problem& problem) {
+    const std::string kind = problem.severity == Severity::error ? "error: " : "warning: ";
+    std::string text = printable(place_text(problem.place)) + kind + printable(problem.message);
+    if (problem.source_line.empty() || problem.place.line < 1) {
+        return text + "\n";
+    }
+    const std::string number = std::to_string(problem.place.line);
+    const std::string margin(number.size() < 5 ? 5 - number.size() : 0, ' ');
+    const std::string blank(margin.size() + number.size(), ' ');
+    const ShownLine shown = show_line(problem);
+    return text + "\n" + margin + number + " | " + shown.text + "\n" + blank + " | " + shown.caret +
+           "\n";
+}
+
+bool has_errors(const std::vector<Problem>& problems) {
+    return std::any_of(problems.begin(), problems.end(),
+                       [](const Problem& p) { return p.severity == Severity::error; });
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,107 @@
+#include "pipeline/config/reader.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "pipeline/config/text.h"
+
+namespace carom::pipeline::config {
+
+Reader::Scope::Scope(Reader& reader, std::string key, Place key_place) : reader_(reader) {
+    reader.steps_.push_back({std::move(key), 0, key_place, {}});
+}
+
+Reader::Scope::Scope(Reader& reader, std::size_t index, Place place) : reader_(reader) {
+    reader.steps_.push_back({{}, index, place, {}});
+}
+
+std::string Reader::label() const {
+    std::string text;
+    for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
+        if (!step->label.empty()) {
+            return text.empty() ? step->label : text + " of " + step->label;
+        }
+        if (!step->key.empty()) {
+            text += (text.empty() ? "'" : " of '") + step->key + "'";
+        }
+    }
+    return text.empty() ? "the shot" : text;
+}
+
+std::string Reader::value_name() const {
+    std::string text;
+    for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
+        if (!step->key.empty()) {
+            return "'" + step->key + text + "'";
+        }
+        text = "[" + std::to_string(step->index) + "]" + text;
+    }
+    return "the shot";
+}
+
+std::string Reader::key_path() const {
+    std::string path;
+    for (const Step& step : steps_) {
+        if (step.key.empty()) {
+            path += "[" + std::to_string(step.index) + "]";
+        } else {
+            path += (path.empty() ? "" : ".") + step.key;
+        }
+    }
+    return path;
+}
+
+Place Reader::key_place() const {
+    return steps_.empty() ? Place{0, 1, 1, 1} : steps_.back().place;
+}
+
+void Reader::error(const Place& place, std::string message) {
+    problems_->error(place, std::move(message), key_path());
+}
+
+void Reader::warning(const Place& place, std::string message) {
+    problems_->warning(place, std::move(message), key_path());
+}
+
+void Reader::error_at_path(const Place& place, std::string message, std::string key_path) {
+    problems_->error(place, std::move(message), std::move(key_path));
+}
+
+void Reader::wrong_type(const Node& node, std::string_view expected) {
+    error(node.place,
+          value_name() + " must be " + std::string(expected) + ", not " + describe(node));
+}
+
+void Reader::refer(ReferenceKind kind, const Node& node) {
+    references_.push_back({kind, node.text, node.place, key_path()});
+}
+
+std::string Reader::file(const Node& node) {
+    const std::string& folder = sources_->at(node.place.source).folder;
+    const FoundFile found = find_config_file(node.text, folder, *folders_);
+    if (found.path.empty()) {
+        error(node.place, found.problem);
+        return {};
+    }
+    if (std::find(files_.begin(), files_.end(), found.path) == files_.end()) {
+        files_.push_back(found.path);
+    }
+    absolute_paths_[&node] = found.path;
+    return found.path;
+}
+
+std::string describe(const Node& node) {
+    switch (node.kind) {
+        case Node::Kind::null:
+            return "nothing";
+        case Node::Kind::scalar:
+            return quote(node.text);
+        case Node::Kind::sequence:
+            return node.items.empty() ? "an empty list" : "a list";
+        case Node::Kind::map:
+            return "a map";
+    }
+    return {};
+}
+
+}  // namespace carom::pipeline::config

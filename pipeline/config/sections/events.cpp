@@ -1,0 +1,273 @@
+#include "pipeline/config/sections/sections.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+using sim::ForceEvent;
+using sim::Strike;
+using sim::Trigger;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kLongest = 3600;  // s
+
+const MapSpec<Trigger>& trigger_spec() {
+    static const MapSpec<Trigger> spec = [] {
+        MapSpec<Trigger> s("when", "Something that happens in the shot, and starts an event.");
+        s.set(
+            "contact", list_of(name_of(ReferenceKind::touchable), 2, 2),
+            [](Trigger& trigger, const std::vector<std::string>& names) {
+                trigger.kind = Trigger::Kind::contact;
+                trigger.a = names[0];
+                trigger.b = names[1];
+            },
+            "two objects, or an object and a surface such as `cushion`, touch");
+        s.set(
+            "potted", name_of(ReferenceKind::body),
+            [](Trigger& trigger, std::string name) {
+                trigger.kind = Trigger::Kind::potted;
+                trigger.a = std::move(name);
+            },
+            "an object falls into a pocket");
+        const auto everything =
+            convert<std::string>(choice<bool>({{"all", true}}), [](bool) { return std::string(); });
+        s.set(
+            "resting",
+            any_of<std::string>(
+                {{[](const Node& node) { return node.is_scalar() && node.text == "all"; },
+                  everything},
+                 {is_scalar, name_of(ReferenceKind::body)}}),
+            [](Trigger& trigger, std::string name) {
+                trigger.kind = Trigger::Kind::resting;
+                trigger.a = std::move(name);
+            },
+            "an object, or `all`, comes to rest");
+        s.exactly_one_of({"contact", "potted", "resting"});
+        return s;
+    }();
+    return spec;
+}
+
+/// When the event happens; every kind has these.
+void add_start(MapSpec<ForceEvent>& s) {
+    s.key("at", &ForceEvent::time, time(between(0, kLongest)),
+          "scene time; with `when`: not before");
+    s.key("when", &ForceEvent::trigger, record(trigger_spec()),
+          "the first time that something happens");
+    s.key("after", &ForceEvent::after, time(between(0, kLongest)), "delay behind `at` or `when`");
+}
+
+template <class Action>
+MapSpec<ForceEvent> event_of(std::string name, std::string description) {
+    ForceEvent prototype;
+    prototype.action = Action{};
+    return {std::move(name), std::move(description), prototype};
+}
+
+void add_object(MapSpec<ForceEvent>& s) {
+    s.key("object", &ForceEvent::object, name_of(ReferenceKind::body), "the ball or object")
+        .required();
+}
+
+template <class Action>
+void add_point_and_axes(MapSpec<ForceEvent>& s) {
+    s.key(
+        "at_point", [](ForceEvent& e) -> Vec3& { return std::get<Action>(e.action).at_point; },
+        vector3(Dimension::length), "where it acts, from the centre of mass, in `axes`");
+    s.key(
+        "axes", [](ForceEvent& e) -> sim::Axes& { return std::get<Action>(e.action).axes; },
+        choice<sim::Axes>({{"world", sim::Axes::world}, {"body", sim::Axes::body}}),
+        "`body`: turned with the object");
+}
+
+const MapSpec<ForceEvent>& force_spec() {
+    static const MapSpec<ForceEvent> spec = [] {
+        MapSpec<ForceEvent> s = event_of<sim::Force>("force", "A force during a time.");
+        add_object(s);
+        add_start(s);
+        s.key(
+             "for",
+             [](ForceEvent& e) -> double& { return std::get<sim::Force>(e.action).duration; },
+             time(above_up_to(0, kLongest)), "how long it acts")
+            .required();
+        s.key(
+             "newtons",
+             [](ForceEvent& e) -> Vec3& { return std::get<sim::Force>(e.action).newtons; },
+             vector3(Dimension::force), "the force")
+            .required();
+        add_point_and_axes<sim::Force>(s);
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<ForceEvent>& torque_spec() {
+    static const MapSpec<ForceEvent> spec = [] {
+        MapSpec<ForceEvent> s = event_of<sim::Torque>("torque", "A torque during a time.");
+        using sim::Torque;
+        add_object(s);
+        add_start(s);
+        s.key(
+             "for", [](ForceEvent& e) -> double& { return std::get<Torque>(e.action).duration; },
+             time(above_up_to(0, kLongest)), "how long it acts")
+            .required();
+        s.key(
+             "newton_metres",
+             [](ForceEvent& e) -> Vec3& { return std::get<Torque>(e.action).newton_metres; },
+             vector3(Dimension::torque), "the torque")
+            .required();
+        s.key(
+            "axes", [](ForceEvent& e) -> sim::Axes& { return std::get<Torque>(e.action).axes; },
+            choice<sim::Axes>({{"world", sim::Axes::world}, {"body", sim::Axes::body}}),
+            "`body`: turned with the object");
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<ForceEvent>& impulse_spec() {
+    static const MapSpec<ForceEvent> spec = [] {
+        MapSpec<ForceEvent> s = event_of<sim::Impulse>("impulse", "A blow in an instant.");
+        add_object(s);
+        add_start(s);
+        s.key(
+             "newton_seconds",
+             [](ForceEvent& e) -> Vec3& { return std::get<sim::Impulse>(e.action).newton_seconds; },
+             vector3(Dimension::impulse), "the impulse")
+            .required();
+        add_point_and_axes<sim::Impulse>(s);
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<ForceEvent>& velocity_spec() {
+    static const MapSpec<ForceEvent> spec = [] {
+        MapSpec<ForceEvent> s =
+            event_of<sim::SetVelocity>("velocity", "Sets an object's velocity.");
+        using sim::SetVelocity;
+        add_object(s);
+        add_start(s);
+        s.key(
+            "linear",
+            [](ForceEvent& e) -> std::optional<Vec3>& {
+                return std::get<SetVelocity>(e.action).linear;
+            },
+            vector3(Dimension::speed), "world axes; kept if not given");
+        s.key(
+            "angular",
+            [](ForceEvent& e) -> std::optional<Vec3>& {
+                return std::get<SetVelocity>(e.action).angular;
+            },
+            vector3(Dimension::angular_speed), "world axes; kept if not given");
+        s.check([](Reader& reader, const Node& node, ForceEvent&) {
+            if (node.find("linear") == nullptr && node.find("angular") == nullptr) {
+                reader.error(reader.key_place(),
+                             reader.label() + " needs 'linear' or 'angular' or both");
+            }
+        });
+        return s;
+    }();
+    return spec;
+}
+
+Strike& strike_of(ForceEvent& event) {
+    return std::get<Strike>(event.action);
+}
+
+/// An object's name or a point.
+void add_toward(MapSpec<ForceEvent>& s) {
+    const auto by_name = convert<Strike>(name_of(ReferenceKind::placed), [](std::string name) {
+        Strike strike;
+        strike.toward = std::move(name);
+        return strike;
+    });
+    const auto by_point =
+        convert<Strike>(coordinates(Dimension::length), [](const Coordinates& point) {
+            Strike strike;
+            strike.toward_point = point.value;
+            return strike;
+        });
+    s.set(
+        "toward", any_of<Strike>({{is_scalar, by_name}, {is_list, by_point}}),
+        [](ForceEvent& event, const Strike& aim) {
+            strike_of(event).toward = aim.toward;
+            strike_of(event).toward_point = aim.toward_point;
+        },
+        "what is aimed at: an object's centre at that moment, or a point");
+}
+
+void check_tip(Reader& reader, const Node& node, ForceEvent& event) {
+    const Vec2& tip = strike_of(event).tip;
+    if (tip.dot(tip) >= 1) {
+        reader.error(node.find("tip")->value.place,
+                     "'tip' must be less than 1 ball radius from the centre in all: the stick "
+                     "misses the ball");
+    }
+}
+
+void add_strike_keys(MapSpec<ForceEvent>& s) {
+    s.key(
+        "speed", [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).speed; },
+        quantity(Dimension::speed, above_up_to(0, 100)), "of the stick when it hits");
+    s.key(
+        "ball_speed",
+        [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).ball_speed; },
+        quantity(Dimension::speed, above_up_to(0, 100)), "the ball's own speed after the hit");
+    add_toward(s);
+    s.key(
+        "direction", [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).direction; },
+        angle(), "of the aim, counter-clockwise from +x");
+    s.key(
+        "elevation", [](ForceEvent& e) -> double& { return strike_of(e).elevation; },
+        angle(from_below(0, kPi / 2)), "of the stick's butt");
+    s.key(
+        "tip", [](ForceEvent& e) -> Vec2& { return strike_of(e).tip; },
+        vector2(Dimension::none, between(-1, 1)),
+        "offset to the right and up as the shooter sees it, in ball radii");
+    s.key(
+        "stick_mass", [](ForceEvent& e) -> double& { return strike_of(e).stick_mass; },
+        quantity(Dimension::mass, above_up_to(0, 10)), "of the whole stick");
+    s.key(
+        "end_mass_ratio", [](ForceEvent& e) -> double& { return strike_of(e).end_mass_ratio; },
+        number(above_up_to(0, 1)), "the stick's effective end mass by the ball's: squirt");
+}
+
+const MapSpec<ForceEvent>& strike_spec() {
+    static const MapSpec<ForceEvent> spec = [] {
+        MapSpec<ForceEvent> s = event_of<Strike>(
+            "strike", "A ball is struck by a cue stick (Alciatore, TP A-30, A-31).");
+        s.key("ball", &ForceEvent::object, name_of(ReferenceKind::ball), "the ball").required();
+        add_start(s);
+        add_strike_keys(s);
+        s.exactly_one_of({"speed", "ball_speed"});
+        s.exactly_one_of({"toward", "direction"});
+        s.check(check_tip);
+        return s;
+    }();
+    return spec;
+}
+
+}  // namespace
+
+const MapSpec<EventSection>& event_spec() {
+    static const MapSpec<EventSection> spec = [] {
+        MapSpec<EventSection> s("event", "What is done to a ball or object, and when.");
+        const auto store = [](EventSection& section, ForceEvent event) {
+            section.event = std::move(event);
+        };
+        s.set("strike", record(strike_spec()), store, "with a cue stick");
+        s.set("impulse", record(impulse_spec()), store, "a blow");
+        s.set("force", record(force_spec()), store, "a push during a time");
+        s.set("torque", record(torque_spec()), store, "a twist during a time");
+        s.set("velocity", record(velocity_spec()), store, "a change of velocity");
+        s.exactly_one_of({"strike", "impulse", "force", "torque", "velocity"});
+        s.check([](Reader& reader, const Node& node, EventSection& section) {
+            section.place = node.entries.empty() ? reader.key_place() : node.entries[0].key_place;
+        });
+        return s;
+    }();
+    return spec;
+}
+
+}  // namespace carom::pipeline::config

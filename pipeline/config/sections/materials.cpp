@@ -1,0 +1,152 @@
+#include "pipeline/config/sections/sections.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+using render::ColourSource;
+using render::StandardMaterial;
+
+const MapSpec<render::Coat>& coat_spec() {
+    static const MapSpec<render::Coat> spec = [] {
+        MapSpec<render::Coat> s("coat", "A clear layer on top.", {1.0, 1.5, 0.0});
+        s.key("weight", &render::Coat::weight, number(between(0, 1)), "0: no coat");
+        s.key("ior", &render::Coat::ior, number(between(1, 3)), "index of refraction");
+        s.key("roughness", &render::Coat::roughness, number(between(0, 1)), "0: a mirror");
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<render::ImageTexture>& image_spec() {
+    static const MapSpec<render::ImageTexture> spec = [] {
+        MapSpec<render::ImageTexture> s("image", "A picture, placed by the surface's uv.");
+        s.key("file", &render::ImageTexture::file, file(), "the picture").required();
+        s.key("scale", &render::ImageTexture::scale, vector2(Dimension::none, above_up_to(0, 1e4)),
+              "repeats along u and v");
+        s.key("is_linear", &render::ImageTexture::is_linear, boolean(),
+              "its values are linear, not sRGB-encoded");
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<render::ClothTexture>& cloth_spec() {
+    static const MapSpec<render::ClothTexture> spec = [] {
+        MapSpec<render::ClothTexture> s("cloth", "Woven cloth with a nap.");
+        s.key("colour", &render::ClothTexture::colour, colour(between(0, 1)), "mean albedo");
+        s.key("thread", &render::ClothTexture::thread, length(inside(0, 1)),
+              "spacing of the weave");
+        s.key("variation", &render::ClothTexture::variation, number(between(0, 1)),
+              "of the colour, relative");
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<render::WoodTexture>& wood_spec() {
+    static const MapSpec<render::WoodTexture> spec = [] {
+        MapSpec<render::WoodTexture> s("wood", "Wood with rings along a grain.");
+        s.key("light", &render::WoodTexture::light, colour(between(0, 1)), "early wood");
+        s.key("dark", &render::WoodTexture::dark, colour(between(0, 1)), "late wood");
+        s.key("ring", &render::WoodTexture::ring, length(inside(0, 10)),
+              "mean spacing of the rings");
+        s.key("grain", &render::WoodTexture::grain, vector3(Dimension::none),
+              "direction of the grain in the object's axes");
+        s.check([](Reader& reader, const Node& node, render::WoodTexture& wood) {
+            if (wood.grain.length() < 1e-9) {
+                reader.error(node.find("grain")->value.place, "'grain' must have a length");
+            }
+        });
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<render::CheckerTexture>& checker_spec() {
+    static const MapSpec<render::CheckerTexture> spec = [] {
+        MapSpec<render::CheckerTexture> s("checker", "Squares of two colours.");
+        s.key("even", &render::CheckerTexture::even, colour(between(0, 1)), "one colour");
+        s.key("odd", &render::CheckerTexture::odd, colour(between(0, 1)), "the other");
+        s.key("size", &render::CheckerTexture::size, length(inside(0, 1000)), "of a square");
+        return s;
+    }();
+    return spec;
+}
+
+ValueType<render::ImageTexture> image() {
+    const auto by_file = convert<render::ImageTexture>(file(), [](std::string path) {
+        render::ImageTexture texture;
+        texture.file = std::move(path);
+        return texture;
+    });
+    return any_of<render::ImageTexture>({{is_scalar, by_file}, {is_map, record(image_spec())}});
+}
+
+const MapSpec<ColourSource>& texture_spec() {
+    static const MapSpec<ColourSource> spec = [] {
+        MapSpec<ColourSource> s("texture", "A colour that varies over the surface.");
+        const auto store = [](ColourSource& source, auto texture) { source = std::move(texture); };
+        s.set("image", image(), store, "a picture: its file, or a map");
+        s.set("cloth", record(cloth_spec()), store, "woven cloth");
+        s.set("wood", record(wood_spec()), store, "wood");
+        s.set("checker", record(checker_spec()), store, "squares");
+        s.set("ball", record(ball_texture_spec()), store, "a billiard ball");
+        s.exactly_one_of({"image", "cloth", "wood", "checker", "ball"});
+        return s;
+    }();
+    return spec;
+}
+
+ValueType<ColourSource> base() {
+    const auto constant = convert<ColourSource>(colour(between(0, 1)),
+                                                [](const Vec3& c) -> ColourSource { return c; });
+    ValueType<ColourSource> result = any_of<ColourSource>(
+        {{is_map, record(texture_spec())}, {[](const Node&) { return true; }, constant}});
+    result.show = [](const ColourSource& source) {
+        const Vec3* colour = std::get_if<Vec3>(&source);
+        return colour == nullptr ? std::string() : vector3(Dimension::none).show(*colour);
+    };
+    return result;
+}
+
+const MapSpec<StandardMaterial>& standard_spec() {
+    static const MapSpec<StandardMaterial> spec = [] {
+        MapSpec<StandardMaterial> s(
+            "standard", "Layers from the bottom up: diffuse base or metal, sheen, coat.");
+        s.key("base", &StandardMaterial::base, base(), "colour or a texture");
+        s.key("metal", &StandardMaterial::metal, number(between(0, 1)),
+              "1: the base is the reflectance of a metal");
+        s.key("roughness", &StandardMaterial::roughness, number(between(0, 1)),
+              "of the base's highlight");
+        s.key("specular", &StandardMaterial::specular, number(between(0, 1)),
+              "weight of the base's own dielectric highlight");
+        s.key("sheen", &StandardMaterial::sheen, number(between(0, 1)),
+              "weight of the shine at grazing angles, as of cloth");
+        s.key("sheen_colour", &StandardMaterial::sheen_colour, colour(between(0, 1)), "its colour");
+        s.key("bump", &StandardMaterial::bump, number(between(0, 1)),
+              "strength of the texture's own relief");
+        s.key("coat", &StandardMaterial::coat, record(coat_spec()), "a clear layer on top");
+        return s;
+    }();
+    return spec;
+}
+
+}  // namespace
+
+const MapSpec<StandardMaterial>& material_spec() {
+    static const MapSpec<StandardMaterial> spec = [] {
+        MapSpec<StandardMaterial> s("material", "A surface by name.");
+        s.set(
+             "standard", record(standard_spec()),
+             [](StandardMaterial& material, StandardMaterial value) {
+                 material = std::move(value);
+             },
+             "the layered surface")
+            .required();
+        return s;
+    }();
+    return spec;
+}
+
+}  // namespace carom::pipeline::config

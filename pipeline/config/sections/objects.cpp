@@ -1,0 +1,163 @@
+#include <cmath>
+
+#include "pipeline/config/sections/sections.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+using sim::BodyKind;
+
+struct AxisAngle {
+    Vec3 axis{0, 0, 1};
+    double angle = 0;
+};
+
+const MapSpec<AxisAngle>& axis_angle_spec() {
+    static const MapSpec<AxisAngle> spec = [] {
+        MapSpec<AxisAngle> s("rotation", "A turn about an axis.");
+        s.key("axis", &AxisAngle::axis, vector3(Dimension::none), "in world axes").required();
+        s.key("angle", &AxisAngle::angle, angle(), "counter-clockwise seen against the axis")
+            .required();
+        s.check([](Reader& reader, const Node& node, AxisAngle& value) {
+            if (value.axis.length() < 1e-9) {
+                reader.error(
+                    node.find("axis") != nullptr ? node.find("axis")->value.place : node.place,
+                    "'axis' must have a length");
+                value.axis = {0, 0, 1};
+            }
+        });
+        return s;
+    }();
+    return spec;
+}
+
+Quat turn(const Vec3& axis, double angle) {
+    const Vec3 unit = axis / std::sqrt(axis.dot(axis));
+    return Quat(std::cos(angle / 2), unit * std::sin(angle / 2));
+}
+
+const MapSpec<ObjectPhysics>& object_physics_spec() {
+    static const MapSpec<ObjectPhysics> spec = [] {
+        MapSpec<ObjectPhysics> s("object physics", "An object's part in the simulation.");
+        s.key("kind", &ObjectPhysics::kind,
+              choice<BodyKind>({{"dynamic", BodyKind::dynamic}, {"fixed", BodyKind::fixed}}),
+              "`fixed`: others collide with it, it never moves");
+        s.key("density", &ObjectPhysics::density,
+              quantity(Dimension::density, above_up_to(0, 100'000)),
+              "gives the mass by the volume");
+        s.key("mass", &ObjectPhysics::mass, quantity(Dimension::mass, above_up_to(0, 100'000)),
+              "instead of the density");
+        s.key("material", &ObjectPhysics::material, text("a physical material"),
+              "for the contact law (see `physics.pairs`)");
+        s.key("velocity", &ObjectPhysics::velocity, vector3(Dimension::speed), "at the start");
+        s.key("spin", &ObjectPhysics::spin, vector3(Dimension::angular_speed),
+              "angular velocity at the start, world axes");
+        s.at_most_one_of({"density", "mass"});
+        return s;
+    }();
+    return spec;
+}
+
+/// `false`, `fixed` or a map.
+ValueType<std::optional<ObjectPhysics>> object_physics() {
+    using Result = std::optional<ObjectPhysics>;
+    const auto word = convert<Result>(choice<bool>({{"false", false}, {"fixed", true}}),
+                                      [](bool is_fixed) -> Result {
+                                          if (!is_fixed) {
+                                              return std::nullopt;
+                                          }
+                                          ObjectPhysics physics;
+                                          physics.kind = BodyKind::fixed;
+                                          return physics;
+                                      });
+    const auto map = convert<Result>(record(object_physics_spec()),
+                                     [](ObjectPhysics physics) -> Result { return physics; });
+    return any_of<Result>({{is_scalar, word}, {is_map, map}});
+}
+
+template <class V, class Make>
+void add_shape(MapSpec<ObjectSection>& spec, std::string name, ValueType<V> type, Make make,
+               std::string description) {
+    spec.set(
+        std::move(name), std::move(type),
+        [make](ObjectSection& object, const V& value) { object.shape = make(value); },
+        std::move(description));
+}
+
+void add_shapes(MapSpec<ObjectSection>& s) {
+    add_shape(
+        s, "box", vector3(Dimension::length, above_up_to(0, 1000)),
+        [](const Vec3& size) { return render::BoxShape{size}; },
+        "full lengths of its edges along x, y and z");
+    add_shape(
+        s, "sphere", length(above_up_to(0, 1000)),
+        [](double radius) { return render::SphereShape{radius}; }, "radius");
+    add_shape(
+        s, "rectangle", vector2(Dimension::length, above_up_to(0, 1000)),
+        [](const Vec2& size) { return render::RectangleShape{size}; },
+        "lengths along x and y; it faces +z");
+    add_shape(
+        s, "plane", choice<bool>({{"infinite", true}}), [](bool) { return render::PlaneShape{}; },
+        "the infinite plane that faces +z");
+    add_shape(
+        s, "mesh", file(),
+        [](const std::string& path) {
+            render::MeshShape mesh;
+            mesh.file = path;
+            return mesh;
+        },
+        "an OBJ file");
+    s.exactly_one_of({"box", "sphere", "rectangle", "plane", "mesh"});
+}
+
+void note_shape_place(Reader& reader, const Node& node, ObjectSection& object) {
+    for (const char* key : {"box", "sphere", "rectangle", "plane", "mesh"}) {
+        if (const Entry* entry = node.find(key)) {
+            object.shape_place = entry->key_place;
+        }
+    }
+    const Entry* scale = node.find("scale");
+    if (scale != nullptr && node.find("mesh") == nullptr) {
+        reader.error(scale->key_place,
+                     "'scale' is for a mesh; give " + reader.label() + " its size instead");
+    }
+}
+
+}  // namespace
+
+ValueType<Quat> rotation() {
+    const auto angles = convert<Quat>(vector3(Dimension::angle), [](const Vec3& a) {
+        // Imath's product q1 * q2 turns by q2 first.
+        return turn({0, 0, 1}, a.z) * turn({0, 1, 0}, a.y) * turn({1, 0, 0}, a.x);
+    });
+    const auto about_axis = convert<Quat>(record(axis_angle_spec()),
+                                          [](const AxisAngle& a) { return turn(a.axis, a.angle); });
+    return any_of<Quat>({{is_list, angles}, {is_map, about_axis}});
+}
+
+const MapSpec<ObjectSection>& object_spec() {
+    static const MapSpec<ObjectSection> spec = [] {
+        MapSpec<ObjectSection> s("object",
+                                 "Something else to see, and to collide with if it has "
+                                 "physics.");
+        add_shapes(s);
+        s.key("at", &ObjectSection::at, vector3(Dimension::length), "its origin in world axes");
+        s.key("rotate", &ObjectSection::rotate, rotation(),
+              "angles about the world's x, y and z axis in this order, or {axis, angle}");
+        s.key("scale", &ObjectSection::scale, number(above_up_to(0, 1e6)), "of a mesh");
+        s.key("material", &ObjectSection::material, name_of(ReferenceKind::material),
+              "of the look; without it a plain grey");
+        s.set(
+            "physics", object_physics(),
+            [](ObjectSection& object, const std::optional<ObjectPhysics>& value) {
+                object.physics = value;
+            },
+            "`false`: seen only; `fixed`: others collide with it; or a map", "false");
+        s.check(note_shape_place);
+        return s;
+    }();
+    return spec;
+}
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,169 @@
+#include "pipeline/config/sections/sections.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+using sim::BallBall;
+using sim::BallCloth;
+using sim::BallCushion;
+using sim::PairContact;
+using World = sim::WorldDescription;
+
+constexpr double kLargestFriction = 10;
+
+const MapSpec<BallCloth>& ball_cloth_spec() {
+    static const MapSpec<BallCloth> spec = [] {
+        MapSpec<BallCloth> s("ball_cloth", "A ball on the cloth.");
+        s.key("sliding_friction", &BallCloth::sliding_friction,
+              number(between(0, kLargestFriction)), "while the ball slips on the cloth");
+        s.key("rolling_friction", &BallCloth::rolling_friction, number(between(0, 1)),
+              "deceleration of a rolling ball as a share of gravity");
+        s.key("spinning_friction", &BallCloth::spinning_friction, number(between(0, 1)),
+              "mu in 5/2 mu g / R, at which spin about the vertical decays");
+        s.key("restitution", &BallCloth::restitution, number(between(0, 1)),
+              "of a ball that falls on the slate");
+        return s;
+    }();
+    return spec;
+}
+
+/// A coefficient, or the name of a law that gives it.
+ValueType<BallBall> ball_friction() {
+    const auto constant = convert<BallBall>(number(between(0, kLargestFriction)), [](double value) {
+        return BallBall{0, value, sim::BallFriction::constant};
+    });
+    const auto law =
+        convert<BallBall>(choice<sim::BallFriction>({{"alciatore", sim::BallFriction::alciatore}}),
+                          [](sim::BallFriction model) {
+                              return BallBall{0, BallBall{}.friction, model};
+                          });
+    return any_of<BallBall>({{is_number, constant}, {is_scalar, law}});
+}
+
+const MapSpec<BallBall>& ball_ball_spec() {
+    static const MapSpec<BallBall> spec = [] {
+        MapSpec<BallBall> s("ball_ball", "A ball against a ball.");
+        s.key("restitution", &BallBall::restitution, number(between(0, 1)),
+              "along the line of centres");
+        s.set(
+            "friction", ball_friction(),
+            [](BallBall& law, const BallBall& value) {
+                law.friction = value.friction;
+                law.friction_model = value.friction_model;
+            },
+            "Coulomb friction between them, or `alciatore`: by relative speed (TP A-14)",
+            show(BallBall{}.friction));
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<BallCushion>& ball_cushion_spec() {
+    static const MapSpec<BallCushion> spec = [] {
+        MapSpec<BallCushion> s("ball_cushion", "A ball against a cushion.");
+        s.key("model", &BallCushion::model,
+              choice<sim::CushionModel>({{"mirror", sim::CushionModel::mirror},
+                                         {"han2005", sim::CushionModel::han2005},
+                                         {"mathavan2010", sim::CushionModel::mathavan2010}}),
+              "which published model gives the impulse");
+        s.key("restitution", &BallCushion::restitution, number(between(0, 1)),
+              "as the model means it");
+        s.key("friction", &BallCushion::friction, number(between(0, kLargestFriction)),
+              "between ball and cushion");
+        return s;
+    }();
+    return spec;
+}
+
+void add_pair_keys(MapSpec<PairContact>& s) {
+    s.key("restitution", &PairContact::restitution, number(between(0, 1)), "along the normal");
+    s.key("friction", &PairContact::friction, number(between(0, kLargestFriction)),
+          "Coulomb friction");
+    s.key("rolling_friction", &PairContact::rolling_friction, number(between(0, 1)),
+          "resistance to rolling");
+}
+
+const MapSpec<PairContact>& otherwise_spec() {
+    static const MapSpec<PairContact> spec = [] {
+        MapSpec<PairContact> s("otherwise", "Any two materials that no other entry names.");
+        add_pair_keys(s);
+        return s;
+    }();
+    return spec;
+}
+
+struct PairEntry {
+    std::vector<std::string> between;
+    PairContact contact;
+};
+
+const MapSpec<PairEntry>& pair_spec() {
+    static const MapSpec<PairEntry> spec = [] {
+        MapSpec<PairEntry> s("pair", "Two physical materials that touch.");
+        s.key("between", &PairEntry::between, list_of(text("a physical material"), 2, 2),
+              "the two materials, in any order: `ball`, `cloth`, `cushion`, `rail`, `floor` or an "
+              "object's own")
+            .required();
+        const auto add = [&s](const char* name, double PairContact::*field, Range range,
+                              const char* description) {
+            s.key(
+                name, [field](PairEntry& e) -> double& { return e.contact.*field; }, number(range),
+                description);
+        };
+        add("restitution", &PairContact::restitution, between(0, 1), "along the normal");
+        add("friction", &PairContact::friction, between(0, kLargestFriction), "Coulomb friction");
+        add("rolling_friction", &PairContact::rolling_friction, between(0, 1),
+            "resistance to rolling");
+        return s;
+    }();
+    return spec;
+}
+
+void set_pairs(World& world, const std::vector<PairEntry>& entries) {
+    for (const PairEntry& entry : entries) {
+        if (entry.between.size() == 2) {
+            const auto [low, high] = std::minmax(entry.between[0], entry.between[1]);
+            world.contact_law.pairs[{low, high}] = entry.contact;
+        }
+    }
+}
+
+ValueType<Vec3> gravity() {
+    const auto downwards = convert<Vec3>(quantity(Dimension::acceleration, between(0, 1000)),
+                                         [](double value) { return Vec3(0, 0, -value); });
+    return any_of<Vec3>({{is_scalar, downwards},
+                         {is_list, vector3(Dimension::acceleration, between(-1000, 1000))}});
+}
+
+}  // namespace
+
+const MapSpec<World>& physics_spec() {
+    static const MapSpec<World> spec = [] {
+        MapSpec<World> s("physics", "Gravity, and what happens where two materials touch.");
+        s.set(
+            "gravity", gravity(), [](World& world, const Vec3& value) { world.gravity = value; },
+            "downwards as one number, or a vector", show(9.81, Dimension::acceleration));
+        s.map(
+            "ball_cloth", [](World& w) -> BallCloth& { return w.contact_law.ball_cloth; },
+            ball_cloth_spec(), "a ball on the cloth");
+        s.map(
+            "ball_ball", [](World& w) -> BallBall& { return w.contact_law.ball_ball; },
+            ball_ball_spec(), "a ball against a ball");
+        s.map(
+            "ball_cushion", [](World& w) -> BallCushion& { return w.contact_law.ball_cushion; },
+            ball_cushion_spec(), "a ball against a cushion");
+        s.map(
+            "otherwise", [](World& w) -> PairContact& { return w.contact_law.otherwise; },
+            otherwise_spec(), "any other two materials");
+        s.set("pairs", numbered("pair", pair_spec()), set_pairs,
+              "further pairs of physical materials");
+        s.key(
+            "hop", [](World& w) -> bool& { return w.contact_law.hop; }, boolean(),
+            "keep the vertical part of impulses between balls and at cushions");
+        return s;
+    }();
+    return spec;
+}
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,213 @@
+#include "pipeline/config/fraction.h"
+#include "pipeline/config/sections/sections.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+using render::RenderSettings;
+
+constexpr double kPi = 3.14159265358979323846;
+
+TypeInfo quantity_type(Dimension dimension, Range range) {
+    TypeInfo type;
+    type.kind = TypeInfo::Kind::quantity;
+    type.dimension = dimension;
+    type.range = range;
+    return type;
+}
+
+/// A rotary shutter's angle as a share of a turn; exact where it was given in degrees.
+ValueType<Rational> shutter_turn() {
+    const TypeInfo type = quantity_type(Dimension::angle, between(0, 20 * kPi));
+    ValueType<Rational> result;
+    result.info = type;
+    result.read = [type](Reader& reader, const Node& node) -> std::optional<Rational> {
+        const std::optional<Quantity> value = read_quantity(reader, node, type);
+        if (!value) {
+            return std::nullopt;
+        }
+        Quantity turns = *value;
+        turns.value /= 2 * kPi;
+        turns.exact = value->exact ? divide(*value->exact, {360, 1}) : std::nullopt;
+        return to_rational(turns);
+    };
+    return result;
+}
+
+ValueType<Rational> shutter_time() {
+    return exact(Dimension::time, between(0, 3600));
+}
+
+ShutterSection turn_of(const Rational& turn) {
+    ShutterSection section;
+    section.length = turn;
+    return section;
+}
+
+ShutterSection time_of(const Rational& time) {
+    ShutterSection section;
+    section.length = time;
+    section.is_turn = false;
+    return section;
+}
+
+const MapSpec<ShutterSection>& shutter_spec() {
+    static const MapSpec<ShutterSection> spec = [] {
+        MapSpec<ShutterSection> s("shutter", "How long each frame is exposed.");
+        s.set(
+            "angle", shutter_turn(),
+            [](ShutterSection& section, const Rational& turn) {
+                section.length = turn;
+                section.is_turn = true;
+            },
+            "of a rotary shutter: 360 deg is open all the time", "180 deg");
+        s.set(
+            "time", shutter_time(),
+            [](ShutterSection& section, const Rational& time) {
+                section.length = time;
+                section.is_turn = false;
+            },
+            "exposure, instead of the angle");
+        s.key(
+            "clock", &ShutterSection::clock,
+            choice<ShutterClock>({{"video", ShutterClock::video}, {"scene", ShutterClock::scene}}),
+            "`scene` keeps the blur of real time in slow motion");
+        s.key("position", &ShutterSection::position,
+              choice<ShutterPosition>({{"start", ShutterPosition::start},
+                                       {"centre", ShutterPosition::centre},
+                                       {"end", ShutterPosition::end}}),
+              "where the frame's own time lies in the exposure");
+        s.key("switch_ratio", &ShutterSection::switch_ratio, number(between(0, 1)),
+              "share of the exposure that opening and closing take");
+        s.at_most_one_of({"angle", "time"});
+        return s;
+    }();
+    return spec;
+}
+
+/// Which of angle and time a bare value is, its unit says.
+ValueType<ShutterSection> bare_shutter() {
+    ValueType<ShutterSection> result;
+    result.info.kind = TypeInfo::Kind::any_of;
+    result.info.elements = {shutter_turn().info, shutter_time().info};
+    result.read = [](Reader& reader, const Node& node) -> std::optional<ShutterSection> {
+        const std::variant<Quantity, std::string> parsed = parse_quantity(node.text);
+        const Quantity* value = std::get_if<Quantity>(&parsed);
+        if (value != nullptr && !value->has_unit && value->value != 0) {
+            reader.error(node.place,
+                         "'shutter' needs a unit, as in 180 deg or 1/48 s, not " + describe(node));
+            return std::nullopt;
+        }
+        const bool is_angle =
+            value != nullptr && value->exponents == info(Dimension::angle).exponents;
+        const auto read = (is_angle ? shutter_turn() : shutter_time()).read;
+        const std::optional<Rational> length = read(reader, node);
+        if (!length) {
+            return std::nullopt;
+        }
+        return is_angle ? turn_of(*length) : time_of(*length);
+    };
+    return result;
+}
+
+struct Size {
+    int width = 0;
+    int height = 0;
+};
+
+ValueType<Size> size() {
+    return convert<Size>(list_of(integer(16, 16384), 2, 2), [](const std::vector<int>& values) {
+        return Size{values[0], values[1]};
+    });
+}
+
+void add_sampling(MapSpec<RenderSection>& s) {
+    const auto add = [&s](const char* name, auto field, auto type, const char* description) {
+        s.key(
+            name, [field](RenderSection & r) -> auto& { return r.settings.*field; }, type,
+            description);
+    };
+    add("integrator", &RenderSettings::integrator,
+        choice<render::IntegratorKind>({{"path", render::IntegratorKind::path}}),
+        "how light is followed");
+    add("samples", &RenderSettings::samples, integer(1, 65536),
+        "per pixel; powers of two converge best");
+    add("max_bounces", &RenderSettings::max_bounces, integer(0, 64), "of a path");
+    add("clamp", &RenderSettings::clamp, number(between(0, 1e6)),
+        "limit of a sample's indirect radiance, against fireflies; 0: off");
+    add("filter", &RenderSettings::filter,
+        choice<render::PixelFilter>({{"box", render::PixelFilter::box},
+                                     {"gaussian", render::PixelFilter::gaussian},
+                                     {"blackman_harris", render::PixelFilter::blackman_harris}}),
+        "of the pixels");
+    add("filter_width", &RenderSettings::filter_width, number(between(0.5, 8)),
+        "full width in pixels; box: 1");
+    add("acceleration", &RenderSettings::acceleration,
+        choice<render::AccelerationKind>({{"hybrid", render::AccelerationKind::hybrid},
+                                          {"embree", render::AccelerationKind::embree}}),
+        "structure that finds what a ray hits; does not change the picture");
+}
+
+std::vector<std::pair<std::string, std::string>> aov_names() {
+    std::vector<std::pair<std::string, std::string>> names;
+    for (const char* name : {"depth", "normal", "albedo", "motion", "object_id", "variance"}) {
+        names.emplace_back(name, name);
+    }
+    return names;
+}
+
+}  // namespace
+
+const MapSpec<RenderSection>& render_spec() {
+    static const MapSpec<RenderSection> spec = [] {
+        MapSpec<RenderSection> s("render", "How each frame is computed.");
+        s.set(
+            "size", size(),
+            [](RenderSection& r, const Size& size) {
+                r.settings.width = size.width;
+                r.settings.height = size.height;
+            },
+            "width and height in pixels", "[1280, 720]");
+        s.key("fps", &RenderSection::fps, exact(Dimension::frequency, above_up_to(0, 1000)),
+              "frames per second of video; exact, so 24000/1001 is itself");
+        s.key(
+            "shutter", &RenderSection::shutter,
+            any_of<ShutterSection>({{is_scalar, bare_shutter()}, {is_map, record(shutter_spec())}}),
+            "an angle such as 180 deg, a time such as 1/48 s, or a map");
+        add_sampling(s);
+        s.key(
+            "aovs", [](RenderSection& r) -> std::vector<std::string>& { return r.settings.aovs; },
+            list_of(choice<std::string>(aov_names()), 0, 6), "further channels of each frame");
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<OutputSettings>& output_spec() {
+    static const MapSpec<OutputSettings> spec = [] {
+        MapSpec<OutputSettings> s("output", "How the frames become a film.");
+        s.key("codec", &OutputSettings::codec,
+              choice<Codec>({{"h264", Codec::h264}, {"ffv1", Codec::ffv1}}), "of the video");
+        s.key("crf", &OutputSettings::crf, number(between(0, 51)),
+              "quality of h264: less is better and larger, 18 looks lossless");
+        std::vector<std::pair<std::string, std::string>> presets;
+        for (const char* name : {"ultrafast", "superfast", "veryfast", "faster", "fast", "medium",
+                                 "slow", "slower", "veryslow", "placebo"}) {
+            presets.emplace_back(name, name);
+        }
+        s.key("preset", &OutputSettings::preset, choice<std::string>(presets),
+              "how hard h264 is compressed");
+        s.key("threads", &OutputSettings::threads, integer(1, 64),
+              "of the encoder; the file's bytes depend on it");
+        s.key("view", &OutputSettings::view,
+              choice<ViewTransform>(
+                  {{"srgb", ViewTransform::srgb}, {"filmic", ViewTransform::filmic}}),
+              "from scene light to what a display shows");
+        s.key("exposure", &OutputSettings::exposure, number(between(-32, 32)), "in stops");
+        return s;
+    }();
+    return spec;
+}
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,35 @@
+// The table of keys, one function per section of the format. Each spec is built on first use and
+// then only read.
+#pragma once
+
+#include "pipeline/config/map_spec.h"
+#include "pipeline/config/shot_file.h"
+
+namespace carom::pipeline::config {
+
+[[nodiscard]] const MapSpec<ShotFile>& shot_spec();
+
+[[nodiscard]] const MapSpec<sim::WorldDescription>& simulation_spec();
+[[nodiscard]] const MapSpec<sim::WorldDescription>& physics_spec();
+[[nodiscard]] const MapSpec<BallSetSection>& ball_set_spec();
+[[nodiscard]] const MapSpec<TableSection>& table_spec();
+[[nodiscard]] const MapSpec<RackSection>& rack_spec();
+[[nodiscard]] const MapSpec<BallSection>& ball_spec();
+[[nodiscard]] const MapSpec<ObjectSection>& object_spec();
+[[nodiscard]] const MapSpec<EventSection>& event_spec();
+[[nodiscard]] const MapSpec<render::StandardMaterial>& material_spec();
+[[nodiscard]] const MapSpec<LightSection>& light_spec();
+[[nodiscard]] const MapSpec<CameraRig>& camera_spec();
+[[nodiscard]] const MapSpec<RenderSection>& render_spec();
+[[nodiscard]] const MapSpec<OutputSettings>& output_spec();
+
+/// A rotation: angles about the world's x, y and z axis, in this order, or {axis, angle}.
+[[nodiscard]] ValueType<Quat> rotation();
+
+/// The light that a section describes (its name is left empty).
+[[nodiscard]] render::LightDescription to_light(const LightSection& section);
+
+/// The keys of a ball's own paint, also those of a material's {ball: ...}.
+[[nodiscard]] const MapSpec<render::BallTexture>& ball_texture_spec();
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,53 @@
+#include <utility>
+
+#include "pipeline/config/sections/sections.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+/// Keys that are used up before the sections are read (gather.h) and stand here for the reference.
+void add_file_keys(MapSpec<ShotFile>& s) {
+    const auto ignore = [](ShotFile&, const auto&) {};
+    s.set("carom", integer(1, 1), ignore, "version of the format").required();
+    s.set("include", list_of(text("the name of a file")), ignore,
+          "files that this one is laid over, in their order: maps merge key by key, everything "
+          "else replaces, null takes away");
+    s.set("quality", text("the name of a preset"), ignore,
+          "`draft`, `preview` or `final`: a preset beneath the shot's own keys");
+}
+
+}  // namespace
+
+const MapSpec<ShotFile>& shot_spec() {
+    static const MapSpec<ShotFile> spec = [] {
+        MapSpec<ShotFile> s("shot", "The whole file.");
+        add_file_keys(s);
+        s.map("simulation", &ShotFile::world, simulation_spec(), "how long and how finely");
+        s.map("physics", &ShotFile::world, physics_spec(), "gravity and contacts");
+        s.map("ball_set", &ShotFile::ball_set, ball_set_spec(), "what all balls have in common");
+        s.key("table", &ShotFile::table, record(table_spec()), "the billiard table");
+        s.key("rack", &ShotFile::rack, record(rack_spec()), "the object balls of a game");
+        s.key("balls", &ShotFile::balls, named("ball", ball_spec()), "single balls");
+        s.key("objects", &ShotFile::objects, named("object", object_spec()), "other things");
+        s.key("events", &ShotFile::events, numbered("event", event_spec()),
+              "what is done to balls and objects");
+        s.set(
+            "materials", named("material", material_spec()),
+            [](ShotFile& shot, auto value) { shot.materials = std::move(value); }, "surfaces");
+        s.key("lights", &ShotFile::lights, named("light", light_spec()),
+              "sources of light; without any a lamp above the table and a dim room");
+        s.key("cameras", &ShotFile::cameras, numbered("camera", camera_spec()),
+              "who films which stretch of the film");
+        s.map("render", &ShotFile::render, render_spec(), "how frames are computed");
+        s.map("output", &ShotFile::output, output_spec(), "how they become a film");
+        s.check([](Reader& reader, const Node& node, ShotFile& shot) {
+            const Entry* cameras = node.find("cameras");
+            shot.cameras_place = cameras != nullptr ? cameras->key_place : reader.key_place();
+        });
+        return s;
+    }();
+    return spec;
+}
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,42 @@
+#include <limits>
+
+#include "pipeline/config/sections/sections.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+const MapSpec<sim::KeyReduction>& key_reduction_spec() {
+    static const MapSpec<sim::KeyReduction> spec = [] {
+        MapSpec<sim::KeyReduction> s("key_reduction",
+                                     "How far the kept timeline may be from the simulated one.");
+        s.key("position_error", &sim::KeyReduction::position_error, length(inside(0, 1)),
+              "largest error of a place between keys");
+        s.key("orientation_error", &sim::KeyReduction::orientation_error, angle(inside(0, 1)),
+              "largest error of an orientation between keys");
+        return s;
+    }();
+    return spec;
+}
+
+}  // namespace
+
+const MapSpec<sim::WorldDescription>& simulation_spec() {
+    using World = sim::WorldDescription;
+    static const MapSpec<World> spec = [] {
+        MapSpec<World> s("simulation", "How long and how finely the shot is simulated.");
+        s.key("duration", &World::duration, time(above_up_to(0, 3600)),
+              "scene time that is simulated");
+        s.key("step", &World::step, time(between(1e-5, 0.1)), "longest step between two touches");
+        s.set(
+            "seed", integer64(0, std::numeric_limits<std::int64_t>::max()),
+            [](World& world, std::int64_t seed) { world.seed = static_cast<std::uint64_t>(seed); },
+            "chooses the rack's random gaps and how the balls are turned", "0");
+        s.map("key_reduction", &World::key_reduction, key_reduction_spec(),
+              "accuracy of the kept timeline");
+        return s;
+    }();
+    return spec;
+}
+
+}  // namespace carom::pipeline::config

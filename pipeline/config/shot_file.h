@@ -1,0 +1,139 @@
+// What a shot's YAML says, section by section, before names are looked up and geometry is made.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "pipeline/camera/camera_rig.h"
+#include "pipeline/config/source_set.h"
+#include "pipeline/config/value_types.h"
+#include "pipeline/shot/ball_set.h"
+#include "pipeline/video/output_settings.h"
+#include "render/scene/render_settings.h"
+#include "render/scene/scene_description.h"
+#include "sim/billiards/rack.h"
+#include "sim/world.h"
+
+namespace carom::pipeline::config {
+
+/// What all balls have in common unless one says otherwise.
+struct BallSetSection {
+    std::optional<BallSet> kind;  // empty: by the table
+    std::optional<double> radius;
+    std::optional<double> mass;
+};
+
+struct PocketsSection {
+    bool none = false;
+    std::optional<sim::billiards::PocketMeasures> corner;
+    std::optional<sim::billiards::PocketMeasures> side;
+};
+
+struct TableSection {
+    sim::billiards::TableKind kind = sim::billiards::TableKind::pool;
+    std::optional<std::string> size;
+    std::optional<double> length, width, cushion_height, cushion_width, rail_width, rail_height,
+        height;
+    std::optional<PocketsSection> pockets;
+    Place size_place;
+};
+
+struct RackSection {
+    sim::billiards::RackKind set = sim::billiards::RackKind::nine_ball;
+    double gap = sim::billiards::RackOptions{}.gap;
+};
+
+/// How a ball is painted: by a material of the look, or by its own texture.
+struct BallLook {
+    std::optional<std::string> material;
+    render::BallTexture texture;
+};
+
+struct BallSection {
+    std::optional<Coordinates> at;
+    std::optional<Coordinates> velocity;
+    std::optional<Vec3> spin;  // rad/s
+    std::optional<Quat> rotate;
+    std::optional<double> radius;
+    std::optional<double> mass;
+    std::optional<BallLook> look;
+};
+
+/// An object's part in the simulation.
+struct ObjectPhysics {
+    sim::BodyKind kind = sim::BodyKind::dynamic;
+    std::optional<double> density;
+    std::optional<double> mass;
+    std::string material = "object";  // physical
+    std::optional<Vec3> velocity;
+    std::optional<Vec3> spin;
+};
+
+struct ObjectSection {
+    std::optional<render::Shape> shape;
+    Vec3 at{0, 0, 0};
+    Quat rotate;
+    double scale = 1;
+    std::optional<std::string> material;  // of the look
+    std::optional<ObjectPhysics> physics;
+    Place shape_place;
+};
+
+/// A picture or a colour all around.
+struct EnvironmentSection {
+    std::optional<std::string> image;
+    std::optional<Vec3> radiance;
+};
+
+struct LightSection {
+    std::optional<Vec2> rectangle;
+    std::optional<double> sphere;
+    std::optional<EnvironmentSection> environment;
+    Vec3 at{0, 0, 1};
+    Vec3 facing{0, 0, -1};
+    double roll = 0;
+    double rotation = 0;
+    Vec3 radiance{1, 1, 1};
+    double strength = 1;
+};
+
+struct EventSection {
+    sim::ForceEvent event;
+    Place place;
+};
+
+/// How long the shutter is open: a time, or a turn of a rotary shutter.
+struct ShutterSection {
+    Rational length{1, 2};
+    bool is_turn = true;
+    ShutterClock clock = ShutterClock::video;
+    ShutterPosition position = ShutterPosition::centre;
+    double switch_ratio = Shutter{}.switch_ratio;
+};
+
+struct RenderSection {
+    render::RenderSettings settings;
+    Rational fps{24};
+    ShutterSection shutter;
+};
+
+struct ShotFile {
+    sim::WorldDescription world;  // what `simulation` and `physics` say
+    BallSetSection ball_set;
+    std::optional<TableSection> table;
+    std::optional<RackSection> rack;
+    std::vector<Named<BallSection>> balls;
+    std::vector<Named<ObjectSection>> objects;
+    std::vector<EventSection> events;
+    std::vector<Named<render::StandardMaterial>> materials;
+    std::vector<Named<LightSection>> lights;
+    std::vector<CameraRig> cameras;
+    Place cameras_place;
+    RenderSection render;
+    OutputSettings output;
+};
+
+}  // namespace carom::pipeline::config

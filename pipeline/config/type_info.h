@@ -1,0 +1,55 @@
+// What a key's value may be, as data: for messages, the reference and the JSON Schema.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/config/units.h"
+
+namespace carom::pipeline::config {
+
+struct MapInfo;
+
+/// An interval of numbers, in SI units; missing ends are unbounded.
+struct Range {
+    std::optional<double> low;
+    std::optional<double> high;
+    bool low_open = false;  // the end itself is out
+    bool high_open = false;
+
+    [[nodiscard]] bool contains(double value) const;
+};
+
+struct TypeInfo {
+    enum class Kind {
+        boolean,
+        integer,
+        quantity,  // a number with `dimension` and `range`
+        text,      // any word
+        name,      // of something in the shot: `noun` says of what
+        file,
+        choice,  // one of `choices`
+        list,    // `elements[0]`, `fewest` to `most` times
+        named,   // a map from the user's names to `elements[0]`
+        map,     // `map`
+        any_of,  // one of `elements`
+    };
+    Kind kind = Kind::text;
+    Dimension dimension = Dimension::none;
+    Range range;
+    std::vector<std::string> choices;
+    std::vector<TypeInfo> elements;
+    int fewest = 0;
+    int most = -1;  // -1: any number
+    std::string noun;
+    const MapInfo* map = nullptr;
+};
+
+/// "more than 0 s and at most 3600 s"; empty for a range without ends.
+[[nodiscard]] std::string describe(const Range& range, Dimension dimension);
+
+/// "a length (m, cm, mm, in, ft)", "a list of 3 lengths", "true or false": to follow "must be".
+[[nodiscard]] std::string describe(const TypeInfo& type);
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,25 @@
+// The usual sets of balls: sizes, masses and colours.
+#pragma once
+
+#include <string_view>
+
+#include "render/scene/material_description.h"
+
+namespace carom::pipeline {
+
+enum class BallSet { pool, snooker, carom };
+
+/// The measures of a set's balls.
+struct BallMeasures {
+    double radius = 0;  // m
+    double mass = 0;    // kg
+};
+
+[[nodiscard]] BallMeasures ball_measures(BallSet set);
+
+/// How the ball of that name is painted: "one" to "fifteen" and "cue" in pool, "red_1" ...,
+/// "yellow" ... and "cue" in snooker, "white", "yellow" and "red" in carom. Any other name: plain
+/// white.
+[[nodiscard]] render::BallTexture ball_texture(BallSet set, std::string_view name);
+
+}  // namespace carom::pipeline

@@ -1,0 +1,103 @@
+#include "pipeline/shot/default_look.h"
+
+#include <utility>
+
+namespace carom::pipeline {
+
+namespace {
+
+using render::ColourSource;
+using render::MaterialDescription;
+using render::StandardMaterial;
+
+StandardMaterial matt(ColourSource base, double roughness) {
+    StandardMaterial material;
+    material.base = std::move(base);
+    material.roughness = roughness;
+    return material;
+}
+
+StandardMaterial cloth() {
+    StandardMaterial material = matt(render::ClothTexture{}, 0.9);
+    material.sheen = 0.25;
+    material.sheen_colour = {0.5, 0.8, 0.7};
+    material.bump = 0.4;
+    return material;
+}
+
+StandardMaterial varnished_wood() {
+    StandardMaterial material = matt(render::WoodTexture{}, 0.5);
+    material.coat = {0.7, 1.5, 0.12};
+    return material;
+}
+
+StandardMaterial polished(ColourSource base) {
+    StandardMaterial material = matt(std::move(base), 0.5);
+    material.coat = {1.0, 1.5, 0.0};
+    return material;
+}
+
+std::vector<MaterialDescription> make_materials() {
+    StandardMaterial leather = matt(Vec3(0.012, 0.010, 0.009), 0.6);
+    leather.specular = 0.4;
+    return {
+        {"cloth", cloth()},
+        {"cushion", cloth()},
+        {"rail", varnished_wood()},
+        {"pocket_liner", leather},
+        {"pocket_floor", matt(Vec3(0.006, 0.006, 0.006), 0.9)},
+        {"apron", varnished_wood()},
+        {"leg", varnished_wood()},
+        {"sight", polished(Vec3(0.75, 0.72, 0.64))},
+        {"floor", matt(Vec3(0.035, 0.030, 0.027), 0.7)},
+        {"ball", polished(Vec3(0.8, 0.8, 0.8))},
+        {"plain", matt(Vec3(0.5, 0.5, 0.5), 0.5)},
+    };
+}
+
+}  // namespace
+
+const std::vector<MaterialDescription>& default_materials() {
+    static const std::vector<MaterialDescription> materials = make_materials();
+    return materials;
+}
+
+std::string_view material_of(sim::billiards::SurfacePart part) {
+    using sim::billiards::SurfacePart;
+    switch (part) {
+        case SurfacePart::cloth:
+            return "cloth";
+        case SurfacePart::cushion:
+            return "cushion";
+        case SurfacePart::rail:
+            return "rail";
+        case SurfacePart::pocket_liner:
+            return "pocket_liner";
+        case SurfacePart::pocket_floor:
+            return "pocket_floor";
+        case SurfacePart::apron:
+            return "apron";
+        case SurfacePart::leg:
+            return "leg";
+        case SurfacePart::sight:
+            return "sight";
+    }
+    return "plain";
+}
+
+std::vector<render::LightDescription> default_lights(const sim::billiards::TableMeasures* table) {
+    const bool has_edges = table != nullptr && table->has_cushions;
+    const double length = has_edges ? table->length : 2.0;
+    const double width = has_edges ? table->width : 1.0;
+    render::RectangleLight lamp;
+    lamp.centre = {0, 0, 1.1};
+    lamp.edge_u = {0.35 * length, 0, 0};
+    lamp.edge_v = {0, 0.2 * width, 0};
+    lamp.normal = {0, 0, -1};
+    lamp.radiance = {9.0, 8.5, 7.6};
+    render::EnvironmentLight room;
+    room.radiance = {0.055, 0.060, 0.070};
+    return {{"lamp", lamp}, {"room", room}};
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,14 @@
+// A table's surfaces as objects to see.
+#pragma once
+
+#include "render/scene/scene_description.h"
+#include "sim/billiards/table.h"
+
+namespace carom::pipeline {
+
+/// Adds the surfaces of `geometry` under the names "table/NAME", with the materials of their parts,
+/// and the floor that the table stands on ("table/floor"; not under an unbounded cloth).
+void add_table(render::SceneDescription& scene, const sim::billiards::TableMeasures& measures,
+               const sim::billiards::TableGeometry& geometry);
+
+}  // namespace carom::pipeline
