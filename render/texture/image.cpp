@@ -25,7 +25,10 @@ bool is_usable(const V3f& c) {
 }  // namespace
 
 LinearImage read_linear_image(const std::string& path, bool is_linear) {
-    OIIO::ImageBuf buffer(path);
+    // Colours as stored: alpha, which is ignored, shall not darken them.
+    OIIO::ImageSpec wanted;
+    wanted.attribute("oiio:UnassociatedAlpha", 1);
+    OIIO::ImageBuf buffer(path, 0, 0, nullptr, &wanted);
     if (!buffer.init_spec(path, 0, 0)) {
         throw Error("image '" + path + "' cannot be read: " + buffer.geterror());
     }

@@ -1,0 +1,126 @@
+#include "render/integrator/direct_light.h"
+
+#include "sim/timeline/assert.h"
+
+namespace carom::render {
+namespace {
+
+// Shadow rays end this share of the way before the light, so that they do not hit it.
+constexpr float kShadowReach = 1.0f - 2e-4f;
+
+bool is_dark(const V3f& c) {
+    return c.x <= 0 && c.y <= 0 && c.z <= 0;
+}
+
+}  // namespace
+
+V3f DirectLight::sampled(Path& path, const ShadingVertex& vertex, const PathDimensions& dimensions,
+                         RenderStatistics& count) const {
+    const LightSet& lights = scene_.lights;
+    const std::size_t light_count = lights.sampled_count();
+    path.last.position = vertex.position;
+    path.last.normal = vertex.surface.frame.z;
+    path.last.all_lights = path.vertex == 0;
+    V3f sum(0, 0, 0);
+    if (light_count == 0 || strategy_ == DirectStrategy::scattering_only) {
+        return sum;
+    }
+    const bool can_evaluate = vertex.bsdf.can_evaluate(Layers::all);
+    if (path.last.all_lights) {
+        for (std::size_t light = 0; can_evaluate && light < light_count; light += 2) {
+            const auto u = dimensions.light_pair(static_cast<std::uint32_t>(light / 2));
+            sum += from_light(light, 1, V2f(u[0], u[1]), path, vertex, count);
+            if (light + 1 < light_count) {
+                sum += from_light(light + 1, 1, V2f(u[2], u[3]), path, vertex, count);
+            }
+        }
+        return sum;
+    }
+    path.last.total_importance =
+        can_evaluate ? lights.total_importance(vertex.position, path.last.normal) : 0;
+    if (path.last.total_importance > 0) {
+        const auto u = dimensions.light(path);
+        const auto choice =
+            lights.choose(vertex.position, path.last.normal, path.last.total_importance, u[0]);
+        if (choice) {
+            sum = from_light(choice->light, choice->probability, V2f(u[1], u[2]), path, vertex,
+                             count);
+        }
+    }
+    return sum;
+}
+
+V3f DirectLight::from_light(std::size_t light, float probability, V2f u, const Path& path,
+                            const ShadingVertex& vertex, RenderStatistics& count) const {
+    const auto sample = scene_.lights.sample(light, vertex.position, u);
+    if (!sample) {
+        return V3f(0, 0, 0);
+    }
+    const float pdf = sample->pdf * probability;
+    const V3f value = scattered(vertex, sample->direction, pdf);
+    if (is_dark(value) || is_dark(sample->radiance)) {
+        return V3f(0, 0, 0);
+    }
+    count.shadow_rays += 1;
+    const Ray shadow{vertex.origin, sample->direction, 0, sample->distance * kShadowReach,
+                     path.ray.time};
+    if (scene_.frame.structure().any_hit(shadow)) {
+        return V3f(0, 0, 0);
+    }
+    return value * sample->radiance / pdf;
+}
+
+// Value of the BSDF, each part weighted against the scattering that would have found the light too.
+V3f DirectLight::scattered(const ShadingVertex& vertex, const V3f& direction,
+                           float light_pdf) const {
+    const auto weighted = [&](Layers layers) {
+        const BsdfValue bsdf = vertex.bsdf.evaluate(layers, direction);
+        const float weight =
+            strategy_ == DirectStrategy::both ? power_heuristic(light_pdf, bsdf.pdf) : 1.0f;
+        return bsdf.value * weight;
+    };
+    if (!vertex.splits) {
+        return weighted(Layers::all);
+    }
+    V3f sum = weighted(Layers::base);
+    if (vertex.bsdf.can_evaluate(Layers::coat)) {
+        sum += weighted(Layers::coat);
+    }
+    return sum;
+}
+
+float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float distance) const {
+    const LastScattering& last = path.last;
+    if (last.is_delta || strategy_ == DirectStrategy::scattering_only) {
+        return 1;
+    }
+    float probability = 1;
+    if (!last.all_lights) {
+        probability = last.total_importance > 0
+                          ? scene_.lights.importance(light, last.position, last.normal) /
+                                last.total_importance
+                          : 0.0f;
+    }
+    const float light_pdf =
+        probability * scene_.lights.pdf(light, last.position, path.ray.direction, distance);
+    if (strategy_ == DirectStrategy::lights_only) {
+        return light_pdf > 0 ? 0.0f : 1.0f;
+    }
+    return power_heuristic(last.pdf, light_pdf);
+}
+
+V3f DirectLight::met(const Path& path, const Hit& hit) const {
+    const std::size_t light = scene_.light_of(hit);
+    const V3f radiance = scene_.lights.emitted(light, -path.ray.direction);
+    return is_dark(radiance) ? radiance : radiance * weight_of_meeting(path, light, hit.t);
+}
+
+V3f DirectLight::environment(const Path& path) const {
+    const Environment& environment = scene_.lights.environment();
+    const V3f radiance = environment.radiance(path.ray.direction);
+    return environment.is_sampled()
+               ? radiance * weight_of_meeting(path, scene_.lights.area_light_count(), kInfinity)
+               : radiance;
+}
+
+}  // namespace carom::render

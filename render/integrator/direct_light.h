@@ -1,0 +1,58 @@
+// Light that reaches a vertex straight from a light: sampled there, or met by a scattered ray.
+#pragma once
+
+#include "render/integrator/path_state.h"
+#include "render/integrator/transport_scene.h"
+#include "render/material/bsdf.h"
+
+namespace carom::render {
+
+/// Which estimates of direct light are used; every choice has the same mean.
+enum class DirectStrategy { both, lights_only, scattering_only };
+
+/// Share of a sample's contribution, made with density `pdf`, when another strategy makes the same
+/// with `other`: the power heuristic with exponent 2 (Veach 1997, section 9.2.4).
+[[nodiscard]] inline float power_heuristic(float pdf, float other) {
+    const float ratio = other / pdf;
+    return 1.0f / (1.0f + ratio * ratio);
+}
+
+/// A vertex that light is to be gathered at.
+struct ShadingVertex {
+    V3f position;
+    V3f origin;  // off the surface: where rays start
+    const Surface& surface;
+    const Bsdf& bsdf;
+    bool splits = false;  // coat and base are followed apart from here
+};
+
+class DirectLight {
+  public:
+    DirectLight(const TransportScene& scene, DirectStrategy strategy)
+        : scene_(scene), strategy_(strategy) {}
+
+    /// Radiance scattered at the vertex towards the path's previous one from sampled lights: all of
+    /// them at the path's first vertex, one chosen by importance later. Writes to `path.last` what
+    /// `met` needs about the choice.
+    [[nodiscard]] V3f sampled(Path& path, const ShadingVertex& vertex,
+                              const PathDimensions& dimensions, RenderStatistics& count) const;
+
+    /// Radiance, weighted against having been sampled, of the area light that the path's ray met.
+    [[nodiscard]] V3f met(const Path& path, const Hit& hit) const;
+
+    /// The same of the environment, for a ray that met nothing.
+    [[nodiscard]] V3f environment(const Path& path) const;
+
+  private:
+    [[nodiscard]] V3f from_light(std::size_t light, float probability, V2f u, const Path& path,
+                                 const ShadingVertex& vertex, RenderStatistics& count) const;
+    [[nodiscard]] V3f scattered(const ShadingVertex& vertex, const V3f& direction,
+                                float light_pdf) const;
+    [[nodiscard]] float weight_of_meeting(const Path& path, std::size_t light,
+                                          float distance) const;
+
+    const TransportScene& scene_;
+    DirectStrategy strategy_;
+};
+
+}  // namespace carom::render

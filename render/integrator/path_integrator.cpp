@@ -1,0 +1,186 @@
+#include "render/integrator/path_integrator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+
+#include "sim/timeline/assert.h"
+
+namespace carom::render {
+namespace {
+
+constexpr int kSplitVertices = 2;
+constexpr std::size_t kMostBranches = 1u << kSplitVertices;
+constexpr int kRouletteVertex = 5;
+constexpr float kLeastSurvival = 0.2f;
+
+// The pixel's cone after a bounce: a lobe of density p is about 1 / sqrt(p) wide; of that a quarter
+// (several samples share it). A mirror may be curved: balls widen what is seen in them.
+constexpr float kLobeShare = 0.25f;
+constexpr float kWidestSpread = 0.5f;
+constexpr float kMirrorSpread = 4.0f;
+constexpr float kLeastCosine = 0.05f;
+
+float largest(const V3f& c) {
+    return std::max({c.x, c.y, c.z});
+}
+
+bool is_valid(const V3f& c) {
+    const auto valid = [](float x) { return x >= 0 && x <= std::numeric_limits<float>::max(); };
+    return valid(c.x) && valid(c.y) && valid(c.z);
+}
+
+// A wrong radiance stops the program where it is born, if expensive checks are on.
+void validate([[maybe_unused]] const V3f& radiance, [[maybe_unused]] const SampleIndex& index) {
+#ifdef CAROM_VALIDATION
+    if (!is_valid(radiance)) {
+        std::fprintf(stderr, "radiance (%g, %g, %g) in sample %d of pixel (%d, %d)\n",
+                     static_cast<double>(radiance.x), static_cast<double>(radiance.y),
+                     static_cast<double>(radiance.z), index.sample, index.x, index.y);
+        std::abort();
+    }
+#endif
+}
+
+}  // namespace
+
+/// What one camera sample gathers, and the branches that are still to be followed.
+struct PathIntegrator::Work {
+    PathDimensions dimensions;
+    SampleIndex index;
+    RenderStatistics& count;
+    RadianceSample result{};
+    V3f direct{0, 0, 0};  // light seen, or scattered once
+    V3f indirect{0, 0, 0};
+    std::array<Path, kMostBranches> waiting{};
+    std::size_t waiting_count = 0;
+
+    void add(const V3f& radiance, int scatterings) {
+        validate(radiance, index);
+        (scatterings <= 1 ? direct : indirect) += radiance;
+    }
+
+    void branch_off(const Path& path) {
+        CAROM_ASSERT(waiting_count < waiting.size());
+        waiting[waiting_count] = path;
+        waiting_count += 1;
+    }
+};
+
+RadianceSample PathIntegrator::sample(const Ray& camera_ray, float pixel_spread,
+                                      const SampleStream& stream, const SampleIndex& index,
+                                      RenderStatistics& count) const {
+    Work work{PathDimensions(stream), index, count};
+    Path path{camera_ray};
+    path.spread = pixel_spread;
+    count.camera_rays += 1;
+    work.branch_off(path);
+    while (work.waiting_count > 0) {
+        work.waiting_count -= 1;
+        follow(work.waiting[work.waiting_count], work);
+    }
+    if (settings_.clamp > 0) {
+        const float brightest = largest(work.indirect);
+        if (brightest > settings_.clamp) {
+            work.indirect *= settings_.clamp / brightest;
+        }
+    }
+    work.result.radiance = work.direct + work.indirect;
+    if (!is_valid(work.result.radiance)) {
+        work.result.radiance = V3f(0, 0, 0);
+    }
+    return work.result;
+}
+
+void PathIntegrator::follow(Path path, Work& work) const {
+    for (;;) {
+        Hit hit;
+        if (!scene_.frame.structure().closest_hit(path.ray, hit)) {
+            work.add(path.throughput * direct_.environment(path), path.vertex);
+            return;
+        }
+        if (path.vertex == 0) {
+            work.result.coverage = 1;
+        }
+        if (scene_.is_light(hit)) {
+            work.add(path.throughput * direct_.met(path, hit), path.vertex);
+            if (path.vertex == 0) {
+                work.result.normal = -path.ray.direction;
+            }
+            return;
+        }
+        if (path.vertex > settings_.max_bounces || !survives(path, work)) {
+            return;
+        }
+        const V3f wo = -path.ray.direction;
+        const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
+        path.width += path.spread * hit.t;
+        const float cosine = std::max(std::abs(point.geometric_normal ^ wo), kLeastCosine);
+        const Surface surface =
+            scene_.materials[point.material].resolve(point, wo, path.width / std::sqrt(cosine));
+        if (path.vertex == 0) {
+            work.result.normal = surface.frame.z;
+            work.result.albedo = surface.base;
+        }
+        const Bsdf bsdf(surface, wo);
+        const ShadingVertex vertex{point.position,
+                                   point.position + surface.geometric_normal * point.offset,
+                                   surface, bsdf, path.vertex < kSplitVertices && bsdf.has_coat()};
+        const V3f throughput = path.throughput;
+        work.add(throughput * direct_.sampled(path, vertex, work.dimensions, work.count),
+                 path.vertex + 1);
+        if (!scatter(path, vertex, work)) {
+            return;
+        }
+    }
+}
+
+// Roulette on long paths only: by then what is left of the path's weight says how much it matters.
+bool PathIntegrator::survives(Path& path, const Work& work) const {
+    if (path.vertex < kRouletteVertex) {
+        return true;
+    }
+    const float survival = std::clamp(largest(path.throughput), kLeastSurvival, 1.0f);
+    if (work.dimensions.roulette(path)[0] >= survival) {
+        return false;
+    }
+    path.throughput /= survival;
+    return true;
+}
+
+// Turns `path` into its next direction, after branching off its coat; false if it ends here.
+bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, Work& work) const {
+    const auto proceed = [&](Path& onward, Layers layers, const std::array<float, 4>& u) {
+        const auto sample = vertex.bsdf.sample(layers, V3f(u[0], u[1], u[2]));
+        if (!sample || largest(sample->weight) <= 0) {
+            return false;
+        }
+        onward.throughput *= sample->weight;
+        onward.last.pdf = sample->pdf;
+        onward.last.is_delta = sample->is_delta;
+        onward.ray = Ray{vertex.origin, sample->direction, 0, kInfinity, path.ray.time};
+        onward.spread = sample->is_delta
+                            ? std::min(onward.spread * kMirrorSpread, kWidestSpread)
+                            : std::max(onward.spread, std::min(kLobeShare / std::sqrt(sample->pdf),
+                                                               kWidestSpread));
+        onward.vertex += 1;
+        work.count.scattered_rays += 1;
+        return true;
+    };
+    if (!vertex.splits) {
+        return proceed(path, Layers::all, work.dimensions.scattering(path));
+    }
+    Path coat = path;
+    coat.branch = 2 * path.branch;
+    if (proceed(coat, Layers::coat, work.dimensions.coat(path))) {
+        work.branch_off(coat);
+    }
+    const auto u = work.dimensions.scattering(path);
+    path.branch = 2 * path.branch + 1;
+    return proceed(path, Layers::base, u);
+}
+
+}  // namespace carom::render

@@ -1,0 +1,67 @@
+// A path of light on its way, as plain data: what a loop over many paths would carry per lane.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "render/geometry/ray.h"
+#include "render/sampling/sampler.h"
+
+namespace carom::render {
+
+/// How the latest direction was chosen: what a light that it meets must know to weigh itself
+/// against having been sampled from there (Veach and Guibas 1995, "Optimally combining sampling
+/// techniques for Monte Carlo rendering").
+struct LastScattering {
+    V3f position{0, 0, 0};
+    V3f normal{0, 0, 1};      // shading normal, which lights were chosen with
+    float pdf = 0;            // of the direction, 1/sr
+    bool is_delta = true;     // a mirror or the camera: lights cannot be sampled instead
+    bool all_lights = false;  // every light was sampled there, not one
+    float total_importance = 0;
+};
+
+/// One branch of a camera sample.
+struct Path {
+    Ray ray{V3f(0, 0, 0), V3f(0, 0, 1)};
+    V3f throughput{1, 1, 1};
+    LastScattering last{};
+    int vertex = 0;            // index of the vertex that `ray` leads to; 0 is what the camera sees
+    std::uint32_t branch = 1;  // 1, and 2 n or 2 n + 1 for the coat and the base of a split n
+    float width = 0;           // of the pixel's cone at the ray's origin, m
+    float spread = 0;          // by which it grows, per m
+};
+
+/// The dimensions of every decision, the same whatever came before: samples of a pixel stay one
+/// low-discrepancy set per decision.
+class PathDimensions {
+  public:
+    explicit PathDimensions(const SampleStream& stream) : stream_(stream) {}
+
+    [[nodiscard]] std::array<float, 4> light(const Path& path) const { return at(path, 0); }
+    [[nodiscard]] std::array<float, 4> scattering(const Path& path) const { return at(path, 1); }
+    [[nodiscard]] std::array<float, 4> coat(const Path& path) const { return at(path, 2); }
+    [[nodiscard]] std::array<float, 4> roulette(const Path& path) const { return at(path, 3); }
+    /// For lights 2 `pair` and 2 `pair` + 1 at the first vertex.
+    [[nodiscard]] std::array<float, 4> light_pair(std::uint32_t pair) const {
+        return set(kLightPairs + pair);
+    }
+
+  private:
+    static constexpr std::uint32_t kVertices = 128;  // more than a path can have
+    static constexpr std::uint32_t kLightPairs = 0x10000;
+
+    [[nodiscard]] std::array<float, 4> at(const Path& path, std::uint32_t purpose) const {
+        return set((path.branch * kVertices + static_cast<std::uint32_t>(path.vertex)) * 4 +
+                   purpose);
+    }
+    [[nodiscard]] std::array<float, 4> set(std::uint32_t index) const {
+        SampleStream stream = stream_;
+        stream.seek(index);
+        return stream.next_4d();
+    }
+
+    SampleStream stream_;
+};
+
+}  // namespace carom::render

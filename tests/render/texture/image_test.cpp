@@ -1,0 +1,122 @@
+#include "render/texture/image.h"
+
+#include <filesystem>
+
+#include <OpenImageIO/imageio.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "render/texture/number_mask.h"
+#include "sim/timeline/error.h"
+
+namespace carom::render {
+namespace {
+
+/// A file of the test's own that disappears with it.
+class TemporaryFile {
+  public:
+    explicit TemporaryFile(const std::string& ending)
+        : path_((std::filesystem::temp_directory_path() /
+                 ("carom_image_test_" +
+                  std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) +
+                  ending))
+                    .string()) {}
+    ~TemporaryFile() { std::filesystem::remove(path_); }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    template <class Value>
+    void write(int width, int height, int channels, OIIO::TypeDesc type,
+               const std::vector<Value>& values) const {
+        const auto file = OIIO::ImageOutput::create(path_);
+        ASSERT_TRUE(file && file->open(path_, OIIO::ImageSpec(width, height, channels, type)));
+        ASSERT_TRUE(file->write_image(OIIO::BaseTypeFromC<Value>::value, values.data()));
+        ASSERT_TRUE(file->close());
+    }
+
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+  private:
+    std::string path_;
+};
+
+TEST(ReadLinearImage, EightBitColours_AreDecodedFromSrgbUnlessLinear) {
+    const TemporaryFile file(".png");
+    file.write<std::uint8_t>(2, 1, 3, OIIO::TypeDesc::UINT8, {0, 128, 255, 10, 20, 30});
+    const LinearImage decoded = read_linear_image(file.path(), false);
+    ASSERT_EQ(decoded.width, 2);
+    EXPECT_EQ(decoded.pixels[0].x, 0);
+    EXPECT_NEAR(decoded.pixels[0].y, 0.21586f, 1e-5f);  // ((128/255 + 0.055) / 1.055)^2.4
+    EXPECT_EQ(decoded.pixels[0].z, 1);
+    EXPECT_NEAR(decoded.pixels[1].x, 10.0f / 255 / 12.92f, 1e-6f);
+    const LinearImage linear = read_linear_image(file.path(), true);
+    EXPECT_NEAR(linear.pixels[0].y, 128.0f / 255, 1e-6f);
+}
+
+TEST(ReadLinearImage, FloatFile_IsTakenAsLinear) {
+    const TemporaryFile file(".exr");
+    file.write<float>(1, 1, 3, OIIO::TypeDesc::FLOAT, {0.5f, 2.0f, 100.0f});
+    EXPECT_EQ(read_linear_image(file.path(), false).pixels[0], V3f(0.5f, 2.0f, 100.0f));
+}
+
+TEST(ReadLinearImage, GreyWithAlpha_BecomesGrey) {
+    const TemporaryFile file(".png");
+    file.write<std::uint8_t>(1, 1, 2, OIIO::TypeDesc::UINT8, {255, 7});
+    EXPECT_EQ(read_linear_image(file.path(), false).pixels[0], V3f(1, 1, 1));
+}
+
+TEST(ReadLinearImage, MissingFile_IsNamed) {
+    try {
+        (void)read_linear_image("/nowhere/felt.png", false);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("image '/nowhere/felt.png' cannot be read"));
+    }
+}
+
+TEST(ReadLinearImage, NegativeValue_IsNamedWithItsPixel) {
+    const TemporaryFile file(".exr");
+    file.write<float>(2, 1, 3, OIIO::TypeDesc::FLOAT, {0, 0, 0, 0, -1, 0});
+    try {
+        (void)read_linear_image(file.path(), false);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("at pixel (1, 0)"));
+    }
+}
+
+TEST(MipPyramid, AtTexelCentres_GivesTheTexels) {
+    const CoverageMask mask(2, 2, {0, 255, 255, 0});
+    EXPECT_EQ(mask.lookup(0.25f, 0.25f, 0, Wrap::clamp, Wrap::clamp), 0);
+    EXPECT_EQ(mask.lookup(0.75f, 0.25f, 0, Wrap::clamp, Wrap::clamp), 1);
+    EXPECT_EQ(mask.lookup(0.5f, 0.5f, 0, Wrap::clamp, Wrap::clamp), 0.5f);
+}
+
+TEST(MipPyramid, OutsideTheSquare_WrapsAsTold) {
+    const CoverageMask mask(4, 1, {0, 0, 0, 255});
+    EXPECT_EQ(mask.lookup(7.0f, 0.5f, 0, Wrap::clamp, Wrap::clamp), 1);
+    EXPECT_EQ(mask.lookup(-0.125f, 0.5f, 0, Wrap::repeat, Wrap::clamp), 1);
+    EXPECT_EQ(mask.lookup(3.125f, 0.5f, 0, Wrap::repeat, Wrap::clamp), 0);
+    // Half-way between the last and the first.
+    EXPECT_EQ(mask.lookup(1.0f, 0.5f, 0, Wrap::repeat, Wrap::clamp), 0.5f);
+}
+
+TEST(MipPyramid, WideFootprint_GivesTheMean) {
+    std::vector<std::uint8_t> texels(64 * 64, 0);
+    for (std::size_t i = 0; i < texels.size(); i += 2) {
+        texels[i] = 255;
+    }
+    const CoverageMask mask(64, 64, texels);
+    EXPECT_EQ(mask.level_count(), 7u);
+    EXPECT_NEAR(mask.lookup(0.3f, 0.6f, 1.0f, Wrap::repeat, Wrap::repeat), 0.5f, 0.01f);
+    EXPECT_NEAR(mask.lookup(0.3f, 0.6f, 100.0f, Wrap::repeat, Wrap::repeat), 0.5f, 0.01f);
+}
+
+TEST(MipPyramid, OddSizes_ShrinkToOneTexel) {
+    const CoverageMask mask(5, 3, std::vector<std::uint8_t>(15, 51));
+    EXPECT_EQ(mask.level_count(), 4u);
+    EXPECT_NEAR(mask.lookup(0.9f, 0.1f, 2, Wrap::clamp, Wrap::clamp), 0.2f, 1e-6f);
+}
+
+}  // namespace
+}  // namespace carom::render

@@ -1,0 +1,126 @@
+#include "render/texture/patterns.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/render/statistics.h"
+
+namespace carom::render {
+namespace {
+
+struct Moments {
+    double mean = 0;
+    double deviation = 0;
+};
+
+template <class Value>
+Moments moments(int samples, const Value& value) {
+    test::TestRandom random(17);
+    double sum = 0;
+    double squares = 0;
+    for (int i = 0; i < samples; ++i) {
+        const double v = value(random);
+        sum += v;
+        squares += v * v;
+    }
+    const double mean = sum / samples;
+    return {mean, std::sqrt(std::max(0.0, squares / samples - mean * mean))};
+}
+
+Moments cloth_green(const ClothTexture& texture, float footprint) {
+    const ClothPattern cloth(texture);
+    return moments(40'000, [&](test::TestRandom& random) {
+        const float x = random.between(-2, 2);
+        const float y = random.between(-2, 2);
+        return static_cast<double>(cloth.colour(V2f(x, y), footprint).y);
+    });
+}
+
+TEST(ClothPattern, MeanColour_IsTheTexturesAtAnyDistance) {
+    const ClothTexture texture;
+    for (const float footprint : {0.0f, 3e-4f, 0.002f, 0.1f, 1.0f}) {
+        EXPECT_NEAR(cloth_green(texture, footprint).mean, texture.colour.y,
+                    0.015 * texture.colour.y)
+            << footprint;
+    }
+}
+
+TEST(ClothPattern, Variation_FadesWithDistance) {
+    const ClothTexture texture;
+    const double close = cloth_green(texture, 0).deviation;
+    const double middle = cloth_green(texture, 0.002f).deviation;
+    const double far = cloth_green(texture, 0.3f).deviation;
+    EXPECT_GT(close, 0.02 * texture.colour.y);
+    EXPECT_LT(middle, close);
+    EXPECT_LT(far, 1e-6);
+}
+
+TEST(ClothPattern, NoVariation_IsOneColourWithRelief) {
+    ClothTexture texture;
+    texture.variation = 0;
+    const ClothPattern cloth(texture);
+    EXPECT_EQ(cloth.colour(V2f(0.123f, 0.456f), 0), V3f(texture.colour));
+    EXPECT_GT(cloth.slope(V2f(0.1231f, 0.4563f), 0).length(), 0.01f);
+    EXPECT_EQ(cloth.slope(V2f(0.1231f, 0.4563f), 0.01f), V2f(0, 0));
+}
+
+TEST(WoodPattern, EveryColour_LiesBetweenDarkAndLight) {
+    const WoodTexture texture;
+    const WoodPattern wood(texture);
+    const auto red = [&](float footprint) {
+        return moments(20'000, [&](test::TestRandom& random) {
+            const float x = random.between(-1, 1);
+            const float y = random.between(-1, 1);
+            const float z = random.between(-0.1f, 0.1f);
+            const V3f c = wood.colour(V3f(x, y, z), footprint);
+            EXPECT_GE(c.x, static_cast<float>(texture.dark.x) - 1e-6f);
+            EXPECT_LE(c.x, static_cast<float>(texture.light.x) + 1e-6f);
+            return static_cast<double>(c.x);
+        });
+    };
+    const Moments close = red(0);
+    const Moments far = red(0.2f);
+    EXPECT_GT(close.deviation, 0.02);
+    EXPECT_LT(far.deviation, 0.2 * close.deviation);
+    EXPECT_NEAR(far.mean, close.mean, 0.02);
+}
+
+TEST(WoodPattern, AlongTheGrain_ChangesSlowerThanAcross) {
+    WoodTexture texture;
+    texture.grain = Vec3(0, 1, 0);
+    const WoodPattern wood(texture);
+    const auto change = [&](const V3f& step) {
+        return moments(5'000,
+                       [&](test::TestRandom& random) {
+                           const float x = random.between(-1, 1);
+                           const float y = random.between(-1, 1);
+                           const V3f place(x, y, 0);
+                           return static_cast<double>(
+                               std::abs(wood.colour(place + step, 0).x - wood.colour(place, 0).x));
+                       })
+            .mean;
+    };
+    EXPECT_LT(change(V3f(0, 0.001f, 0)), 0.4 * change(V3f(0.001f, 0, 0)));
+}
+
+TEST(CheckerPattern, Squares_AlternateInAllDirections) {
+    const CheckerPattern checker(CheckerTexture{});
+    const V3f up(0, 0, 1);
+    const V3f even(0.8f, 0.8f, 0.8f);
+    const V3f odd(0.2f, 0.2f, 0.2f);
+    EXPECT_NEAR((checker.colour(V3f(0.05f, 0.05f, 0), up, 0) - even).length(), 0, 1e-4f);
+    EXPECT_NEAR((checker.colour(V3f(0.15f, 0.05f, 0), up, 0) - odd).length(), 0, 1e-4f);
+    EXPECT_NEAR((checker.colour(V3f(0.15f, 0.15f, 0), up, 0) - even).length(), 0, 1e-4f);
+    EXPECT_NEAR((checker.colour(V3f(-0.05f, 0.05f, 0), up, 0) - odd).length(), 0, 1e-4f);
+}
+
+TEST(CheckerPattern, WidePixel_GivesTheMeanAndOnlyAlongTheSurface) {
+    const CheckerPattern checker(CheckerTexture{});
+    const V3f up(0, 0, 1);
+    EXPECT_NEAR(checker.colour(V3f(0.05f, 0.05f, 0), up, 0.2f).x, 0.5f, 1e-3f);
+    EXPECT_NEAR(checker.colour(V3f(0.05f, 0.05f, 0), up, 0.05f).x, 0.8f, 1e-2f);
+}
+
+}  // namespace
+}  // namespace carom::render
