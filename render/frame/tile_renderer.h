@@ -1,0 +1,42 @@
+// The pixels of one frame, tile by tile.
+#pragma once
+
+#include <stop_token>
+
+#include "render/camera/thin_lens_camera.h"
+#include "render/film/film.h"
+#include "render/frame/aov_planes.h"
+#include "render/frame/frame.h"
+#include "render/integrator/path_integrator.h"
+
+namespace carom::render {
+
+/// Renders any tile into its own pixels of the film; tiles may be rendered at the same time. A
+/// pixel's value depends on its place alone, its samples being added in order.
+class TileRenderer {
+  public:
+    static constexpr int kTileSize = 16;  // pixels
+
+    TileRenderer(const RenderSettings& settings, const FrameInput& frame,
+                 const TransportScene& scene, Film& film, AovPlanes& aovs);
+
+    [[nodiscard]] int tile_count() const { return tiles_x_ * tiles_y_; }
+
+    /// Returns early, leaving pixels unwritten, once `stop` is triggered.
+    [[nodiscard]] RenderStatistics render(int tile, const std::stop_token& stop);
+
+  private:
+    void render_pixel(int x, int y, const std::stop_token& stop, RenderStatistics& count);
+
+    RenderSettings settings_;
+    std::uint64_t seed_;
+    ThinLensCamera camera_;
+    float pixel_spread_;
+    PathIntegrator integrator_;
+    Film& film_;
+    AovPlanes& aovs_;
+    int tiles_x_;
+    int tiles_y_;
+};
+
+}  // namespace carom::render
