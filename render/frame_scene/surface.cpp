@@ -43,6 +43,7 @@ void fill_ball(SurfacePoint& point, const SceneObject& object, const RigidMotion
                                     ? rotate_back(motion->world_from_body(ray.time), arm)
                                     : object.body_from_world.vector(arm);
         point.uv = longitude_latitude(point.object_position);
+        point.uv_per_metre = 0.5f * kInversePi / object.half_size.x;
     }
 }
 
@@ -164,9 +165,15 @@ void fill_mesh(SurfacePoint& point, const SceneObject& object, const RigidMotion
     if (object.has_texture) {
         point.object_position =
             motion != nullptr ? local : object.body_from_world.point(point.position);
-        point.uv = mesh.uv.empty() ? V2f(hit.u, hit.v)
-                                   : w * mesh.uv[corners[0]] + hit.u * mesh.uv[corners[1]] +
-                                         hit.v * mesh.uv[corners[2]];
+        point.uv = V2f(hit.u, hit.v);
+        if (!mesh.uv.empty()) {
+            const V2f& uv_a = mesh.uv[corners[0]];
+            const V2f uv_b = mesh.uv[corners[1]] - uv_a;
+            const V2f uv_c = mesh.uv[corners[2]] - uv_a;
+            point.uv = uv_a + hit.u * uv_b + hit.v * uv_c;
+            const float area = edge_b.cross(edge_c).length();
+            point.uv_per_metre = area > 0 ? std::sqrt(std::abs(uv_b.cross(uv_c)) / area) : 0.f;
+        }
     }
 }
 
