@@ -1,11 +1,12 @@
 #include "render/geometry/obj_file.h"
 
 #define TINYOBJLOADER_USE_DOUBLE  // as libtinyobjloader_double was built
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <string_view>
 #include <tuple>
 
 #include <tiny_obj_loader.h>
@@ -43,35 +44,53 @@ std::string read_text(const std::string& path) {
     return text;
 }
 
-/// The library takes a word that is no number for zero; so numbers are looked at before it runs.
-void check_lines(const std::string& text, const std::string& path) {
+bool has_digits(std::string_view text, int at_least) {
+    int run = 0;
+    for (const char c : text) {
+        run = c >= '0' && c <= '9' ? run + 1 : 0;
+        if (run >= at_least) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// What is wrong with a line, or nothing. The library takes a word that is no number for zero and
+/// wraps indices that are too large; so both are looked at before it runs.
+std::string problem_of(std::string_view line) {
+    if (line.size() > kMaxLineBytes) {
+        return "longer than " + std::to_string(kMaxLineBytes) + " bytes";
+    }
+    if (line.find('\0') != std::string_view::npos) {
+        return "a zero byte; this is not an OBJ file";
+    }
+    const std::size_t key_end = std::min(line.find_first_of(" \t"), line.size());
+    const std::string_view key = line.substr(0, key_end);
+    const bool is_vertex = key == "v" || key == "vn" || key == "vt";
+    if (!is_vertex && key != "f") {
+        return {};
+    }
+    const std::string_view with_comment = line.substr(key_end);
+    const std::string_view values = with_comment.substr(0, with_comment.find('#'));
+    const std::string_view allowed = is_vertex ? "0123456789+-.eE \t\r" : "0123456789-/ \t\r";
+    if (values.find_first_not_of(allowed) != std::string_view::npos) {
+        return "'" + std::string(line.substr(0, 60)) + "' has something that is no number";
+    }
+    if (!is_vertex && has_digits(values, 10)) {
+        return "a face refers to a vertex beyond a thousand million";
+    }
+    return {};
+}
+
+void check_lines(std::string_view text, const std::string& path) {
     std::size_t line_number = 0;
     std::size_t begin = 0;
     while (begin < text.size()) {
         ++line_number;
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string_view line(text.data() + begin, end - begin);
-        const auto refuse_line = [&](const std::string& what) {
-            refuse(path, "line " + std::to_string(line_number) + ": " + what);
-        };
-        if (line.size() > kMaxLineBytes) {
-            refuse_line("longer than " + std::to_string(kMaxLineBytes) + " bytes");
-        }
-        if (line.find('\0') != std::string_view::npos) {
-            refuse_line("a zero byte; this is not an OBJ file");
-        }
-        const std::size_t key_end = std::min(line.find_first_of(" \t"), line.size());
-        const std::string_view key = line.substr(0, key_end);
-        const bool is_vertex = key == "v" || key == "vn" || key == "vt";
-        if (is_vertex || key == "f") {
-            const std::string_view values = line.substr(key_end);
-            const std::string_view allowed =
-                is_vertex ? "0123456789+-.eE \t\r" : "0123456789-/ \t\r";
-            const std::size_t comment = std::min(values.find('#'), values.size());
-            if (values.substr(0, comment).find_first_not_of(allowed) != std::string_view::npos) {
-                refuse_line("'" + std::string(line.substr(0, 60)) +
-                            "' has something that is no number");
-            }
+        const std::string problem = problem_of(text.substr(begin, end - begin));
+        if (!problem.empty()) {
+            refuse(path, "line " + std::to_string(line_number) + ": " + problem);
         }
         begin = end + 1;
     }

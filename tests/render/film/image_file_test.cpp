@@ -1,0 +1,221 @@
+#include "render/film/image_file.h"
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <OpenImageIO/imageio.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/timeline/error.h"
+
+namespace carom::render {
+namespace {
+
+using testing::HasSubstr;
+
+class ImageFile : public testing::Test {
+  protected:
+    ImageFile()
+        : folder_(testing::TempDir() + "carom_film_" +
+                  testing::UnitTest::GetInstance()->current_test_info()->name()) {
+        std::filesystem::create_directories(folder_);
+    }
+    ~ImageFile() override { std::filesystem::remove_all(folder_); }
+
+    [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
+
+    static std::string bytes(const std::string& file) {
+        std::ifstream in(file, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+
+    static std::string message_of_reading(const std::string& file) {
+        try {
+            static_cast<void>(read_exr(file));
+        } catch (const Error& error) {
+            EXPECT_THAT(error.what(), HasSubstr(file));
+            return error.what();
+        }
+        return "no error";
+    }
+
+  private:
+    std::string folder_;
+};
+
+Film some_film(int width, int height) {
+    Film film;
+    film.width = width;
+    film.height = height;
+    Channel depth{"Z", {}};
+    Channel normal{"N.X", {}};
+    for (int i = 0; i < width * height; ++i) {
+        const float x = static_cast<float>(i);
+        film.rgba.insert(film.rgba.end(), {0.5f * x, 0.25f, 1 / (1 + x), 1});
+        depth.values.push_back(1.000001f + x);
+        normal.values.push_back(-0.333333333f);
+    }
+    film.aovs = {depth, normal};
+    return film;
+}
+
+TEST_F(ImageFile, Exr_RoundTripsColoursAsHalfAndOthersAsFloat) {
+    const Film film = some_film(37, 23);
+    write_exr(film, path("a.exr"), {{"carom:shot", "break"}});
+    const Film back = read_exr(path("a.exr"));
+    ASSERT_EQ(back.width, 37);
+    ASSERT_EQ(back.height, 23);
+    ASSERT_EQ(back.aovs.size(), 2u);
+    for (std::size_t i = 0; i < film.rgba.size(); ++i) {
+        // Half: 11 bits of precision, so half a unit in the last place is 2^-11 of the value.
+        ASSERT_NEAR(back.rgba[i], film.rgba[i], std::abs(film.rgba[i]) * 0x1p-11f + 1e-7f);
+    }
+    for (std::size_t c = 0; c < 2; ++c) {
+        EXPECT_EQ(back.aovs[c].name, film.aovs[c].name);
+        EXPECT_EQ(back.aovs[c].values, film.aovs[c].values);
+    }
+}
+
+TEST_F(ImageFile, ExrWrittenAgain_IsIdentical) {
+    // What is stored is a half already: reading and writing it changes nothing.
+    write_exr(some_film(40, 30), path("a.exr"));
+    const Film once = read_exr(path("a.exr"));
+    write_exr(once, path("b.exr"));
+    const Film twice = read_exr(path("b.exr"));
+    EXPECT_EQ(once.rgba, twice.rgba);
+    EXPECT_EQ(bytes(path("a.exr")), bytes(path("b.exr")));
+}
+
+TEST_F(ImageFile, SameFilm_SameBytes) {
+    const ImageMetadata metadata = {{"carom:frame", "12"}, {"carom:shot", "break"}};
+    write_exr(some_film(64, 36), path("a.exr"), metadata);
+    write_exr(some_film(64, 36), path("b.tmp.123"), metadata);  // and under any name
+    const std::string a = bytes(path("a.exr"));
+    EXPECT_EQ(a, bytes(path("b.tmp.123")));
+    EXPECT_THAT(a, HasSubstr("break"));
+    EXPECT_EQ(a.find("DateTime"), std::string::npos);
+    EXPECT_EQ(a.find("HostComputer"), std::string::npos);
+    EXPECT_EQ(a.find("carom_film"), std::string::npos) << "the path is in the file";
+}
+
+TEST_F(ImageFile, NoFurtherChannels_IsFine) {
+    Film film = some_film(16, 16);
+    film.aovs.clear();
+    write_exr(film, path("a.exr"));
+    EXPECT_TRUE(read_exr(path("a.exr")).aovs.empty());
+}
+
+TEST_F(ImageFile, TooBrightPixels_AreClampedToHalf) {
+    Film film = some_film(16, 16);
+    film.rgba[0] = 1e9f;
+    film.rgba[1] = -1e9f;
+    film.aovs[0].values[0] = 1e9f;  // floats are kept
+    write_exr(film, path("a.exr"));
+    const Film back = read_exr(path("a.exr"));
+    EXPECT_EQ(back.rgba[0], 65504);
+    EXPECT_EQ(back.rgba[1], -65504);
+    EXPECT_EQ(back.aovs[0].values[0], 1e9f);
+}
+
+TEST_F(ImageFile, NotFinitePixel_IsRefusedByName) {
+    const auto message = [&](const Film& film) {
+        try {
+            write_exr(film, path("bad.exr"));
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string("no error");
+    };
+    Film film = some_film(16, 9);
+    film.rgba[4 * (3 * 16 + 5) + 1] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(message(film), "'" + path("bad.exr") +
+                                 "': pixel (5, 3), channel G, is not a finite number; such a "
+                                 "picture is not written");
+    film = some_film(16, 9);
+    film.aovs[1].values[17] = std::numeric_limits<float>::infinity();
+    EXPECT_THAT(message(film), HasSubstr("pixel (1, 1), channel N.X"));
+    EXPECT_FALSE(std::filesystem::exists(path("bad.exr")));
+}
+
+TEST_F(ImageFile, FolderMissing_IsAnError) {
+    EXPECT_THROW(write_exr(some_film(16, 16), path("no/such/folder/a.exr")), Error);
+    EXPECT_THROW(write_display_image(std::vector<std::uint8_t>(48), 4, 4, path("no/a.png")), Error);
+}
+
+TEST_F(ImageFile, FileMissing_IsAnError) {
+    EXPECT_THAT(message_of_reading(path("none.exr")), HasSubstr("the frame cannot be read"));
+}
+
+TEST_F(ImageFile, ForeignFiles_AreRefused) {
+    std::ofstream(path("text.exr")) << "this is no picture";
+    EXPECT_NE(message_of_reading(path("text.exr")), "no error");
+    std::ofstream(path("empty.exr")).flush();
+    EXPECT_NE(message_of_reading(path("empty.exr")), "no error");
+    write_display_image(std::vector<std::uint8_t>(3 * 16 * 16, 7), 16, 16, path("png.png"));
+    std::filesystem::rename(path("png.png"), path("png.exr"));
+    EXPECT_NE(message_of_reading(path("png.exr")), "no error");
+}
+
+TEST_F(ImageFile, TruncatedAnywhere_IsRefused) {
+    write_exr(some_film(64, 36), path("a.exr"));
+    const std::string whole = bytes(path("a.exr"));
+    for (std::size_t keep = 0; keep < whole.size(); keep += 197) {
+        std::ofstream(path("cut.exr"), std::ios::binary) << whole.substr(0, keep);
+        EXPECT_NE(message_of_reading(path("cut.exr")), "no error") << keep;
+    }
+}
+
+TEST_F(ImageFile, FlippedBytes_AreRefusedOrReadWithoutHarm) {
+    write_exr(some_film(32, 18), path("a.exr"));
+    const std::string whole = bytes(path("a.exr"));
+    int refused = 0;
+    for (std::size_t at = 0; at < whole.size(); at += 29) {
+        std::string damaged = whole;
+        damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
+        std::ofstream(path("bad.exr"), std::ios::binary) << damaged;
+        try {
+            const Film film = read_exr(path("bad.exr"));
+            EXPECT_EQ(film.rgba.size(), 4 * static_cast<std::size_t>(film.width) *
+                                            static_cast<std::size_t>(film.height));
+        } catch (const Error&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 10);
+}
+
+TEST_F(ImageFile, DisplayImages_KeepTheirPixelsWhereTheFormatDoes) {
+    std::vector<std::uint8_t> rgb;
+    for (int i = 0; i < 3 * 31 * 17; ++i) {
+        rgb.push_back(static_cast<std::uint8_t>(i * 7));
+    }
+    for (const std::string name : {"a.png", "a.bmp", "a.tga", "a.jpg"}) {
+        write_display_image(rgb, 31, 17, path(name), {{"Description", "a test"}});
+        write_display_image(rgb, 31, 17, path("b" + name), {{"Description", "a test"}});
+        EXPECT_EQ(bytes(path(name)), bytes(path("b" + name))) << name;
+        const auto input = OIIO::ImageInput::open(path(name));
+        ASSERT_TRUE(input) << name;
+        ASSERT_EQ(input->spec().width, 31);
+        ASSERT_EQ(input->spec().height, 17);
+        std::vector<std::uint8_t> back(rgb.size());
+        ASSERT_TRUE(input->read_image(0, 0, 0, 3, OIIO::TypeUInt8, back.data()));
+        if (name != "a.jpg") {
+            EXPECT_EQ(back, rgb) << name;
+        }
+    }
+}
+
+TEST_F(ImageFile, UnknownExtension_IsAnError) {
+    const std::vector<std::uint8_t> rgb(48);
+    EXPECT_THROW(write_display_image(rgb, 4, 4, path("a.nonsense")), Error);
+}
+
+}  // namespace
+}  // namespace carom::render
