@@ -18,12 +18,13 @@ enum class TableKind { pool, snooker, carom, cloth, custom };
 /// One kind of pocket (corner or side). All in metres and radians; see docs/tables.md for a
 /// drawing.
 struct PocketMeasures {
-    double mouth = 0;      // between the two cushion noses' ends
+    double mouth = 0;      // between the two cushion noses' ends, as if they were not rounded
     double throat = 0;     // between the jaws where they meet the pocket's hole
     double jaw_angle = 0;  // between the cushion's nose line and the jaw facing (interior, > pi/2)
-    double hole_radius = 0;  // of the hole in the slate
-    double shelf = 0;        // from the line of the mouth to the hole's edge
-    double drop = 0;         // depth of the pocket's floor under the cloth
+    double hole_radius = 0;     // of the hole in the slate
+    double shelf = 0;           // from the line of the mouth to the hole's edge
+    double drop = 0;            // depth of the pocket's floor under the cloth
+    double lip_radius = 0.003;  // rounding, seen from above, between nose and jaw
     bool operator==(const PocketMeasures&) const = default;
 };
 
@@ -51,7 +52,8 @@ struct TableMeasures {
 
 /// A vertical face that balls on the cloth bounce off: a cushion between two pockets or a jaw.
 struct CushionFace {
-    Vec2 from, to;  // the drawn nose's ends, playing field on the left going from -> to
+    Vec2 from, to;  // the drawn nose's ends, where the rounded corners begin; playing field on
+                    // the left going from -> to
     Vec2 normal;    // unit, into the playing field
     bool is_jaw = false;
 };

@@ -1,0 +1,20 @@
+// A first triangulation of a polygon with holes, valid but ill-shaped.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/billiards/triangulation.h"
+
+namespace carom::sim::billiards {
+
+/// Twice the signed area of the triangle; positive if counter-clockwise.
+[[nodiscard]] double doubled_area(const Vec2& a, const Vec2& b, const Vec2& c);
+
+/// Triangles over the points of all loops, counter-clockwise, by cutting off ears (Meisters,
+/// "Polygons have ears", 1975) after each hole was joined to the outside by a bridge.
+[[nodiscard]] std::vector<std::array<std::uint32_t, 3>> clip_ears(std::span<const Loop> loops);
+
+}  // namespace carom::sim::billiards

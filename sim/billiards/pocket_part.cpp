@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/billiards/parts.h"
+#include "sim/billiards/surface_builder.h"
+
+namespace carom::sim::billiards {
+
+namespace {
+
+constexpr double kRimAboveRail = 0.001;  // m
+constexpr double kBelowFloor = 0.002;    // how far the liner goes on under the floor, m
+constexpr double kWingLength = 0.018;    // m
+constexpr double kWingProud = 0.0004;    // of the rail's inner edge, m
+constexpr double kFloorSpacing = 0.02;   // m
+
+// Round the liner's section: down its inside, along its foot, up its outside, over its rim.
+std::vector<Profile> wall_profile(double bottom, double top) {
+    constexpr int kSteps = 8;
+    const double half = 0.5 * kLinerThickness;
+    Profile rim;
+    for (int step = kSteps; step >= 0; --step) {
+        const double angle = std::numbers::pi * step / kSteps;
+        const double open = step == kSteps ? -1 : std::cos(angle);
+        const double up = step == kSteps ? 0 : std::sin(angle);
+        rim.push_back({half * (1 - open), top - half + half * up, open, up, -half * angle});
+    }
+    const ProfilePlace inner{0, bottom};
+    const ProfilePlace outer{kLinerThickness, bottom};
+    return {straight_profile({0, top - half}, inner), straight_profile(inner, outer),
+            straight_profile(outer, {kLinerThickness, top - half}), rim};
+}
+
+// Under the end of an undercut jaw one looks at the rail. The liner hides it, as a thin plate.
+void add_wing(SurfaceBuilder& builder, const SideFrame& side, double from, double to,
+              const TableMeasures& measures) {
+    const double front = measures.cushion_width - kWingProud;
+    const PlanPath path = PathBuilder(OpenSide::left, kLongestStep)
+                              .start(side.at(std::min(from, to), front))
+                              .line_to(side.at(std::max(from, to), front))
+                              .finish();
+    const ProfilePlace top{0, 0.9 * measures.nose_height};
+    const ProfilePlace foot{0, -0.5 * kSlateEdge};
+    const ProfilePlace back_foot{kWingProud + kLinerThickness, foot.z};
+    const ProfilePlace back_top{back_foot.inside, top.z};
+    const std::vector<Profile> profiles{
+        straight_profile(top, foot), straight_profile(foot, back_foot),
+        straight_profile(back_foot, back_top), straight_profile(back_top, top)};
+    for (const Profile& profile : profiles)
+        builder.sweep(path, profile);
+    const auto add_end = [&](const PathPoint& point, const Vec2& facing) {
+        builder.add_polygon(profile_at(point, profiles), {facing.x, facing.y, 0});
+    };
+    add_end(path.front(), -side.along);
+    add_end(path.back(), side.along);
+}
+
+}  // namespace
+
+Surface build_pocket_liner(const TableLayout& layout, const PocketLayout& pocket) {
+    SurfaceBuilder builder("pocket_liner_" + pocket.pocket.name, SurfacePart::pocket_liner);
+    const Vec2 centre = pocket.pocket.centre;
+    const double radius = pocket.pocket.radius - kLinerInset;
+
+    // Under the cloth all round.
+    const PlanPath circle = circle_path(centre, radius);
+    for (const Profile& profile :
+         wall_profile(-pocket.pocket.drop - kBelowFloor, -0.5 * kSlateEdge))
+        builder.sweep(circle, profile);
+
+    // Above it, only where the pocket is cut into wood.
+    const SideFrame* first = nullptr;
+    const SideFrame* last = nullptr;
+    for (std::size_t index = 0; index < 4; ++index) {
+        const SideFrame& side = layout.sides[index];
+        if (pocket.is_corner
+                ? pocket.axis.dot(side.outward) > 0.5 && pocket.axis.dot(side.along) > 0.5
+                : pocket.axis.dot(side.outward) > 0.5) {
+            first = &side;
+            last = pocket.is_corner ? &layout.sides[(index + 1) % 4] : &side;
+        }
+    }
+    const double inner_edge = layout.measures.cushion_width;
+    const auto on_circle = [&](const SideFrame& side, bool is_end) {
+        const Vec2 cut = side.at(cut_in_rail(layout, pocket, side, is_end), inner_edge);
+        return centre + radius * (cut - centre).normalized();
+    };
+    const double enter = cut_in_rail(layout, pocket, *first, false);
+    const double leave = cut_in_rail(layout, pocket, *last, true);
+    add_wing(builder, *first, enter - kWingLength, enter, layout.measures);
+    add_wing(builder, *last, leave, leave + kWingLength, layout.measures);
+    const Vec2 begin = on_circle(*first, false);
+    const Vec2 end = on_circle(*last, true);
+    const PlanPath arc =
+        PathBuilder(OpenSide::left, kLongestStep).start(begin).arc_to(end, centre, true).finish();
+    const std::vector<Profile> wall =
+        wall_profile(-0.6 * kSlateEdge, layout.measures.rail_height + kRimAboveRail);
+    for (const Profile& profile : wall)
+        builder.sweep(arc, profile);
+    const auto add_end = [&](const PathPoint& point, double sign) {
+        const Vec2 radial = (point.position - centre).normalized();
+        builder.add_polygon(profile_at(point, wall), {sign * radial.y, -sign * radial.x, 0});
+    };
+    add_end(arc.front(), 1);
+    add_end(arc.back(), -1);
+    return std::move(builder).finish();
+}
+
+Surface build_pocket_floor(const PocketLayout& pocket) {
+    SurfaceBuilder builder("pocket_floor_" + pocket.pocket.name, SurfacePart::pocket_floor);
+    const Loop rim = inside_outline(circle_path(pocket.pocket.centre, pocket.pocket.radius), 0);
+    builder.add_level(std::span(&rim, 1), -pocket.pocket.drop, true, kFloorSpacing);
+    return std::move(builder).finish();
+}
+
+}  // namespace carom::sim::billiards

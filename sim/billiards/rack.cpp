@@ -1,0 +1,152 @@
+#include "sim/billiards/rack.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace carom::sim::billiards {
+
+namespace {
+
+constexpr std::array<const char*, 16> kNames{
+    "cue",   "one",  "two", "three",  "four",   "five",     "six",      "seven",
+    "eight", "nine", "ten", "eleven", "twelve", "thirteen", "fourteen", "fifteen"};
+
+// Far under the width of an atom: keeps touching balls from overlapping by rounding.
+constexpr double kRounding = 1e-13;
+
+/// Numbers as a function of (seed, index): the finaliser of SplitMix64 (Steele, Lea and Flood,
+/// "Fast splittable pseudorandom number generators", 2014), applied twice. In [0, 1).
+double random_number(std::uint64_t seed, std::uint64_t index) {
+    const auto mix = [](std::uint64_t x) {
+        x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9U;
+        x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
+        return x ^ (x >> 31);
+    };
+    constexpr std::uint64_t golden = 0x9E3779B97F4A7C15U;
+    const std::uint64_t bits = mix(mix(seed + golden) + (index + 1) * golden);
+    return static_cast<double>(bits >> 11) * 0x1p-53;
+}
+
+/// Places of a triangular lattice, two mean diameters and gaps apart. Each ball but the first is
+/// moved by up to half the mean gap in a random direction, so that the gap between two neighbours
+/// is anything from none to twice the mean, and never less than none.
+class Lattice {
+  public:
+    Lattice(const Vec3& apex, double ball_radius, const RackOptions& options)
+        : apex_(apex),
+          pitch_(2 * ball_radius + options.gap + kRounding),
+          gap_(options.gap),
+          seed_(options.seed) {}
+
+    /// Row 0 is the apex; rows go towards the foot cushion; `column` counts from the right of
+    /// someone who looks that way.
+    Vec3 place(int row, int column, int row_length) {
+        const double across = pitch_ * (column - 0.5 * (row_length - 1));
+        const double along = pitch_ * row * (std::numbers::sqrt3 / 2);
+        const std::uint64_t index = count_++;
+        if (index == 0)
+            return apex_;
+        // Even over the disk.
+        const double radius = 0.5 * gap_ * std::sqrt(random_number(seed_, 2 * index));
+        const double angle = 2 * std::numbers::pi * random_number(seed_, 2 * index + 1);
+        return apex_ + Vec3(along + radius * std::cos(angle), across + radius * std::sin(angle), 0);
+    }
+
+  private:
+    Vec3 apex_;
+    double pitch_;
+    double gap_;
+    std::uint64_t seed_;
+    std::uint64_t count_ = 0;
+};
+
+// Row after row from the apex, each from the right of someone who looks towards the foot cushion.
+// The 1 leads, the 9 stands in the middle, the 2 at the tail (as the 2 does under the WPA's rules
+// for televised nine-ball).
+constexpr std::array<int, 5> kDiamondRows{1, 2, 3, 2, 1};
+constexpr std::array<int, 9> kNineBall{1, 3, 4, 5, 9, 6, 7, 8, 2};
+
+constexpr std::array<int, 5> kTriangleRows{1, 2, 3, 4, 5};
+// WPA, The Rules of Play, "Ten Ball": 1 at the apex, 10 in the middle, 2 and 3 at the back corners.
+constexpr std::array<int, 10> kTenBall{1, 4, 5, 6, 10, 7, 2, 8, 9, 3};
+// WPA, "Eight Ball": 8 in the middle of the third row, a solid and a stripe at the back corners.
+constexpr std::array<int, 15> kEightBall{1, 9, 2, 3, 8, 10, 11, 4, 12, 5, 6, 13, 7, 14, 15};
+// BCA, "Rotation": 1 at the apex, 2 and 3 at the back corners, 15 in the middle.
+constexpr std::array<int, 15> kFifteenBall{1, 4, 5, 6, 15, 7, 8, 9, 10, 11, 2, 12, 13, 14, 3};
+
+std::vector<PlacedBall> numbered(std::span<const int> rows, std::span<const int> numbers,
+                                 Lattice lattice) {
+    std::vector<PlacedBall> balls;
+    for (int row = 0; balls.size() < numbers.size(); ++row) {
+        const int length = rows[static_cast<std::size_t>(row)];
+        for (int column = 0; column < length; ++column) {
+            const int number = numbers[balls.size()];
+            balls.push_back({kNames[static_cast<std::size_t>(number)], number,
+                             lattice.place(row, column, length)});
+        }
+    }
+    return balls;
+}
+
+// WPBSA, Official Rules of Snooker, section 1: spots measured on the 12 ft table; on others they
+// keep their proportion. Baulk is at the negative end.
+std::vector<PlacedBall> snooker(const TableMeasures& table, double ball_radius,
+                                const RackOptions& options) {
+    const double scale = table.length / 3.569;
+    const double baulk = -0.5 * table.length + 0.737 * scale;
+    const double d_radius = 0.292 * scale;
+    const double pyramid = 0.25 * table.length;
+    const double z = ball_radius;
+    std::vector<PlacedBall> balls;
+    // As near behind the pink as can be without touching it.
+    const double behind_pink = 2 * ball_radius + options.gap + kRounding;
+    Lattice lattice({pyramid + behind_pink, 0, z}, ball_radius, options);
+    for (int row = 0; row < 5; ++row)
+        for (int column = 0; column <= row; ++column)
+            balls.push_back({"red_" + std::to_string(balls.size() + 1), 0,
+                             lattice.place(row, column, row + 1)});
+    // Seen from baulk, yellow is on the right and green on the left.
+    balls.push_back({"yellow", 0, {baulk, -d_radius, z}});
+    balls.push_back({"green", 0, {baulk, d_radius, z}});
+    balls.push_back({"brown", 0, {baulk, 0, z}});
+    balls.push_back({"blue", 0, {0, 0, z}});
+    balls.push_back({"pink", 0, {pyramid, 0, z}});
+    balls.push_back({"black", 0, {0.5 * table.length - 0.324 * scale, 0, z}});
+    return balls;
+}
+
+// UMB, World Rules of Carom Billiard, article 12: red on the foot spot, the opponent's ball on the
+// head spot, the player's 18.25 cm to the side of that on a match table.
+std::vector<PlacedBall> carom_balls(const TableMeasures& table, double ball_radius) {
+    const double quarter = 0.25 * table.length;
+    const double aside = 0.1825 * table.length / 2.84;
+    return {{"white", 0, {-quarter, -aside, ball_radius}},
+            {"yellow", 0, {-quarter, 0, ball_radius}},
+            {"red", 0, {quarter, 0, ball_radius}}};
+}
+
+}  // namespace
+
+std::vector<PlacedBall> rack(RackKind kind, const TableMeasures& table, double ball_radius,
+                             const RackOptions& options) {
+    const Lattice lattice({0.25 * table.length, 0, ball_radius}, ball_radius, options);
+    switch (kind) {
+        case RackKind::nine_ball:
+            return numbered(kDiamondRows, kNineBall, lattice);
+        case RackKind::eight_ball:
+            return numbered(kTriangleRows, kEightBall, lattice);
+        case RackKind::ten_ball:
+            return numbered(kTriangleRows, kTenBall, lattice);
+        case RackKind::fifteen_ball:
+            return numbered(kTriangleRows, kFifteenBall, lattice);
+        case RackKind::snooker:
+            return snooker(table, ball_radius, options);
+        case RackKind::carom:
+            return carom_balls(table, ball_radius);
+    }
+    return {};
+}
+
+}  // namespace carom::sim::billiards

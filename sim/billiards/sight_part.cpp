@@ -1,0 +1,75 @@
+#include <cmath>
+#include <numbers>
+
+#include "sim/billiards/parts.h"
+#include "sim/billiards/surface_builder.h"
+
+namespace carom::sim::billiards {
+
+namespace {
+
+// WPA, Tournament Table and Equipment Specifications, section 5 ("Rail and Cushion"): diamonds of
+// 1 x 7/16 in to 1 1/4 x 5/8 in or discs of 7/16 to 1/2 in, their centre 3 11/16 in from the nose.
+constexpr double kDiamondLength = 0.0254;
+constexpr double kDiamondWidth = 0.0111125;
+constexpr double kDiscRadius = 0.00635;
+constexpr double kFromNose = 0.0936625;
+constexpr double kHeight = 0.00015;  // above the wood, m
+constexpr double kDepth = 0.0006;    // into it, m
+
+Loop diamond(const Vec2& centre, const Vec2& axis) {
+    const Vec2 across(-axis.y, axis.x);
+    return {centre + 0.5 * kDiamondLength * axis, centre + 0.5 * kDiamondWidth * across,
+            centre - 0.5 * kDiamondLength * axis, centre - 0.5 * kDiamondWidth * across};
+}
+
+Loop disc(const Vec2& centre) {
+    constexpr int kCorners = 32;
+    Loop loop;
+    for (int corner = 0; corner < kCorners; ++corner) {
+        const double angle = 2 * std::numbers::pi * corner / kCorners;
+        loop.push_back(centre + kDiscRadius * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    return loop;
+}
+
+void add_plate(SurfaceBuilder& builder, const Loop& outline, double rail_height) {
+    const double top = rail_height + kHeight;
+    const double bottom = rail_height - kDepth;
+    builder.add_level(std::span(&outline, 1), top, true, HUGE_VAL);
+    builder.add_level(std::span(&outline, 1), bottom, false, HUGE_VAL);
+    PathBuilder path(OpenSide::right, 1);
+    path.start(outline.front());
+    for (const Vec2& corner : outline)
+        path.line_to(corner);
+    builder.sweep(path.finish_closed(), straight_profile({0, top}, {0, bottom}));
+}
+
+}  // namespace
+
+std::optional<Surface> build_sights(const TableLayout& layout) {
+    const TableMeasures& measures = layout.measures;
+    if (measures.kind == TableKind::snooker ||
+        kFromNose > measures.cushion_width + measures.rail_width - kDiamondLength)
+        return {};
+    SurfaceBuilder builder("sights", SurfacePart::sight);
+    for (std::size_t index = 0; index < 4; ++index) {
+        const SideFrame& side = layout.sides[index];
+        const bool is_long = index % 2 == 0;
+        // Eighths of the length, quarters of the width.
+        const int count = is_long ? 4 : 2;
+        const double step = is_long ? measures.length / 8 : measures.width / 4;
+        for (int place = 1 - count; place < count; ++place) {
+            if (is_long && place == 0 && measures.side_pocket)
+                continue;
+            const Vec2 centre = side.at(place * step, kFromNose);
+            add_plate(
+                builder,
+                measures.kind == TableKind::carom ? disc(centre) : diamond(centre, side.outward),
+                measures.rail_height);
+        }
+    }
+    return std::move(builder).finish();
+}
+
+}  // namespace carom::sim::billiards
