@@ -47,7 +47,8 @@ void add(Hasher& hasher, const billiards::PocketMeasures& pocket) {
         .add(pocket.jaw_angle)
         .add(pocket.hole_radius)
         .add(pocket.shelf)
-        .add(pocket.drop);
+        .add(pocket.drop)
+        .add(pocket.lip_radius);
 }
 
 void add(Hasher& hasher, const billiards::TableMeasures& table) {

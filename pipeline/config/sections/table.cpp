@@ -31,6 +31,8 @@ const MapSpec<PocketMeasures>& pocket_spec() {
         s.key("drop", &PocketMeasures::drop, length(inside(0, 2)),
               "depth of the pocket's floor under the cloth")
             .required();
+        s.key("lip_radius", &PocketMeasures::lip_radius, length(between(0, 0.5)),
+              "rounding, seen from above, between nose and jaw (3 mm)");
         return s;
     }();
     return spec;
