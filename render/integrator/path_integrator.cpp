@@ -12,8 +12,8 @@
 namespace carom::render {
 namespace {
 
-constexpr int kSplitVertices = 2;
-constexpr std::size_t kMostBranches = 1u << kSplitVertices;
+constexpr int kMostSplits = 2;
+constexpr std::size_t kMostBranches = 1u << kMostSplits;
 constexpr int kRouletteVertex = 5;
 constexpr float kLeastSurvival = 0.2f;
 
@@ -69,6 +69,11 @@ struct PathIntegrator::Work {
         waiting_count += 1;
     }
 };
+
+PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& settings)
+    : scene_(scene), direct_(scene_, settings.strategy), settings_(settings) {
+    CAROM_ASSERT(settings.split_vertices >= 0 && settings.split_vertices <= kMostSplits);
+}
 
 RadianceSample PathIntegrator::sample(const Ray& camera_ray, float pixel_spread,
                                       const SampleStream& stream, const SampleIndex& index,
@@ -126,9 +131,9 @@ void PathIntegrator::follow(Path path, Work& work) const {
             work.result.albedo = surface.base;
         }
         const Bsdf bsdf(surface, wo);
-        const ShadingVertex vertex{point.position,
-                                   point.position + surface.geometric_normal * point.offset,
-                                   surface, bsdf, path.vertex < kSplitVertices && bsdf.has_coat()};
+        const ShadingVertex vertex{
+            point.position, point.position + surface.geometric_normal * point.offset, surface, bsdf,
+            path.vertex < settings_.split_vertices && bsdf.has_coat()};
         const V3f throughput = path.throughput;
         work.add(throughput * direct_.sampled(path, vertex, work.dimensions, work.count),
                  path.vertex + 1);

@@ -12,6 +12,8 @@ namespace carom::render {
 struct PathSettings {
     int max_bounces = 4;  // [0, 64]; 0: light seen and light scattered once
     float clamp = 0;      // bound on a sample's indirect light, 0: none
+    /// At so many first vertices, at most 2, the coat and what lies below it are both followed.
+    int split_vertices = 2;
     DirectStrategy strategy = DirectStrategy::both;
 };
 
@@ -35,8 +37,7 @@ struct SampleIndex {
 /// Every light is sampled at the first vertex, one later. No roulette before the sixth vertex.
 class PathIntegrator {
   public:
-    PathIntegrator(const TransportScene& scene, const PathSettings& settings)
-        : scene_(scene), direct_(scene_, settings.strategy), settings_(settings) {}
+    PathIntegrator(const TransportScene& scene, const PathSettings& settings);
 
     PathIntegrator(const PathIntegrator&) = delete;
     PathIntegrator& operator=(const PathIntegrator&) = delete;

@@ -1,0 +1,136 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "render/frame/aov_planes.h"
+#include "tests/render/scene_builder.h"
+
+namespace carom::render {
+namespace {
+
+using test::camera;
+using test::plane;
+using test::SceneBuilder;
+using test::small_settings;
+using test::still_frame;
+
+RenderSettings with_all_aovs(int samples) {
+    RenderSettings settings = small_settings(32, 18, samples);
+    settings.aovs = {"depth", "normal", "albedo", "motion", "object_id", "variance"};
+    return settings;
+}
+
+/// A wall 2 m ahead, a small box in front of it at 1.5 m.
+SceneBuilder wall_and_box() {
+    SceneBuilder builder;
+    builder.diffuse("wall", 0.5).diffuse("box", 0.25).environment(1);
+    builder.object("wall", BoxShape{Vec3(10, 0.2, 10)}, Vec3(0, 2.1, 0), "wall");
+    builder.object("box", BoxShape{Vec3(0.3, 0.2, 0.3)}, Vec3(0, 1.6, 0), "box", "box");
+    return builder;
+}
+
+std::size_t at(int x, int y) {
+    return static_cast<std::size_t>(y * 32 + x);
+}
+
+TEST(Aovs, StandingScene_IsExactAndWithoutNoise) {
+    const SceneBuilder builder = wall_and_box();
+    const RenderSettings settings = with_all_aovs(4);
+    const std::vector<sim::Track> tracks{test::resting_track("box", Vec3(0, 1.6, 0))};
+    const FrameInput frame = still_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
+    const PreparedScene scene(builder.scene, settings);
+    const Film film = render_frame(scene, tracks, frame, settings);
+    ASSERT_EQ(film.aovs.size(), 11u);
+    for (int y = 0; y < 18; ++y) {
+        for (int x = 0; x < 32; ++x) {
+            // The pixel's centre on the plane at distance 1.
+            const double scale = 2 * std::tan(0.4) / 18;
+            const double right = (x + 0.5 - 16) * scale * 1.5;
+            const double up = (9 - y - 0.5) * scale * 1.5;
+            const bool box = std::abs(right) < 0.15 && std::abs(up) < 0.15;
+            EXPECT_NEAR(plane(film, "Z")[at(x, y)], box ? 1.5f : 2.0f, 2e-6f);
+            EXPECT_EQ(plane(film, "object_id")[at(x, y)], box ? 2 : 1);
+            EXPECT_EQ(plane(film, "motion.X")[at(x, y)], 0);
+            EXPECT_EQ(plane(film, "motion.Y")[at(x, y)], 0);
+            EXPECT_EQ(plane(film, "N.Y")[at(x, y)], -1);
+        }
+    }
+    EXPECT_EQ(plane(film, "albedo.G")[at(16, 9)], 0.25f);
+    EXPECT_EQ(plane(film, "albedo.G")[at(1, 1)], 0.5f);
+
+    const Film again = render_frame(scene, tracks, frame, settings);
+    for (std::size_t i = 0; i < film.aovs.size(); ++i) {
+        EXPECT_EQ(film.aovs[i].name, again.aovs[i].name);
+        EXPECT_EQ(film.aovs[i].values, again.aovs[i].values);
+    }
+}
+
+TEST(Aovs, MoreSamples_ChangeNoDepthIdOrMotion) {
+    const SceneBuilder builder = wall_and_box();
+    const std::vector<sim::Track> tracks{
+        test::straight_track("box", Vec3(-0.2, 1.6, 0), Vec3(0.2, 1.6, 0), 0, 0.02)};
+    CameraState state = camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8);
+    state.lens_radius = 0.05;
+    FrameInput frame = still_frame(state);
+    frame.scene_close = 0.02;
+    const RenderSettings few = with_all_aovs(1);
+    const RenderSettings many = with_all_aovs(9);
+    const PreparedScene scene(builder.scene, few);
+    const Film a = render_frame(scene, tracks, frame, few);
+    const Film b = render_frame(scene, tracks, frame, many);
+    for (const char* name : {"Z", "object_id", "motion.X", "motion.Y"}) {
+        EXPECT_EQ(plane(a, name), plane(b, name)) << name;
+    }
+}
+
+TEST(Aovs, MovingBox_HasItsWayInPixels) {
+    const SceneBuilder builder = wall_and_box();
+    const RenderSettings settings = with_all_aovs(1);
+    // 0.1 m to the right and 0.05 m up at 1.5 m (the box's front): in pixels of 2 tan(0.4) / 18.
+    const std::vector<sim::Track> tracks{
+        test::straight_track("box", Vec3(-0.05, 1.6, 0), Vec3(0.05, 1.6, 0.05), 0, 0.02)};
+    FrameInput frame = still_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
+    frame.scene_close = 0.02;
+    const Film film = render_frame(PreparedScene(builder.scene, settings), tracks, frame, settings);
+    const double pixel = 1.5 * 2 * std::tan(0.4) / 18;
+    ASSERT_EQ(plane(film, "object_id")[at(16, 8)], 2);
+    EXPECT_NEAR(plane(film, "motion.X")[at(16, 8)], 0.1 / pixel, 1e-3);
+    EXPECT_NEAR(plane(film, "motion.Y")[at(16, 8)], -0.05 / pixel, 1e-3);
+    EXPECT_EQ(plane(film, "motion.X")[at(1, 1)], 0);
+}
+
+TEST(Aovs, MovingCamera_MovesTheBackgroundToo) {
+    SceneBuilder builder;
+    builder.environment(1);
+    const RenderSettings settings = with_all_aovs(1);
+    FrameInput frame = still_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
+    frame.camera_close.target = Vec3(0.1, 1, 0);
+    frame.scene_close = 0.02;
+    const Film film = render_frame(PreparedScene(builder.scene, settings), {}, frame, settings);
+    EXPECT_LT(plane(film, "motion.X")[at(16, 9)], -1);
+    EXPECT_EQ(plane(film, "Z")[at(16, 9)], kFarDepth);
+    EXPECT_EQ(plane(film, "object_id")[at(16, 9)], 0);
+}
+
+TEST(Aovs, Variance_IsTheMeansAndFallsWithSamples) {
+    SceneBuilder builder;
+    builder.diffuse("wall", 0.5).environment(0.1).lamp(Vec3(0, 1, 1), 0.4, 0.4, 5);
+    builder.object("wall", BoxShape{Vec3(10, 0.2, 10)}, Vec3(0, 2.1, 0), "wall");
+    const FrameInput frame = still_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
+    const auto mean_variance = [&](int samples) {
+        const RenderSettings settings = with_all_aovs(samples);
+        const Film film = render_frame(PreparedScene(builder.scene, settings), {}, frame, settings);
+        double sum = 0;
+        for (const float v : plane(film, "variance")) {
+            EXPECT_GE(v, 0);
+            sum += v;
+        }
+        return sum;
+    };
+    const double ratio = mean_variance(16) / mean_variance(64);
+    EXPECT_GT(ratio, 3);
+    EXPECT_LT(ratio, 5.5);
+}
+
+}  // namespace
+}  // namespace carom::render

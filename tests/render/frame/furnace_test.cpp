@@ -1,0 +1,129 @@
+// Scenes whose light is known everywhere.
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "tests/render/scene_builder.h"
+
+namespace carom::render {
+namespace {
+
+using test::camera;
+using test::SceneBuilder;
+using test::small_settings;
+using test::still_frame;
+
+/// Radiance of the wall of a diffuse hollow sphere (radius 1) with a small black lamp of radius r
+/// in its middle, after at most `bounces` reflections from wall to wall. The lamp gives the wall
+/// the irradiance pi L r^2; of the wall's own light the share r^2 ends on the lamp.
+double hollow_sphere_radiance(double albedo, double lamp_radius, double radiance, int bounces) {
+    const double share = lamp_radius * lamp_radius;
+    double sum = 0;
+    double term = albedo * radiance * share;
+    for (int bounce = 0; bounce <= bounces; ++bounce) {
+        sum += term;
+        term *= albedo * (1 - share);
+    }
+    return sum;
+}
+
+double rendered_hollow_sphere(double albedo, int bounces, int samples) {
+    SceneBuilder builder;
+    builder.diffuse("wall", albedo).sphere("wall", 1, Vec3(0, 0, 0), "wall");
+    builder.bulb(Vec3(0, 0, 0), 0.1, 100);
+    RenderSettings settings = small_settings(32, 32, samples);
+    settings.max_bounces = bounces;
+    // Looking past the lamp at the wall.
+    const FrameInput frame = still_frame(camera(Vec3(0, -0.5, 0.3), Vec3(0, -0.9, 0.9), 0.6));
+    return test::mean_red(
+        render_frame(PreparedScene(builder.scene, settings), {}, frame, settings));
+}
+
+TEST(HollowSphere, LimitedBounces_SumTheGeometricSeries) {
+    for (const int bounces : {0, 1, 4}) {
+        const double exact = hollow_sphere_radiance(0.8, 0.1, 100, bounces);
+        EXPECT_NEAR(rendered_hollow_sphere(0.8, bounces, 16), exact, 0.005 * exact) << bounces;
+    }
+}
+
+TEST(HollowSphere, LongPathsUnderRoulette_ReachTheLimit) {
+    const double limit = hollow_sphere_radiance(0.8, 0.1, 100, 1000);
+    EXPECT_NEAR(rendered_hollow_sphere(0.8, 64, 16), limit, 0.01 * limit);
+}
+
+struct Look {
+    const char* name;
+    StandardMaterial material;
+};
+
+StandardMaterial white() {
+    StandardMaterial material;
+    material.base = Vec3(1, 1, 1);
+    return material;
+}
+
+/// A ball in a room that shines 1 from everywhere, as a picture.
+Film ball_in_furnace(const StandardMaterial& material, bool moving, double lens_radius) {
+    SceneBuilder builder;
+    builder.material("skin", material).environment(1);
+    builder.sphere("ball", 0.5, Vec3(0, 0, 0), "skin", "ball");
+    const RenderSettings settings = small_settings(24, 24, 64);
+    CameraState state = camera(Vec3(0, -3, 0), Vec3(0, 0, 0), 0.45);
+    state.lens_radius = lens_radius;
+    FrameInput frame = still_frame(state);
+    frame.scene_close = 0.02;
+    const std::vector<sim::Track> tracks{
+        moving ? test::straight_track("ball", Vec3(-0.3, 0, 0), Vec3(0.3, 0, 0), 0, 0.02)
+               : test::resting_track("ball", Vec3(0, 0, 0))};
+    return render_frame(PreparedScene(builder.scene, settings), tracks, frame, settings);
+}
+
+TEST(Furnace, WhiteBallUnderASmoothCoat_CannotBeSeen) {
+    // F + (1 - F) 1 = 1 whatever the angle: also while it moves and out of focus.
+    StandardMaterial coated = white();
+    coated.coat.weight = 1;
+    for (const bool moving : {false, true}) {
+        for (const double lens_radius : {0.0, 0.2}) {
+            const Film film = ball_in_furnace(coated, moving, lens_radius);
+            for (std::size_t i = 0; i < film.rgba.size(); i += 4) {
+                ASSERT_NEAR(film.rgba[i], 1, 2e-5f) << "moving " << moving;
+            }
+        }
+    }
+}
+
+TEST(Furnace, GreyDiffuseBall_ShowsItsAlbedoMovingAndOutOfFocus) {
+    StandardMaterial grey = white();
+    grey.base = Vec3(0.6, 0.6, 0.6);
+    for (const bool moving : {false, true}) {
+        for (const double lens_radius : {0.0, 0.2}) {
+            const Film film = ball_in_furnace(grey, moving, lens_radius);
+            for (std::size_t i = 0; i < film.rgba.size(); i += 4) {
+                const float coverage = film.rgba[i + 3];
+                ASSERT_NEAR(film.rgba[i], 0.6f * coverage + (1 - coverage), 2e-5f);
+            }
+        }
+    }
+}
+
+TEST(Furnace, EveryMaterial_GivesOffAtMostWhatItGets) {
+    StandardMaterial metal = white();
+    metal.metal = 1;
+    metal.roughness = 0.7;
+    StandardMaterial plastic = white();
+    plastic.specular = 1;
+    StandardMaterial cloth = white();
+    cloth.sheen = 1;
+    StandardMaterial lacquer = white();
+    lacquer.coat = {1, 1.5, 0.4};
+    for (const Look& look : {Look{"metal", metal}, Look{"plastic", plastic}, Look{"cloth", cloth},
+                             Look{"lacquer", lacquer}}) {
+        const Film film = ball_in_furnace(look.material, false, 0);
+        const double mean = test::mean_red(film);
+        EXPECT_LT(mean, 1.002) << look.name;
+        EXPECT_GT(mean, 0.95) << look.name;
+    }
+}
+
+}  // namespace
+}  // namespace carom::render

@@ -1,0 +1,198 @@
+#include <atomic>
+#include <stop_token>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include "render/frame/check_settings.h"
+#include "sim/timeline/error.h"
+#include "tests/render/scene_builder.h"
+
+namespace carom::render {
+namespace {
+
+using test::camera;
+using test::SceneBuilder;
+using test::small_settings;
+using test::still_frame;
+
+/// A bit of everything: moving coated balls, cloth, lamp, bulb, sky.
+SceneBuilder table() {
+    SceneBuilder builder;
+    StandardMaterial cloth;
+    cloth.base = ClothTexture{};
+    cloth.sheen = 0.3;
+    StandardMaterial ball;
+    ball.base = BallTexture{.colour = Vec3(0.8, 0.1, 0.1), .striped = true, .number = 11};
+    ball.coat.weight = 1;
+    builder.material("cloth", cloth).material("ball", ball);
+    builder.object("bed", PlaneShape{}, Vec3(0, 0, 0), "cloth");
+    builder.sphere("a", 0.03, Vec3(0, 0, 0), "ball", "a")
+        .sphere("b", 0.03, Vec3(0, 0, 0), "ball", "b");
+    builder.lamp(Vec3(0, 0, 1), 0.4, 0.2, 20).bulb(Vec3(0.5, 0.5, 0.6), 0.05, 30).environment(0.1);
+    return builder;
+}
+
+std::vector<sim::Track> table_tracks() {
+    return {test::straight_track("a", Vec3(-0.05, 0, 0.03), Vec3(0.02, 0, 0.03), 0, 0.02),
+            test::resting_track("b", Vec3(0.06, 0.05, 0.03))};
+}
+
+FrameInput table_frame() {
+    CameraState state = camera(Vec3(-0.1, -0.4, 0.2), Vec3(0, 0, 0.02), 0.6);
+    state.lens_radius = 0.004;
+    FrameInput frame = still_frame(state);
+    frame.scene_close = 0.02;
+    frame.switch_ratio = 0.2;
+    return frame;
+}
+
+std::string message_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(RenderFrame, OneThreadAndTwo_GiveTheSameBits) {
+    RenderSettings settings = small_settings(70, 41, 8);
+    settings.filter = PixelFilter::blackman_harris;
+    settings.filter_width = 1.5;
+    settings.aovs = {"depth", "normal", "albedo", "motion", "object_id", "variance"};
+    const PreparedScene scene(table().scene, settings);
+    const auto render_with = [&](int threads) {
+        tbb::task_arena arena(threads);
+        Film film;
+        arena.execute([&] { film = render_frame(scene, table_tracks(), table_frame(), settings); });
+        return film;
+    };
+    const Film one = render_with(1);
+    const Film two = render_with(2);
+    EXPECT_EQ(one.rgba, two.rgba);
+    ASSERT_EQ(one.aovs.size(), two.aovs.size());
+    for (std::size_t i = 0; i < one.aovs.size(); ++i) {
+        EXPECT_EQ(one.aovs[i].values, two.aovs[i].values) << one.aovs[i].name;
+    }
+    EXPECT_EQ(one.statistics.camera_rays, 70u * 41u * 8u);
+    EXPECT_EQ(one.statistics.scattered_rays, two.statistics.scattered_rays);
+    EXPECT_EQ(one.statistics.shadow_rays, two.statistics.shadow_rays);
+    for (const float value : one.rgba) {
+        ASSERT_TRUE(std::isfinite(value) && value >= 0);
+    }
+}
+
+TEST(RenderFrame, OtherSeed_IsOtherNoiseWithTheSameMean) {
+    const RenderSettings settings = small_settings(40, 24, 16);
+    const PreparedScene scene(table().scene, settings);
+    FrameInput frame = table_frame();
+    const Film a = render_frame(scene, table_tracks(), frame, settings);
+    frame.seed = 2;
+    const Film b = render_frame(scene, table_tracks(), frame, settings);
+    EXPECT_NE(a.rgba, b.rgba);
+    EXPECT_NEAR(test::mean_red(a), test::mean_red(b), 0.02 * test::mean_red(a));
+}
+
+TEST(RenderFrame, Progress_NeverFallsAndEndsAtOne) {
+    const RenderSettings settings = small_settings(64, 48, 1);
+    const PreparedScene scene(table().scene, settings);
+    double last = 0;
+    WorkContext context;
+    context.progress = [&](double share) {
+        EXPECT_GE(share, last);
+        last = share;
+    };
+    (void)render_frame(scene, table_tracks(), table_frame(), settings, context);
+    EXPECT_EQ(last, 1);
+}
+
+TEST(RenderFrame, StopRequested_ThrowsStopped) {
+    RenderSettings settings = small_settings(64, 48, 65536);
+    const PreparedScene scene(table().scene, settings);
+    std::stop_source source;
+    WorkContext context;
+    context.stop = source.get_token();
+    source.request_stop();
+    EXPECT_THROW((void)render_frame(scene, table_tracks(), table_frame(), settings, context),
+                 Stopped);
+}
+
+TEST(RenderFrame, StopRequestedWhileRendering_EndsSoon) {
+    // Hours of work if it were not stopped.
+    RenderSettings settings = small_settings(640, 480, 65536);
+    const PreparedScene scene(table().scene, settings);
+    std::stop_source source;
+    WorkContext context;
+    context.stop = source.get_token();
+    std::jthread stopper([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        source.request_stop();
+    });
+    EXPECT_THROW((void)render_frame(scene, table_tracks(), table_frame(), settings, context),
+                 Stopped);
+}
+
+TEST(RenderFrame, EmptyScene_IsBlackAndTransparent) {
+    const RenderSettings settings = small_settings(17, 3, 2);
+    const Film film =
+        render_frame(PreparedScene({}, settings), {}, still_frame(CameraState{}), settings);
+    ASSERT_EQ(film.rgba.size(), 17u * 3u * 4u);
+    for (const float value : film.rgba) {
+        EXPECT_EQ(value, 0);
+    }
+}
+
+TEST(RenderFrame, Clamp_BoundsIndirectLightAndNothingElse) {
+    SceneBuilder builder;
+    builder.diffuse("wall", 0.8).sphere("wall", 1, Vec3(0, 0, 0), "wall");
+    builder.bulb(Vec3(0, 0, 0), 0.1, 100);
+    RenderSettings settings = small_settings(8, 8, 8);
+    const FrameInput frame = still_frame(camera(Vec3(0, -0.5, 0.3), Vec3(0, -0.9, 0.9), 0.6));
+    const PreparedScene scene(builder.scene, settings);
+    settings.max_bounces = 0;
+    const double direct = test::mean_red(render_frame(scene, {}, frame, settings));
+    settings.max_bounces = 4;
+    settings.clamp = 0.01;
+    const double clamped = test::mean_red(render_frame(scene, {}, frame, settings));
+    EXPECT_GT(clamped, direct);
+    EXPECT_LE(clamped, direct + 0.0101);
+}
+
+TEST(RenderFrame, UnknownMaterial_IsAnErrorThatNamesIt) {
+    SceneBuilder builder;
+    builder.sphere("ball", 1, Vec3(0, 0, 0), "velvet");
+    EXPECT_THAT(message_of([&] { PreparedScene(builder.scene, RenderSettings{}); }),
+                testing::HasSubstr("'velvet'"));
+}
+
+TEST(RenderFrame, MaterialGivenTwice_IsAnErrorThatNamesIt) {
+    SceneBuilder builder;
+    builder.diffuse("felt", 0.5).diffuse("felt", 0.6);
+    EXPECT_EQ(message_of([&] { PreparedScene(builder.scene, RenderSettings{}); }),
+              "the scene has two materials of the name 'felt'");
+}
+
+TEST(RenderFrame, MissingTrack_IsAnErrorThatNamesIt) {
+    const RenderSettings settings = small_settings(16, 16, 1);
+    const PreparedScene scene(table().scene, settings);
+    EXPECT_THAT(message_of([&] { (void)render_frame(scene, {}, table_frame(), settings); }),
+                testing::HasSubstr("'a'"));
+}
+
+TEST(RenderFrame, UnusableSettings_AreAllNamedInOneSentence) {
+    RenderSettings settings = small_settings(0, 16, 0);
+    settings.aovs = {"depht"};
+    FrameInput frame = table_frame();
+    frame.switch_ratio = 1.5;
+    const PreparedScene scene(table().scene, settings);
+    EXPECT_EQ(
+        message_of([&] { (void)render_frame(scene, {}, frame, settings); }),
+        "the frame cannot be rendered: width is 0; it must lie between 1 and 16384; samples "
+        "is 0; it must lie between 1 and 65536; there is no AOV 'depht'; switch_ratio is 1.5; "
+        "it must lie between 0 and 1");
+}
+
+}  // namespace
+}  // namespace carom::render
