@@ -18,9 +18,11 @@ namespace carom::pipeline {
 
 /// Told by a job as it goes; every call comes from one thread at a time.
 struct JobObserver {
-    std::function<void(std::string_view stage, double share)>
-        on_progress{};  // "bake", "render", "encode"
+    /// "bake", "render", "encode", one after the other; shares never decrease. Encoding goes on
+    /// beside rendering but is told of only when that is over.
+    std::function<void(std::string_view stage, double share)> on_progress{};
     std::function<void(const std::string& message)> on_warning{};
+    /// Once for every frame of the job, in the order in which they are finished.
     std::function<void(std::int64_t frame, bool from_store, double seconds, std::uint64_t rays)>
         on_frame{};
 };
@@ -28,17 +30,18 @@ struct JobObserver {
 struct FilmJobOptions {
     std::string output;        // path of the video
     FrameRange frames;         // empty: all
-    std::string cache_folder;  // of bakes and frames
+    std::string cache_folder;  // of bakes and frames; empty: default_cache_folder()
     int threads = 0;           // 0: as many as there are processors
 };
 
 struct FilmJobResult {
     std::int64_t frames = 0;
-    std::int64_t rendered = 0;  // the others came from the store
-    bool baked = false;         // false: the kept bake fitted
+    std::int64_t rendered = 0;  // the others came from the store, or show what one of these does
 };
 
-/// The kept bake if its physics hash fits, else a new one, which is kept. Throws Error, Stopped.
+/// The kept bake if its physics hash fits, else a new one, which is kept; with this shot's text and
+/// assets. A kept bake that is damaged is replaced; what the simulation warned of is told again.
+/// Throws Error, Stopped.
 [[nodiscard]] sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
                                       const JobObserver& observer, std::stop_token stop,
                                       bool* baked = nullptr);

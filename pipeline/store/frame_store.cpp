@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <thread>
 #include <utility>
@@ -18,11 +17,6 @@ namespace carom::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string environment(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? std::string() : std::string(value);
-}
 
 // Unique among all writers that live now on this machine and, through the key, almost surely
 // among those on others.
@@ -77,20 +71,6 @@ bool locks_work(const std::string& folder) {
 }
 
 }  // namespace
-
-std::string default_cache_folder() {
-    if (const std::string own = environment("CAROM_CACHE"); !own.empty()) {
-        return own;
-    }
-    if (const std::string shared = environment("XDG_CACHE_HOME"); !shared.empty()) {
-        return shared + "/carom";
-    }
-    const std::string home = environment("HOME");
-    if (home.empty()) {
-        throw Error("there is no place for the cache: set CAROM_CACHE, XDG_CACHE_HOME or HOME");
-    }
-    return home + "/.cache/carom";
-}
 
 FrameStore::FrameStore(std::string folder) : folder_(std::move(folder)) {
     create_folder(folder_);

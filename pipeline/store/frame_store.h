@@ -5,14 +5,12 @@
 #include <optional>
 #include <string>
 
+#include "pipeline/store/cache_folder.h"
 #include "render/film/film.h"
 #include "render/film/image_file.h"
 #include "sim/timeline/hash.h"
 
 namespace carom::pipeline {
-
-/// $CAROM_CACHE, else $XDG_CACHE_HOME/carom, else ~/.cache/carom.
-[[nodiscard]] std::string default_cache_folder();
 
 /// Held while a frame is being rendered; releases its lock when destroyed (also when the process
 /// is killed).

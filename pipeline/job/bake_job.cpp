@@ -1,0 +1,103 @@
+// The bake of a shot, kept under its physics hash.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
+
+#include "pipeline/job/film_job.h"
+#include "pipeline/store/cache_folder.h"
+#include "sim/bake.h"
+#include "sim/timeline/atomic_file.h"
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+void warn(const JobObserver& observer, const std::string& message) {
+    if (observer.on_warning) {
+        observer.on_warning(message);
+    }
+}
+
+// What the simulation warned of is kept beside the bake, one line each, so that it is heard again.
+std::string warnings_path(const std::string& bake_path) {
+    return bake_path + ".warnings";
+}
+
+std::optional<sim::Bake> read_kept(const std::string& path, const Hash128& physics_hash,
+                                   const JobObserver& observer) {
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) {
+        return std::nullopt;
+    }
+    try {
+        sim::Bake bake = sim::read_bake(path);
+        if (bake.physics_hash == physics_hash) {
+            std::ifstream warnings(warnings_path(path));
+            for (std::string line; std::getline(warnings, line);) {
+                warn(observer, line);
+            }
+            return bake;
+        }
+        warn(observer, "'" + path + "' is the bake of another shot; baking again");
+    } catch (const Error& error) {
+        warn(observer, std::string("the kept bake cannot be used, baking again: ") + error.what());
+    }
+    return std::nullopt;
+}
+
+void keep(const sim::Bake& bake, const std::vector<std::string>& warnings,
+          const std::string& path) {
+    std::error_code failure;
+    fs::create_directories(fs::path(path).parent_path(), failure);
+    if (failure) {
+        throw Error("'" + fs::path(path).parent_path().string() +
+                    "': the folder cannot be made: " + failure.message());
+    }
+    std::string lines;
+    for (const std::string& warning : warnings) {
+        lines += warning + "\n";
+    }
+    // First, so that a bake is never without its warnings.
+    write_file_atomically(warnings_path(path), std::as_bytes(std::span<const char>(lines)));
+    sim::write_bake(bake, path);
+}
+
+}  // namespace
+
+sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
+                        const JobObserver& observer, std::stop_token stop, bool* baked) {
+    const Hash128 physics_hash = sim::physics_hash(shot.world);
+    const std::string cache = cache_folder.empty() ? default_cache_folder() : cache_folder;
+    const std::string path = cache + "/bakes/" + physics_hash.to_string() + ".bake";
+    std::optional<sim::Bake> kept = read_kept(path, physics_hash, observer);
+    if (baked != nullptr) {
+        *baked = !kept;
+    }
+    if (kept) {
+        // Shots that differ in their look alone share a bake.
+        kept->shot_text = shot.resolved_text;
+        kept->assets = shot.assets;
+        return std::move(*kept);
+    }
+    WorkContext context;
+    context.stop = std::move(stop);
+    if (observer.on_progress) {
+        context.progress = [&observer](double share) { observer.on_progress("bake", share); };
+    }
+    sim::BakeResult result = sim::bake(shot.world, context);
+    for (const std::string& warning : result.warnings) {
+        warn(observer, warning);
+    }
+    sim::Bake bake{std::move(result.timeline), physics_hash, shot.resolved_text, shot.assets};
+    try {
+        keep(bake, result.warnings, path);
+    } catch (const Error& error) {
+        warn(observer, std::string("the bake is not kept for next time: ") + error.what());
+    }
+    return bake;
+}
+
+}  // namespace carom::pipeline

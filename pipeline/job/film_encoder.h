@@ -1,0 +1,20 @@
+// The encoding side of a job: from stored pictures to a video.
+#pragma once
+
+#include <stop_token>
+#include <string>
+
+#include "pipeline/job/film_plan.h"
+#include "pipeline/job/observer_gate.h"
+#include "pipeline/job/picture_board.h"
+#include "pipeline/store/frame_store.h"
+
+namespace carom::pipeline {
+
+/// Takes the film's frames in order as soon as the board announces them, always as the store holds
+/// them. The video at `path` appears whole or not at all. Throws Error, Stopped.
+void encode_film(const Shot& shot, const FilmPlan& plan, const FrameStore& store,
+                 PictureBoard& board, const std::string& path, ObserverGate& observer,
+                 const std::stop_token& stop);
+
+}  // namespace carom::pipeline

@@ -1,0 +1,127 @@
+#include "pipeline/job/film_pipeline.h"
+
+#include <exception>
+#include <thread>
+
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/job/film_encoder.h"
+#include "pipeline/job/picture_supply.h"
+#include "pipeline/store/cache_folder.h"
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+namespace {
+
+std::string frames_folder(const FilmJobOptions& options) {
+    const std::string& cache = options.cache_folder;
+    return (cache.empty() ? default_cache_folder() : cache) + "/frames";
+}
+
+FrameStore open_store(const FilmJobOptions& options, ObserverGate& observer) {
+    FrameStore store(frames_folder(options));
+    if (!store.can_claim()) {
+        observer.warning("the cache '" + frames_folder(options) +
+                         "' cannot be locked; a second process would render the same frames again");
+    }
+    return store;
+}
+
+// The encoder on a thread of its own. Whichever side fails stops the other.
+class EncoderThread {
+  public:
+    template <class Work>
+    EncoderThread(PictureBoard& board, std::stop_source& stop, Work work)
+        : thread_([this, &board, &stop, work] {
+              try {
+                  work();
+                  is_complete_ = true;
+              } catch (...) {
+                  failure_ = std::current_exception();
+                  stop.request_stop();
+              }
+              board.reader_done();
+          }) {}
+
+    /// Waits for the end. What the encoder threw is thrown here, unless it was only stopped.
+    void join() {
+        thread_.join();
+        try {
+            if (failure_) {
+                std::rethrow_exception(failure_);
+            }
+        } catch (const Stopped&) {
+            is_complete_ = false;
+        }
+    }
+
+    /// Whether the video is in its place.
+    [[nodiscard]] bool is_complete() const { return is_complete_; }
+
+  private:
+    std::exception_ptr failure_;
+    bool is_complete_ = false;
+    std::thread thread_;
+};
+
+}  // namespace
+
+FilmJobResult make_film_with(const RenderFunction& render, const Shot& shot,
+                             const sim::Timeline& timeline, const FilmJobOptions& options,
+                             const JobObserver& observer, std::stop_token stop) {
+    const std::int64_t count = frame_count(shot.cameras, shot.timing);
+    const std::vector<std::int64_t> frames = options.frames.frames(count);
+    if (frames.empty()) {
+        throw Error("none of the film's " + std::to_string(count) + " frames is asked for");
+    }
+    ObserverGate gate(observer);
+    const FrameStore store = open_store(options, gate);
+    const FilmSource source(shot, timeline);
+    const FilmPlan plan = plan_film(source, frames, stop);
+
+    std::stop_source job_stop;
+    const std::stop_callback pass_on(stop, [&job_stop] { job_stop.request_stop(); });
+    PictureBoard board(plan.pictures.size());
+    PictureMaker maker(source, store, render);
+    PictureSupply supply(plan, maker, board, gate);
+    EncoderThread encoder(board, job_stop, [&] {
+        encode_film(shot, plan, store, board, options.output, gate, job_stop.get_token());
+    });
+    std::exception_ptr failure;
+    try {
+        supply.run(job_stop.get_token());
+    } catch (...) {
+        failure = std::current_exception();
+        job_stop.request_stop();
+    }
+    encoder.join();  // its failure is the cause if both failed
+    if (!encoder.is_complete()) {
+        failure ? std::rethrow_exception(failure) : throw Stopped();
+    }
+    return {static_cast<std::int64_t>(frames.size()), supply.rendered()};
+}
+
+render::Film make_frame_with(const RenderFunction& render, const Shot& shot,
+                             const sim::Timeline& timeline, std::int64_t frame,
+                             const FilmJobOptions& options, const JobObserver& observer,
+                             std::stop_token stop) {
+    ObserverGate gate(observer);
+    const FrameStore store = open_store(options, gate);
+    const FilmSource source(shot, timeline);
+    const FilmPlan plan = plan_film(source, {frame}, stop);
+    PictureBoard board(1);
+    board.reader_done();
+    PictureMaker maker(source, store, render);
+    PictureSupply(plan, maker, board, gate).run(stop);
+    if (std::optional<render::Film> film = store.read(plan.pictures[0].key)) {
+        return std::move(*film);
+    }
+    // What was kept is damaged, and removed by now.
+    PictureSupply(plan, maker, board, gate).run(stop);
+    if (std::optional<render::Film> film = store.read(plan.pictures[0].key)) {
+        return std::move(*film);
+    }
+    throw Error("frame " + std::to_string(frame) +
+                " was rendered, but the cache does not hold it whole");
+}
+
+}  // namespace carom::pipeline

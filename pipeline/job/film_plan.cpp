@@ -1,0 +1,42 @@
+#include "pipeline/job/film_plan.h"
+
+#include <map>
+
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/store/frame_key.h"
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+
+FilmSource::FilmSource(const Shot& shot, const sim::Timeline& timeline)
+    : shot_(shot), timeline_(timeline), scene_hash_(hash_scene(shot.scene)) {}
+
+FrameInputs FilmSource::inputs(std::int64_t frame) const {
+    const PlannedFrame planned = plan_frame(frame, shot_.cameras, shot_.timing, timeline_);
+    return frame_inputs(planned, shot_.timing.shutter, shot_.scene, timeline_);
+}
+
+Hash128 FilmSource::key(const FrameInputs& inputs) const {
+    return frame_key(inputs, shot_.scene, scene_hash_, shot_.render);
+}
+
+FilmPlan plan_film(const FilmSource& source, const std::vector<std::int64_t>& frames,
+                   const std::stop_token& stop) {
+    FilmPlan plan;
+    std::map<Hash128, std::size_t> known;
+    for (const std::int64_t frame : frames) {
+        if (stop.stop_requested()) {
+            throw Stopped();
+        }
+        const Hash128 key = source.key(source.inputs(frame));
+        const auto [place, is_new] = known.emplace(key, plan.pictures.size());
+        if (is_new) {
+            plan.pictures.push_back({key, {}});
+        }
+        plan.pictures[place->second].frames.push_back(frame);
+        plan.picture_of.push_back(place->second);
+    }
+    return plan;
+}
+
+}  // namespace carom::pipeline

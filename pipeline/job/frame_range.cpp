@@ -1,0 +1,99 @@
+#include "pipeline/job/frame_range.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(' ');
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+// Digits from the front of `text`, which is shortened by them.
+bool take_number(std::string_view& text, std::int64_t& value) {
+    if (text.empty() || text.front() < '0' || text.front() > '9') {
+        return false;
+    }
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc()) {
+        return false;
+    }
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return true;
+}
+
+bool take(std::string_view& text, char letter) {
+    if (text.empty() || text.front() != letter) {
+        return false;
+    }
+    text.remove_prefix(1);
+    return true;
+}
+
+FrameRange::Stretch parse_stretch(std::string_view part) {
+    const std::string quoted = "'" + std::string(part) + "'";
+    FrameRange::Stretch stretch;
+    bool readable = take_number(part, stretch.first);
+    stretch.last = stretch.first;
+    if (readable && take(part, '-')) {
+        readable = take_number(part, stretch.last);
+        if (readable && take(part, 'x')) {
+            readable = take_number(part, stretch.step);
+        }
+    }
+    if (!readable || !part.empty()) {
+        throw Error("cannot read the frames " + quoted +
+                    "; write a frame (12), a stretch (0-47) or every n-th of one (0-47x2)");
+    }
+    if (stretch.last < stretch.first) {
+        throw Error("the frames " + quoted + " go backwards; write the smaller number first");
+    }
+    if (stretch.step < 1) {
+        throw Error("the frames " + quoted + " have a step of 0; it must be at least 1");
+    }
+    return stretch;
+}
+
+}  // namespace
+
+std::vector<std::int64_t> FrameRange::frames(std::int64_t count) const {
+    std::vector<Stretch> wanted = stretches;
+    if (wanted.empty()) {
+        wanted.push_back({0, count - 1, 1});
+    }
+    std::vector<std::int64_t> numbers;
+    for (const Stretch& stretch : wanted) {
+        const std::int64_t last = std::min(stretch.last, count - 1);
+        for (std::int64_t number = stretch.first; number <= last; number += stretch.step) {
+            numbers.push_back(number);
+            if (stretch.step > last - number) {
+                break;  // before the sum overflows
+            }
+        }
+    }
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
+}
+
+FrameRange parse_frame_range(std::string_view text) {
+    FrameRange range;
+    std::string_view rest = text;
+    while (true) {
+        const std::size_t comma = rest.find(',');
+        range.stretches.push_back(parse_stretch(trimmed(rest.substr(0, comma))));
+        if (comma == std::string_view::npos) {
+            return range;
+        }
+        rest.remove_prefix(comma + 1);
+    }
+}
+
+}  // namespace carom::pipeline

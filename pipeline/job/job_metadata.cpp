@@ -1,0 +1,56 @@
+#include "pipeline/job/job_metadata.h"
+
+#include <array>
+#include <cstdio>
+
+#include "pipeline/camera/frame_plan.h"
+#include "render/frame/frame.h"
+
+namespace carom::pipeline {
+namespace {
+
+std::string number_text(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.9g", value);
+    return text.data();
+}
+
+// "off", or the radiance above which indirect light was cut: such pictures are darker than true.
+std::string clamp_text(double clamp) {
+    return clamp > 0 ? number_text(clamp) : "off";
+}
+
+std::map<std::string, std::string> render_metadata(const Shot& shot) {
+    return {{"carom_version", CAROM_VERSION},
+            {"renderer_revision", std::to_string(render::kRendererRevision)},
+            {"integrator", "path"},
+            {"samples", std::to_string(shot.render.samples)},
+            {"max_bounces", std::to_string(shot.render.max_bounces)},
+            {"clamp", clamp_text(shot.render.clamp)}};
+}
+
+}  // namespace
+
+render::ImageMetadata stored_frame_metadata(const Shot& shot) {
+    return render_metadata(shot);
+}
+
+render::ImageMetadata exported_frame_metadata(const Shot& shot, const sim::Timeline& timeline,
+                                              std::int64_t frame) {
+    const PlannedFrame planned = plan_frame(frame, shot.cameras, shot.timing, timeline);
+    render::ImageMetadata metadata = render_metadata(shot);
+    metadata["shot"] = shot.name;
+    metadata["camera"] = planned.rig;
+    metadata["frame"] = std::to_string(frame);
+    metadata["video_time"] = number_text(planned.video_time);
+    metadata["scene_time"] = number_text(planned.scene_time);
+    return metadata;
+}
+
+std::map<std::string, std::string> video_metadata(const Shot& shot) {
+    std::map<std::string, std::string> metadata = render_metadata(shot);
+    metadata["title"] = shot.name;
+    return metadata;
+}
+
+}  // namespace carom::pipeline

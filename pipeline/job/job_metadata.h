@@ -1,0 +1,24 @@
+// What files say about how they were made.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "pipeline/shot/shot.h"
+#include "render/film/image_file.h"
+
+namespace carom::pipeline {
+
+/// Of a stored frame: only what belongs to its key, since many films may share it.
+[[nodiscard]] render::ImageMetadata stored_frame_metadata(const Shot& shot);
+
+/// Of a frame written for its own sake: with the shot, its number, camera and times.
+[[nodiscard]] render::ImageMetadata exported_frame_metadata(const Shot& shot,
+                                                            const sim::Timeline& timeline,
+                                                            std::int64_t frame);
+
+/// Of a video: the shot's name and the settings that a viewer may ask about.
+[[nodiscard]] std::map<std::string, std::string> video_metadata(const Shot& shot);
+
+}  // namespace carom::pipeline

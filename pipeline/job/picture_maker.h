@@ -1,0 +1,40 @@
+// One picture: from the store, or rendered under a claim and stored.
+#pragma once
+
+#include <cstdint>
+
+#include "pipeline/job/film_plan.h"
+#include "pipeline/job/scene_renderer.h"
+#include "pipeline/store/frame_store.h"
+
+namespace carom::pipeline {
+
+enum class PictureOrigin {
+    stored,    // was there
+    rendered,  // now
+    held,      // another process is at it: come back later
+};
+
+struct MadePicture {
+    PictureOrigin origin = PictureOrigin::held;
+    double seconds = 0;      // spent rendering
+    std::uint64_t rays = 0;  // of all kinds
+};
+
+/// For one thread at a time. Refers to its arguments.
+class PictureMaker {
+  public:
+    PictureMaker(const FilmSource& source, const FrameStore& store, RenderFunction render)
+        : source_(source), store_(store), render_(std::move(render)) {}
+
+    /// Sees to it that the store has the picture, unless another process is about to. Throws Error,
+    /// Stopped.
+    MadePicture make(const FilmPlan::Picture& picture, const WorkContext& context);
+
+  private:
+    const FilmSource& source_;
+    const FrameStore& store_;
+    RenderFunction render_;
+};
+
+}  // namespace carom::pipeline

@@ -1,0 +1,95 @@
+#include "pipeline/job/picture_supply.h"
+
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+namespace {
+
+constexpr std::chrono::milliseconds kPollHeld{50};  // how soon another's picture is noticed
+constexpr int kMostRepairs = 3;
+
+}  // namespace
+
+void PictureSupply::run(const std::stop_token& stop) {
+    std::size_t next = 0;
+    while (true) {
+        if (stop.stop_requested()) {
+            throw Stopped();
+        }
+        if (const std::optional<std::size_t> broken = board_.take_request()) {
+            repair(*broken, stop);
+        } else if (try_held(stop)) {
+            continue;
+        } else if (next < plan_.pictures.size()) {
+            if (!try_make(next, stop)) {
+                held_.push_back(next);
+            }
+            ++next;
+        } else if (!held_.empty()) {
+            board_.wait_for_request(kPollHeld, stop);
+        } else if (board_.reader_is_done()) {
+            return;
+        } else {
+            board_.wait_for_reader(stop);
+        }
+    }
+}
+
+bool PictureSupply::try_make(std::size_t picture, const std::stop_token& stop) {
+    WorkContext context;
+    context.stop = stop;
+    context.progress = [this](double share) {
+        constexpr double rendering = 0.999;  // storing is the rest
+        observer_.render_progress((static_cast<double>(reported_frames_) + share * rendering) /
+                                  static_cast<double>(plan_.picture_of.size()));
+    };
+    const MadePicture made = maker_.make(plan_.pictures[picture], context);
+    if (made.origin == PictureOrigin::held) {
+        return false;
+    }
+    rendered_ += made.origin == PictureOrigin::rendered ? 1 : 0;
+    report(picture, made);
+    board_.mark_ready(picture);
+    return true;
+}
+
+bool PictureSupply::try_held(const std::stop_token& stop) {
+    for (auto it = held_.begin(); it != held_.end(); ++it) {
+        if (try_make(*it, stop)) {
+            held_.erase(it);
+            return true;
+        }
+    }
+    return false;
+}
+
+void PictureSupply::repair(std::size_t picture, const std::stop_token& stop) {
+    const FilmPlan::Picture& broken = plan_.pictures[picture];
+    ++repairs_[picture];
+    if (repairs_[picture] > kMostRepairs) {
+        throw Error("frame " + std::to_string(broken.frames.front()) +
+                    " was rendered several times, but the cache never holds it whole");
+    }
+    if (!try_make(picture, stop)) {
+        held_.push_front(picture);
+    }
+}
+
+// Every frame of the film is told of once, also if its picture is made again later.
+void PictureSupply::report(std::size_t picture, const MadePicture& made) {
+    if (is_reported_[picture]) {
+        return;
+    }
+    is_reported_[picture] = true;
+    bool from_store = made.origin == PictureOrigin::stored;
+    for (const std::int64_t frame : plan_.pictures[picture].frames) {
+        observer_.frame(frame, from_store, from_store ? 0 : made.seconds,
+                        from_store ? 0 : made.rays);
+        from_store = true;  // the others show what is there by now
+        ++reported_frames_;
+    }
+    observer_.render_progress(static_cast<double>(reported_frames_) /
+                              static_cast<double>(plan_.picture_of.size()));
+}
+
+}  // namespace carom::pipeline

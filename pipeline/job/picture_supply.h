@@ -1,0 +1,51 @@
+// The rendering side of a job: sees to it that the store has every picture.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "pipeline/job/film_plan.h"
+#include "pipeline/job/observer_gate.h"
+#include "pipeline/job/picture_board.h"
+#include "pipeline/job/picture_maker.h"
+
+namespace carom::pipeline {
+
+/// Goes through the pictures in order of first use. One that another process is rendering is left
+/// for later; one that the encoder cannot read is made again at once. Refers to its arguments.
+class PictureSupply {
+  public:
+    PictureSupply(const FilmPlan& plan, PictureMaker& maker, PictureBoard& board,
+                  ObserverGate& observer)
+        : plan_(plan),
+          maker_(maker),
+          board_(board),
+          observer_(observer),
+          is_reported_(plan.pictures.size(), false),
+          repairs_(plan.pictures.size(), 0) {}
+
+    /// Returns when the reader of the board is done. Throws Error, Stopped.
+    void run(const std::stop_token& stop);
+
+    /// How many pictures were rendered, not found.
+    [[nodiscard]] std::int64_t rendered() const { return rendered_; }
+
+  private:
+    [[nodiscard]] bool try_make(std::size_t picture, const std::stop_token& stop);
+    [[nodiscard]] bool try_held(const std::stop_token& stop);
+    void repair(std::size_t picture, const std::stop_token& stop);
+    void report(std::size_t picture, const MadePicture& made);
+
+    const FilmPlan& plan_;
+    PictureMaker& maker_;
+    PictureBoard& board_;
+    ObserverGate& observer_;
+    std::deque<std::size_t> held_;  // by other processes
+    std::vector<bool> is_reported_;
+    std::vector<int> repairs_;
+    std::int64_t reported_frames_ = 0;
+    std::int64_t rendered_ = 0;
+};
+
+}  // namespace carom::pipeline

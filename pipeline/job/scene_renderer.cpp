@@ -1,0 +1,43 @@
+#include "pipeline/job/scene_renderer.h"
+
+#include <memory>
+#include <optional>
+
+#include <tbb/task_arena.h>
+
+#include "render/frame/frame.h"
+
+namespace carom::pipeline {
+namespace {
+
+class SceneRenderer {
+  public:
+    SceneRenderer(const Shot& shot, int threads)
+        : shot_(shot), arena_(threads > 0 ? threads : tbb::task_arena::automatic) {}
+
+    render::Film render(const FrameInputs& inputs, const WorkContext& context) {
+        return arena_.execute([&] {
+            if (!scene_) {
+                scene_.emplace(shot_.scene, shot_.render);
+            }
+            return render::render_frame(*scene_, inputs.tracks, inputs.frame, shot_.render,
+                                        context);
+        });
+    }
+
+  private:
+    const Shot& shot_;
+    tbb::task_arena arena_;
+    std::optional<render::PreparedScene> scene_;
+};
+
+}  // namespace
+
+RenderFunction make_scene_renderer(const Shot& shot, int threads) {
+    const auto renderer = std::make_shared<SceneRenderer>(shot, threads);
+    return [renderer](const FrameInputs& inputs, const WorkContext& context) {
+        return renderer->render(inputs, context);
+    };
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,31 @@
+#include "pipeline/store/cache_folder.h"
+
+#include <cstdlib>
+
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+namespace {
+
+std::string environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? std::string() : std::string(value);
+}
+
+}  // namespace
+
+std::string default_cache_folder() {
+    if (const std::string own = environment("CAROM_CACHE"); !own.empty()) {
+        return own;
+    }
+    if (const std::string shared = environment("XDG_CACHE_HOME"); !shared.empty()) {
+        return shared + "/carom";
+    }
+    const std::string home = environment("HOME");
+    if (home.empty()) {
+        throw Error("there is no place for the cache: set CAROM_CACHE, XDG_CACHE_HOME or HOME");
+    }
+    return home + "/.cache/carom";
+}
+
+}  // namespace carom::pipeline

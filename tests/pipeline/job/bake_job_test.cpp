@@ -1,0 +1,151 @@
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "pipeline/job/film_job.h"
+#include "sim/bake.h"
+#include "sim/timeline/error.h"
+#include "tests/pipeline/job/tiny_shot.h"
+#include "tests/pipeline/video/scratch_folder.h"
+
+namespace carom::pipeline {
+namespace {
+
+using carom::testing::read_text;
+using carom::testing::ScratchFolder;
+using carom::testing::write_text;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// One ball on the cloth, struck too far off centre, of which the simulation warns.
+Shot make_shot() {
+    Shot shot = carom::testing::tiny_shot();
+    shot.resolved_text = "carom: 1";
+    shot.world.duration = 0.2;
+    sim::Body ball;
+    ball.name = "cue";
+    ball.pose.position = {0, 0, 0.028575};
+    shot.world.table.emplace();
+    shot.world.table->kind = sim::billiards::TableKind::cloth;
+    shot.world.table->has_cushions = false;
+    shot.world.bodies = {ball};
+    sim::ForceEvent event;
+    event.object = "cue";
+    sim::Strike strike;
+    strike.speed = 1;
+    strike.direction = 0;
+    strike.tip = {0.6, 0};
+    event.action = strike;
+    shot.world.events = {event};
+    return shot;
+}
+
+struct Baking {
+    sim::Bake bake;
+    bool baked = false;
+    std::vector<std::string> warnings;
+    double last_share = -1;
+};
+
+Baking run(const Shot& shot, const std::string& cache) {
+    Baking result;
+    JobObserver observer;
+    observer.on_warning = [&](const std::string& text) { result.warnings.push_back(text); };
+    observer.on_progress = [&](std::string_view stage, double share) {
+        EXPECT_EQ(stage, "bake");
+        result.last_share = share;
+    };
+    result.bake = bake_or_reuse(shot, cache, observer, {}, &result.baked);
+    return result;
+}
+
+std::string bake_path(const Shot& shot, const std::string& cache) {
+    return cache + "/bakes/" + sim::physics_hash(shot.world).to_string() + ".bake";
+}
+
+TEST(BakeJob, SecondTime_TakesTheKeptBakeAndWarnsAgain) {
+    const ScratchFolder cache;
+    const Shot shot = make_shot();
+    const Baking first = run(shot, cache.path());
+    EXPECT_TRUE(first.baked);
+    EXPECT_EQ(first.last_share, 1);
+    ASSERT_EQ(first.warnings.size(), 1u);
+    EXPECT_EQ(first.bake.shot_text, "carom: 1");
+    const Baking second = run(shot, cache.path());
+    EXPECT_FALSE(second.baked);
+    EXPECT_EQ(second.last_share, -1);
+    EXPECT_EQ(second.bake, first.bake);
+    EXPECT_EQ(second.warnings, first.warnings);
+}
+
+TEST(BakeJob, ChangeOfLook_KeepsTheBakeWithTheNewText) {
+    const ScratchFolder cache;
+    Shot shot = make_shot();
+    const Baking first = run(shot, cache.path());
+    shot.resolved_text = "carom: 1  # brighter";
+    shot.render.samples = 99;
+    const Baking second = run(shot, cache.path());
+    EXPECT_FALSE(second.baked);
+    EXPECT_EQ(second.bake.shot_text, shot.resolved_text);
+    EXPECT_EQ(second.bake.timeline, first.bake.timeline);
+}
+
+TEST(BakeJob, ChangeOfPhysics_BakesAgain) {
+    const ScratchFolder cache;
+    Shot shot = make_shot();
+    (void)run(shot, cache.path());
+    shot.world.gravity = {0, 0, -1.62};
+    EXPECT_TRUE(run(shot, cache.path()).baked);
+}
+
+TEST(BakeJob, DamagedBake_IsReplaced) {
+    const ScratchFolder cache;
+    const Shot shot = make_shot();
+    const Baking first = run(shot, cache.path());
+    const std::string path = bake_path(shot, cache.path());
+    const std::string whole = read_text(path);
+    std::string damaged = whole;
+    damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 4);
+    for (const std::string& text : {damaged, whole.substr(0, whole.size() / 3), std::string()}) {
+        write_text(path, text);
+        const Baking again = run(shot, cache.path());
+        EXPECT_TRUE(again.baked);
+        EXPECT_EQ(again.bake, first.bake);
+        EXPECT_THAT(again.warnings, ElementsAre(HasSubstr("cannot be used, baking again: "),
+                                                first.warnings.front()));
+        EXPECT_EQ(read_text(path), whole);
+    }
+}
+
+TEST(BakeJob, BakeOfAnotherShot_IsNotBelieved) {
+    const ScratchFolder cache;
+    Shot shot = make_shot(), other = make_shot();
+    other.world.gravity = {0, 0, -1.62};
+    (void)run(shot, cache.path());
+    (void)run(other, cache.path());
+    std::filesystem::copy_file(bake_path(other, cache.path()), bake_path(shot, cache.path()),
+                               std::filesystem::copy_options::overwrite_existing);
+    EXPECT_TRUE(run(shot, cache.path()).baked);
+    EXPECT_FALSE(run(shot, cache.path()).baked);
+}
+
+TEST(BakeJob, CacheThatCannotBeWritten_StillGivesTheBake) {
+    const ScratchFolder cache;
+    write_text(cache.path("bakes"), "in the way");
+    const Baking result = run(make_shot(), cache.path());
+    EXPECT_TRUE(result.baked);
+    ASSERT_EQ(result.warnings.size(), 2u);
+    EXPECT_THAT(result.warnings[1], HasSubstr("the bake is not kept for next time: "));
+}
+
+TEST(BakeJob, Stopped_LeavesNothing) {
+    const ScratchFolder cache;
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW((void)bake_or_reuse(make_shot(), cache.path(), {}, stop.get_token()), Stopped);
+    EXPECT_THAT(cache.names(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace carom::pipeline

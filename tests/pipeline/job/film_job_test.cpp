@@ -1,0 +1,86 @@
+#include "pipeline/job/film_job.h"
+
+#include <gmock/gmock.h>
+
+#include "pipeline/job/film_plan.h"
+#include "pipeline/job/job_metadata.h"
+#include "pipeline/store/frame_store.h"
+#include "sim/timeline/error.h"
+#include "tests/pipeline/job/tiny_shot.h"
+#include "tests/pipeline/video/scratch_folder.h"
+
+namespace carom::pipeline {
+namespace {
+
+using carom::testing::read_text;
+using carom::testing::ScratchFolder;
+using ::testing::IsSupersetOf;
+using ::testing::Pair;
+
+sim::Bake make_bake() {
+    sim::Bake bake;
+    bake.timeline = carom::testing::tiny_timeline();
+    return bake;
+}
+
+TEST(FilmJob, OneAndTwoThreads_WriteTheSameFilm) {
+    const ScratchFolder folder;
+    const Shot shot = carom::testing::tiny_shot();
+    FilmJobOptions options;
+    for (const int threads : {1, 2}) {
+        options.threads = threads;
+        options.output = folder.path(std::to_string(threads) + ".mkv");
+        options.cache_folder = folder.path("cache" + std::to_string(threads));
+        EXPECT_EQ(make_film(shot, make_bake(), options, {}, {}).rendered, 9);
+    }
+    EXPECT_EQ(read_text(folder.path("1.mkv")), read_text(folder.path("2.mkv")));
+    options.output = folder.path("3.mkv");
+    EXPECT_EQ(make_film(shot, make_bake(), options, {}, {}).rendered, 0);
+    EXPECT_EQ(read_text(folder.path("3.mkv")), read_text(folder.path("1.mkv")));
+}
+
+TEST(FilmJob, OneFrame_IsTheFilmsOwn) {
+    const ScratchFolder folder;
+    const Shot shot = carom::testing::tiny_shot();
+    FilmJobOptions options;
+    options.cache_folder = folder.path();
+    const sim::Bake bake = make_bake();
+    const render::Film frame = make_frame(shot, bake, 4, options, {}, {});
+    EXPECT_EQ(frame.width, 32);
+    EXPECT_EQ(frame.height, 18);
+    const FilmSource source(shot, bake.timeline);
+    const auto stored = FrameStore(folder.path("frames")).read(source.key(source.inputs(4)));
+    ASSERT_TRUE(stored);
+    EXPECT_EQ(frame.rgba, stored->rgba);
+    EXPECT_THROW((void)make_frame(shot, bake, 12, options, {}, {}), Error);
+}
+
+TEST(FilmJob, StopBeforehand_RendersNothing) {
+    const ScratchFolder folder;
+    std::stop_source stop;
+    stop.request_stop();
+    FilmJobOptions options;
+    options.output = folder.path("film.mkv");
+    options.cache_folder = folder.path("cache");
+    EXPECT_THROW(
+        (void)make_film(carom::testing::tiny_shot(), make_bake(), options, {}, stop.get_token()),
+        Stopped);
+    EXPECT_EQ(read_text(options.output), "");
+}
+
+TEST(JobMetadata, ExportedFrame_NamesShotFrameTimesAndClamp) {
+    Shot shot = carom::testing::tiny_shot();
+    shot.render.clamp = 10;
+    EXPECT_THAT(
+        exported_frame_metadata(shot, carom::testing::tiny_timeline(), 6),
+        IsSupersetOf({Pair("shot", "tiny"), Pair("camera", "still"), Pair("frame", "6"),
+                      Pair("video_time", "0.25"), Pair("scene_time", "0.25"), Pair("samples", "2"),
+                      Pair("clamp", "10"), Pair("renderer_revision", "1")}));
+    EXPECT_EQ(stored_frame_metadata(shot).count("frame"), 0u);
+    EXPECT_EQ(video_metadata(shot).at("title"), "tiny");
+    shot.render.clamp = 0;
+    EXPECT_EQ(video_metadata(shot).at("clamp"), "off");
+}
+
+}  // namespace
+}  // namespace carom::pipeline

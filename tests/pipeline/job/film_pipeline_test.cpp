@@ -1,0 +1,314 @@
+#include "pipeline/job/film_pipeline.h"
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
+#include <gmock/gmock.h>
+
+#include "pipeline/job/film_plan.h"
+#include "pipeline/store/frame_store.h"
+#include "sim/timeline/error.h"
+#include "tests/pipeline/job/tiny_shot.h"
+#include "tests/pipeline/video/scratch_folder.h"
+
+namespace carom::pipeline {
+namespace {
+
+using carom::testing::fake_picture;
+using carom::testing::FakeRenderer;
+using carom::testing::read_text;
+using carom::testing::ScratchFolder;
+using carom::testing::write_text;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+namespace fs = std::filesystem;
+
+constexpr int kFrames = 12;
+constexpr int kPictures = 9;  // eight of the rolling ball, one of the resting
+
+/// A folder with a cache and videos, and the tiny shot.
+struct Studio {
+    ScratchFolder folder;
+    Shot shot = carom::testing::tiny_shot();
+    sim::Timeline timeline = carom::testing::tiny_timeline();
+    FakeRenderer renderer{shot};
+    JobObserver observer;
+    std::stop_source stop;
+
+    [[nodiscard]] FilmJobOptions options(const std::string& name = "film.mkv") const {
+        FilmJobOptions options;
+        options.output = folder.path(name);
+        options.cache_folder = folder.path("cache");
+        return options;
+    }
+
+    [[nodiscard]] FrameStore store() const { return FrameStore(folder.path("cache/frames")); }
+
+    [[nodiscard]] Hash128 key(std::int64_t frame) const {
+        const FilmSource source(shot, timeline);
+        return source.key(source.inputs(frame));
+    }
+
+    FilmJobResult film(const RenderFunction& render, const FilmJobOptions& options) {
+        return make_film_with(render, shot, timeline, options, observer, stop.get_token());
+    }
+
+    FilmJobResult film(const std::string& name = "film.mkv") {
+        return film(renderer.function(), options(name));
+    }
+
+    [[nodiscard]] std::string video(const std::string& name = "film.mkv") const {
+        return read_text(folder.path(name));
+    }
+};
+
+TEST(FilmPipeline, SecondRun_RendersNothingAndWritesTheSameBytes) {
+    Studio studio;
+    const FilmJobResult first = studio.film();
+    EXPECT_EQ(first.frames, kFrames);
+    EXPECT_EQ(first.rendered, kPictures);
+    const std::string video = studio.video();
+    EXPECT_FALSE(video.empty());
+    const FilmJobResult second = studio.film("again.mkv");
+    EXPECT_EQ(second.frames, kFrames);
+    EXPECT_EQ(second.rendered, 0);
+    EXPECT_EQ(studio.video("again.mkv"), video);
+    EXPECT_EQ(studio.renderer.rendered().size(), std::size_t{kPictures});
+}
+
+TEST(FilmPipeline, Pictures_AreRenderedInOrderAndOnceEach) {
+    Studio studio;
+    (void)studio.film();
+    std::vector<double> rendered = studio.renderer.rendered();
+    ASSERT_EQ(rendered.size(), std::size_t{kPictures});
+    EXPECT_EQ(rendered.back(), 0);  // at rest: no time of its own
+    rendered.pop_back();
+    EXPECT_TRUE(std::is_sorted(rendered.begin(), rendered.end()));
+}
+
+TEST(FilmPipeline, RunInPieces_GivesTheSameFilm) {
+    Studio whole, pieces;
+    (void)whole.film();
+    FilmJobOptions options = pieces.options("piece.mkv");
+    options.frames = parse_frame_range("7-11");
+    EXPECT_EQ(pieces.film(pieces.renderer.function(), options).rendered, 2);
+    options.frames = parse_frame_range("0-11x3");
+    EXPECT_EQ(pieces.film(pieces.renderer.function(), options).rendered, 3);
+    EXPECT_EQ(pieces.film().rendered, 4);
+    EXPECT_EQ(pieces.video(), whole.video());
+}
+
+TEST(FilmPipeline, ReversedFilm_SharesItsPictures) {
+    Studio studio;
+    (void)studio.film();
+    std::swap(studio.shot.cameras[0].time_map.scene_start,
+              studio.shot.cameras[0].time_map.scene_end);
+    EXPECT_EQ(studio.film("back.mkv").rendered, 0);
+    EXPECT_NE(studio.video("back.mkv"), studio.video());
+}
+
+TEST(FilmPipeline, Observer_HearsOfEveryFrameAndOfOneStageAfterTheOther) {
+    Studio studio;
+    std::vector<std::int64_t> rendered, found;
+    std::vector<std::pair<std::string, double>> progress;
+    studio.observer.on_frame = [&](std::int64_t frame, bool from_store, double seconds,
+                                   std::uint64_t rays) {
+        (from_store ? found : rendered).push_back(frame);
+        EXPECT_EQ(rays, from_store ? 0u : 100u);
+        EXPECT_EQ(seconds > 0, !from_store);
+        EXPECT_TRUE(progress.empty() || progress.back().first == "render");
+    };
+    studio.observer.on_progress = [&](std::string_view stage, double share) {
+        if (!progress.empty() && progress.back().first == stage) {
+            EXPECT_GT(share, progress.back().second);
+        } else {
+            EXPECT_TRUE(progress.empty() || progress.back().second == 1);
+        }
+        progress.emplace_back(stage, share);
+    };
+    (void)studio.film();
+    EXPECT_THAT(rendered, ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8));
+    EXPECT_THAT(found, ElementsAre(9, 10, 11));
+    ASSERT_FALSE(progress.empty());
+    EXPECT_EQ(progress.front().first, "render");
+    EXPECT_EQ(progress.back(), std::make_pair(std::string("encode"), 1.0));
+}
+
+TEST(FilmPipeline, DamagedAndVanishedFrames_AreMadeAgain) {
+    Studio studio;
+    (void)studio.film();
+    const std::string video = studio.video();
+    const FrameStore store = studio.store();
+    write_text(store.path_of(studio.key(2)), "not a frame");
+    fs::resize_file(store.path_of(studio.key(5)), 100);
+    fs::remove(store.path_of(studio.key(10)));
+    const FilmJobResult result = studio.film("again.mkv");
+    EXPECT_EQ(result.rendered, 3);
+    EXPECT_EQ(studio.video("again.mkv"), video);
+}
+
+TEST(FilmPipeline, CacheThatVanishesMidway_IsFilledAgain) {
+    Studio plain, studio;
+    (void)plain.film();
+    int calls = 0;
+    const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext&) {
+        ++calls;
+        if (calls == 5) {
+            fs::remove_all(studio.folder.path("cache"));
+        }
+        return fake_picture(studio.shot, inputs);
+    };
+    (void)studio.film(render, studio.options());
+    EXPECT_EQ(studio.video(), plain.video());
+}
+
+TEST(FilmPipeline, FrameHeldByAnother_IsLeftForLaterAndThenRead) {
+    Studio plain, studio;
+    (void)plain.film();
+    const FrameStore store = studio.store();
+    const Hash128 held_key = studio.key(1);
+    std::optional<FrameClaim> claim = store.claim(held_key);
+    ASSERT_TRUE(claim);
+    const FilmSource source(studio.shot, studio.timeline);
+    int calls = 0;
+    const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext&) {
+        ++calls;
+        if (calls == kPictures - 1) {  // the last of the others
+            FrameInputs held = source.inputs(1);
+            held.frame.seed = held_key.low;
+            store.write(held_key, fake_picture(studio.shot, held), {});
+            claim.reset();
+        }
+        return fake_picture(studio.shot, inputs);
+    };
+    EXPECT_EQ(studio.film(render, studio.options()).rendered, kPictures - 1);
+    EXPECT_EQ(studio.video(), plain.video());
+}
+
+TEST(FilmPipeline, OwnerThatGivesUp_LeavesTheFrameToUs) {
+    Studio studio;
+    const FrameStore store = studio.store();
+    std::optional<FrameClaim> claim = store.claim(studio.key(0));
+    std::thread other([&claim] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        claim.reset();
+    });
+    EXPECT_EQ(studio.film().rendered, kPictures);
+    other.join();
+    EXPECT_EQ(studio.renderer.rendered().back(), Rational(-1, 96).to_double());
+}
+
+TEST(FilmPipeline, TwoJobsAtOnce_RenderEachPictureOnce) {
+    Studio studio;
+    const auto slow = [&](const FrameInputs& inputs, const WorkContext& context) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        return studio.renderer.function()(inputs, context);
+    };
+    FilmJobResult other;
+    std::thread second([&] {
+        other = make_film_with(slow, studio.shot, studio.timeline, studio.options("b.mkv"), {}, {});
+    });
+    const FilmJobResult result = studio.film(slow, studio.options("a.mkv"));
+    second.join();
+    EXPECT_EQ(result.rendered + other.rendered, kPictures);
+    EXPECT_EQ(studio.video("a.mkv"), studio.video("b.mkv"));
+}
+
+TEST(FilmPipeline, Stopped_LeavesNoVideoAndGoesOnLater) {
+    Studio plain, studio;
+    (void)plain.film();
+    int calls = 0;
+    const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext& context) {
+        ++calls;
+        if (calls == 4) {
+            studio.stop.request_stop();
+            EXPECT_TRUE(context.stop.stop_requested());
+            throw Stopped();
+        }
+        return fake_picture(studio.shot, inputs);
+    };
+    EXPECT_THROW((void)studio.film(render, studio.options()), Stopped);
+    EXPECT_THAT(studio.folder.names(), ElementsAre("cache"));
+    studio.stop = {};
+    EXPECT_EQ(studio.film().rendered, kPictures - 3);
+    EXPECT_EQ(studio.video(), plain.video());
+}
+
+TEST(FilmPipeline, RendererThatFails_IsHeardAndLeavesNoVideo) {
+    Studio studio;
+    write_text(studio.folder.path("film.mkv"), "the old film");
+    const RenderFunction render = [](const FrameInputs&, const WorkContext&) -> render::Film {
+        throw Error("the lamp is broken");
+    };
+    try {
+        (void)studio.film(render, studio.options());
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "the lamp is broken");
+    }
+    EXPECT_EQ(studio.video(), "the old film");
+    EXPECT_EQ(studio.folder.names().size(), 2u);
+}
+
+TEST(FilmPipeline, EncoderThatFails_StopsTheRendering) {
+    Studio studio;
+    std::atomic<int> calls{0};
+    const RenderFunction render = [&](const FrameInputs&,
+                                      const WorkContext& context) -> render::Film {
+        ++calls;
+        while (!context.stop.stop_requested()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        throw Stopped();
+    };
+    try {
+        (void)studio.film(render, studio.options("no/such/folder/film.mkv"));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("no/such/folder"));
+    }
+    EXPECT_LE(calls, 1);
+}
+
+TEST(FilmPipeline, PictureThatCannotBeStored_IsAnErrorNotALoop) {
+    Studio studio;
+    const FrameStore store = studio.store();
+    const std::string path = store.path_of(studio.key(0));
+    // A folder in the frame's place can be neither read nor replaced.
+    fs::create_directories(path);
+    EXPECT_THROW((void)studio.film(), Error);
+}
+
+TEST(FilmPipeline, NoFrameAskedFor_IsAnError) {
+    Studio studio;
+    FilmJobOptions options = studio.options();
+    options.frames = parse_frame_range("12-99");
+    try {
+        (void)studio.film(studio.renderer.function(), options);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "none of the film's 12 frames is asked for");
+    }
+}
+
+TEST(FramePipeline, OneFrame_IsStoredAndSharedWithTheFilm) {
+    Studio studio;
+    const auto frame = [&] {
+        return make_frame_with(studio.renderer.function(), studio.shot, studio.timeline, 3,
+                               studio.options(), {}, {});
+    };
+    const render::Film first = frame();
+    EXPECT_EQ(first.width, 32);
+    EXPECT_EQ(frame().rgba, first.rgba);
+    EXPECT_EQ(studio.renderer.rendered().size(), 1u);
+    EXPECT_EQ(studio.film().rendered, kPictures - 1);
+    write_text(studio.store().path_of(studio.key(3)), "damaged");
+    EXPECT_EQ(frame().rgba, first.rgba);
+}
+
+}  // namespace
+}  // namespace carom::pipeline

@@ -1,0 +1,61 @@
+#include "pipeline/job/frame_range.h"
+
+#include <gmock/gmock.h>
+
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+std::string error_of(const std::string& text) {
+    try {
+        (void)parse_frame_range(text);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(FrameRange, Stretches_AreInclusiveSortedAndUnique) {
+    EXPECT_THAT(parse_frame_range("5").frames(10), ElementsAre(5));
+    EXPECT_THAT(parse_frame_range("2-4").frames(10), ElementsAre(2, 3, 4));
+    EXPECT_THAT(parse_frame_range("0-7x3").frames(10), ElementsAre(0, 3, 6));
+    EXPECT_THAT(parse_frame_range("6, 0-4x2 ,3-4").frames(10), ElementsAre(0, 2, 3, 4, 6));
+}
+
+TEST(FrameRange, BeyondTheFilm_IsCutOff) {
+    EXPECT_THAT(parse_frame_range("3-9223372036854775807").frames(5), ElementsAre(3, 4));
+    EXPECT_THAT(parse_frame_range("3-9223372036854775807x9223372036854775807").frames(5),
+                ElementsAre(3));
+    EXPECT_THAT(parse_frame_range("7").frames(5), IsEmpty());
+}
+
+TEST(FrameRange, Empty_IsTheWholeFilm) {
+    EXPECT_THAT(FrameRange{}.frames(3), ElementsAre(0, 1, 2));
+    EXPECT_THAT(FrameRange{}.frames(0), IsEmpty());
+}
+
+TEST(FrameRange, Unreadable_IsAnErrorThatQuotesThePart) {
+    const auto unreadable = [](const std::string& part) {
+        return "cannot read the frames '" + part +
+               "'; write a frame (12), a stretch (0-47) or every n-th of one (0-47x2)";
+    };
+    EXPECT_EQ(error_of(""), unreadable(""));
+    EXPECT_EQ(error_of("1,,2"), unreadable(""));
+    EXPECT_EQ(error_of("1,a"), unreadable("a"));
+    EXPECT_EQ(error_of("1-"), unreadable("1-"));
+    EXPECT_EQ(error_of("-1"), unreadable("-1"));
+    EXPECT_EQ(error_of("1-2x"), unreadable("1-2x"));
+    EXPECT_EQ(error_of("1x2"), unreadable("1x2"));
+    EXPECT_EQ(error_of("1-2-3"), unreadable("1-2-3"));
+    EXPECT_EQ(error_of("1 - 2"), unreadable("1 - 2"));
+    EXPECT_EQ(error_of("99999999999999999999"), unreadable("99999999999999999999"));
+    EXPECT_EQ(error_of("9-3"), "the frames '9-3' go backwards; write the smaller number first");
+    EXPECT_EQ(error_of("0-9x0"), "the frames '0-9x0' have a step of 0; it must be at least 1");
+}
+
+}  // namespace
+}  // namespace carom::pipeline
