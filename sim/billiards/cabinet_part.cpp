@@ -13,7 +13,7 @@ namespace {
 constexpr double kApronTop = kRailBottom - 0.001;
 constexpr double kApronDepth = 0.17;  // at most; less on low tables, m
 constexpr double kApronBack = 0.045;  // from the rails' outer edge to the apron's inside, m
-constexpr double kLegInset = 0.095;   // of a leg's axis from the rails' outer edge, m
+constexpr double kLegInset = 0.118;   // of a leg's axis from the rails' outer edge, m
 constexpr double kLegInside = 0.05;   // how far a leg goes up behind the apron, m
 constexpr double kLegRadius = 0.062;  // at its widest, m
 constexpr double kFeetApart = 1.6;    // two more legs are put in where it would be more, m

@@ -8,8 +8,8 @@ namespace {
 constexpr double kUnderRail = 0.012;  // at least this far inside the rails' outer edge, m
 constexpr double kBedSpacing = 0.1;   // m
 
-Loop rectangle(const Vec2& half) {
-    const PlanPath path = PathBuilder(OpenSide::right, kBedSpacing)
+Loop rectangle(const Vec2& half, double spacing) {
+    const PlanPath path = PathBuilder(OpenSide::right, spacing)
                               .start({0, -half.y})
                               .line_to({half.x, -half.y})
                               .line_to({half.x, half.y})
@@ -35,7 +35,7 @@ Surface build_cloth(const TableLayout& layout) {
     SurfaceBuilder builder("cloth", SurfacePart::cloth);
     // Its square corners stay inside the rails' rounded ones.
     const double under_rail = kUnderRail + 0.3 * outer_corner_radius(layout);
-    std::vector<Loop> loops{rectangle(layout.outer - Vec2(under_rail))};
+    std::vector<Loop> loops{rectangle(layout.outer - Vec2(under_rail), kBedSpacing)};
     for (const PocketLayout& pocket : layout.pockets) {
         const PlanPath hole = circle_path(pocket.pocket.centre, pocket.pocket.radius);
         loops.push_back(inside_outline(hole, 0));
@@ -47,8 +47,9 @@ Surface build_cloth(const TableLayout& layout) {
 
 Surface build_open_cloth(const TableMeasures& measures) {
     SurfaceBuilder builder("cloth", SurfacePart::cloth);
-    const Loop loop = rectangle({0.5 * measures.length, 0.5 * measures.width});
-    builder.add_level(std::span(&loop, 1), 0, true, kBedSpacing);
+    const double spacing = 0.1 * measures.length;
+    const Loop loop = rectangle({0.5 * measures.length, 0.5 * measures.width}, spacing);
+    builder.add_level(std::span(&loop, 1), 0, true, spacing);
     return std::move(builder).finish();
 }
 

@@ -9,23 +9,21 @@ namespace carom::sim::billiards {
 
 namespace {
 
-constexpr double kBottom = -0.001;  // z, under the cloth, m
-// The face under the nose leans back by as much as WPA wants a pocket's facing to (back draft 12
-// to 15 degrees; Tournament Table and Equipment Specifications, section 9).
-constexpr double kUndercut = 13.5 * std::numbers::pi / 180;
-constexpr double kNoseRadius = 0.0025;  // of the nose, seen from the end, m
+constexpr double kBottom = -0.001;      // z, under the cloth, m
+constexpr double kNoseRadius = 0.0025;  // of the rounding above the nose, seen from the end, m
 constexpr double kTopSpacing = 0.035;   // m
 
-/// The section of a cushion: an undercut face, a rounded nose whose foremost point is the drawn
-/// nose, and a top that goes straight back to the rail.
+/// The section of a cushion: an undercut face up to the nose, the foremost line; a rounding above
+/// it; and a top that goes straight back to the rail.
 class CushionSection {
   public:
-    CushionSection(const TableMeasures& measures, const SideFrame& side)
-        : measures_(measures),
+    CushionSection(const TableLayout& layout, const SideFrame& side)
+        : measures_(layout.measures),
           side_(side),
-          radius_(std::min(kNoseRadius, 0.7 * (measures.rail_height - measures.nose_height))),
-          slope_((measures.rail_height - measures.nose_height - radius_) /
-                 (measures.cushion_width - radius_)) {}
+          undercut_(layout.undercut),
+          radius_(std::min(kNoseRadius, 0.7 * (measures_.rail_height - measures_.nose_height))),
+          slope_((measures_.rail_height - measures_.nose_height - radius_) /
+                 (measures_.cushion_width - radius_)) {}
 
     [[nodiscard]] double radius() const { return radius_; }
 
@@ -42,34 +40,30 @@ class CushionSection {
         return Vec3(-slope_ * side_.outward.x, -slope_ * side_.outward.y, 1).normalized();
     }
 
-    // From the bottom up to where the nose's rounding begins.
+    // From the bottom up to the nose.
     [[nodiscard]] Profile undercut() const {
         constexpr int kRows = 4;
-        const double open = std::cos(kUndercut);
-        const double up = -std::sin(kUndercut);
-        const double low_inside = radius_ * (1 - open);
-        const double low_z = measures_.nose_height + radius_ * up;
+        const double open = std::cos(undercut_);
+        const double up = -std::sin(undercut_);
         Profile profile;
         for (int row = 0; row <= kRows; ++row) {
-            const double below = (low_z - kBottom) * (kRows - row) / kRows;
-            profile.push_back(
-                {low_inside + below * std::tan(kUndercut), low_z - below, open, up, -below / open});
+            const double below = (measures_.nose_height - kBottom) * (kRows - row) / kRows;
+            profile.push_back({below * std::tan(undercut_), measures_.nose_height - below, open, up,
+                               -below / open});
         }
         return profile;
     }
 
-    // From there over the nose to the top. Heights above the nose belong to a plain cushion.
+    // From the nose to the top. These heights are those of a cushion's middle.
     [[nodiscard]] Profile nose() const {
-        constexpr int kStepsBelow = 2;
         constexpr int kSteps = 10;
         Profile profile;
-        for (int step = -kStepsBelow; step <= kSteps; ++step) {
-            const double angle =
-                step < 0 ? kUndercut * step / kStepsBelow : 0.5 * std::numbers::pi * step / kSteps;
+        for (int step = 0; step <= kSteps; ++step) {
+            const double angle = 0.5 * std::numbers::pi * step / kSteps;
             const double open = step == kSteps ? 0 : std::cos(angle);
             const double up = std::sin(angle);
             profile.push_back({radius_ * (1 - open), measures_.nose_height + radius_ * up, open, up,
-                               radius_ * (angle + kUndercut)});
+                               radius_ * angle});
         }
         return profile;
     }
@@ -98,6 +92,7 @@ class CushionSection {
   private:
     const TableMeasures& measures_;
     SideFrame side_;
+    double undercut_;
     double radius_;
     double slope_;
 };
@@ -277,7 +272,7 @@ void add_faces(const CushionLayout& cushion, double cushion_width, TableGeometry
 Surface build_cushion(const TableLayout& layout, const CushionLayout& cushion,
                       const std::string& name) {
     const TableMeasures& measures = layout.measures;
-    const CushionSection section(measures, cushion.side);
+    const CushionSection section(layout, cushion.side);
     const PlanPath path = nose_path(cushion, measures.cushion_width);
     SurfaceBuilder builder(name, SurfacePart::cushion);
     Rows undercut;

@@ -17,6 +17,14 @@ double nose_inset(double nose_height, double ball_radius) {
     return ball_radius - std::sqrt(std::max(0.0, ball_radius * ball_radius - above * above));
 }
 
+// As much as WPA wants a pocket's facing to lean back (back draft 12 to 15 degrees; Tournament
+// Table and Equipment Specifications, section 9), and enough for a ball to meet the nose before the
+// face.
+double undercut(double nose_height, double ball_radius) {
+    const double touch = std::asin(std::clamp(nose_height / ball_radius - 1, 0.0, 0.9));
+    return std::max(14 * kPi / 180, touch + 0.5 * kPi / 180);
+}
+
 std::array<SideFrame, 4> side_frames(const Vec2& nose) {
     return {{{{0, -nose.y}, {1, 0}, {0, -1}, nose.x},
              {{nose.x, 0}, {0, 1}, {1, 0}, nose.y},
@@ -112,6 +120,7 @@ TableLayout lay_out(const TableMeasures& measures, double ball_radius) {
     TableLayout layout;
     layout.measures = measures;
     layout.nose_inset = nose_inset(measures.nose_height, ball_radius);
+    layout.undercut = undercut(measures.nose_height, ball_radius);
     layout.nose = Vec2(0.5 * measures.length, 0.5 * measures.width) - Vec2(layout.nose_inset);
     layout.rail = layout.nose + Vec2(measures.cushion_width);
     layout.outer = layout.rail + Vec2(measures.rail_width);

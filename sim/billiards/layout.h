@@ -50,6 +50,7 @@ struct CushionLayout {
 struct TableLayout {
     TableMeasures measures;
     double nose_inset = 0;           // of the drawn nose from the playing field's edge, inwards
+    double undercut = 0;             // by which the face under the nose leans back, rad
     Vec2 nose{0, 0};                 // half extents of the drawn nose lines
     Vec2 rail{0, 0};                 // of the rails' inner edges
     Vec2 outer{0, 0};                // of the rails' outer edges

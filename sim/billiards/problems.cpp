@@ -153,7 +153,8 @@ std::vector<std::string> find_problems(const TableMeasures& measures) {
         if (pocket.axis.x >= 0 && pocket.axis.y > 0)
             check_hole(layout, pocket, problems);
     check_cushions(layout, problems);
-    check_blocks(layout, problems);
+    if (problems.none())
+        check_blocks(layout, problems);
     return problems.take();
 }
 

@@ -211,6 +211,14 @@ std::vector<Vec2> inner_points(std::span<const Loop> loops, double spacing) {
     return points;
 }
 
+// Ears are never turned over; what is left of a crossed outline at the end is.
+void check_orientation(const std::vector<Vec2>& points,
+                       const std::vector<std::array<Index, 3>>& triangles) {
+    for (const auto& [a, b, c] : triangles)
+        if (!(doubled_area(points[a], points[b], points[c]) > 0))
+            throw Error("an outline of the table crosses itself");
+}
+
 }  // namespace
 
 Triangulation triangulate(std::span<const Loop> loops, double spacing) {
@@ -220,7 +228,9 @@ Triangulation triangulate(std::span<const Loop> loops, double spacing) {
             throw Error("an outline of the table has fewer than three points");
         points.insert(points.end(), loop.begin(), loop.end());
     }
-    Mesh mesh(std::move(points), clip_ears(loops));
+    const auto triangles = clip_ears(loops);
+    check_orientation(points, triangles);
+    Mesh mesh(std::move(points), triangles);
     mesh.make_delaunay();
     for (const Vec2& point : inner_points(loops, spacing))
         mesh.insert(point);
