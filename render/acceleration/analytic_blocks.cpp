@@ -62,13 +62,13 @@ std::vector<MovingSphereBlock> pack_moving(const std::vector<SphereStretch>& sph
 std::vector<AlignedBoxBlock> pack_boxes(const std::vector<AlignedBox>& boxes) {
     AlignedBoxBlock empty;  // at infinity, which is no distance that a ray reports
     for (int axis = 0; axis < 3; ++axis) {
-        fill(empty.low[axis], kInfinity);
-        fill(empty.high[axis], kInfinity);
+        fill(empty.planes[axis][0], kInfinity);
+        fill(empty.planes[axis][1], kInfinity);
     }
     return pack(boxes, empty, [](AlignedBoxBlock& block, int lane, const AlignedBox& box) {
         for (int axis = 0; axis < 3; ++axis) {
-            block.low[axis].values[lane] = box.low[axis];
-            block.high[axis].values[lane] = box.high[axis];
+            block.planes[axis][0].values[lane] = box.low[axis];
+            block.planes[axis][1].values[lane] = box.high[axis];
         }
         block.object.values[lane] = lane_object(box.object);
     });

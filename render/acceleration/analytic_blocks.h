@@ -34,7 +34,7 @@ struct MovingSphereBlock {
 };
 
 struct AlignedBoxBlock {
-    Lanes low[3], high[3];
+    Lanes planes[3][2];  // axis; low, high
     ObjectLanes object;
 };
 

@@ -1,5 +1,8 @@
 // The kernels of analytic_kernels.h for one instruction set; included once per set by the .cpp.
+#include <cmath>
+
 #include "render/acceleration/analytic_kernels.h"
+#include "render/geometry/intersect.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
@@ -94,24 +97,17 @@ struct MovingSphereTest {
 
 /// 1 / x with a huge finite number in place of infinity, so that zero times it is zero.
 template <class D>
-HWY_INLINE hn::Vec<D> finite_reciprocal(D d, hn::Vec<D> x) {
+HWY_INLINE hn::Vec<D> finite_reciprocals(D d, hn::Vec<D> x) {
     const hn::Vec<D> size = hn::Max(hn::Abs(x), hn::Set(d, 1e-30f));
     return hn::Div(hn::Set(d, 1.f), hn::CopySign(size, x));
 }
 
-/// Slabs of Kay and Kajiya 1986: low and high relative to the origin.
+/// Slabs of Kay and Kajiya 1986, from the distances to the near and far planes of each pair.
 template <class D>
-HWY_INLINE hn::Mask<D> hit_slabs(D, const RayLanes<D>& ray, const hn::Vec<D> (&low)[3],
-                                 const hn::Vec<D> (&high)[3], const hn::Vec<D> (&inverse)[3],
-                                 hn::Vec<D>& t) {
-    const hn::Vec<D> x0 = hn::Mul(low[0], inverse[0]);
-    const hn::Vec<D> x1 = hn::Mul(high[0], inverse[0]);
-    const hn::Vec<D> y0 = hn::Mul(low[1], inverse[1]);
-    const hn::Vec<D> y1 = hn::Mul(high[1], inverse[1]);
-    const hn::Vec<D> z0 = hn::Mul(low[2], inverse[2]);
-    const hn::Vec<D> z1 = hn::Mul(high[2], inverse[2]);
-    const hn::Vec<D> enter = hn::Max(hn::Max(hn::Min(x0, x1), hn::Min(y0, y1)), hn::Min(z0, z1));
-    const hn::Vec<D> leave = hn::Min(hn::Min(hn::Max(x0, x1), hn::Max(y0, y1)), hn::Max(z0, z1));
+HWY_INLINE hn::Mask<D> hit_slabs(const RayLanes<D>& ray, const hn::Vec<D> (&near)[3],
+                                 const hn::Vec<D> (&far)[3], hn::Vec<D>& t) {
+    const hn::Vec<D> enter = hn::Max(hn::Max(near[0], near[1]), near[2]);
+    const hn::Vec<D> leave = hn::Min(hn::Min(far[0], far[1]), far[2]);
     t = first_beyond<D>(ray, enter, leave);
     return hn::And(hn::Le(enter, leave), hn::Gt(t, ray.t_min));
 }
@@ -119,20 +115,31 @@ HWY_INLINE hn::Mask<D> hit_slabs(D, const RayLanes<D>& ray, const hn::Vec<D> (&l
 template <class D>
 struct AlignedBoxTest {
     hn::Vec<D> inverse[3];
+    hn::Vec<D> origin_share[3];  // origin / direction
+    int near_side[3];            // which of the two planes the ray meets first
 
-    HWY_INLINE AlignedBoxTest(D d, const RayLanes<D>& ray)
-        : inverse{finite_reciprocal(d, ray.direction[0]), finite_reciprocal(d, ray.direction[1]),
-                  finite_reciprocal(d, ray.direction[2])} {}
+    HWY_INLINE AlignedBoxTest(D d, const RayLanes<D>& ray, const V3f& direction)
+        : inverse{hn::Set(d, finite_reciprocal(direction.x)),
+                  hn::Set(d, finite_reciprocal(direction.y)),
+                  hn::Set(d, finite_reciprocal(direction.z))},
+          origin_share{hn::Mul(ray.origin[0], inverse[0]), hn::Mul(ray.origin[1], inverse[1]),
+                       hn::Mul(ray.origin[2], inverse[2])},
+          near_side{std::signbit(direction.x) ? 1 : 0, std::signbit(direction.y) ? 1 : 0,
+                    std::signbit(direction.z) ? 1 : 0} {}
+
+    HWY_INLINE hn::Vec<D> distance(D d, const Lanes& plane, int lane, int axis) const {
+        return hn::MulSub(load(d, plane, lane), inverse[axis], origin_share[axis]);
+    }
 
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const AlignedBoxBlock& block,
                                       int lane, hn::Vec<D>& t) const {
-        const hn::Vec<D> low[3] = {hn::Sub(load(d, block.low[0], lane), ray.origin[0]),
-                                   hn::Sub(load(d, block.low[1], lane), ray.origin[1]),
-                                   hn::Sub(load(d, block.low[2], lane), ray.origin[2])};
-        const hn::Vec<D> high[3] = {hn::Sub(load(d, block.high[0], lane), ray.origin[0]),
-                                    hn::Sub(load(d, block.high[1], lane), ray.origin[1]),
-                                    hn::Sub(load(d, block.high[2], lane), ray.origin[2])};
-        return hit_slabs(d, ray, low, high, inverse, t);
+        const hn::Vec<D> near[3] = {distance(d, block.planes[0][near_side[0]], lane, 0),
+                                    distance(d, block.planes[1][near_side[1]], lane, 1),
+                                    distance(d, block.planes[2][near_side[2]], lane, 2)};
+        const hn::Vec<D> far[3] = {distance(d, block.planes[0][1 - near_side[0]], lane, 0),
+                                   distance(d, block.planes[1][1 - near_side[1]], lane, 1),
+                                   distance(d, block.planes[2][1 - near_side[2]], lane, 2)};
+        return hit_slabs(ray, near, far, t);
     }
 };
 
@@ -183,16 +190,18 @@ struct MappedBoxTest {
     template <class D>
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
                                       int lane, hn::Vec<D>& t) const {
-        hn::Vec<D> low[3];
-        hn::Vec<D> high[3];
-        hn::Vec<D> inverse[3];
+        hn::Vec<D> near[3];
+        hn::Vec<D> far[3];
         for (int axis = 0; axis < 3; ++axis) {
             const hn::Vec<D> origin = mapped_origin(d, ray, block, lane, axis);
-            low[axis] = hn::Sub(hn::Set(d, -1.f), origin);
-            high[axis] = hn::Sub(hn::Set(d, 1.f), origin);
-            inverse[axis] = finite_reciprocal(d, mapped_direction(d, ray, block, lane, axis));
+            const hn::Vec<D> inverse =
+                finite_reciprocals(d, mapped_direction(d, ray, block, lane, axis));
+            const hn::Vec<D> to_low = hn::Mul(hn::Sub(hn::Set(d, -1.f), origin), inverse);
+            const hn::Vec<D> to_high = hn::Mul(hn::Sub(hn::Set(d, 1.f), origin), inverse);
+            near[axis] = hn::Min(to_low, to_high);
+            far[axis] = hn::Max(to_low, to_high);
         }
-        return hit_slabs(d, ray, low, high, inverse, t);
+        return hit_slabs(ray, near, far, t);
     }
 };
 
@@ -236,6 +245,9 @@ struct BestLanes {
     /// Nearer, or as near and lower; the object -1, none yet, is never tied.
     HWY_INLINE void offer(D d, hn::Mask<D> valid, hn::Vec<D> other_t, const ObjectLanes& objects,
                           int lane) {
+        if (hn::AllFalse(d, hn::And(valid, hn::Le(other_t, t)))) {
+            return;
+        }
         const Int<D> di;
         const hn::Vec<Int<D>> other = hn::LoadU(di, objects.values + lane);
         const hn::Mask<D> lower = hn::RebindMask(d, hn::Lt(other, object));
@@ -293,7 +305,7 @@ inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const Ray& ray, Candi
                                hn::Set(Int<WideTag>(), static_cast<std::int32_t>(best.object))};
     scan(d, lanes, blocks.moving_spheres, MovingSphereTest(), nearest);
     scan(d, lanes, blocks.still_spheres, StillSphereTest(), nearest);
-    scan(d, lanes, blocks.boxes, AlignedBoxTest<WideTag>(d, lanes), nearest);
+    scan(d, lanes, blocks.boxes, AlignedBoxTest<WideTag>(d, lanes, ray.direction), nearest);
     scan(d, lanes, blocks.mapped_boxes, MappedBoxTest(), nearest);
     scan(d, lanes, blocks.mapped_balls, MappedBallTest(), nearest);
     scan(d, lanes, blocks.rectangles, RectangleTest(), nearest);
@@ -307,7 +319,8 @@ inline HWY_ATTR bool any(const AnalyticBlocks& blocks, const Ray& ray) {
     const hn::Vec<WideTag> t_max = hn::Set(d, ray.t_max);
     return scan_any(d, lanes, t_max, blocks.moving_spheres, MovingSphereTest()) ||
            scan_any(d, lanes, t_max, blocks.still_spheres, StillSphereTest()) ||
-           scan_any(d, lanes, t_max, blocks.boxes, AlignedBoxTest<WideTag>(d, lanes)) ||
+           scan_any(d, lanes, t_max, blocks.boxes,
+                    AlignedBoxTest<WideTag>(d, lanes, ray.direction)) ||
            scan_any(d, lanes, t_max, blocks.mapped_boxes, MappedBoxTest()) ||
            scan_any(d, lanes, t_max, blocks.mapped_balls, MappedBallTest()) ||
            scan_any(d, lanes, t_max, blocks.rectangles, RectangleTest()) ||
@@ -334,7 +347,7 @@ HWY_ATTR bool one_shape(const Block& block, int lane, const Ray& ray, float& t) 
 
 inline HWY_ATTR bool one_box(const AlignedBoxBlock& block, int lane, const Ray& ray, float& t) {
     const RayLanes<OneTag> lanes = broadcast(OneTag(), ray);
-    return hit_one(block, lane, lanes, AlignedBoxTest<OneTag>(OneTag(), lanes), t);
+    return hit_one(block, lane, lanes, AlignedBoxTest<OneTag>(OneTag(), lanes, ray.direction), t);
 }
 
 inline const AnalyticKernels& kernels_of_target() {

@@ -1,5 +1,7 @@
 #include "render/acceleration/analytic_kernels.h"
 
+#include "render/geometry/intersect.h"
+
 // Tiers above AVX2 bring nothing for these loops and would change the bits.
 #define HWY_DISABLED_TARGETS (HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE

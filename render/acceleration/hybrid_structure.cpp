@@ -1,7 +1,7 @@
 #include "render/acceleration/hybrid_structure.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 
 #include "render/acceleration/moving_shape.h"
 #include "render/acceleration/safe_ray.h"

@@ -13,8 +13,8 @@ namespace carom::render {
 [[nodiscard]] inline bool is_traceable(const Ray& ray) {
     const V3f& o = ray.origin;
     const V3f& d = ray.direction;
-    // Infinity or NaN times zero is NaN; so is the sum then.
-    const float probe = 0 * o.x + 0 * o.y + 0 * o.z + 0 * d.x + 0 * d.y + 0 * d.z + 0 * ray.time;
+    // A sum with infinity or NaN in it is not finite, and times zero NaN.
+    const float probe = 0 * (((o.x + o.y) + (o.z + d.x)) + ((d.y + d.z) + ray.time));
     const bool has_direction = d.x != 0 || d.y != 0 || d.z != 0;
     return probe == 0 && has_direction && ray.t_max > 0 && ray.t_max > ray.t_min;
 }

@@ -90,6 +90,18 @@ bool has_right_angles(const Mat44& m) {
            std::abs(row(0).dot(row(2))) <= kRoundness && std::abs(row(1).dot(row(2))) <= kRoundness;
 }
 
+/// Neither turned, mirrored nor sheared.
+bool is_upright(const Mat44& m) {
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            if (row == column ? m[row][column] <= 0 : m[row][column] != 0) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 float reach_of(ShapeKind kind, const V3f& half_size) {
     switch (kind) {
         case ShapeKind::ball:
@@ -140,6 +152,7 @@ SceneObject make_object(const ObjectDescription& description, std::uint32_t mate
     object.half_size = V3f(half_size * scale);
     object.is_round = object.kind == ShapeKind::ball && equal_scales(scale) &&
                       (object.is_tracked() || has_right_angles(world_from_object));
+    object.is_upright_box = object.kind == ShapeKind::box && is_upright(world_from_object);
     object.reach = reach_of(object.kind, object.half_size);
     object.frame = frame_of(scaling(half_size) * world_from_object);
     object.body_from_world = Affine::narrowed(world_from_object.inverse() * scaling(scale));

@@ -29,12 +29,13 @@ struct SceneObject {
     std::uint32_t material = kNoMaterial;
     std::optional<std::uint32_t> light;
     bool has_texture = false;
-    bool is_round = false;      // a ball that is a sphere
-    bool is_one_sided = false;  // a rectangle light
-    V3f half_size{1, 1, 1};     // body axes, m, scaled; a ball's radii, 1 for planes and meshes
-    float reach = 1;            // largest distance of the surface from the body's origin, m
-    UnitFrame frame;            // of still analytic shapes
-    Affine body_from_world;     // of still shapes: object axes, metres
+    bool is_round = false;        // a ball that is a sphere
+    bool is_upright_box = false;  // a box whose axes are those of the world, in their order
+    bool is_one_sided = false;    // a rectangle light
+    V3f half_size{1, 1, 1};       // body axes, m, scaled; a ball's radii, 1 for planes and meshes
+    float reach = 1;              // largest distance of the surface from the body's origin, m
+    UnitFrame frame;              // of still analytic shapes
+    Affine body_from_world;       // of still shapes: object axes, metres
     std::shared_ptr<const TriangleMesh> mesh;  // still: world axes; with a track: body axes
 
     [[nodiscard]] bool is_tracked() const { return !track.empty(); }

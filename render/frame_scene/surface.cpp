@@ -59,33 +59,68 @@ UnitPoint on_unit_ball(const V3f& origin, const V3f& direction, float t) {
     return {n, n, longitude_latitude(n)};
 }
 
-UnitPoint on_unit_box(const V3f& origin, const V3f& direction, float t) {
+/// Where the ray meets the box |p| <= half_size at distance t: the place, moved onto the face, and
+/// that face's axis and side.
+struct FacePoint {
+    V3f position;
+    int axis;
+    float side;  // 1 or -1
+};
+
+FacePoint on_box(const V3f& origin, const V3f& direction, float t, const V3f& half_size) {
     const V3f inverse(finite_reciprocal(direction.x), finite_reciprocal(direction.y),
                       finite_reciprocal(direction.z));
-    const auto crossing = cross_box(origin, inverse, V3f(-1), V3f(1));
+    const auto crossing = cross_box(origin, inverse, -half_size, half_size);
     V3f p = origin + t * direction;
     int face = 0;
     if (crossing) {
         const bool enters = std::abs(t - crossing->enter) <= std::abs(t - crossing->leave);
         face = enters ? crossing->enter_face : crossing->leave_face;
     } else {  // an edge that rounding has moved away
-        for (int axis = 0; axis < 3; ++axis) {
-            if (std::abs(p[axis]) > std::abs(p[face / 2])) {
-                face = 2 * axis;
+        int axis = 0;
+        for (int k = 1; k < 3; ++k) {
+            if (std::abs(p[k]) * half_size[axis] > std::abs(p[axis]) * half_size[k]) {
+                axis = k;
             }
         }
-        face += p[face / 2] > 0 ? 1 : 0;
+        face = 2 * axis + (p[axis] > 0 ? 1 : 0);
     }
     const int axis = face / 2;
     const float side = (face & 1) != 0 ? 1.f : -1.f;
     for (int k = 0; k < 3; ++k) {
-        p[k] = std::clamp(p[k], -1.f, 1.f);
+        p[k] = std::clamp(p[k], -half_size[k], half_size[k]);
     }
-    p[axis] = side;
+    p[axis] = side * half_size[axis];
+    return {p, axis, side};
+}
+
+V2f across_face(const FacePoint& point, const V3f& half_size) {
+    const int x = (point.axis + 1) % 3;
+    const int y = (point.axis + 2) % 3;
+    return V2f(0.5f * (point.position[x] / half_size[x] + 1),
+               0.5f * (point.position[y] / half_size[y] + 1));
+}
+
+/// A still box whose axes are those of the world.
+void fill_upright_box(SurfacePoint& point, const SceneObject& object, const Ray& ray,
+                      const Hit& hit) {
+    const V3f& centre = object.frame.world_from_unit.translation;
+    const FacePoint face = on_box(ray.origin - centre, ray.direction, hit.t, object.half_size);
+    point.position = centre + face.position;
+    point.geometric_normal = V3f(0, 0, 0);
+    point.geometric_normal[face.axis] = face.side;
+    point.shading_normal = point.geometric_normal;
+    if (object.has_texture) {
+        point.object_position = face.position;
+        point.uv = across_face(face, object.half_size);
+    }
+}
+
+UnitPoint on_unit_box(const V3f& origin, const V3f& direction, float t) {
+    const FacePoint face = on_box(origin, direction, t, V3f(1));
     V3f normal(0, 0, 0);
-    normal[axis] = side;
-    const V2f across(p[(axis + 1) % 3], p[(axis + 2) % 3]);
-    return {p, normal, 0.5f * (across + V2f(1))};
+    normal[face.axis] = face.side;
+    return {face.position, normal, across_face(face, V3f(1))};
 }
 
 UnitPoint on_unit_plane(const V3f& origin, const V3f& direction, float t, bool bounded) {
@@ -188,6 +223,8 @@ SurfacePoint surface_of(const SceneObject& object, const RigidMotion* motion, co
         fill_mesh(point, object, motion, ray, hit);
     } else if (object.is_round) {
         fill_ball(point, object, motion, ray, hit);
+    } else if (object.is_upright_box && motion == nullptr) {
+        fill_upright_box(point, object, ray, hit);
     } else {
         fill_analytic(point, object, motion, ray, hit);
     }

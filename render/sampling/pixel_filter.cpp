@@ -10,8 +10,8 @@
 namespace carom::render {
 namespace {
 
-constexpr int kCells = 1024;       // of the tabulated density, over the whole width
-constexpr int kStepsPerCell = 64;  // of the integration
+constexpr int kCells = 512;         // of the tabulated density, over the whole width
+constexpr int kStepsPerCell = 128;  // of the integration
 
 }  // namespace
 
@@ -51,30 +51,38 @@ PixelFilterSampler::PixelFilterSampler(PixelFilter filter, double width)
     if (filter == PixelFilter::box) {
         return;
     }
-    cdf_.resize(kCells + 1);
     for (int i = 0; i <= kCells; ++i) {
-        cdf_[i] = static_cast<float>(cumulative[i] / integral);
+        Cell cell;
+        cell.cdf = static_cast<float>(cumulative[i] / integral);
+        cell.start = static_cast<float>(width * (static_cast<double>(i) / kCells - 0.5));
+        cell.slope = 0;
+        if (i < kCells) {
+            const double next =
+                static_cast<double>(static_cast<float>(cumulative[i + 1] / integral));
+            const double mass = next - static_cast<double>(cell.cdf);
+            cell.slope = mass > 0 ? static_cast<float>(width / kCells / mass) : 0.f;
+        }
+        cells_.push_back(cell);
     }
     guide_.resize(kCells);
-    std::uint16_t cell = 0;
+    std::uint16_t at = 0;
     for (int g = 0; g < kCells; ++g) {
-        while (cdf_[cell + 1] <= static_cast<float>(g) / kCells) {
-            ++cell;
+        while (cells_[at + 1].cdf <= static_cast<float>(g) / kCells) {
+            ++at;
         }
-        guide_[g] = cell;
+        guide_[g] = at;
     }
 }
 
 float PixelFilterSampler::offset(float u) const {
-    if (cdf_.empty()) {
+    if (cells_.empty()) {
         return (u - 0.5f) * static_cast<float>(width_);
     }
-    std::size_t cell = guide_[static_cast<std::size_t>(u * kCells)];
-    while (cdf_[cell + 1] <= u) {
-        ++cell;
+    std::size_t at = guide_[static_cast<std::size_t>(u * kCells)];
+    while (cells_[at + 1].cdf <= u) {
+        ++at;
     }
-    const float share = (u - cdf_[cell]) / (cdf_[cell + 1] - cdf_[cell]);
-    return ((static_cast<float>(cell) + share) / kCells - 0.5f) * static_cast<float>(width_);
+    return cells_[at].start + cells_[at].slope * (u - cells_[at].cdf);
 }
 
 double PixelFilterSampler::pdf_1d(double offset_pixels) const {

@@ -26,10 +26,15 @@ class PixelFilterSampler {
   private:
     [[nodiscard]] float offset(float u) const;
 
+    /// One cell of the tabulated distribution: offset = start + slope (u - cdf).
+    struct Cell {
+        float cdf, start, slope;
+    };
+
     PixelFilter filter_;
     double width_;
     double norm_ = 1;
-    std::vector<float> cdf_;            // at the edges of equal cells; empty for the box
+    std::vector<Cell> cells_;           // equally wide, and one more at the end; empty for the box
     std::vector<std::uint16_t> guide_;  // where the search for u starts (Chen and Asau 1974)
 };
 

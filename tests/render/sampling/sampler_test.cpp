@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "render/sampling/sobol_point.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {
@@ -211,6 +212,25 @@ TEST(SampleStream, FixedArguments_FixedBits) {
         bits.push_back(static_cast<std::uint32_t>(x * 0x1p24f));
     }
     EXPECT_EQ(bits, (std::vector<std::uint32_t>{7076218, 9500771, 5000550, 7602071}));
+}
+
+TEST(SobolPoint, BestInstructionSet_SameBitsAsScalarCode) {
+    test::TestRandom random(6);
+    constexpr detail::SobolNibbleTables kTables = detail::make_sobol_tables();
+    constexpr std::uint32_t kSalts[4] = {0x3c6ef372u, 0xdaa66d2bu, 0x78dde6e4u, 0x1715609du};
+    for (int i = 0; i < 20'000; ++i) {
+        const std::uint32_t index = random.next();
+        const std::uint32_t hash = random.next();
+        const std::array<float, 4> point = detail::sobol_point(index, hash);
+        for (std::size_t d = 0; d < 4; ++d) {
+            std::uint32_t x = 0;
+            for (std::size_t nibble = 0; nibble < 8; ++nibble) {
+                x ^= kTables.values[nibble][(index >> (4 * nibble)) & 15u][d];
+            }
+            x = detail::scramble_reversed(x, detail::mix(hash + kSalts[d]));
+            ASSERT_EQ(point[d], detail::to_unit(detail::reverse_bits(x)));
+        }
+    }
 }
 
 TEST(SampleStream, SmoothIntegrand_ErrorFallsFasterThanByChance) {

@@ -1,0 +1,36 @@
+// The scene and the rays of ray_bench: a table of boxes with sixteen balls, half of them moving
+// with an impact inside the shutter, and, if asked for, a knot of 100 000 triangles between lamp
+// and table.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/frame_scene/frame_scene.h"
+#include "render/frame_scene/static_geometry.h"
+#include "render/geometry/ray.h"
+#include "render/scene/scene_description.h"
+#include "sim/timeline/track.h"
+
+namespace carom::bench {
+
+struct TableShot {
+    render::SceneDescription scene;
+    std::vector<sim::Track> tracks;
+    double scene_open = 0;
+    double scene_close = 1.0 / 48;
+};
+
+[[nodiscard]] TableShot make_table_shot(bool with_knot);
+
+/// Rays of one kind, in the order in which a renderer asks for them.
+struct RaySets {
+    std::vector<render::Ray> primary;    // through a thin lens, 4 x 4 pixels at a time
+    std::vector<render::Ray> secondary;  // cosine-distributed from the points that those hit
+    std::vector<render::Ray> shuffled;   // the same without their order
+    std::vector<render::Ray> shadow;     // from the same points to the lamp
+};
+
+[[nodiscard]] RaySets make_ray_sets(const render::FrameScene& frame);
+
+}  // namespace carom::bench
