@@ -96,6 +96,7 @@ void add_bake(CLI::App& app, Targets& targets) {
     CLI::App& command = *app.add_subcommand("bake", "simulate a shot, without a picture");
     add_input(command, targets.bake.input, "SHOT", "a shot");
     add_output(command, targets.bake.output, "else the shot's name and .bake");
+    add_cache(command, targets.bake.cache);
     add_talk(command, targets);
     command.footer(example("  carom bake break.yaml -o break.bake"));
 }

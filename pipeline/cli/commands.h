@@ -36,6 +36,7 @@ struct RenderCommand {
 
 struct BakeCommand {
     InputOptions input;
+    CacheOptions cache;
     std::string output;
 };
 

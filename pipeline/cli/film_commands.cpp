@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "pipeline/camera/frame_plan.h"
+#include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/job_talk.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/picture_file.h"
@@ -12,7 +13,6 @@
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/cli/time_text.h"
 #include "pipeline/job/film_job.h"
-#include "pipeline/store/frame_store.h"
 #include "pipeline/video/video_format.h"
 
 namespace carom::cli {
@@ -22,22 +22,9 @@ namespace {
 using pipeline::FilmJobOptions;
 using pipeline::Shot;
 
-std::string cache_folder(const CacheOptions& cache) {
-    return cache.folder.empty() ? pipeline::default_cache_folder() : cache.folder;
-}
-
 /// The bake that the input is or carries; otherwise the kept one, or a new one.
-sim::Bake bake_of(ShotInput& input, const std::string& cache, CommandContext& context) {
-    if (input.bake) {
-        return std::move(*input.bake);
-    }
-    bool baked = false;
-    sim::Bake bake = pipeline::bake_or_reuse(input.shot, cache, talk_about_job(context.console),
-                                             context.stop, &baked);
-    context.console.end_progress();
-    context.console.info(baked ? "simulated the shot"
-                               : "the physics is unchanged: using the bake that was kept");
-    return bake;
+sim::Bake bake_of(ShotInput& input, const CacheOptions& cache, CommandContext& context) {
+    return input.bake ? std::move(*input.bake) : bake_of(input.shot, cache, context);
 }
 
 pipeline::FrameRange frame_range(const std::string& text) {
@@ -103,11 +90,11 @@ void run_render(const RenderCommand& command, CommandContext& context) {
     FilmJobOptions options;
     options.output = path;
     options.frames = frame_range(command.frames);
-    options.cache_folder = cache_folder(command.cache);
+    options.cache_folder = command.cache.folder;
     options.threads = command.threads;
     const std::int64_t frames = job_frames(input.shot, options.frames, command.frames);
 
-    const sim::Bake bake = bake_of(input, options.cache_folder, context);
+    const sim::Bake bake = bake_of(input, command.cache, context);
     const pipeline::FilmJobResult result = pipeline::make_film(
         input.shot, bake, options, talk_about_job(context.console, frames), context.stop);
     context.console.end_progress();
@@ -127,9 +114,9 @@ void run_frame(const FrameCommand& command, CommandContext& context) {
     check_output_folder(path);
 
     FilmJobOptions options;
-    options.cache_folder = cache_folder(command.cache);
+    options.cache_folder = command.cache.folder;
     options.threads = command.threads;
-    const sim::Bake bake = bake_of(input, options.cache_folder, context);
+    const sim::Bake bake = bake_of(input, command.cache, context);
     const render::Film film = pipeline::make_frame(
         input.shot, bake, frame, options, talk_about_job(context.console, 1), context.stop);
     context.console.end_progress();

@@ -1,44 +1,25 @@
 #include "pipeline/cli/light_commands.h"
 
-#include <chrono>
+#include <string>
 
-#include "pipeline/cli/job_talk.h"
+#include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/shot_input.h"
-#include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/export/timeline_csv.h"
 #include "pipeline/video/video_format.h"
-#include "sim/bake.h"
+#include "sim/timeline/bake_file.h"
 
 namespace carom::cli {
 
 namespace {
 
-/// A bake of a shot, made now.
-sim::Bake simulate(const pipeline::Shot& shot, CommandContext& context) {
-    const pipeline::JobObserver observer = talk_about_job(context.console);
-    WorkContext work;
-    work.progress = [&observer](double share) { observer.on_progress("bake", share); };
-    work.stop = context.stop;
-    sim::BakeResult result = sim::bake(shot.world, work);
-    context.console.end_progress();
-    for (const std::string& warning : result.warnings) {
-        context.console.warning(warning);
-    }
-    return {std::move(result.timeline), sim::physics_hash(shot.world), shot.resolved_text,
-            shot.assets};
-}
-
-/// A bake's own timeline, or that of a shot, from the kept bake if there is one.
+/// A bake's own timeline, or that of a shot.
 sim::Timeline timeline_of(const ExportCommand& command, CommandContext& context) {
     if (is_bake_file(command.input.path)) {
         return read_bake_input(command.input.path).timeline;
     }
     const ShotInput input = read_shot_input(command.input, context.console);
-    sim::Bake bake = pipeline::bake_or_reuse(input.shot, command.cache.folder,
-                                             talk_about_job(context.console), context.stop);
-    context.console.end_progress();
-    return std::move(bake.timeline);
+    return bake_of(input.shot, command.cache, context).timeline;
 }
 
 }  // namespace
@@ -62,14 +43,10 @@ void run_bake(const BakeCommand& command, CommandContext& context) {
     const std::string path = output_or_default(command.output, command.input.path, ".bake");
     check_output_folder(path);
     const ShotInput input = read_shot_input(command.input, context.console);
-    const auto begin = std::chrono::steady_clock::now();
-    const sim::Bake bake = simulate(input.shot, context);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    const sim::Bake bake = bake_of(input.shot, command.cache, context);
     sim::write_bake(bake, path);
-    context.console.info("simulated " + duration_text(input.shot.world.duration) + " of " +
-                         std::to_string(bake.timeline.tracks.size()) + " objects, with " +
-                         std::to_string(bake.timeline.events.size()) + " events, in " +
-                         duration_text(elapsed.count()));
+    context.console.info(std::to_string(bake.timeline.tracks.size()) + " objects, " +
+                         std::to_string(bake.timeline.events.size()) + " events");
     print_path(path);
 }
 

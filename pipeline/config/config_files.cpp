@@ -71,7 +71,8 @@ ConfigFolders standard_config_folders() {
         wanted.emplace_back(given);
     }
     if (const std::optional<fs::path> program = folder_of_program()) {
-        wanted.push_back(*program / "../share/carom/configs");
+        wanted.push_back(*program / "../share/carom/configs");     // bin/carom
+        wanted.push_back(*program / "../../share/carom/configs");  // libexec/carom/carom-film
     }
     wanted.emplace_back(CAROM_SOURCE_CONFIGS);
     ConfigFolders folders;

@@ -1,6 +1,6 @@
 #include "pipeline/cli/terminal/console.h"
 
-#include <regex>
+#include <algorithm>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,6 +29,13 @@ ProgressSnapshot at(double share) {
     snapshot.stage = "bake";
     snapshot.share = share;
     return snapshot;
+}
+
+/// So that times of day can be compared.
+std::string with_digits_as_zero(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char letter) { return letter >= '0' && letter <= '9'; }, '0');
+    return text;
 }
 
 TEST(Console, Messages_AreLinesWithTheirLevel) {
@@ -79,12 +86,14 @@ TEST(Console, Json_IsOneObjectPerLine) {
     members.add("line", 3);
     console.event("problem", members, "text for people\n", true);
     console.progress(at(0.5));
-    const std::regex lines(
-        R"re(\{"time":"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z","level":"warning","message":"say \\"hi\\""\}
-\{"time":"[^"]*","event":"problem","line":3\}
-\{"time":"[^"]*","event":"progress","stage":"bake","share":0.5,"seconds_elapsed":0\}
-)re");
-    EXPECT_TRUE(std::regex_match(recorder.text, lines)) << recorder.text;
+    EXPECT_EQ(with_digits_as_zero(recorder.text),
+              R"({"time":"0000-00-00T00:00:00.000Z","level":"warning","message":"say \"hi\""})"
+              "\n"
+              R"({"time":"0000-00-00T00:00:00.000Z","event":"problem","line":0})"
+              "\n"
+              R"({"time":"0000-00-00T00:00:00.000Z","event":"progress","stage":"bake",)"
+              R"("share":0.0,"seconds_elapsed":0})"
+              "\n");
 }
 
 TEST(Console, LogWithoutTerminal_HasALineEveryFewSeconds) {

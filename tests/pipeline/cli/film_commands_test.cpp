@@ -1,0 +1,182 @@
+// render and frame, run as a user runs them.
+#include <chrono>
+#include <thread>
+
+#include <signal.h>
+
+#include "tests/pipeline/cli/end_to_end.h"
+#include "tests/pipeline/video/decoded_video.h"
+
+namespace carom::cli {
+namespace {
+
+using carom::testing::decode_video;
+using carom::testing::EndToEnd;
+using carom::testing::run_carom;
+using carom::testing::RunningProgram;
+using carom::testing::RunResult;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+class FilmCommands : public EndToEnd {
+  protected:
+    /// A film that takes a second or two, so that there is time to interrupt it.
+    static std::vector<std::string> long_render(const std::string& output) {
+        return {"render", "tiny.yaml",         "-o",    output,
+                "--set",  "render.samples=64", "--set", "render.fps=20"};
+    }
+
+    /// Starts the long film and waits for its first finished frame.
+    void interrupt_after_first_frame(int signal) {
+        RunningProgram program(carom::testing::carom_program(), long_render("film.mp4"), options());
+        for (int i = 0; i < 6000 && stored_frames() == 0; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        ASSERT_GT(stored_frames(), 0);
+        program.send(signal);
+        const RunResult result = program.wait();
+        EXPECT_EQ(result.exit_code, 130) << result.err;
+        EXPECT_EQ(result.out, "");
+        EXPECT_THAT(result.err, HasSubstr("a second Ctrl-C stops at once"));
+        EXPECT_THAT(result.err, HasSubstr("the same command goes on from there"));
+        EXPECT_THAT(results(), IsEmpty());
+    }
+};
+
+TEST_F(FilmCommands, Render_WritesTheFilmAndPrintsItsPath) {
+    const RunResult result = run({"render", "tiny.yaml"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "tiny.mp4\n");
+    EXPECT_THAT(result.err, HasSubstr("carom: simulated the shot\n"));
+    EXPECT_THAT(result.err, HasSubstr("carom: 6 frames, 6 of them rendered now, in "));
+    EXPECT_THAT(results(), ElementsAre("tiny.mp4"));
+    const auto video = decode_video(path("tiny.mp4"));
+    EXPECT_EQ(video.frames.size(), 6U);
+    EXPECT_EQ(video.width, 64);
+    EXPECT_EQ(video.height, 36);
+    EXPECT_EQ(video.rate_numerator, 10);
+}
+
+TEST_F(FilmCommands, SecondRender_TakesBakeAndFramesThatAreThere) {
+    ASSERT_EQ(run({"render", "tiny.yaml", "-o", "a.mp4"}).exit_code, 0);
+    const RunResult again = run({"render", "tiny.yaml", "-o", "b.mp4"});
+    EXPECT_THAT(again.err, HasSubstr("using the bake that was kept"));
+    EXPECT_THAT(again.err, HasSubstr("6 frames, 0 of them rendered now"));
+    EXPECT_EQ(text_of("a.mp4"), text_of("b.mp4"));
+}
+
+TEST_F(FilmCommands, Quiet_SaysNothingButTheResult) {
+    const RunResult result = run({"render", "tiny.yaml", "-q"});
+    EXPECT_EQ(result.out, "tiny.mp4\n");
+    EXPECT_EQ(result.err, "");
+}
+
+TEST_F(FilmCommands, RenderOfABake_IsTheSameFilm) {
+    ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
+    const RunResult result = run_carom({"render", "tiny.bake", "-o", "a.mp4"}, options("cache2"));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    ASSERT_EQ(run({"render", "tiny.yaml", "-o", "b.mp4"}).exit_code, 0);
+    EXPECT_EQ(text_of("a.mp4"), text_of("b.mp4"));
+}
+
+TEST_F(FilmCommands, PhysicsOfABake_CannotBeSet) {
+    ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
+    const RunResult result = run({"render", "tiny.bake", "--set", "physics.gravity=1.6"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("--set cannot change what was simulated"));
+    EXPECT_EQ(run({"render", "tiny.bake", "--set", "render.samples=1"}).exit_code, 0);
+}
+
+TEST_F(FilmCommands, OneAndTwoThreads_GiveTheSameFilm) {
+    for (const std::string threads : {"1", "2"}) {
+        const RunResult result =
+            run_carom({"render", "tiny.yaml", "--threads", threads, "-o", threads + ".mp4"},
+                      options("cache" + threads));
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+    }
+    EXPECT_EQ(text_of("1.mp4"), text_of("2.mp4"));
+}
+
+TEST_F(FilmCommands, FramesOption_PicksFrames) {
+    ASSERT_EQ(run({"render", "tiny.yaml", "--frames", "1-5x2"}).exit_code, 0);
+    EXPECT_EQ(decode_video(path("tiny.mp4")).frames.size(), 3U);
+    for (const std::string range : {"7-9", "5-1", "many"}) {
+        const RunResult result = run({"render", "tiny.yaml", "--frames", range});
+        EXPECT_EQ(result.exit_code, 2) << range;
+        EXPECT_THAT(result.err, HasSubstr(range));
+    }
+}
+
+TEST_F(FilmCommands, OutputThatCannotBe_IsRefusedBeforeTheWork) {
+    const RunResult extension = run({"render", "tiny.yaml", "-o", "film.avi"});
+    EXPECT_EQ(extension.exit_code, 2);
+    EXPECT_THAT(extension.err, HasSubstr("h264: .mp4, .mov, .mkv"));
+    const RunResult folder = run({"render", "tiny.yaml", "-o", "none/film.mp4"});
+    EXPECT_EQ(folder.exit_code, 2);
+    EXPECT_THAT(folder.err, HasSubstr("there is no folder 'none'"));
+    EXPECT_FALSE(exists("cache"));
+}
+
+TEST_F(FilmCommands, Interrupted_LeavesNoFilmAndGoesOnToTheSameOne) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        interrupt_after_first_frame(signal);
+        std::filesystem::remove_all(path("cache"));
+    }
+    interrupt_after_first_frame(SIGINT);
+    const int kept = stored_frames();
+    const RunResult resumed = run(long_render("film.mp4"));
+    EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+    // Nothing is rendered twice: every rendered frame is a new one in the store.
+    EXPECT_THAT(resumed.err, HasSubstr("12 frames, " + std::to_string(stored_frames() - kept) +
+                                       " of them rendered now"));
+    ASSERT_EQ(run_carom(long_render("whole.mp4"), options("cache2")).exit_code, 0);
+    EXPECT_EQ(text_of("film.mp4"), text_of("whole.mp4"));
+}
+
+TEST_F(FilmCommands, JsonLog_HasProgressAndNothingElse) {
+    const RunResult result = run({"render", "tiny.yaml", "--log", "json"});
+    EXPECT_EQ(result.out, "tiny.mp4\n");
+    EXPECT_THAT(result.err, HasSubstr("\"event\":\"progress\",\"stage\":"));
+    std::istringstream lines(result.err);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_TRUE(line.starts_with("{\"time\":") && line.ends_with("}")) << line;
+    }
+}
+
+TEST_F(FilmCommands, Frame_WritesEachKindOfPicture) {
+    const std::vector<std::pair<std::string, std::string>> heads{{"a.png", "\x89PNG"},
+                                                                 {"a.exr", "\x76\x2f\x31\x01"},
+                                                                 {"a.bmp", "BM"},
+                                                                 {"a.jpg", "\xff\xd8\xff"}};
+    for (const auto& [name, head] : heads) {
+        const RunResult result = run({"frame", "tiny.yaml", "--frame", "2", "-o", name});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(result.out, name + "\n");
+        EXPECT_THAT(text_of(name), StartsWith(head));
+    }
+    EXPECT_THAT(results(), ElementsAre("a.bmp", "a.exr", "a.jpg", "a.png"));
+}
+
+TEST_F(FilmCommands, FrameByTime_IsTheOneShownThen) {
+    ASSERT_EQ(run({"frame", "tiny.yaml", "--at", "0.39s", "-o", "a.png"}).exit_code, 0);
+    ASSERT_EQ(run({"frame", "tiny.yaml", "--at", "300 ms", "-o", "b.png"}).exit_code, 0);
+    EXPECT_EQ(run({"frame", "tiny.yaml", "--frame", "3"}).out, "tiny.0003.png\n");
+    EXPECT_EQ(text_of("a.png"), text_of("tiny.0003.png"));
+    EXPECT_EQ(text_of("b.png"), text_of("tiny.0003.png"));
+    EXPECT_EQ(stored_frames(), 1);
+}
+
+TEST_F(FilmCommands, FrameOutsideTheFilm_IsRefused) {
+    const RunResult number = run({"frame", "tiny.yaml", "--frame", "6"});
+    EXPECT_EQ(number.exit_code, 2);
+    EXPECT_THAT(number.err, HasSubstr("frame 6 is outside the film, which has the frames 0 to 5"));
+    EXPECT_EQ(run({"frame", "tiny.yaml", "--at", "0.6s"}).exit_code, 2);
+    EXPECT_EQ(run({"frame", "tiny.yaml", "--at", "noon"}).exit_code, 2);
+    EXPECT_EQ(run({"frame", "tiny.yaml", "-o", "a.tiff"}).exit_code, 2);
+    EXPECT_THAT(results(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace carom::cli

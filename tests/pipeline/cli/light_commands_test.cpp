@@ -1,0 +1,194 @@
+// check, bake, export and the program's frame, run as a user runs them.
+#include <filesystem>
+
+#include "tests/pipeline/cli/end_to_end.h"
+
+namespace carom::cli {
+namespace {
+
+using carom::testing::EndToEnd;
+using carom::testing::RunResult;
+using carom::testing::write_text;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class LightCommands : public EndToEnd {};
+
+TEST_F(LightCommands, Help_GoesToStdout) {
+    const RunResult result = run({"--help"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_THAT(result.out, StartsWith("  carom render "));
+    EXPECT_EQ(result.err, "");
+}
+
+TEST_F(LightCommands, WrongUsage_GoesToStderr) {
+    const RunResult result = run({"chek", "tiny.yaml"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_THAT(result.err, StartsWith("carom: error: unknown command 'chek'"));
+}
+
+TEST_F(LightCommands, CheckOfAGoodShot_WritesNothing) {
+    const RunResult result = run({"check", "tiny.yaml"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(run({"check", "tiny.yaml", "-q"}).err, "");
+    EXPECT_THAT(results(), IsEmpty());
+    EXPECT_FALSE(exists("cache"));
+}
+
+TEST_F(LightCommands, CheckOfABrokenShot_NamesEveryPlaceAndIsExitCode2) {
+    std::string text = carom::testing::tiny_shot();
+    text.replace(text.find("position:"), 9, "postion: ");
+    text.replace(text.find("fov: 40 deg"), 11, "fov: 40 kg ");
+    write_text(path("bad.yaml"), text);
+    const RunResult result = run({"check", "bad.yaml"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_THAT(result.err, HasSubstr("bad.yaml:15:5: error: "));
+    EXPECT_THAT(result.err, HasSubstr("postion"));
+    EXPECT_THAT(result.err, HasSubstr("bad.yaml:17:10: error: "));
+    EXPECT_THAT(result.err, HasSubstr("carom: error: 'bad.yaml' has "));
+}
+
+TEST_F(LightCommands, CheckWithJson_IsOneObjectPerLine) {
+    write_text(path("bad.yaml"), "carom: 1\nfrobnicate: 3\n");
+    const RunResult result = run({"check", "bad.yaml", "--log", "json"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("\"event\":\"problem\",\"severity\":\"error\""));
+    EXPECT_THAT(result.err, HasSubstr("\"line\":2,\"column\":1"));
+    std::istringstream lines(result.err);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_TRUE(line.starts_with("{\"time\":") && line.ends_with("}")) << line;
+    }
+}
+
+TEST_F(LightCommands, MissingShot_IsExitCode2) {
+    for (const std::string name : {"none.yaml", "none.bake"}) {
+        for (const std::string command : {"check", "export", "bake"}) {
+            const RunResult result = run({command, name});
+            EXPECT_EQ(result.exit_code, 2) << command << " " << name;
+            EXPECT_THAT(result.err, HasSubstr(name));
+        }
+    }
+    EXPECT_THAT(results(), IsEmpty());
+}
+
+TEST_F(LightCommands, OddSize_IsRefusedAtCheckTimeWithAHint) {
+    const RunResult result = run({"check", "tiny.yaml", "--set", "render.size=[65, 36]"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("64x36 and 66x36"));
+}
+
+TEST_F(LightCommands, Bake_PrintsItsPathAndIsTheSameEveryTime) {
+    const RunResult result = run({"bake", "tiny.yaml"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "tiny.bake\n");
+    EXPECT_THAT(results(), ElementsAre("tiny.bake"));
+    const std::string first = text_of("tiny.bake");
+    EXPECT_EQ(run({"bake", "tiny.yaml", "-o", "kept.bake"}).out, "kept.bake\n");
+    EXPECT_EQ(text_of("kept.bake"), first);
+    EXPECT_EQ(run({"bake", "tiny.yaml", "-o", "new.bake", "--cache", "cache2"}).exit_code, 0);
+    EXPECT_EQ(text_of("new.bake"), first);
+}
+
+TEST_F(LightCommands, BakeOfABake_IsRefused) {
+    ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
+    const RunResult result = run({"bake", "tiny.bake"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("is a bake already"));
+}
+
+TEST_F(LightCommands, DamagedBake_IsExitCode2) {
+    ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
+    std::string bytes = text_of("tiny.bake");
+    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+    write_text(path("tiny.bake"), bytes);
+    for (const std::string command : {"check", "export", "render"}) {
+        const RunResult result = run({command, "tiny.bake"});
+        EXPECT_EQ(result.exit_code, 2) << command;
+        EXPECT_THAT(result.err, HasSubstr("tiny.bake"));
+        EXPECT_EQ(result.out, "");
+    }
+}
+
+TEST_F(LightCommands, ExportOfShotAndOfItsBake_AreTheSameTables) {
+    ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
+    const RunResult of_shot = run({"export", "tiny.yaml", "-o", "a.csv", "--events", "b.csv"});
+    EXPECT_EQ(of_shot.exit_code, 0) << of_shot.err;
+    EXPECT_EQ(of_shot.out, "a.csv\nb.csv\n");
+    EXPECT_EQ(run({"export", "tiny.bake", "-o", "c.csv", "--events", "d.csv"}).exit_code, 0);
+    EXPECT_EQ(text_of("a.csv"), text_of("c.csv"));
+    EXPECT_EQ(text_of("b.csv"), text_of("d.csv"));
+    EXPECT_THAT(text_of("a.csv"),
+                StartsWith("object,time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\ncue,0,"));
+    EXPECT_THAT(text_of("b.csv"), StartsWith("time,kind,a,b,x,y,z,nx,ny,nz,normal_impulse,"));
+    EXPECT_THAT(text_of("b.csv"), HasSubstr(",strike,cue,"));
+    EXPECT_THAT(text_of("b.csv"), HasSubstr(",impact,"));
+}
+
+TEST_F(LightCommands, ExportAtARate_SamplesEvenly) {
+    const RunResult result = run({"export", "tiny.yaml", "--rate", "10", "-o", "-"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1 + 2 * 7);
+    EXPECT_THAT(result.out, HasSubstr("\none,0.5,"));
+    EXPECT_THAT(results(), IsEmpty());
+}
+
+TEST_F(LightCommands, ExportOfEventsAlone_WritesNoTracks) {
+    EXPECT_EQ(run({"export", "tiny.yaml", "--events", "e.csv"}).out, "e.csv\n");
+    EXPECT_THAT(results(), ElementsAre("e.csv"));
+}
+
+TEST_F(LightCommands, MissingFolderOfTheOutput_IsNamedBeforeTheWork) {
+    const RunResult result = run({"bake", "tiny.yaml", "-o", "none/tiny.bake"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("there is no folder 'none'"));
+}
+
+TEST_F(LightCommands, FullStdout_IsExitCode1) {
+    // /dev/full takes nothing; the shell's redirection, since this test redirects to files.
+    const std::string command = "'" + carom::testing::carom_program() + "' export '" +
+                                path("tiny.yaml") + "' -o - --cache '" + path("cache") +
+                                "' > /dev/full 2> '" + path("err") + "'";
+    const int status = std::system(command.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_THAT(text_of("err"), HasSubstr("No space left on device"));
+}
+
+TEST_F(LightCommands, MissingRenderer_IsSaid) {
+    std::filesystem::create_directory(path("bin"));
+    std::filesystem::copy_file(carom::testing::carom_program(), path("bin/carom"));
+    const RunResult result =
+        carom::testing::RunningProgram(path("bin/carom"), {"render", "tiny.yaml"}, options())
+            .wait();
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, StartsWith("carom: error: cannot start the renderer '"));
+    EXPECT_THAT(result.err, HasSubstr("libexec/carom/carom-film"));
+}
+
+/// The libraries that the dynamic loader maps for a program: with this variable it lists them
+/// instead of running it (ld.so(8)).
+std::string libraries_of(const std::string& program) {
+    return carom::testing::RunningProgram(program, {"--help"},
+                                          {{}, {{"LD_TRACE_LOADED_OBJECTS", "1"}}})
+        .wait()
+        .out;
+}
+
+TEST_F(LightCommands, LightProgram_LoadsNeitherPicturesNorVideo) {
+    const std::string light = libraries_of(carom::testing::carom_program());
+    ASSERT_THAT(light, HasSubstr("libc.so"));
+    for (const char* library : {"libOpenImageIO", "libav", "libsw", "libembree"}) {
+        EXPECT_THAT(light, Not(HasSubstr(library)));
+    }
+    const std::string heavy = libraries_of(carom::testing::carom_film_program());
+    EXPECT_THAT(heavy, HasSubstr("libOpenImageIO"));
+    EXPECT_THAT(heavy, HasSubstr("libavcodec"));
+}
+
+}  // namespace
+}  // namespace carom::cli

@@ -1,0 +1,51 @@
+// The installed layout's bin/carom, run as a user runs it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace carom::testing {
+
+struct RunOptions {
+    std::string folder;                              // to run in; empty: the test's own
+    std::map<std::string, std::string> environment;  // added to the test's own
+};
+
+struct RunResult {
+    int exit_code = -1;  // 128 + n if signal n ended it
+    std::string out;
+    std::string err;
+};
+
+/// A started bin/carom (or another program of the build tree). stdout and stderr go to files, so
+/// that neither ever blocks it.
+class RunningProgram {
+  public:
+    RunningProgram(const std::string& program, const std::vector<std::string>& arguments,
+                   const RunOptions& options = {});
+    ~RunningProgram();
+    RunningProgram(const RunningProgram&) = delete;
+    RunningProgram& operator=(const RunningProgram&) = delete;
+
+    void send(int signal) const;
+    /// What it has written so far.
+    [[nodiscard]] std::string err_so_far() const;
+    [[nodiscard]] RunResult wait();
+
+  private:
+    pid_t process_ = -1;
+    std::string out_path_;
+    std::string err_path_;
+};
+
+/// Runs build/…/bin/carom to its end.
+[[nodiscard]] RunResult run_carom(const std::vector<std::string>& arguments,
+                                  const RunOptions& options = {});
+
+[[nodiscard]] std::string carom_program();       // …/bin/carom
+[[nodiscard]] std::string carom_film_program();  // …/libexec/carom/carom-film
+
+}  // namespace carom::testing
