@@ -26,9 +26,10 @@ std::mutex& triangle_lock() {
     return lock;
 }
 
-Geom make_box(const Vec3& size, const Pose& pose) {
+/// A box that is larger by `skin` on every side.
+Geom make_box(const Vec3& size, const Pose& pose, double skin) {
     CAROM_ASSERT(size.x > 0 && size.y > 0 && size.z > 0);
-    Geom geom(dCreateBox(nullptr, size.x, size.y, size.z));
+    Geom geom(dCreateBox(nullptr, size.x + 2 * skin, size.y + 2 * skin, size.z + 2 * skin));
     dGeomSetPosition(geom.get(), pose.position.x, pose.position.y, pose.position.z);
     const Quat& o = pose.orientation;
     const dQuaternion q = {o.r, o.v.x, o.v.y, o.v.z};
@@ -41,7 +42,8 @@ void collide(dGeomID a, dGeomID b, int most, std::vector<BoxContact>& contacts) 
     const int count = dCollide(a, b, most, found.data(), sizeof(dContactGeom));
     for (int i = 0; i < count; ++i) {
         const dContactGeom& contact = found[static_cast<std::size_t>(i)];
-        contacts.push_back({to_vec3(contact.pos), to_vec3(contact.normal), contact.depth});
+        contacts.push_back(
+            {to_vec3(contact.pos), to_vec3(contact.normal), contact.depth - kBoxMargin});
     }
 }
 
@@ -49,8 +51,8 @@ void collide(dGeomID a, dGeomID b, int most, std::vector<BoxContact>& contacts) 
 
 void collide_boxes(const Vec3& size_a, const Pose& a, const Vec3& size_b, const Pose& b,
                    std::vector<BoxContact>& contacts) {
-    const Geom first = make_box(size_a, a);
-    const Geom second = make_box(size_b, b);
+    const Geom first = make_box(size_a, a, 0.5 * kBoxMargin);
+    const Geom second = make_box(size_b, b, 0.5 * kBoxMargin);
     collide(first.get(), second.get(), 4, contacts);
 }
 
@@ -88,11 +90,10 @@ TriangleSurface::~TriangleSurface() {
 }
 
 TriangleSurface::TriangleSurface(TriangleSurface&&) noexcept = default;
-TriangleSurface& TriangleSurface::operator=(TriangleSurface&&) noexcept = default;
 
 void TriangleSurface::collide(const Vec3& size, const Pose& box,
                               std::vector<BoxContact>& contacts) const {
-    const Geom geom = make_box(size, box);
+    const Geom geom = make_box(size, box, kBoxMargin);
     const std::scoped_lock lock(triangle_lock());
     ode::collide(geom.get(), state_->geom.get(), 8, contacts);
 }

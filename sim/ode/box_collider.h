@@ -16,7 +16,11 @@ struct BoxContact {
     double depth = 0;
 };
 
-/// Up to four contacts of two boxes that overlap; none if they do not.
+/// Gaps up to this (m) between boxes count as contacts, of negative depth: a stack keeps all four
+/// corners of every face in touch.
+inline constexpr double kBoxMargin = 1e-4;
+
+/// Up to four contacts of two boxes.
 void collide_boxes(const Vec3& size_a, const Pose& a, const Vec3& size_b, const Pose& b,
                    std::vector<BoxContact>& contacts);
 
@@ -28,7 +32,7 @@ class TriangleSurface {
                     const std::vector<std::array<std::uint32_t, 3>>& triangles);
     ~TriangleSurface();
     TriangleSurface(TriangleSurface&&) noexcept;
-    TriangleSurface& operator=(TriangleSurface&&) noexcept;
+    TriangleSurface& operator=(TriangleSurface&&) = delete;
     TriangleSurface(const TriangleSurface&) = delete;
     TriangleSurface& operator=(const TriangleSurface&) = delete;
 

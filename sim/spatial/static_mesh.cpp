@@ -126,6 +126,12 @@ std::vector<SurfaceContact> StaticMesh::contacts(const Vec3& centre, double radi
     return kept;
 }
 
+bool StaticMesh::may_reach(const Aabb& box) const {
+    std::vector<std::uint32_t> near;
+    tree_.query(box, near);
+    return !near.empty();
+}
+
 Aabb swept_bounds(const Stretch& ball, double from, double to) {
     const Vec3 p = ball.position_at(from);
     Aabb box{p, p};

@@ -43,6 +43,8 @@ class StaticMesh {
                                                        double margin) const;
 
     [[nodiscard]] bool empty() const { return features_.empty(); }
+    /// False if nothing of the mesh can be within `box`.
+    [[nodiscard]] bool may_reach(const Aabb& box) const;
 
   private:
     std::vector<MeshFeature> features_;
