@@ -15,7 +15,9 @@ Vec3 rotated(const Quat& q, const Vec3& v) {
     return v + t * q.r + q.v.cross(t);
 }
 
-Vec3 divided(const Vec3& a, const Vec3& b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
+Vec3 divided(const Vec3& a, const Vec3& b) {
+    return {a.x / b.x, a.y / b.y, a.z / b.z};
+}
 
 /// The body angular velocity half-way: m = (p0 + p1) / 2 solves m = p0 + h/2 m x w, w = m / I.
 Vec3 midpoint_velocity(const Vec3& momentum, const Vec3& inertia, double h) {
@@ -52,8 +54,8 @@ Rotation rotate_freely(const Rotation& from, const Vec3& inertia, double duratio
     Quat q = from.orientation;
     // The angular momentum in space does not change; that in the body follows from it.
     const Vec3 body_omega = rotated(Quat(q.r, -q.v), from.angular_velocity);
-    const Vec3 momentum =
-        rotated(q, Vec3(body_omega.x * inertia.x, body_omega.y * inertia.y, body_omega.z * inertia.z));
+    const Vec3 momentum = rotated(
+        q, Vec3(body_omega.x * inertia.x, body_omega.y * inertia.y, body_omega.z * inertia.z));
     for (int i = 0; i < count; ++i) {
         const Vec3 in_body = rotated(Quat(q.r, -q.v), momentum);
         q = q * cayley(midpoint_velocity(in_body, inertia, h), h);

@@ -76,8 +76,8 @@ TriangleSurface::TriangleSurface(const std::vector<Vec3>& vertices,
     dGeomTriMeshDataBuildDouble(state_->data.get(), state_->vertices.data(), 3 * sizeof(double),
                                 static_cast<int>(vertices.size()), state_->indices.data(),
                                 static_cast<int>(state_->indices.size()), 3 * sizeof(dTriIndex));
-    if (dGeomTriMeshDataPreprocess2(state_->data.get(),
-                                    1U << dTRIDATAPREPROCESS_BUILD_FACE_ANGLES, nullptr) == 0)
+    if (dGeomTriMeshDataPreprocess2(state_->data.get(), 1U << dTRIDATAPREPROCESS_BUILD_FACE_ANGLES,
+                                    nullptr) == 0)
         throw Error("ODE could not prepare a triangle surface");
     state_->geom.reset(dCreateTriMesh(nullptr, state_->data.get(), nullptr, nullptr, nullptr));
 }

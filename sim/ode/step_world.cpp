@@ -23,7 +23,9 @@ constexpr double kSoftness = 1e-6;
 constexpr double kParting = 1e-7;
 constexpr double kGoldenRatio = 0.6180339887498949;
 
-double length(const Vec3& v) { return std::sqrt(v.dot(v)); }
+double length(const Vec3& v) {
+    return std::sqrt(v.dot(v));
+}
 
 void load(dBodyID body, const MotionState& state) {
     CAROM_ASSERT(std::isfinite(state.position.x + state.position.y + state.position.z));
@@ -72,8 +74,8 @@ struct StepWorld::State {
         return is_moving[i] != 0 ? bodies[i] : nullptr;
     }
 
-    void add_contact(const StepContact& from, std::size_t number, double duration,
-                     const Vec3& pull, dJointFeedback& result);
+    void add_contact(const StepContact& from, std::size_t number, double duration, const Vec3& pull,
+                     dJointFeedback& result);
 };
 
 StepWorld::StepWorld() : state_(std::make_unique<State>()) {

@@ -12,10 +12,10 @@ namespace carom::sim::ode {
 /// One point of contact during one step.
 struct StepContact {
     int first = 0;
-    int second = -1;           // another body; -1: something that does not move
+    int second = -1;  // another body; -1: something that does not move
     Vec3 point{0, 0, 0};
-    Vec3 normal{0, 0, 1};      // unit, from the second towards the first
-    double depth = 0;          // m; negative: a gap that may close during the step
+    Vec3 normal{0, 0, 1};  // unit, from the second towards the first
+    double depth = 0;      // m; negative: a gap that may close during the step
     double restitution = 0;
     double friction = 0;
     double rolling_lever = 0;   // m: rolling moment / normal force

@@ -65,8 +65,7 @@ void Actions::change(std::uint32_t body, double time, const MotionState& before,
 void Actions::begin(const Force& force, const DueAction& due, std::uint32_t body) {
     const MotionState state = state_of(body, due.time);
     recording_.log_action(EventKind::force, due.time, due.time + force.duration, name_of(body),
-                          state.position,
-                          in_world(force.axes, state.orientation, force.newtons));
+                          state.position, in_world(force.axes, state.orientation, force.newtons));
 }
 
 void Actions::begin(const Torque& torque, const DueAction& due, std::uint32_t body) {
@@ -80,8 +79,7 @@ void Actions::begin(const Impulse& impulse, const DueAction& due, std::uint32_t 
     const MotionState state = state_of(body, due.time);
     const Vec3 p = in_world(impulse.axes, state.orientation, impulse.newton_seconds);
     const Vec3 arm = in_world(impulse.axes, state.orientation, impulse.at_point);
-    recording_.log_action(EventKind::impulse, due.time, due.time, name_of(body), state.position,
-                          p);
+    recording_.log_action(EventKind::impulse, due.time, due.time, name_of(body), state.position, p);
     push(body, due.time, p, arm.cross(p));
 }
 

@@ -37,7 +37,9 @@ double ground_height(Ground ground, const Surroundings& around) {
     return ground == Ground::floor ? around.floor_height.value_or(0) : 0;
 }
 
-const char* ground_name(Ground ground) { return ground == Ground::floor ? "floor" : "cloth"; }
+const char* ground_name(Ground ground) {
+    return ground == Ground::floor ? "floor" : "cloth";
+}
 
 std::vector<Ball> make_balls(const WorldDescription& world, const Surroundings& around) {
     std::vector<Ball> balls;

@@ -131,9 +131,9 @@ void Balls::take_back(std::uint32_t index, double time, const MotionState& state
     recording_.keep(ball.track, time, ball.stretch.state);
 }
 
-void Balls::note_depth(std::uint32_t index, double time, const Vec3& centre) {
+void Balls::note_sunk(std::uint32_t index, double time, const Vec3& centre) {
     Ball& ball = balls_[index];
-    if (!around_.has_cushions || centre.z >= 0 || ball.is_potted || ball.is_off_table)
+    if (!around_.has_cushions || ball.is_potted || ball.is_off_table)
         return;
     const int pocket = around_.pocket_below(centre);
     if (pocket >= 0) {

@@ -46,9 +46,9 @@ class Balls {
     void take_back(std::uint32_t index, double time, const MotionState& state, Ground ground);
     /// ... or lying still where it is.
     void lay_down(std::uint32_t index, double time, MotionState state);
-    /// Writes down that the ball has sunk into a pocket or beside the table, the first time that it
-    /// has.
-    void note_depth(std::uint32_t index, double time, const Vec3& centre);
+    /// The ball's centre is below the cloth: it is potted or off the table. Written down the first
+    /// time.
+    void note_sunk(std::uint32_t index, double time, const Vec3& centre);
     /// Shows the straight path that it takes during a step that ODE is trying.
     void show_step(std::uint32_t index, double time, const MotionState& state,
                    const Vec3& mean_velocity);

@@ -86,15 +86,9 @@ void ContactFinder::add(int number, const StepBody& body, int other,
         contact_numbers(around_.law, body.material, other_material, body.radius);
     FoundContact result;
     result.other = other;
-    result.contact = {number,
-                      std::max(other, -1),
-                      contact.point,
-                      contact.normal,
-                      contact.depth,
-                      numbers.restitution,
-                      numbers.friction,
-                      numbers.rolling_lever,
-                      numbers.spinning_lever};
+    result.contact = {number,           std::max(other, -1),   contact.point,
+                      contact.normal,   contact.depth,         numbers.restitution,
+                      numbers.friction, numbers.rolling_lever, numbers.spinning_lever};
     found.push_back(result);
 }
 
@@ -106,8 +100,7 @@ void ContactFinder::find_for_ball(int number, const StepBody& ball,
         SurfaceContact contact;
         contact.depth = -1;
         if (pocket >= 0) {
-            contact =
-                around_.rims[static_cast<std::size_t>(pocket)].contact(centre, ball.radius);
+            contact = around_.rims[static_cast<std::size_t>(pocket)].contact(centre, ball.radius);
         } else if (around_.is_over_cloth(centre)) {
             contact = {Vec3(centre.x, centre.y, 0), Vec3(0, 0, 1), ball.radius - centre.z, 0};
         }

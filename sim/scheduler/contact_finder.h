@@ -14,8 +14,8 @@ namespace carom::sim {
 /// What does not move, as the second of a contact: negative numbers.
 inline constexpr int kCloth = -1;
 inline constexpr int kFloor = -2;
-inline constexpr int kFirstSurface = -10;      // - index into Surroundings::surfaces
-inline constexpr int kFirstFixed = -1000000;   // - index of a fixed sphere
+inline constexpr int kFirstSurface = -10;     // - index into Surroundings::surfaces
+inline constexpr int kFirstFixed = -1000000;  // - index of a fixed sphere
 
 struct FoundContact {
     ode::StepContact contact;  // `second` is -1 for all that does not move

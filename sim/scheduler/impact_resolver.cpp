@@ -9,7 +9,9 @@
 namespace carom::sim {
 namespace {
 
-Vec3 unit(const Vec3& v) { return v / std::sqrt(v.dot(v)); }
+Vec3 unit(const Vec3& v) {
+    return v / std::sqrt(v.dot(v));
+}
 
 /// Restitution and friction of two balls that meet.
 PairContact pair_law(const ContactLaw& law, const Ball& a, const Ball& b, double slip_speed) {
@@ -31,8 +33,7 @@ Vec2 nearest_on(const billiards::CushionCorner& corner, const Vec2& point) {
 /// A ball in the air, or against something that is not upright, that parts this slowly stays in
 /// touch: ODE carries it on.
 bool stays_in_touch(const Ball& ball, double separation, const Vec3& normal) {
-    return separation < kLandingSpeed &&
-           (ball.ground == Ground::none || std::abs(normal.z) > 1e-6);
+    return separation < kLandingSpeed && (ball.ground == Ground::none || std::abs(normal.z) > 1e-6);
 }
 
 }  // namespace
@@ -76,8 +77,8 @@ void ImpactResolver::meet_ball(const Touch& touch) {
     const double approach = -(before_a.velocity - before_b.velocity).dot(normal);
     const Vec3 slip = contact_slip(body_a, body_b, normal);
     const PairContact law = pair_law(around_.law, a, b, std::sqrt(slip.dot(slip)));
-    const ImpulsePair impulse = ball_ball_impact(balls_.solver(), body_a, body_b, normal,
-                                                 law.restitution, law.friction);
+    const ImpulsePair impulse =
+        ball_ball_impact(balls_.solver(), body_a, body_b, normal, law.restitution, law.friction);
     // The reference models leave out what would make balls on the cloth hop.
     if (!around_.law.hop && a.ground != Ground::none && b.ground != Ground::none) {
         body_a.state.velocity.z = 0;
@@ -168,15 +169,14 @@ void ImpactResolver::bounce(const Touch& touch, const SurfaceContact& contact,
     const double approach = -before.velocity.dot(contact.normal);
     const ContactNumbers law =
         contact_numbers(around_.law, ball.material, info.material, ball.radius);
-    const ImpulsePair impulse = ball_static_impact(balls_.solver(), body, contact.normal,
-                                                   law.restitution, law.friction);
+    const ImpulsePair impulse =
+        ball_static_impact(balls_.solver(), body, contact.normal, law.restitution, law.friction);
     if (!around_.law.hop && ball.ground != Ground::none && std::abs(contact.normal.z) < 1e-6)
         body.state.velocity.z = 0;
     if (approach > kQuietSpeed)
         recording_.log_impact(touch.time, ball.name, info.name, contact.point, contact.normal,
                               impulse);
-    const bool stay =
-        stays_in_touch(ball, body.state.velocity.dot(contact.normal), contact.normal);
+    const bool stay = stays_in_touch(ball, body.state.velocity.dot(contact.normal), contact.normal);
     balls_.change(touch.first, touch.time, before, body.state);
     if (stay)
         balls_.hand_to_ode(touch.first, touch.time);
@@ -195,8 +195,7 @@ void ImpactResolver::meet_cushion(const Touch& touch, const Vec2& nearest) {
         impulse = cushion_impact(body, inward, normal, around_.law.ball_cushion);
     } else {
         const PairContact& law = around_.law.between(ball.material, "cushion");
-        impulse =
-            ball_static_impact(balls_.solver(), body, normal, law.restitution, law.friction);
+        impulse = ball_static_impact(balls_.solver(), body, normal, law.restitution, law.friction);
     }
     if (!around_.law.hop)
         body.state.velocity.z = 0;
@@ -226,7 +225,7 @@ void ImpactResolver::enter_pocket(const Touch& touch) {
 
 void ImpactResolver::sink(const Touch& touch) {
     const Ball& ball = balls_[touch.first];
-    balls_.note_depth(touch.first, touch.time, ball.stretch.position_at(touch.time));
+    balls_.note_sunk(touch.first, touch.time, ball.stretch.position_at(touch.time));
     balls_.go_on(touch.first, touch.time);
 }
 

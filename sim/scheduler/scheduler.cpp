@@ -98,8 +98,8 @@ std::optional<Touch> Scheduler::meet_all() {
 bool Scheduler::needs_step(const Touch& touch) const {
     if (touch.kind == TouchKind::box)
         return true;
-    return touch.kind == TouchKind::ball && (balls_.all()[touch.first].is_stepped() ||
-                                             balls_.all()[touch.second].is_stepped());
+    return touch.kind == TouchKind::ball &&
+           (balls_.all()[touch.first].is_stepped() || balls_.all()[touch.second].is_stepped());
 }
 
 double Scheduler::window_end_from(double now) const {

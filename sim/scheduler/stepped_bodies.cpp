@@ -22,7 +22,9 @@ constexpr double kKick = 0.02;
 /// A ball that has touched nothing but level ground for so many steps is given back.
 constexpr int kFreeSteps = 3;
 
-double length(const Vec3& v) { return std::sqrt(v.dot(v)); }
+double length(const Vec3& v) {
+    return std::sqrt(v.dot(v));
+}
 
 StepBody ball_body(const Ball& ball) {
     StepBody body;
@@ -90,8 +92,8 @@ void SteppedBodies::start(double time) {
 
 bool SteppedBodies::is_active() const {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        const bool is_moving = bodies_[i].is_ball ? balls_.all()[i].is_stepped()
-                                                  : bodies_[i].is_awake;
+        const bool is_moving =
+            bodies_[i].is_ball ? balls_.all()[i].is_stepped() : bodies_[i].is_awake;
         if (is_moving)
             return true;
     }
@@ -212,10 +214,10 @@ double SteppedBodies::share_until_touch() const {
         for (std::size_t slot = 0; slot < moving_.size(); ++slot) {
             const ode::StepMotion& motion = motions_[slot];
             MotionState& state = trial[static_cast<std::size_t>(moving_[slot])].state;
-            state.position = motion.before.position +
-                             (motion.end.position - motion.before.position) * share;
-            state.orientation = Imath::slerpShortestArc(motion.before.orientation,
-                                                        motion.end.orientation, share);
+            state.position =
+                motion.before.position + (motion.end.position - motion.before.position) * share;
+            state.orientation =
+                Imath::slerpShortestArc(motion.before.orientation, motion.end.orientation, share);
         }
         for (const FoundContact& found : finder_.find(trial)) {
             if (found.contact.depth > kTouchDepth && !known.contains(found.pair()))
@@ -294,8 +296,8 @@ void SteppedBodies::log_touches() {
         const std::string& other = found.other >= 0
                                        ? bodies_[static_cast<std::size_t>(found.other)].name
                                        : finder_.info(found.other).name;
-        recording_.log_impact(step_start_, a.name, other, found.contact.point,
-                              found.contact.normal, sum);
+        recording_.log_impact(step_start_, a.name, other, found.contact.point, found.contact.normal,
+                              sum);
     }
 }
 
@@ -310,8 +312,8 @@ void SteppedBodies::settle(std::uint32_t number, double end) {
         has_contact = true;
         const int partner = found.contact.first == me ? found.other : found.contact.first;
         if (partner >= 0)
-            is_slow = is_slow &&
-                      farthest_speed(bodies_[static_cast<std::size_t>(partner)]) < kSleepSpeed;
+            is_slow =
+                is_slow && farthest_speed(bodies_[static_cast<std::size_t>(partner)]) < kSleepSpeed;
     }
     if (!is_slow || !has_contact)
         body.slow_since = end;
@@ -348,15 +350,16 @@ void SteppedBodies::settle_ball(StepBody& body, double end) {
     }
     MotionState& state = body.state;
     const double height = ground_height(ground, around_) + body.radius;
-    const bool stays_down =
-        ground != Ground::none && state.velocity.z < kLandingSpeed && state.position.z < height + 1e-4;
+    const bool stays_down = ground != Ground::none && state.velocity.z < kLandingSpeed &&
+                            state.position.z < height + 1e-4;
     if (stays_down) {
         state.position.z = height;
         state.velocity.z = 0;
     }
     body.free_steps = touches_other ? 0 : body.free_steps + 1;
     const bool is_free = body.free_steps >= kFreeSteps;
-    balls_.note_depth(number, end, state.position);
+    if (state.position.z < 0)
+        balls_.note_sunk(number, end, state.position);
     if (is_free && stays_down && around_.downward_gravity > 0) {
         balls_.take_back(number, end, state, ground);
     } else if (is_free && ground == Ground::none) {

@@ -87,31 +87,28 @@ void Surroundings::add_table(const WorldDescription& world, bool has_boxes) {
     has_cloth = true;
     has_cushions = world.table->has_cushions;
     nose_height = world.table->nose_height;
-    cloth_half_extent = Vec2(world.table->length, world.table->width) * 0.5 +
-                        Vec2(world.table->cushion_width);
+    cloth_half_extent =
+        Vec2(world.table->length, world.table->width) * 0.5 + Vec2(world.table->cushion_width);
     if (!has_cushions)
         return;
     table = billiards::build_table(*world.table, table_ball_radius(world));
-    MeshFeatures features;
     for (const billiards::Surface& surface : table.surfaces) {
         const auto material = material_of(surface.part);
         if (!material || surface.triangles.empty())
             continue;
         const auto number = static_cast<std::uint32_t>(surfaces.size());
-        features.add(surface.vertices, surface.triangles, number);
+        table_mesh.add(surface.vertices, surface.triangles, number);
         surfaces.push_back({*material, *material});
         if (has_boxes)
             box_obstacles.push_back({surfaces.back(), number,
                                      ode::TriangleSurface(surface.vertices, surface.triangles),
                                      bounds_of(surface.vertices)});
     }
-    table_mesh = StaticMesh(features);
     for (const billiards::Pocket& pocket : table.pockets)
         rims.push_back({Vec3(pocket.centre.x, pocket.centre.y, 0), pocket.radius});
 }
 
 void Surroundings::add_fixed_bodies(const WorldDescription& world, bool has_boxes) {
-    MeshFeatures features;
     for (const Body& body : world.bodies) {
         if (body.kind != BodyKind::fixed)
             continue;
@@ -131,13 +128,13 @@ void Surroundings::add_fixed_bodies(const WorldDescription& world, bool has_boxe
         if (mesh.triangles.empty())
             continue;
         place(mesh, body.pose);
-        features.add(mesh.vertices, mesh.triangles, number);
+        scenery_mesh.add(mesh.vertices, mesh.triangles, number);
         surfaces.push_back(info);
         if (has_boxes && std::holds_alternative<TriangleMesh>(body.shape))
-            box_obstacles.push_back({info, number, ode::TriangleSurface(mesh.vertices, mesh.triangles),
+            box_obstacles.push_back({info, number,
+                                     ode::TriangleSurface(mesh.vertices, mesh.triangles),
                                      bounds_of(mesh.vertices)});
     }
-    scenery_mesh = StaticMesh(features);
 }
 
 bool Surroundings::is_over_cloth(const Vec3& centre) const {

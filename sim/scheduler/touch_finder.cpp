@@ -101,8 +101,7 @@ void TouchFinder::find_fixed(std::uint32_t index, double now, double until,
                              TouchQueue& queue) const {
     const Ball& ball = balls_[index];
     if (!around_.scenery_mesh.empty()) {
-        const auto touch =
-            around_.scenery_mesh.first_touch(ball.stretch, ball.radius, now, until);
+        const auto touch = around_.scenery_mesh.first_touch(ball.stretch, ball.radius, now, until);
         if (touch)
             push(queue, ball, index, TouchKind::scenery_feature, touch->feature, touch->time);
     }
@@ -140,7 +139,9 @@ void TouchFinder::find_in_air(std::uint32_t index, double now, double until,
     const Ball& ball = balls_[index];
     if (around_.has_cloth) {
         const auto time = plane_touch(ball.stretch, Vec3(0, 0, 0), kUp, ball.radius, now, until);
-        if (time && around_.is_over_cloth(ball.stretch.position_at(*time)))
+        // A ball that is just passing over a hole's edge counts as where it will be.
+        constexpr double kAhead = 1e-7;  // s
+        if (time && around_.is_over_cloth(ball.stretch.position_at(*time + kAhead)))
             push(queue, ball, index, TouchKind::ground, static_cast<std::size_t>(Ground::cloth),
                  time);
     }

@@ -56,11 +56,12 @@ void AabbTree::split(std::uint32_t node, std::uint32_t begin, std::uint32_t end)
     }
     const int axis = longest_axis(box);
     const std::uint32_t middle = begin + (end - begin) / 2;
-    const auto key = [&](std::uint32_t i) {
-        return std::pair(boxes_[i].low[axis] + boxes_[i].high[axis], i);
-    };
     std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                     [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+                     [&](std::uint32_t a, std::uint32_t b) {
+                         const double ka = boxes_[a].low[axis] + boxes_[a].high[axis];
+                         const double kb = boxes_[b].low[axis] + boxes_[b].high[axis];
+                         return ka < kb || (ka == kb && a < b);
+                     });
     const auto children = static_cast<std::uint32_t>(nodes_.size());
     nodes_[node].first = children;
     nodes_.resize(nodes_.size() + 2);

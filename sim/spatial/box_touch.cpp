@@ -9,15 +9,16 @@
 namespace carom::sim {
 namespace {
 
-double length(const Vec3& v) { return std::sqrt(v.dot(v)); }
+double length(const Vec3& v) {
+    return std::sqrt(v.dot(v));
+}
 
 /// For a centre inside the box: out through the nearest face.
 SurfaceContact contact_from_inside(const Vec3& half_size, const Pose& box, const Vec3& local,
                                    double radius) {
     int nearest = 0;
     for (int axis = 1; axis < 3; ++axis) {
-        if (half_size[axis] - std::abs(local[axis]) <
-            half_size[nearest] - std::abs(local[nearest]))
+        if (half_size[axis] - std::abs(local[axis]) < half_size[nearest] - std::abs(local[nearest]))
             nearest = axis;
     }
     Vec3 normal(0, 0, 0);
@@ -38,7 +39,9 @@ Vec3 to_world(const Quat& q, const Vec3& v) {
     return v + t * q.r + q.v.cross(t);
 }
 
-Vec3 to_body(const Quat& q, const Vec3& v) { return to_world(Quat(q.r, -q.v), v); }
+Vec3 to_body(const Quat& q, const Vec3& v) {
+    return to_world(Quat(q.r, -q.v), v);
+}
 
 Pose BoxMotion::pose_at(double time) const {
     const double t = time - start;
@@ -78,8 +81,7 @@ std::optional<double> box_touch(const Stretch& ball, double radius, const BoxMot
     if (length(apart) > reach + radius + speed * span)
         return std::nullopt;
     const auto gap_at = [&](double time) {
-        return -box_contact(box.half_size, box.pose_at(time), ball.position_at(time), radius)
-                    .depth;
+        return -box_contact(box.half_size, box.pose_at(time), ball.position_at(time), radius).depth;
     };
     return first_closing(gap_at, speed, now, until);
 }

@@ -18,8 +18,8 @@ struct BoxMotion {
 };
 
 /// Contact of a ball with a box; works for a centre inside, too.
-[[nodiscard]] SurfaceContact box_contact(const Vec3& half_size, const Pose& box,
-                                         const Vec3& centre, double radius);
+[[nodiscard]] SurfaceContact box_contact(const Vec3& half_size, const Pose& box, const Vec3& centre,
+                                         double radius);
 
 /// When the ball touches the box in [now, until], by the rules of time_of_impact.h.
 [[nodiscard]] std::optional<double> box_touch(const Stretch& ball, double radius,

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 
 namespace carom::sim {
@@ -15,15 +15,16 @@ constexpr double kWeld = 1e-7;
 // distance lies in it.
 constexpr double kFlat = 1e-6;
 
-using Triangle = std::array<std::uint32_t, 3>;
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
 /// Gives equal places one number.
 class Welder {
   public:
+    explicit Welder(std::size_t count) {
+        numbers_.reserve(count);
+        places_.reserve(count);
+    }
     std::uint32_t number_of(const Vec3& p) {
-        const std::array<std::int64_t, 3> cell{std::llround(p.x / kWeld), std::llround(p.y / kWeld),
-                                               std::llround(p.z / kWeld)};
+        const Cell cell{std::llround(p.x / kWeld), std::llround(p.y / kWeld),
+                        std::llround(p.z / kWeld)};
         const auto [found, is_new] =
             numbers_.try_emplace(cell, static_cast<std::uint32_t>(places_.size()));
         if (is_new)
@@ -31,83 +32,116 @@ class Welder {
         return found->second;
     }
     [[nodiscard]] const Vec3& place(std::uint32_t number) const { return places_[number]; }
+    [[nodiscard]] std::size_t size() const { return places_.size(); }
 
   private:
-    std::map<std::array<std::int64_t, 3>, std::uint32_t> numbers_;
+    using Cell = std::array<std::int64_t, 3>;
+    struct CellHash {
+        std::size_t operator()(const Cell& cell) const {
+            std::uint64_t hash = 0;
+            for (const std::int64_t c : cell)
+                hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15U;
+            return hash ^ (hash >> 32);
+        }
+    };
+    std::unordered_map<Cell, std::uint32_t, CellHash> numbers_;  // never iterated
     std::vector<Vec3> places_;
 };
 
+/// One triangle's use of an edge; sorted, the uses of one edge are neighbours.
 struct EdgeUse {
-    int count = 0;
-    std::uint32_t opposite = 0;  // the third corner of the first triangle seen
-    Vec3 normal{0, 0, 0};        // its normal
-    bool is_flat = false;        // two triangles in one plane meet here
+    std::uint32_t from = 0, to = 0;  // from < to
+    std::uint32_t face = 0;
+    std::uint32_t opposite = 0;  // the triangle's third corner
+
+    friend bool operator<(const EdgeUse& a, const EdgeUse& b) {
+        return std::tie(a.from, a.to, a.face) < std::tie(b.from, b.to, b.face);
+    }
 };
 
-double length(const Vec3& v) { return std::sqrt(v.dot(v)); }
+double length(const Vec3& v) {
+    return std::sqrt(v.dot(v));
+}
 
 class Builder {
   public:
-    Builder(std::uint32_t surface, std::vector<MeshFeature>& features)
-        : surface_(surface), features_(features) {}
+    explicit Builder(std::size_t triangle_count) : welder_(triangle_count) {
+        uses_.reserve(3 * triangle_count);
+        features_.reserve(2 * triangle_count);
+    }
 
     void add_face(const Vec3& a, const Vec3& b, const Vec3& c) {
-        const Triangle t{welder_.number_of(a), welder_.number_of(b), welder_.number_of(c)};
+        const MeshTriangle t{welder_.number_of(a), welder_.number_of(b), welder_.number_of(c)};
         const Vec3 normal = (b - a).cross(c - a);
         const double area = length(normal);
         if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || area < 1e-14)
             return;
         MeshFeature face;
         face.kind = MeshFeature::Kind::face;
-        face.surface = surface_;
         face.points = {welder_.place(t[0]), welder_.place(t[1]), welder_.place(t[2])};
         face.direction = normal / area;
+        const auto number = static_cast<std::uint32_t>(features_.size());
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
+            uses_.push_back({low, high, number, t[(i + 2) % 3]});
+        }
         features_.push_back(face);
-        for (std::size_t i = 0; i < 3; ++i)
-            use_edge(t[i], t[(i + 1) % 3], t[(i + 2) % 3], face.direction);
     }
 
-    void finish() {
-        std::set<std::uint32_t> corners;
-        for (const auto& [edge, use] : edges_) {
-            if (use.count == 2 && use.is_flat)
+    [[nodiscard]] std::vector<MeshFeature> finish() && {
+        std::sort(uses_.begin(), uses_.end());
+        is_corner_.assign(welder_.size(), 0);
+        for (std::size_t begin = 0; begin < uses_.size();) {
+            std::size_t end = begin + 1;
+            while (end < uses_.size() && uses_[end].from == uses_[begin].from &&
+                   uses_[end].to == uses_[begin].to)
+                ++end;
+            if (end - begin != 2 || !is_flat(uses_[begin], uses_[begin + 1]))
+                add_edge(uses_[begin]);
+            begin = end;
+        }
+        for (std::uint32_t i = 0; i < is_corner_.size(); ++i) {
+            if (is_corner_[i] == 0)
                 continue;
             MeshFeature feature;
-            feature.kind = MeshFeature::Kind::edge;
-            feature.surface = surface_;
-            feature.points = {welder_.place(edge.first), welder_.place(edge.second), Vec3(0, 0, 0)};
-            const Vec3 along = feature.points[1] - feature.points[0];
-            feature.direction = along / length(along);
-            features_.push_back(feature);
-            corners.insert(edge.first);
-            corners.insert(edge.second);
-        }
-        for (const std::uint32_t corner : corners) {
-            MeshFeature feature;
             feature.kind = MeshFeature::Kind::corner;
-            feature.surface = surface_;
-            feature.points[0] = welder_.place(corner);
+            feature.points[0] = welder_.place(i);
             features_.push_back(feature);
         }
+        return std::move(features_);
     }
 
   private:
-    void use_edge(std::uint32_t a, std::uint32_t b, std::uint32_t opposite, const Vec3& normal) {
-        EdgeUse& use = edges_[std::minmax(a, b)];
-        if (++use.count == 1) {
-            use.opposite = opposite;
-            use.normal = normal;
-        } else if (use.count == 2) {
-            const Vec3 to_far = welder_.place(opposite) - welder_.place(a);
-            use.is_flat = std::abs(use.normal.dot(to_far)) < kFlat * length(to_far) &&
-                          use.normal.dot(normal) > 0;
-        }
+    [[nodiscard]] bool is_flat(const EdgeUse& a, const EdgeUse& b) const {
+        const Vec3 to_far = welder_.place(b.opposite) - welder_.place(b.from);
+        const Vec3& normal = features_[a.face].direction;
+        return std::abs(normal.dot(to_far)) < kFlat * length(to_far) &&
+               std::abs(normal.dot(features_[b.face].direction)) > 0.5 && !is_folded(a, b);
     }
 
-    std::uint32_t surface_;
-    std::vector<MeshFeature>& features_;
+    /// Both triangles on the same side of their edge, one upon the other.
+    [[nodiscard]] bool is_folded(const EdgeUse& a, const EdgeUse& b) const {
+        const Vec3& from = welder_.place(a.from);
+        const Vec3 along = welder_.place(a.to) - from;
+        const Vec3 side_a = along.cross(welder_.place(a.opposite) - from);
+        const Vec3 side_b = along.cross(welder_.place(b.opposite) - from);
+        return side_a.dot(side_b) > 0;
+    }
+
+    void add_edge(const EdgeUse& use) {
+        MeshFeature feature;
+        feature.kind = MeshFeature::Kind::edge;
+        feature.points = {welder_.place(use.from), welder_.place(use.to), Vec3(0, 0, 0)};
+        const Vec3 along = feature.points[1] - feature.points[0];
+        feature.direction = along / length(along);
+        features_.push_back(feature);
+        is_corner_[use.from] = is_corner_[use.to] = 1;
+    }
+
+    std::vector<MeshFeature> features_;
     Welder welder_;
-    std::map<Edge, EdgeUse> edges_;
+    std::vector<EdgeUse> uses_;
+    std::vector<char> is_corner_;
 };
 
 /// Ericson, Real-Time Collision Detection, 2005, section 5.1.5: the nearest point by the Voronoi
@@ -145,12 +179,12 @@ Vec3 nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3
 
 }  // namespace
 
-void MeshFeatures::add(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                       std::uint32_t surface) {
-    Builder builder(surface, features_);
-    for (const Triangle& t : triangles)
+std::vector<MeshFeature> mesh_features(const std::vector<Vec3>& vertices,
+                                       const std::vector<MeshTriangle>& triangles) {
+    Builder builder(triangles.size());
+    for (const MeshTriangle& t : triangles)
         builder.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
-    builder.finish();
+    return std::move(builder).finish();
 }
 
 Vec3 nearest_point(const MeshFeature& feature, const Vec3& point) {

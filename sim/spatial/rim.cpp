@@ -8,7 +8,9 @@
 namespace carom::sim {
 namespace {
 
-double length(const Vec3& v) { return std::sqrt(v.dot(v)); }
+double length(const Vec3& v) {
+    return std::sqrt(v.dot(v));
+}
 
 }  // namespace
 
@@ -27,8 +29,7 @@ SurfaceContact Rim::contact(const Vec3& ball_centre, double ball_radius) const {
 
 std::optional<double> Rim::touch(const Stretch& ball, double ball_radius, double now,
                                  double until) const {
-    const double speed =
-        std::max(length(ball.velocity_at(now)), length(ball.velocity_at(until)));
+    const double speed = std::max(length(ball.velocity_at(now)), length(ball.velocity_at(until)));
     const Vec3 apart = ball.position_at(now) - centre;
     if (length(apart) > radius + ball_radius + speed * (until - now))
         return std::nullopt;

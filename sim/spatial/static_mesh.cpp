@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "sim/motion/time_of_impact.h"
 
 namespace carom::sim {
 namespace {
 
-double length(const Vec3& v) { return std::sqrt(v.dot(v)); }
+double length(const Vec3& v) {
+    return std::sqrt(v.dot(v));
+}
 
 Aabb bounds_of(const MeshFeature& feature) {
     Aabb box{feature.points[0], feature.points[0]};
@@ -49,8 +53,8 @@ std::optional<double> edge_touch(const MeshFeature& edge, const Stretch& ball, d
     return place >= 0 && place <= whole ? time : std::nullopt;
 }
 
-std::optional<double> feature_touch(const MeshFeature& feature, const Stretch& ball,
-                                    double radius, double now, double until) {
+std::optional<double> feature_touch(const MeshFeature& feature, const Stretch& ball, double radius,
+                                    double now, double until) {
     switch (feature.kind) {
         case MeshFeature::Kind::face:
             return face_touch(feature, ball, radius, now, until);
@@ -62,14 +66,53 @@ std::optional<double> feature_touch(const MeshFeature& feature, const Stretch& b
     return point_touch(ball, feature.points[0], radius, now, until);
 }
 
+SurfaceContact contact_with(const MeshFeature& feature, const Vec3& centre, double radius) {
+    SurfaceContact contact;
+    contact.point = nearest_point(feature, centre);
+    const Vec3 d = centre - contact.point;
+    const double distance = length(d);
+    contact.normal = distance > 1e-9 ? d / distance : feature.direction;
+    contact.depth = radius - distance;
+    return contact;
+}
+
 }  // namespace
 
-StaticMesh::StaticMesh(const MeshFeatures& features) : features_(features.features()) {
+void StaticMesh::add(std::vector<Vec3> vertices, std::vector<MeshTriangle> triangles,
+                     std::uint32_t surface) {
+    if (triangles.empty())
+        return;
+    Part part;
+    part.bounds = {vertices[triangles[0][0]], vertices[triangles[0][0]]};
+    for (const MeshTriangle& t : triangles) {
+        for (const std::uint32_t index : t)
+            part.bounds.extend(vertices[index]);
+    }
+    part.vertices = std::move(vertices);
+    part.triangles = std::move(triangles);
+    part.surface = surface;
+    part.first_feature = next_feature_;
+    next_feature_ += static_cast<std::uint32_t>(7 * part.triangles.size());
+    parts_.push_back(std::move(part));
+}
+
+void StaticMesh::make_ready(Part& part) {
+    if (part.is_ready)
+        return;
+    part.is_ready = true;
+    part.features = mesh_features(part.vertices, part.triangles);
     std::vector<Aabb> boxes;
-    boxes.reserve(features_.size());
-    for (const MeshFeature& feature : features_)
+    boxes.reserve(part.features.size());
+    for (const MeshFeature& feature : part.features)
         boxes.push_back(bounds_of(feature));
-    tree_ = AabbTree(std::move(boxes));
+    part.tree = AabbTree(std::move(boxes));
+}
+
+const StaticMesh::Part& StaticMesh::part_of(std::uint32_t feature) const {
+    const auto next =
+        std::upper_bound(parts_.begin(), parts_.end(), feature,
+                         [](std::uint32_t f, const Part& part) { return f < part.first_feature; });
+    return *std::prev(next);
 }
 
 std::optional<StaticMesh::Touch> StaticMesh::first_touch(const Stretch& ball, double radius,
@@ -78,26 +121,26 @@ std::optional<StaticMesh::Touch> StaticMesh::first_touch(const Stretch& ball, do
     Aabb bounds = swept_bounds(ball, now, until);
     bounds.grow(radius + 1e-9);
     std::vector<std::uint32_t> near;
-    tree_.query(bounds, near);
-    for (const std::uint32_t index : near) {
-        const auto time =
-            feature_touch(features_[index], ball, radius, now, first ? first->time : until);
-        if (time && (!first || *time < first->time))
-            first = Touch{*time, index};
+    for (Part& part : parts_) {
+        if (!part.bounds.overlaps(bounds))
+            continue;
+        make_ready(part);
+        part.tree.query(bounds, near);
+        for (const std::uint32_t index : near) {
+            const auto time =
+                feature_touch(part.features[index], ball, radius, now, first ? first->time : until);
+            if (time && (!first || *time < first->time))
+                first = Touch{*time, part.first_feature + index};
+        }
     }
     return first;
 }
 
-SurfaceContact StaticMesh::contact(std::uint32_t feature, const Vec3& centre,
-                                   double radius) const {
-    const MeshFeature& f = features_[feature];
-    SurfaceContact contact;
-    contact.surface = f.surface;
-    contact.point = nearest_point(f, centre);
-    const Vec3 d = centre - contact.point;
-    const double distance = length(d);
-    contact.normal = distance > 1e-9 ? d / distance : f.direction;
-    contact.depth = radius - distance;
+SurfaceContact StaticMesh::contact(std::uint32_t feature, const Vec3& centre, double radius) const {
+    const Part& part = part_of(feature);
+    SurfaceContact contact =
+        contact_with(part.features[feature - part.first_feature], centre, radius);
+    contact.surface = part.surface;
     return contact;
 }
 
@@ -106,12 +149,18 @@ std::vector<SurfaceContact> StaticMesh::contacts(const Vec3& centre, double radi
     Aabb bounds{centre, centre};
     bounds.grow(radius + margin);
     std::vector<std::uint32_t> near;
-    tree_.query(bounds, near);
     std::vector<SurfaceContact> found;
-    for (const std::uint32_t index : near) {
-        const SurfaceContact candidate = contact(index, centre, radius);
-        if (candidate.depth >= -margin)
-            found.push_back(candidate);
+    for (Part& part : parts_) {
+        if (!part.bounds.overlaps(bounds))
+            continue;
+        make_ready(part);
+        part.tree.query(bounds, near);
+        for (const std::uint32_t index : near) {
+            SurfaceContact candidate = contact_with(part.features[index], centre, radius);
+            candidate.surface = part.surface;
+            if (candidate.depth >= -margin)
+                found.push_back(candidate);
+        }
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const auto& a, const auto& b) { return a.depth > b.depth; });
@@ -124,12 +173,6 @@ std::vector<SurfaceContact> StaticMesh::contacts(const Vec3& centre, double radi
             kept.push_back(candidate);
     }
     return kept;
-}
-
-bool StaticMesh::may_reach(const Aabb& box) const {
-    std::vector<std::uint32_t> near;
-    tree_.query(box, near);
-    return !near.empty();
 }
 
 Aabb swept_bounds(const Stretch& ball, double from, double to) {

@@ -19,10 +19,13 @@ struct SurfaceContact {
     std::uint32_t surface = 0;
 };
 
+/// Many surfaces. Each one is taken apart when a ball first comes near it: a table has tens of
+/// thousands of triangles, of which a shot meets few. Not for several threads at once.
 class StaticMesh {
   public:
-    StaticMesh() = default;
-    explicit StaticMesh(const MeshFeatures& features);
+    /// `surface`: the caller's number for it, given back in contacts.
+    void add(std::vector<Vec3> vertices, std::vector<MeshTriangle> triangles,
+             std::uint32_t surface);
 
     struct Touch {
         double time = 0;
@@ -42,13 +45,24 @@ class StaticMesh {
     [[nodiscard]] std::vector<SurfaceContact> contacts(const Vec3& centre, double radius,
                                                        double margin) const;
 
-    [[nodiscard]] bool empty() const { return features_.empty(); }
-    /// False if nothing of the mesh can be within `box`.
-    [[nodiscard]] bool may_reach(const Aabb& box) const;
+    [[nodiscard]] bool empty() const { return parts_.empty(); }
 
   private:
-    std::vector<MeshFeature> features_;
-    AabbTree tree_;
+    struct Part {
+        std::vector<Vec3> vertices;
+        std::vector<MeshTriangle> triangles;
+        std::uint32_t surface = 0;
+        std::uint32_t first_feature = 0;  // features are counted through all parts
+        Aabb bounds;
+        bool is_ready = false;
+        std::vector<MeshFeature> features;
+        AabbTree tree;
+    };
+    static void make_ready(Part& part);
+    [[nodiscard]] const Part& part_of(std::uint32_t feature) const;
+
+    mutable std::vector<Part> parts_;
+    std::uint32_t next_feature_ = 0;
 };
 
 /// The box that a ball's centre stays in during [from, to].
