@@ -37,11 +37,13 @@ class Gatherer {
     std::optional<Node> read_preset(const std::string& name, const Place& place,
                                     std::vector<OpenFile>& trail);
 
+    [[nodiscard]] bool is_whole() const { return is_whole_; }
+
   private:
     std::optional<Node> read_included(const Node& name, std::vector<OpenFile>& trail);
     std::optional<Node> read_file(const std::string& path, std::string shown_name,
                                   const Place& named_at, std::vector<OpenFile>& trail);
-    std::optional<Node> merge_includes(const Node& own, std::vector<OpenFile>& trail);
+    Node merge_includes(const Node& own, std::vector<OpenFile>& trail);
     bool check_version(const Node& root);
     [[nodiscard]] std::vector<std::string> preset_names() const;
 
@@ -49,6 +51,7 @@ class Gatherer {
     const ConfigFolders& folders_;
     ProblemList& problems_;
     int include_count_ = 0;
+    bool is_whole_ = true;
 };
 
 Node take_entry(Node& map, std::string_view key) {
@@ -89,13 +92,10 @@ std::optional<Node> Gatherer::read(int source, std::vector<OpenFile>& trail, boo
     if (!check_version(*own)) {
         return std::nullopt;
     }
-    std::optional<Node> base = merge_includes(*own, trail);
-    if (!base) {
-        return std::nullopt;
-    }
+    Node base = merge_includes(*own, trail);
     take_entry(*own, "include");
-    take_entry(*base, "carom");  // the shot itself has to say it
-    Node inherited = take_entry(*base, "quality");
+    take_entry(base, "carom");  // the shot itself has to say it
+    Node inherited = take_entry(base, "quality");
     Node quality = take_entry(*own, "quality");
     if (quality.is_null()) {
         quality = std::move(inherited);
@@ -104,16 +104,16 @@ std::optional<Node> Gatherer::read(int source, std::vector<OpenFile>& trail, boo
         problems_.error(quality.place, "'quality' must be the name of a preset");
     } else if (is_root && use_quality && quality.is_scalar()) {
         if (std::optional<Node> preset = read_preset(quality.text, quality.place, trail)) {
-            merge(*base, std::move(*preset));
+            merge(base, std::move(*preset));
         }
     } else if (!is_root && quality.is_scalar()) {
         own->entries.push_back({"quality", quality.place, std::move(quality)});
     }
-    merge(*base, std::move(*own));
+    merge(base, std::move(*own));
     return base;
 }
 
-std::optional<Node> Gatherer::merge_includes(const Node& own, std::vector<OpenFile>& trail) {
+Node Gatherer::merge_includes(const Node& own, std::vector<OpenFile>& trail) {
     Node base;
     base.kind = Node::Kind::map;
     base.place = own.place;
@@ -123,9 +123,9 @@ std::optional<Node> Gatherer::merge_includes(const Node& own, std::vector<OpenFi
     }
     const Node& value = include->value;
     const std::vector<Node> names = value.is_sequence() ? value.items : std::vector<Node>{value};
-    bool is_whole = true;
     for (const Node& name : names) {
         if (!name.is_scalar()) {
+            is_whole_ = false;
             problems_.error(name.place, "'include' must be the name of a file or a list of them");
             continue;
         }
@@ -133,10 +133,10 @@ std::optional<Node> Gatherer::merge_includes(const Node& own, std::vector<OpenFi
         if (included) {
             merge(base, std::move(*included));
         } else {
-            is_whole = false;
+            is_whole_ = false;
         }
     }
-    return is_whole ? std::optional(std::move(base)) : std::nullopt;
+    return base;
 }
 
 std::optional<Node> Gatherer::read_included(const Node& name, std::vector<OpenFile>& trail) {
@@ -224,8 +224,8 @@ std::optional<Node> Gatherer::read_preset(const std::string& name, const Place& 
 
 }  // namespace
 
-std::optional<Node> gather(SourceSet& sources, int root_source, const ConfigFolders& folders,
-                           const GatherOptions& options, ProblemList& problems) {
+Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folders,
+                const GatherOptions& options, ProblemList& problems) {
     Gatherer gatherer(sources, folders, problems);
     const SourceText& root_text = sources.at(root_source);
     std::error_code code;
@@ -234,7 +234,7 @@ std::optional<Node> gather(SourceSet& sources, int root_source, const ConfigFold
     const std::string root_folder = root_text.folder;
     std::optional<Node> root = gatherer.read(root_source, trail, options.quality.empty());
     if (!root) {
-        return std::nullopt;
+        return {};
     }
     if (!options.quality.empty()) {
         const int source = sources.add({"--quality", root_folder, options.quality});
@@ -248,7 +248,7 @@ std::optional<Node> gather(SourceSet& sources, int root_source, const ConfigFold
         const int source = sources.add({"--set", root_folder, override_text});
         apply_override(*root, sources, source, problems);
     }
-    return root;
+    return {std::move(root), gatherer.is_whole()};
 }
 
 }  // namespace carom::pipeline::config

@@ -16,12 +16,16 @@ struct GatherOptions {
     std::string quality;                 // of the command line; empty: as the shot says
 };
 
+struct Gathered {
+    std::optional<Node> root;  // empty after a syntax error in the shot's own file
+    bool is_whole = true;      // false: something that it includes is missing
+};
+
 /// Text `root_source` with all that it includes. From the weakest to the strongest: included files
 /// in their order, the preset that the shot's own `quality` names, the shot's own keys, the preset
 /// of the command line (which takes the place of the shot's), --set. The keys `include` and
-/// `quality` are used up. Empty after a syntax error in any file.
-[[nodiscard]] std::optional<Node> gather(SourceSet& sources, int root_source,
-                                         const ConfigFolders& folders, const GatherOptions& options,
-                                         ProblemList& problems);
+/// `quality` are used up.
+[[nodiscard]] Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folders,
+                              const GatherOptions& options, ProblemList& problems);
 
 }  // namespace carom::pipeline::config

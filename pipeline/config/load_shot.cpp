@@ -39,6 +39,23 @@ std::string absolute_folder(const std::string& origin) {
     return code ? "." : absolute.lexically_normal().parent_path().string();
 }
 
+/// Reads the gathered tree; empty after an error.
+std::optional<Shot> read_shot(const Gathered& gathered, const std::string& name, Reader& reader) {
+    const Node& root = *gathered.root;
+    ShotFile file;
+    reader.set_partial(!gathered.is_whole);
+    shot_spec().read(reader, root, file);
+    if (!gathered.is_whole) {
+        return std::nullopt;
+    }
+    Shot shot = build_shot(file, root, name, reader);
+    if (!reader.has_error()) {
+        shot.assets = hash_assets(reader.files(), root, reader);
+        shot.resolved_text = emit_yaml(root, reader.absolute_paths());
+    }
+    return reader.has_error() ? std::nullopt : std::optional(std::move(shot));
+}
+
 }  // namespace
 
 LoadResult load_shot_text(const std::string& text, const std::string& origin,
@@ -48,20 +65,13 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
     LoadResult result;
     const ConfigFolders folders = standard_config_folders();
     const int source = sources.add({origin, absolute_folder(origin), text});
-    const std::optional<Node> root =
-        gather(sources, source, folders, {overrides, quality}, problems);
-    if (root) {
+    const Gathered gathered = gather(sources, source, folders, {overrides, quality}, problems);
+    if (gathered.root) {
         Reader reader(sources, folders, problems);
-        ShotFile file;
-        shot_spec().read(reader, *root, file);
-        Shot shot = build_shot(file, *root, fs::path(origin).stem().string(), reader);
-        if (!problems.has_error()) {
-            shot.assets = hash_assets(reader.files(), *root, reader);
-            shot.resolved_text = emit_yaml(*root, reader.absolute_paths());
-        }
-        if (!problems.has_error()) {
-            result.shot = std::move(shot);
-        }
+        result.shot = read_shot(gathered, fs::path(origin).stem().string(), reader);
+    }
+    if (problems.has_error()) {
+        result.shot.reset();
     }
     result.problems = problems.take();
     return result;

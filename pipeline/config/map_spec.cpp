@@ -1,6 +1,7 @@
 #include "pipeline/config/map_spec.h"
 
 #include <algorithm>
+#include <set>
 
 #include "pipeline/config/text.h"
 
@@ -18,7 +19,8 @@ std::vector<std::string> quoted(const std::vector<std::string>& words) {
     return result;
 }
 
-void report_unknown(Reader& reader, const Entry& entry, const MapInfo& info) {
+/// Reports a key that the map does not have; the key that was probably meant.
+std::optional<std::string> report_unknown(Reader& reader, const Entry& entry, const MapInfo& info) {
     const std::vector<std::string> known = info.key_names();
     std::string help = hint(entry.key, known);
     if (help.empty() && known.size() <= kMostListedKeys) {
@@ -27,6 +29,7 @@ void report_unknown(Reader& reader, const Entry& entry, const MapInfo& info) {
     }
     reader.error(entry.key_place,
                  "unknown key " + quote(entry.key) + " in " + reader.label() + help);
+    return nearest_name(entry.key, known);
 }
 
 void report_contradiction(Reader& reader, const Entry& first, const Entry& second) {
@@ -39,14 +42,23 @@ void report_contradiction(Reader& reader, const Entry& first, const Entry& secon
     reader.error(second.key_place, message);
 }
 
-void check_group(Reader& reader, const Node& node, const KeyGroup& group) {
+/// A key as it has to be given, with its value where only one is possible.
+std::string spell(const KeyInfo& key) {
+    const Range& range = key.type.range;
+    if (key.type.kind == TypeInfo::Kind::integer && range.low && range.low == range.high) {
+        return "'" + key.name + ": " + show(*range.low) + "'";
+    }
+    return "'" + key.name + "'";
+}
+
+void check_group(Reader& reader, const Node& node, const KeyGroup& group, bool may_lack) {
     std::vector<const Entry*> given;
     for (const Entry& entry : node.entries) {
         if (std::find(group.keys.begin(), group.keys.end(), entry.key) != group.keys.end()) {
             given.push_back(&entry);
         }
     }
-    if (given.empty() && group.rule == KeyGroup::Rule::exactly_one) {
+    if (given.empty() && may_lack && group.rule == KeyGroup::Rule::exactly_one) {
         reader.error(reader.key_place(), reader.label() + " needs " +
                                              (group.keys.size() > 2 ? "one of " : "either ") +
                                              join(quoted(group.keys), "or"));
@@ -67,21 +79,27 @@ std::vector<std::string> MapInfo::key_names() const {
 }
 
 void check_keys(Reader& reader, const Node& node, const MapInfo& info) {
+    std::set<std::string> meant;  // by misspelt keys: not missing as well
+    bool has_unknown = false;
     for (const Entry& entry : node.entries) {
         const bool is_known =
             std::any_of(info.keys.begin(), info.keys.end(),
                         [&](const KeyInfo& key) { return key.name == entry.key; });
         if (!is_known) {
-            report_unknown(reader, entry, info);
+            has_unknown = true;
+            if (const auto nearest = report_unknown(reader, entry, info)) {
+                meant.insert(*nearest);
+            }
         }
     }
     for (const KeyInfo& key : info.keys) {
-        if (key.is_required && node.find(key.name) == nullptr) {
-            reader.error(reader.key_place(), reader.label() + " needs the key '" + key.name + "'");
+        if (key.is_required && !reader.is_partial() && node.find(key.name) == nullptr &&
+            meant.count(key.name) == 0) {
+            reader.error(reader.key_place(), reader.label() + " needs the key " + spell(key));
         }
     }
     for (const KeyGroup& group : info.groups) {
-        check_group(reader, node, group);
+        check_group(reader, node, group, !has_unknown && !reader.is_partial());
     }
 }
 

@@ -95,7 +95,7 @@ std::string describe(const Node& node) {
         case Node::Kind::null:
             return "nothing";
         case Node::Kind::scalar:
-            return quote(node.text);
+            return (node.quoted ? "the text " : "") + quote(node.text);
         case Node::Kind::sequence:
             return node.items.empty() ? "an empty list" : "a list";
         case Node::Kind::map:

@@ -67,6 +67,11 @@ class Reader {
     void warning(const Place& place, std::string message);
     /// An error found later, about what stood at `key_path`.
     void error_at_path(const Place& place, std::string message, std::string key_path);
+    /// Part of the shot could not be read (an included file is missing): what seems to be missing
+    /// may be there.
+    void set_partial(bool is_partial) { is_partial_ = is_partial; }
+    [[nodiscard]] bool is_partial() const { return is_partial_; }
+
     [[nodiscard]] bool has_error() const { return problems_->has_error(); }
 
     /// "'duration' must be a time (s, ms, min), not a list"
@@ -99,6 +104,7 @@ class Reader {
     const ConfigFolders* folders_;
     ProblemList* problems_;
     std::vector<Step> steps_;
+    bool is_partial_ = false;
     std::vector<Reference> references_;
     std::vector<std::string> files_;
     std::map<const Node*, std::string> absolute_paths_;

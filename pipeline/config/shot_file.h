@@ -26,10 +26,15 @@ struct BallSetSection {
     std::optional<double> mass;
 };
 
+/// What is given changes the measures of the standard table.
+struct PocketSection {
+    std::optional<double> mouth, throat, jaw_angle, hole_radius, shelf, drop, lip_radius;
+};
+
 struct PocketsSection {
     bool none = false;
-    std::optional<sim::billiards::PocketMeasures> corner;
-    std::optional<sim::billiards::PocketMeasures> side;
+    std::optional<PocketSection> corner;
+    std::optional<PocketSection> side;
 };
 
 struct TableSection {

@@ -23,6 +23,10 @@ std::string plural(const TypeInfo& element) {
             return "whole numbers";
         case TypeInfo::Kind::name:
             return "names";
+        case TypeInfo::Kind::choice:
+            return "words (" + join(element.choices, "and") + ")";
+        case TypeInfo::Kind::map:
+            return "maps of keys";
         default:
             return "values";
     }
@@ -32,6 +36,8 @@ std::string describe_list(const TypeInfo& type) {
     std::string count;
     if (type.fewest == type.most) {
         count = std::to_string(type.fewest) + " ";
+    } else if (type.most > 0 && type.fewest == 0) {
+        count = "at most " + std::to_string(type.most) + " ";
     } else if (type.most > 0) {
         count = std::to_string(type.fewest) + " to " + std::to_string(type.most) + " ";
     }

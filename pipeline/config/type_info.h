@@ -41,8 +41,8 @@ struct TypeInfo {
     std::vector<std::string> choices;
     std::vector<TypeInfo> elements;
     int fewest = 0;
-    int most = -1;  // -1: any number
-    std::string noun;
+    int most = -1;     // -1: any number
+    std::string noun;  // text: what it stands for; name, named: of what; any_of: its own name
     const MapInfo* map = nullptr;
 };
 

@@ -53,6 +53,16 @@ std::optional<Vec3> parse_hexadecimal_colour(std::string_view text) {
     return colour;
 }
 
+/// For an unknown unit without a near one: those that can stand here.
+std::string units_help(const std::string& wrong, const TypeInfo& type) {
+    const bool is_unit = wrong.find("unknown unit") != std::string::npos;
+    if (!is_unit || wrong.find("did you mean") != std::string::npos) {
+        return {};
+    }
+    const std::string& units = info(type.dimension).units;
+    return units.empty() ? " (it is a plain number)" : " (it may be in " + units + ")";
+}
+
 std::string noun_of(ReferenceKind kind) {
     switch (kind) {
         case ReferenceKind::ball:
@@ -101,7 +111,7 @@ std::optional<Quantity> read_quantity(Reader& reader, const Node& node, const Ty
         if (*wrong == "is not a number") {
             reader.wrong_type(node, describe(type));
         } else {
-            reader.error(node.place, quote(node.text) + " " + *wrong);
+            reader.error(node.place, quote(node.text) + " " + *wrong + units_help(*wrong, type));
         }
         return std::nullopt;
     }
@@ -326,8 +336,11 @@ ValueType<Vec3> colour(Range range) {
         }
         return value;
     };
-    return any_of<Vec3>(
+    ValueType<Vec3> result = any_of<Vec3>(
         {{is_list, vector3(Dimension::none, range)}, {is_number, grey}, {is_word, hexadecimal}});
+    result.info.noun = "colour";
+    result.info.range = range;
+    return result;
 }
 
 bool check_name(Reader& reader, const std::string& name, const Place& place,

@@ -1,5 +1,7 @@
 #include "sim/timeline/event.h"
 
+#include "sim/timeline/assert.h"
+
 namespace carom::sim {
 
 std::string_view to_string(EventKind kind) {
@@ -31,7 +33,8 @@ std::string_view to_string(EventKind kind) {
         case EventKind::strike:
             return "strike";
     }
-    return "unknown";  // not a kind
+    CAROM_ASSERT(!"an event kind out of range");
+    return "unknown";
 }
 
 }  // namespace carom::sim

@@ -55,7 +55,9 @@ void add_given_balls(Builder& builder, std::vector<Ball>& balls) {
         }
         ball->section = &given.value;
         ball->place = given.place;
-        if (!ball->has_position && !given.value.at) {
+        const Entry* section = builder.root.find("balls")->value.find(given.name);
+        const bool says_where = section->value.find("at") != nullptr;  // well or not
+        if (!ball->has_position && !says_where) {
             builder.reader.error(given.place, "ball '" + given.name +
                                                   "' needs the key 'at', since it is not racked");
         }

@@ -1,5 +1,6 @@
 #include "pipeline/config/build/build_shot.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "pipeline/config/build/builder.h"
@@ -20,7 +21,17 @@ Place Builder::place_of(const std::vector<std::string>& path) const {
     return place;
 }
 
+const std::vector<std::string>& surface_names() {
+    static const std::vector<std::string> names{"cushion", "cloth", "floor", "rail", "pocket"};
+    return names;
+}
+
 bool Builder::claim(const std::string& name, const Place& place, const std::string& noun) {
+    const std::vector<std::string>& surfaces = surface_names();
+    if (std::find(surfaces.begin(), surfaces.end(), name) != surfaces.end()) {
+        reader.error(place, noun + " '" + name + "' has the name of a part of the table");
+        return false;
+    }
     const auto [known, is_new] = placed.emplace(name, place);
     if (!is_new) {
         reader.error(place, noun + " '" + name + "' has the name of something else (at " +

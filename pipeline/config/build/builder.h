@@ -35,6 +35,9 @@ struct Builder {
     bool claim(const std::string& name, const Place& place, const std::string& noun);
 };
 
+/// What an event's `contact` may name beside objects: the surfaces of the event log.
+[[nodiscard]] const std::vector<std::string>& surface_names();
+
 void build_table(Builder& builder);  // its measures
 void build_balls(Builder& builder);  // bodies and what is seen of them
 void build_objects(Builder& builder);

@@ -36,16 +36,17 @@ void add_cameras(Builder& builder) {
     }
 }
 
-/// Gaps and overlaps, each at the last camera that its sentence names.
+/// Gaps and overlaps, each at the later of the cameras that its sentence names.
 void check_sequence(Builder& builder) {
     const Shot& shot = builder.shot;
     for (const std::string& problem : find_problems(shot.cameras, shot.timing)) {
         Place place = builder.file.cameras_place;
-        std::size_t last = 0;
+        const CameraRig* latest = nullptr;
         for (std::size_t i = 0; i < shot.cameras.size(); ++i) {
-            const std::size_t at = problem.rfind("'" + shot.cameras[i].name + "'");
-            if (at != std::string::npos && at >= last) {
-                last = at;
+            const CameraRig& rig = shot.cameras[i];
+            const bool is_named = problem.find("'" + rig.name + "'") != std::string::npos;
+            if (is_named && (latest == nullptr || latest->video_start < rig.video_start)) {
+                latest = &rig;
                 place = place_of_camera(builder, i);
             }
         }
@@ -83,6 +84,9 @@ void build_film(Builder& builder) {
         builder.reader.error(builder.place_of({"render", "size"}), problem);
     }
     add_cameras(builder);
+    if (builder.reader.has_error()) {
+        return;
+    }
     if (shot.cameras.empty()) {
         builder.reader.warning(builder.file.cameras_place,
                                "the shot has no camera: it can be baked, but not filmed");

@@ -8,8 +8,6 @@ namespace carom::pipeline::config {
 
 namespace {
 
-const std::vector<std::string> kSurfaces{"cushion", "cloth", "floor", "rail", "pocket"};
-
 void append(std::vector<std::string>& names, const std::set<std::string>& more) {
     names.insert(names.end(), more.begin(), more.end());
 }
@@ -33,7 +31,7 @@ std::vector<std::string> known_names(const Builder& builder, ReferenceKind kind)
         case ReferenceKind::touchable:
             append(names, builder.bodies);
             append(names, builder.fixed);
-            names.insert(names.end(), kSurfaces.begin(), kSurfaces.end());
+            names.insert(names.end(), surface_names().begin(), surface_names().end());
             break;
         case ReferenceKind::body:
             append(names, builder.bodies);

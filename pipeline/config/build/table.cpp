@@ -10,10 +10,18 @@ namespace carom::pipeline::config {
 
 namespace {
 
+using sim::billiards::PocketMeasures;
 using sim::billiards::TableKind;
 using sim::billiards::TableMeasures;
 
 constexpr std::array kSizes{"7 ft", "8 ft", "9 ft", "10 ft", "12 ft"};
+
+std::string kind_name(TableKind kind) {
+    if (kind == TableKind::snooker) {
+        return "snooker";
+    }
+    return kind == TableKind::carom ? "carom" : "pool";
+}
 
 std::string default_size(TableKind kind) {
     switch (kind) {
@@ -57,11 +65,30 @@ std::optional<TableMeasures> standard_measures(Builder& builder, const TableSect
                 known.emplace_back(candidate);
             }
         }
-        builder.reader.error(section.size_place, "there is no such table of " +
-                                                     quote(*section.size) + "; the sizes are " +
-                                                     join(known, "and"));
+        builder.reader.error(section.size_place,
+                             "there is no " + kind_name(kind) + " table of size " +
+                                 quote(section.size.value_or("")) +
+                                 (known.size() == 1 ? "; the size is " : "; the sizes are ") +
+                                 join(known, "and"));
     }
     return measures;
+}
+
+/// A table without such pockets gets what is given; whether that is enough, its own check says.
+void override_pocket(std::optional<PocketMeasures>& pocket,
+                     const std::optional<PocketSection>& section) {
+    if (!section) {
+        return;
+    }
+    PocketMeasures measures = pocket.value_or(PocketMeasures{});
+    measures.mouth = section->mouth.value_or(measures.mouth);
+    measures.throat = section->throat.value_or(measures.throat);
+    measures.jaw_angle = section->jaw_angle.value_or(measures.jaw_angle);
+    measures.hole_radius = section->hole_radius.value_or(measures.hole_radius);
+    measures.shelf = section->shelf.value_or(measures.shelf);
+    measures.drop = section->drop.value_or(measures.drop);
+    measures.lip_radius = section->lip_radius.value_or(measures.lip_radius);
+    pocket = measures;
 }
 
 void override_measures(TableMeasures& measures, const TableSection& section) {
@@ -77,12 +104,8 @@ void override_measures(TableMeasures& measures, const TableSection& section) {
         measures.corner_pocket.reset();
         measures.side_pocket.reset();
     } else if (section.pockets) {
-        if (section.pockets->corner) {
-            measures.corner_pocket = section.pockets->corner;
-        }
-        if (section.pockets->side) {
-            measures.side_pocket = section.pockets->side;
-        }
+        override_pocket(measures.corner_pocket, section.pockets->corner);
+        override_pocket(measures.side_pocket, section.pockets->side);
     }
 }
 
@@ -100,7 +123,8 @@ void build_table(Builder& builder) {
     override_measures(*measures, section);
     const std::vector<std::string> problems = sim::billiards::find_problems(*measures);
     for (const std::string& problem : problems) {
-        builder.reader.error(builder.place_of({"table"}), problem);
+        const bool is_pocket = problem.find("pocket") != std::string::npos;
+        builder.reader.error(builder.place_of({"table", is_pocket ? "pockets" : "kind"}), problem);
     }
     if (problems.empty()) {
         if (measures->has_cushions) {

@@ -94,9 +94,9 @@ ValueType<CameraPath> path() {
 
 /// One value, [start, end], or {from, to, easing}.
 template <class V>
-ValueType<Eased<V>> eased(ValueType<V> single) {
+ValueType<Eased<V>> eased(const std::string& key, ValueType<V> single) {
     const auto spec = std::make_shared<MapSpec<Eased<V>>>(
-        "eased value", "A value that changes over the camera's stretch of time.");
+        "changing " + key, "A value that changes over the camera's stretch of the film.");
     spec->key("from", &Eased<V>::start, single, "at the start").required();
     spec->key("to", &Eased<V>::end, single, "at the end").required();
     spec->key("easing", &Eased<V>::easing,
@@ -118,6 +118,7 @@ ValueType<Eased<V>> eased(ValueType<V> single) {
     };
     ValueType<Eased<V>> result =
         any_of<Eased<V>>({{is_scalar, constant}, {is_list, pair}, {is_map, map}});
+    result.info.noun = "changing";
     result.show = [single](const Eased<V>& value) {
         return single.show ? single.show(value.start) : std::string();
     };
@@ -200,14 +201,14 @@ void add_time(MapSpec<CameraRig>& s) {
 }
 
 void add_lens(MapSpec<CameraRig>& s) {
-    s.key("fov", &CameraRig::vertical_fov, eased(angle(inside(0, kPi))),
+    s.key("fov", &CameraRig::vertical_fov, eased("fov", angle(inside(0, kPi))),
           "vertical field of view: one value, [start, end] or {from, to, easing}");
-    s.key("focus", &CameraRig::focus, eased(focus()),
+    s.key("focus", &CameraRig::focus, eased("focus", focus()),
           "a distance, `auto` (the target) or a ball or object; like fov");
-    s.key("aperture", &CameraRig::aperture, eased(lens_radius()),
+    s.key("aperture", &CameraRig::aperture, eased("aperture", lens_radius()),
           "radius of the lens; 0: everything is sharp; like fov");
     s.set(
-        "f_number", eased(f_number()),
+        "f_number", eased("f_number", f_number()),
         [](CameraRig& rig, const Eased<Aperture>& value) { rig.aperture = value; },
         "instead of `aperture`: focal length / (2 radius) on a sensor 24 mm high");
     s.key("blades", &CameraRig::blades, integer(0, 64), "of the iris: 0 (round) or at least 3");
@@ -241,7 +242,7 @@ const MapSpec<CameraRig>& camera_spec() {
         s.key("target", &CameraRig::target, path(), "what it looks at: a point or a path")
             .required();
         add_lens(s);
-        s.key("roll", &CameraRig::roll, eased(angle()), "turn about its axis; like fov");
+        s.key("roll", &CameraRig::roll, eased("roll", angle()), "turn about its axis; like fov");
         s.key("up", &CameraRig::up, vector3(Dimension::none), "which way is up in the picture");
         s.check(check_camera);
         return s;

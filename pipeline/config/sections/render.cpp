@@ -91,7 +91,8 @@ ValueType<ShutterSection> bare_shutter() {
     ValueType<ShutterSection> result;
     result.info.kind = TypeInfo::Kind::any_of;
     result.info.elements = {shutter_turn().info, shutter_time().info};
-    result.read = [](Reader& reader, const Node& node) -> std::optional<ShutterSection> {
+    const TypeInfo type = result.info;
+    result.read = [type](Reader& reader, const Node& node) -> std::optional<ShutterSection> {
         const std::variant<Quantity, std::string> parsed = parse_quantity(node.text);
         const Quantity* value = std::get_if<Quantity>(&parsed);
         if (value != nullptr && !value->has_unit && value->value != 0) {
@@ -99,8 +100,14 @@ ValueType<ShutterSection> bare_shutter() {
                          "'shutter' needs a unit, as in 180 deg or 1/48 s, not " + describe(node));
             return std::nullopt;
         }
+        const bool is_time =
+            value != nullptr && value->exponents == info(Dimension::time).exponents;
         const bool is_angle =
             value != nullptr && value->exponents == info(Dimension::angle).exponents;
+        if (value != nullptr && value->has_unit && !is_angle && !is_time) {
+            reader.wrong_type(node, describe(type));
+            return std::nullopt;
+        }
         const auto read = (is_angle ? shutter_turn() : shutter_time()).read;
         const std::optional<Rational> length = read(reader, node);
         if (!length) {

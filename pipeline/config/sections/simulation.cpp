@@ -1,5 +1,3 @@
-#include <limits>
-
 #include "pipeline/config/sections/sections.h"
 
 namespace carom::pipeline::config {
@@ -29,7 +27,7 @@ const MapSpec<sim::WorldDescription>& simulation_spec() {
               "scene time that is simulated");
         s.key("step", &World::step, time(between(1e-5, 0.1)), "longest step between two touches");
         s.set(
-            "seed", integer64(0, std::numeric_limits<std::int64_t>::max()),
+            "seed", integer64(0, (std::int64_t{1} << 53U) - 1),
             [](World& world, std::int64_t seed) { world.seed = static_cast<std::uint64_t>(seed); },
             "chooses the rack's random gaps and how the balls are turned", "0");
         s.map("key_reduction", &World::key_reduction, key_reduction_spec(),

@@ -4,35 +4,29 @@ namespace carom::pipeline::config {
 
 namespace {
 
-using sim::billiards::PocketMeasures;
 using sim::billiards::RackKind;
 using sim::billiards::TableKind;
 
 constexpr double kPi = 3.14159265358979323846;
 
-const MapSpec<PocketMeasures>& pocket_spec() {
-    static const MapSpec<PocketMeasures> spec = [] {
-        MapSpec<PocketMeasures> s("pocket", "The measures of one kind of pocket.");
-        s.key("mouth", &PocketMeasures::mouth, length(inside(0, 1)),
-              "between the ends of the two cushion noses")
-            .required();
-        s.key("throat", &PocketMeasures::throat, length(inside(0, 1)),
-              "between the jaws where they meet the hole")
-            .required();
-        s.key("jaw_angle", &PocketMeasures::jaw_angle, angle(inside(kPi / 2, kPi)),
-              "between the cushion's nose line and the jaw")
-            .required();
-        s.key("hole_radius", &PocketMeasures::hole_radius, length(inside(0, 1)),
-              "of the hole in the slate")
-            .required();
-        s.key("shelf", &PocketMeasures::shelf, length(between(0, 1)),
-              "from the line of the mouth to the edge of the hole")
-            .required();
-        s.key("drop", &PocketMeasures::drop, length(inside(0, 2)),
-              "depth of the pocket's floor under the cloth")
-            .required();
-        s.key("lip_radius", &PocketMeasures::lip_radius, length(between(0, 0.5)),
-              "rounding, seen from above, between nose and jaw (3 mm)");
+const MapSpec<PocketSection>& pocket_spec() {
+    static const MapSpec<PocketSection> spec = [] {
+        MapSpec<PocketSection> s("pocket",
+                                 "One kind of pocket; what is left out is the standard's.");
+        s.key("mouth", &PocketSection::mouth, length(inside(0, 1)),
+              "between the ends of the two cushion noses, as if they were not rounded");
+        s.key("throat", &PocketSection::throat, length(inside(0, 1)),
+              "between the jaws where they meet the hole");
+        s.key("jaw_angle", &PocketSection::jaw_angle, angle(inside(kPi / 2, kPi)),
+              "between the cushion's nose line and the jaw");
+        s.key("hole_radius", &PocketSection::hole_radius, length(inside(0, 1)),
+              "of the hole in the slate");
+        s.key("shelf", &PocketSection::shelf, length(between(0, 1)),
+              "from the line of the mouth to the edge of the hole");
+        s.key("drop", &PocketSection::drop, length(inside(0, 2)),
+              "depth of the pocket's floor under the cloth");
+        s.key("lip_radius", &PocketSection::lip_radius, length(between(0, 0.1)),
+              "rounding, seen from above, between nose and jaw");
         return s;
     }();
     return spec;
@@ -58,9 +52,33 @@ ValueType<PocketsSection> pockets() {
     return any_of<PocketsSection>({{is_scalar, none}, {is_map, record(pockets_spec())}});
 }
 
-void note_size_place(Reader& /*reader*/, const Node& node, TableSection& table) {
+/// Which measures a kind of table has.
+void check_measures(Reader& reader, const Node& node, TableSection& table) {
     if (const Entry* size = node.find("size")) {
         table.size_place = size->value.place;
+    }
+    const auto refuse = [&](const char* key, const std::string& why) {
+        if (const Entry* entry = node.find(key)) {
+            reader.error(entry->key_place, "'" + std::string(key) + "' has no meaning for " + why);
+        }
+    };
+    if (table.kind == TableKind::cloth) {
+        for (const char* key : {"size", "length", "width", "cushion_height", "cushion_width",
+                                "rail_width", "rail_height", "height", "pockets"}) {
+            refuse(key, "an unbounded cloth");
+        }
+    } else if (table.kind == TableKind::custom) {
+        refuse("size", "a custom table; give 'length' and 'width'");
+        for (const char* key : {"length", "width"}) {
+            if (node.find(key) == nullptr && !reader.is_partial()) {
+                reader.error(reader.key_place(),
+                             "a custom table needs the key '" + std::string(key) + "'");
+            }
+        }
+    } else {
+        for (const char* key : {"length", "width"}) {
+            refuse(key, "a table of a standard size; use 'kind: custom'");
+        }
     }
 }
 
@@ -96,7 +114,7 @@ const MapSpec<TableSection>& table_spec() {
               "of the cloth above the floor");
         s.key("pockets", &TableSection::pockets, pockets(),
               "`none`, or the measures of both kinds");
-        s.check(note_size_place);
+        s.check(check_measures);
         return s;
     }();
     return spec;

@@ -135,7 +135,11 @@ TEST(Show, Values_ReadBackAsThemselves) {
     EXPECT_EQ(show(kPi / 6, Dimension::angle), "30 deg");
     EXPECT_EQ(show(0.1, Dimension::none), "0.1");
     EXPECT_EQ(show(-0.0, Dimension::length), "0 m");
-    EXPECT_EQ(show(1e-5, Dimension::time), "1e-05 s");
+    EXPECT_EQ(show(1e-5, Dimension::time), "0.01 ms");
+    EXPECT_EQ(show(1.0 / 240, Dimension::time), "1/240 s");
+    EXPECT_EQ(show(3e-5, Dimension::length), "0.03 mm");
+    EXPECT_EQ(show(0.7, Dimension::angle), "0.7 rad");
+    EXPECT_EQ(show(1e6, Dimension::none), "1000000");
 }
 
 TEST(LooksLikeNumber, Words_DoNot) {

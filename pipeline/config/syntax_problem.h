@@ -1,0 +1,23 @@
+// What yaml-cpp says about a syntax error, in words that help.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "pipeline/config/node.h"
+#include "pipeline/config/source_set.h"
+
+namespace carom::pipeline::config {
+
+struct SyntaxProblem {
+    Place place;
+    std::string message;
+};
+
+/// `message` is yaml-cpp's own, at a byte `offset` of the text; `innermost` the container that was
+/// open there, or nullptr.
+[[nodiscard]] SyntaxProblem describe_syntax_error(const SourceSet& sources, int source,
+                                                  std::size_t offset, std::string_view message,
+                                                  const Node* innermost);
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,69 @@
+// Every file in tests/broken, named for its fault, with everything that is said about it.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/config/load_shot.h"
+
+namespace carom::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kFolder = fs::path(CAROM_SOURCE_DIR) / "tests/broken";
+
+std::string read(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::vector<std::string> broken_files() {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(kFolder)) {
+        if (entry.path().extension() == ".yaml") {
+            names.push_back(entry.path().stem().string());
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+/// The values of comment lines such as "# --set render.samples=16".
+std::vector<std::string> options(const std::string& text, const std::string& option) {
+    const std::string start = "# --" + option + " ";
+    std::vector<std::string> values;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind(start, 0) == 0) {
+            values.push_back(line.substr(start.size()));
+        }
+    }
+    return values;
+}
+
+class BrokenFile : public testing::TestWithParam<std::string> {};
+
+TEST_P(BrokenFile, Problems_AreSaidInFull) {
+    fs::current_path(kFolder);  // so that messages name the files as a user would
+    const std::string file = GetParam() + ".yaml";
+    const std::string text = read(file);
+    const std::vector<std::string> quality = options(text, "quality");
+    const LoadResult result =
+        load_shot(file, options(text, "set"), quality.empty() ? "" : quality[0]);
+    std::string said;
+    for (const Problem& problem : result.problems) {
+        said += format(problem);
+    }
+    EXPECT_EQ(said, read(GetParam() + ".expected"));
+    EXPECT_FALSE(said.empty());
+    EXPECT_EQ(result.shot.has_value(), !has_errors(result.problems));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BrokenFile, testing::ValuesIn(broken_files()),
+                         [](const auto& instance) { return instance.param; });
+
+}  // namespace
+}  // namespace carom::pipeline

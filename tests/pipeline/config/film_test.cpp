@@ -1,0 +1,162 @@
+// The sections that make the film: cameras, render, output.
+#include <gmock/gmock.h>
+
+#include "tests/pipeline/config/load.h"
+
+namespace carom::pipeline {
+namespace {
+
+const std::string kBalls = "balls: {cue: {at: [0, 0]}, one: {at: [1, 0]}}\n";
+
+CameraRig read_camera(const std::string& keys) {
+    const Shot shot = load_sections(kBalls + "cameras: [{video: [0 s, 1 s], " + keys + "}]\n");
+    return shot.cameras.empty() ? CameraRig{} : shot.cameras[0];
+}
+
+const std::string kStill = "scene: [0 s, 1 s], position: [0, -2, 1], target: [0, 0, 0]";
+
+TEST(Cameras, Times_AreExact) {
+    const Shot shot = load_sections(kBalls +
+                                    "cameras:\n"
+                                    "  - {name: a, video: [0, 1001/24000 s], scene: [3.3 s, 0.3 "
+                                    "s], position: [0, -2, 1], target: "
+                                    "[0, 0, 0]}\n"
+                                    "  - {video: [1001/24000 s, 250 ms], scene: 1/3 s, position: "
+                                    "[0, -2, 1], target: [0, 0, 0]}\n");
+    ASSERT_EQ(shot.cameras.size(), 2U);
+    EXPECT_EQ(shot.cameras[0].name, "a");
+    EXPECT_EQ(shot.cameras[0].video_end, Rational(1001, 24000));
+    EXPECT_EQ(shot.cameras[0].time_map.scene_start, Rational(33, 10));
+    EXPECT_EQ(shot.cameras[0].time_map.scene_end, Rational(3, 10));
+    EXPECT_EQ(shot.cameras[1].name, "camera_2");
+    EXPECT_EQ(shot.cameras[1].video_end, Rational(1, 4));
+    EXPECT_EQ(shot.cameras[1].time_map.scene_start, Rational(1, 3));
+    EXPECT_EQ(shot.cameras[1].time_map.scene_end, Rational(1, 3));
+}
+
+TEST(Cameras, TimesWithManyDigits_AreRoundedNotRefused) {
+    const CameraRig rig = read_camera(
+        "scene: [0.333333333333333333 s, 1e-30 s], position: [0, -2, 1], "
+        "target: [0, 0, 0]");
+    EXPECT_NEAR(rig.time_map.scene_start.to_double(), 1.0 / 3, 1e-9);
+    EXPECT_EQ(rig.time_map.scene_end, Rational(0));
+}
+
+TEST(Cameras, Paths_HaveThreeForms) {
+    const CameraRig rig = read_camera(
+        "scene: 0 s, position: {bezier: [[-2, -1, 1], {of: cue, at: 0.3 s, offset: [0, 0, 1]}], "
+        "pace: even}, target: {follow: one, offset: [0, 0, 10 mm], smoothing: 0.1 s}");
+    const auto& position = std::get<BezierPath>(rig.position);
+    EXPECT_TRUE(position.even_pace);
+    ASSERT_EQ(position.points.size(), 2U);
+    EXPECT_EQ(position.points[0].offset, Vec3(-2, -1, 1));
+    EXPECT_EQ(position.points[0].of, "");
+    EXPECT_EQ(position.points[1].of, "cue");
+    EXPECT_EQ(position.points[1].at, 0.3);
+    const auto& target = std::get<FollowPath>(rig.target);
+    EXPECT_EQ(target.object, "one");
+    EXPECT_EQ(target.offset, Vec3(0, 0, 0.01));
+    EXPECT_EQ(target.smoothing, 0.1);
+    const auto point = std::get<BezierPath>(read_camera(kStill).position);
+    ASSERT_EQ(point.points.size(), 1U);
+    EXPECT_EQ(point.points[0].offset, Vec3(0, -2, 1));
+}
+
+TEST(Cameras, ChangingValues_HaveThreeForms) {
+    EXPECT_EQ(read_camera(kStill + ", fov: 1 rad").vertical_fov.end, 1);
+    const CameraRig pair = read_camera(kStill + ", fov: [1 rad, 0.5 rad]");
+    EXPECT_EQ(pair.vertical_fov.start, 1);
+    EXPECT_EQ(pair.vertical_fov.end, 0.5);
+    EXPECT_EQ(pair.vertical_fov.easing, Easing::linear);
+    const CameraRig map = read_camera(kStill + ", roll: {from: 0, to: 1 rad, easing: smooth}");
+    EXPECT_EQ(map.roll.end, 1);
+    EXPECT_EQ(map.roll.easing, Easing::smooth);
+}
+
+TEST(Cameras, Focus_IsADistanceTheTargetOrAnObject) {
+    EXPECT_EQ(read_camera(kStill + ", focus: 1.5 m").focus.start.distance, 1.5);
+    const CameraRig rig = read_camera(kStill + ", focus: [auto, one]");
+    EXPECT_FALSE(rig.focus.start.distance);
+    EXPECT_EQ(rig.focus.start.object, "");
+    EXPECT_EQ(rig.focus.end.object, "one");
+}
+
+TEST(Cameras, Aperture_IsARadiusOrAnFNumber) {
+    const CameraRig radius = read_camera(kStill + ", aperture: 8 mm, blades: 5");
+    EXPECT_EQ(radius.aperture.start.value, 0.008);
+    EXPECT_FALSE(radius.aperture.start.is_f_number);
+    EXPECT_EQ(radius.blades, 5);
+    const CameraRig f_number = read_camera(kStill + ", f_number: [2.8, 4]");
+    EXPECT_EQ(f_number.aperture.end.value, 4);
+    EXPECT_TRUE(f_number.aperture.end.is_f_number);
+}
+
+FilmTiming read_timing(const std::string& render) {
+    return load_sections("render: " + render + "\n").timing;
+}
+
+TEST(Render, Fps_IsExact) {
+    EXPECT_EQ(read_timing("{fps: 24000/1001}").fps, Rational(24000, 1001));
+    EXPECT_EQ(read_timing("{fps: 23.976}").fps, Rational(2997, 125));
+    EXPECT_EQ(read_timing("{fps: 25 fps}").fps, Rational(25));
+    EXPECT_EQ(read_timing("{}").fps, Rational(24));
+}
+
+TEST(Render, Shutter_IsAnAngleATimeOrAMap) {
+    EXPECT_EQ(read_timing("{fps: 24000/1001, shutter: 180 deg}").shutter.exposure,
+              Rational(1001, 48000));
+    EXPECT_EQ(read_timing("{shutter: 172.8 deg}").shutter.exposure, Rational(1, 50));
+    EXPECT_EQ(read_timing("{shutter: 0.5 turn}").shutter.exposure, Rational(1, 48));
+    EXPECT_EQ(read_timing("{shutter: 1/100 s}").shutter.exposure, Rational(1, 100));
+    EXPECT_EQ(read_timing("{shutter: 0}").shutter.exposure, Rational(0));
+    EXPECT_NEAR(read_timing("{shutter: 3.141592653589793 rad}").shutter.exposure.to_double(),
+                1.0 / 48, 1e-9);
+    const Shutter shutter =
+        read_timing("{shutter: {time: 5 ms, clock: scene, position: start, switch_ratio: 0}}")
+            .shutter;
+    EXPECT_EQ(shutter.exposure, Rational(1, 200));
+    EXPECT_EQ(shutter.clock, ShutterClock::scene);
+    EXPECT_EQ(shutter.position, ShutterPosition::start);
+    EXPECT_EQ(shutter.switch_ratio, 0);
+    EXPECT_EQ(read_timing("{shutter: {clock: scene}}").shutter.exposure, Rational(1, 48));
+}
+
+TEST(Render, Settings_FillEveryField) {
+    const render::RenderSettings r =
+        load_sections(
+            "render: {size: [640, 360], samples: 16, max_bounces: 2, clamp: 8, filter: gaussian,\n"
+            "         filter_width: 2, acceleration: embree, aovs: [depth, variance],\n"
+            "         integrator: path}\n")
+            .render;
+    EXPECT_EQ(r.width, 640);
+    EXPECT_EQ(r.height, 360);
+    EXPECT_EQ(r.samples, 16);
+    EXPECT_EQ(r.max_bounces, 2);
+    EXPECT_EQ(r.clamp, 8);
+    EXPECT_EQ(r.filter, render::PixelFilter::gaussian);
+    EXPECT_EQ(r.filter_width, 2);
+    EXPECT_EQ(r.acceleration, render::AccelerationKind::embree);
+    EXPECT_THAT(r.aovs, testing::ElementsAre("depth", "variance"));
+    EXPECT_EQ(load_sections("").render, render::RenderSettings{});
+}
+
+TEST(Output, Settings_FillEveryField) {
+    const OutputSettings o = load_sections(
+                                 "output: {codec: ffv1, crf: 20.5, preset: slow, threads: 3, view: "
+                                 "srgb, exposure: -1.5}\n")
+                                 .output;
+    EXPECT_EQ(o.codec, Codec::ffv1);
+    EXPECT_EQ(o.crf, 20.5);
+    EXPECT_EQ(o.preset, "slow");
+    EXPECT_EQ(o.threads, 3);
+    EXPECT_EQ(o.view, ViewTransform::srgb);
+    EXPECT_EQ(o.exposure, -1.5);
+}
+
+TEST(Output, OddSizes_AreForFfv1) {
+    EXPECT_EQ(load_sections("render: {size: [641, 361]}\noutput: {codec: ffv1}\n").render.width,
+              641);
+}
+
+}  // namespace
+}  // namespace carom::pipeline

@@ -1,0 +1,178 @@
+// Files that lie over each other: include, quality presets, --set, and where files are looked for.
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include "tests/pipeline/config/load.h"
+
+namespace carom::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A folder of its own for each test, gone afterwards.
+class Include : public testing::Test {
+  protected:
+    Include() : folder_(fs::temp_directory_path() / ("carom_include_" + std::to_string(getpid()))) {
+        fs::create_directories(folder_);
+    }
+    ~Include() override {
+        unsetenv("CAROM_CONFIGS");
+        fs::remove_all(folder_);
+    }
+    std::string write(const std::string& name, const std::string& text) const {
+        fs::create_directories((folder_ / name).parent_path());
+        std::ofstream(folder_ / name) << text;
+        return (folder_ / name).string();
+    }
+    Shot load_file(const std::string& path, const std::vector<std::string>& overrides = {},
+                   const std::string& quality = {}) const {
+        LoadResult result = load_shot(path, overrides, quality);
+        EXPECT_EQ(all_problems(result), "");
+        return result.shot ? std::move(*result.shot) : Shot{};
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(Include, LaterFiles_LieOverEarlierOnes) {
+    write("a.yaml", "render: {samples: 1, max_bounces: 1, clamp: 1}\n" + kCamera);
+    write("b.yaml", "render: {max_bounces: 2, clamp: 2}\n");
+    const Shot shot =
+        load_file(write("shot.yaml", "carom: 1\ninclude: [a.yaml, b.yaml]\nrender: {clamp: 3}\n"));
+    EXPECT_EQ(shot.render.samples, 1);
+    EXPECT_EQ(shot.render.max_bounces, 2);
+    EXPECT_EQ(shot.render.clamp, 3);
+    EXPECT_EQ(shot.name, "shot");
+    EXPECT_EQ(shot.cameras.size(), 1U);
+}
+
+TEST_F(Include, IncludedFiles_IncludeFurtherOnesBesideThem) {
+    write("looks/base.yaml", "render: {samples: 5}\n" + kCamera);
+    write("looks/club.yaml", "include: base.yaml\nrender: {clamp: 2}\n");
+    const Shot shot = load_file(write("shot.yaml", "carom: 1\ninclude: looks/club.yaml\n"));
+    EXPECT_EQ(shot.render.samples, 5);
+    EXPECT_EQ(shot.render.clamp, 2);
+}
+
+TEST_F(Include, SameFileTwice_IsNoCircle) {
+    write("base.yaml", kCamera);
+    write("a.yaml", "include: base.yaml\n");
+    write("b.yaml", "include: base.yaml\n");
+    load_file(write("shot.yaml", "carom: 1\ninclude: [a.yaml, b.yaml]\n"));
+}
+
+TEST_F(Include, AssetsOfAnIncludedFile_AreBesideIt) {
+    write("looks/sky.hdr", "light");
+    write("looks/club.yaml", "lights: {sky: {environment: sky.hdr}}\n" + kCamera);
+    const Shot shot = load_file(write("shot.yaml", "carom: 1\ninclude: looks/club.yaml\n"));
+    ASSERT_EQ(shot.assets.size(), 1U);
+    EXPECT_EQ(shot.assets[0].path, fs::canonical(folder_ / "looks/sky.hdr").string());
+}
+
+TEST_F(Include, EnvironmentVariable_NamesAFolderOfConfigs) {
+    write("mine/tables/own.yaml", "render: {samples: 3}\n" + kCamera);
+    setenv("CAROM_CONFIGS", (folder_ / "mine").c_str(), 1);
+    // As an example of the source tree spells it, wherever it was copied to.
+    const Shot shot =
+        load_file(write("shot.yaml", "carom: 1\ninclude: ../configs/tables/own.yaml\n"));
+    EXPECT_EQ(shot.render.samples, 3);
+    EXPECT_EQ(load_file(write("b.yaml", "carom: 1\ninclude: tables/own.yaml\n")).render.samples, 3);
+}
+
+TEST_F(Include, OwnConfigs_AreFoundFromAnywhere) {
+    const Shot shot = load_file(write("shot.yaml",
+                                      "carom: 1\ninclude: ../configs/balls/snooker.yaml\n"
+                                      "balls: {cue: {at: [0, 0]}}\n" +
+                                          kCamera));
+    EXPECT_EQ(std::get<sim::Sphere>(shot.world.bodies.at(0).shape).radius, 0.02619375);
+}
+
+TEST_F(Include, DeepChain_IsRefusedWithASentence) {
+    for (int i = 0; i < 20; ++i) {
+        write("f" + std::to_string(i) + ".yaml", "include: f" + std::to_string(i + 1) + ".yaml\n");
+    }
+    write("f20.yaml", kCamera);
+    const LoadResult result = load_shot(write("shot.yaml", "carom: 1\ninclude: f0.yaml\n"));
+    EXPECT_THAT(all_problems(result), HasSubstr("files include each other deeper than 16 levels"));
+}
+
+TEST_F(Include, ManyFiles_AreRefusedWithASentence) {
+    write("leaf.yaml", kCamera);
+    std::string names = "leaf.yaml";
+    for (int i = 0; i < 9; ++i) {  // each file includes the one before twice
+        write("n" + std::to_string(i) + ".yaml", "include: [" + names + ", " + names + "]\n");
+        names = "n" + std::to_string(i) + ".yaml";
+    }
+    const LoadResult result = load_shot(write("shot.yaml", "carom: 1\ninclude: " + names + "\n"));
+    EXPECT_THAT(all_problems(result), HasSubstr("more than 256 files are included"));
+}
+
+TEST_F(Include, DeviceOrFolder_IsNotRead) {
+    const LoadResult device = load_shot(write("a.yaml", "carom: 1\ninclude: /dev/zero\n"));
+    EXPECT_THAT(all_problems(device), HasSubstr("included file '/dev/zero' is not a regular file"));
+    EXPECT_THAT(all_problems(load_shot("/dev/zero")),
+                "/dev/zero: error: the file is not a regular file\n");
+    EXPECT_THAT(all_problems(load_shot(folder_.string())), HasSubstr("the file is a folder"));
+    EXPECT_THAT(all_problems(load_shot((folder_ / "none.yaml").string())),
+                HasSubstr("the file does not exist"));
+}
+
+TEST_F(Include, LargeFile_IsNotRead) {
+    const std::string path = write("large.yaml", std::string((4U << 20U) + 1, ' '));
+    EXPECT_THAT(all_problems(load_shot(path)), HasSubstr("the file has more than 4194304 bytes"));
+}
+
+TEST_F(Include, Quality_StandsBetweenIncludesAndTheShot) {
+    write("quality/mine.yaml", "carom: 1\nrender: {samples: 2, clamp: 2, max_bounces: 2}\n");
+    write("look.yaml",
+          "render: {samples: 1, clamp: 1, max_bounces: 1, filter_width: 1}\n" + kCamera);
+    const std::string path = write(
+        "shot.yaml", "carom: 1\ninclude: look.yaml\nquality: mine\nrender: {max_bounces: 3}\n");
+    const Shot shot = load_file(path);
+    EXPECT_EQ(shot.render.filter_width, 1);
+    EXPECT_EQ(shot.render.samples, 2);
+    EXPECT_EQ(shot.render.max_bounces, 3);
+}
+
+TEST_F(Include, QualityOfTheCommandLine_ReplacesTheShotsAndItsOwnValues) {
+    write("quality/mine.yaml", "render: {samples: 2, clamp: 2}\n");
+    write("quality/fast.yaml", "render: {samples: 4}\n");
+    const std::string path =
+        write("shot.yaml", "carom: 1\nquality: mine\nrender: {samples: 3}\n" + kCamera);
+    EXPECT_EQ(load_file(path).render.samples, 3);
+    const Shot fast = load_file(path, {}, "fast");
+    EXPECT_EQ(fast.render.samples, 4);
+    EXPECT_EQ(fast.render.clamp, 0);
+    EXPECT_EQ(load_file(path, {"render.samples=5"}, "fast").render.samples, 5);
+}
+
+TEST_F(Include, PresetsOfTheTree_AllLoad) {
+    for (const char* quality : {"draft", "preview", "final"}) {
+        EXPECT_GT(load("carom: 1\n" + kCamera, {}, quality).render.samples, 0) << quality;
+    }
+}
+
+TEST_F(Include, Overrides_AreTheStrongest) {
+    const std::string path =
+        write("shot.yaml", "carom: 1\nrender: {samples: 3, clamp: 1}\n" + kCamera);
+    const Shot shot = load_file(path, {"render.samples=64", "render.samples=128",
+                                       "cameras[0].fov=30 deg", "output={crf: 7}"});
+    EXPECT_EQ(shot.render.samples, 128);
+    EXPECT_EQ(shot.render.clamp, 1);
+    EXPECT_EQ(shot.output.crf, 7);
+    EXPECT_NEAR(shot.cameras[0].vertical_fov.start, 0.5235987755982988, 1e-15);
+}
+
+TEST_F(Include, OverriddenFile_IsBesideTheShot) {
+    write("sky.hdr", "light");
+    const std::string path = write("shot.yaml", "carom: 1\n" + kCamera);
+    const Shot shot = load_file(path, {"lights.sky={environment: sky.hdr}"});
+    EXPECT_EQ(shot.assets.size(), 1U);
+}
+
+}  // namespace
+}  // namespace carom::pipeline

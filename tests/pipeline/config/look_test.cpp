@@ -1,0 +1,199 @@
+// The sections that are seen: materials, lights, and what balls and objects look like.
+#include <gmock/gmock.h>
+
+#include "tests/pipeline/config/load.h"
+
+namespace carom::pipeline {
+namespace {
+
+using testing::EndsWith;
+
+const render::ObjectDescription& object(const Shot& shot, const std::string& name) {
+    for (const render::ObjectDescription& candidate : shot.scene.objects) {
+        if (candidate.name == name) {
+            return candidate;
+        }
+    }
+    throw std::runtime_error("no object " + name);
+}
+
+const render::StandardMaterial& material(const Shot& shot, const std::string& name) {
+    for (const render::MaterialDescription& candidate : shot.scene.materials) {
+        if (candidate.name == name) {
+            return candidate.surface;
+        }
+    }
+    throw std::runtime_error("no material " + name);
+}
+
+/// The material "m" of a shot in which one object has it.
+render::StandardMaterial read_material(const std::string& standard) {
+    return material(load_sections("objects: {o: {sphere: 1, material: m}}\n"
+                                  "materials: {m: {standard: " +
+                                  standard + "}}\n"),
+                    "m");
+}
+
+TEST(Materials, Standard_FillsEveryField) {
+    const render::StandardMaterial m = read_material(
+        "{base: [0.3, 0.1, 0.04], metal: 1, roughness: 0.35, specular: 0.5, sheen: 0.2,\n"
+        "  sheen_colour: [0, 1, 0], bump: 0.3, coat: {ior: 1.6, roughness: 0.02}}");
+    EXPECT_EQ(std::get<Vec3>(m.base), Vec3(0.3, 0.1, 0.04));
+    EXPECT_EQ(m.metal, 1);
+    EXPECT_EQ(m.roughness, 0.35);
+    EXPECT_EQ(m.specular, 0.5);
+    EXPECT_EQ(m.sheen, 0.2);
+    EXPECT_EQ(m.sheen_colour, Vec3(0, 1, 0));
+    EXPECT_EQ(m.bump, 0.3);
+    EXPECT_EQ(m.coat.weight, 1);
+    EXPECT_EQ(m.coat.ior, 1.6);
+    EXPECT_EQ(m.coat.roughness, 0.02);
+    EXPECT_EQ(read_material("{base: 0.5}").coat.weight, 0);
+}
+
+TEST(Materials, Colours_HaveThreeSpellings) {
+    EXPECT_EQ(std::get<Vec3>(read_material("{base: 0.25}").base), Vec3(0.25));
+    const Vec3 white = std::get<Vec3>(read_material("{base: \"#ffffff\"}").base);
+    EXPECT_EQ(white, Vec3(1, 1, 1));
+    const Vec3 grey = std::get<Vec3>(read_material("{base: \"#808000\"}").base);
+    EXPECT_NEAR(grey.x, 0.2158605, 1e-7);  // IEC 61966-2-1
+    EXPECT_EQ(grey.z, 0);
+}
+
+TEST(Materials, Textures_FillEveryField) {
+    const auto image = std::get<render::ImageTexture>(
+        read_material("{base: {image: {file: files/picture.png, scale: [2, 3], is_linear: true}}}")
+            .base);
+    EXPECT_THAT(image.file, EndsWith("/tests/pipeline/config/files/picture.png"));
+    EXPECT_EQ(image.scale, Vec2(2, 3));
+    EXPECT_TRUE(image.is_linear);
+    const auto cloth = std::get<render::ClothTexture>(
+        read_material("{base: {cloth: {colour: [0, 0.1, 0.3], thread: 1 mm, variation: 0}}}").base);
+    EXPECT_EQ(cloth.colour, Vec3(0, 0.1, 0.3));
+    EXPECT_EQ(cloth.thread, 0.001);
+    const auto wood = std::get<render::WoodTexture>(
+        read_material("{base: {wood: {light: 0.4, ring: 9 mm, grain: [0, 1, 0]}}}").base);
+    EXPECT_EQ(wood.light, Vec3(0.4));
+    EXPECT_EQ(wood.grain, Vec3(0, 1, 0));
+    const auto checker =
+        std::get<render::CheckerTexture>(read_material("{base: {checker: {size: 30 cm}}}").base);
+    EXPECT_EQ(checker.size, 0.3);
+    const auto ball =
+        std::get<render::BallTexture>(read_material("{base: {ball: {number: 3}}}").base);
+    EXPECT_EQ(ball.number, 3);
+}
+
+TEST(Materials, OnlyWhatIsSeen_IsInTheScene) {
+    const Shot shot = load_sections("materials: {unused: {standard: {base: 0.2}}}\n");
+    EXPECT_TRUE(shot.scene.materials.empty());
+}
+
+TEST(Lights, EveryKind_FillsItsFields) {
+    const Shot shot = load_sections(
+        "lights:\n"
+        "  lamp: {rectangle: [1.2, 0.4], at: [0, 0, 1.5], facing: [0, 0, -2], radiance: [24, 23, "
+        "21]}\n"
+        "  side: {rectangle: [1, 2], at: [0, 3, 1], facing: [0, -1, 0], roll: 90 deg, strength: "
+        "3}\n"
+        "  bulb: {sphere: 5 cm, at: [1, 0, 2], radiance: 100}\n"
+        "  room: {environment: [0.1, 0.2, 0.3], strength: 2, rotation: 90 deg}\n");
+    ASSERT_EQ(shot.scene.lights.size(), 4U);
+    const auto& lamp = std::get<render::RectangleLight>(shot.scene.lights[0].light);
+    EXPECT_EQ(shot.scene.lights[0].name, "lamp");
+    EXPECT_EQ(lamp.centre, Vec3(0, 0, 1.5));
+    EXPECT_EQ(lamp.normal, Vec3(0, 0, -1));
+    EXPECT_EQ(lamp.edge_u, Vec3(0.6, 0, 0));
+    EXPECT_NEAR((lamp.edge_v - Vec3(0, -0.2, 0)).length(), 0, 1e-12);
+    EXPECT_EQ(lamp.radiance, Vec3(24, 23, 21));
+    const auto& side = std::get<render::RectangleLight>(shot.scene.lights[1].light);
+    // Without roll u is level; a quarter turn about the normal brings it to the vertical.
+    EXPECT_NEAR(std::abs(side.edge_u.z), 0.5, 1e-12);
+    EXPECT_NEAR(std::abs(side.edge_v.x), 1, 1e-12);
+    EXPECT_EQ(side.radiance, Vec3(3));
+    const auto& bulb = std::get<render::SphereLight>(shot.scene.lights[2].light);
+    EXPECT_EQ(bulb.radius, 0.05);
+    EXPECT_EQ(bulb.radiance, Vec3(100));
+    const auto& room = std::get<render::EnvironmentLight>(shot.scene.lights[3].light);
+    EXPECT_EQ(room.radiance, Vec3(0.2, 0.4, 0.6));
+    EXPECT_DOUBLE_EQ(room.rotation, 1.5707963267948966);
+}
+
+TEST(Lights, Picture_IsAnAsset) {
+    const Shot shot =
+        load_sections("lights: {sky: {environment: files/picture.png, strength: 0.4}}\n");
+    const auto& sky = std::get<render::EnvironmentLight>(shot.scene.lights.at(0).light);
+    EXPECT_THAT(sky.image, EndsWith("files/picture.png"));
+    EXPECT_EQ(sky.radiance, Vec3(0.4));
+    ASSERT_EQ(shot.assets.size(), 1U);
+    EXPECT_EQ(shot.assets[0].path, sky.image);
+    EXPECT_EQ(shot.assets[0].content_hash, hash_file(sky.image));
+}
+
+TEST(Lights, None_HasALampAndARoom) {
+    EXPECT_EQ(load_sections("").scene.lights.size(), 2U);
+}
+
+TEST(Balls, Colours_FollowTheName) {
+    const Shot shot = load_sections(
+        "balls: {one: {at: [0, 0]}, twelve: {at: [1, 0]}, cue: {at: [2, 0]}, guest: {at: [3, "
+        "0]}}\n");
+    const auto paint = [&](const std::string& name) {
+        return std::get<render::BallTexture>(material(shot, "ball/" + name).base);
+    };
+    EXPECT_EQ(object(shot, "one").material, "ball/one");
+    EXPECT_EQ(object(shot, "one").track, "one");
+    EXPECT_EQ(std::get<render::SphereShape>(object(shot, "one").shape).radius, 0.028575);
+    EXPECT_EQ(paint("one").number, 1);
+    EXPECT_FALSE(paint("one").striped);
+    EXPECT_EQ(paint("twelve").number, 12);
+    EXPECT_TRUE(paint("twelve").striped);
+    EXPECT_EQ(paint("cue").number, 0);
+    EXPECT_EQ(paint("cue").spots, 6);
+    EXPECT_EQ(paint("guest").number, 0);
+    EXPECT_EQ(material(shot, "ball/one").coat.weight, 1);
+}
+
+TEST(Balls, OtherSets_HaveTheirOwnColours) {
+    const auto red = [](const std::string& set, const std::string& name) {
+        const Shot shot =
+            load_sections("ball_set: {kind: " + set + "}\nballs: {" + name + ": {at: [0, 0]}}\n");
+        return std::get<render::BallTexture>(material(shot, "ball/" + name).base).colour;
+    };
+    EXPECT_EQ(red("snooker", "red_3"), red("carom", "red"));
+    EXPECT_NE(red("snooker", "blue"), red("snooker", "pink"));
+    EXPECT_EQ(red("carom", "white"), red("pool", "cue"));
+}
+
+TEST(Balls, Look_ReplacesTheSets) {
+    const Shot shot = load_sections(
+        "balls:\n"
+        "  one: {at: [0, 0], look: {colour: [0, 0, 1], number: 17, striped: true, disc_radius: "
+        "0.4}}\n"
+        "  two: {at: [1, 0], look: glass}\n"
+        "materials: {glass: {standard: {base: 0.9}}, ball: {standard: {coat: {ior: 1.7}}}}\n");
+    const render::StandardMaterial& own = material(shot, "ball/one");
+    EXPECT_EQ(std::get<render::BallTexture>(own.base).number, 17);
+    EXPECT_EQ(std::get<render::BallTexture>(own.base).colour, Vec3(0, 0, 1));
+    EXPECT_EQ(own.coat.ior, 1.7);  // the look's finish for all balls
+    EXPECT_EQ(object(shot, "two").material, "glass");
+}
+
+TEST(Objects, StillOnes_StandInTheWorld) {
+    const Shot shot = load_sections(
+        "objects:\n"
+        "  poster: {rectangle: [2, 1], at: [1, 2, 3], rotate: [90 deg, 0, 0]}\n"
+        "  statue: {mesh: files/triangle.obj, scale: 0.5, at: [0, 0, 1]}\n"
+        "  tile: {box: [1, 1, 1], at: [9, 9, 9], physics: {mass: 1}, material: plain}\n");
+    Vec3 top;
+    object(shot, "poster").world_from_object.multVecMatrix(Vec3(0, 1, 0), top);
+    EXPECT_NEAR((top - Vec3(1, 2, 4)).length(), 0, 1e-12);
+    object(shot, "statue").world_from_object.multVecMatrix(Vec3(0, 2, 0), top);
+    EXPECT_NEAR((top - Vec3(0, 1, 1)).length(), 0, 1e-12);
+    EXPECT_EQ(object(shot, "statue").track, "");
+    EXPECT_EQ(object(shot, "statue").material, "plain");
+    EXPECT_EQ(object(shot, "tile").track, "tile");
+    EXPECT_EQ(object(shot, "tile").world_from_object, Mat44());
+}
+
+}  // namespace
+}  // namespace carom::pipeline

@@ -1,0 +1,151 @@
+#include "tests/pipeline/config/shot_text.h"
+
+#include <sstream>
+#include <type_traits>
+
+#include "sim/bake.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+class Writer {
+  public:
+    Writer() { out_.precision(17); }
+
+    template <class... Values>
+    void line(const Values&... values) {
+        ((put(values), out_ << ' '), ...);
+        out_ << '\n';
+    }
+    [[nodiscard]] std::string text() const { return out_.str(); }
+
+  private:
+    template <class T>
+    void put(const T& value) {
+        if constexpr (std::is_enum_v<T>) {
+            out_ << static_cast<int>(value);
+        } else {
+            out_ << value;
+        }
+    }
+    void put(const Rational& value) { out_ << value.to_string(); }
+    template <class T>
+    void put(const std::optional<T>& value) {
+        value ? put(*value) : put("none");
+    }
+
+    std::ostringstream out_;
+};
+
+void write_shape(Writer& out, const render::Shape& shape) {
+    if (const auto* sphere = std::get_if<render::SphereShape>(&shape)) {
+        out.line("sphere", sphere->radius);
+    } else if (const auto* box = std::get_if<render::BoxShape>(&shape)) {
+        out.line("box", box->size);
+    } else if (const auto* rectangle = std::get_if<render::RectangleShape>(&shape)) {
+        out.line("rectangle", rectangle->size);
+    } else if (const auto* mesh = std::get_if<render::MeshShape>(&shape)) {
+        out.line("mesh", mesh->file, mesh->vertices.size(), mesh->triangles.size());
+        for (const Vec3& vertex : mesh->vertices) {
+            out.line(vertex);
+        }
+    }
+}
+
+struct ColourWriter {
+    Writer& out;
+    void operator()(const Vec3& colour) const { out.line(colour); }
+    void operator()(const render::ImageTexture& t) const { out.line(t.file, t.scale, t.is_linear); }
+    void operator()(const render::BallTexture& t) const {
+        out.line(t.colour, t.white, t.striped, t.number, t.disc_radius, t.spots);
+    }
+    void operator()(const render::ClothTexture& t) const {
+        out.line(t.colour, t.thread, t.variation);
+    }
+    void operator()(const render::WoodTexture& t) const {
+        out.line(t.light, t.dark, t.ring, t.grain);
+    }
+    void operator()(const render::CheckerTexture& t) const { out.line(t.even, t.odd, t.size); }
+};
+
+struct LightWriter {
+    Writer& out;
+    void operator()(const render::RectangleLight& l) const {
+        out.line(l.centre, l.edge_u, l.edge_v, l.normal, l.radiance);
+    }
+    void operator()(const render::SphereLight& l) const {
+        out.line(l.centre, l.radius, l.radiance);
+    }
+    void operator()(const render::EnvironmentLight& l) const {
+        out.line(l.radiance, l.image, l.rotation);
+    }
+};
+
+struct PathWriter {
+    Writer& out;
+    void operator()(const BezierPath& path) const {
+        out.line("bezier", path.even_pace);
+        for (const ControlPoint& point : path.points) {
+            out.line(point.offset, point.of, point.at);
+        }
+    }
+    void operator()(const FollowPath& path) const {
+        out.line("follow", path.object, path.offset, path.smoothing);
+    }
+};
+
+void write_scene(Writer& out, const render::SceneDescription& scene) {
+    for (const render::ObjectDescription& object : scene.objects) {
+        out.line("object", object.name, object.track, object.material, object.world_from_object);
+        write_shape(out, object.shape);
+    }
+    for (const render::MaterialDescription& material : scene.materials) {
+        const render::StandardMaterial& s = material.surface;
+        out.line("material", material.name, s.metal, s.roughness, s.specular, s.sheen,
+                 s.sheen_colour, s.bump, s.coat.weight, s.coat.ior, s.coat.roughness);
+        std::visit(ColourWriter{out}, s.base);
+    }
+    for (const render::LightDescription& light : scene.lights) {
+        out.line("light", light.name);
+        std::visit(LightWriter{out}, light.light);
+    }
+}
+
+void write_camera(Writer& out, const CameraRig& rig) {
+    out.line("camera", rig.name, rig.video_start, rig.video_end, rig.time_map.scene_start,
+             rig.time_map.scene_end);
+    std::visit(PathWriter{out}, rig.position);
+    std::visit(PathWriter{out}, rig.target);
+    out.line(rig.vertical_fov.start, rig.vertical_fov.end, rig.vertical_fov.easing);
+    out.line(rig.focus.start.distance, rig.focus.start.object, rig.focus.end.distance,
+             rig.focus.end.object, rig.focus.easing);
+    out.line(rig.aperture.start.value, rig.aperture.start.is_f_number, rig.aperture.end.value,
+             rig.aperture.easing);
+    out.line(rig.roll.start, rig.roll.end, rig.up, rig.blades, rig.blade_rotation);
+}
+
+}  // namespace
+
+std::string shot_text(const Shot& shot) {
+    Writer out;
+    out.line("physics", sim::physics_hash(shot.world).to_string());
+    write_scene(out, shot.scene);
+    for (const CameraRig& rig : shot.cameras) {
+        write_camera(out, rig);
+    }
+    const Shutter& shutter = shot.timing.shutter;
+    out.line("timing", shot.timing.fps, shutter.exposure, shutter.clock, shutter.position,
+             shutter.switch_ratio);
+    const render::RenderSettings& r = shot.render;
+    out.line("render", r.width, r.height, r.integrator, r.samples, r.max_bounces, r.clamp, r.filter,
+             r.filter_width, r.acceleration);
+    for (const std::string& aov : r.aovs) {
+        out.line(aov);
+    }
+    const OutputSettings& o = shot.output;
+    out.line("output", o.codec, o.crf, o.preset, o.threads, o.view, o.exposure);
+    return out.text();
+}
+
+}  // namespace carom::pipeline

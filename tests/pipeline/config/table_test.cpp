@@ -1,0 +1,111 @@
+// Tables and racks, as simulated and as seen.
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "tests/pipeline/config/load.h"
+
+namespace carom::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using sim::billiards::TableKind;
+
+TEST(Table, StandardSizes_AreThePublishedOnes) {
+    const Shot pool = load_sections("table: {kind: pool, size: 9 ft}\n");
+    ASSERT_TRUE(pool.world.table);
+    EXPECT_EQ(pool.world.table->kind, TableKind::pool);
+    EXPECT_EQ(pool.world.table->length, 2.54);
+    EXPECT_TRUE(pool.world.table->corner_pocket);
+    EXPECT_EQ(pool.world.floor_height, -pool.world.table->height);
+    EXPECT_EQ(load_sections("table: {size: 9ft}\n").world.table->length, 2.54);
+    EXPECT_EQ(load_sections("table: {kind: snooker}\n").world.table->length, 3.569);
+    EXPECT_EQ(load_sections("table: {kind: carom}\n").world.table->length, 2.84);
+}
+
+TEST(Table, Measures_CanBeChanged) {
+    const Shot shot =
+        load_sections("table: {kind: pool, size: 8 ft, height: 80 cm, cushion_height: 37 mm}\n");
+    EXPECT_EQ(shot.world.table->height, 0.8);
+    EXPECT_EQ(shot.world.table->nose_height, 0.037);
+    EXPECT_EQ(shot.world.floor_height, -0.8);
+}
+
+TEST(Table, Pockets_AreChangedMeasureByMeasure) {
+    const Shot standard = load_sections("table: {kind: pool}\n");
+    const Shot shot = load_sections("table: {kind: pool, pockets: {corner: {drop: 20 cm}}}\n");
+    EXPECT_EQ(shot.world.table->corner_pocket->drop, 0.2);
+    EXPECT_EQ(shot.world.table->corner_pocket->mouth, standard.world.table->corner_pocket->mouth);
+    EXPECT_EQ(shot.world.table->side_pocket, standard.world.table->side_pocket);
+}
+
+TEST(Table, Custom_HasItsOwnField) {
+    const Shot shot = load_sections(
+        "table: {kind: custom, length: 2.0, width: 1.0, pockets: none, cushion_height: 36.5 mm}\n");
+    EXPECT_EQ(shot.world.table->kind, TableKind::custom);
+    EXPECT_EQ(shot.world.table->length, 2);
+    EXPECT_EQ(shot.world.table->width, 1);
+    EXPECT_FALSE(shot.world.table->corner_pocket);
+    EXPECT_FALSE(shot.world.table->side_pocket);
+}
+
+TEST(Table, Cloth_HasNoCushionsAndNoFloor) {
+    const Shot shot = load_sections("table: {kind: cloth}\n");
+    EXPECT_FALSE(shot.world.table->has_cushions);
+    EXPECT_FALSE(shot.world.floor_height);
+}
+
+TEST(Table, Surfaces_AreSeenWithMaterials) {
+    const Shot shot = load_sections("table: {kind: pool}\n");
+    std::set<std::string> materials;
+    for (const render::ObjectDescription& object : shot.scene.objects) {
+        EXPECT_TRUE(object.name.starts_with("table/")) << object.name;
+        materials.insert(object.material);
+    }
+    for (const char* name : {"cloth", "cushion", "rail", "floor"}) {
+        EXPECT_EQ(materials.count(name), 1U) << name;
+    }
+    for (const std::string& name : materials) {
+        const auto has = [&](const render::MaterialDescription& m) { return m.name == name; };
+        EXPECT_EQ(std::count_if(shot.scene.materials.begin(), shot.scene.materials.end(), has), 1)
+            << name;
+    }
+}
+
+TEST(Rack, Balls_StandAndAreSeen) {
+    const Shot shot = load_sections(
+        "table: {kind: pool}\nrack: {set: nine_ball, gap: 0.05 mm}\n"
+        "balls: {cue: {at: [-0.6, 0]}, nine: {mass: 150 g}, one: {at: [0.1, 0.2]}}\n");
+    EXPECT_EQ(shot.world.bodies.size(), 10U);
+    for (const sim::Body& body : shot.world.bodies) {
+        if (body.name == "nine") {
+            EXPECT_EQ(body.mass, 0.150);
+        } else if (body.name == "one") {
+            EXPECT_EQ(body.pose.position, Vec3(0.1, 0.2, 0.028575));  // taken out of the rack
+        }
+    }
+}
+
+TEST(Rack, SnookerBalls_HaveTheirSize) {
+    const Shot shot = load_sections("table: {kind: snooker}\nrack: {set: snooker}\n");
+    EXPECT_EQ(shot.world.bodies.size(), 21U);
+    EXPECT_EQ(std::get<sim::Sphere>(shot.world.bodies[0].shape).radius, 0.02619375);
+}
+
+TEST(Placement, BallInAPocketsJaws_IsNoWarning) {
+    const Shot shot = load_sections("table: {kind: pool}\nballs: {cue: {at: [1.25, 0.615]}}\n");
+    EXPECT_EQ(shot.world.bodies.size(), 1U);
+}
+
+TEST(Configs, EveryTableAndBallSet_Loads) {
+    const fs::path configs = fs::path(CAROM_SOURCE_DIR) / "configs";
+    for (const char* folder : {"tables", "balls", "looks"}) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(configs / folder)) {
+            const Shot shot = load("carom: 1\ninclude: " + entry.path().string() + "\n" + kCamera);
+            EXPECT_EQ(shot.cameras.size(), 1U) << entry.path();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace carom::pipeline

@@ -1,0 +1,212 @@
+// The sections that are simulated: simulation, physics, balls, objects, events.
+#include <gmock/gmock.h>
+
+#include "tests/pipeline/config/load.h"
+
+namespace carom::pipeline {
+namespace {
+
+using sim::Strike;
+
+const sim::Body& body(const Shot& shot, const std::string& name) {
+    for (const sim::Body& candidate : shot.world.bodies) {
+        if (candidate.name == name) {
+            return candidate;
+        }
+    }
+    throw std::runtime_error("no body " + name);
+}
+
+TEST(Simulation, Values_ReachTheWorld) {
+    const Shot shot = load_sections(
+        "simulation: {duration: 9 s, step: 1/480 s, seed: 7,\n"
+        "             key_reduction: {position_error: 0.01 mm, orientation_error: 0.1 deg}}\n");
+    EXPECT_EQ(shot.world.duration, 9);
+    EXPECT_EQ(shot.world.step, 1.0 / 480);
+    EXPECT_EQ(shot.world.seed, 7U);
+    EXPECT_EQ(shot.world.key_reduction.position_error, 1e-5);
+    EXPECT_DOUBLE_EQ(shot.world.key_reduction.orientation_error, 0.0017453292519943296);
+}
+
+TEST(Physics, Gravity_IsANumberOrAVector) {
+    EXPECT_EQ(load_sections("physics: {gravity: 1.62}\n").world.gravity, Vec3(0, 0, -1.62));
+    EXPECT_EQ(load_sections("physics: {gravity: [0, 1 m/s^2, -9]}\n").world.gravity,
+              Vec3(0, 1, -9));
+    EXPECT_EQ(load_sections("").world.gravity, Vec3(0, 0, -9.81));
+}
+
+TEST(Physics, Contacts_AreOverriddenValueByValue) {
+    const Shot shot = load_sections(
+        "physics:\n"
+        "  ball_cloth: {sliding_friction: 0.21}\n"
+        "  ball_ball: {restitution: 0.93, friction: alciatore}\n"
+        "  ball_cushion: {model: mirror}\n"
+        "  otherwise: {friction: 0.3}\n"
+        "  pairs: [{between: [lacquer, cloth], restitution: 0.4}]\n"
+        "  hop: true\n");
+    const sim::ContactLaw& law = shot.world.contact_law;
+    EXPECT_EQ(law.ball_cloth.sliding_friction, 0.21);
+    EXPECT_EQ(law.ball_cloth.rolling_friction, sim::BallCloth{}.rolling_friction);
+    EXPECT_EQ(law.ball_ball.restitution, 0.93);
+    EXPECT_EQ(law.ball_ball.friction_model, sim::BallFriction::alciatore);
+    EXPECT_EQ(law.ball_cushion.model, sim::CushionModel::mirror);
+    EXPECT_EQ(law.otherwise.friction, 0.3);
+    EXPECT_EQ(law.pairs.at({"cloth", "lacquer"}).restitution, 0.4);
+    EXPECT_TRUE(law.hop);
+}
+
+TEST(Balls, Measures_AreThoseOfTheSet) {
+    const Shot pool = load_sections("balls: {cue: {at: [0.1, 0.2]}}\n");
+    EXPECT_EQ(std::get<sim::Sphere>(body(pool, "cue").shape).radius, 0.028575);
+    EXPECT_EQ(body(pool, "cue").mass, 0.170097);
+    EXPECT_EQ(body(pool, "cue").material, "ball");
+    const Shot carom = load_sections("ball_set: {kind: carom}\nballs: {white: {at: [0, 0]}}\n");
+    EXPECT_EQ(std::get<sim::Sphere>(body(carom, "white").shape).radius, 0.03075);
+    EXPECT_EQ(body(carom, "white").mass, 0.210);
+}
+
+TEST(Balls, TwoCoordinates_LieOnTheCloth) {
+    const Shot shot = load_sections("balls: {a: {at: [1, 2]}, b: {at: [1, 3, 0.5]}}\n");
+    EXPECT_EQ(body(shot, "a").pose.position, Vec3(1, 2, 0.028575));
+    EXPECT_EQ(body(shot, "b").pose.position, Vec3(1, 3, 0.5));
+}
+
+TEST(Balls, LargerRadius_HasTheSetsDensity) {
+    const Shot shot = load_sections("balls: {a: {at: [1, 2], radius: 57.15 mm}}\n");
+    EXPECT_DOUBLE_EQ(body(shot, "a").mass, 8 * 0.170097);
+    EXPECT_EQ(body(shot, "a").pose.position.z, 0.05715);
+}
+
+TEST(Balls, Motion_IsTaken) {
+    const Shot shot = load_sections(
+        "balls: {a: {at: [0, 0], velocity: [3.6 km/h, 0], spin: [0, 60 rpm, 0], mass: 6 oz,\n"
+        "            rotate: [0, 0, 90 deg]}}\n");
+    EXPECT_EQ(body(shot, "a").velocity, Vec3(1, 0, 0));
+    EXPECT_DOUBLE_EQ(body(shot, "a").angular_velocity.y, 6.283185307179586);
+    EXPECT_DOUBLE_EQ(body(shot, "a").mass, 0.17009713875);
+    const Vec3 x = body(shot, "a").pose.orientation.rotateVector(Vec3(1, 0, 0));
+    EXPECT_NEAR((x - Vec3(0, 1, 0)).length(), 0, 1e-12);
+}
+
+TEST(Balls, Orientation_IsAFunctionOfSeedAndName) {
+    const std::string balls = "balls: {one: {at: [0, 0]}, two: {at: [0.3, 0]}}\n";
+    const Shot first = load_sections("simulation: {seed: 1}\n" + balls);
+    const Shot again = load_sections("simulation: {seed: 1}\n" + balls);
+    const Shot other = load_sections("simulation: {seed: 2}\n" + balls);
+    EXPECT_EQ(body(first, "one").pose.orientation, body(again, "one").pose.orientation);
+    EXPECT_NE(body(first, "one").pose.orientation, body(other, "one").pose.orientation);
+    EXPECT_NE(body(first, "one").pose.orientation, body(first, "two").pose.orientation);
+    // The number looks up, towards the player.
+    const Vec3 disc = body(first, "one").pose.orientation.rotateVector(Vec3(1, 0, 0));
+    EXPECT_LT(disc.x, 0);
+    EXPECT_GT(disc.z, 0);
+    EXPECT_NEAR(disc.length(), 1, 1e-12);
+}
+
+TEST(Objects, Physics_MakesBodies) {
+    const Shot shot = load_sections(
+        "objects:\n"
+        "  tile: {box: [10 mm, 30 mm, 60 mm], at: [0.4, 0, 0.03],\n"
+        "         physics: {density: 700, material: lacquer, velocity: [1, 0, 0], spin: [0, 0, "
+        "2]}}\n"
+        "  bead: {sphere: 1 cm, at: [0.5, 0, 0.03], physics: {mass: 5 g}}\n"
+        "  wall: {rectangle: [2, 1], at: [3, 0, 0], rotate: [0, -90 deg, 0], physics: fixed}\n"
+        "  ramp: {mesh: files/triangle.obj, scale: 0.5, at: [0, 3, 0], physics: {kind: fixed}}\n"
+        "  shade: {sphere: 0.2, at: [0, 0, 1.4], physics: false}\n"
+        "  ground: {plane: infinite, at: [0, 0, -0.8], physics: fixed}\n");
+    ASSERT_EQ(shot.world.bodies.size(), 4U);
+    EXPECT_DOUBLE_EQ(body(shot, "tile").mass, 700 * 0.01 * 0.03 * 0.06);
+    EXPECT_EQ(body(shot, "tile").material, "lacquer");
+    EXPECT_EQ(body(shot, "tile").velocity, Vec3(1, 0, 0));
+    EXPECT_EQ(body(shot, "tile").angular_velocity, Vec3(0, 0, 2));
+    EXPECT_EQ(body(shot, "bead").mass, 0.005);
+    EXPECT_EQ(body(shot, "wall").kind, sim::BodyKind::fixed);
+    EXPECT_EQ(std::get<sim::TriangleMesh>(body(shot, "wall").shape).triangles.size(), 2U);
+    const auto& ramp = std::get<sim::TriangleMesh>(body(shot, "ramp").shape);
+    ASSERT_EQ(ramp.vertices.size(), 3U);
+    EXPECT_EQ(ramp.vertices[2], Vec3(0, 1, 0));
+    EXPECT_EQ(shot.world.floor_height, -0.8);
+}
+
+TEST(Objects, Rotation_IsTheSameByAnglesAndByAxis) {
+    const Shot shot = load_sections(
+        "objects:\n"
+        "  a: {box: [1, 1, 1], at: [0, 0, 2], rotate: [90 deg, 0, 90 deg], physics: {mass: 1}}\n"
+        "  b: {box: [1, 1, 1], at: [3, 0, 2], rotate: {axis: [1, 1, 1], angle: 120 deg},\n"
+        "      physics: {mass: 1}}\n");
+    // About x by 90 degrees, then about z by 90 degrees: x -> y, y -> z, z -> x.
+    for (const char* name : {"a", "b"}) {
+        const Quat q = body(shot, name).pose.orientation;
+        EXPECT_NEAR((q.rotateVector(Vec3(1, 0, 0)) - Vec3(0, 1, 0)).length(), 0, 1e-12) << name;
+        EXPECT_NEAR((q.rotateVector(Vec3(0, 1, 0)) - Vec3(0, 0, 1)).length(), 0, 1e-12) << name;
+        EXPECT_NEAR((q.rotateVector(Vec3(0, 0, 1)) - Vec3(1, 0, 0)).length(), 0, 1e-12) << name;
+    }
+}
+
+TEST(Events, Strike_FillsEveryField) {
+    const Shot shot = load_sections(
+        "balls: {cue: {at: [0, 0]}, one: {at: [1, 0]}}\n"
+        "events:\n"
+        "  - strike: {ball: cue, at: 0.5 s, after: 10 ms, toward: one, speed: 20 km/h,\n"
+        "             elevation: 3 deg, tip: [0.1, 0.3], stick_mass: 19 oz, end_mass_ratio: 0.04}\n"
+        "  - strike: {ball: cue, toward: [1, 0.5], ball_speed: 2}\n"
+        "  - strike: {ball: cue, direction: 90 deg, speed: 2}\n");
+    ASSERT_EQ(shot.world.events.size(), 3U);
+    const sim::ForceEvent& event = shot.world.events[0];
+    EXPECT_EQ(event.object, "cue");
+    EXPECT_EQ(event.time, 0.5);
+    EXPECT_EQ(event.after, 0.01);
+    const auto& strike = std::get<Strike>(event.action);
+    EXPECT_EQ(strike.toward, "one");
+    EXPECT_DOUBLE_EQ(*strike.speed, 20 / 3.6);
+    EXPECT_FALSE(strike.ball_speed);
+    EXPECT_DOUBLE_EQ(strike.elevation, 0.052359877559829883);
+    EXPECT_EQ(strike.tip, Vec2(0.1, 0.3));
+    EXPECT_EQ(strike.end_mass_ratio, 0.04);
+    EXPECT_EQ(std::get<Strike>(shot.world.events[1].action).toward_point, Vec3(1, 0.5, 0));
+    EXPECT_EQ(std::get<Strike>(shot.world.events[1].action).ball_speed, 2);
+    EXPECT_DOUBLE_EQ(*std::get<Strike>(shot.world.events[2].action).direction, 1.5707963267948966);
+}
+
+TEST(Events, AimAtScenery_IsAimAtItsPlace) {
+    const Shot shot = load_sections(
+        "balls: {cue: {at: [0, 0]}}\n"
+        "objects: {chalk: {box: [1 cm, 1 cm, 1 cm], at: [0.7, 0.6, 0]}}\n"
+        "events: [strike: {ball: cue, toward: chalk, speed: 2}]\n");
+    const auto& strike = std::get<Strike>(shot.world.events.at(0).action);
+    EXPECT_FALSE(strike.toward);
+    EXPECT_EQ(strike.toward_point, Vec3(0.7, 0.6, 0));
+}
+
+TEST(Events, OtherKinds_FillEveryField) {
+    const Shot shot = load_sections(
+        "balls: {a: {at: [0, 0]}, b: {at: [1, 0]}}\n"
+        "events:\n"
+        "  - force: {object: a, when: {contact: [a, cushion]}, after: 0.1 s, for: 20 ms,\n"
+        "            newtons: [0, 0, 3 N], at_point: [1 cm, 0, 0], axes: body}\n"
+        "  - torque: {object: a, when: {resting: all}, for: 1 s, newton_metres: [0, 0, 0.1]}\n"
+        "  - impulse: {object: b, at: 2 s, when: {potted: a}, newton_seconds: [0, 0.02, 0]}\n"
+        "  - velocity: {object: b, when: {resting: b}, linear: [1, 0, 0]}\n");
+    const std::vector<sim::ForceEvent>& events = shot.world.events;
+    ASSERT_EQ(events.size(), 4U);
+    const auto& force = std::get<sim::Force>(events[0].action);
+    EXPECT_EQ(force.newtons, Vec3(0, 0, 3));
+    EXPECT_EQ(force.duration, 0.02);
+    EXPECT_EQ(force.at_point, Vec3(0.01, 0, 0));
+    EXPECT_EQ(force.axes, sim::Axes::body);
+    EXPECT_EQ(events[0].trigger->kind, sim::Trigger::Kind::contact);
+    EXPECT_EQ(events[0].trigger->b, "cushion");
+    EXPECT_EQ(std::get<sim::Torque>(events[1].action).newton_metres, Vec3(0, 0, 0.1));
+    EXPECT_EQ(events[1].trigger->kind, sim::Trigger::Kind::resting);
+    EXPECT_EQ(events[1].trigger->a, "");
+    EXPECT_EQ(std::get<sim::Impulse>(events[2].action).newton_seconds, Vec3(0, 0.02, 0));
+    EXPECT_EQ(events[2].trigger->kind, sim::Trigger::Kind::potted);
+    EXPECT_EQ(events[2].time, 2);
+    const auto& velocity = std::get<sim::SetVelocity>(events[3].action);
+    EXPECT_EQ(velocity.linear, Vec3(1, 0, 0));
+    EXPECT_FALSE(velocity.angular);
+    EXPECT_EQ(events[3].trigger->a, "b");
+}
+
+}  // namespace
+}  // namespace carom::pipeline
