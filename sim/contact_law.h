@@ -54,9 +54,10 @@ struct ContactLaw {
     BallCloth ball_cloth;
     BallBall ball_ball;
     BallCushion ball_cushion;
-    PairContact otherwise;  // pairs not named in `pairs`
-    std::map<std::pair<std::string, std::string>, PairContact>
-        pairs;  // names in alphabetical order
+    PairContact otherwise;  // pairs neither named in `pairs` nor built in
+    /// Names in alphabetical order. A ball with "floor", "pocket" (its lining and floor) and "rail"
+    /// has built-in values (contact_law.cpp) that an entry here replaces.
+    std::map<std::pair<std::string, std::string>, PairContact> pairs;
     /// Keep the vertical part of ball-ball friction and of cushion impulses for balls on the cloth.
     bool hop = false;
 

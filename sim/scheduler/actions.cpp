@@ -10,13 +10,8 @@
 namespace carom::sim {
 namespace {
 
-Vec3 rotated(const Quat& q, const Vec3& v) {
-    const Vec3 t = q.v.cross(v) * 2;
-    return v + t * q.r + q.v.cross(t);
-}
-
 Vec3 in_world(Axes axes, const Quat& orientation, const Vec3& v) {
-    return axes == Axes::world ? v : rotated(orientation, v);
+    return axes == Axes::world ? v : to_world(orientation, v);
 }
 
 std::string seconds(double time) {
@@ -27,60 +22,79 @@ std::string seconds(double time) {
 
 }  // namespace
 
-Actions::Actions(const WorldDescription& world, Balls& balls, Recording& recording)
-    : world_(world), balls_(balls), recording_(recording) {
-    for (std::uint32_t i = 0; i < balls.all().size(); ++i)
-        index_.emplace(balls.all()[i].name, i);
+Actions::Actions(const WorldDescription& world, Balls& balls, SteppedBodies& stepped,
+                 Recording& recording)
+    : world_(world), balls_(balls), stepped_(stepped), recording_(recording) {
+    for (std::uint32_t i = 0; i < stepped.all().size(); ++i)
+        index_.emplace(stepped.all()[i].name, i);
 }
 
-int Actions::apply(const DueAction& due) {
+void Actions::apply(const DueAction& due) {
     const ForceEvent& event = world_.events[due.event];
     const auto found = index_.find(event.object);
     if (found == index_.end())
-        return -1;
-    const std::uint32_t ball = found->second;
+        return;
+    const std::uint32_t body = found->second;
     if (due.kick >= 0) {
-        kick(due, ball);
+        kick(due, body);
     } else {
-        std::visit([&](const auto& action) { begin(action, due, ball); }, event.action);
+        std::visit([&](const auto& action) { begin(action, due, body); }, event.action);
     }
-    return static_cast<int>(ball);
 }
 
-void Actions::begin(const Force& force, const DueAction& due, std::uint32_t ball) {
-    const MotionState state = balls_[ball].stretch.state_at(due.time);
-    recording_.log_action(EventKind::force, due.time, due.time + force.duration, balls_[ball].name,
+MotionState Actions::state_of(std::uint32_t body, double time) const {
+    const StepBody& entry = stepped_.all()[body];
+    return entry.is_ball ? balls_.all()[body].stretch.state_at(time) : entry.state;
+}
+
+const std::string& Actions::name_of(std::uint32_t body) const {
+    return stepped_.all()[body].name;
+}
+
+void Actions::change(std::uint32_t body, double time, const MotionState& before,
+                     const MotionState& after) {
+    if (stepped_.all()[body].is_ball) {
+        if (balls_.all()[body].is_lying)
+            stepped_.wake_near(before.position, balls_.all()[body].radius, time);
+        balls_.change(body, time, before, after);
+    } else {
+        stepped_.change_box(body, time, after.velocity, after.angular_velocity);
+    }
+}
+
+void Actions::begin(const Force& force, const DueAction& due, std::uint32_t body) {
+    const MotionState state = state_of(body, due.time);
+    recording_.log_action(EventKind::force, due.time, due.time + force.duration, name_of(body),
                           state.position, in_world(force.axes, state.orientation, force.newtons));
 }
 
-void Actions::begin(const Torque& torque, const DueAction& due, std::uint32_t ball) {
-    const MotionState state = balls_[ball].stretch.state_at(due.time);
-    recording_.log_action(EventKind::torque, due.time, due.time + torque.duration,
-                          balls_[ball].name, state.position,
+void Actions::begin(const Torque& torque, const DueAction& due, std::uint32_t body) {
+    const MotionState state = state_of(body, due.time);
+    recording_.log_action(EventKind::torque, due.time, due.time + torque.duration, name_of(body),
+                          state.position,
                           in_world(torque.axes, state.orientation, torque.newton_metres));
 }
 
-void Actions::begin(const Impulse& impulse, const DueAction& due, std::uint32_t ball) {
-    const MotionState state = balls_[ball].stretch.state_at(due.time);
+void Actions::begin(const Impulse& impulse, const DueAction& due, std::uint32_t body) {
+    const MotionState state = state_of(body, due.time);
     const Vec3 p = in_world(impulse.axes, state.orientation, impulse.newton_seconds);
     const Vec3 arm = in_world(impulse.axes, state.orientation, impulse.at_point);
-    recording_.log_action(EventKind::impulse, due.time, due.time, balls_[ball].name, state.position,
-                          p);
-    push(ball, due.time, p, arm.cross(p));
+    recording_.log_action(EventKind::impulse, due.time, due.time, name_of(body), state.position, p);
+    push(body, due.time, p, arm.cross(p));
 }
 
-void Actions::begin(const SetVelocity& velocity, const DueAction& due, std::uint32_t ball) {
-    const MotionState before = balls_[ball].stretch.state_at(due.time);
+void Actions::begin(const SetVelocity& velocity, const DueAction& due, std::uint32_t body) {
+    const MotionState before = state_of(body, due.time);
     MotionState after = before;
     after.velocity = velocity.linear.value_or(before.velocity);
     after.angular_velocity = velocity.angular.value_or(before.angular_velocity);
-    recording_.log_action(EventKind::velocity, due.time, due.time, balls_[ball].name,
-                          before.position, after.velocity);
-    balls_.change(ball, due.time, before, after);
+    recording_.log_action(EventKind::velocity, due.time, due.time, name_of(body), before.position,
+                          after.velocity);
+    change(body, due.time, before, after);
 }
 
-void Actions::begin(const Strike& strike, const DueAction& due, std::uint32_t ball) {
-    const Ball& struck = balls_[ball];
+void Actions::begin(const Strike& strike, const DueAction& due, std::uint32_t body) {
+    const Ball& struck = balls_[body];
     const MotionState before = struck.stretch.state_at(due.time);
     const Vec3 aim = aim_of(strike, before.position, due.time);
     if (aim == Vec3(0, 0, 0)) {
@@ -99,31 +113,34 @@ void Actions::begin(const Strike& strike, const DueAction& due, std::uint32_t ba
                           given.velocity);
     if (strike.toward)
         aimed_.push_back({struck.name, *strike.toward, due.time});
-    balls_.change(ball, due.time, before, after);
+    change(body, due.time, before, after);
 }
 
-void Actions::kick(const DueAction& due, std::uint32_t ball) {
+void Actions::kick(const DueAction& due, std::uint32_t body) {
     const ForceEvent& event = world_.events[due.event];
-    const Quat orientation = balls_[ball].stretch.state_at(due.time).orientation;
+    const Quat orientation = state_of(body, due.time).orientation;
     if (const auto* force = std::get_if<Force>(&event.action)) {
         const double share = force->duration / kick_count(force->duration);
         const Vec3 p = in_world(force->axes, orientation, force->newtons) * share;
-        push(ball, due.time, p, in_world(force->axes, orientation, force->at_point).cross(p));
+        push(body, due.time, p, in_world(force->axes, orientation, force->at_point).cross(p));
     } else if (const auto* torque = std::get_if<Torque>(&event.action)) {
         const double share = torque->duration / kick_count(torque->duration);
-        push(ball, due.time, Vec3(0, 0, 0),
+        push(body, due.time, Vec3(0, 0, 0),
              in_world(torque->axes, orientation, torque->newton_metres) * share);
     }
 }
 
-void Actions::push(std::uint32_t ball, double time, const Vec3& impulse,
+void Actions::push(std::uint32_t body, double time, const Vec3& impulse,
                    const Vec3& angular_impulse) {
-    const Ball& pushed = balls_[ball];
-    const MotionState before = pushed.stretch.state_at(time);
+    const StepBody& pushed = stepped_.all()[body];
+    const MotionState before = state_of(body, time);
     MotionState after = before;
     after.velocity += impulse / pushed.mass;
-    after.angular_velocity += angular_impulse / (0.4 * pushed.mass * pushed.radius * pushed.radius);
-    balls_.change(ball, time, before, after);
+    const Vec3 turned = to_body(before.orientation, angular_impulse);
+    after.angular_velocity +=
+        to_world(before.orientation, Vec3(turned.x / pushed.inertia.x, turned.y / pushed.inertia.y,
+                                          turned.z / pushed.inertia.z));
+    change(body, time, before, after);
 }
 
 Vec3 Actions::aim_of(const Strike& strike, const Vec3& from, double time) const {
@@ -141,7 +158,7 @@ Vec3 Actions::aim_of(const Strike& strike, const Vec3& from, double time) const 
 Vec3 Actions::place_of(const std::string& name, double time) const {
     const auto found = index_.find(name);
     if (found != index_.end())
-        return balls_.all()[found->second].stretch.position_at(time);
+        return state_of(found->second, time).position;
     for (const Body& body : world_.bodies) {
         if (body.name == name)
             return body.pose.position;

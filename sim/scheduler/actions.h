@@ -1,4 +1,4 @@
-// What force events do to the balls.
+// What force events do to bodies.
 #pragma once
 
 #include <map>
@@ -7,27 +7,32 @@
 
 #include "sim/scheduler/balls.h"
 #include "sim/scheduler/force_schedule.h"
+#include "sim/scheduler/stepped_bodies.h"
 
 namespace carom::sim {
 
 class Actions {
   public:
-    Actions(const WorldDescription& world, Balls& balls, Recording& recording);
+    Actions(const WorldDescription& world, Balls& balls, SteppedBodies& stepped,
+            Recording& recording);
 
-    /// Carries out one due action. Returns the index of the ball that it changed, or -1.
-    int apply(const DueAction& action);
+    void apply(const DueAction& action);
 
     /// Strikes that never reached what they were aimed at, as sentences.
     [[nodiscard]] std::vector<std::string> missed_strikes() const;
 
   private:
-    void begin(const Force& force, const DueAction& due, std::uint32_t ball);
-    void begin(const Torque& torque, const DueAction& due, std::uint32_t ball);
-    void begin(const Impulse& impulse, const DueAction& due, std::uint32_t ball);
-    void begin(const SetVelocity& velocity, const DueAction& due, std::uint32_t ball);
-    void begin(const Strike& strike, const DueAction& due, std::uint32_t ball);
-    void kick(const DueAction& due, std::uint32_t ball);
-    void push(std::uint32_t ball, double time, const Vec3& impulse, const Vec3& angular_impulse);
+    void begin(const Force& force, const DueAction& due, std::uint32_t body);
+    void begin(const Torque& torque, const DueAction& due, std::uint32_t body);
+    void begin(const Impulse& impulse, const DueAction& due, std::uint32_t body);
+    void begin(const SetVelocity& velocity, const DueAction& due, std::uint32_t body);
+    void begin(const Strike& strike, const DueAction& due, std::uint32_t body);
+    void kick(const DueAction& due, std::uint32_t body);
+    void push(std::uint32_t body, double time, const Vec3& impulse, const Vec3& angular_impulse);
+    void change(std::uint32_t body, double time, const MotionState& before,
+                const MotionState& after);
+    [[nodiscard]] MotionState state_of(std::uint32_t body, double time) const;
+    [[nodiscard]] const std::string& name_of(std::uint32_t body) const;
     [[nodiscard]] Vec3 aim_of(const Strike& strike, const Vec3& from, double time) const;
     [[nodiscard]] Vec3 place_of(const std::string& name, double time) const;
 
@@ -38,8 +43,9 @@ class Actions {
 
     const WorldDescription& world_;
     Balls& balls_;
+    SteppedBodies& stepped_;
     Recording& recording_;
-    std::map<std::string, std::uint32_t> index_;
+    std::map<std::string, std::uint32_t> index_;  // numbers in SteppedBodies
     std::vector<Aimed> aimed_;
 };
 

@@ -26,7 +26,6 @@ Ball make_ball(const Body& body, double radius, const Surroundings& around) {
     ball.radius = radius;
     ball.cloth_law = cloth_law(body.material, around.law);
     ball.floor_law = ground_law(around.law.between(body.material, "floor"));
-    ball.pocket_law = ground_law(around.law.between(body.material, "pocket"));
     ball.stretch.state = {body.pose.position, body.pose.orientation, body.velocity,
                           body.angular_velocity};
     return ball;
@@ -34,17 +33,12 @@ Ball make_ball(const Body& body, double radius, const Surroundings& around) {
 
 }  // namespace
 
-double ground_height(const Ball& ball, Ground ground, const Surroundings& around) {
-    switch (ground) {
-        case Ground::floor:
-            return around.floor_height.value_or(0);
-        case Ground::pocket_floor:
-            return -around.table.pockets[static_cast<std::size_t>(ball.pocket)].drop;
-        case Ground::cloth:
-        case Ground::none:
-            break;
-    }
-    return 0;
+double ground_height(Ground ground, const Surroundings& around) {
+    return ground == Ground::floor ? around.floor_height.value_or(0) : 0;
+}
+
+const char* ground_name(Ground ground) {
+    return ground == Ground::floor ? "floor" : "cloth";
 }
 
 std::vector<Ball> make_balls(const WorldDescription& world, const Surroundings& around) {
@@ -68,7 +62,7 @@ Stretch next_stretch(const Ball& ball, double time, const MotionState& state,
         return flight_stretch(time, state, around.gravity);
     Stretch stretch = cloth_stretch(time, state, ball.radius, around.downward_gravity,
                                     ball.law_of(ball.ground).motion);
-    stretch.state.position.z = ground_height(ball, ball.ground, around) + ball.radius;
+    stretch.state.position.z = ground_height(ball.ground, around) + ball.radius;
     return stretch;
 }
 

@@ -24,26 +24,28 @@ struct Ball {
     std::size_t track = 0;  // its place among the moving bodies
     double mass = 0;
     double radius = 0;
-    GroundLaw cloth_law, floor_law, pocket_law;
+    GroundLaw cloth_law, floor_law;
 
     Stretch stretch;
-    Ground ground = Ground::none;  // what carries it
-    int pocket = -1;               // the pocket that it is in
+    Ground ground = Ground::none;  // what carries it in closed form
+    bool is_lying = false;         // at rest where ODE left it, on something else than a ground
     bool is_potted = false;
     bool is_off_table = false;
     std::uint32_t version = 0;  // counts its stretches: older predictions are void
 
     [[nodiscard]] bool is_still() const { return stretch.kind == MotionKind::resting; }
+    [[nodiscard]] bool is_stepped() const { return stretch.kind == MotionKind::stepped; }
     [[nodiscard]] BallBody body_at(double time) const {
         return {mass, radius, stretch.state_at(time)};
     }
     [[nodiscard]] const GroundLaw& law_of(Ground on) const {
-        return on == Ground::cloth ? cloth_law : on == Ground::floor ? floor_law : pocket_law;
+        return on == Ground::floor ? floor_law : cloth_law;
     }
 };
 
-/// The height of a level surface under a ball.
-[[nodiscard]] double ground_height(const Ball& ball, Ground ground, const Surroundings& around);
+/// The height of a level surface.
+[[nodiscard]] double ground_height(Ground ground, const Surroundings& around);
+[[nodiscard]] const char* ground_name(Ground ground);
 
 /// The moving spheres of the world, in its order.
 [[nodiscard]] std::vector<Ball> make_balls(const WorldDescription& world,

@@ -8,20 +8,6 @@ namespace {
 
 const Vec3 kUp(0, 0, 1);
 
-const char* ground_name(Ground ground) {
-    switch (ground) {
-        case Ground::cloth:
-            return "cloth";
-        case Ground::floor:
-            return "floor";
-        case Ground::pocket_floor:
-            return "pocket";
-        case Ground::none:
-            break;
-    }
-    return "";
-}
-
 EventKind event_of(MotionKind kind) {
     switch (kind) {
         case MotionKind::sliding:
@@ -33,7 +19,7 @@ EventKind event_of(MotionKind kind) {
         case MotionKind::resting:
             return EventKind::resting;
         case MotionKind::flying:
-        case MotionKind::stepped:
+        case MotionKind::stepped:  // never logged
             break;
     }
     return EventKind::airborne;
@@ -61,8 +47,6 @@ Balls::Balls(const WorldDescription& world, const Surroundings& around, Recordin
 void Balls::start(double time) {
     for (Ball& ball : balls_) {
         ball.ground = ground_at_start(ball, around_);
-        if (ball.ground == Ground::none)
-            ball.pocket = around_.pocket_below(ball.stretch.state.position);
         ball.stretch = next_stretch(ball, time, ball.stretch.state, around_);
         recording_.keep(ball.track, time, ball.stretch.state);
     }
@@ -79,6 +63,10 @@ void Balls::settle(Ball& ball, double time, MotionState& state) {
     if (ball.ground == Ground::none)
         return;
     const GroundLaw& law = ball.law_of(ball.ground);
+    if (around_.downward_gravity <= 0) {
+        ball.ground = Ground::none;
+        return;
+    }
     const double descent = -state.velocity.z;
     if (descent > kLandingSpeed) {
         BallBody body{ball.mass, ball.radius, state};
@@ -98,6 +86,7 @@ void Balls::settle(Ball& ball, double time, MotionState& state) {
 void Balls::begin(Ball& ball, double time, const MotionState& state) {
     const MotionKind kind = ball.stretch.kind;
     ball.stretch = next_stretch(ball, time, state, around_);
+    ball.is_lying = false;
     ++ball.version;
     if (ball.stretch.kind != kind)
         recording_.log(event_of(ball.stretch.kind), time, ball.name, ball.stretch.state.position);
@@ -114,21 +103,71 @@ void Balls::fall(std::uint32_t index, double time) {
     go_on(index, time);
 }
 
+void Balls::hand_to_ode(std::uint32_t index, double time) {
+    carry(index, time, balls_[index].stretch.state_at(time));
+}
+
+void Balls::carry(std::uint32_t index, double time, const MotionState& state) {
+    Ball& ball = balls_[index];
+    ball.ground = Ground::none;
+    ball.is_lying = false;
+    ball.stretch = {};
+    ball.stretch.kind = MotionKind::stepped;
+    ball.stretch.start = time;
+    ball.stretch.state = state;
+    ++ball.version;
+}
+
+void Balls::show_step(std::uint32_t index, double time, const MotionState& state,
+                      const Vec3& mean_velocity) {
+    carry(index, time, state);
+    balls_[index].stretch.state.velocity = mean_velocity;
+}
+
+void Balls::take_back(std::uint32_t index, double time, const MotionState& state, Ground ground) {
+    Ball& ball = balls_[index];
+    ball.ground = ground;
+    begin(ball, time, state);
+    recording_.keep(ball.track, time, ball.stretch.state);
+}
+
+void Balls::note_sunk(std::uint32_t index, double time, const Vec3& centre) {
+    Ball& ball = balls_[index];
+    if (!around_.has_cushions || ball.is_potted || ball.is_off_table)
+        return;
+    const int pocket = around_.pocket_below(centre);
+    if (pocket >= 0) {
+        ball.is_potted = true;
+        recording_.log(EventKind::potted, time, ball.name, centre,
+                       around_.table.pockets[static_cast<std::size_t>(pocket)].name);
+    } else {
+        ball.is_off_table = true;
+        recording_.log(EventKind::off_table, time, ball.name, centre);
+    }
+}
+
+void Balls::lay_down(std::uint32_t index, double time, MotionState state) {
+    Ball& ball = balls_[index];
+    state.velocity = state.angular_velocity = {0, 0, 0};
+    carry(index, time, state);
+    ball.stretch.kind = MotionKind::resting;
+    ball.is_lying = true;
+    recording_.keep(ball.track, time, state);
+    recording_.log(EventKind::resting, time, ball.name, state.position);
+}
+
 void Balls::finish(double time) {
     for (const Ball& ball : balls_)
         recording_.keep(ball.track, time, ball.stretch.state_at(time));
 }
 
-EnergySample Balls::energy(double time) const {
-    EnergySample sample;
-    sample.time = time;
+void Balls::add_energy(double time, EnergySample& sample) const {
     for (const Ball& ball : balls_) {
         const Vec3 v = ball.stretch.velocity_at(time);
         const Vec3 w = ball.stretch.angular_velocity_at(time);
         sample.kinetic += 0.5 * ball.mass * (v.dot(v) + 0.4 * ball.radius * ball.radius * w.dot(w));
         sample.potential -= ball.mass * around_.gravity.dot(ball.stretch.position_at(time));
     }
-    return sample;
 }
 
 bool Balls::all_rest() const {

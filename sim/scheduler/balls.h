@@ -38,9 +38,24 @@ class Balls {
     /// It leaves what carried it without an impact.
     void fall(std::uint32_t index, double time);
 
+    /// From now on ODE carries it. Takes effect with the next window.
+    void hand_to_ode(std::uint32_t index, double time);
+    /// Where ODE has carried it: still ODE's ...
+    void carry(std::uint32_t index, double time, const MotionState& state);
+    /// ... or handed back: on level ground, in the air ...
+    void take_back(std::uint32_t index, double time, const MotionState& state, Ground ground);
+    /// ... or lying still where it is.
+    void lay_down(std::uint32_t index, double time, MotionState state);
+    /// The ball's centre is below the cloth: it is potted or off the table. Written down the first
+    /// time.
+    void note_sunk(std::uint32_t index, double time, const Vec3& centre);
+    /// Shows the straight path that it takes during a step that ODE is trying.
+    void show_step(std::uint32_t index, double time, const MotionState& state,
+                   const Vec3& mean_velocity);
+
     void finish(double time);
 
-    [[nodiscard]] EnergySample energy(double time) const;
+    void add_energy(double time, EnergySample& sample) const;
     [[nodiscard]] bool all_rest() const;
 
   private:

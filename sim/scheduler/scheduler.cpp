@@ -10,6 +10,8 @@ namespace carom::sim {
 namespace {
 
 constexpr double kEnergyInterval = 1.0 / 60;  // s
+/// ODE steps what lies in touch at a quarter of the world's step, or of this (s) if that is less.
+constexpr double kLongestCoarseStep = 1.0 / 240;
 /// More touches than this in one window mean that balls are caught in a corner that the laws do
 /// not resolve. A break has some tens, a spinning ball pressed to a cushion a hundred.
 constexpr std::size_t kMostTouchesPerWindow = 100000;
@@ -31,13 +33,15 @@ Scheduler::Scheduler(const WorldDescription& world)
       around_(world),
       recording_(world),
       balls_(world, around_, recording_),
-      finder_(around_, balls_.all()),
-      resolver_(around_, balls_, recording_),
+      stepped_(world, around_, balls_, recording_),
+      finder_(around_, balls_.all(), stepped_.all()),
+      resolver_(around_, balls_, stepped_, recording_),
       schedule_(world.events),
-      actions_(world, balls_, recording_) {}
+      actions_(world, balls_, stepped_, recording_) {}
 
 void Scheduler::run(const WorkContext& context) {
     balls_.start(0);
+    stepped_.start(0);
     double reported = 0;
     while (now_ < world_.duration) {
         if (context.stop.stop_requested())
@@ -59,16 +63,43 @@ void Scheduler::run_window() {
     touches_in_window_ = 0;
     is_capped_ = false;
     measure_energy();
-    window_end_ = window_end_from(now_);
     act();
+    if (stepped_.is_active()) {
+        const double fine = std::min(world_.step, kLongestCoarseStep) / 4;
+        window_end_ = stepped_.try_step(now_, std::min(window_end_, now_ + fine));
+    }
     look_ahead_for_all();
+    const std::optional<Touch> last = meet_all();
+    if (stepped_.is_trying())
+        stepped_.commit(window_end_);
+    now_ = window_end_;
+    if (last)
+        resolver_.resolve(*last);
+    notice_events();
+}
+
+/// Meets touch after touch up to the window's end. Where a ball meets something that ODE carries,
+/// the window ends: that touch is returned, to be resolved when ODE has come so far.
+std::optional<Touch> Scheduler::meet_all() {
     while (!queue_.empty() && queue_.top().time <= window_end_) {
         const Touch touch = queue_.top();
         queue_.pop();
-        if (is_valid(touch))
-            meet(touch);
+        if (!is_valid(touch))
+            continue;
+        if (needs_step(touch)) {
+            window_end_ = touch.time;
+            return touch;
+        }
+        meet(touch);
     }
-    now_ = window_end_;
+    return std::nullopt;
+}
+
+bool Scheduler::needs_step(const Touch& touch) const {
+    if (touch.kind == TouchKind::box)
+        return true;
+    return touch.kind == TouchKind::ball &&
+           (balls_.all()[touch.first].is_stepped() || balls_.all()[touch.second].is_stepped());
 }
 
 double Scheduler::window_end_from(double now) const {
@@ -90,12 +121,12 @@ void Scheduler::act() {
         if (due.empty())
             break;
         if (std::any_of(due.begin(), due.end(), [](const DueAction& a) { return a.kick < 0; }))
-            recording_.add_energy(balls_.energy(now_));
+            add_energy();
         for (DueAction action : due) {
             action.time = now_;
             actions_.apply(action);
         }
-        recording_.add_energy(balls_.energy(now_));
+        add_energy();
         notice_events();
     }
     window_end_ = window_end_from(now_);
@@ -125,11 +156,16 @@ void Scheduler::meet(const Touch& touch) {
         return;
     }
     now_ = touch.time;
+    const bool was_stepping = stepped_.is_active();
     resolver_.resolve(touch);
     look_ahead(touch.first);
     if (touch.kind == TouchKind::ball)
         look_ahead(touch.second);
     notice_events();
+    // What ODE has just been given it steps from here on, in a window of its own.
+    const bool is_handed = balls_.all()[touch.first].is_stepped() || !was_stepping;
+    if (stepped_.is_active() && is_handed)
+        window_end_ = now_;
 }
 
 void Scheduler::notice_events() {
@@ -147,7 +183,11 @@ void Scheduler::notice_events() {
 
 bool Scheduler::is_resting(const std::string& name) const {
     if (name.empty())
-        return balls_.all_rest();
+        return balls_.all_rest() && stepped_.all_rest();
+    for (const StepBody& body : stepped_.all()) {
+        if (!body.is_ball && body.name == name)
+            return !body.is_awake;
+    }
     for (const Ball& ball : balls_.all()) {
         if (ball.name == name)
             return ball.is_still();
@@ -158,14 +198,23 @@ bool Scheduler::is_resting(const std::string& name) const {
 void Scheduler::measure_energy() {
     if (now_ < next_energy_time_)
         return;
-    recording_.add_energy(balls_.energy(now_));
+    add_energy();
     next_energy_time_ = (std::floor(now_ / kEnergyInterval + 0.5) + 1) * kEnergyInterval;
+}
+
+void Scheduler::add_energy() {
+    EnergySample sample;
+    sample.time = now_;
+    balls_.add_energy(now_, sample);
+    stepped_.add_energy(sample);
+    recording_.add_energy(sample);
 }
 
 void Scheduler::conclude() {
     act();
-    recording_.add_energy(balls_.energy(now_));
+    add_energy();
     balls_.finish(now_);
+    stepped_.finish(now_);
     for (std::string& sentence : actions_.missed_strikes())
         recording_.warn(std::move(sentence));
     for (std::string& sentence : schedule_.unmet_triggers())

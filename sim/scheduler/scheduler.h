@@ -2,6 +2,7 @@
 // touch after the other.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "sim/scheduler/force_schedule.h"
 #include "sim/scheduler/impact_resolver.h"
 #include "sim/scheduler/recording.h"
+#include "sim/scheduler/stepped_bodies.h"
 #include "sim/scheduler/surroundings.h"
 #include "sim/scheduler/touch_finder.h"
 #include "sim/scheduler/touch_queue.h"
@@ -31,12 +33,15 @@ class Scheduler {
 
   private:
     void run_window();
+    [[nodiscard]] std::optional<Touch> meet_all();
     void act();
     void meet(const Touch& touch);
     void look_ahead_for_all();
     void look_ahead(std::uint32_t ball);
     void notice_events();
     void measure_energy();
+    void add_energy();
+    [[nodiscard]] bool needs_step(const Touch& touch) const;
     void conclude();
     [[nodiscard]] bool is_valid(const Touch& touch) const;
     [[nodiscard]] double window_end_from(double now) const;
@@ -47,6 +52,7 @@ class Scheduler {
     Surroundings around_;
     Recording recording_;
     Balls balls_;
+    SteppedBodies stepped_;
     TouchFinder finder_;
     ImpactResolver resolver_;
     ForceSchedule schedule_;

@@ -1,9 +1,15 @@
 #include "sim/scheduler/surroundings.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "sim/spatial/box_touch.h"
 
 namespace carom::sim {
 namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
 
 /// The radius that the table's cushions are drawn for: that of the first ball.
 double table_ball_radius(const WorldDescription& world) {
@@ -15,21 +21,120 @@ double table_ball_radius(const WorldDescription& world) {
     return Sphere{}.radius;
 }
 
+/// What balls in the air collide with; the cloth itself is a plane with holes.
+std::optional<std::string> material_of(billiards::SurfacePart part) {
+    switch (part) {
+        case billiards::SurfacePart::cushion:
+            return "cushion";
+        case billiards::SurfacePart::rail:
+            return "rail";
+        case billiards::SurfacePart::pocket_liner:
+        case billiards::SurfacePart::pocket_floor:
+            return "pocket";
+        case billiards::SurfacePart::cloth:
+        case billiards::SurfacePart::apron:
+        case billiards::SurfacePart::leg:
+        case billiards::SurfacePart::sight:
+            break;
+    }
+    return std::nullopt;
+}
+
+struct Triangles {
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles;
+};
+
+Triangles box_triangles(const Vec3& size) {
+    Triangles box;
+    for (int i = 0; i < 8; ++i)
+        box.vertices.emplace_back((i & 1) != 0 ? size.x / 2 : -size.x / 2,
+                                  (i & 2) != 0 ? size.y / 2 : -size.y / 2,
+                                  (i & 4) != 0 ? size.z / 2 : -size.z / 2);
+    box.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    return box;
+}
+
+void place(Triangles& mesh, const Pose& pose) {
+    for (Vec3& v : mesh.vertices)
+        v = pose.position + to_world(pose.orientation, v);
+}
+
+Aabb bounds_of(const std::vector<Vec3>& vertices) {
+    Aabb box{vertices.front(), vertices.front()};
+    for (const Vec3& v : vertices)
+        box.extend(v);
+    return box;
+}
+
 }  // namespace
 
 Surroundings::Surroundings(const WorldDescription& world)
     : gravity(world.gravity), law(world.contact_law), floor_height(world.floor_height) {
     if (gravity.x == 0 && gravity.y == 0 && gravity.z < 0)
         downward_gravity = -gravity.z;
-    if (!world.table)
-        return;
+    const bool has_boxes =
+        std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& body) {
+            return body.kind == BodyKind::dynamic && std::holds_alternative<Box>(body.shape);
+        });
+    if (world.table)
+        add_table(world, has_boxes);
+    add_fixed_bodies(world, has_boxes);
+}
+
+void Surroundings::add_table(const WorldDescription& world, bool has_boxes) {
     has_cloth = true;
     has_cushions = world.table->has_cushions;
     nose_height = world.table->nose_height;
     cloth_half_extent =
         Vec2(world.table->length, world.table->width) * 0.5 + Vec2(world.table->cushion_width);
-    if (has_cushions)
-        table = billiards::build_table(*world.table, table_ball_radius(world));
+    if (!has_cushions)
+        return;
+    table = billiards::build_table(*world.table, table_ball_radius(world));
+    for (const billiards::Surface& surface : table.surfaces) {
+        const auto material = material_of(surface.part);
+        if (!material || surface.triangles.empty())
+            continue;
+        const auto number = static_cast<std::uint32_t>(surfaces.size());
+        table_mesh.add(surface.vertices, surface.triangles, number);
+        surfaces.push_back({*material, *material});
+        if (has_boxes)
+            box_obstacles.push_back({surfaces.back(), number,
+                                     ode::TriangleSurface(surface.vertices, surface.triangles),
+                                     bounds_of(surface.vertices)});
+    }
+    for (const billiards::Pocket& pocket : table.pockets)
+        rims.push_back({Vec3(pocket.centre.x, pocket.centre.y, 0), pocket.radius});
+}
+
+void Surroundings::add_fixed_bodies(const WorldDescription& world, bool has_boxes) {
+    for (const Body& body : world.bodies) {
+        if (body.kind != BodyKind::fixed)
+            continue;
+        const SurfaceInfo info{body.name, body.material};
+        if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
+            spheres.push_back({info, body.pose.position, sphere->radius});
+            continue;
+        }
+        const auto number = static_cast<std::uint32_t>(surfaces.size());
+        Triangles mesh;
+        if (const auto* box = std::get_if<Box>(&body.shape)) {
+            mesh = box_triangles(box->size);
+            boxes.push_back({info, number, box->size, body.pose});
+        } else if (const auto* triangles = std::get_if<TriangleMesh>(&body.shape)) {
+            mesh = {triangles->vertices, triangles->triangles};
+        }
+        if (mesh.triangles.empty())
+            continue;
+        place(mesh, body.pose);
+        scenery_mesh.add(mesh.vertices, mesh.triangles, number);
+        surfaces.push_back(info);
+        if (has_boxes && std::holds_alternative<TriangleMesh>(body.shape))
+            box_obstacles.push_back({info, number,
+                                     ode::TriangleSurface(mesh.vertices, mesh.triangles),
+                                     bounds_of(mesh.vertices)});
+    }
 }
 
 bool Surroundings::is_over_cloth(const Vec3& centre) const {

@@ -1,16 +1,48 @@
 // Everything that does not move.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/billiards/table.h"
+#include "sim/ode/box_collider.h"
+#include "sim/spatial/rim.h"
+#include "sim/spatial/static_mesh.h"
 #include "sim/world.h"
 
 namespace carom::sim {
 
-/// A level surface that balls slide and roll on.
-enum class Ground { none, cloth, pocket_floor, floor };
+/// A level surface that balls slide and roll on in closed form.
+enum class Ground { none, cloth, floor };
+
+/// What a triangle surface is called in the event log and which physical material it has.
+struct SurfaceInfo {
+    std::string name;
+    std::string material;
+};
+
+struct FixedSphere {
+    SurfaceInfo info;
+    Vec3 centre{0, 0, 0};
+    double radius = 0;
+};
+
+struct FixedBox {
+    SurfaceInfo info;
+    std::uint32_t surface = 0;  // its index in Surroundings::surfaces
+    Vec3 size{1, 1, 1};
+    Pose pose;
+};
+
+/// A fixed mesh as moving boxes see it.
+struct BoxObstacle {
+    SurfaceInfo info;
+    std::uint32_t number = 0;  // its index in Surroundings::surfaces
+    ode::TriangleSurface surface;
+    Aabb bounds;
+};
 
 struct Surroundings {
     explicit Surroundings(const WorldDescription& world);
@@ -25,11 +57,26 @@ struct Surroundings {
     Vec2 cloth_half_extent{0, 0};  // the cloth lies under |x|, |y| up to these
     double nose_height = 0;
     billiards::TableGeometry table;
+    std::vector<Rim> rims;  // of the pockets' holes, in their order
     std::optional<double> floor_height;
+
+    // Triangle surfaces for balls: of the table (a ball on the cloth has no need of them) and of
+    // other fixed bodies. Their `surface` numbers are indices into `surfaces`.
+    StaticMesh table_mesh;
+    StaticMesh scenery_mesh;
+    std::vector<SurfaceInfo> surfaces;
+    std::vector<FixedSphere> spheres;
+    // The same for moving boxes; empty if there are none.
+    std::vector<FixedBox> boxes;
+    std::vector<BoxObstacle> box_obstacles;
 
     [[nodiscard]] bool is_over_cloth(const Vec3& centre) const;
     /// The pocket whose hole lies below `centre`, or -1.
     [[nodiscard]] int pocket_below(const Vec3& centre) const;
+
+  private:
+    void add_table(const WorldDescription& world, bool has_boxes);
+    void add_fixed_bodies(const WorldDescription& world, bool has_boxes);
 };
 
 }  // namespace carom::sim

@@ -48,17 +48,18 @@ double nose_reach(double radius, double z, double nose_height) {
 void TouchFinder::find(std::uint32_t index, double now, double until, bool only_later_balls,
                        TouchQueue& queue) const {
     const Ball& ball = balls_[index];
+    if (!ball.is_stepped() && !ball.is_lying)
+        find_boxes(index, now, std::min(until, ball.stretch.end), queue);
     if (ball.is_still())
         return;
     if (ball.stretch.end <= until)
         push(queue, ball, index, TouchKind::stretch_end, 0, std::max(now, ball.stretch.end));
     until = std::min(until, ball.stretch.end);
     find_balls(index, now, until, only_later_balls, queue);
-    if (ball.stretch.kind == MotionKind::spinning)
+    if (ball.is_stepped() || ball.stretch.kind == MotionKind::spinning)
         return;
-    if (ball.pocket >= 0) {
-        find_in_pocket(index, now, until, queue);
-    } else if (ball.ground == Ground::none) {
+    find_fixed(index, now, until, queue);
+    if (ball.ground == Ground::none) {
         find_in_air(index, now, until, queue);
     } else if (ball.ground == Ground::cloth && around_.has_cushions) {
         find_on_cloth(index, now, until, queue);
@@ -72,6 +73,9 @@ void TouchFinder::find_balls(std::uint32_t index, double now, double until, bool
         const Ball& partner = balls_[other];
         if (other == index || (only_later_balls && other < index && !partner.is_still()))
             continue;
+        // ODE sees to those that it carries both.
+        if (ball.is_stepped() && (partner.is_stepped() || partner.is_lying))
+            continue;
         const double end = std::min(until, partner.stretch.end);
         const auto time =
             ball_touch(ball.stretch, partner.stretch, ball.radius + partner.radius, now, end);
@@ -82,19 +86,33 @@ void TouchFinder::find_balls(std::uint32_t index, double now, double until, bool
     }
 }
 
-void TouchFinder::find_on_cloth(std::uint32_t index, double now, double until,
-                                TouchQueue& queue) const {
-    find_cushions(index, now, until, queue);
+void TouchFinder::find_boxes(std::uint32_t index, double now, double until,
+                             TouchQueue& queue) const {
     const Ball& ball = balls_[index];
-    const double z = ball.stretch.state.position.z;
-    for (std::size_t i = 0; i < around_.table.pockets.size(); ++i) {
-        const billiards::Pocket& pocket = around_.table.pockets[i];
-        push(queue, ball, index, TouchKind::pocket_edge, i,
-             point_touch(ball.stretch, in_space(pocket.centre, z), pocket.radius, now, until));
+    for (std::size_t i = balls_.size(); i < bodies_.size(); ++i) {
+        const StepBody& box = bodies_[i];
+        if (!ball.is_still() || box.is_awake)
+            push(queue, ball, index, TouchKind::box, i,
+                 box_touch(ball.stretch, ball.radius, box.motion, now, until));
     }
 }
 
-void TouchFinder::find_cushions(std::uint32_t index, double now, double until,
+void TouchFinder::find_fixed(std::uint32_t index, double now, double until,
+                             TouchQueue& queue) const {
+    const Ball& ball = balls_[index];
+    if (!around_.scenery_mesh.empty()) {
+        const auto touch = around_.scenery_mesh.first_touch(ball.stretch, ball.radius, now, until);
+        if (touch)
+            push(queue, ball, index, TouchKind::scenery_feature, touch->feature, touch->time);
+    }
+    for (std::size_t i = 0; i < around_.spheres.size(); ++i) {
+        const FixedSphere& sphere = around_.spheres[i];
+        push(queue, ball, index, TouchKind::fixed_sphere, i,
+             point_touch(ball.stretch, sphere.centre, ball.radius + sphere.radius, now, until));
+    }
+}
+
+void TouchFinder::find_on_cloth(std::uint32_t index, double now, double until,
                                 TouchQueue& queue) const {
     const Ball& ball = balls_[index];
     const double z = ball.stretch.state.position.z;
@@ -109,52 +127,41 @@ void TouchFinder::find_cushions(std::uint32_t index, double now, double until,
              point_touch(ball.stretch, in_space(corner.centre, z), reach + corner.radius, now,
                          until));
     }
+    for (std::size_t i = 0; i < table.pockets.size(); ++i) {
+        const billiards::Pocket& pocket = table.pockets[i];
+        push(queue, ball, index, TouchKind::pocket_edge, i,
+             point_touch(ball.stretch, in_space(pocket.centre, z), pocket.radius, now, until));
+    }
 }
 
 void TouchFinder::find_in_air(std::uint32_t index, double now, double until,
                               TouchQueue& queue) const {
     const Ball& ball = balls_[index];
-    if (around_.has_cushions) {
-        const billiards::TableGeometry& table = around_.table;
-        for (std::size_t i = 0; i < table.faces.size(); ++i) {
-            const billiards::CushionFace& face = table.faces[i];
-            const Vec2 along = face.to - face.from;
-            const Vec2 direction = along / std::sqrt(along.dot(along));
-            const auto time = line_touch(ball.stretch, in_space(face.from, around_.nose_height),
-                                         in_space(direction, 0), ball.radius, now, until);
-            if (!time)
-                continue;
-            const Vec3 p = ball.stretch.position_at(*time);
-            const double place = (Vec2(p.x, p.y) - face.from).dot(along) / along.dot(along);
-            if (place >= 0 && place <= 1)
-                push(queue, ball, index, TouchKind::cushion_face, i, time);
-        }
+    if (around_.has_cloth) {
+        const auto time = plane_touch(ball.stretch, Vec3(0, 0, 0), kUp, ball.radius, now, until);
+        // A ball that is just passing over a hole's edge counts as where it will be.
+        constexpr double kAhead = 1e-7;  // s
+        if (time && around_.is_over_cloth(ball.stretch.position_at(*time + kAhead)))
+            push(queue, ball, index, TouchKind::ground, static_cast<std::size_t>(Ground::cloth),
+                 time);
     }
-    if (around_.has_cloth && !ball.is_off_table)
-        push(queue, ball, index, TouchKind::ground, static_cast<std::size_t>(Ground::cloth),
-             plane_touch(ball.stretch, Vec3(0, 0, 0), kUp, ball.radius, now, until));
     if (around_.floor_height)
         push(queue, ball, index, TouchKind::ground, static_cast<std::size_t>(Ground::floor),
              plane_touch(ball.stretch, Vec3(0, 0, *around_.floor_height), kUp, ball.radius, now,
                          until));
-}
-
-void TouchFinder::find_in_pocket(std::uint32_t index, double now, double until,
-                                 TouchQueue& queue) const {
-    const Ball& ball = balls_[index];
-    const auto at = static_cast<std::size_t>(ball.pocket);
-    const billiards::Pocket& pocket = around_.table.pockets[at];
-    const Vec3 centre = in_space(pocket.centre, 0);
-    push(queue, ball, index, TouchKind::pocket_wall, at,
-         line_departure(ball.stretch, centre, kUp, pocket.radius - ball.radius, now, until));
-    if (ball.ground != Ground::none)
+    if (!around_.has_cushions)
         return;
-    if (!ball.is_potted)
-        push(queue, ball, index, TouchKind::below_cloth, at,
-             plane_touch(ball.stretch, centre, kUp, 0, now, until));
-    push(queue, ball, index, TouchKind::ground, static_cast<std::size_t>(Ground::pocket_floor),
-         plane_touch(ball.stretch, in_space(pocket.centre, -pocket.drop), kUp, ball.radius, now,
-                     until));
+    if (const auto touch = around_.table_mesh.first_touch(ball.stretch, ball.radius, now, until))
+        push(queue, ball, index, TouchKind::table_feature, touch->feature, touch->time);
+    for (std::size_t i = 0; i < around_.rims.size(); ++i) {
+        const auto time = around_.rims[i].touch(ball.stretch, ball.radius, now, until);
+        // Where the ball is over the cloth it touches the plane.
+        if (time && around_.pocket_below(ball.stretch.position_at(*time)) == static_cast<int>(i))
+            push(queue, ball, index, TouchKind::rim, i, time);
+    }
+    if (!ball.is_potted && !ball.is_off_table)
+        push(queue, ball, index, TouchKind::below_cloth, 0,
+             plane_touch(ball.stretch, Vec3(0, 0, 0), kUp, 0, now, until));
 }
 
 }  // namespace carom::sim

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/scheduler/ball_state.h"
+#include "sim/scheduler/step_body.h"
 #include "sim/scheduler/surroundings.h"
 #include "sim/scheduler/touch_queue.h"
 
@@ -11,8 +12,9 @@ namespace carom::sim {
 
 class TouchFinder {
   public:
-    TouchFinder(const Surroundings& around, const std::vector<Ball>& balls)
-        : around_(around), balls_(balls) {}
+    TouchFinder(const Surroundings& around, const std::vector<Ball>& balls,
+                const std::vector<StepBody>& bodies)
+        : around_(around), balls_(balls), bodies_(bodies) {}
 
     /// Puts every touch of ball `index` in [now, until] into the queue. With `only_later_balls`,
     /// of the other moving balls only those of a higher index are looked at (the lower ones have
@@ -23,13 +25,14 @@ class TouchFinder {
   private:
     void find_balls(std::uint32_t index, double now, double until, bool only_later_balls,
                     TouchQueue& queue) const;
+    void find_boxes(std::uint32_t index, double now, double until, TouchQueue& queue) const;
+    void find_fixed(std::uint32_t index, double now, double until, TouchQueue& queue) const;
     void find_on_cloth(std::uint32_t index, double now, double until, TouchQueue& queue) const;
     void find_in_air(std::uint32_t index, double now, double until, TouchQueue& queue) const;
-    void find_cushions(std::uint32_t index, double now, double until, TouchQueue& queue) const;
-    void find_in_pocket(std::uint32_t index, double now, double until, TouchQueue& queue) const;
 
     const Surroundings& around_;
     const std::vector<Ball>& balls_;
+    const std::vector<StepBody>& bodies_;
 };
 
 /// How far from the nose's line (horizontally) the centre of a ball at height `z` is when it

@@ -9,14 +9,18 @@
 namespace carom::sim {
 
 enum class TouchKind : std::uint8_t {
-    ball,            // ball `first` meets ball `second`
-    cushion_face,    // `second`: index of the face
-    cushion_corner,  // `second`: index of the corner
-    pocket_edge,     // its centre passes over the edge of pocket `second`
-    below_cloth,     // its centre sinks below the cloth in pocket `second`
-    pocket_wall,     // meets the wall of pocket `second`
-    ground,          // comes down on ground `second`
-    stretch_end,     // its law of motion changes
+    ball,             // ball `first` meets ball `second`
+    box,              // meets box `second` (a number in SteppedBodies)
+    cushion_face,     // meets, on the cloth, face `second` of the table
+    cushion_corner,   // ... corner `second`
+    pocket_edge,      // on the cloth, its centre passes over the edge of pocket `second`
+    rim,              // in the air, it meets the edge of pocket `second`
+    table_feature,    // in the air, it meets a feature of the table's mesh
+    scenery_feature,  // it meets a feature of a fixed body's mesh
+    fixed_sphere,     // it meets fixed sphere `second`
+    ground,           // it comes down on Ground `second`
+    below_cloth,      // its centre sinks below the cloth
+    stretch_end,      // its law of motion changes
 };
 
 /// `first` is a ball; predictions hold as long as the versions are those of the balls.

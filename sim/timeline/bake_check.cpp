@@ -14,6 +14,33 @@ bool is_finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+// Beyond these, sampling could overflow. A day's free fall stays far below.
+constexpr double kLargestValue = 1e12;  // m, m/s, rad/s, s
+constexpr double kFastestJump = 1e15;   // m/s, from one key to the next
+
+bool is_moderate(const Vec3& v) {
+    return std::abs(v.x) <= kLargestValue && std::abs(v.y) <= kLargestValue &&
+           std::abs(v.z) <= kLargestValue;
+}
+
+Problem keys_problem(const Track& track) {
+    const auto problem = [&](std::size_t index, const char* what) {
+        return "track '" + track.name() + "', key " + std::to_string(index) + ": " + what;
+    };
+    const auto keys = track.keys();
+    for (std::size_t index = 0; index < keys.size(); ++index) {
+        const Key& key = keys[index];
+        if (!(std::abs(key.time) <= kLargestValue) || !is_moderate(key.position) ||
+            !is_moderate(key.velocity_in) || !is_moderate(key.velocity_out) ||
+            !is_moderate(key.angular_velocity_in) || !is_moderate(key.angular_velocity_out))
+            return problem(index, "a value is larger than 1e12");
+        if (index > 0 && !((key.position - keys[index - 1].position).length() <=
+                           kFastestJump * (key.time - keys[index - 1].time)))
+            return problem(index, "it lies too far from the key before for the time between them");
+    }
+    return {};
+}
+
 Problem tracks_problem(const std::vector<Track>& tracks) {
     if (tracks.size() > kMostTracks)
         return "it has more than " + std::to_string(kMostTracks) + " tracks";
@@ -26,6 +53,8 @@ Problem tracks_problem(const std::vector<Track>& tracks) {
             return "the name of a track is longer than " + std::to_string(kLongestName) + " bytes";
         if (!names.insert(track.name()).second)
             return "two tracks are called '" + track.name() + "'";
+        if (Problem problem = keys_problem(track))
+            return problem;
         substeps_in_all += turn_substeps(track.keys());
     }
     if (substeps_in_all > kMostSubsteps)

@@ -47,6 +47,14 @@ class Budget {
             throw Error("its parts overlap");
         left_ -= count * size;
     }
+    /// A list of structs. FlatBuffers' verifier does not look at where their doubles stand.
+    template <class T>
+    const flatbuffers::Vector<const T*>& list(const flatbuffers::Vector<const T*>& vector) {
+        spend(vector.size(), sizeof(T));
+        if (vector.size() > 0 && reinterpret_cast<std::uintptr_t>(vector.Data()) % alignof(T) != 0)
+            throw Error("a list does not begin at a multiple of eight bytes");
+        return vector;
+    }
     std::string text(const flatbuffers::String& string) {
         spend(string.size(), 1);
         return string.str();
@@ -60,9 +68,8 @@ std::vector<Track> read_tracks(const fb::Content& content, Budget& budget) {
     std::vector<Track> tracks;
     std::uint64_t substeps_in_all = 0;
     for (const fb::Track* track : *content.tracks()) {
-        budget.spend(track->keys()->size(), sizeof(fb::Key));
         std::vector<Key> keys;
-        keys.reserve(track->keys()->size());
+        keys.reserve(budget.list(*track->keys()).size());
         for (const fb::Key* key : *track->keys())
             keys.push_back(from_format(*key));
         substeps_in_all += turn_substeps(keys);
@@ -90,8 +97,7 @@ std::vector<Event> read_events(const fb::Content& content, Budget& budget) {
         return names[index];
     };
     std::vector<Event> events;
-    budget.spend(content.events()->size(), sizeof(fb::Event));
-    events.reserve(content.events()->size());
+    events.reserve(budget.list(*content.events()).size());
     for (const fb::Event* event : *content.events()) {
         if (event->kind() > fb::EventKind::MAX)
             throw Error("an event is of an unknown kind");
@@ -105,8 +111,7 @@ std::vector<Event> read_events(const fb::Content& content, Budget& budget) {
 
 std::vector<EnergySample> read_energy(const fb::Content& content, Budget& budget) {
     std::vector<EnergySample> energy;
-    budget.spend(content.energy()->size(), sizeof(fb::EnergySample));
-    energy.reserve(content.energy()->size());
+    energy.reserve(budget.list(*content.energy()).size());
     for (const fb::EnergySample* sample : *content.energy())
         energy.push_back({sample->time(), sample->kinetic(), sample->potential()});
     return energy;

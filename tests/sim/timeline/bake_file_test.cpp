@@ -26,13 +26,13 @@ TEST(BakeFile, RoundTrip_IsEqualBitForBit) {
 TEST(BakeFile, RoundTrip_KeepsNegativeZeroAndDenormals) {
     Bake bake;
     Key key;
-    key.position = {-0.0, std::numeric_limits<double>::denorm_min(), -1e308};
+    key.position = {-0.0, std::numeric_limits<double>::denorm_min(), -1e12};
     bake.timeline.tracks.emplace_back("ball", std::vector<Key>{key});
     const Bake again = decode_bake(encode_bake(bake), "memory");
     const Vec3 position = again.timeline.tracks[0].keys()[0].position;
     EXPECT_TRUE(std::signbit(position.x));
     EXPECT_EQ(position.y, std::numeric_limits<double>::denorm_min());
-    EXPECT_EQ(position.z, -1e308);
+    EXPECT_EQ(position.z, -1e12);
 }
 
 TEST(BakeFile, EmptyBake_RoundTrips) {
@@ -91,6 +91,22 @@ TEST_P(BakeRefusal, BadBake_IsNotWritten) {
 INSTANTIATE_TEST_SUITE_P(
     Bakes, BakeRefusal,
     testing::Values(
+        BadBake{"far_away",
+                [](Bake& b) {
+                    Key key;
+                    key.position.x = 1e13;
+                    b.timeline.tracks.emplace_back("far", std::vector<Key>{key});
+                },
+                "track 'far', key 0: a value is larger than 1e12"},
+        BadBake{"jump",
+                [](Bake& b) {
+                    std::vector<Key> keys(2);
+                    keys[1].time = 1e-200;
+                    keys[1].position.x = 1;
+                    b.timeline.tracks.emplace_back("jumper", keys);
+                },
+                "track 'jumper', key 1: it lies too far from the key before for the time between "
+                "them"},
         BadBake{"endless", [](Bake& b) { b.timeline.end_time = HUGE_VAL; },
                 "its start or end time is not finite"},
         BadBake{"backwards", [](Bake& b) { b.timeline.end_time = -1; }, "it ends before it starts"},

@@ -1,6 +1,9 @@
 // Files that someone made on purpose: the hash fits, the content lies.
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -122,6 +125,23 @@ TEST(BakeForgery, SharedParts_AreRefused) {
                           builder.GetSize());
     // The first copy already fails for its quaternions; the budget is spent before that.
     EXPECT_THAT(refusal_of_content(bytes), testing::StartsWith("'shot.bake' is damaged: "));
+}
+
+// What the fuzzer found: inner buffers that once did harm, one file each, named for its fault.
+TEST(BakeForgery, FilesThatTheFuzzerFound_AreRefused) {
+    const std::map<std::string, std::string> sentences{
+        // A list of structs at a multiple of four: reading its doubles was undefined behaviour.
+        {"misaligned_energy", "a list does not begin at a multiple of eight bytes"},
+    };
+    const std::string folder = CAROM_SOURCE_DIR "/tests/sim/timeline/forged_bakes/";
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename();
+        std::ifstream file(entry.path(), std::ios::binary);
+        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        EXPECT_EQ(refusal_of_content(std::as_bytes(std::span(text))),
+                  "'shot.bake' is damaged: " + sentences.at(name))
+            << name;
+    }
 }
 
 TEST(BakeForgery, Rubbish_IsRefusedWithoutACrash) {

@@ -1,0 +1,69 @@
+#include "sim/motion/free_rotation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/numeric/rotation.h"
+
+namespace carom::sim {
+namespace {
+
+constexpr double kLongestTurn = 0.05;  // rad
+
+Vec3 rotated(const Quat& q, const Vec3& v) {
+    const Vec3 t = q.v.cross(v) * 2;
+    return v + t * q.r + q.v.cross(t);
+}
+
+Vec3 divided(const Vec3& a, const Vec3& b) {
+    return {a.x / b.x, a.y / b.y, a.z / b.z};
+}
+
+/// The body angular velocity half-way: m = (p0 + p1) / 2 solves m = p0 + h/2 m x w, w = m / I.
+Vec3 midpoint_velocity(const Vec3& momentum, const Vec3& inertia, double h) {
+    Vec3 middle = momentum;
+    for (int i = 0; i < 50; ++i) {
+        const Vec3 next = momentum + middle.cross(divided(middle, inertia)) * (0.5 * h);
+        const Vec3 change = next - middle;
+        middle = next;
+        if (change.dot(change) <= 1e-34 * momentum.dot(momentum))
+            break;
+    }
+    return divided(middle, inertia);
+}
+
+/// The Cayley map of h w as a quaternion: (1, h w / 2), made unit.
+Quat cayley(const Vec3& omega, double h) {
+    const Vec3 v = omega * (0.5 * h);
+    const double norm = std::sqrt(1 + v.dot(v));
+    return {1 / norm, v / norm};
+}
+
+}  // namespace
+
+Rotation rotate_freely(const Rotation& from, const Vec3& inertia, double duration) {
+    const double speed = std::sqrt(from.angular_velocity.dot(from.angular_velocity));
+    if (speed == 0)
+        return from;
+    if (inertia.x == inertia.y && inertia.y == inertia.z)
+        return {turned(from.orientation, from.angular_velocity, from.angular_velocity, duration),
+                from.angular_velocity};
+    const auto count =
+        static_cast<int>(std::min(1e5, std::max(1.0, std::ceil(speed * duration / kLongestTurn))));
+    const double h = duration / count;
+    Quat q = from.orientation;
+    // The angular momentum in space does not change; that in the body follows from it.
+    const Vec3 body_omega = rotated(Quat(q.r, -q.v), from.angular_velocity);
+    const Vec3 momentum = rotated(
+        q, Vec3(body_omega.x * inertia.x, body_omega.y * inertia.y, body_omega.z * inertia.z));
+    for (int i = 0; i < count; ++i) {
+        const Vec3 in_body = rotated(Quat(q.r, -q.v), momentum);
+        q = q * cayley(midpoint_velocity(in_body, inertia, h), h);
+    }
+    const double norm = std::sqrt(q.r * q.r + q.v.dot(q.v));
+    q = {q.r / norm, q.v / norm};
+    const Vec3 omega = divided(rotated(Quat(q.r, -q.v), momentum), inertia);
+    return {q, rotated(q, omega)};
+}
+
+}  // namespace carom::sim

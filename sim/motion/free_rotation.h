@@ -1,0 +1,20 @@
+// A rigid body that turns without any torque.
+#pragma once
+
+#include "sim/timeline/vocabulary.h"
+
+namespace carom::sim {
+
+struct Rotation {
+    Quat orientation;                // body axes are the principal ones
+    Vec3 angular_velocity{0, 0, 0};  // world axes, rad/s
+};
+
+/// The rotation `duration` later. Implicit midpoint rule for the body angular momentum with the
+/// Cayley map for the orientation (Austin, Krishnaprasad, Wang: Almost Poisson integration of rigid
+/// body systems, J. Comp. Phys. 107, 1993, section 4): energy and angular momentum are kept to
+/// round-off whatever the step, the phase to second order in substeps of at most 0.05 rad.
+/// `inertia`: principal moments, kg m^2.
+[[nodiscard]] Rotation rotate_freely(const Rotation& from, const Vec3& inertia, double duration);
+
+}  // namespace carom::sim

@@ -1,0 +1,70 @@
+// Bodies in lasting contact, stepped by ODE.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sim/timeline/vocabulary.h"
+
+namespace carom::sim::ode {
+
+/// One point of contact during one step.
+struct StepContact {
+    int first = 0;
+    int second = -1;  // another body; -1: something that does not move
+    Vec3 point{0, 0, 0};
+    Vec3 normal{0, 0, 1};  // unit, from the second towards the first
+    double depth = 0;      // m; negative: a gap that may close during the step
+    double restitution = 0;
+    double friction = 0;
+    double rolling_lever = 0;   // m: rolling moment / normal force
+    double spinning_lever = 0;  // m: moment about the normal / normal force
+};
+
+struct StepImpulse {
+    double normal = 0;      // N s, during the step
+    double tangential = 0;  // N s
+};
+
+/// What a step did to a body: its velocities changed from `before` to `after` at the step's start,
+/// then it moved freely to `end`.
+struct StepMotion {
+    MotionState before, after, end;
+};
+
+/// A body's mass, principal moments of inertia and whether it is a sphere (which needs no care when
+/// it turns).
+struct StepBody {
+    double mass = 1;
+    Vec3 inertia{1, 1, 1};
+};
+
+/// Approaches below this speed (m/s) do not bounce in lasting contact: stacks would never rest.
+inline constexpr double kBounceSpeed = 0.02;
+
+class StepWorld {
+  public:
+    StepWorld();
+    ~StepWorld();
+    StepWorld(const StepWorld&) = delete;
+    StepWorld& operator=(const StepWorld&) = delete;
+
+    /// Returns the body's number, counted from 0.
+    int add(const StepBody& body);
+
+    /// Steps the bodies numbered in `moving` from `states` (same order) over `duration`. Contacts
+    /// may name bodies that are not moving; those stand like walls. Velocities are solved for by
+    /// dWorldStep with all contacts at once; then each body moves on freely (semi-implicit), along
+    /// the exact parabola where it touches nothing, turning with conserved energy and angular
+    /// momentum.
+    void step(double duration, const Vec3& gravity, std::span<const int> moving,
+              std::span<const MotionState> states, std::span<const StepContact> contacts,
+              std::vector<StepMotion>& motions, std::vector<StepImpulse>& impulses);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace carom::sim::ode

@@ -1,0 +1,49 @@
+// Who touches whom among the bodies that ODE carries, and what does not move.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/ode/step_world.h"
+#include "sim/scheduler/step_body.h"
+#include "sim/scheduler/surroundings.h"
+
+namespace carom::sim {
+
+/// What does not move, as the second of a contact: negative numbers.
+inline constexpr int kCloth = -1;
+inline constexpr int kFloor = -2;
+inline constexpr int kFirstSurface = -10;     // - index into Surroundings::surfaces
+inline constexpr int kFirstFixed = -1000000;  // - index of a fixed sphere
+
+struct FoundContact {
+    ode::StepContact contact;  // `second` is -1 for all that does not move
+    int other = kCloth;        // the second body, or one of the numbers above
+
+    [[nodiscard]] std::pair<int, int> pair() const { return {contact.first, other}; }
+};
+
+class ContactFinder {
+  public:
+    explicit ContactFinder(const Surroundings& around) : around_(around) {}
+
+    /// All contacts of awake bodies, in a fixed order.
+    [[nodiscard]] std::vector<FoundContact> find(const std::vector<StepBody>& bodies) const;
+
+    /// The name and material of what a contact's `other` stands for when it does not move.
+    [[nodiscard]] SurfaceInfo info(int other) const;
+
+  private:
+    void find_for_ball(int number, const StepBody& ball, std::vector<FoundContact>& found) const;
+    void find_for_box(int number, const StepBody& box, std::vector<FoundContact>& found) const;
+    void find_level(int number, const StepBody& box, std::vector<FoundContact>& found) const;
+    void find_between(int a, const StepBody& first, int b, const StepBody& second,
+                      std::vector<FoundContact>& found) const;
+    void add(int number, const StepBody& body, int other, const std::string& other_material,
+             const SurfaceContact& contact, std::vector<FoundContact>& found) const;
+
+    const Surroundings& around_;
+};
+
+}  // namespace carom::sim

@@ -1,0 +1,45 @@
+// A tree of axis-aligned boxes over things that do not move.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/timeline/vocabulary.h"
+
+namespace carom::sim {
+
+struct Aabb {
+    Vec3 low{0, 0, 0};
+    Vec3 high{0, 0, 0};
+
+    void extend(const Vec3& point);
+    void extend(const Aabb& box);
+    void grow(double margin);
+    [[nodiscard]] bool overlaps(const Aabb& other) const {
+        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+               other.low.y <= high.y && low.z <= other.high.z && other.low.z <= high.z;
+    }
+};
+
+class AabbTree {
+  public:
+    AabbTree() = default;
+    explicit AabbTree(std::vector<Aabb> boxes);
+
+    /// The indices of all boxes that overlap `box`, ascending; `found` is emptied first.
+    void query(const Aabb& box, std::vector<std::uint32_t>& found) const;
+
+  private:
+    struct Node {
+        Aabb box;
+        std::uint32_t first = 0;  // inner: the left child, whose neighbour is the right one
+        std::uint32_t count = 0;  // leaf: how many of order_ from `first`; inner: 0
+    };
+    void split(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
+
+    std::vector<Aabb> boxes_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Node> nodes_;
+};
+
+}  // namespace carom::sim

@@ -1,0 +1,20 @@
+// The edge of a round hole in the cloth.
+#pragma once
+
+#include <optional>
+
+#include "sim/motion/stretch.h"
+#include "sim/spatial/static_mesh.h"
+
+namespace carom::sim {
+
+struct Rim {
+    Vec3 centre{0, 0, 0};
+    double radius = 0;  // of the level circle
+
+    [[nodiscard]] SurfaceContact contact(const Vec3& ball_centre, double ball_radius) const;
+    [[nodiscard]] std::optional<double> touch(const Stretch& ball, double ball_radius, double now,
+                                              double until) const;
+};
+
+}  // namespace carom::sim

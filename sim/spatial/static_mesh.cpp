@@ -1,0 +1,193 @@
+#include "sim/spatial/static_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "sim/motion/time_of_impact.h"
+
+namespace carom::sim {
+namespace {
+
+double length(const Vec3& v) {
+    return std::sqrt(v.dot(v));
+}
+
+Aabb bounds_of(const MeshFeature& feature) {
+    Aabb box{feature.points[0], feature.points[0]};
+    if (feature.kind != MeshFeature::Kind::corner)
+        box.extend(feature.points[1]);
+    if (feature.kind == MeshFeature::Kind::face)
+        box.extend(feature.points[2]);
+    return box;
+}
+
+/// True if the foot of the perpendicular from `p` lies in the triangle, its edges included.
+bool is_above(const MeshFeature& face, const Vec3& p) {
+    constexpr double kRim = 1e-9;  // m
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 along = face.points[(i + 1) % 3] - face.points[i];
+        const Vec3 inwards = face.direction.cross(along);
+        if (inwards.dot(p - face.points[i]) < -kRim * length(along))
+            return false;
+    }
+    return true;
+}
+
+std::optional<double> face_touch(const MeshFeature& face, const Stretch& ball, double radius,
+                                 double now, double until) {
+    const double side = face.direction.dot(ball.position_at(now) - face.points[0]);
+    const Vec3 normal = side >= 0 ? face.direction : -face.direction;
+    const auto time = plane_touch(ball, face.points[0], normal, radius, now, until);
+    return time && is_above(face, ball.position_at(*time)) ? time : std::nullopt;
+}
+
+std::optional<double> edge_touch(const MeshFeature& edge, const Stretch& ball, double radius,
+                                 double now, double until) {
+    const auto time = line_touch(ball, edge.points[0], edge.direction, radius, now, until);
+    if (!time)
+        return time;
+    const double place = edge.direction.dot(ball.position_at(*time) - edge.points[0]);
+    const double whole = edge.direction.dot(edge.points[1] - edge.points[0]);
+    return place >= 0 && place <= whole ? time : std::nullopt;
+}
+
+std::optional<double> feature_touch(const MeshFeature& feature, const Stretch& ball, double radius,
+                                    double now, double until) {
+    switch (feature.kind) {
+        case MeshFeature::Kind::face:
+            return face_touch(feature, ball, radius, now, until);
+        case MeshFeature::Kind::edge:
+            return edge_touch(feature, ball, radius, now, until);
+        case MeshFeature::Kind::corner:
+            break;
+    }
+    return point_touch(ball, feature.points[0], radius, now, until);
+}
+
+SurfaceContact contact_with(const MeshFeature& feature, const Vec3& centre, double radius) {
+    SurfaceContact contact;
+    contact.point = nearest_point(feature, centre);
+    const Vec3 d = centre - contact.point;
+    const double distance = length(d);
+    contact.normal = distance > 1e-9 ? d / distance : feature.direction;
+    contact.depth = radius - distance;
+    return contact;
+}
+
+}  // namespace
+
+void StaticMesh::add(std::vector<Vec3> vertices, std::vector<MeshTriangle> triangles,
+                     std::uint32_t surface) {
+    if (triangles.empty())
+        return;
+    Part part;
+    part.bounds = {vertices[triangles[0][0]], vertices[triangles[0][0]]};
+    for (const MeshTriangle& t : triangles) {
+        for (const std::uint32_t index : t)
+            part.bounds.extend(vertices[index]);
+    }
+    part.vertices = std::move(vertices);
+    part.triangles = std::move(triangles);
+    part.surface = surface;
+    part.first_feature = next_feature_;
+    next_feature_ += static_cast<std::uint32_t>(7 * part.triangles.size());
+    parts_.push_back(std::move(part));
+}
+
+void StaticMesh::make_ready(Part& part) {
+    if (part.is_ready)
+        return;
+    part.is_ready = true;
+    part.features = mesh_features(part.vertices, part.triangles);
+    std::vector<Aabb> boxes;
+    boxes.reserve(part.features.size());
+    for (const MeshFeature& feature : part.features)
+        boxes.push_back(bounds_of(feature));
+    part.tree = AabbTree(std::move(boxes));
+}
+
+const StaticMesh::Part& StaticMesh::part_of(std::uint32_t feature) const {
+    const auto next =
+        std::upper_bound(parts_.begin(), parts_.end(), feature,
+                         [](std::uint32_t f, const Part& part) { return f < part.first_feature; });
+    return *std::prev(next);
+}
+
+std::optional<StaticMesh::Touch> StaticMesh::first_touch(const Stretch& ball, double radius,
+                                                         double now, double until) const {
+    std::optional<Touch> first;
+    Aabb bounds = swept_bounds(ball, now, until);
+    bounds.grow(radius + 1e-9);
+    std::vector<std::uint32_t> near;
+    for (Part& part : parts_) {
+        if (!part.bounds.overlaps(bounds))
+            continue;
+        make_ready(part);
+        part.tree.query(bounds, near);
+        for (const std::uint32_t index : near) {
+            const auto time =
+                feature_touch(part.features[index], ball, radius, now, first ? first->time : until);
+            if (time && (!first || *time < first->time))
+                first = Touch{*time, part.first_feature + index};
+        }
+    }
+    return first;
+}
+
+SurfaceContact StaticMesh::contact(std::uint32_t feature, const Vec3& centre, double radius) const {
+    const Part& part = part_of(feature);
+    SurfaceContact contact =
+        contact_with(part.features[feature - part.first_feature], centre, radius);
+    contact.surface = part.surface;
+    return contact;
+}
+
+std::vector<SurfaceContact> StaticMesh::contacts(const Vec3& centre, double radius,
+                                                 double margin) const {
+    Aabb bounds{centre, centre};
+    bounds.grow(radius + margin);
+    std::vector<std::uint32_t> near;
+    std::vector<SurfaceContact> found;
+    for (Part& part : parts_) {
+        if (!part.bounds.overlaps(bounds))
+            continue;
+        make_ready(part);
+        part.tree.query(bounds, near);
+        for (const std::uint32_t index : near) {
+            SurfaceContact candidate = contact_with(part.features[index], centre, radius);
+            candidate.surface = part.surface;
+            if (candidate.depth >= -margin)
+                found.push_back(candidate);
+        }
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.depth > b.depth; });
+    std::vector<SurfaceContact> kept;
+    for (const SurfaceContact& candidate : found) {
+        const bool is_new = std::none_of(kept.begin(), kept.end(), [&](const auto& other) {
+            return other.normal.dot(candidate.normal) > 0.98;  // within 11 degrees
+        });
+        if (is_new && kept.size() < 4)
+            kept.push_back(candidate);
+    }
+    return kept;
+}
+
+Aabb swept_bounds(const Stretch& ball, double from, double to) {
+    const Vec3 p = ball.position_at(from);
+    Aabb box{p, p};
+    box.extend(ball.position_at(to));
+    const Vec3 v = ball.velocity_at(from);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (ball.acceleration[axis] == 0)
+            continue;
+        const double turning = from - v[axis] / ball.acceleration[axis];
+        if (turning > from && turning < to)
+            box.extend(ball.position_at(turning));
+    }
+    return box;
+}
+
+}  // namespace carom::sim

@@ -1,0 +1,71 @@
+// Triangle surfaces that do not move, and a ball's way to them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/motion/stretch.h"
+#include "sim/spatial/aabb_tree.h"
+#include "sim/spatial/mesh_features.h"
+
+namespace carom::sim {
+
+/// Where a ball touches a surface, or nearly does.
+struct SurfaceContact {
+    Vec3 point{0, 0, 0};
+    Vec3 normal{0, 0, 1};  // unit, towards the ball's centre
+    double depth = 0;      // how far the ball reaches behind it, m; negative: a gap
+    std::uint32_t surface = 0;
+};
+
+/// Many surfaces. Each one is taken apart when a ball first comes near it: a table has tens of
+/// thousands of triangles, of which a shot meets few. Not for several threads at once.
+class StaticMesh {
+  public:
+    /// `surface`: the caller's number for it, given back in contacts.
+    void add(std::vector<Vec3> vertices, std::vector<MeshTriangle> triangles,
+             std::uint32_t surface);
+
+    struct Touch {
+        double time = 0;
+        std::uint32_t feature = 0;
+    };
+
+    /// The first touch in [now, until] of a ball on that stretch, by the rules of
+    /// time_of_impact.h.
+    [[nodiscard]] std::optional<Touch> first_touch(const Stretch& ball, double radius, double now,
+                                                   double until) const;
+
+    [[nodiscard]] SurfaceContact contact(std::uint32_t feature, const Vec3& centre,
+                                         double radius) const;
+
+    /// All contacts of a ball at rest there with gaps up to `margin`, the deepest first; those
+    /// with nearly the same normal are one.
+    [[nodiscard]] std::vector<SurfaceContact> contacts(const Vec3& centre, double radius,
+                                                       double margin) const;
+
+    [[nodiscard]] bool empty() const { return parts_.empty(); }
+
+  private:
+    struct Part {
+        std::vector<Vec3> vertices;
+        std::vector<MeshTriangle> triangles;
+        std::uint32_t surface = 0;
+        std::uint32_t first_feature = 0;  // features are counted through all parts
+        Aabb bounds;
+        bool is_ready = false;
+        std::vector<MeshFeature> features;
+        AabbTree tree;
+    };
+    static void make_ready(Part& part);
+    [[nodiscard]] const Part& part_of(std::uint32_t feature) const;
+
+    mutable std::vector<Part> parts_;
+    std::uint32_t next_feature_ = 0;
+};
+
+/// The box that a ball's centre stays in during [from, to].
+[[nodiscard]] Aabb swept_bounds(const Stretch& ball, double from, double to);
+
+}  // namespace carom::sim
