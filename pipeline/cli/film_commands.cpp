@@ -35,15 +35,23 @@ pipeline::FrameRange frame_range(const std::string& text) {
     }
 }
 
-/// How many frames the job takes. Throws InputError if there are none.
+/// How many frames the whole film has. Throws InputError if it has none.
+std::int64_t film_frames(const Shot& shot) {
+    const std::int64_t frames = pipeline::frame_count(shot.cameras, shot.timing);
+    if (frames == 0) {
+        throw InputError("'" + shot.name + "' has no frames: no camera films it");
+    }
+    return frames;
+}
+
+/// How many of them the job takes. Throws InputError if there are none.
 std::int64_t job_frames(const Shot& shot, const pipeline::FrameRange& range,
                         const std::string& text) {
-    const std::int64_t all = pipeline::frame_count(shot.cameras, shot.timing);
+    const std::int64_t all = film_frames(shot);
     const auto frames = static_cast<std::int64_t>(range.frames(all).size());
     if (frames == 0) {
-        throw InputError(all == 0 ? "the film has no frames: no camera films anything"
-                                  : "none of the film's frames, 0 to " + std::to_string(all - 1) +
-                                        ", is in --frames " + text);
+        throw InputError("none of the film's frames, 0 to " + std::to_string(all - 1) +
+                         ", is in --frames " + text);
     }
     return frames;
 }
@@ -58,7 +66,7 @@ void check_film(const Shot& shot, const std::string& path) {
 }
 
 std::int64_t chosen_frame(const FrameCommand& command, const Shot& shot) {
-    const std::int64_t count = pipeline::frame_count(shot.cameras, shot.timing);
+    const std::int64_t count = film_frames(shot);
     std::int64_t frame = command.frame.value_or(0);
     std::string asked = "frame " + std::to_string(frame);
     if (!command.at.empty()) {

@@ -33,7 +33,7 @@ void run_check(const CheckCommand& command, CommandContext& context) {
     if (!problem.empty()) {
         throw InputError("'" + command.input.path + "': " + problem);
     }
-    context.console.info("'" + command.input.path + "' can be rendered");
+    context.console.info("'" + command.input.path + "' has no errors");
 }
 
 void run_bake(const BakeCommand& command, CommandContext& context) {

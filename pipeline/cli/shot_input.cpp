@@ -21,6 +21,22 @@ std::string counted(std::ptrdiff_t count, const char* noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
+/// As a compiler would print it, with the severity emphasised.
+std::string text_of(const pipeline::Problem& problem, const Console& console) {
+    std::string text = format(problem);
+    const bool is_error = problem.severity == pipeline::Severity::error;
+    const std::string word = is_error ? "error:" : "warning:";
+    const std::size_t at = text.find(": " + word + " ");  // behind the place, before the message
+    if (at != std::string::npos) {
+        text.replace(at + 2, word.size(),
+                     is_error ? console.error_word(word) : console.warning_word(word));
+    }
+    if (text.empty() || text.back() != '\n') {
+        text += '\n';
+    }
+    return text;
+}
+
 /// The shot that a bake carries, under the options given. They may change the look but not what
 /// was simulated.
 pipeline::LoadResult load_carried_shot(const sim::Bake& bake, const InputOptions& input) {
@@ -86,11 +102,7 @@ void report_problems(const std::vector<pipeline::Problem>& problems, Console& co
             .add("length", problem.place.length)
             .add("key", problem.key_path)
             .add("message", problem.message);
-        std::string text = format(problem);
-        if (text.empty() || text.back() != '\n') {
-            text += '\n';
-        }
-        console.event("problem", members, text, true);
+        console.event("problem", members, text_of(problem, console), true);
     }
 }
 

@@ -17,6 +17,7 @@ namespace carom::cli {
 namespace {
 
 constexpr double kSecondsBetweenBars = 0.1;
+constexpr double kSecondsBeforeFirstLine = 2;
 constexpr double kSecondsBetweenLines = 5;
 constexpr int kUsualColumns = 80;
 
@@ -155,6 +156,14 @@ void Console::error(const std::string& message) {
     state_->logger.error("{}", message);
 }
 
+std::string Console::error_word(const std::string& word) const {
+    return coloured(word, kRed, state_->screen.settings().colour);
+}
+
+std::string Console::warning_word(const std::string& word) const {
+    return coloured(word, kYellow, state_->screen.settings().colour);
+}
+
 void Console::event(std::string_view kind, const JsonMembers& members, const std::string& text,
                     bool important) {
     const std::lock_guard lock(state_->mutex);
@@ -178,11 +187,14 @@ void Console::progress(const ProgressSnapshot& snapshot) {
     }
     const bool bar = settings.terminal && !settings.json;
     const double now = settings.clock();
-    const bool new_stage = snapshot.stage != state.last_stage;
-    if (now < state.next_progress && !(new_stage && bar)) {
+    if (snapshot.stage != state.last_stage) {
+        state.last_stage = snapshot.stage;
+        // A stage that is over at once is not worth a line.
+        state.next_progress = now + (bar || settings.json ? 0 : kSecondsBeforeFirstLine);
+    }
+    if (now < state.next_progress) {
         return;
     }
-    state.last_stage = snapshot.stage;
     state.next_progress = now + (bar ? kSecondsBetweenBars : kSecondsBetweenLines);
     if (settings.json) {
         state.screen.write_lines(json_line("event", "progress", progress_json(snapshot)));

@@ -39,6 +39,10 @@ class Console {
     void warning(const std::string& message);
     void error(const std::string& message);
 
+    /// `word` as messages of that kind show it: in colour where the terminal has any.
+    [[nodiscard]] std::string error_word(const std::string& word) const;
+    [[nodiscard]] std::string warning_word(const std::string& word) const;
+
     /// An event of its own kind: `members` for machines, `text` (whole lines) for people. Not
     /// silenced by quiet if `important`.
     void event(std::string_view kind, const JsonMembers& members, const std::string& text,

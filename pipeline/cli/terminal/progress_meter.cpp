@@ -28,17 +28,21 @@ void ProgressMeter::on_frame(bool found, std::uint64_t rays, double now) {
     ++frames_done_;
     frames_found_ += found ? 1 : 0;
     rays_ += rays;
+    last_frame_ = now;
 }
 
 std::optional<double> ProgressMeter::seconds_left(double elapsed) const {
     if (stage_ == kRenderStage && frames_total_ > 0) {
-        // Found frames take no time and say nothing about the others.
-        const std::int64_t rendered = frames_done_ - frames_found_;
-        if (rendered == 0) {
+        // Found frames take no time and say nothing about the others; frames in progress count as
+        // far as the share tells.
+        const auto total = static_cast<double>(frames_total_);
+        const double reached = std::max(share_ * total, static_cast<double>(frames_done_));
+        const double worked = reached - static_cast<double>(frames_found_);
+        constexpr double kTooLittle = 0.1;  // frames
+        if (worked < kTooLittle) {
             return std::nullopt;
         }
-        const std::int64_t remaining = std::max<std::int64_t>(frames_total_ - frames_done_, 0);
-        return elapsed / static_cast<double>(rendered) * static_cast<double>(remaining);
+        return elapsed / worked * std::max(total - reached, 0.0);
     }
     constexpr double kTooEarly = 0.01;
     if (share_ < kTooEarly) {
@@ -62,8 +66,9 @@ ProgressSnapshot ProgressMeter::snapshot(double now) const {
                 static_cast<double>(frames_done_) / static_cast<double>(frames_total_);
             snapshot.share = std::clamp(std::max(share_, by_frames), 0.0, 1.0);
         }
-        if (rays_ > 0 && snapshot.elapsed > 0) {
-            snapshot.rays_rate = static_cast<double>(rays_) / snapshot.elapsed;
+        // Rays are known when their frame is finished: between two frames the rate stands.
+        if (rays_ > 0 && last_frame_ > stage_begin_) {
+            snapshot.rays_rate = static_cast<double>(rays_) / (last_frame_ - stage_begin_);
         }
     }
     return snapshot;

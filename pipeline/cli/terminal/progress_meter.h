@@ -42,6 +42,7 @@ class ProgressMeter {
     std::int64_t frames_done_ = 0;
     std::int64_t frames_found_ = 0;
     std::uint64_t rays_ = 0;
+    double last_frame_ = 0;  // when it was finished
 };
 
 }  // namespace carom::cli

@@ -68,8 +68,10 @@ TEST(Console, Colour_IsUsedOnlyWhenWanted) {
         console.error("bad");
     }
     EXPECT_THAT(recorder.text, Not(HasSubstr("\x1b")));
+    EXPECT_EQ(Console(settings).error_word("error:"), "error:");
     settings.colour = true;
     Console console(settings);
+    EXPECT_EQ(console.warning_word("warning:"), "\x1b[1;33mwarning:\x1b[0m");
     console.error("bad");
     EXPECT_THAT(recorder.text, HasSubstr("\x1b[1;31merror:\x1b[0m bad"));
 }
@@ -96,14 +98,14 @@ TEST(Console, Json_IsOneObjectPerLine) {
               "\n");
 }
 
-TEST(Console, LogWithoutTerminal_HasALineEveryFewSeconds) {
+TEST(Console, LogWithoutTerminal_HasALineEveryFewSecondsOfAStage) {
     Recorder recorder;
     Console console(recorder.settings());
     for (int i = 0; i < 100; ++i) {
         recorder.time += 0.11;
         console.progress(at(i / 100.0));
     }
-    EXPECT_EQ(recorder.text, "carom: bake: 0 %\ncarom: bake: 46 %\ncarom: bake: 92 %\n");
+    EXPECT_EQ(recorder.text, "carom: bake: 19 %\ncarom: bake: 65 %\n");
     EXPECT_THAT(recorder.text, Not(HasSubstr("\r")));
 }
 

@@ -168,6 +168,19 @@ TEST_F(FilmCommands, FrameByTime_IsTheOneShownThen) {
     EXPECT_EQ(stored_frames(), 1);
 }
 
+TEST_F(FilmCommands, ShotWithoutACamera_CannotBeFilmed) {
+    std::string text = carom::testing::tiny_shot();
+    const std::size_t begin = text.find("cameras:");
+    text.erase(begin, text.find("render:") - begin);
+    carom::testing::write_text(path("blind.yaml"), text);
+    for (const std::string command : {"render", "frame"}) {
+        const RunResult result = run({command, "blind.yaml"});
+        EXPECT_EQ(result.exit_code, 2) << command;
+        EXPECT_THAT(result.err, HasSubstr("'blind' has no frames: no camera films it"));
+    }
+    EXPECT_EQ(run({"bake", "blind.yaml"}).exit_code, 0);
+}
+
 TEST_F(FilmCommands, FrameOutsideTheFilm_IsRefused) {
     const RunResult number = run({"frame", "tiny.yaml", "--frame", "6"});
     EXPECT_EQ(number.exit_code, 2);

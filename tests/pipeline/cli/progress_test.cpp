@@ -78,6 +78,17 @@ TEST(ProgressMeter, FoundFrames_DoNotShortenTheEstimate) {
     EXPECT_DOUBLE_EQ(snapshot.share, 0.6);
     EXPECT_DOUBLE_EQ(snapshot.left.value(), 8);  // 2 s each for the 4 that are missing
     EXPECT_DOUBLE_EQ(snapshot.rays_rate.value(), 1000);
+    EXPECT_DOUBLE_EQ(meter.snapshot(205).rays_rate.value(), 1000);  // until the next frame
+}
+
+TEST(ProgressMeter, FrameInProgress_CountsAsFarAsItIs) {
+    ProgressMeter meter;
+    meter.expect_frames(10);
+    meter.on_progress("render", 0, 100);
+    meter.on_progress("render", 0.05, 101);  // half a frame
+    EXPECT_DOUBLE_EQ(meter.snapshot(101).left.value(), 19);
+    meter.on_frame(false, 1, 102);
+    EXPECT_DOUBLE_EQ(meter.snapshot(102).left.value(), 18);
 }
 
 TEST(ProgressMeter, ShareAlone_GivesAnEstimate) {
