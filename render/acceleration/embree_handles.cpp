@@ -67,10 +67,12 @@ GeometryHandle make_triangle_geometry(const EmbreeDevice& device, const Triangle
 }
 
 void commit_alone(const EmbreeDevice& device, RTCScene scene) {
-    // With several threads Embree orders triangles by who came first, and the order decides between
-    // two at the same distance. (Its setting threads=1 would throttle oneTBB in the whole process.)
+    // Embree does not promise that its hierarchy is the same for any number of threads, and the
+    // hierarchy decides between triangles at the same distance; building alone leaves no doubt.
+    // (Its own setting, threads=1, would throttle oneTBB in the whole process, and
+    // rtcJoinCommitScene works in the device's arena instead of this one.)
     tbb::task_arena alone(1);
-    alone.execute([&] { rtcJoinCommitScene(scene); });
+    alone.execute([&] { rtcCommitScene(scene); });
     device.check("building the hierarchy over triangles");
 }
 

@@ -44,7 +44,7 @@ using GeometryHandle = std::unique_ptr<RTCGeometryTy, EmbreeRelease>;
 [[nodiscard]] GeometryHandle make_triangle_geometry(const EmbreeDevice& device,
                                                     const TriangleMesh& mesh);
 
-/// Builds the scene's hierarchy on the calling thread alone, so that it never depends on threads.
+/// Builds the scene's hierarchy on the calling thread alone.
 void commit_alone(const EmbreeDevice& device, RTCScene scene);
 
 /// `ray` must be safe (safe_ray.h).

@@ -5,8 +5,9 @@
 
 namespace carom::render {
 
-/// While alive, this thread treats denormal numbers as zero (FTZ and DAZ), and so do the tasks that
-/// it starts on oneTBB. Rays are traced under it; simulations never run under it.
+/// While alive, this thread treats denormal numbers as zero (FTZ and DAZ). Rays are traced under
+/// it; simulations never run under it. A task of oneTBB takes the mode that its arena was made with
+/// and not its caller's, so every task that traces rays has one of its own.
 class FlushDenormals {
   public:
     FlushDenormals() : saved_(_mm_getcsr()) {

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <fstream>
-#include <map>
 #include <sstream>
 #include <string_view>
-#include <tuple>
+#include <unordered_map>
 
 #include <tiny_obj_loader.h>
 
@@ -96,6 +95,24 @@ void check_lines(std::string_view text, const std::string& path) {
     }
 }
 
+/// A corner's point, normal and uv; -1 for none.
+struct Corner {
+    std::ptrdiff_t point, normal, place;
+
+    bool operator==(const Corner&) const = default;
+};
+
+struct CornerHash {
+    std::size_t operator()(const Corner& corner) const {
+        std::size_t hash = static_cast<std::size_t>(corner.point + 1);
+        for (const std::ptrdiff_t part : {corner.normal, corner.place}) {
+            hash =
+                (hash ^ (hash >> 29)) * 0x9e3779b97f4a7c15ull + static_cast<std::size_t>(part + 1);
+        }
+        return hash ^ (hash >> 32);
+    }
+};
+
 /// Corners with their own normal and uv become vertices; equal ones are shared.
 class MeshBuilder {
   public:
@@ -162,7 +179,7 @@ class MeshBuilder {
             refuse(path_, "a face refers to vertex 0; OBJ counts from 1");
         }
         const auto [known, is_new] = known_.try_emplace(
-            std::tuple(point, normal, place), static_cast<std::uint32_t>(shape_.vertices.size()));
+            Corner{point, normal, place}, static_cast<std::uint32_t>(shape_.vertices.size()));
         if (is_new) {
             shape_.vertices.push_back(points[static_cast<std::size_t>(point)]);
             shape_.normals.push_back(normal < 0 ? Vec3(0, 0, 0)
@@ -176,7 +193,7 @@ class MeshBuilder {
 
     const std::string& path_;
     MeshShape shape_;
-    std::map<std::tuple<std::ptrdiff_t, std::ptrdiff_t, std::ptrdiff_t>, std::uint32_t> known_;
+    std::unordered_map<Corner, std::uint32_t, CornerHash> known_;
     bool without_normal_ = false;
     bool without_uv_ = false;
 };

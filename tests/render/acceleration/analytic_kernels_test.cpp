@@ -1,0 +1,81 @@
+#include "render/acceleration/analytic_kernels.h"
+
+#include <gtest/gtest.h>
+#include <hwy/highway.h>
+
+#include "render/acceleration/hybrid_structure.h"
+#include "tests/render/acceleration/random_shapes.h"
+
+namespace carom::render {
+namespace {
+
+/// Kernels are chosen anew at every call of best_kernels; here, below what the processor has.
+class OtherTier {
+  public:
+    explicit OtherTier(std::int64_t target) { choose(target); }
+    ~OtherTier() { choose(0); }
+    OtherTier(const OtherTier&) = delete;
+    OtherTier& operator=(const OtherTier&) = delete;
+
+  private:
+    static void choose(std::int64_t target) {
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    }
+};
+
+TEST(AnalyticKernels, EveryTier_FindsTheSameShapes) {
+    test::TestRandom random(1);
+    test::RandomScene scene;
+    scene.add_still(random, 9);
+    scene.add_moving(random, 6);
+    scene.shapes.moving.clear();
+    const HybridStructure best(scene.shapes);
+    EXPECT_TRUE(simd_tier() == "AVX2" || simd_tier() == "SSE4" || simd_tier() == "SCALAR");
+    for (const std::int64_t target : {HWY_SSE4, HWY_SCALAR}) {
+        const OtherTier tier(target);
+        if ((hwy::SupportedTargets() & target) == 0) {
+            continue;
+        }
+        EXPECT_EQ(simd_tier(), hwy::TargetName(target));
+        const HybridStructure other(scene.shapes);
+        int differing = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            const Ray ray = test::random_ray_toward(random, 3, 2);
+            Hit a;
+            Hit b;
+            const bool found = best.closest_hit(ray, a);
+            ASSERT_EQ(best.any_hit(ray), found);
+            ASSERT_EQ(other.any_hit(ray), other.closest_hit(ray, b));
+            if (a.object != b.object) {
+                ++differing;  // past an edge or silhouette, where fused rounding decides
+                continue;
+            }
+            if (found) {
+                ASSERT_NEAR(a.t, b.t, 1e-4f * (1 + a.t));
+            }
+        }
+        EXPECT_LE(differing, 2);
+    }
+    EXPECT_EQ(simd_tier(), best_kernels().tier);
+}
+
+TEST(AnalyticKernels, NoTierAboveAvx2) {
+    EXPECT_EQ(simd_tier().find("AVX3"), std::string::npos);
+}
+
+TEST(Candidate, Offer_TakesNearerThenLower) {
+    Candidate best{5, kNoObject};
+    best.offer(5, 3);  // not nearer than the ray's end
+    EXPECT_EQ(best.object, kNoObject);
+    best.offer(4, 3);
+    best.offer(4, 7);
+    EXPECT_EQ(best.object, 3u);
+    best.offer(4, 1);
+    EXPECT_EQ(best.object, 1u);
+    best.offer(3, 9);
+    EXPECT_EQ(best.object, 9u);
+}
+
+}  // namespace
+}  // namespace carom::render

@@ -1,0 +1,44 @@
+#include "render/acceleration/flush_denormals.h"
+
+#include <atomic>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
+
+namespace carom::render {
+namespace {
+
+bool denormals_survive() {
+    volatile float smallest = std::numeric_limits<float>::min();
+    volatile float half = smallest * 0.5f;
+    return half != 0;
+}
+
+TEST(FlushDenormals, WhileAlive_DenormalsAreZero) {
+    EXPECT_TRUE(denormals_survive());
+    {
+        const FlushDenormals mode;
+        EXPECT_FALSE(denormals_survive());
+        { const FlushDenormals nested; }
+        EXPECT_FALSE(denormals_survive());
+    }
+    EXPECT_TRUE(denormals_survive());
+}
+
+TEST(FlushDenormals, InEveryTask_HoldsThereAndLeavesNoTrace) {
+    std::atomic<int> surviving = 0;
+    std::atomic<int> surviving_within = 0;
+    tbb::parallel_for(0, 500, [&](int) {
+        {
+            const FlushDenormals mode;
+            surviving_within += denormals_survive() ? 1 : 0;
+        }
+        surviving += denormals_survive() ? 1 : 0;
+    });
+    EXPECT_EQ(surviving_within, 0);
+    EXPECT_EQ(surviving, 500);
+}
+
+}  // namespace
+}  // namespace carom::render

@@ -1,0 +1,93 @@
+#include "render/acceleration/triangle_scene.h"
+
+#include <gtest/gtest.h>
+
+#include "render/geometry/intersect.h"
+#include "tests/render/acceleration/random_shapes.h"
+
+namespace carom::render {
+namespace {
+
+/// Sheets of triangles on top of one another: every hit is a tie.
+TriangleMesh stack_of_sheets(int cells, int sheets) {
+    TriangleMesh mesh;
+    for (int y = 0; y <= cells; ++y) {
+        for (int x = 0; x <= cells; ++x) {
+            mesh.vertices.emplace_back(static_cast<float>(x), static_cast<float>(y), 0.f);
+        }
+    }
+    for (int sheet = 0; sheet < sheets; ++sheet) {
+        for (int y = 0; y < cells; ++y) {
+            for (int x = 0; x < cells; ++x) {
+                const std::uint32_t row = static_cast<std::uint32_t>(cells + 1);
+                const std::uint32_t a =
+                    static_cast<std::uint32_t>(y) * row + static_cast<std::uint32_t>(x);
+                mesh.triangles.push_back({a, a + 1, a + row});
+                mesh.triangles.push_back({a + 1, a + row + 1, a + row});
+            }
+        }
+    }
+    return mesh;
+}
+
+TEST(TriangleScene, BuiltAgain_TiesAreDecidedAlike) {
+    const TriangleMesh mesh = stack_of_sheets(120, 6);
+    const MeshEntry entry{&mesh, 4};
+    const auto device = make_embree_device();
+    const TriangleScene first(device, std::span(&entry, 1));
+    for (int repeat = 0; repeat < 3; ++repeat) {
+        const TriangleScene again(device, std::span(&entry, 1));
+        test::TestRandom random(1);
+        for (int i = 0; i < 5'000; ++i) {
+            Ray ray;
+            const float x = random.between(0, 120);
+            ray.origin = V3f(x, random.between(0, 120), 1);
+            ray.direction = V3f(0, 0, -1);
+            Hit a;
+            Hit b;
+            ASSERT_TRUE(first.closest_hit(ray, a));
+            ASSERT_TRUE(again.closest_hit(ray, b));
+            ASSERT_EQ(a.object, 4u);
+            ASSERT_EQ(a.primitive, b.primitive);
+        }
+    }
+}
+
+TEST(TriangleScene, ManyRays_AgreeWithALoopOverTriangles) {
+    const TriangleMesh mesh = test::bumpy_ball(0.8f, 12);
+    const MeshEntry entry{&mesh, 0};
+    const TriangleScene scene(make_embree_device(), std::span(&entry, 1));
+    test::TestRandom random(2);
+    int hits = 0;
+    int differing = 0;
+    for (int i = 0; i < 4'000; ++i) {
+        const Ray ray = test::random_ray_toward(random, 2, 0.7f);
+        const RaySegment<float> segment{ray.origin, ray.direction};
+        float nearest = kInfinity;
+        for (const auto& t : mesh.triangles) {
+            const auto hit = intersect_triangle(segment, mesh.vertices[t[0]], mesh.vertices[t[1]],
+                                                mesh.vertices[t[2]]);
+            nearest = hit ? std::min(nearest, hit->t) : nearest;
+        }
+        Hit hit;
+        const bool found = scene.closest_hit(ray, hit);
+        ASSERT_EQ(found, scene.any_hit(ray));
+        if (found != (nearest < kInfinity) || (found && std::abs(hit.t - nearest) > 1e-4f)) {
+            ++differing;  // along edges of the silhouette
+            continue;
+        }
+        hits += found ? 1 : 0;
+    }
+    EXPECT_GT(hits, 1'500);
+    EXPECT_LE(differing, 2);
+}
+
+TEST(TriangleScene, NoMesh_NoHit) {
+    const TriangleScene scene(make_embree_device(), {});
+    Hit hit;
+    EXPECT_FALSE(scene.closest_hit(Ray{}, hit));
+    EXPECT_FALSE(scene.any_hit(Ray{}));
+}
+
+}  // namespace
+}  // namespace carom::render
