@@ -46,7 +46,7 @@ struct SurfacePoint {
     /// [0, 1].
     V2f uv{0, 0};
     float uv_per_metre = 0;  // how fast uv runs over the surface, 1/m; 0: not known
-    float offset = 0;  // how far to step off the surface to be safe from hitting it again, m
+    float offset = 0;        // how far to step off the surface to be safe from hitting it again, m
     std::uint32_t object = kNoObject;
     std::uint32_t material = 0;  // index in the scene's materials; kNoMaterial for lights
 };

@@ -14,37 +14,32 @@ bool is_dark(const V3f& c) {
 
 }  // namespace
 
-V3f DirectLight::sampled(Path& path, const ShadingVertex& vertex, const PathDimensions& dimensions,
-                         RenderStatistics& count) const {
+V3f DirectLight::sampled(Path& path, const ShadingVertex& vertex, const V2f& u,
+                         const PathDimensions& dimensions, RenderStatistics& count) const {
     const LightSet& lights = scene_.lights;
     const std::size_t light_count = lights.sampled_count();
     path.last.position = vertex.position;
     path.last.normal = vertex.surface.frame.z;
     path.last.all_lights = path.vertex == 0;
+    path.last.total_importance = 0;
     V3f sum(0, 0, 0);
-    if (light_count == 0 || strategy_ == DirectStrategy::scattering_only) {
+    if (light_count == 0 || strategy_ == DirectStrategy::scattering_only ||
+        !vertex.bsdf.can_evaluate(Layers::all)) {
         return sum;
     }
-    const bool can_evaluate = vertex.bsdf.can_evaluate(Layers::all);
-    if (path.last.all_lights) {
-        for (std::size_t light = 0; can_evaluate && light < light_count; light += 2) {
-            const auto u = dimensions.light_pair(static_cast<std::uint32_t>(light / 2));
-            sum += from_light(light, 1, V2f(u[0], u[1]), path, vertex, count);
-            if (light + 1 < light_count) {
-                sum += from_light(light + 1, 1, V2f(u[2], u[3]), path, vertex, count);
-            }
+    if (!path.last.all_lights) {
+        if (const auto choice = lights.choose(vertex.position, path.last.normal, u.x)) {
+            path.last.total_importance = choice->total;
+            sum = from_light(choice->light, choice->probability, V2f(choice->u, u.y), path, vertex,
+                             count);
         }
         return sum;
     }
-    path.last.total_importance =
-        can_evaluate ? lights.total_importance(vertex.position, path.last.normal) : 0;
-    if (path.last.total_importance > 0) {
-        const auto u = dimensions.light(path);
-        const auto choice =
-            lights.choose(vertex.position, path.last.normal, path.last.total_importance, u[0]);
-        if (choice) {
-            sum = from_light(choice->light, choice->probability, V2f(u[1], u[2]), path, vertex,
-                             count);
+    for (std::size_t light = 0; light < light_count; light += 2) {
+        const auto pair = dimensions.light_pair(static_cast<std::uint32_t>(light / 2));
+        sum += from_light(light, 1, pair[0], path, vertex, count);
+        if (light + 1 < light_count) {
+            sum += from_light(light + 1, 1, pair[1], path, vertex, count);
         }
     }
     return sum;

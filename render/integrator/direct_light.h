@@ -33,8 +33,8 @@ class DirectLight {
 
     /// Radiance scattered at the vertex towards the path's previous one from sampled lights: all of
     /// them at the path's first vertex, one chosen by importance later. Writes to `path.last` what
-    /// `met` needs about the choice.
-    [[nodiscard]] V3f sampled(Path& path, const ShadingVertex& vertex,
+    /// `met` needs about the choice. `u`: the vertex's number for light.
+    [[nodiscard]] V3f sampled(Path& path, const ShadingVertex& vertex, const V2f& u,
                               const PathDimensions& dimensions, RenderStatistics& count) const;
 
     /// Radiance, weighted against having been sampled, of the area light that the path's ray met.

@@ -13,7 +13,6 @@ namespace carom::render {
 namespace {
 
 constexpr int kMostSplits = 2;
-constexpr std::size_t kMostBranches = 1u << kMostSplits;
 constexpr int kRouletteVertex = 5;
 constexpr float kLeastSurvival = 0.2f;
 
@@ -47,7 +46,7 @@ void validate([[maybe_unused]] const V3f& radiance, [[maybe_unused]] const Sampl
 
 }  // namespace
 
-/// What one camera sample gathers, and the branches that are still to be followed.
+/// What one camera sample gathers.
 struct PathIntegrator::Work {
     PathDimensions dimensions;
     SampleIndex index;
@@ -55,18 +54,10 @@ struct PathIntegrator::Work {
     RadianceSample result{};
     V3f direct{0, 0, 0};  // light seen, or scattered once
     V3f indirect{0, 0, 0};
-    std::array<Path, kMostBranches> waiting{};
-    std::size_t waiting_count = 0;
 
     void add(const V3f& radiance, int scatterings) {
         validate(radiance, index);
         (scatterings <= 1 ? direct : indirect) += radiance;
-    }
-
-    void branch_off(const Path& path) {
-        CAROM_ASSERT(waiting_count < waiting.size());
-        waiting[waiting_count] = path;
-        waiting_count += 1;
     }
 };
 
@@ -82,11 +73,7 @@ RadianceSample PathIntegrator::sample(const Ray& camera_ray, float pixel_spread,
     Path path{camera_ray};
     path.spread = pixel_spread;
     count.camera_rays += 1;
-    work.branch_off(path);
-    while (work.waiting_count > 0) {
-        work.waiting_count -= 1;
-        follow(work.waiting[work.waiting_count], work);
-    }
+    follow(path, work);
     if (settings_.clamp > 0) {
         const float brightest = largest(work.indirect);
         if (brightest > settings_.clamp) {
@@ -134,10 +121,10 @@ void PathIntegrator::follow(Path path, Work& work) const {
         const ShadingVertex vertex{
             point.position, point.position + surface.geometric_normal * point.offset, surface, bsdf,
             path.vertex < settings_.split_vertices && bsdf.has_coat()};
-        const V3f throughput = path.throughput;
-        work.add(throughput * direct_.sampled(path, vertex, work.dimensions, work.count),
-                 path.vertex + 1);
-        if (!scatter(path, vertex, work)) {
+        const VertexNumbers u = work.dimensions.vertex(path);
+        const V3f direct = direct_.sampled(path, vertex, u.light, work.dimensions, work.count);
+        work.add(path.throughput * direct, path.vertex + 1);
+        if (!scatter(path, vertex, u.scattering, work)) {
             return;
         }
     }
@@ -149,17 +136,18 @@ bool PathIntegrator::survives(Path& path, const Work& work) const {
         return true;
     }
     const float survival = std::clamp(largest(path.throughput), kLeastSurvival, 1.0f);
-    if (work.dimensions.roulette(path)[0] >= survival) {
+    if (work.dimensions.further(path).z >= survival) {
         return false;
     }
     path.throughput /= survival;
     return true;
 }
 
-// Turns `path` into its next direction, after branching off its coat; false if it ends here.
-bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, Work& work) const {
-    const auto proceed = [&](Path& onward, Layers layers, const std::array<float, 4>& u) {
-        const auto sample = vertex.bsdf.sample(layers, V3f(u[0], u[1], u[2]));
+// Turns `path` into its next direction, after following its coat to the end; false if it ends here.
+bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, const V2f& u,
+                             Work& work) const {
+    const auto proceed = [&](Path& onward, Layers layers, const V2f& numbers) {
+        const auto sample = vertex.bsdf.sample(layers, numbers);
         if (!sample || largest(sample->weight) <= 0) {
             return false;
         }
@@ -176,14 +164,14 @@ bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, Work& work
         return true;
     };
     if (!vertex.splits) {
-        return proceed(path, Layers::all, work.dimensions.scattering(path));
+        return proceed(path, Layers::all, u);
     }
     Path coat = path;
     coat.branch = 2 * path.branch;
-    if (proceed(coat, Layers::coat, work.dimensions.coat(path))) {
-        work.branch_off(coat);
+    const V3f numbers = work.dimensions.further(path);
+    if (proceed(coat, Layers::coat, V2f(numbers.x, numbers.y))) {
+        follow(coat, work);
     }
-    const auto u = work.dimensions.scattering(path);
     path.branch = 2 * path.branch + 1;
     return proceed(path, Layers::base, u);
 }

@@ -52,7 +52,8 @@ class PathIntegrator {
     struct Work;
 
     void follow(Path path, Work& work) const;
-    [[nodiscard]] bool scatter(Path& path, const ShadingVertex& vertex, Work& work) const;
+    [[nodiscard]] bool scatter(Path& path, const ShadingVertex& vertex, const V2f& u,
+                               Work& work) const;
     [[nodiscard]] bool survives(Path& path, const Work& work) const;
 
     const TransportScene scene_;

@@ -32,28 +32,40 @@ struct Path {
     float spread = 0;          // by which it grows, per m
 };
 
+/// The numbers that a vertex needs: points of the unit square, low-discrepancy over the samples of
+/// a pixel. Choices between lights or lobes stretch a number over the chosen one and use it again.
+struct VertexNumbers {
+    V2f light;
+    V2f scattering;
+};
+
 /// The dimensions of every decision, the same whatever came before: samples of a pixel stay one
 /// low-discrepancy set per decision.
 class PathDimensions {
   public:
     explicit PathDimensions(const SampleStream& stream) : stream_(stream) {}
 
-    [[nodiscard]] std::array<float, 4> light(const Path& path) const { return at(path, 0); }
-    [[nodiscard]] std::array<float, 4> scattering(const Path& path) const { return at(path, 1); }
-    [[nodiscard]] std::array<float, 4> coat(const Path& path) const { return at(path, 2); }
-    [[nodiscard]] std::array<float, 4> roulette(const Path& path) const { return at(path, 3); }
+    [[nodiscard]] VertexNumbers vertex(const Path& path) const {
+        const auto u = set(place(path) * 2);
+        return {V2f(u[0], u[1]), V2f(u[2], u[3])};
+    }
+    /// Where a path splits: for the coat's direction. (`x`, `y`), and a number for roulette.
+    [[nodiscard]] V3f further(const Path& path) const {
+        const auto u = set(place(path) * 2 + 1);
+        return V3f(u[0], u[1], u[2]);
+    }
     /// For lights 2 `pair` and 2 `pair` + 1 at the first vertex.
-    [[nodiscard]] std::array<float, 4> light_pair(std::uint32_t pair) const {
-        return set(kLightPairs + pair);
+    [[nodiscard]] std::array<V2f, 2> light_pair(std::uint32_t pair) const {
+        const auto u = set(kLightPairs + pair);
+        return {V2f(u[0], u[1]), V2f(u[2], u[3])};
     }
 
   private:
     static constexpr std::uint32_t kVertices = 128;  // more than a path can have
     static constexpr std::uint32_t kLightPairs = 0x10000;
 
-    [[nodiscard]] std::array<float, 4> at(const Path& path, std::uint32_t purpose) const {
-        return set((path.branch * kVertices + static_cast<std::uint32_t>(path.vertex)) * 4 +
-                   purpose);
+    [[nodiscard]] static std::uint32_t place(const Path& path) {
+        return path.branch * kVertices + static_cast<std::uint32_t>(path.vertex);
     }
     [[nodiscard]] std::array<float, 4> set(std::uint32_t index) const {
         SampleStream stream = stream_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/sampling/reuse.h"
 #include "sim/timeline/error.h"
 
 namespace carom::render {
@@ -32,29 +33,32 @@ float LightSet::importance(std::size_t light, const V3f& point, const V3f& norma
                       area_lights_[light]);
 }
 
-float LightSet::total_importance(const V3f& point, const V3f& normal) const {
-    float total = 0;
-    for (std::size_t light = 0; light < sampled_count(); ++light) {
-        total += importance(light, point, normal);
-    }
-    return total;
-}
-
-std::optional<LightSet::Choice> LightSet::choose(const V3f& point, const V3f& normal, float total,
+// One pass: each light takes over from those before it with its share of the sum so far.
+std::optional<LightSet::Choice> LightSet::choose(const V3f& point, const V3f& normal,
                                                  float u) const {
-    std::optional<Choice> last;
-    float rest = u * total;
+    Choice choice;
+    choice.u = u;
+    float chosen = 0;
     for (std::size_t light = 0; light < sampled_count(); ++light) {
         const float weight = importance(light, point, normal);
-        if (weight > 0) {
-            last = Choice{light, weight / total};
-            if (rest < weight) {
-                return last;
-            }
-            rest -= weight;
+        if (weight <= 0) {
+            continue;
+        }
+        choice.total += weight;
+        const float share = weight / choice.total;
+        if (choice.u < share) {
+            choice.light = light;
+            chosen = weight;
+        }
+        if (share < 1) {
+            choice.u = stretched(choice.u, share);
         }
     }
-    return last;  // rounding: `u` just below 1
+    if (chosen <= 0) {
+        return std::nullopt;
+    }
+    choice.probability = chosen / choice.total;
+    return choice;
 }
 
 std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point, V2f u) const {

@@ -30,17 +30,15 @@ class LightSet {
     /// by. 0 only where nothing arrives.
     [[nodiscard]] float importance(std::size_t light, const V3f& point, const V3f& normal) const;
 
-    /// The sum of all importances.
-    [[nodiscard]] float total_importance(const V3f& point, const V3f& normal) const;
-
     struct Choice {
         std::size_t light = 0;
         float probability = 0;  // importance / total
+        float total = 0;        // sum of all importances, > 0
+        float u = 0;            // what is left of the number that chose, evenly spread in [0, 1)
     };
 
-    /// One light in proportion to importance, for `u` in [0, 1); empty if `total` is 0.
-    [[nodiscard]] std::optional<Choice> choose(const V3f& point, const V3f& normal, float total,
-                                               float u) const;
+    /// One light in proportion to importance, for `u` in [0, 1); empty if all importances are 0.
+    [[nodiscard]] std::optional<Choice> choose(const V3f& point, const V3f& normal, float u) const;
 
     /// A direction towards one light; empty if it cannot shine on the point.
     [[nodiscard]] std::optional<LightSample> sample(std::size_t light, const V3f& point,

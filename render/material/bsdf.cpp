@@ -5,6 +5,7 @@
 #include "render/material/fresnel.h"
 #include "render/material/microfacet.h"
 #include "render/material/sheen.h"
+#include "render/sampling/reuse.h"
 #include "render/sampling/warp.h"
 #include "sim/timeline/assert.h"
 
@@ -123,15 +124,14 @@ BsdfValue Bsdf::evaluate_local(Layers layers, const V3f& wi) const {
     if (wi.z <= 0) {
         return result;
     }
-    const V3f m = (wo_ + wi).normalized();
     const float coat_share = coat_probability(layers);
     if (layers != Layers::base) {
-        const BsdfValue coat = evaluate_coat(wi, m);
+        const BsdfValue coat = evaluate_coat(wi);
         result.value += coat.value;
         result.pdf += coat_share * coat.pdf;
     }
     if (layers != Layers::coat) {
-        const BsdfValue base = evaluate_base(wi, m);
+        const BsdfValue base = evaluate_base(wi);
         result.value += base.value;
         result.pdf += (1.0f - coat_share) * base.pdf;
     }
@@ -139,18 +139,19 @@ BsdfValue Bsdf::evaluate_local(Layers layers, const V3f& wi) const {
     return result;
 }
 
-BsdfValue Bsdf::evaluate_coat(const V3f& wi, const V3f& m) const {
+BsdfValue Bsdf::evaluate_coat(const V3f& wi) const {
     const LayerConstants& layers = *surface_->layers;
     if (coat_ <= 0 || layers.coat_alpha <= 0) {
         return {};
     }
     const Ggx ggx(layers.coat_alpha);
+    const V3f m = (wo_ + wi).normalized();
     const float reflected = fresnel_dielectric(wo_ ^ m, layers.coat_ior);
     return {V3f(layers.coat_weight * reflected * ggx.reflection(wo_, wi, m)),
             ggx.reflection_pdf(wo_, m)};
 }
 
-BsdfValue Bsdf::evaluate_base(const V3f& wi, const V3f& m) const {
+BsdfValue Bsdf::evaluate_base(const V3f& wi) const {
     BsdfValue result;
     const float cosine = wi.z * kInversePi;
     result.value = diffuse_ * cosine;
@@ -161,22 +162,25 @@ BsdfValue Bsdf::evaluate_base(const V3f& wi, const V3f& m) const {
     }
     if (facets_ > 0 && surface_->layers->alpha > 0) {
         const Ggx ggx(surface_->layers->alpha);
+        const V3f m = (wo_ + wi).normalized();
         result.value += facet_reflectance(wo_ ^ m) * (facets_ * ggx.reflection(wo_, wi, m));
         result.pdf += choose_facets_ * ggx.reflection_pdf(wo_, m);
     }
     return result;
 }
 
-std::optional<BsdfSample> Bsdf::sample(Layers layers, const V3f& u) const {
+std::optional<BsdfSample> Bsdf::sample(Layers layers, const V2f& u) const {
     const float coat_share = coat_probability(layers);
-    if (u.x < coat_share) {
-        return sample_coat(layers, V3f(u.x / coat_share, u.y, u.z), coat_share);
+    if (coat_share <= 0) {
+        return sample_base(layers, u, 1);
     }
-    const float rest = 1.0f - coat_share;
-    return sample_base(layers, V3f((u.x - coat_share) / rest, u.y, u.z), rest);
+    const bool takes_coat = u.x < coat_share;
+    const V2f rest(coat_share < 1 ? stretched(u.x, coat_share) : u.x, u.y);
+    return takes_coat ? sample_coat(layers, rest, coat_share)
+                      : sample_base(layers, rest, 1.0f - coat_share);
 }
 
-std::optional<BsdfSample> Bsdf::sample_coat(Layers layers, const V3f& u, float probability) const {
+std::optional<BsdfSample> Bsdf::sample_coat(Layers layers, const V2f& u, float probability) const {
     if (coat_ <= 0) {
         return std::nullopt;
     }
@@ -184,19 +188,29 @@ std::optional<BsdfSample> Bsdf::sample_coat(Layers layers, const V3f& u, float p
     if (alpha <= 0) {
         return mirror(V3f(coat_ / probability));
     }
-    return finish(layers, mirrored(wo_, Ggx(alpha).sample_visible(wo_, V2f(u.y, u.z))));
+    return finish(layers, mirrored(wo_, Ggx(alpha).sample_visible(wo_, u)));
 }
 
-std::optional<BsdfSample> Bsdf::sample_base(Layers layers, const V3f& u, float probability) const {
-    const V2f square(u.y, u.z);
-    if (u.x < choose_facets_) {
+std::optional<BsdfSample> Bsdf::sample_base(Layers layers, const V2f& u, float probability) const {
+    V2f square = u;
+    const auto takes = [&](float share) {
+        if (share <= 0) {
+            return false;
+        }
+        const bool taken = square.x < share;
+        if (share < 1) {
+            square.x = stretched(square.x, share);
+        }
+        return taken;
+    };
+    if (takes(choose_facets_)) {
         const float alpha = surface_->layers->alpha;
         if (alpha <= 0) {
             return mirror(facet_reflectance(wo_.z) * (facets_ / (probability * choose_facets_)));
         }
         return finish(layers, mirrored(wo_, Ggx(alpha).sample_visible(wo_, square)));
     }
-    if (u.x < choose_facets_ + choose_sheen_) {
+    if (choose_sheen_ > 0 && takes(choose_sheen_ / (choose_sheen_ + choose_diffuse_))) {
         return finish(layers, sample_cone(square, 1.0f));  // the whole hemisphere, evenly
     }
     return choose_diffuse_ > 0 ? finish(layers, sample_cosine_hemisphere(square)) : std::nullopt;

@@ -42,22 +42,22 @@ class Bsdf {
     /// Value and density for light from `wi`; both 0 below the surface.
     [[nodiscard]] BsdfValue evaluate(Layers layers, const V3f& wi) const;
 
-    /// A direction for the numbers `u` in [0, 1)^3. Empty: absorbed, the contribution is 0. The
+    /// A direction for the numbers `u` in [0, 1)^2. Empty: absorbed, the contribution is 0. The
     /// weight is below 1 / (probability of the chosen part) for every channel.
-    [[nodiscard]] std::optional<BsdfSample> sample(Layers layers, const V3f& u) const;
+    [[nodiscard]] std::optional<BsdfSample> sample(Layers layers, const V2f& u) const;
 
     [[nodiscard]] float pdf(Layers layers, const V3f& wi) const { return evaluate(layers, wi).pdf; }
 
   private:
     [[nodiscard]] float coat_probability(Layers layers) const;
-    [[nodiscard]] BsdfValue evaluate_coat(const V3f& wi, const V3f& m) const;
-    [[nodiscard]] BsdfValue evaluate_base(const V3f& wi, const V3f& m) const;
+    [[nodiscard]] BsdfValue evaluate_coat(const V3f& wi) const;
+    [[nodiscard]] BsdfValue evaluate_base(const V3f& wi) const;
     [[nodiscard]] V3f facet_reflectance(float cosine) const;
     // From here on directions are in the surface's own axes; `probability`: of having come here.
     [[nodiscard]] BsdfValue evaluate_local(Layers layers, const V3f& wi) const;
-    [[nodiscard]] std::optional<BsdfSample> sample_coat(Layers layers, const V3f& u,
+    [[nodiscard]] std::optional<BsdfSample> sample_coat(Layers layers, const V2f& u,
                                                         float probability) const;
-    [[nodiscard]] std::optional<BsdfSample> sample_base(Layers layers, const V3f& u,
+    [[nodiscard]] std::optional<BsdfSample> sample_base(Layers layers, const V2f& u,
                                                         float probability) const;
     [[nodiscard]] std::optional<BsdfSample> mirror(const V3f& weight) const;
     [[nodiscard]] std::optional<BsdfSample> finish(Layers layers, const V3f& wi) const;

@@ -50,7 +50,7 @@ TEST(BsdfSample, EveryLobeAndMixture_FollowsItsPdf) {
         test::expect_direction_density(
             [&](V3f u) -> std::optional<V3f> {
                 // A mirror is no part of the density, which falls short of 1 by its probability.
-                const auto sample = bsdf.sample(c.layers, u);
+                const auto sample = bsdf.sample(c.layers, V2f(u.x, u.y));
                 return sample && !sample->is_delta ? std::optional<V3f>(sample->direction)
                                                    : std::nullopt;
             },
@@ -69,8 +69,7 @@ TEST(BsdfSample, EverySample_HasTheValueAndPdfThatEvaluateGives) {
         for (int i = 0; i < 300; ++i) {
             const float x = random.unit();
             const float y = random.unit();
-            const float z = random.unit();
-            const auto sample = bsdf.sample(c.layers, V3f(x, y, z));
+            const auto sample = bsdf.sample(c.layers, V2f(x, y));
             if (!sample || sample->is_delta) {
                 continue;
             }

@@ -34,7 +34,7 @@ TEST(SmoothCoat, BallOfThePeers_IsMirrorTimesFPlusBaseTimesOneMinusF) {
         const Surface surface = resolve(material, kNormal, wo);
         const Bsdf bsdf(surface, wo);
         const float fresnel = fresnel_dielectric(wo.z, 1.5f);
-        const auto coat = bsdf.sample(Layers::coat, V3f(0.5f, 0.5f, 0.5f));
+        const auto coat = bsdf.sample(Layers::coat, V2f(0.5f, 0.5f));
         ASSERT_TRUE(coat && coat->is_delta);
         EXPECT_NEAR(coat->weight.x, fresnel, 1e-6f);
         EXPECT_NEAR(coat->direction.z, wo.z, 1e-6f);
@@ -56,7 +56,7 @@ TEST(SmoothMetal, Mirror_ReflectsBySchlick) {
     const Material material = make(chrome);
     const V3f wo = tilted(kNormal, 1.0f);
     const Surface surface = resolve(material, kNormal, wo);
-    const auto sample = Bsdf(surface, wo).sample(Layers::all, V3f(0.5f, 0.5f, 0.5f));
+    const auto sample = Bsdf(surface, wo).sample(Layers::all, V2f(0.5f, 0.5f));
     ASSERT_TRUE(sample && sample->is_delta);
     EXPECT_NEAR(sample->weight.x, fresnel_schlick(wo.z, V3f(0.6f)).x, 1e-6f);
     EXPECT_FALSE(Bsdf(surface, wo).can_evaluate(Layers::all));
