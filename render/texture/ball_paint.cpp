@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/texture/noise.h"
 
@@ -27,13 +28,13 @@ float inside_circle(float distance, float radius, float width) {
 
 }  // namespace
 
-BallPaint::BallPaint(const BallTexture& texture)
+BallPaint::BallPaint(const BallTexture& texture, std::shared_ptr<const CoverageMask> number)
     : colour_(texture.colour),
       white_(texture.white),
       striped_(texture.striped),
       disc_radius_(std::clamp(static_cast<float>(texture.disc_radius), 0.01f, 0.95f)),
       spots_(texture.spots),
-      number_(texture.number > 0 ? draw_number(texture.number) : nullptr) {}
+      number_(std::move(number)) {}
 
 V3f BallPaint::colour(const V3f& position, float footprint) const {
     const float radius = position.length();

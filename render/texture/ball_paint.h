@@ -12,10 +12,11 @@ namespace carom::render {
 /// Solid: its colour all over; striped: white with a band of its colour around the z axis. A number
 /// stands in a white disc at both ends of the x axis, upright (z up) as seen from that side. Edges
 /// are as sharp as the pixel allows at any distance: they are computed, only the figures are looked
-/// up. Throws Error if the figures cannot be drawn.
+/// up.
 class BallPaint {
   public:
-    explicit BallPaint(const BallTexture& texture);
+    /// `number`: draw_number(texture.number), null for a ball without one.
+    BallPaint(const BallTexture& texture, std::shared_ptr<const CoverageMask> number);
 
     /// `position`: in the ball's own axes, not 0; `footprint`: width of a pixel there, m.
     [[nodiscard]] V3f colour(const V3f& position, float footprint) const;

@@ -72,20 +72,45 @@ float gradient_noise(const V3f& position, std::uint32_t seed) {
     return std::clamp(lerp(along_z[0], along_z[1], w), -1.0f, 1.0f);
 }
 
-float gradient_noise(const V2f& position, std::uint32_t seed) {
-    const Cell x = cell_of(position.x);
-    const Cell y = cell_of(position.y);
+namespace {
+
+// `next` gives the column or row after one, which is where a repeated pattern closes.
+template <class NextColumn, class NextRow>
+float plane_noise(const Cell& x, const Cell& y, std::uint32_t seed, const NextColumn& next_column,
+                  const NextRow& next_row) {
     const float u = fade(x.offset);
-    const float v = fade(y.offset);
     float along_y[2];
     for (std::uint32_t j = 0; j < 2; ++j) {
-        const std::uint32_t hy = mix_bits(y.index + j + seed);
+        const std::uint32_t hy = mix_bits((j == 0 ? y.index : next_row(y.index)) + seed);
         const float dy = y.offset - static_cast<float>(j);
         const float a = gradient(mix_bits(x.index + hy), x.offset, dy);
-        const float b = gradient(mix_bits(x.index + 1 + hy), x.offset - 1.0f, dy);
+        const float b = gradient(mix_bits(next_column(x.index) + hy), x.offset - 1.0f, dy);
         along_y[j] = lerp(a, b, u);
     }
-    return std::clamp(lerp(along_y[0], along_y[1], v), -1.0f, 1.0f);
+    return std::clamp(lerp(along_y[0], along_y[1], fade(y.offset)), -1.0f, 1.0f);
+}
+
+Cell wrapped_cell(float x, int period) {
+    const Cell cell = cell_of(x);
+    const int rest = static_cast<std::int32_t>(cell.index) % period;
+    return {static_cast<std::uint32_t>(rest < 0 ? rest + period : rest), cell.offset};
+}
+
+}  // namespace
+
+float gradient_noise(const V2f& position, std::uint32_t seed) {
+    const auto next = [](std::uint32_t i) { return i + 1; };
+    return plane_noise(cell_of(position.x), cell_of(position.y), seed, next, next);
+}
+
+float periodic_noise(const V2f& position, int period_x, int period_y, std::uint32_t seed) {
+    const auto next_of = [](int period) {
+        return [period](std::uint32_t i) {
+            return i + 1 == static_cast<std::uint32_t>(period) ? 0 : i + 1;
+        };
+    };
+    return plane_noise(wrapped_cell(position.x, period_x), wrapped_cell(position.y, period_y), seed,
+                       next_of(period_x), next_of(period_y));
 }
 
 namespace {

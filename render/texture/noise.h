@@ -28,6 +28,10 @@ namespace carom::render {
 [[nodiscard]] float gradient_noise(const V3f& position, std::uint32_t seed);
 [[nodiscard]] float gradient_noise(const V2f& position, std::uint32_t seed);
 
+/// The same pattern repeated every `period_x`, `period_y` > 0 units, without a seam.
+[[nodiscard]] float periodic_noise(const V2f& position, int period_x, int period_y,
+                                   std::uint32_t seed);
+
 /// Sum of `octaves` gradient noises, each of twice the frequency and half the amplitude of the one
 /// before, normalised to a first amplitude of 1. Octaves finer than `footprint` (in units of
 /// `position`) fade out, so that the sum is band-limited to what a pixel can show.

@@ -83,7 +83,7 @@ std::shared_ptr<const CoverageMask> draw_number(int number) {
     const int left = (kNumberMaskSize - box.width()) / 2;
     const int top = (kNumberMaskSize - total_height) / 2;
     OIIO::ImageBuf buffer(
-        OIIO::ImageSpec(kNumberMaskSize, kNumberMaskSize, 1, OIIO::TypeDesc::FLOAT));
+        OIIO::ImageSpec(kNumberMaskSize, kNumberMaskSize, 1, OIIO::TypeDesc::UINT8));
     OIIO::ImageBufAlgo::zero(buffer);
     const std::array<float, 1> ink{1.0f};
     if (!OIIO::ImageBufAlgo::render_text(buffer, left - box.x0, top - box.y0, text, size, font,
@@ -96,12 +96,9 @@ std::shared_ptr<const CoverageMask> draw_number(int number) {
                                  OIIO::ROI(left, left + box.width(), y, y + bar));
     }
 
-    std::vector<std::uint8_t> texels;
-    texels.reserve(static_cast<std::size_t>(kNumberMaskSize) * kNumberMaskSize);
-    for (int y = 0; y < kNumberMaskSize; ++y) {
-        for (int x = 0; x < kNumberMaskSize; ++x) {
-            texels.push_back(CoverageCodec::encode(buffer.getchannel(x, y, 0, 0)));
-        }
+    std::vector<std::uint8_t> texels(static_cast<std::size_t>(kNumberMaskSize) * kNumberMaskSize);
+    if (!buffer.get_pixels(buffer.roi(), OIIO::TypeDesc::UINT8, texels.data())) {
+        throw Error("the number " + text + " of a ball cannot be drawn: " + buffer.geterror());
     }
     return std::make_shared<const CoverageMask>(kNumberMaskSize, kNumberMaskSize,
                                                 std::move(texels));

@@ -3,15 +3,19 @@
 // turn into noise.
 #pragma once
 
+#include <memory>
+
 #include "render/geometry/ray.h"
 #include "render/scene/material_description.h"
+#include "render/texture/image.h"
 
 namespace carom::render {
 
 /// Plain weave under a brushed nap, with faint broad differences as wear leaves them.
 class ClothPattern {
   public:
-    explicit ClothPattern(const ClothTexture& texture);
+    /// `weave`: make_weave_tile(), shared by all cloths.
+    ClothPattern(const ClothTexture& texture, std::shared_ptr<const ImagePyramid> weave);
 
     /// `place`: on the cloth, m. The mean over the cloth is the texture's own colour.
     [[nodiscard]] V3f colour(const V2f& place, float footprint) const;
@@ -20,11 +24,12 @@ class ClothPattern {
     [[nodiscard]] V2f slope(const V2f& place, float footprint) const;
 
   private:
-    [[nodiscard]] float fine_relief(const V2f& place, float footprint) const;
+    [[nodiscard]] V3f relief(const V2f& place, float footprint) const;
 
     V3f colour_;
     float thread_;  // m
     float variation_;
+    std::shared_ptr<const ImagePyramid> weave_;
 };
 
 /// Growth rings of a tree that stood along the grain, cut by the surface, with fibres and pores.

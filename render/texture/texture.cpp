@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/texture/weave_tile.h"
+
 namespace carom::render {
 namespace {
 
@@ -47,12 +49,27 @@ V3f lay_flat(const V2f& v, int axis) {
 
 }  // namespace
 
-std::shared_ptr<const ImagePyramid> ImageCache::get(const std::string& file, bool is_linear) {
-    auto& image = images_[{file, is_linear}];
+std::shared_ptr<const ImagePyramid> ImageCache::file(const std::string& path, bool is_linear) {
+    auto& image = images_[{path, is_linear}];
     if (!image) {
-        image = load_image_pyramid(file, is_linear);
+        image = load_image_pyramid(path, is_linear);
     }
     return image;
+}
+
+std::shared_ptr<const CoverageMask> ImageCache::number(int number) {
+    auto& mask = numbers_[number];
+    if (!mask) {
+        mask = draw_number(number);
+    }
+    return mask;
+}
+
+std::shared_ptr<const ImagePyramid> ImageCache::weave() {
+    if (!weave_) {
+        weave_ = make_weave_tile();
+    }
+    return weave_;
 }
 
 Texture::Texture(const ColourSource& source, ImageCache& images)
@@ -63,10 +80,14 @@ Texture::Source Texture::make_source(const ColourSource& source, ImageCache& ima
         Overloaded{
             [](const Vec3& colour) -> Source { return V3f(colour); },
             [&](const ImageTexture& image) -> Source {
-                return Image{images.get(image.file, image.is_linear), V2f(image.scale)};
+                return Image{images.file(image.file, image.is_linear), V2f(image.scale)};
             },
-            [](const BallTexture& ball) -> Source { return BallPaint(ball); },
-            [](const ClothTexture& cloth) -> Source { return ClothPattern(cloth); },
+            [&](const BallTexture& ball) -> Source {
+                return BallPaint(ball, ball.number > 0 ? images.number(ball.number) : nullptr);
+            },
+            [&](const ClothTexture& cloth) -> Source {
+                return ClothPattern(cloth, images.weave());
+            },
             [](const WoodTexture& wood) -> Source { return WoodPattern(wood); },
             [](const CheckerTexture& checker) -> Source { return CheckerPattern(checker); },
         },

@@ -15,14 +15,19 @@
 
 namespace carom::render {
 
-/// Reads every file once, however many materials use it.
+/// Reads every file and makes every picture once, however many materials use it.
 class ImageCache {
   public:
     /// Throws Error naming the file.
-    [[nodiscard]] std::shared_ptr<const ImagePyramid> get(const std::string& file, bool is_linear);
+    [[nodiscard]] std::shared_ptr<const ImagePyramid> file(const std::string& path, bool is_linear);
+    /// Throws Error if the font is missing.
+    [[nodiscard]] std::shared_ptr<const CoverageMask> number(int number);
+    [[nodiscard]] std::shared_ptr<const ImagePyramid> weave();
 
   private:
     std::map<std::pair<std::string, bool>, std::shared_ptr<const ImagePyramid>> images_;
+    std::map<int, std::shared_ptr<const CoverageMask>> numbers_;
+    std::shared_ptr<const ImagePyramid> weave_;
 };
 
 /// Immutable; evaluated by any number of threads.

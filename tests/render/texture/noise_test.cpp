@@ -50,6 +50,15 @@ TEST(GradientNoise, OtherSeed_IsAnotherPattern) {
     EXPECT_NE(gradient_noise(V3f(0.3f, 0.4f, 0.2f), 1), gradient_noise(V3f(0.3f, 0.4f, 0.2f), 2));
 }
 
+TEST(PeriodicNoise, OnePeriodOn_IsTheSame) {
+    for (float x = 0.05f; x < 5; x += 0.37f) {
+        const float here = periodic_noise(V2f(x, 0.6f * x), 5, 3, 7);
+        EXPECT_NEAR(periodic_noise(V2f(x + 5, 0.6f * x - 3), 5, 3, 7), here, 1e-5f);
+    }
+    EXPECT_NEAR(periodic_noise(V2f(4.9999f, 0.5f), 5, 3, 7),
+                periodic_noise(V2f(0.0001f, 0.5f), 5, 3, 7), 1e-3f);
+}
+
 TEST(FractalNoise, CoarserFootprint_LeavesFewerOctavesAndInTheEndNothing) {
     const V2f place(0.37f, 5.21f);
     EXPECT_EQ(fractal_noise(place, 1, 0, 7), gradient_noise(place, 7));

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "render/texture/weave_tile.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {
@@ -29,7 +30,7 @@ Moments moments(int samples, const Value& value) {
 }
 
 Moments cloth_green(const ClothTexture& texture, float footprint) {
-    const ClothPattern cloth(texture);
+    const ClothPattern cloth(texture, make_weave_tile());
     return moments(40'000, [&](test::TestRandom& random) {
         const float x = random.between(-2, 2);
         const float y = random.between(-2, 2);
@@ -56,10 +57,20 @@ TEST(ClothPattern, Variation_FadesWithDistance) {
     EXPECT_LT(far, 1e-6);
 }
 
+TEST(WeaveTile, EveryLevel_AveragesToNothing) {
+    const auto tile = make_weave_tile();
+    const V3f far = tile->lookup(0.3f, 0.7f, 1, Wrap::repeat, Wrap::repeat);
+    EXPECT_LT(far.length(), 0.01f);
+    // No seam where it repeats.
+    const V3f before = tile->lookup(0.999999f, 0.37f, 0, Wrap::repeat, Wrap::repeat);
+    const V3f after = tile->lookup(1.000001f, 0.37f, 0, Wrap::repeat, Wrap::repeat);
+    EXPECT_LT((before - after).length(), 0.01f);
+}
+
 TEST(ClothPattern, NoVariation_IsOneColourWithRelief) {
     ClothTexture texture;
     texture.variation = 0;
-    const ClothPattern cloth(texture);
+    const ClothPattern cloth(texture, make_weave_tile());
     EXPECT_EQ(cloth.colour(V2f(0.123f, 0.456f), 0), V3f(texture.colour));
     EXPECT_GT(cloth.slope(V2f(0.1231f, 0.4563f), 0).length(), 0.01f);
     EXPECT_EQ(cloth.slope(V2f(0.1231f, 0.4563f), 0.01f), V2f(0, 0));

@@ -1,0 +1,92 @@
+#include "render/texture/weave_tile.h"
+
+#include <cmath>
+#include <vector>
+
+#include "render/texture/noise.h"
+
+namespace carom::render {
+namespace {
+
+constexpr int kTexelsPerThread = 8;
+constexpr int kSize = kTileThreads * kTexelsPerThread;
+
+constexpr std::uint32_t kWanderSeed = 0x38495ab5u;
+constexpr std::uint32_t kFuzzSeed = 0x51ed270bu;
+
+// Chosen by eye against photographs of worsted cloth.
+constexpr float kWander = 0.40f;  // of the threads' courses, in threads
+constexpr float kWeaveHeight = 0.55f;
+constexpr float kFuzzHeight = 0.60f;
+
+// Rounded from 0 at both edges of a thread to 1 in its middle, without creases.
+float thread_profile(float fraction) {
+    const float x = 4.0f * fraction * (1.0f - fraction);
+    return x * x * (3.0f - 2.0f * x);
+}
+
+// Height in [0, 1] of a plain weave with one thread per unit, over and under in turns.
+float weave_height(const V2f& p) {
+    const float floor_x = std::floor(p.x);
+    const float floor_y = std::floor(p.y);
+    const float x = thread_profile(p.x - floor_x);
+    const float y = thread_profile(p.y - floor_y);
+    const bool warp_is_above =
+        ((static_cast<std::int64_t>(floor_x) + static_cast<std::int64_t>(floor_y)) & 1) != 0;
+    return warp_is_above ? x * (0.25f + 0.75f * y) : y * (0.25f + 0.75f * x);
+}
+
+// Noise of the given cells per tile; `p` in threads.
+float tiled_noise(const V2f& p, int cells_x, int cells_y, std::uint32_t seed) {
+    const V2f q(p.x * static_cast<float>(cells_x) / kTileThreads,
+                p.y * static_cast<float>(cells_y) / kTileThreads);
+    return periodic_noise(q, cells_x, cells_y, seed);
+}
+
+float relief(const V2f& p) {
+    // Threads are spun from wool: their courses wander by a good part of their width.
+    const V2f wander(tiled_noise(p, 45, 45, kWanderSeed), tiled_noise(p, 45, 45, kWanderSeed + 1));
+    float height = kWeaveHeight * weave_height(p + wander * kWander);
+    // Loose fibres: short streaks along both directions, finer and finer.
+    float amplitude = kFuzzHeight;
+    for (std::uint32_t octave = 0; octave < 3; ++octave) {
+        const int fine = 40 << octave;
+        const int along = 17 << octave;
+        height += amplitude * 0.5f *
+                  (tiled_noise(p, fine, along, kFuzzSeed + 2 * octave) +
+                   tiled_noise(p, along, fine, kFuzzSeed + 2 * octave + 1));
+        amplitude *= 0.7f;
+    }
+    return height;
+}
+
+}  // namespace
+
+std::shared_ptr<const ImagePyramid> make_weave_tile() {
+    std::vector<float> heights(static_cast<std::size_t>(kSize) * kSize);
+    double sum = 0;
+    for (int y = 0; y < kSize; ++y) {
+        for (int x = 0; x < kSize; ++x) {
+            const float height = relief(V2f((static_cast<float>(x) + 0.5f) / kTexelsPerThread,
+                                            (static_cast<float>(y) + 0.5f) / kTexelsPerThread));
+            heights[static_cast<std::size_t>(y * kSize + x)] = height;
+            sum += height;
+        }
+    }
+    const float mean = static_cast<float>(sum / (kSize * kSize));
+    const auto at = [&](int x, int y) {
+        return heights[static_cast<std::size_t>((y + kSize) % kSize * kSize + (x + kSize) % kSize)];
+    };
+    std::vector<HalfColourCodec::Texel> texels;
+    texels.reserve(heights.size());
+    for (int y = 0; y < kSize; ++y) {
+        for (int x = 0; x < kSize; ++x) {
+            texels.push_back(HalfColourCodec::encode(
+                V3f(at(x, y) - mean, (at(x + 1, y) - at(x - 1, y)) * 0.5f * kTexelsPerThread,
+                    (at(x, y + 1) - at(x, y - 1)) * 0.5f * kTexelsPerThread)));
+        }
+    }
+    return std::make_shared<const ImagePyramid>(kSize, kSize, std::move(texels));
+}
+
+}  // namespace carom::render
