@@ -59,14 +59,17 @@ Surface Material::resolve(const SurfacePoint& point, const V3f& wo, float footpr
     surface.geometric_normal = from_behind ? -point.geometric_normal : point.geometric_normal;
     V3f normal = from_behind ? -point.shading_normal : point.shading_normal;
     if (bump_ > 0) {
-        const V3f shift = texture_.normal_shift(point, footprint) * bump_;
+        const Texture::Relief relief = texture_.relief(point, footprint);
+        const V3f shift = relief.normal_shift * bump_;
+        surface.base = limited(relief.colour);
         normal = (normal + shift - normal * (normal ^ shift)).normalized();
+    } else {
+        surface.base = limited(texture_.colour(point, footprint));
     }
     if ((normal ^ wo) <= 0) {
         normal = surface.geometric_normal;  // a smoothed or bumped normal turned away from view
     }
     surface.frame = OrthonormalBasis::around(normal);
-    surface.base = limited(texture_.colour(point, footprint));
     surface.layers = &layers_;
     return surface;
 }

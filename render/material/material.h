@@ -49,11 +49,6 @@ class Material {
     /// `footprint`: width of a pixel there, m. Both sides of a surface scatter alike.
     [[nodiscard]] Surface resolve(const SurfacePoint& point, const V3f& wo, float footprint) const;
 
-    /// Albedo as an image channel shows it: the base's colour.
-    [[nodiscard]] V3f base_colour(const SurfacePoint& point, float footprint) const {
-        return texture_.colour(point, footprint);
-    }
-
     [[nodiscard]] const LayerConstants& layers() const { return layers_; }
 
   private:

@@ -7,29 +7,30 @@
 
 #include "render/geometry/ray.h"
 #include "render/scene/material_description.h"
-#include "render/texture/image.h"
 
 namespace carom::render {
+
+struct ClothTiles;  // cloth_tiles.h
 
 /// Plain weave under a brushed nap, with faint broad differences as wear leaves them.
 class ClothPattern {
   public:
-    /// `weave`: make_weave_tile(), shared by all cloths.
-    ClothPattern(const ClothTexture& texture, std::shared_ptr<const ImagePyramid> weave);
+    /// `tiles` are shared by all cloths.
+    ClothPattern(const ClothTexture& texture, std::shared_ptr<const ClothTiles> tiles);
 
-    /// `place`: on the cloth, m. The mean over the cloth is the texture's own colour.
-    [[nodiscard]] V3f colour(const V2f& place, float footprint) const;
+    struct Value {
+        V3f colour{0, 0, 0};  // over the whole cloth its mean is the texture's own
+        V2f slope{0, 0};      // of the weave's relief in both directions, 1 = 45 degrees
+    };
 
-    /// Slope of the weave's relief in both directions of `place`, 1 = 45 degrees.
-    [[nodiscard]] V2f slope(const V2f& place, float footprint) const;
+    /// `place`: on the cloth, m.
+    [[nodiscard]] Value evaluate(const V2f& place, float footprint) const;
 
   private:
-    [[nodiscard]] V3f relief(const V2f& place, float footprint) const;
-
     V3f colour_;
     float thread_;  // m
     float variation_;
-    std::shared_ptr<const ImagePyramid> weave_;
+    std::shared_ptr<const ClothTiles> tiles_;
 };
 
 /// Growth rings of a tree that stood along the grain, cut by the surface, with fibres and pores.

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/texture/weave_tile.h"
+#include "render/texture/cloth_tiles.h"
+#include "sim/timeline/assert.h"
 
 namespace carom::render {
 namespace {
@@ -65,11 +66,11 @@ std::shared_ptr<const CoverageMask> ImageCache::number(int number) {
     return mask;
 }
 
-std::shared_ptr<const ImagePyramid> ImageCache::weave() {
-    if (!weave_) {
-        weave_ = make_weave_tile();
+std::shared_ptr<const ClothTiles> ImageCache::cloth_tiles() {
+    if (!cloth_tiles_) {
+        cloth_tiles_ = make_cloth_tiles();
     }
-    return weave_;
+    return cloth_tiles_;
 }
 
 Texture::Texture(const ColourSource& source, ImageCache& images)
@@ -86,7 +87,7 @@ Texture::Source Texture::make_source(const ColourSource& source, ImageCache& ima
                 return BallPaint(ball, ball.number > 0 ? images.number(ball.number) : nullptr);
             },
             [&](const ClothTexture& cloth) -> Source {
-                return ClothPattern(cloth, images.weave());
+                return ClothPattern(cloth, images.cloth_tiles());
             },
             [](const WoodTexture& wood) -> Source { return WoodPattern(wood); },
             [](const CheckerTexture& checker) -> Source { return CheckerPattern(checker); },
@@ -106,7 +107,9 @@ V3f Texture::colour(const SurfacePoint& point, float footprint) const {
             [](const V3f& colour) { return colour; },
             [&](const Image& image) { return image.colour(point, footprint); },
             [&](const BallPaint& ball) { return ball.colour(point.object_position, footprint); },
-            [&](const ClothPattern& cloth) { return cloth.colour(flat_place(point), footprint); },
+            [&](const ClothPattern& cloth) {
+                return cloth.evaluate(flat_place(point), footprint).colour;
+            },
             [&](const WoodPattern& wood) { return wood.colour(point.object_position, footprint); },
             [&](const CheckerPattern& checker) {
                 return checker.colour(point.object_position, point.geometric_normal, footprint);
@@ -115,13 +118,11 @@ V3f Texture::colour(const SurfacePoint& point, float footprint) const {
         source_);
 }
 
-V3f Texture::normal_shift(const SurfacePoint& point, float footprint) const {
+Texture::Relief Texture::relief(const SurfacePoint& point, float footprint) const {
     const ClothPattern* cloth = std::get_if<ClothPattern>(&source_);
-    if (cloth == nullptr) {
-        return {0, 0, 0};
-    }
-    return -lay_flat(cloth->slope(flat_place(point), footprint),
-                     facing_axis(point.geometric_normal));
+    CAROM_ASSERT(cloth != nullptr);
+    const ClothPattern::Value value = cloth->evaluate(flat_place(point), footprint);
+    return {value.colour, -lay_flat(value.slope, facing_axis(point.geometric_normal))};
 }
 
 }  // namespace carom::render

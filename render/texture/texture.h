@@ -22,12 +22,12 @@ class ImageCache {
     [[nodiscard]] std::shared_ptr<const ImagePyramid> file(const std::string& path, bool is_linear);
     /// Throws Error if the font is missing.
     [[nodiscard]] std::shared_ptr<const CoverageMask> number(int number);
-    [[nodiscard]] std::shared_ptr<const ImagePyramid> weave();
+    [[nodiscard]] std::shared_ptr<const ClothTiles> cloth_tiles();
 
   private:
     std::map<std::pair<std::string, bool>, std::shared_ptr<const ImagePyramid>> images_;
     std::map<int, std::shared_ptr<const CoverageMask>> numbers_;
-    std::shared_ptr<const ImagePyramid> weave_;
+    std::shared_ptr<const ClothTiles> cloth_tiles_;
 };
 
 /// Immutable; evaluated by any number of threads.
@@ -40,9 +40,13 @@ class Texture {
     /// as sharp as can be). Each channel is >= 0, and <= 1 unless an image holds more.
     [[nodiscard]] V3f colour(const SurfacePoint& point, float footprint) const;
 
-    /// How the surface's own relief turns its normal: add to the unit normal and normalise. World
-    /// axes (the cloth's relief is taken to lie along them). 0 for textures without relief.
-    [[nodiscard]] V3f normal_shift(const SurfacePoint& point, float footprint) const;
+    struct Relief {
+        V3f colour;
+        V3f normal_shift;  // to be added to the unit normal before normalising it; world axes
+    };
+    /// The same, and how the surface's own relief turns its normal; only if `has_relief`. The
+    /// relief of cloth is taken to lie along the world's axes.
+    [[nodiscard]] Relief relief(const SurfacePoint& point, float footprint) const;
 
     [[nodiscard]] bool has_relief() const { return std::holds_alternative<ClothPattern>(source_); }
 

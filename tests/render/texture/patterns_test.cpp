@@ -4,11 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include "render/texture/weave_tile.h"
+#include "render/texture/cloth_tiles.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {
 namespace {
+
+/// Made once: it takes a while.
+const std::shared_ptr<const ClothTiles>& cloth_tiles() {
+    static const auto tiles = make_cloth_tiles();
+    return tiles;
+}
 
 struct Moments {
     double mean = 0;
@@ -30,11 +36,11 @@ Moments moments(int samples, const Value& value) {
 }
 
 Moments cloth_green(const ClothTexture& texture, float footprint) {
-    const ClothPattern cloth(texture, make_weave_tile());
+    const ClothPattern cloth(texture, cloth_tiles());
     return moments(40'000, [&](test::TestRandom& random) {
         const float x = random.between(-2, 2);
         const float y = random.between(-2, 2);
-        return static_cast<double>(cloth.colour(V2f(x, y), footprint).y);
+        return static_cast<double>(cloth.evaluate(V2f(x, y), footprint).colour.y);
     });
 }
 
@@ -57,23 +63,27 @@ TEST(ClothPattern, Variation_FadesWithDistance) {
     EXPECT_LT(far, 1e-6);
 }
 
-TEST(WeaveTile, EveryLevel_AveragesToNothing) {
-    const auto tile = make_weave_tile();
-    const V3f far = tile->lookup(0.3f, 0.7f, 1, Wrap::repeat, Wrap::repeat);
+TEST(ClothTiles, EveryLevel_AveragesToNothing) {
+    const auto& tiles = cloth_tiles();
+    const ImagePyramid& weave = tiles->weave;
+    const V3f far = weave.lookup(0.3f, 0.7f, 1, Wrap::repeat, Wrap::repeat);
     EXPECT_LT(far.length(), 0.01f);
+    for (const SignedPyramid* noise : {&tiles->nap, &tiles->wear}) {
+        EXPECT_NEAR(noise->lookup(0.3f, 0.7f, 1, Wrap::repeat, Wrap::repeat), 0, 0.02f);
+    }
     // No seam where it repeats.
-    const V3f before = tile->lookup(0.999999f, 0.37f, 0, Wrap::repeat, Wrap::repeat);
-    const V3f after = tile->lookup(1.000001f, 0.37f, 0, Wrap::repeat, Wrap::repeat);
+    const V3f before = weave.lookup(0.999999f, 0.37f, 0, Wrap::repeat, Wrap::repeat);
+    const V3f after = weave.lookup(1.000001f, 0.37f, 0, Wrap::repeat, Wrap::repeat);
     EXPECT_LT((before - after).length(), 0.01f);
 }
 
 TEST(ClothPattern, NoVariation_IsOneColourWithRelief) {
     ClothTexture texture;
     texture.variation = 0;
-    const ClothPattern cloth(texture, make_weave_tile());
-    EXPECT_EQ(cloth.colour(V2f(0.123f, 0.456f), 0), V3f(texture.colour));
-    EXPECT_GT(cloth.slope(V2f(0.1231f, 0.4563f), 0).length(), 0.01f);
-    EXPECT_EQ(cloth.slope(V2f(0.1231f, 0.4563f), 0.01f), V2f(0, 0));
+    const ClothPattern cloth(texture, cloth_tiles());
+    EXPECT_EQ(cloth.evaluate(V2f(0.123f, 0.456f), 0).colour, V3f(texture.colour));
+    EXPECT_GT(cloth.evaluate(V2f(0.1231f, 0.4563f), 0).slope.length(), 0.01f);
+    EXPECT_EQ(cloth.evaluate(V2f(0.1231f, 0.4563f), 0.01f).slope, V2f(0, 0));
 }
 
 TEST(WoodPattern, EveryColour_LiesBetweenDarkAndLight) {

@@ -20,7 +20,6 @@ TEST(Texture, Constant_IsTheSameEverywhere) {
     const Texture texture(Vec3(0.1, 0.2, 0.3), images);
     EXPECT_EQ(texture.colour(on_plane(3, 4), 0), V3f(0.1f, 0.2f, 0.3f));
     EXPECT_FALSE(texture.has_relief());
-    EXPECT_EQ(texture.normal_shift(on_plane(3, 4), 0), V3f(0, 0, 0));
 }
 
 TEST(Texture, MissingImage_IsAnErrorOnConstruction) {
@@ -42,7 +41,9 @@ TEST(Texture, ReliefOfCloth_LiesInTheSurface) {
     ImageCache images;
     const Texture texture(ClothTexture{}, images);
     EXPECT_TRUE(texture.has_relief());
-    const V3f shift = texture.normal_shift(on_plane(0.01234f, 0.00567f), 0);
+    const SurfacePoint point = on_plane(0.01234f, 0.00567f);
+    EXPECT_EQ(texture.relief(point, 0).colour, texture.colour(point, 0));
+    const V3f shift = texture.relief(point, 0).normal_shift;
     EXPECT_EQ(shift.z, 0);
     EXPECT_GT(shift.length(), 0);
 }

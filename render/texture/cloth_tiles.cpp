@@ -1,4 +1,4 @@
-#include "render/texture/weave_tile.h"
+#include "render/texture/cloth_tiles.h"
 
 #include <cmath>
 #include <vector>
@@ -9,10 +9,14 @@ namespace carom::render {
 namespace {
 
 constexpr int kTexelsPerThread = 8;
-constexpr int kSize = kTileThreads * kTexelsPerThread;
+constexpr int kThreads = ClothTiles::kThreads;
+constexpr int kSize = kThreads * kTexelsPerThread;
+constexpr int kNoiseSize = 256;  // texels along a side of nap and wear: four to the finest cell
 
 constexpr std::uint32_t kWanderSeed = 0x38495ab5u;
 constexpr std::uint32_t kFuzzSeed = 0x51ed270bu;
+constexpr std::uint32_t kNapSeed = 0x2545f491u;
+constexpr std::uint32_t kWearSeed = 0x8f1bbcdcu;
 
 // Chosen by eye against photographs of worsted cloth.
 constexpr float kWander = 0.40f;  // of the threads' courses, in threads
@@ -38,8 +42,8 @@ float weave_height(const V2f& p) {
 
 // Noise of the given cells per tile; `p` in threads.
 float tiled_noise(const V2f& p, int cells_x, int cells_y, std::uint32_t seed) {
-    const V2f q(p.x * static_cast<float>(cells_x) / kTileThreads,
-                p.y * static_cast<float>(cells_y) / kTileThreads);
+    const V2f q(p.x * static_cast<float>(cells_x) / kThreads,
+                p.y * static_cast<float>(cells_y) / kThreads);
     return periodic_noise(q, cells_x, cells_y, seed);
 }
 
@@ -60,9 +64,7 @@ float relief(const V2f& p) {
     return height;
 }
 
-}  // namespace
-
-std::shared_ptr<const ImagePyramid> make_weave_tile() {
+ImagePyramid make_weave() {
     std::vector<float> heights(static_cast<std::size_t>(kSize) * kSize);
     double sum = 0;
     for (int y = 0; y < kSize; ++y) {
@@ -86,7 +88,38 @@ std::shared_ptr<const ImagePyramid> make_weave_tile() {
                     (at(x, y + 1) - at(x, y - 1)) * 0.5f * kTexelsPerThread)));
         }
     }
-    return std::make_shared<const ImagePyramid>(kSize, kSize, std::move(texels));
+    return ImagePyramid(kSize, kSize, std::move(texels));
+}
+
+// Noise with `cells` along a side, and `octaves` - 1 finer ones of half the height each.
+SignedPyramid make_noise(int cells, int octaves, std::uint32_t seed) {
+    std::vector<SignedCodec::Texel> texels;
+    texels.reserve(static_cast<std::size_t>(kNoiseSize) * kNoiseSize);
+    for (int y = 0; y < kNoiseSize; ++y) {
+        for (int x = 0; x < kNoiseSize; ++x) {
+            float sum = 0;
+            float amplitude = 1;
+            for (int octave = 0; octave < octaves; ++octave) {
+                const int count = cells << octave;
+                const float scale = static_cast<float>(count) / kNoiseSize;
+                sum += amplitude * periodic_noise(V2f((static_cast<float>(x) + 0.5f) * scale,
+                                                      (static_cast<float>(y) + 0.5f) * scale),
+                                                  count, count,
+                                                  seed + static_cast<std::uint32_t>(octave));
+                amplitude *= 0.5f;
+            }
+            texels.push_back(SignedCodec::encode(sum));
+        }
+    }
+    return SignedPyramid(kNoiseSize, kNoiseSize, std::move(texels));
+}
+
+}  // namespace
+
+std::shared_ptr<const ClothTiles> make_cloth_tiles() {
+    return std::make_shared<const ClothTiles>(
+        ClothTiles{make_weave(), make_noise(ClothTiles::kNapCells, 1, kNapSeed),
+                   make_noise(ClothTiles::kWearCells, 3, kWearSeed)});
 }
 
 }  // namespace carom::render
