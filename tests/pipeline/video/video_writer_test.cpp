@@ -186,6 +186,49 @@ TEST(VideoWriter, SameFramesTwice_GiveTheSameBytes) {
     EXPECT_EQ(read_text(archive.write(folder)), first);
 }
 
+/// Leaves free memory full of numbers that depend on `seed`.
+void litter(std::uint32_t& seed) {
+    std::vector<std::vector<std::uint32_t>> blocks;
+    for (int i = 0; i < 40; ++i) {
+        seed = seed * 1664525 + 1013904223;
+        blocks.emplace_back(4 + (seed >> 8) % 20000, seed);
+    }
+}
+
+/// Waves that drift over the picture, with grain.
+Picture drifting_waves(int width, int height, int frame) {
+    Picture picture;
+    std::uint32_t noise = 12345;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            noise = noise * 1664525 + 1013904223;
+            const double wave =
+                std::sin((x + frame * 1.7) * 0.13) * std::cos((y - frame * 0.6) * 0.1);
+            const double value = 30000 + 20000 * wave + (noise >> 22);
+            for (int channel = 1; channel <= 3; ++channel) {
+                picture.push_back(static_cast<std::uint16_t>(value * channel / 3));
+            }
+        }
+    }
+    return picture;
+}
+
+TEST(VideoWriter, MemoryFullOfOtherThings_DoesNotShow) {
+    const ScratchFolder folder;
+    std::vector<std::string> films;
+    for (std::uint32_t round = 0; round < 4; ++round) {
+        std::uint32_t seed = round * 7919;
+        VideoWriter writer(folder.path("film.mp4"), {192, 108, Rational(24)}, OutputSettings{});
+        for (int i = 0; i < 40; ++i) {
+            writer.write(drifting_waves(192, 108, i));
+            litter(seed);
+        }
+        writer.finish();
+        films.push_back(read_text(folder.path("film.mp4")));
+        EXPECT_TRUE(films.back() == films.front()) << "round " << round;
+    }
+}
+
 TEST(VideoWriter, Ffv1_KeepsEveryBit) {
     const ScratchFolder folder;
     Film film;
