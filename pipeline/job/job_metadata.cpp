@@ -32,7 +32,10 @@ std::map<std::string, std::string> render_metadata(const Shot& shot) {
 }  // namespace
 
 render::ImageMetadata stored_frame_metadata(const Shot& shot) {
-    return render_metadata(shot);
+    render::ImageMetadata metadata = render_metadata(shot);
+    // OpenImageIO writes the time of writing otherwise, and the same frame would be other bytes.
+    metadata["DateTime"] = "1970:01:01 00:00:00";
+    return metadata;
 }
 
 render::ImageMetadata exported_frame_metadata(const Shot& shot, const sim::Timeline& timeline,

@@ -34,6 +34,11 @@ TEST(FilmJob, OneAndTwoThreads_WriteTheSameFilm) {
         EXPECT_EQ(make_film(shot, make_bake(), options, {}, {}).rendered, 9);
     }
     EXPECT_EQ(read_text(folder.path("1.mkv")), read_text(folder.path("2.mkv")));
+    const sim::Timeline timeline = carom::testing::tiny_timeline();
+    const FilmSource source(shot, timeline);
+    const Hash128 key = source.key(source.inputs(3));
+    EXPECT_EQ(read_text(FrameStore(folder.path("cache1/frames")).path_of(key)),
+              read_text(FrameStore(folder.path("cache2/frames")).path_of(key)));
     options.output = folder.path("3.mkv");
     EXPECT_EQ(make_film(shot, make_bake(), options, {}, {}).rendered, 0);
     EXPECT_EQ(read_text(folder.path("3.mkv")), read_text(folder.path("1.mkv")));
@@ -77,6 +82,7 @@ TEST(JobMetadata, ExportedFrame_NamesShotFrameTimesAndClamp) {
                       Pair("video_time", "0.25"), Pair("scene_time", "0.25"), Pair("samples", "2"),
                       Pair("clamp", "10"), Pair("renderer_revision", "1")}));
     EXPECT_EQ(stored_frame_metadata(shot).count("frame"), 0u);
+    EXPECT_EQ(stored_frame_metadata(shot).at("DateTime"), "1970:01:01 00:00:00");
     EXPECT_EQ(video_metadata(shot).at("title"), "tiny");
     shot.render.clamp = 0;
     EXPECT_EQ(video_metadata(shot).at("clamp"), "off");
