@@ -1,71 +1,27 @@
 #include "pipeline/video/video_writer.h"
 
 #include <cmath>
-#include <optional>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/resource.h>
 
 #include "sim/timeline/error.h"
 #include "tests/pipeline/video/decoded_video.h"
 #include "tests/pipeline/video/scratch_folder.h"
+#include "tests/pipeline/video/test_film.h"
 
 namespace carom::pipeline {
 namespace {
 
 using carom::testing::decode_video;
 using carom::testing::DecodedVideo;
+using carom::testing::Film;
+using carom::testing::moving_disc;
+using carom::testing::Picture;
 using carom::testing::read_text;
 using carom::testing::ScratchFolder;
-using carom::testing::write_text;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-
-using Picture = std::vector<std::uint16_t>;
-
-/// A soft saturated disc that moves over a gradient.
-Picture moving_disc(int width, int height, int frame) {
-    Picture picture;
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            const double dx = x - width * (0.3 + 0.02 * frame);
-            const double dy = y - height * 0.5;
-            const double disc =
-                1 / (1 + std::exp(0.5 * (std::sqrt(dx * dx + dy * dy) - height * 0.25)));
-            const double ground = 0.2 + 0.3 * y / height;
-            const auto code = [&](double paint, double cloth) {
-                return static_cast<std::uint16_t>(65535 *
-                                                  (disc * paint + (1 - disc) * cloth * ground));
-            };
-            picture.insert(picture.end(), {code(0.9, 0.1), code(0.7, 0.8), code(0.1, 0.5)});
-        }
-    }
-    return picture;
-}
-
-struct Film {
-    std::string name = "film.mp4";
-    int width = 128;
-    int height = 72;
-    int frames = 30;
-    Rational fps{24};
-    OutputSettings output;
-    std::map<std::string, std::string> metadata;
-
-    std::string write(const ScratchFolder& folder) const {
-        const std::string path = folder.path(name);
-        VideoWriter writer(path, {width, height, fps}, output, metadata);
-        for (int i = 0; i < frames; ++i) {
-            writer.write(moving_disc(width, height, i));
-        }
-        writer.finish();
-        return path;
-    }
-};
 
 double psnr(const Picture& a, const Picture& b) {
     double sum = 0;
@@ -306,101 +262,6 @@ TEST(VideoWriter, Metadata_IsReadBackAndHoldsNoDate) {
         EXPECT_EQ(read_text(path).find("Lavf5"), std::string::npos) << "a version of the muxer";
         EXPECT_EQ(read_text(path).find("Lavc5"), std::string::npos) << "a version of the codec";
     }
-}
-
-TEST(VideoWriter, DestroyedBeforeFinish_LeavesNothing) {
-    const ScratchFolder folder;
-    {
-        VideoWriter writer(folder.path("film.mp4"), {64, 64}, {});
-        writer.write(moving_disc(64, 64, 0));
-    }
-    EXPECT_THAT(folder.names(), IsEmpty());
-}
-
-TEST(VideoWriter, ExistingTarget_IsReplacedOnlyByAWholeFilm) {
-    const ScratchFolder folder;
-    write_text(folder.path("film.mp4"), "old");
-    {
-        VideoWriter writer(folder.path("film.mp4"), {64, 64}, {});
-        writer.write(moving_disc(64, 64, 0));
-        EXPECT_EQ(read_text(folder.path("film.mp4")), "old");
-    }
-    EXPECT_EQ(read_text(folder.path("film.mp4")), "old");
-    Film{}.write(folder);
-    EXPECT_THAT(folder.names(), ElementsAre("film.mp4"));
-    EXPECT_EQ(decode_video(folder.path("film.mp4")).frames.size(), 30U);
-}
-
-TEST(VideoWriter, NoFrames_IsAnErrorAndLeavesNothing) {
-    const ScratchFolder folder;
-    VideoWriter writer(folder.path("film.mp4"), {64, 64}, {});
-    EXPECT_THROW(writer.finish(), Error);
-    EXPECT_THAT(folder.names(), IsEmpty());
-}
-
-TEST(VideoWriter, MissingFolder_IsNamed) {
-    const ScratchFolder folder;
-    const std::string path = folder.path("none/film.mp4");
-    try {
-        const VideoWriter writer(path, {64, 64}, {});
-        FAIL() << "no error";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.what(), "cannot write '" + path + "': No such file or directory");
-    }
-}
-
-/// Files of this process may grow to that many bytes, as on a disk that is nearly full.
-class FileSizeLimit {
-  public:
-    explicit FileSizeLimit(rlim_t bytes) {
-        ::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &before_);
-        rlimit limit = before_;
-        limit.rlim_cur = bytes;
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &before_); }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-  private:
-    rlimit before_{};
-};
-
-TEST(VideoWriter, DiskThatFillsUp_IsAnErrorThatLeavesNothing) {
-    // At any moment: in the header, in the pictures, while the index is moved to the front.
-    std::size_t whole = 0;
-    {
-        const ScratchFolder folder;
-        whole = read_text(Film{}.write(folder)).size();
-    }
-    for (const std::size_t bytes : {std::size_t{16}, whole / 2, whole - 600, whole - 1}) {
-        const ScratchFolder folder;
-        const std::string path = folder.path("film.mp4");
-        std::string message;
-        {
-            const FileSizeLimit limit(bytes);
-            try {
-                Film{}.write(folder);
-            } catch (const Error& error) {
-                message = error.what();
-            }
-        }
-        EXPECT_THAT(message, HasSubstr("cannot write '" + path + "'")) << bytes << " of " << whole;
-        EXPECT_THAT(message, HasSubstr("File too large")) << bytes << " of " << whole;
-        EXPECT_THAT(folder.names(), IsEmpty());
-    }
-}
-
-TEST(VideoWriter, OddSize_IsRefusedAsTheCheckSays) {
-    const ScratchFolder folder;
-    try {
-        const VideoWriter writer(folder.path("film.mp4"), {65, 64}, {});
-        FAIL() << "no error";
-    } catch (const Error& error) {
-        EXPECT_THAT(error.what(), HasSubstr("64x64 and 66x64"));
-    }
-    EXPECT_THAT(folder.names(), IsEmpty());
 }
 
 TEST(VideoWriter, PathThatLooksLikeAProtocol_IsAFile) {

@@ -1,0 +1,121 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+#include "pipeline/video/video_writer.h"
+#include "sim/timeline/error.h"
+#include "tests/pipeline/video/decoded_video.h"
+#include "tests/pipeline/video/scratch_folder.h"
+#include "tests/pipeline/video/test_film.h"
+
+namespace carom::pipeline {
+namespace {
+
+using carom::testing::decode_video;
+using carom::testing::Film;
+using carom::testing::moving_disc;
+using carom::testing::read_text;
+using carom::testing::ScratchFolder;
+using carom::testing::write_text;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+TEST(VideoWriter, DestroyedBeforeFinish_LeavesNothing) {
+    const ScratchFolder folder;
+    {
+        VideoWriter writer(folder.path("film.mp4"), {64, 64}, {});
+        writer.write(moving_disc(64, 64, 0));
+    }
+    EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+TEST(VideoWriter, ExistingTarget_IsReplacedOnlyByAWholeFilm) {
+    const ScratchFolder folder;
+    write_text(folder.path("film.mp4"), "old");
+    {
+        VideoWriter writer(folder.path("film.mp4"), {64, 64}, {});
+        writer.write(moving_disc(64, 64, 0));
+        EXPECT_EQ(read_text(folder.path("film.mp4")), "old");
+    }
+    EXPECT_EQ(read_text(folder.path("film.mp4")), "old");
+    Film{}.write(folder);
+    EXPECT_THAT(folder.names(), ElementsAre("film.mp4"));
+    EXPECT_EQ(decode_video(folder.path("film.mp4")).frames.size(), 30U);
+}
+
+TEST(VideoWriter, NoFrames_IsAnErrorAndLeavesNothing) {
+    const ScratchFolder folder;
+    VideoWriter writer(folder.path("film.mp4"), {64, 64}, {});
+    EXPECT_THROW(writer.finish(), Error);
+    EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+TEST(VideoWriter, MissingFolder_IsNamed) {
+    const ScratchFolder folder;
+    const std::string path = folder.path("none/film.mp4");
+    try {
+        const VideoWriter writer(path, {64, 64}, {});
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.what(), "cannot write '" + path + "': No such file or directory");
+    }
+}
+
+/// Files of this process may grow to that many bytes, as on a disk that is nearly full.
+class FileSizeLimit {
+  public:
+    explicit FileSizeLimit(rlim_t bytes) {
+        ::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        rlimit limit = before_;
+        limit.rlim_cur = bytes;
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+  private:
+    rlimit before_{};
+};
+
+TEST(VideoWriter, DiskThatFillsUp_IsAnErrorThatLeavesNothing) {
+    // At any moment: in the header, in the pictures, while the index is moved to the front.
+    std::size_t whole = 0;
+    {
+        const ScratchFolder folder;
+        whole = read_text(Film{}.write(folder)).size();
+    }
+    for (const std::size_t bytes : {std::size_t{16}, whole / 2, whole - 600, whole - 1}) {
+        const ScratchFolder folder;
+        const std::string path = folder.path("film.mp4");
+        std::string message;
+        {
+            const FileSizeLimit limit(bytes);
+            try {
+                Film{}.write(folder);
+            } catch (const Error& error) {
+                message = error.what();
+            }
+        }
+        EXPECT_THAT(message, HasSubstr("cannot write '" + path + "'")) << bytes << " of " << whole;
+        EXPECT_THAT(message, HasSubstr("File too large")) << bytes << " of " << whole;
+        EXPECT_THAT(folder.names(), IsEmpty());
+    }
+}
+
+TEST(VideoWriter, OddSize_IsRefusedAsTheCheckSays) {
+    const ScratchFolder folder;
+    try {
+        const VideoWriter writer(folder.path("film.mp4"), {65, 64}, {});
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("64x64 and 66x64"));
+    }
+    EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace carom::pipeline
