@@ -13,6 +13,7 @@
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/cli/time_text.h"
 #include "pipeline/job/film_job.h"
+#include "pipeline/job/job_metadata.h"
 #include "pipeline/video/video_format.h"
 
 namespace carom::cli {
@@ -129,7 +130,7 @@ void run_frame(const FrameCommand& command, CommandContext& context) {
         input.shot, bake, frame, options, talk_about_job(context.console, 1), context.stop);
     context.console.end_progress();
     write_picture(film, input.shot.output, path,
-                  {{"shot", input.shot.name}, {"frame", std::to_string(frame)}});
+                  pipeline::exported_frame_metadata(input.shot, bake.timeline, frame));
     print_path(path);
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "pipeline/camera/frame_plan.h"
+#include "render/acceleration/analytic_kernels.h"
 #include "render/frame/frame.h"
 
 namespace carom::pipeline {
@@ -23,6 +24,7 @@ std::string clamp_text(double clamp) {
 std::map<std::string, std::string> render_metadata(const Shot& shot) {
     return {{"carom_version", CAROM_VERSION},
             {"renderer_revision", std::to_string(render::kRendererRevision)},
+            {"simd", std::string(render::simd_tier())},
             {"integrator", "path"},
             {"samples", std::to_string(shot.render.samples)},
             {"max_bounces", std::to_string(shot.render.max_bounces)},

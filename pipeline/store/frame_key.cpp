@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "pipeline/store/frame_inputs.h"
-#include "pipeline/store/simd_tier.h"
+#include "render/acceleration/analytic_kernels.h"
 
 namespace carom::pipeline {
 namespace {
@@ -76,7 +76,7 @@ Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& sce
                   const Hash128& scene_hash, const render::RenderSettings& settings) {
     Hasher hasher;
     hasher.add("carom frame, key format 1");
-    hasher.add(std::int32_t{render::kRendererRevision}).add(simd_tier());
+    hasher.add(std::int32_t{render::kRendererRevision}).add(render::simd_tier());
     hasher.add(scene_hash);
     add_settings(hasher, settings);
     add_camera(hasher, inputs.frame.camera_open);
