@@ -8,7 +8,7 @@ Python standard library; the same file every time.
 import math
 import sys
 
-WIDTH, HEIGHT = 1024, 512
+WIDTH, HEIGHT = 512, 256
 
 
 def noise(*key):
@@ -35,20 +35,20 @@ def turn(a):
 
 BULBS = []  # azimuth, elevation, radius (degrees), radiance
 for i in range(9):  # along the bar, behind the table's left long side
-    BULBS.append((62 + 9.5 * i, 10.5 + 0.8 * (noise(1, i) - 0.5), 0.85, (9.0, 5.2, 2.2)))
+    BULBS.append((62 + 9.5 * i, 6.4 + 0.8 * (noise(1, i) - 0.5), 1.0, (4.2, 2.5, 1.1)))
 for i in range(7):  # over the tables at the far end
-    BULBS.append((-38 + 12 * i, 8.2 + 1.2 * (noise(2, i) - 0.5), 0.70, (7.0, 4.4, 2.1)))
+    BULBS.append((-38 + 12 * i, 4.6 + 1.2 * (noise(2, i) - 0.5), 0.95, (3.4, 2.1, 1.0)))
 for i in range(6):
-    BULBS.append((196 + 13 * i, 9.0 + 1.4 * (noise(3, i) - 0.5), 0.75, (6.0, 3.6, 1.7)))
+    BULBS.append((196 + 13 * i, 5.0 + 1.4 * (noise(3, i) - 0.5), 0.95, (3.0, 1.8, 0.85)))
 for i in range(10):  # bottles and signs: small and coloured
     hue = noise(4, i)
-    colour = (3.2, 0.5, 0.35) if hue < 0.35 else (0.4, 1.2, 3.0) if hue < 0.6 else (2.6, 1.6, 0.5)
-    BULBS.append((60 + 8.6 * i + 3 * noise(5, i), 4.6 + 1.6 * noise(6, i), 0.55, colour))
+    colour = (1.8, 0.3, 0.2) if hue < 0.35 else (0.25, 0.7, 1.7) if hue < 0.6 else (1.5, 0.9, 0.3)
+    BULBS.append((60 + 8.6 * i + 3 * noise(5, i), 2.4 + 1.2 * noise(6, i), 0.8, colour))
 
 
 def radiance(azimuth, elevation):
     # Walls: warm and dark, a little lighter near the lamps' height, panelled every 15 degrees.
-    wall = 0.016 + 0.022 * bump(elevation - 7, 16)
+    wall = 0.016 + 0.022 * bump(elevation - 5, 16)
     panel = 1 - 0.35 * bump(turn(azimuth * 24) / 24, 0.7)
     r, g, b = wall * panel * 1.0, wall * panel * 0.72, wall * panel * 0.52
     if elevation > 24:  # ceiling
@@ -57,7 +57,7 @@ def radiance(azimuth, elevation):
     if elevation < 0:  # floor: mostly hidden by the shot's own
         r, g, b = 0.010, 0.008, 0.007
     # The bar's back wall, softly lit.
-    glow = bump(turn(azimuth - 100), 52) * bump(elevation - 6.5, 7)
+    glow = bump(turn(azimuth - 100), 52) * bump(elevation - 4.0, 6)
     r, g, b = r + 0.30 * glow, g + 0.155 * glow, b + 0.06 * glow
     # Two windows at night.
     for centre in (-78, -112):
@@ -68,7 +68,7 @@ def radiance(azimuth, elevation):
     for a, e, radius, colour in BULBS:
         d = math.hypot(turn(azimuth - a) * math.cos(math.radians(elevation)), elevation - e)
         if d < 5 * radius:
-            disc = min(1.0, max(0.0, (radius - d) / 0.18 + 0.5))
+            disc = min(1.0, max(0.0, (radius - d) / 0.36 + 0.5))
             halo = 0.012 * bump(d, 5 * radius)
             r, g, b = r + colour[0] * (disc + halo), g + colour[1] * (disc + halo), b + colour[2] * (disc + halo)
     return r, g, b
