@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "render/geometry/ray.h"
 #include "render/light/area_light.h"
@@ -24,7 +25,7 @@ class Environment {
 
     /// Whether sampling it beats waiting for scattered rays to leave the scene: not so for a
     /// constant one, which cosine-distributed directions sample perfectly.
-    [[nodiscard]] bool is_sampled() const { return !image_.pixels.empty(); }
+    [[nodiscard]] bool is_sampled() const { return !padded_.empty(); }
 
     /// In proportion to brightness and solid angle. Only if `is_sampled`.
     [[nodiscard]] std::optional<LightSample> sample(V2f u) const;
@@ -38,11 +39,15 @@ class Environment {
   private:
     [[nodiscard]] V2f picture_from_direction(const V3f& direction) const;
     [[nodiscard]] V3f picture_radiance(V2f uv) const;
+    /// x in [-1, width], y in [-1, height]: the borders repeat what lies beyond them.
     [[nodiscard]] V3f pixel(int x, int y) const;
+    void pad(const LinearImage& image);
     [[nodiscard]] float cell_brightness(int x, int y) const;
 
     V3f scale_{0, 0, 0};
-    LinearImage image_;  // empty: constant
+    int width_ = 0;  // of the picture, pixels
+    int height_ = 0;
+    std::vector<V3f> padded_;  // the picture with a border of one pixel; empty: constant
     Distribution2D distribution_;
     float turns_ = 0;  // rotation about z
     float mean_luminance_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "sim/timeline/assert.h"
 
@@ -36,10 +37,32 @@ struct Cell {
     float within;  // [0, 1)
 };
 
+/// The cutpoint method (Chen and Asau, On generating random variates from an empirical
+/// distribution, AIIE Transactions 6(2), 1974): for each of `cuts.size()` equal parts of [0, 1) the
+/// cell in which it begins. Few steps lead from there to the cell wanted, and the map stays
+/// monotone, so that well-spread points stay well spread.
+void set_cuts(std::span<const float> cdf, std::span<std::uint16_t> cuts) {
+    std::size_t index = 0;
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+        const float u = static_cast<float>(i) / static_cast<float>(cuts.size());
+        while (index + 2 < cdf.size() && cdf[index + 1] <= u) {
+            ++index;
+        }
+        cuts[i] = static_cast<std::uint16_t>(index);
+    }
+}
+
 /// The cell whose share of the cdf contains u.
-Cell find_cell(std::span<const float> cdf, float u) {
-    const auto above = std::upper_bound(cdf.begin(), cdf.end() - 1, u);
-    const std::size_t index = static_cast<std::size_t>(above - cdf.begin()) - 1;
+Cell find_cell(std::span<const float> cdf, std::span<const std::uint16_t> cuts, float u) {
+    const auto part = static_cast<std::size_t>(u * static_cast<float>(cuts.size()));
+    std::size_t index = cuts[std::min(part, cuts.size() - 1)];
+    while (index + 2 < cdf.size() && cdf[index + 1] <= u) {
+        ++index;
+    }
+    // u * size may have been rounded up into the next part.
+    while (index > 0 && cdf[index] > u) {
+        --index;
+    }
     const float width = cdf[index + 1] - cdf[index];
     const float within = width > 0 ? (u - cdf[index]) / width : 0;
     return {index, std::min(within, 0x1.fffffep-1f)};
@@ -54,7 +77,7 @@ float coordinate(const Cell& cell, int count) {
 
 Distribution2D::Distribution2D(std::span<const float> weights, int width, int height)
     : width_(width), height_(height) {
-    CAROM_ASSERT(width > 0 && height > 0);
+    CAROM_ASSERT(width > 0 && width <= 0xffff && height > 0 && height <= 0xffff);
     const std::size_t columns = static_cast<std::size_t>(width);
     const std::size_t rows = static_cast<std::size_t>(height);
     CAROM_ASSERT(weights.size() == columns * rows);
@@ -70,6 +93,13 @@ Distribution2D::Distribution2D(std::span<const float> weights, int width, int he
             accumulate(row, std::span(column_cdfs_).subspan(y * (columns + 1), columns + 1));
     }
     mean_ = accumulate(row_totals, row_cdf_) / static_cast<double>(columns * rows);
+    row_cuts_.resize(rows);
+    set_cuts(row_cdf_, row_cuts_);
+    column_cuts_.resize(weights.size());
+    for (std::size_t y = 0; y < rows; ++y) {
+        set_cuts(std::span(column_cdfs_).subspan(y * (columns + 1), columns + 1),
+                 std::span(column_cuts_).subspan(y * columns, columns));
+    }
     density_.resize(weights.size());
     for (std::size_t i = 0; i < weights.size(); ++i) {
         density_[i] = mean_ > 0 ? static_cast<float>(usable(weights[i]) / mean_) : 0.f;
@@ -81,9 +111,10 @@ Distribution2D::Sample Distribution2D::sample(V2f u) const {
         return {V2f(0, 0), 0};
     }
     const std::size_t columns = static_cast<std::size_t>(width_);
-    const Cell row = find_cell(row_cdf_, u.y);
+    const Cell row = find_cell(row_cdf_, row_cuts_, u.y);
     const Cell column =
-        find_cell(std::span(column_cdfs_).subspan(row.index * (columns + 1), columns + 1), u.x);
+        find_cell(std::span(column_cdfs_).subspan(row.index * (columns + 1), columns + 1),
+                  std::span(column_cuts_).subspan(row.index * columns, columns), u.x);
     return {V2f(coordinate(column, width_), coordinate(row, height_)),
             density_[row.index * columns + column.index]};
 }

@@ -1,6 +1,7 @@
 // Sampling a picture in proportion to its brightness.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,8 @@ class Distribution2D {
 
     Distribution2D() = default;
 
-    /// `weights`: width * height values, row by row, finite and >= 0 (others count as 0).
+    /// `weights`: width * height values (each at most 65535 wide and high), row by row, finite and
+    /// >= 0 (others count as 0).
     Distribution2D(std::span<const float> weights, int width, int height);
 
     /// With all weights zero the pdf returned is 0 and the point without meaning.
@@ -34,9 +36,11 @@ class Distribution2D {
     int width_ = 0;
     int height_ = 0;
     double mean_ = 0;
-    std::vector<float> density_;      // per cell, mean 1
-    std::vector<float> row_cdf_;      // height + 1 values from 0 to 1
-    std::vector<float> column_cdfs_;  // per row: width + 1 values from 0 to 1
+    std::vector<float> density_;              // per cell, mean 1
+    std::vector<float> row_cdf_;              // height + 1 values from 0 to 1
+    std::vector<float> column_cdfs_;          // per row: width + 1 values from 0 to 1
+    std::vector<std::uint16_t> row_cuts_;     // where to begin to look in row_cdf_
+    std::vector<std::uint16_t> column_cuts_;  // and in each row's cdf
 };
 
 }  // namespace carom::render
