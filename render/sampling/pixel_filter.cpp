@@ -10,8 +10,9 @@
 namespace carom::render {
 namespace {
 
-constexpr int kCells = 512;         // of the tabulated density, over the whole width
-constexpr int kStepsPerCell = 128;  // of the integration
+constexpr int kCells = 512;          // of the tabulated density, over the whole width
+constexpr int kGuides = 4 * kCells;  // so that few guides span more than two cells
+constexpr int kStepsPerCell = 128;   // of the integration
 
 }  // namespace
 
@@ -64,10 +65,10 @@ PixelFilterSampler::PixelFilterSampler(PixelFilter filter, double width)
         }
         cells_.push_back(cell);
     }
-    guide_.resize(kCells);
+    guide_.resize(kGuides);
     std::uint16_t at = 0;
-    for (int g = 0; g < kCells; ++g) {
-        while (cells_[at + 1].cdf <= static_cast<float>(g) / kCells) {
+    for (int g = 0; g < kGuides; ++g) {
+        while (cells_[at + 1].cdf <= static_cast<float>(g) / kGuides) {
             ++at;
         }
         guide_[g] = at;
@@ -78,7 +79,9 @@ float PixelFilterSampler::offset(float u) const {
     if (cells_.empty()) {
         return (u - 0.5f) * static_cast<float>(width_);
     }
-    std::size_t at = guide_[static_cast<std::size_t>(u * kCells)];
+    std::size_t at = guide_[static_cast<std::size_t>(u * kGuides)];
+    // Mostly one step or none, which is taken without a branch; only the tails have more.
+    at += cells_[at + 1].cdf <= u ? 1 : 0;
     while (cells_[at + 1].cdf <= u) {
         ++at;
     }
