@@ -58,7 +58,7 @@ Problem tracks_problem(const std::vector<Track>& tracks) {
         substeps_in_all += turn_substeps(track.keys());
     }
     if (substeps_in_all > kMostSubsteps)
-        return "its objects turn more than 1e7 rad about changing axes";
+        return "its objects turn more than 1e6 rad about changing axes";
     return {};
 }
 

@@ -74,7 +74,7 @@ std::vector<Track> read_tracks(const fb::Content& content, Budget& budget) {
             keys.push_back(from_format(*key));
         substeps_in_all += turn_substeps(keys);
         if (substeps_in_all > kMostSubsteps)
-            throw Error("its objects turn more than 1e7 rad about changing axes");
+            throw Error("its objects turn more than 1e6 rad about changing axes");
         std::string name = budget.text(*track->name());
         if (name.size() > kLongestName)
             throw Error("the name of a track is longer than " + std::to_string(kLongestName) +

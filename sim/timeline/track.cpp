@@ -68,7 +68,7 @@ void Track::check_keys() const {
             refuse("its time is not after that of the key before");
     }
     if (turn_substeps(keys_) > kMostSubsteps)
-        throw Error("track '" + name_ + "' turns more than 1e7 rad about changing axes");
+        throw Error("track '" + name_ + "' turns more than 1e6 rad about changing axes");
 }
 
 void Track::prepare_segments() {

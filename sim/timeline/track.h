@@ -48,7 +48,7 @@ struct Bounds {
 class Track {
   public:
     /// Keys in strictly increasing time, all values finite, quaternions of unit length within
-    /// 1e-6, at least one key, no more than 1e7 rad of turning about changing axes in all; throws
+    /// 1e-6, at least one key, no more than 1e6 rad of turning about changing axes in all; throws
     /// Error otherwise, naming track and key.
     Track(std::string name, std::vector<Key> keys);
 

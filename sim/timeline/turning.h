@@ -15,9 +15,9 @@ namespace carom::sim {
 /// All the substeps between these keys, but for turns that take one.
 [[nodiscard]] std::uint64_t turn_substeps(std::span<const Key> keys);
 
-/// Above this many substeps a track is refused, and a bake all together: 1e7 rad, about a
-/// second's work.
-inline constexpr std::uint64_t kMostSubsteps = 20'000'000;
+/// Above this many substeps a track is refused, and a bake all together: 1e6 rad, about a tenth
+/// of a second's work.
+inline constexpr std::uint64_t kMostSubsteps = 2'000'000;
 
 /// Integrated in equal substeps of at most 0.5 rad, each a Magnus step (docs/timeline.md). Where
 /// both angular velocities are parallel one step is exact and the only one.

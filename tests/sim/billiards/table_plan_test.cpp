@@ -1,6 +1,5 @@
 // The table from above: faces, corners and pockets.
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -8,8 +7,6 @@
 
 namespace carom::sim::billiards {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 class TablePlan : public testing::TestWithParam<test::NamedTable> {
   protected:

@@ -62,6 +62,13 @@ TEST(BakeFile, Bytes_BeginWithTheFileIdentifier) {
     EXPECT_EQ(std::string(reinterpret_cast<const char*>(bytes.data()) + 4, 4), "CBAK");
 }
 
+// The same bytes from every compiler and build. A change here is a change of the format: raise
+// kSchemaVersion if old readers would misunderstand it.
+TEST(BakeFile, Bytes_ArePinned) {
+    EXPECT_EQ(hash_bytes(encode_bake(test::small_bake())).to_string(),
+              "80f6d62642ddb0f3e0bcb137aae2f6b1");
+}
+
 TEST(BakeFile, UnalignedBuffer_IsReadAllTheSame) {
     const auto bytes = encode_bake(test::small_bake());
     for (std::size_t shift = 1; shift < 8; ++shift) {

@@ -68,7 +68,7 @@ TEST(BakeForgery, EndlessTurn_IsRefusedBeforeItIsIntegrated) {
             auto* track = content.mutable_tracks()->GetMutableObject(0);
             mutable_at(*track->mutable_keys(), 0).mutable_angular_velocity_out().mutate_x(1e300);
         }),
-        "'shot.bake' is damaged: its objects turn more than 1e7 rad about changing axes");
+        "'shot.bake' is damaged: its objects turn more than 1e6 rad about changing axes");
 }
 
 TEST(BakeForgery, EventKindOutOfRange_IsRefused) {

@@ -148,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadKeys{"endless_turn",
                             {smooth_key(0, {0, 0, 0}, {0, 0, 0}, Quat(), {1e8, 0, 0}),
                              smooth_key(1, {0, 0, 0}, {0, 0, 0}, Quat(), {0, 1e8, 0})},
-                            "track 'cue' turns more than 1e7 rad about changing axes"}),
+                            "track 'cue' turns more than 1e6 rad about changing axes"}),
     [](const auto& instance) { return instance.param.name; });
 
 }  // namespace
