@@ -63,23 +63,23 @@ std::array<double, 2> turning_at(double height) {
 }
 
 Surface build_leg(const std::string& name, const Vec2& axis, double floor, double top) {
-    constexpr int kRings = 54;
-    constexpr int kAround = 40;
+    constexpr int rings = 54;
+    constexpr int around = 40;
     SurfaceBuilder builder(name, SurfacePart::leg);
     std::vector<std::vector<SurfaceVertex>> rows;
     const double height = top - floor;
-    for (int ring = 0; ring <= kRings; ++ring) {
-        const double share = double(ring) / kRings;
+    for (int ring = 0; ring <= rings; ++ring) {
+        const double share = double(ring) / rings;
         const auto [radius, slope] = turning_at(share);
         const double down = -slope * kLegRadius / height;
         auto& row = rows.emplace_back();
-        for (int step = 0; step <= kAround; ++step) {
-            const double angle = 2 * std::numbers::pi * (step % kAround) / kAround;
+        for (int step = 0; step <= around; ++step) {
+            const double angle = 2 * std::numbers::pi * (step % around) / around;
             const Vec2 radial(std::cos(angle), std::sin(angle));
             const Vec2 place = axis + kLegRadius * radius * radial;
             row.push_back({{place.x, place.y, floor + share * height},
                            Vec3(radial.x, radial.y, down).normalized(),
-                           {share * height, kLegRadius * 2 * std::numbers::pi * step / kAround}});
+                           {share * height, kLegRadius * 2 * std::numbers::pi * step / around}});
         }
     }
     builder.add_grid(rows);

@@ -42,12 +42,12 @@ class CushionSection {
 
     // From the bottom up to the nose.
     [[nodiscard]] Profile undercut() const {
-        constexpr int kRows = 4;
+        constexpr int rows = 4;
         const double open = std::cos(undercut_);
         const double up = -std::sin(undercut_);
         Profile profile;
-        for (int row = 0; row <= kRows; ++row) {
-            const double below = (measures_.nose_height - kBottom) * (kRows - row) / kRows;
+        for (int row = 0; row <= rows; ++row) {
+            const double below = (measures_.nose_height - kBottom) * (rows - row) / rows;
             profile.push_back({below * std::tan(undercut_), measures_.nose_height - below, open, up,
                                -below / open});
         }
@@ -56,11 +56,11 @@ class CushionSection {
 
     // From the nose to the top. These heights are those of a cushion's middle.
     [[nodiscard]] Profile nose() const {
-        constexpr int kSteps = 10;
+        constexpr int steps = 10;
         Profile profile;
-        for (int step = 0; step <= kSteps; ++step) {
-            const double angle = 0.5 * std::numbers::pi * step / kSteps;
-            const double open = step == kSteps ? 0 : std::cos(angle);
+        for (int step = 0; step <= steps; ++step) {
+            const double angle = 0.5 * std::numbers::pi * step / steps;
+            const double open = step == steps ? 0 : std::cos(angle);
             const double up = std::sin(angle);
             profile.push_back({radius_ * (1 - open), measures_.nose_height + radius_ * up, open, up,
                                radius_ * angle});

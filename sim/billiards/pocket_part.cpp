@@ -17,13 +17,13 @@ constexpr double kFloorSpacing = 0.02;   // m
 
 // Round the liner's section: down its inside, along its foot, up its outside, over its rim.
 std::vector<Profile> wall_profile(double bottom, double top) {
-    constexpr int kSteps = 8;
+    constexpr int steps = 8;
     const double half = 0.5 * kLinerThickness;
     Profile rim;
-    for (int step = kSteps; step >= 0; --step) {
-        const double angle = std::numbers::pi * step / kSteps;
-        const double open = step == kSteps ? -1 : std::cos(angle);
-        const double up = step == kSteps ? 0 : std::sin(angle);
+    for (int step = steps; step >= 0; --step) {
+        const double angle = std::numbers::pi * step / steps;
+        const double open = step == steps ? -1 : std::cos(angle);
+        const double up = step == steps ? 0 : std::sin(angle);
         rim.push_back({half * (1 - open), top - half + half * up, open, up, -half * angle});
     }
     const ProfilePlace inner{0, bottom};

@@ -24,10 +24,10 @@ Loop diamond(const Vec2& centre, const Vec2& axis) {
 }
 
 Loop disc(const Vec2& centre) {
-    constexpr int kCorners = 32;
+    constexpr int corners = 32;
     Loop loop;
-    for (int corner = 0; corner < kCorners; ++corner) {
-        const double angle = 2 * std::numbers::pi * corner / kCorners;
+    for (int corner = 0; corner < corners; ++corner) {
+        const double angle = 2 * std::numbers::pi * corner / corners;
         loop.push_back(centre + kDiscRadius * Vec2(std::cos(angle), std::sin(angle)));
     }
     return loop;

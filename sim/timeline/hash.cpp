@@ -2,17 +2,15 @@
 
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <new>
 #include <vector>
 
 #include <xxhash.h>
 
 #include "sim/timeline/assert.h"
-#include "sim/timeline/error.h"
+#include "sim/timeline/file_reader.h"
 
 namespace carom {
 
@@ -41,6 +39,23 @@ Hash128 from_xxhash(const XXH128_hash_t& hash) {
     return {hash.high64, hash.low64};
 }
 
+class XxhashState {
+  public:
+    XxhashState() : state_(XXH3_createState(), &XXH3_freeState) {
+        if (!state_)
+            throw std::bad_alloc();
+        XXH3_128bits_reset(state_.get());
+    }
+
+    void feed(const void* bytes, std::size_t size) {
+        XXH3_128bits_update(state_.get(), bytes, size);
+    }
+    [[nodiscard]] Hash128 digest() const { return from_xxhash(XXH3_128bits_digest(state_.get())); }
+
+  private:
+    std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state_;
+};
+
 }  // namespace
 
 std::string Hash128::to_string() const {
@@ -50,19 +65,8 @@ std::string Hash128::to_string() const {
     return text.data();
 }
 
-struct Hasher::State {
-    XXH3_state_t* xxhash = XXH3_createState();
-
-    State() {
-        if (xxhash == nullptr)
-            throw std::bad_alloc();
-        XXH3_128bits_reset(xxhash);
-    }
-    ~State() { XXH3_freeState(xxhash); }
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
-
-    void feed(const void* bytes, std::size_t size) { XXH3_128bits_update(xxhash, bytes, size); }
+struct Hasher::State : XxhashState {
+    using XxhashState::feed;
     void feed(Tag tag) { feed(&tag, sizeof tag); }
     void feed(std::uint64_t value) { feed(&value, sizeof value); }
     void feed(double value) {
@@ -161,7 +165,7 @@ Hasher& Hasher::add_bytes(std::span<const std::byte> bytes) {
 }
 
 Hash128 Hasher::finish() const {
-    return from_xxhash(XXH3_128bits_digest(state_->xxhash));
+    return state_->digest();
 }
 
 Hash128 hash_bytes(std::span<const std::byte> bytes) {
@@ -169,30 +173,15 @@ Hash128 hash_bytes(std::span<const std::byte> bytes) {
 }
 
 Hash128 hash_file(const std::string& path) {
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
-    const auto failed = [&] {
-        return Error("cannot read '" + path + "': " + std::strerror(errno));
-    };
-    if (!file)
-        throw failed();
-    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(),
-                                                                                &XXH3_freeState);
-    if (!state)
-        throw std::bad_alloc();
-    XXH3_128bits_reset(state.get());
+    FileReader file(path);
+    XxhashState state;
     std::vector<std::byte> chunk(std::size_t{1} << 18);
     for (;;) {
-        const std::size_t size = std::fread(chunk.data(), 1, chunk.size(), file.get());
-        XXH3_128bits_update(state.get(), chunk.data(), size);
+        const std::size_t size = file.read(chunk);
+        state.feed(chunk.data(), size);
         if (size < chunk.size())
-            break;
+            return state.digest();
     }
-    if (std::ferror(file.get()) != 0)
-        throw failed();
-    return from_xxhash(XXH3_128bits_digest(state.get()));
 }
 
 }  // namespace carom

@@ -32,6 +32,8 @@ class Hasher {
     ~Hasher();
     Hasher(const Hasher&) = delete;
     Hasher& operator=(const Hasher&) = delete;
+    Hasher(Hasher&&) = delete;
+    Hasher& operator=(Hasher&&) = delete;
 
     Hasher& add(bool value);
     Hasher& add(std::int64_t value);

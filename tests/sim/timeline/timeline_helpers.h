@@ -51,8 +51,13 @@ inline Key smooth_key(double time, const Vec3& position, const Vec3& velocity,
 }
 
 inline Key random_key(Numbers& numbers, double time, bool is_break) {
-    Key key = smooth_key(time, numbers.vector(1), numbers.vector(3), numbers.rotation(),
-                         numbers.vector(20));
+    // One after another: the order of a call's arguments is the compiler's to choose.
+    Key key;
+    key.time = time;
+    key.position = numbers.vector(1);
+    key.orientation = numbers.rotation();
+    key.velocity_in = key.velocity_out = numbers.vector(3);
+    key.angular_velocity_in = key.angular_velocity_out = numbers.vector(20);
     if (is_break) {
         key.velocity_out = numbers.vector(3);
         key.angular_velocity_out = numbers.vector(20);

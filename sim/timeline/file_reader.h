@@ -1,0 +1,33 @@
+// A file opened for reading. Failures are Errors that name the file and the system's reason.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace carom {
+
+class FileReader {
+  public:
+    explicit FileReader(std::string path);
+    ~FileReader();
+    FileReader(const FileReader&) = delete;
+    FileReader& operator=(const FileReader&) = delete;
+    FileReader(FileReader&&) = delete;
+    FileReader& operator=(FileReader&&) = delete;
+
+    /// The size of a plain file; nothing for pipes, devices and the like.
+    [[nodiscard]] std::optional<std::size_t> size() const;
+
+    /// Fills `bytes` as far as the file goes; returns how many were read.
+    [[nodiscard]] std::size_t read(std::span<std::byte> bytes);
+
+  private:
+    [[noreturn]] void fail() const;
+
+    std::string path_;
+    int descriptor_ = -1;
+};
+
+}  // namespace carom
