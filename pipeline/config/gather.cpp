@@ -248,6 +248,12 @@ Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folder
         const int source = sources.add({"--set", root_folder, override_text});
         apply_override(*root, sources, source, problems);
     }
+    // The version comes first, as people write it.
+    const auto version = std::find_if(root->entries.begin(), root->entries.end(),
+                                      [](const Entry& entry) { return entry.key == "carom"; });
+    if (version != root->entries.end()) {
+        std::rotate(root->entries.begin(), version, version + 1);
+    }
     return {std::move(root), gatherer.is_whole()};
 }
 

@@ -43,12 +43,18 @@ std::string absolute_folder(const std::string& origin) {
 std::optional<Shot> read_shot(const Gathered& gathered, const std::string& name, Reader& reader) {
     const Node& root = *gathered.root;
     ShotFile file;
+    reader.set_root_place(root.place);
     reader.set_partial(!gathered.is_whole);
     shot_spec().read(reader, root, file);
     if (!gathered.is_whole) {
         return std::nullopt;
     }
-    Shot shot = build_shot(file, root, name, reader);
+    Shot shot;
+    try {
+        shot = build_shot(file, root, name, reader);
+    } catch (const Error& failure) {  // geometry that no check of a single key could foresee
+        reader.error(root.place, failure.what());
+    }
     if (!reader.has_error()) {
         shot.assets = hash_assets(reader.files(), root, reader);
         shot.resolved_text = emit_yaml(root, reader.absolute_paths());

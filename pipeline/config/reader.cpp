@@ -52,7 +52,7 @@ std::string Reader::key_path() const {
 }
 
 Place Reader::key_place() const {
-    return steps_.empty() ? Place{0, 1, 1, 1} : steps_.back().place;
+    return steps_.empty() ? root_place_ : steps_.back().place;
 }
 
 void Reader::error(const Place& place, std::string message) {

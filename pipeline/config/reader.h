@@ -48,6 +48,9 @@ class Reader {
         Reader& reader_;
     };
 
+    /// Where the shot begins: the place of what is missing in it.
+    void set_root_place(const Place& place) { root_place_ = place; }
+
     /// Names the thing that is being read, for messages: "camera 'opening'".
     void set_label(std::string label) { steps_.back().label = std::move(label); }
 
@@ -105,6 +108,7 @@ class Reader {
     ProblemList* problems_;
     std::vector<Step> steps_;
     bool is_partial_ = false;
+    Place root_place_;
     std::vector<Reference> references_;
     std::vector<std::string> files_;
     std::map<const Node*, std::string> absolute_paths_;

@@ -51,10 +51,13 @@ struct RackSection {
     double gap = sim::billiards::RackOptions{}.gap;
 };
 
-/// How a ball is painted: by a material of the look, or by its own texture.
+/// How a ball is painted: by a material of the look, or by changes of the set's own paint.
 struct BallLook {
     std::optional<std::string> material;
-    render::BallTexture texture;
+    std::optional<Vec3> colour, white;
+    std::optional<bool> striped;
+    std::optional<int> number, spots;
+    std::optional<double> disc_radius;
 };
 
 struct BallSection {

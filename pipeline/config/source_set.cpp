@@ -28,6 +28,10 @@ int character_count(std::string_view text) {
 }
 
 int SourceSet::add(SourceText source) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (source.text.starts_with(kByteOrderMark)) {
+        source.text.erase(0, kByteOrderMark.size());
+    }
     std::vector<std::size_t> starts = find_line_starts(source.text);
     sources_.push_back({std::move(source), std::move(starts)});
     return size() - 1;

@@ -85,6 +85,15 @@ sim::Body make_body(const Ball& ball, const ShotFile& file) {
     return body;
 }
 
+void change_paint(render::BallTexture& texture, const BallLook& look) {
+    texture.colour = look.colour.value_or(texture.colour);
+    texture.white = look.white.value_or(texture.white);
+    texture.striped = look.striped.value_or(texture.striped);
+    texture.number = look.number.value_or(texture.number);
+    texture.disc_radius = look.disc_radius.value_or(texture.disc_radius);
+    texture.spots = look.spots.value_or(texture.spots);
+}
+
 /// The finish of the look's material "ball" under the ball's own paint.
 render::MaterialDescription make_material(const Ball& ball, const Builder& builder) {
     render::MaterialDescription material;
@@ -99,9 +108,11 @@ render::MaterialDescription make_material(const Ball& ball, const Builder& build
             material.surface = given.value;
         }
     }
-    const bool has_own = ball.section != nullptr && ball.section->look;
-    material.surface.base =
-        has_own ? ball.section->look->texture : ball_texture(set_of(builder.file), ball.name);
+    render::BallTexture texture = ball_texture(set_of(builder.file), ball.name);
+    if (ball.section != nullptr && ball.section->look) {
+        change_paint(texture, *ball.section->look);
+    }
+    material.surface.base = texture;
     return material;
 }
 

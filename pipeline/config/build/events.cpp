@@ -1,9 +1,34 @@
+#include <algorithm>
+#include <utility>
 #include <variant>
 
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/units.h"
 
 namespace carom::pipeline::config {
+
+namespace {
+
+/// A contact is of an object with something, in either order.
+void order_contact(sim::ForceEvent& event, const Place& place, Builder& builder) {
+    if (!event.trigger || event.trigger->kind != sim::Trigger::Kind::contact) {
+        return;
+    }
+    const std::vector<std::string>& surfaces = surface_names();
+    const auto is_surface = [&](const std::string& name) {
+        return std::find(surfaces.begin(), surfaces.end(), name) != surfaces.end();
+    };
+    sim::Trigger& trigger = *event.trigger;
+    if (is_surface(trigger.a)) {
+        std::swap(trigger.a, trigger.b);
+    }
+    if (is_surface(trigger.a)) {
+        builder.reader.error(place, "this event waits for '" + trigger.b + "' to touch '" +
+                                        trigger.a + "'; one of them must be an object");
+    }
+}
+
+}  // namespace
 
 void build_events(Builder& builder) {
     for (const EventSection& section : builder.file.events) {
@@ -17,6 +42,7 @@ void build_events(Builder& builder) {
                 strike->toward_point = seen->second;
             }
         }
+        order_contact(event, section.place, builder);
         const double start = event.time + event.after;
         if (start > builder.shot.world.duration) {
             builder.reader.warning(section.place,

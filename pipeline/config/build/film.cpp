@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <set>
 
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/text.h"
+#include "pipeline/config/units.h"
 #include "pipeline/video/video_format.h"
 #include "sim/timeline/error.h"
 
@@ -54,6 +56,22 @@ void check_sequence(Builder& builder) {
     }
 }
 
+/// Beyond the simulation's end everything stands still.
+void check_scene_times(Builder& builder) {
+    const double duration = builder.shot.world.duration;
+    for (std::size_t i = 0; i < builder.shot.cameras.size(); ++i) {
+        const TimeMap& map = builder.shot.cameras[i].time_map;
+        const double last = std::max(map.scene_start.to_double(), map.scene_end.to_double());
+        if (last > duration) {
+            builder.reader.warning(place_of_camera(builder, i),
+                                   "camera " + quote(builder.shot.cameras[i].name) +
+                                       " shows scene time up to " + show(last, Dimension::time) +
+                                       ", but the simulation ends at " +
+                                       show(duration, Dimension::time));
+        }
+    }
+}
+
 Rational exposure_of(const ShutterSection& shutter, const Rational& fps) {
     if (!shutter.is_turn) {
         return shutter.length;
@@ -92,6 +110,7 @@ void build_film(Builder& builder) {
                                "the shot has no camera: it can be baked, but not filmed");
     } else {
         check_sequence(builder);
+        check_scene_times(builder);
     }
 }
 

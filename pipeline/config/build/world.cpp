@@ -1,7 +1,10 @@
 // What the simulation would refuse and no key's own check could know.
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "pipeline/config/build/builder.h"
+#include "pipeline/config/text.h"
 
 namespace carom::pipeline::config {
 
@@ -24,12 +27,37 @@ Place place_of(const std::string& problem, const Builder& builder) {
     return builder.root.place;
 }
 
+/// A pair of physical materials that nothing has does nothing: a likely misspelling is said.
+void check_pairs(Builder& builder) {
+    std::vector<std::string> known{"ball"};
+    known.insert(known.end(), surface_names().begin(), surface_names().end());
+    for (const sim::Body& body : builder.shot.world.bodies) {
+        known.push_back(body.material);
+    }
+    const Entry* physics = builder.root.find("physics");
+    const Entry* pairs = physics != nullptr ? physics->value.find("pairs") : nullptr;
+    if (pairs == nullptr) {
+        return;
+    }
+    for (const Node& pair : pairs->value.items) {
+        for (const Node& name : pair.find("between")->value.items) {
+            const bool is_known = std::find(known.begin(), known.end(), name.text) != known.end();
+            const std::string help = hint(name.text, known);
+            if (!is_known && !help.empty()) {
+                builder.reader.warning(
+                    name.place, "nothing has the physical material " + quote(name.text) + help);
+            }
+        }
+    }
+}
+
 }  // namespace
 
 void check_world(Builder& builder) {
     if (builder.reader.has_error()) {
         return;  // the same again in other words
     }
+    check_pairs(builder);
     for (const std::string& problem : sim::find_problems(builder.shot.world)) {
         builder.reader.error(place_of(problem, builder), problem);
     }

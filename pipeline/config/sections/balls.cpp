@@ -6,34 +6,43 @@ namespace {
 
 using render::BallTexture;
 
+/// The paint's keys for a texture, whose fields have defaults, and for changes of one.
+template <class T>
+void add_paint(MapSpec<T>& s) {
+    s.key("colour", &T::colour, colour(between(0, 1)), "of the ball or its stripe");
+    s.key("white", &T::white, colour(between(0, 1)), "of the number's disc and beside a stripe");
+    s.key("striped", &T::striped, boolean(), "a band of colour on white");
+    s.key("number", &T::number, integer(0, 99), "printed on the ball; 0: none");
+    s.key("disc_radius", &T::disc_radius, number(inside(0, 1)),
+          "of the number's disc, in ball radii");
+    s.key("spots", &T::spots, integer(0, 6), "small red dots, as on training balls: 0 or 6");
+}
+
+const MapSpec<BallLook>& ball_look_spec() {
+    static const MapSpec<BallLook> spec = [] {
+        MapSpec<BallLook> s("ball look",
+                            "How one ball is painted; what is left out is as in its set.");
+        add_paint(s);
+        return s;
+    }();
+    return spec;
+}
+
 ValueType<BallLook> ball_look() {
     const auto by_name = convert<BallLook>(name_of(ReferenceKind::material), [](std::string name) {
         BallLook look;
         look.material = std::move(name);
         return look;
     });
-    const auto own = convert<BallLook>(record(ball_texture_spec()), [](const BallTexture& texture) {
-        BallLook look;
-        look.texture = texture;
-        return look;
-    });
-    return any_of<BallLook>({{is_scalar, by_name}, {is_map, own}});
+    return any_of<BallLook>({{is_scalar, by_name}, {is_map, record(ball_look_spec())}});
 }
 
 }  // namespace
 
 const MapSpec<BallTexture>& ball_texture_spec() {
     static const MapSpec<BallTexture> spec = [] {
-        MapSpec<BallTexture> s("ball look", "How a ball is painted.");
-        s.key("colour", &BallTexture::colour, colour(between(0, 1)), "of the ball or its stripe");
-        s.key("white", &BallTexture::white, colour(between(0, 1)),
-              "of the number's disc and beside a stripe");
-        s.key("striped", &BallTexture::striped, boolean(), "a band of colour on white");
-        s.key("number", &BallTexture::number, integer(0, 99), "printed on the ball; 0: none");
-        s.key("disc_radius", &BallTexture::disc_radius, number(inside(0, 1)),
-              "of the number's disc, in ball radii");
-        s.key("spots", &BallTexture::spots, integer(0, 6),
-              "small red dots, as on training balls: 0 or 6");
+        MapSpec<BallTexture> s("ball paint", "A billiard ball's colours.");
+        add_paint(s);
         return s;
     }();
     return spec;

@@ -29,7 +29,7 @@ namespace carom::pipeline::config {
 /// The light that a section describes (its name is left empty).
 [[nodiscard]] render::LightDescription to_light(const LightSection& section);
 
-/// The keys of a ball's own paint, also those of a material's {ball: ...}.
+/// The keys of a material's {ball: ...}.
 [[nodiscard]] const MapSpec<render::BallTexture>& ball_texture_spec();
 
 }  // namespace carom::pipeline::config

@@ -174,8 +174,17 @@ TEST(Balls, Look_ReplacesTheSets) {
     const render::StandardMaterial& own = material(shot, "ball/one");
     EXPECT_EQ(std::get<render::BallTexture>(own.base).number, 17);
     EXPECT_EQ(std::get<render::BallTexture>(own.base).colour, Vec3(0, 0, 1));
+    EXPECT_EQ(std::get<render::BallTexture>(own.base).spots, 0);
     EXPECT_EQ(own.coat.ior, 1.7);  // the look's finish for all balls
     EXPECT_EQ(object(shot, "two").material, "glass");
+}
+
+TEST(Balls, Look_KeepsWhatItDoesNotName) {
+    const Shot shot = load_sections("balls: {nine: {at: [0, 0], look: {spots: 6}}}\n");
+    const auto paint = std::get<render::BallTexture>(material(shot, "ball/nine").base);
+    EXPECT_EQ(paint.number, 9);
+    EXPECT_TRUE(paint.striped);
+    EXPECT_EQ(paint.spots, 6);
 }
 
 TEST(Objects, StillOnes_StandInTheWorld) {

@@ -182,7 +182,7 @@ TEST(Events, OtherKinds_FillEveryField) {
     const Shot shot = load_sections(
         "balls: {a: {at: [0, 0]}, b: {at: [1, 0]}}\n"
         "events:\n"
-        "  - force: {object: a, when: {contact: [a, cushion]}, after: 0.1 s, for: 20 ms,\n"
+        "  - force: {object: a, when: {contact: [cushion, a]}, after: 0.1 s, for: 20 ms,\n"
         "            newtons: [0, 0, 3 N], at_point: [1 cm, 0, 0], axes: body}\n"
         "  - torque: {object: a, when: {resting: all}, for: 1 s, newton_metres: [0, 0, 0.1]}\n"
         "  - impulse: {object: b, at: 2 s, when: {potted: a}, newton_seconds: [0, 0.02, 0]}\n"
@@ -195,6 +195,7 @@ TEST(Events, OtherKinds_FillEveryField) {
     EXPECT_EQ(force.at_point, Vec3(0.01, 0, 0));
     EXPECT_EQ(force.axes, sim::Axes::body);
     EXPECT_EQ(events[0].trigger->kind, sim::Trigger::Kind::contact);
+    EXPECT_EQ(events[0].trigger->a, "a");  // the object comes first, however it was written
     EXPECT_EQ(events[0].trigger->b, "cushion");
     EXPECT_EQ(std::get<sim::Torque>(events[1].action).newton_metres, Vec3(0, 0, 0.1));
     EXPECT_EQ(events[1].trigger->kind, sim::Trigger::Kind::resting);
