@@ -17,13 +17,17 @@ float alpha_of(double roughness) {
     return alpha < kSmoothAlpha ? 0.0f : alpha;
 }
 
+V3f limited(const V3f& c) {
+    return {std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f)};
+}
+
 LayerConstants make_layers(const StandardMaterial& m) {
     LayerConstants layers;
     layers.coat_weight = share(m.coat.weight);
     layers.coat_ior = static_cast<float>(std::clamp(m.coat.ior, 1.0, 3.0));
     layers.coat_alpha = alpha_of(m.coat.roughness);
     layers.sheen = share(m.sheen);
-    layers.sheen_colour = V3f(m.sheen_colour);
+    layers.sheen_colour = limited(V3f(m.sheen_colour));
     layers.metal = share(m.metal);
     layers.specular = share(m.specular);
     layers.alpha = alpha_of(m.roughness);
@@ -40,10 +44,6 @@ LayerConstants make_layers(const StandardMaterial& m) {
         layers.mirror_albedo = AlbedoTable::of_mirrors(layers.alpha);
     }
     return layers;
-}
-
-V3f limited(const V3f& c) {
-    return {std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f)};
 }
 
 }  // namespace
