@@ -45,7 +45,7 @@ V3f DirectLight::sampled(Path& path, const ShadingVertex& vertex, const V2f& u,
     return sum;
 }
 
-V3f DirectLight::from_light(std::size_t light, float probability, V2f u, const Path& path,
+V3f DirectLight::from_light(std::size_t light, float probability, const V2f& u, const Path& path,
                             const ShadingVertex& vertex, RenderStatistics& count) const {
     const auto sample = scene_.lights.sample(light, vertex.position, u);
     if (!sample) {

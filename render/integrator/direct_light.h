@@ -44,14 +44,15 @@ class DirectLight {
     [[nodiscard]] V3f environment(const Path& path) const;
 
   private:
-    [[nodiscard]] V3f from_light(std::size_t light, float probability, V2f u, const Path& path,
-                                 const ShadingVertex& vertex, RenderStatistics& count) const;
+    [[nodiscard]] V3f from_light(std::size_t light, float probability, const V2f& u,
+                                 const Path& path, const ShadingVertex& vertex,
+                                 RenderStatistics& count) const;
     [[nodiscard]] V3f scattered(const ShadingVertex& vertex, const V3f& direction,
                                 float light_pdf) const;
     [[nodiscard]] float weight_of_meeting(const Path& path, std::size_t light,
                                           float distance) const;
 
-    const TransportScene& scene_;
+    TransportScene scene_;
     DirectStrategy strategy_;
 };
 

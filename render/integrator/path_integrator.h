@@ -39,9 +39,6 @@ class PathIntegrator {
   public:
     PathIntegrator(const TransportScene& scene, const PathSettings& settings);
 
-    PathIntegrator(const PathIntegrator&) = delete;
-    PathIntegrator& operator=(const PathIntegrator&) = delete;
-
     /// The light that arrives against `camera_ray`; `pixel_spread`: width of a pixel at distance 1.
     /// All values are finite and >= 0. Adds to `count`.
     [[nodiscard]] RadianceSample sample(const Ray& camera_ray, float pixel_spread,
@@ -56,7 +53,7 @@ class PathIntegrator {
                                Work& work) const;
     [[nodiscard]] bool survives(Path& path, const Work& work) const;
 
-    const TransportScene scene_;
+    TransportScene scene_;
     DirectLight direct_;
     PathSettings settings_;
 };

@@ -30,7 +30,7 @@ RectangleEmitter::RectangleEmitter(const RectangleLight& light)
       area_(4.0f * edge_u_.length() * edge_v_.length()),
       half_diagonal_((edge_u_ + edge_v_).length()) {}
 
-std::optional<LightSample> RectangleEmitter::sample(const V3f& point, V2f u) const {
+std::optional<LightSample> RectangleEmitter::sample(const V3f& point, const V2f& u) const {
     const V3f on_light = centre_ + edge_u_ * (2.0f * u.x - 1.0f) + edge_v_ * (2.0f * u.y - 1.0f);
     const V3f way = on_light - point;
     const float height = -(way ^ normal_);
@@ -69,7 +69,7 @@ float RectangleEmitter::importance(const V3f& point, const V3f& normal) const {
 SphereEmitter::SphereEmitter(const SphereLight& light)
     : centre_(light.centre), radiance_(light.radiance), radius_(static_cast<float>(light.radius)) {}
 
-std::optional<LightSample> SphereEmitter::sample(const V3f& point, V2f u) const {
+std::optional<LightSample> SphereEmitter::sample(const V3f& point, const V2f& u) const {
     const V3f way = centre_ - point;
     const float distance2 = way.length2();
     if (distance2 <= radius_ * radius_) {

@@ -30,7 +30,7 @@ class RectangleEmitter {
     explicit RectangleEmitter(const RectangleLight& light);
 
     /// Empty where the point lies behind the light.
-    [[nodiscard]] std::optional<LightSample> sample(const V3f& point, V2f u) const;
+    [[nodiscard]] std::optional<LightSample> sample(const V3f& point, const V2f& u) const;
     /// Density of `sample` for a direction that reaches the light at `distance`.
     [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance) const;
     /// Towards `direction`, which points away from the light.
@@ -49,7 +49,7 @@ class SphereEmitter {
     explicit SphereEmitter(const SphereLight& light);
 
     /// Empty inside the sphere.
-    [[nodiscard]] std::optional<LightSample> sample(const V3f& point, V2f u) const;
+    [[nodiscard]] std::optional<LightSample> sample(const V3f& point, const V2f& u) const;
     [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance) const;
     [[nodiscard]] V3f emitted(const V3f& direction) const;
     [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr float kTurn = 2.0f * kPi;
 constexpr int kMostColumns = 256;
+constexpr float kCellWeight[3] = {0.125f, 0.75f, 0.125f};
 
 }  // namespace
 
@@ -74,7 +75,7 @@ void Environment::pad(const LinearImage& image) {
     }
 }
 
-V3f Environment::picture_radiance(V2f uv) const {
+V3f Environment::picture_radiance(const V2f& uv) const {
     const float x = uv.x * static_cast<float>(width_) - 0.5f;
     const float y = uv.y * static_cast<float>(height_) - 0.5f;
     // uv may be 1 where a direction points straight down or round-off closes the circle.
@@ -90,11 +91,10 @@ V3f Environment::picture_radiance(V2f uv) const {
 // Mean of the bilinear picture over one pixel's square: weights 1, 6, 1 over 8 both ways. It is
 // above 0 wherever the interpolated picture is.
 float Environment::cell_brightness(int x, int y) const {
-    constexpr float kWeight[3] = {0.125f, 0.75f, 0.125f};
     float sum = 0;
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) {
-            sum += kWeight[i + 1] * kWeight[j + 1] * luminance(pixel(x + i, y + j));
+            sum += kCellWeight[i + 1] * kCellWeight[j + 1] * luminance(pixel(x + i, y + j));
         }
     }
     return sum;
@@ -104,7 +104,7 @@ V3f Environment::radiance(const V3f& direction) const {
     return is_sampled() ? picture_radiance(picture_from_direction(direction)) : scale_;
 }
 
-std::optional<LightSample> Environment::sample(V2f u) const {
+std::optional<LightSample> Environment::sample(const V2f& u) const {
     const Distribution2D::Sample place = distribution_.sample(u);
     const SinCos polar = sin_cos_turn(0.5f * place.uv.y);
     if (place.pdf <= 0 || polar.sine <= 0) {

@@ -28,7 +28,7 @@ class Environment {
     [[nodiscard]] bool is_sampled() const { return !padded_.empty(); }
 
     /// In proportion to brightness and solid angle. Only if `is_sampled`.
-    [[nodiscard]] std::optional<LightSample> sample(V2f u) const;
+    [[nodiscard]] std::optional<LightSample> sample(const V2f& u) const;
 
     /// Of `sample`, 1/sr; 0 if not `is_sampled`.
     [[nodiscard]] float pdf(const V3f& direction) const;
@@ -38,7 +38,7 @@ class Environment {
 
   private:
     [[nodiscard]] V2f picture_from_direction(const V3f& direction) const;
-    [[nodiscard]] V3f picture_radiance(V2f uv) const;
+    [[nodiscard]] V3f picture_radiance(const V2f& uv) const;
     /// x in [-1, width], y in [-1, height]: the borders repeat what lies beyond them.
     [[nodiscard]] V3f pixel(int x, int y) const;
     void pad(const LinearImage& image);

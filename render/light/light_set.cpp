@@ -61,7 +61,8 @@ std::optional<LightSet::Choice> LightSet::choose(const V3f& point, const V3f& no
     return choice;
 }
 
-std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point, V2f u) const {
+std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point,
+                                            const V2f& u) const {
     if (light >= area_lights_.size()) {
         return environment_.sample(u);
     }

@@ -42,7 +42,7 @@ class LightSet {
 
     /// A direction towards one light; empty if it cannot shine on the point.
     [[nodiscard]] std::optional<LightSample> sample(std::size_t light, const V3f& point,
-                                                    V2f u) const;
+                                                    const V2f& u) const;
 
     /// Density of `sample` (1/sr, given that light) for a direction from `point` that reaches it
     /// after `distance`.

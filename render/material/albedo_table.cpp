@@ -36,7 +36,7 @@ template <class Reflectance>
 float microfacet_albedo(float alpha, float cosine, const Reflectance& reflectance) {
     const Ggx ggx(alpha);
     const V3f wo = direction_at(cosine);
-    return mean_over_square([&](V2f u) {
+    return mean_over_square([&](const V2f& u) {
         const V3f m = ggx.sample_visible(wo, u);
         const V3f wi = mirrored(wo, m);
         return wi.z <= 0 ? 0.0f : reflectance(wo ^ m) * ggx.sample_weight(wo, wi);
@@ -71,7 +71,7 @@ AlbedoTable AlbedoTable::of_sheen() {
     return build([](float cosine) {
         const V3f wo = direction_at(cosine);
         // Uniform over the hemisphere: u.x is the cosine.
-        return mean_over_square([&](V2f u) {
+        return mean_over_square([&](const V2f& u) {
             const float sine = std::sqrt(1.0f - u.x * u.x);
             const SinCos angle = sin_cos_turn(u.y);
             const V3f wi(sine * angle.cosine, sine * angle.sine, u.x);

@@ -36,7 +36,7 @@ class Ggx {
     /// A normal as seen from `wo`, with density G1(wo) max(0, wo.m) D(m) / wo.z (Heitz 2018,
     /// "Sampling the GGX distribution of visible normals"; by way of spherical caps: Dupuy and
     /// Benyoub 2023, "Sampling visible GGX normals with spherical caps", listing 3).
-    [[nodiscard]] V3f sample_visible(const V3f& wo, V2f u) const {
+    [[nodiscard]] V3f sample_visible(const V3f& wo, const V2f& u) const {
         const V3f stretched = V3f(alpha_ * wo.x, alpha_ * wo.y, wo.z).normalized();
         const SinCos angle = sin_cos_turn(u.x);
         const float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;

@@ -64,6 +64,10 @@ float relief(const V2f& p) {
     return height;
 }
 
+std::size_t place(int x, int y) {
+    return static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x);
+}
+
 ImagePyramid make_weave() {
     std::vector<float> heights(static_cast<std::size_t>(kSize) * kSize);
     double sum = 0;
@@ -71,13 +75,13 @@ ImagePyramid make_weave() {
         for (int x = 0; x < kSize; ++x) {
             const float height = relief(V2f((static_cast<float>(x) + 0.5f) / kTexelsPerThread,
                                             (static_cast<float>(y) + 0.5f) / kTexelsPerThread));
-            heights[static_cast<std::size_t>(y * kSize + x)] = height;
+            heights[place(x, y)] = height;
             sum += height;
         }
     }
     const float mean = static_cast<float>(sum / (kSize * kSize));
     const auto at = [&](int x, int y) {
-        return heights[static_cast<std::size_t>((y + kSize) % kSize * kSize + (x + kSize) % kSize)];
+        return heights[place((x + kSize) % kSize, (y + kSize) % kSize)];
     };
     std::vector<HalfColourCodec::Texel> texels;
     texels.reserve(heights.size());
