@@ -1,15 +1,57 @@
 #include "render/light/light_set.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/sampling/reuse.h"
 #include "sim/timeline/error.h"
 
 namespace carom::render {
 
+namespace {
+
+void require(bool condition, const LightDescription& light, const char* what) {
+    if (!condition) {
+        throw Error("light '" + light.name + "': " + what);
+    }
+}
+
+bool is_radiance(const Vec3& c) {
+    // Written so that NaN is none.
+    const auto valid = [](double x) { return x >= 0 && x < 1e30; };
+    return valid(c.x) && valid(c.y) && valid(c.z);
+}
+
+void check(const RectangleLight& light, const LightDescription& named) {
+    const double area = light.edge_u.length() * light.edge_v.length();
+    require(area > 0, named, "the rectangle has no area");
+    require(std::abs(light.edge_u ^ light.edge_v) <= 1e-4 * area &&
+                std::abs(light.edge_u ^ light.normal) <= 1e-4 * light.edge_u.length() &&
+                std::abs(light.edge_v ^ light.normal) <= 1e-4 * light.edge_v.length() &&
+                std::abs(light.normal.length() - 1) <= 1e-4,
+            named, "edges and normal of the rectangle are not at right angles to each other");
+}
+
+void check(const SphereLight& light, const LightDescription& named) {
+    require(light.radius > 0, named, "the radius is not above 0");
+}
+
+void check(const EnvironmentLight& light, const LightDescription& named) {
+    require(std::isfinite(light.rotation), named, "the rotation is not a number");
+}
+
+}  // namespace
+
 LightSet::LightSet(const std::vector<LightDescription>& lights) {
     bool has_environment = false;
     for (const LightDescription& description : lights) {
+        std::visit(
+            [&](const auto& light) {
+                check(light, description);
+                require(is_radiance(light.radiance), description,
+                        "the radiance is negative, infinite or not a number");
+            },
+            description.light);
         if (const auto* rectangle = std::get_if<RectangleLight>(&description.light)) {
             area_lights_.emplace_back(RectangleEmitter(*rectangle));
         } else if (const auto* sphere = std::get_if<SphereLight>(&description.light)) {

@@ -18,7 +18,8 @@ class LightSet {
   public:
     LightSet() = default;
 
-    /// Throws Error: more than one environment, a picture that cannot be read.
+    /// Throws Error naming the light: more than one environment, a picture that cannot be read, no
+    /// area, a rectangle without right angles, a radiance that is negative or not finite.
     explicit LightSet(const std::vector<LightDescription>& lights);
 
     [[nodiscard]] std::size_t area_light_count() const { return area_lights_.size(); }

@@ -33,6 +33,7 @@ Bsdf::Bsdf(const Surface& surface, const V3f& wo)
         const float reflected = layers.coat_alpha > 0 ? layers.coat_albedo.at(wo_.z)
                                                       : fresnel_dielectric(wo_.z, layers.coat_ior);
         coat_ = layers.coat_weight * reflected;
+        has_rough_coat_ = layers.coat_alpha > 0;
     }
     weigh_base(1.0f - coat_);
     if (coat_ > 0) {
@@ -71,6 +72,7 @@ void Bsdf::weigh_base(float base_share) {
     }
     diffuse_ = surface_->base * (rest * below);
     choose_diffuse_ = largest(diffuse_);
+    is_diffuse_ = choose_sheen_ <= 0 && choose_facets_ <= 0 && choose_diffuse_ > 0;
     const float sum = choose_sheen_ + choose_facets_ + choose_diffuse_;
     if (sum > 0) {
         choose_sheen_ /= sum;
@@ -93,30 +95,12 @@ V3f Bsdf::facet_reflectance(float cosine) const {
     return result;
 }
 
-float Bsdf::coat_probability(Layers layers) const {
-    switch (layers) {
-        case Layers::coat:
-            return 1;
-        case Layers::base:
-            return 0;
-        default:
-            return coat_choice_;
-    }
-}
-
 bool Bsdf::can_evaluate(Layers layers) const {
-    const LayerConstants& constants = *surface_->layers;
-    const bool coat = layers != Layers::base && coat_ > 0 && constants.coat_alpha > 0;
-    const bool facets = facets_ > 0 && constants.alpha > 0;
+    const bool coat = layers != Layers::base && has_rough_coat_;
+    const bool facets = facets_ > 0 && surface_->layers->alpha > 0;
     const bool base =
         layers != Layers::coat && (facets || choose_diffuse_ > 0 || choose_sheen_ > 0);
     return coat || base;
-}
-
-BsdfValue Bsdf::evaluate(Layers layers, const V3f& wi) const {
-    return (surface_->geometric_normal ^ wi) > 0
-               ? evaluate_local(layers, surface_->frame.from_world(wi))
-               : BsdfValue{};
 }
 
 BsdfValue Bsdf::evaluate_local(Layers layers, const V3f& wi) const {
@@ -141,7 +125,7 @@ BsdfValue Bsdf::evaluate_local(Layers layers, const V3f& wi) const {
 
 BsdfValue Bsdf::evaluate_coat(const V3f& wi) const {
     const LayerConstants& layers = *surface_->layers;
-    if (coat_ <= 0 || layers.coat_alpha <= 0) {
+    if (!has_rough_coat_) {
         return {};
     }
     const Ggx ggx(layers.coat_alpha);
@@ -233,7 +217,7 @@ std::optional<BsdfSample> Bsdf::finish(Layers layers, const V3f& wi) const {
     if (wi.z <= 0 || (surface_->geometric_normal ^ sample.direction) <= 0) {
         return std::nullopt;
     }
-    const BsdfValue value = evaluate_local(layers, wi);
+    const BsdfValue value = is_lambert(layers) ? lambert(layers, wi.z) : evaluate_local(layers, wi);
     if (value.pdf <= 0) {
         return std::nullopt;
     }

@@ -1,11 +1,13 @@
 // Scattering at one point for one direction of view: evaluation, sampling, density.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
 #include "render/geometry/ray.h"
 #include "render/material/material.h"
+#include "render/sampling/warp.h"
 
 namespace carom::render {
 
@@ -40,7 +42,13 @@ class Bsdf {
     [[nodiscard]] bool can_evaluate(Layers layers) const;
 
     /// Value and density for light from `wi`; both 0 below the surface.
-    [[nodiscard]] BsdfValue evaluate(Layers layers, const V3f& wi) const;
+    [[nodiscard]] BsdfValue evaluate(Layers layers, const V3f& wi) const {
+        if ((surface_->geometric_normal ^ wi) <= 0) {
+            return {};
+        }
+        return is_lambert(layers) ? lambert(layers, surface_->frame.z ^ wi)
+                                  : evaluate_local(layers, surface_->frame.from_world(wi));
+    }
 
     /// A direction for the numbers `u` in [0, 1)^2. Empty: absorbed, the contribution is 0. The
     /// weight is below 1 / (probability of the chosen part) for every channel.
@@ -49,7 +57,18 @@ class Bsdf {
     [[nodiscard]] float pdf(Layers layers, const V3f& wi) const { return evaluate(layers, wi).pdf; }
 
   private:
-    [[nodiscard]] float coat_probability(Layers layers) const;
+    [[nodiscard]] float coat_probability(Layers layers) const {
+        return layers == Layers::coat ? 1.0f : (layers == Layers::base ? 0.0f : coat_choice_);
+    }
+    /// Whether a diffuse base is all there is beside mirrors: the common case, and the cheapest.
+    [[nodiscard]] bool is_lambert(Layers layers) const {
+        return is_diffuse_ &&
+               (layers == Layers::base || (layers == Layers::all && !has_rough_coat_));
+    }
+    [[nodiscard]] BsdfValue lambert(Layers layers, float cosine) const {
+        const float density = std::max(cosine, 0.0f) * kInversePi;
+        return {diffuse_ * density, (1.0f - coat_probability(layers)) * density};
+    }
     [[nodiscard]] BsdfValue evaluate_coat(const V3f& wi) const;
     [[nodiscard]] BsdfValue evaluate_base(const V3f& wi) const;
     [[nodiscard]] V3f facet_reflectance(float cosine) const;
@@ -76,6 +95,8 @@ class Bsdf {
     float choose_facets_ = 0;
     float choose_sheen_ = 0;
     float choose_diffuse_ = 0;
+    bool is_diffuse_ = false;  // the base has no other lobe
+    bool has_rough_coat_ = false;
 };
 
 }  // namespace carom::render

@@ -60,5 +60,31 @@ TEST(LightSet, SecondEnvironment_IsAnErrorThatNamesIt) {
     }
 }
 
+TEST(LightSet, UnusableLight_IsAnErrorThatNamesIt) {
+    const auto message = [](const LightDescription& light) -> std::string {
+        try {
+            const LightSet set({light});
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "no error";
+    };
+    RectangleLight flat;
+    flat.edge_u = Vec3(0, 0, 0);
+    EXPECT_EQ(message({"lamp", flat}), "light 'lamp': the rectangle has no area");
+    RectangleLight skewed;
+    skewed.normal = Vec3(0.6, 0, 0.8);
+    EXPECT_EQ(message({"lamp", skewed}),
+              "light 'lamp': edges and normal of the rectangle are not at right angles to each "
+              "other");
+    SphereLight point;
+    point.radius = 0;
+    EXPECT_EQ(message({"bulb", point}), "light 'bulb': the radius is not above 0");
+    SphereLight dark;
+    dark.radiance = Vec3(1, -1, 1);
+    EXPECT_EQ(message({"bulb", dark}),
+              "light 'bulb': the radiance is negative, infinite or not a number");
+}
+
 }  // namespace
 }  // namespace carom::render
