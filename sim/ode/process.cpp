@@ -15,6 +15,7 @@ namespace carom::sim::ode {
 namespace {
 
 thread_local ThreadGuard* current_guard = nullptr;
+thread_local MessageCapture* current_capture = nullptr;
 
 __attribute__((format(printf, 1, 0))) std::string formatted(const char* format,
                                                             std::va_list arguments) {
@@ -25,8 +26,11 @@ __attribute__((format(printf, 1, 0))) std::string formatted(const char* format,
 
 __attribute__((format(printf, 2, 0))) void on_message(int, const char* format,
                                                       std::va_list arguments) {
-    if (current_guard != nullptr)
+    if (current_capture != nullptr) {
+        current_capture->add_message(formatted(format, arguments));
+    } else if (current_guard != nullptr) {
         current_guard->add_message(formatted(format, arguments));
+    }
 }
 
 // ODE ends the process when these return, so they throw; the world being stepped is then given up.
@@ -62,6 +66,18 @@ ThreadGuard::~ThreadGuard() {
 void ThreadGuard::add_message(std::string text) {
     if (std::find(messages_.begin(), messages_.end(), text) == messages_.end())
         messages_.push_back(std::move(text));
+}
+
+MessageCapture::MessageCapture() : outer_(current_capture) { current_capture = this; }
+
+MessageCapture::~MessageCapture() { current_capture = outer_; }
+
+void MessageCapture::pass_on() {
+    if (current_guard == nullptr)
+        return;
+    for (std::string& text : messages_)
+        current_guard->add_message(std::move(text));
+    messages_.clear();
 }
 
 }  // namespace carom::sim::ode

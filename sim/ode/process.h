@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace carom::sim::ode {
@@ -23,6 +24,24 @@ class ThreadGuard {
 
   private:
     ThreadGuard* outer_;
+    std::vector<std::string> messages_;
+};
+
+/// While one is alive, what ODE says in this thread goes here instead.
+class MessageCapture {
+  public:
+    MessageCapture();
+    ~MessageCapture();
+    MessageCapture(const MessageCapture&) = delete;
+    MessageCapture& operator=(const MessageCapture&) = delete;
+
+    [[nodiscard]] const std::vector<std::string>& messages() const { return messages_; }
+    void add_message(std::string text) { messages_.push_back(std::move(text)); }
+    /// Hands everything on to the thread's guard.
+    void pass_on();
+
+  private:
+    MessageCapture* outer_;
     std::vector<std::string> messages_;
 };
 

@@ -5,7 +5,9 @@
 
 #include "sim/motion/free_rotation.h"
 #include "sim/ode/handles.h"
+#include "sim/ode/process.h"
 #include "sim/timeline/assert.h"
+#include "sim/timeline/error.h"
 
 namespace carom::sim::ode {
 namespace {
@@ -16,6 +18,8 @@ constexpr double kErrorReduction = 0.2;
 constexpr double kCorrectingSpeed = 0.1;  // m/s
 // ODE's constraint force mixing: shares the load among more contacts than are needed.
 constexpr double kSoftness = 1e-6;
+// Where ODE gives a step up all the same, it is tried again, each time ten times softer.
+constexpr int kMostAttempts = 4;
 // Every contact parts at about this speed (m/s), each at another one. Bodies that fall together
 // have no acceleration against each other; where that is exactly zero ODE's pivoting (Dantzig's, as
 // in Baraff, Fast contact force computation for nonpenetrating rigid bodies, 1994) finds a step of
@@ -56,11 +60,28 @@ Vec3 friction_direction(const Vec3& slip, const Vec3& normal) {
     return across / length(across);
 }
 
+struct Attempt {
+    int number = 0;
+
+    [[nodiscard]] double softness() const {
+        double softness = kSoftness;
+        for (int i = 0; i < number; ++i)
+            softness *= 10;
+        return softness;
+    }
+    [[nodiscard]] double parting(std::size_t contact) const {
+        const double place = kGoldenRatio * static_cast<double>(contact + 1) * (number + 1);
+        return kParting * (1 + place - std::floor(place));
+    }
+    /// The last one leaves friction out, which ODE has never been seen to fail at.
+    [[nodiscard]] bool has_friction() const { return number < kMostAttempts - 1; }
+};
+
 }  // namespace
 
 struct StepWorld::State {
-    World world{dWorldCreate()};
-    JointGroup group{dJointGroupCreate(0)};
+    World world;
+    JointGroup group;
     std::vector<dBodyID> bodies;
     std::vector<StepBody> masses;
     std::vector<char> is_moving;
@@ -74,32 +95,54 @@ struct StepWorld::State {
         return is_moving[i] != 0 ? bodies[i] : nullptr;
     }
 
-    void add_contact(const StepContact& from, std::size_t number, double duration, const Vec3& pull,
-                     dJointFeedback& result);
+    void rebuild();
+    void create(const StepBody& from);
+    void prepare(std::span<const int> moving, std::span<const MotionState> states,
+                 std::span<const StepContact> contacts);
+    [[nodiscard]] bool solve(const Attempt& attempt, double duration, const Vec3& gravity,
+                             std::span<const int> moving, std::span<const MotionState> states,
+                             std::span<const StepContact> contacts);
+    void add_contact(const StepContact& from, std::size_t number, const Attempt& attempt,
+                     double duration, const Vec3& pull);
+    [[nodiscard]] StepMotion motion_of(int number, const MotionState& before,
+                                       double duration) const;
 };
 
-StepWorld::StepWorld() : state_(std::make_unique<State>()) {
-    dWorldID world = state_->world.get();
-    dWorldSetContactMaxCorrectingVel(world, kCorrectingSpeed);
+/// A new world with the same bodies: after ODE has given up in the middle of a step nothing of the
+/// old one can be trusted.
+void StepWorld::State::rebuild() {
+    group.reset();
+    world.reset(dWorldCreate());
+    group.reset(dJointGroupCreate(0));
+    dWorldSetContactMaxCorrectingVel(world.get(), kCorrectingSpeed);
+    bodies.clear();
+    for (const StepBody& mass : masses)
+        create(mass);
 }
 
-StepWorld::~StepWorld() = default;
-
-int StepWorld::add(const StepBody& from) {
-    dBodyID body = dBodyCreate(state_->world.get());
+void StepWorld::State::create(const StepBody& from) {
+    dBodyID body = dBodyCreate(world.get());
     dMass mass;
     dMassSetParameters(&mass, from.mass, 0, 0, 0, from.inertia.x, from.inertia.y, from.inertia.z, 0,
                        0, 0);
     dBodySetMass(body, &mass);
     dBodySetGyroscopicMode(body, 0);
     dBodyDisable(body);
-    state_->bodies.push_back(body);
-    state_->masses.push_back(from);
-    return static_cast<int>(state_->bodies.size()) - 1;
+    bodies.push_back(body);
 }
 
-void StepWorld::State::add_contact(const StepContact& from, std::size_t number, double duration,
-                                   const Vec3& pull, dJointFeedback& result) {
+StepWorld::StepWorld() : state_(std::make_unique<State>()) { state_->rebuild(); }
+
+StepWorld::~StepWorld() = default;
+
+int StepWorld::add(const StepBody& body) {
+    state_->masses.push_back(body);
+    state_->create(body);
+    return static_cast<int>(state_->masses.size()) - 1;
+}
+
+void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
+                                   const Attempt& attempt, double duration, const Vec3& pull) {
     dBodyID first = moving_body(from.first);
     dBodyID second = moving_body(from.second);
     Vec3 relative(0, 0, 0);
@@ -113,17 +156,17 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number, 
     dSurfaceParameters& surface = contact.surface;
     surface.mode = dContactBounce | dContactSoftERP | dContactSoftCFM | dContactApprox1 |
                    dContactFDir1 | dContactMotionN;
-    surface.mu = from.friction;
+    surface.mu = attempt.has_friction() ? from.friction : 0;
     surface.bounce = from.restitution;
     surface.bounce_vel = kBounceSpeed;
     surface.soft_erp = kErrorReduction;
-    surface.soft_cfm = kSoftness;
+    surface.soft_cfm = attempt.softness();
     // A gap may close within the step, but no further.
-    surface.motionN = std::min(from.depth, 0.0) / duration +
-                      kParting * (1 + std::fmod(kGoldenRatio * static_cast<double>(number), 1.0));
+    surface.motionN = std::min(from.depth, 0.0) / duration + attempt.parting(number);
     // A ball that slips has no rolling resistance yet.
     const bool is_rolling = length(slip) < 4 * from.friction * length(pull) + 1e-6;
-    if (from.spinning_lever > 0 || (from.rolling_lever > 0 && is_rolling)) {
+    if (attempt.has_friction() &&
+        (from.spinning_lever > 0 || (from.rolling_lever > 0 && is_rolling))) {
         surface.mode |= dContactRolling | dContactAxisDep;
         surface.mu2 = from.friction;
         surface.rho = surface.rho2 = is_rolling ? from.rolling_lever : 0;
@@ -137,51 +180,79 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number, 
     contact.geom.depth = std::max(from.depth, 0.0);
     dJointID joint = dJointCreateContact(world.get(), group.get(), &contact);
     dJointAttach(joint, first, second);
-    dJointSetFeedback(joint, &result);
+    dJointSetFeedback(joint, &feedback[number]);
+}
+
+void StepWorld::State::prepare(std::span<const int> moving, std::span<const MotionState> states,
+                               std::span<const StepContact> contacts) {
+    is_moving.assign(masses.size(), 0);
+    has_contact.assign(masses.size(), 0);
+    feedback.assign(contacts.size(), dJointFeedback{});
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+        const auto number = static_cast<std::size_t>(moving[i]);
+        is_moving[number] = 1;
+        load(bodies[number], states[i]);
+        dBodyEnable(bodies[number]);
+    }
+}
+
+bool StepWorld::State::solve(const Attempt& attempt, double duration, const Vec3& gravity,
+                             std::span<const int> moving, std::span<const MotionState> states,
+                             std::span<const StepContact> contacts) {
+    prepare(moving, states, contacts);
+    dWorldSetGravity(world.get(), gravity.x, gravity.y, gravity.z);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const StepContact& contact = contacts[i];
+        if (moving_body(contact.first) == nullptr && moving_body(contact.second) == nullptr)
+            continue;
+        add_contact(contact, i, attempt, duration, gravity * duration);
+        has_contact[static_cast<std::size_t>(contact.first)] = 1;
+        if (contact.second >= 0)
+            has_contact[static_cast<std::size_t>(contact.second)] = 1;
+    }
+    MessageCapture capture;
+    try {
+        dWorldStep(world.get(), duration);
+    } catch (const Error& error) {
+        rebuild();
+        capture.add_message(error.what());
+    }
+    if (!capture.messages().empty() && attempt.number + 1 == kMostAttempts)
+        capture.pass_on();
+    return capture.messages().empty();
+}
+
+StepMotion StepWorld::State::motion_of(int number, const MotionState& before,
+                                       double duration) const {
+    const auto i = static_cast<std::size_t>(number);
+    StepMotion motion;
+    motion.before = motion.after = before;
+    motion.after.velocity = to_vec3(dBodyGetLinearVel(bodies[i]));
+    motion.after.angular_velocity = to_vec3(dBodyGetAngularVel(bodies[i]));
+    motion.end = motion.after;
+    const Vec3 mean = has_contact[i] != 0 ? motion.after.velocity
+                                          : (before.velocity + motion.after.velocity) * 0.5;
+    motion.end.position += mean * duration;
+    const Rotation turned = rotate_freely({before.orientation, motion.after.angular_velocity},
+                                          masses[i].inertia, duration);
+    motion.end.orientation = turned.orientation;
+    motion.end.angular_velocity = turned.angular_velocity;
+    return motion;
 }
 
 void StepWorld::step(double duration, const Vec3& gravity, std::span<const int> moving,
                      std::span<const MotionState> states, std::span<const StepContact> contacts,
                      std::vector<StepMotion>& motions, std::vector<StepImpulse>& impulses) {
     State& s = *state_;
-    s.is_moving.assign(s.bodies.size(), 0);
-    s.has_contact.assign(s.bodies.size(), 0);
-    for (std::size_t i = 0; i < moving.size(); ++i) {
-        const auto number = static_cast<std::size_t>(moving[i]);
-        s.is_moving[number] = 1;
-        load(s.bodies[number], states[i]);
-        dBodyEnable(s.bodies[number]);
+    for (Attempt attempt; attempt.number < kMostAttempts; ++attempt.number) {
+        dJointGroupEmpty(s.group.get());
+        if (s.solve(attempt, duration, gravity, moving, states, contacts))
+            break;
     }
-    dWorldSetGravity(s.world.get(), gravity.x, gravity.y, gravity.z);
-    s.feedback.assign(contacts.size(), dJointFeedback{});
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const StepContact& contact = contacts[i];
-        if (s.moving_body(contact.first) == nullptr && s.moving_body(contact.second) == nullptr)
-            continue;
-        s.add_contact(contact, i, duration, gravity * duration, s.feedback[i]);
-        s.has_contact[static_cast<std::size_t>(contact.first)] = 1;
-        if (contact.second >= 0)
-            s.has_contact[static_cast<std::size_t>(contact.second)] = 1;
-    }
-    dWorldStep(s.world.get(), duration);
     motions.resize(moving.size());
     for (std::size_t i = 0; i < moving.size(); ++i) {
-        const auto number = static_cast<std::size_t>(moving[i]);
-        StepMotion& motion = motions[i];
-        motion.before = motion.after = states[i];
-        motion.after.velocity = to_vec3(dBodyGetLinearVel(s.bodies[number]));
-        motion.after.angular_velocity = to_vec3(dBodyGetAngularVel(s.bodies[number]));
-        motion.end = motion.after;
-        const Vec3 mean = s.has_contact[number] != 0
-                              ? motion.after.velocity
-                              : (motion.before.velocity + motion.after.velocity) * 0.5;
-        motion.end.position += mean * duration;
-        const Rotation turned =
-            rotate_freely({states[i].orientation, motion.after.angular_velocity},
-                          s.masses[number].inertia, duration);
-        motion.end.orientation = turned.orientation;
-        motion.end.angular_velocity = turned.angular_velocity;
-        dBodyDisable(s.bodies[number]);
+        motions[i] = s.motion_of(moving[i], states[i], duration);
+        dBodyDisable(s.bodies[static_cast<std::size_t>(moving[i])]);
     }
     dJointGroupEmpty(s.group.get());
     impulses.resize(contacts.size());

@@ -10,19 +10,33 @@ Recording::Recording(const WorldDescription& world) {
         if (body.kind == BodyKind::dynamic)
             recorders_.emplace_back(body.name, world.key_reduction);
     }
+    last_.resize(recorders_.size());
+}
+
+MotionState Recording::aligned(std::size_t track, double time, const MotionState& state) {
+    Written& last = last_[track];
+    if (last.time != time) {
+        last = {time, {state.position, state.orientation}};
+        return state;
+    }
+    MotionState result = state;
+    result.position = last.pose.position;
+    result.orientation = last.pose.orientation;
+    return result;
 }
 
 void Recording::keep(std::size_t track, double time, const MotionState& state) {
-    recorders_[track].add_break(time, state, state);
+    add_break(track, time, state, state);
 }
 
 void Recording::add(std::size_t track, double time, const MotionState& state) {
-    recorders_[track].add(time, state);
+    recorders_[track].add(time, aligned(track, time, state));
 }
 
 void Recording::add_break(std::size_t track, double time, const MotionState& before,
                           const MotionState& after) {
-    recorders_[track].add_break(time, before, after);
+    const MotionState from = aligned(track, time, before);
+    recorders_[track].add_break(time, from, aligned(track, time, after));
 }
 
 void Recording::log_impact(double time, const std::string& a, const std::string& b,

@@ -36,7 +36,16 @@ class Recording {
     [[nodiscard]] std::vector<std::string> take_warnings() { return std::move(warnings_); }
 
   private:
+    /// A ball that is put back on its ground moves by a few micrometres at most; a key that is
+    /// already written at that instant keeps its pose.
+    [[nodiscard]] MotionState aligned(std::size_t track, double time, const MotionState& state);
+
+    struct Written {
+        double time = -1;
+        Pose pose;
+    };
     std::vector<TrackRecorder> recorders_;
+    std::vector<Written> last_;
     std::vector<Event> events_;
     std::vector<EnergySample> energy_;
     std::vector<std::string> warnings_;

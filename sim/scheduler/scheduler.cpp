@@ -120,13 +120,16 @@ void Scheduler::act() {
         const std::vector<DueAction> due = schedule_.take_due(now_);
         if (due.empty())
             break;
-        if (std::any_of(due.begin(), due.end(), [](const DueAction& a) { return a.kick < 0; }))
+        const bool begins =
+            std::any_of(due.begin(), due.end(), [](const DueAction& a) { return a.kick < 0; });
+        if (begins)
             add_energy();
         for (DueAction action : due) {
             action.time = now_;
             actions_.apply(action);
         }
-        add_energy();
+        if (begins)
+            add_energy();
         notice_events();
     }
     window_end_ = window_end_from(now_);

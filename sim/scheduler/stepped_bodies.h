@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/ode/impact_solver.h"
 #include "sim/ode/step_world.h"
 #include "sim/scheduler/balls.h"
 #include "sim/scheduler/contact_finder.h"
@@ -58,6 +59,10 @@ class SteppedBodies {
     void settle(std::uint32_t body, double end);
     void settle_ball(StepBody& body, double end);
     void wake_by_touch(double time);
+    void bounce_balls(double time);
+    void bounce(const FoundContact& found, double time);
+    void take(StepBody& body, const ode::Velocities& velocities, double time);
+    [[nodiscard]] double approach(const FoundContact& found) const;
     void wake(StepBody& body, double time);
 
     const Surroundings& around_;

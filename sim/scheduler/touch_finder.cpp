@@ -137,7 +137,10 @@ void TouchFinder::find_on_cloth(std::uint32_t index, double now, double until,
 void TouchFinder::find_in_air(std::uint32_t index, double now, double until,
                               TouchQueue& queue) const {
     const Ball& ball = balls_[index];
-    if (around_.has_cloth) {
+    // From below, under the table, nothing lands on the cloth.
+    constexpr double kDeepest = 1e-4;  // m
+    const double height = ball.stretch.position_at(now).z;
+    if (around_.has_cloth && height > ball.radius - kDeepest) {
         const auto time = plane_touch(ball.stretch, Vec3(0, 0, 0), kUp, ball.radius, now, until);
         // A ball that is just passing over a hole's edge counts as where it will be.
         constexpr double kAhead = 1e-7;  // s
