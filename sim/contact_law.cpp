@@ -9,7 +9,7 @@ namespace {
 const PairContact* built_in(const std::string& a, const std::string& b) {
     static const std::map<std::pair<std::string, std::string>, PairContact> laws{
         {{"ball", "floor"}, {0.6, 0.3, 0.015}},
-        {{"ball", "pocket"}, {0.25, 0.4, 0.03}},
+        {{"ball", "pocket"}, {0.15, 0.6, 0.03}},
         {{"ball", "rail"}, {0.5, 0.3, 0.01}},
     };
     const auto found = laws.find({a, b});

@@ -56,7 +56,8 @@ struct ContactLaw {
     BallCushion ball_cushion;
     PairContact otherwise;  // pairs neither named in `pairs` nor built in
     /// Names in alphabetical order. A ball with "floor", "pocket" (its lining and floor) and "rail"
-    /// has built-in values (contact_law.cpp) that an entry here replaces.
+    /// has built-in values (contact_law.cpp) that an entry here replaces. A pocket's lining takes
+    /// the share `friction` of a ball's velocity along it and of its spin at a blow.
     std::map<std::pair<std::string, std::string>, PairContact> pairs;
     /// Keep the vertical part of ball-ball friction and of cushion impulses for balls on the cloth.
     bool hop = false;

@@ -1,6 +1,7 @@
 #include "sim/impact/ball_impact.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/numeric/elementary.h"
 
@@ -61,6 +62,21 @@ ImpulsePair ball_static_impact(ode::ImpactSolver& solver, BallBody& ball, const 
         impulse.normal += ball.mass * (kLeastSeparation - separation);
     }
     return impulse;
+}
+
+ImpulsePair lining_impact(BallBody& ball, const Vec3& normal, double restitution,
+                          double absorption) {
+    MotionState& state = ball.state;
+    const double approach = -state.velocity.dot(normal);
+    if (approach <= 0)
+        return {};
+    const double kept = 1 - std::clamp(absorption, 0.0, 1.0);
+    const Vec3 fall(0, 0, state.velocity.z);
+    const Vec3 along = state.velocity + normal * approach - fall;
+    const double parting = std::max(restitution * approach, kLeastSeparation);
+    state.velocity = normal * parting + along * kept + fall;
+    state.angular_velocity *= kept;
+    return {ball.mass * (approach + parting), ball.mass * (1 - kept) * std::sqrt(along.dot(along))};
 }
 
 double ball_friction(const BallBall& law, double slip_speed) {

@@ -33,6 +33,13 @@ ImpulsePair ball_ball_impact(ode::ImpactSolver& solver, BallBody& a, BallBody& b
 ImpulsePair ball_static_impact(ode::ImpactSolver& solver, BallBody& ball, const Vec3& normal,
                                double restitution, double friction);
 
+/// Ball against the lining of a pocket: hung leather or rubber, which gives way. Restitution along
+/// the level `normal`; the share `absorption` of the level velocity along the wall and of the spin
+/// is lost. Nothing lifts the ball: on a stiff smooth wall its spin would carry it up and out, and
+/// its speed round the wall and out, which real pockets are lined to prevent.
+ImpulsePair lining_impact(BallBody& ball, const Vec3& normal, double restitution,
+                          double absorption);
+
 /// The friction coefficient of two balls whose surfaces slip at `slip_speed` (m/s).
 [[nodiscard]] double ball_friction(const BallBall& law, double slip_speed);
 

@@ -68,9 +68,13 @@ void ThreadGuard::add_message(std::string text) {
         messages_.push_back(std::move(text));
 }
 
-MessageCapture::MessageCapture() : outer_(current_capture) { current_capture = this; }
+MessageCapture::MessageCapture() : outer_(current_capture) {
+    current_capture = this;
+}
 
-MessageCapture::~MessageCapture() { current_capture = outer_; }
+MessageCapture::~MessageCapture() {
+    current_capture = outer_;
+}
 
 void MessageCapture::pass_on() {
     if (current_guard == nullptr)

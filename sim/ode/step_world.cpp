@@ -131,7 +131,9 @@ void StepWorld::State::create(const StepBody& from) {
     bodies.push_back(body);
 }
 
-StepWorld::StepWorld() : state_(std::make_unique<State>()) { state_->rebuild(); }
+StepWorld::StepWorld() : state_(std::make_unique<State>()) {
+    state_->rebuild();
+}
 
 StepWorld::~StepWorld() = default;
 

@@ -1,5 +1,7 @@
 #include "sim/scheduler/contact_numbers.h"
 
+#include <cmath>
+
 namespace carom::sim {
 
 ContactNumbers contact_numbers(const ContactLaw& law, const std::string& a, const std::string& b,
@@ -21,6 +23,11 @@ ContactNumbers contact_numbers(const ContactLaw& law, const std::string& a, cons
     const PairContact& pair = law.between(a, b);
     const double lever = 1.4 * pair.rolling_friction * radius;
     return {pair.restitution, pair.friction, lever, lever};
+}
+
+bool is_lining(const std::string& material, const Vec3& normal) {
+    constexpr double kSteep = 0.3;
+    return material == "pocket" && std::abs(normal.z) < kSteep;
 }
 
 }  // namespace carom::sim

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim/contact_law.h"
+#include "sim/timeline/vocabulary.h"
 
 namespace carom::sim {
 
@@ -18,5 +19,8 @@ struct ContactNumbers {
 /// `radius`: of the ball among the two, 0 if there is none.
 [[nodiscard]] ContactNumbers contact_numbers(const ContactLaw& law, const std::string& a,
                                              const std::string& b, double radius);
+
+/// True for what a ball meets as a pocket's lining (ball_impact.h).
+[[nodiscard]] bool is_lining(const std::string& material, const Vec3& normal);
 
 }  // namespace carom::sim

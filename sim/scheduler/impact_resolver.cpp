@@ -170,7 +170,10 @@ void ImpactResolver::bounce(const Touch& touch, const SurfaceContact& contact,
     const ContactNumbers law =
         contact_numbers(around_.law, ball.material, info.material, ball.radius);
     const ImpulsePair impulse =
-        ball_static_impact(balls_.solver(), body, contact.normal, law.restitution, law.friction);
+        is_lining(info.material, contact.normal)
+            ? lining_impact(body, contact.normal, law.restitution, law.friction)
+            : ball_static_impact(balls_.solver(), body, contact.normal, law.restitution,
+                                 law.friction);
     if (!around_.law.hop && ball.ground != Ground::none && std::abs(contact.normal.z) < 1e-6)
         body.state.velocity.z = 0;
     if (approach > kQuietSpeed)

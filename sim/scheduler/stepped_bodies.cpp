@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/scheduler/contact_numbers.h"
+
 namespace carom::sim {
 namespace {
 
@@ -180,7 +182,8 @@ double SteppedBodies::approach(const FoundContact& found) const {
     Vec3 relative =
         velocity_at(bodies_[static_cast<std::size_t>(contact.first)].state, contact.point);
     if (found.other >= 0)
-        relative -= velocity_at(bodies_[static_cast<std::size_t>(found.other)].state, contact.point);
+        relative -=
+            velocity_at(bodies_[static_cast<std::size_t>(found.other)].state, contact.point);
     return -relative.dot(contact.normal);
 }
 
@@ -216,16 +219,25 @@ void SteppedBodies::bounce(const FoundContact& found, double time) {
     StepBody* other = found.other >= 0 ? &bodies_[static_cast<std::size_t>(found.other)] : nullptr;
     const ode::ImpactContact impact{contact.point, contact.normal, contact.restitution,
                                     contact.friction};
-    const ode::ImpactResult result =
-        other != nullptr ? balls_.solver().solve(impact_body(ball), impact_body(*other), impact)
-                         : balls_.solver().solve_static(impact_body(ball), impact);
+    ode::ImpactResult result;
+    if (other != nullptr) {
+        result = balls_.solver().solve(impact_body(ball), impact_body(*other), impact);
+    } else if (is_lining(finder_.info(found.other).material, contact.normal)) {
+        BallBody body{ball.mass, ball.radius, ball.state};
+        const ImpulsePair pair =
+            lining_impact(body, contact.normal, contact.restitution, contact.friction);
+        result.first = {body.state.velocity, body.state.angular_velocity};
+        result.normal_impulse = pair.normal;
+        result.tangential_impulse = pair.tangential;
+    } else {
+        result = balls_.solver().solve_static(impact_body(ball), impact);
+    }
     take(ball, result.first, time);
     if (other != nullptr)
         take(*other, result.second, time);
-    recording_.log_impact(time, ball.name,
-                          other != nullptr ? other->name : finder_.info(found.other).name,
-                          contact.point, contact.normal,
-                          {result.normal_impulse, result.tangential_impulse});
+    recording_.log_impact(
+        time, ball.name, other != nullptr ? other->name : finder_.info(found.other).name,
+        contact.point, contact.normal, {result.normal_impulse, result.tangential_impulse});
 }
 
 void SteppedBodies::take(StepBody& body, const ode::Velocities& velocities, double time) {

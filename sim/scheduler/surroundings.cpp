@@ -11,6 +11,10 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
+// Holes are drawn with 96 corners on their circle. Balls fall over the circle inside that polygon
+// (cos(pi / 96), a fortieth of a millimetre less), lest they meet the drawn edge first.
+constexpr double kInsideOfPolygon = 0.99946;
+
 /// The radius that the table's cushions are drawn for: that of the first ball.
 double table_ball_radius(const WorldDescription& world) {
     for (const Body& body : world.bodies) {
@@ -104,8 +108,10 @@ void Surroundings::add_table(const WorldDescription& world, bool has_boxes) {
                                      ode::TriangleSurface(surface.vertices, surface.triangles),
                                      bounds_of(surface.vertices)});
     }
-    for (const billiards::Pocket& pocket : table.pockets)
+    for (billiards::Pocket& pocket : table.pockets) {
+        pocket.radius *= kInsideOfPolygon;
         rims.push_back({Vec3(pocket.centre.x, pocket.centre.y, 0), pocket.radius});
+    }
 }
 
 void Surroundings::add_fixed_bodies(const WorldDescription& world, bool has_boxes) {

@@ -5,44 +5,68 @@
 namespace carom::sim {
 namespace {
 
-constexpr int kMostSteps = 200;
+using Gap = std::function<double(double)>;
+
 // A pair in touch is looked at again this much later (s), to see whether it closes or opens.
 constexpr double kGlimpse = 1e-7;
+// Gaps are known to about this (m).
+constexpr double kNoise = 1e-14;
+constexpr double kShortest = 1e-6;  // s
+
+struct Instant {
+    double time = 0;
+    double gap = 0;
+};
+
+/// The end of the gap between an open and a closed instant, by bisection.
+double closing_between(const Gap& gap_at, Instant open, Instant closed) {
+    for (int i = 0; i < 60; ++i) {
+        const double middle = open.time + 0.5 * (closed.time - open.time);
+        if (middle <= open.time || middle >= closed.time)
+            break;
+        const double gap = gap_at(middle);
+        (gap > 0 ? open : closed) = {middle, gap};
+    }
+    return open.time;
+}
+
+std::optional<double> search(const Gap& gap_at, double speed, const Instant& from,
+                             const Instant& to) {
+    const double span = to.time - from.time;
+    if (to.gap > 0 && (from.gap + to.gap > speed * span || span < kShortest))
+        return std::nullopt;
+    if (span < kShortest)
+        return closing_between(gap_at, from, to);
+    const double time = from.time + 0.5 * span;
+    const Instant middle{time, gap_at(time)};
+    if (const auto found = search(gap_at, speed, from, middle))
+        return found;
+    // Only an instant that is open can be followed by a closing.
+    return middle.gap > 0 ? search(gap_at, speed, middle, to) : std::nullopt;
+}
 
 }  // namespace
 
-std::optional<double> first_closing(const std::function<double(double)>& gap_at, double speed,
-                                    double now, double until) {
-    double time = now;
-    double gap = gap_at(time);
-    if (gap <= kAdvanceDistance) {
-        const double later = gap_at(time + kGlimpse);
-        if (later < gap)
-            return time;
-        // Opening: go on from where it is open, or closing again.
+std::optional<double> first_closing(const Gap& gap_at, double speed, double now, double until) {
+    if (!(until > now))
+        return std::nullopt;
+    Instant from{now, gap_at(now)};
+    if (from.gap <= kAdvanceDistance) {
+        if (gap_at(now + kGlimpse) < from.gap - kNoise)
+            return now;
+        // Opening: what overlap there is has to go before a new touch.
         double step = kGlimpse;
-        while (gap <= kAdvanceDistance) {
-            time += step;
-            if (time > until)
+        while (from.gap <= 0) {
+            const Instant next{from.time + step, gap_at(from.time + step)};
+            if (next.time >= until)
                 return std::nullopt;
-            const double next = gap_at(time);
-            if (next < gap)
-                return time;
-            gap = next;
+            if (next.gap < from.gap - kNoise)
+                return next.time;
+            from = next;
             step *= 2;
         }
     }
-    if (!(speed > 0))
-        return std::nullopt;
-    for (int i = 0; i < kMostSteps; ++i) {
-        if (gap <= kAdvanceDistance)
-            return time;
-        time += std::max(gap / speed, 1e-12);
-        if (time > until)
-            return std::nullopt;
-        gap = gap_at(time);
-    }
-    return gap < 1e-7 ? std::optional(time) : std::nullopt;
+    return search(gap_at, speed, from, {until, gap_at(until)});
 }
 
 }  // namespace carom::sim

@@ -1,0 +1,154 @@
+// Balls that fall.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "shots.h"
+#include "sim/billiards/table.h"
+
+namespace carom::sim::test {
+namespace {
+
+struct Table {
+    billiards::TableKind kind;
+    const char* size;
+    double radius;
+};
+
+const std::vector<Table> kTables = {{billiards::TableKind::pool, "9 ft", 0.028575},
+                                    {billiards::TableKind::pool, "8 ft", 0.028575},
+                                    {billiards::TableKind::pool, "7 ft", 0.028575},
+                                    {billiards::TableKind::snooker, "12 ft", 0.02619375}};
+
+/// A ball that rolls towards the pocket's middle from `distance` away.
+WorldDescription shot_at(const Table& table, const billiards::Pocket& pocket, double distance,
+                         double speed) {
+    WorldDescription world;
+    world.duration = 3;
+    world.table = billiards::standard_table(table.kind, table.size);
+    Vec2 outward(pocket.centre.x > 0.01    ? 1
+                 : pocket.centre.x < -0.01 ? -1
+                                           : 0,
+                 pocket.centre.y > 0 ? 1 : -1);
+    outward.normalize();
+    const Vec2 start = pocket.centre - outward * distance;
+    const Vec3 velocity(outward.x * speed, outward.y * speed, 0);
+    Body body = ball("one", start.x, start.y, velocity, rolling_spin(velocity, table.radius));
+    body.shape = Sphere{table.radius};
+    body.pose.position.z = table.radius;
+    world.bodies = {body};
+    return world;
+}
+
+std::vector<billiards::Pocket> pockets_of(const Table& table) {
+    const auto measures = billiards::standard_table(table.kind, table.size);
+    return billiards::build_table(*measures, table.radius).pockets;
+}
+
+TEST(Pocket_StraightShot, PotsInEveryPocketOfEveryTable) {
+    for (const Table& table : kTables) {
+        for (const billiards::Pocket& pocket : pockets_of(table)) {
+            for (const double speed : {0.35, 1.0, 2.5}) {
+                const WorldDescription world = shot_at(table, pocket, 0.35, speed);
+                const BakeResult result = bake(world);
+                const Event* potted = find_event(result.timeline, EventKind::potted, "one");
+                ASSERT_NE(potted, nullptr) << table.size << " " << pocket.name << " " << speed;
+                EXPECT_EQ(potted->b, pocket.name);
+                EXPECT_TRUE(result.warnings.empty());
+                // It lies still on the pocket's floor.
+                const MotionState end = state_at(result.timeline, "one", 3);
+                EXPECT_EQ(end.velocity, Vec3(0, 0, 0)) << pocket.name << " " << speed;
+                EXPECT_NEAR(end.position.z, table.radius - pocket.drop, 1e-4);
+            }
+        }
+    }
+}
+
+TEST(Pocket_BallPlacedOverTheHole, FallsAtOnce) {
+    const std::vector<billiards::Pocket> pockets = pockets_of(kTables[0]);
+    for (const billiards::Pocket& pocket : pockets) {
+        WorldDescription world = shot_at(kTables[0], pocket, 0, 0);
+        const Timeline timeline = bake(world).timeline;
+        const Event* potted = find_event(timeline, EventKind::potted, "one");
+        ASSERT_NE(potted, nullptr) << pocket.name;
+        EXPECT_NEAR(potted->time, std::sqrt(2 * kRadius / kGravity), 1e-3);
+    }
+}
+
+TEST(Pocket_SlowBallAtTheEdge, TurnsOverItWithoutAJump) {
+    const billiards::Pocket pocket = pockets_of(kTables[0])[0];
+    const WorldDescription world = shot_at(kTables[0], pocket, pocket.radius + 0.02, 0.1);
+    const Timeline timeline = bake(world).timeline;
+    ASSERT_NE(find_event(timeline, EventKind::potted, "one"), nullptr);
+    const Track& track = *timeline.find("one");
+    Vec3 last = track.sample(0).position;
+    for (double t = 1e-3; t < 3; t += 1e-3) {
+        const Vec3 p = track.sample(t).position;
+        EXPECT_LT((p - last).length(), 2.2e-3) << t;  // free fall into the pocket: 1.6 m/s
+        last = p;
+        // Until it is clear of the edge the ball does not reach into the slate.
+        const Vec2 from_axis = Vec2(p.x, p.y) - pocket.centre;
+        const double to_rim =
+            std::sqrt(std::pow(pocket.radius - from_axis.length(), 2) + p.z * p.z);
+        if (p.z > 0 && from_axis.length() < pocket.radius) {
+            EXPECT_GT(to_rim, kRadius - 3e-5) << t;
+        }
+    }
+}
+
+TEST(Pocket_TwoBallsInOne, LieBesideOrUponEachOther) {
+    const billiards::Pocket pocket = pockets_of(kTables[0])[0];
+    WorldDescription world = shot_at(kTables[0], pocket, 0.3, 1.5);
+    Body second = world.bodies[0];
+    second.name = "two";
+    second.pose.position -= Vec3(second.velocity.x, second.velocity.y, 0) * 0.1;
+    world.bodies.push_back(second);
+    const BakeResult result = bake(world);
+    EXPECT_EQ(count_events(result.timeline, EventKind::potted), 2);
+    const Vec3 a = state_at(result.timeline, "one", 3).position;
+    const Vec3 b = state_at(result.timeline, "two", 3).position;
+    EXPECT_GT((a - b).length(), 2 * kRadius - 1e-4);
+    EXPECT_LT(std::max(a.z, b.z), kRadius);
+}
+
+TEST(Pocket_CleanShot, DropsAtAnySpeed) {
+    for (const int index : {0, 1}) {
+        const billiards::Pocket pocket = pockets_of(kTables[0])[static_cast<std::size_t>(index)];
+        for (const double speed : {4.0, 8.0}) {
+            for (const double offset : {-0.01, 0.0, 0.01}) {
+                WorldDescription world = shot_at(kTables[0], pocket, 0.3, speed);
+                world.duration = 1;
+                const Vec3 along = world.bodies[0].velocity / speed;
+                world.bodies[0].pose.position += Vec3(-along.y, along.x, 0) * offset;
+                EXPECT_NE(find_event(bake(world).timeline, EventKind::potted, "one"), nullptr)
+                    << pocket.name << " " << speed << " " << offset;
+            }
+        }
+    }
+}
+
+TEST(Pocket_FastIntoTheJaws, RattlesOutWhereSlowDrops) {
+    const billiards::Pocket pocket = pockets_of(kTables[0])[0];
+    std::vector<bool> is_potted;
+    for (const double speed : {0.8, 6.0}) {
+        WorldDescription world = shot_at(kTables[0], pocket, 0.6, speed);
+        const Vec3 along = world.bodies[0].velocity / speed;
+        world.bodies[0].pose.position += Vec3(-along.y, along.x, 0) * 0.033;
+        is_potted.push_back(find_event(bake(world).timeline, EventKind::potted, "one") != nullptr);
+    }
+    EXPECT_TRUE(is_potted[0]);
+    EXPECT_FALSE(is_potted[1]);
+}
+
+TEST(Ball_RollingAlongTheCushion, PassesTheSidePocketOrFallsIn) {
+    WorldDescription world = shot_at(kTables[0], pockets_of(kTables[0])[1], 0.3, 0);
+    world.bodies[0].pose.position = {-0.8, -1.27 / 2 + kRadius + 0.002, kRadius};
+    world.bodies[0].velocity = {2, 0, 0};
+    world.bodies[0].angular_velocity = rolling_spin({2, 0, 0});
+    const BakeResult result = bake(world);
+    EXPECT_TRUE(result.warnings.empty());
+    EXPECT_GT(state_at(result.timeline, "one", 0.4).position.x, -0.2);
+}
+
+}  // namespace
+}  // namespace carom::sim::test
