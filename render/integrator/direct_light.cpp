@@ -1,5 +1,7 @@
 #include "render/integrator/direct_light.h"
 
+#include <array>
+
 #include "sim/timeline/assert.h"
 
 namespace carom::render {
@@ -35,23 +37,30 @@ V3f DirectLight::sampled(Path& path, const ShadingVertex& vertex, const V2f& u,
         }
         return sum;
     }
-    for (std::size_t light = 0; light < light_count; light += 2) {
-        const auto pair = dimensions.light_pair(static_cast<std::uint32_t>(light / 2));
-        sum += from_light(light, 1, pair[0], path, vertex, count);
-        if (light + 1 < light_count) {
-            sum += from_light(light + 1, 1, pair[1], path, vertex, count);
+    path.last.environment_samples = static_cast<float>(vertex.glossy_samples);
+    std::array<V2f, 2> pair;
+    for (std::size_t light = 0; light < light_count; ++light) {
+        if (light % 2 == 0) {
+            pair = dimensions.light_pair(static_cast<std::uint32_t>(light / 2));
+        }
+        const bool is_environment = light >= lights.area_light_count();
+        const int samples = is_environment ? vertex.glossy_samples : 1;
+        for (int k = 0; k < samples; ++k) {
+            sum += from_light(light, static_cast<float>(samples),
+                              lattice_point(pair[light % 2], k, samples), path, vertex, count);
         }
     }
     return sum;
 }
 
-V3f DirectLight::from_light(std::size_t light, float probability, const V2f& u, const Path& path,
+// `expected`: how many directions towards this light the vertex takes, on average.
+V3f DirectLight::from_light(std::size_t light, float expected, const V2f& u, const Path& path,
                             const ShadingVertex& vertex, RenderStatistics& count) const {
     const auto sample = scene_.lights.sample(light, vertex.position, u);
     if (!sample) {
         return V3f(0, 0, 0);
     }
-    const float pdf = sample->pdf * probability;
+    const float pdf = sample->pdf * expected;
     const V3f value = scattered(vertex, sample->direction, pdf);
     if (is_dark(value) || is_dark(sample->radiance)) {
         return V3f(0, 0, 0);
@@ -68,10 +77,11 @@ V3f DirectLight::from_light(std::size_t light, float probability, const V2f& u, 
 // Value of the BSDF, each part weighted against the scattering that would have found the light too.
 V3f DirectLight::scattered(const ShadingVertex& vertex, const V3f& direction,
                            float light_pdf) const {
-    const auto weighted = [&](Layers layers) {
+    const auto weighted = [&](Layers layers, int samples = 1) {
         const BsdfValue bsdf = vertex.bsdf.evaluate(layers, direction);
+        const float pdf = bsdf.pdf * static_cast<float>(samples);
         const float weight =
-            strategy_ == DirectStrategy::both ? power_heuristic(light_pdf, bsdf.pdf) : 1.0f;
+            strategy_ == DirectStrategy::both ? power_heuristic(light_pdf, pdf) : 1.0f;
         return bsdf.value * weight;
     };
     if (!vertex.splits) {
@@ -79,7 +89,7 @@ V3f DirectLight::scattered(const ShadingVertex& vertex, const V3f& direction,
     }
     V3f sum = weighted(Layers::base);
     if (vertex.bsdf.can_evaluate(Layers::coat)) {
-        sum += weighted(Layers::coat);
+        sum += weighted(Layers::coat, vertex.glossy_samples);
     }
     return sum;
 }
@@ -89,15 +99,15 @@ float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float 
     if (last.is_delta || strategy_ == DirectStrategy::scattering_only) {
         return 1;
     }
-    float probability = 1;
+    float expected = light < scene_.lights.area_light_count() ? 1.0f : last.environment_samples;
     if (!last.all_lights) {
-        probability = last.total_importance > 0
-                          ? scene_.lights.importance(light, last.position, last.normal) /
-                                last.total_importance
-                          : 0.0f;
+        expected = last.total_importance > 0
+                       ? scene_.lights.importance(light, last.position, last.normal) /
+                             last.total_importance
+                       : 0.0f;
     }
     const float light_pdf =
-        probability * scene_.lights.pdf(light, last.position, path.ray.direction, distance);
+        expected * scene_.lights.pdf(light, last.position, path.ray.direction, distance);
     if (strategy_ == DirectStrategy::lights_only) {
         return light_pdf > 0 ? 0.0f : 1.0f;
     }

@@ -24,6 +24,9 @@ struct ShadingVertex {
     const Surface& surface;
     const Bsdf& bsdf;
     bool splits = false;  // coat and base are followed apart from here
+    /// Directions taken for a rough coat, and towards the environment for it: where it shows small
+    /// bright things, one of each is too noisy.
+    int glossy_samples = 1;
 };
 
 class DirectLight {
@@ -44,9 +47,8 @@ class DirectLight {
     [[nodiscard]] V3f environment(const Path& path) const;
 
   private:
-    [[nodiscard]] V3f from_light(std::size_t light, float probability, const V2f& u,
-                                 const Path& path, const ShadingVertex& vertex,
-                                 RenderStatistics& count) const;
+    [[nodiscard]] V3f from_light(std::size_t light, float expected, const V2f& u, const Path& path,
+                                 const ShadingVertex& vertex, RenderStatistics& count) const;
     [[nodiscard]] V3f scattered(const ShadingVertex& vertex, const V3f& direction,
                                 float light_pdf) const;
     [[nodiscard]] float weight_of_meeting(const Path& path, std::size_t light,

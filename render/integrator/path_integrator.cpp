@@ -13,6 +13,7 @@ namespace carom::render {
 namespace {
 
 constexpr int kMostSplits = 2;
+constexpr std::uint32_t kBranchesOfOneCoat = 1u << (kMostSplits + 1);
 constexpr int kRouletteVertex = 5;
 constexpr float kLeastSurvival = 0.2f;
 
@@ -118,9 +119,12 @@ void PathIntegrator::follow(Path path, Work& work) const {
             work.result.albedo = surface.base;
         }
         const Bsdf bsdf(surface, wo);
+        const bool splits = path.vertex < settings_.split_vertices && bsdf.has_coat();
+        const bool shows_gloss = splits && path.vertex == 0 && bsdf.can_evaluate(Layers::coat);
         const ShadingVertex vertex{
-            point.position, point.position + surface.geometric_normal * point.offset, surface, bsdf,
-            path.vertex < settings_.split_vertices && bsdf.has_coat()};
+            point.position, point.position + surface.geometric_normal * point.offset,
+            surface,        bsdf,
+            splits,         shows_gloss ? settings_.glossy_samples : 1};
         const VertexNumbers u = work.dimensions.vertex(path);
         const V3f direct = direct_.sampled(path, vertex, u.light, work.dimensions, work.count);
         work.add(path.throughput * direct, path.vertex + 1);
@@ -146,13 +150,13 @@ bool PathIntegrator::survives(Path& path, const Work& work) const {
 // Turns `path` into its next direction, after following its coat to the end; false if it ends here.
 bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, const V2f& u,
                              Work& work) const {
-    const auto proceed = [&](Path& onward, Layers layers, const V2f& numbers) {
+    const auto proceed = [&](Path& onward, Layers layers, const V2f& numbers, int samples = 1) {
         const auto sample = vertex.bsdf.sample(layers, numbers);
         if (!sample || largest(sample->weight) <= 0) {
             return false;
         }
-        onward.throughput *= sample->weight;
-        onward.last.pdf = sample->pdf;
+        onward.throughput *= sample->weight / static_cast<float>(samples);
+        onward.last.pdf = sample->pdf * static_cast<float>(samples);
         onward.last.is_delta = sample->is_delta;
         onward.ray = Ray{vertex.origin, sample->direction, 0, kInfinity, path.ray.time};
         onward.spread = sample->is_delta
@@ -166,11 +170,14 @@ bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, const V2f&
     if (!vertex.splits) {
         return proceed(path, Layers::all, u);
     }
-    Path coat = path;
-    coat.branch = 2 * path.branch;
     const V3f numbers = work.dimensions.further(path);
-    if (proceed(coat, Layers::coat, V2f(numbers.x, numbers.y))) {
-        follow(coat, work);
+    for (int k = 0; k < vertex.glossy_samples; ++k) {
+        Path coat = path;
+        coat.branch = 2 * path.branch + kBranchesOfOneCoat * static_cast<std::uint32_t>(k);
+        const V2f u_coat = lattice_point(V2f(numbers.x, numbers.y), k, vertex.glossy_samples);
+        if (proceed(coat, Layers::coat, u_coat, vertex.glossy_samples)) {
+            follow(coat, work);
+        }
     }
     path.branch = 2 * path.branch + 1;
     return proceed(path, Layers::base, u);

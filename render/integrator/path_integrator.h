@@ -14,6 +14,7 @@ struct PathSettings {
     float clamp = 0;      // bound on a sample's indirect light, 0: none
     /// At so many first vertices, at most 2, the coat and what lies below it are both followed.
     int split_vertices = 2;
+    int glossy_samples = 4;  // see ShadingVertex, for coats that the camera sees, [1, 16]
     DirectStrategy strategy = DirectStrategy::both;
 };
 

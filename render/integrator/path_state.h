@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "render/geometry/ray.h"
@@ -15,10 +16,11 @@ namespace carom::render {
 struct LastScattering {
     V3f position{0, 0, 0};
     V3f normal{0, 0, 1};      // shading normal, which lights were chosen with
-    float pdf = 0;            // of the direction, 1/sr
+    float pdf = 0;            // of the direction, times the number of directions taken, 1/sr
     bool is_delta = true;     // a mirror or the camera: lights cannot be sampled instead
     bool all_lights = false;  // every light was sampled there, not one
     float total_importance = 0;
+    float environment_samples = 1;
 };
 
 /// One branch of a camera sample.
@@ -31,6 +33,15 @@ struct Path {
     float width = 0;           // of the pixel's cone at the ray's origin, m
     float spread = 0;          // by which it grows, per m
 };
+
+/// The `k`th of `n` points that are well spread together, and evenly if `u` is: a lattice turned by
+/// `u` (Cranley and Patterson 1976, "Randomization of number theoretic methods for multiple
+/// integration").
+[[nodiscard]] inline V2f lattice_point(const V2f& u, int k, int n) {
+    const float x = u.x + static_cast<float>(k) / static_cast<float>(n);
+    const float y = u.y + static_cast<float>(k) * 0.618034f;
+    return {x - std::floor(x), y - std::floor(y)};
+}
 
 /// The numbers that a vertex needs: points of the unit square, low-discrepancy over the samples of
 /// a pixel. Choices between lights or lobes stretch a number over the chosen one and use it again.
