@@ -5,6 +5,7 @@
 #include "pipeline/job/film_plan.h"
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/store/frame_store.h"
+#include "render/frame/frame.h"
 #include "sim/timeline/error.h"
 #include "tests/pipeline/job/tiny_shot.h"
 #include "tests/pipeline/video/scratch_folder.h"
@@ -76,11 +77,12 @@ TEST(FilmJob, StopBeforehand_RendersNothing) {
 TEST(JobMetadata, ExportedFrame_NamesShotFrameTimesAndClamp) {
     Shot shot = carom::testing::tiny_shot();
     shot.render.clamp = 10;
+    const std::string revision = std::to_string(render::kRendererRevision);
     EXPECT_THAT(
         exported_frame_metadata(shot, carom::testing::tiny_timeline(), 6),
         IsSupersetOf({Pair("shot", "tiny"), Pair("camera", "still"), Pair("frame", "6"),
                       Pair("video_time", "0.25"), Pair("scene_time", "0.25"), Pair("samples", "2"),
-                      Pair("clamp", "10"), Pair("renderer_revision", "1")}));
+                      Pair("clamp", "10"), Pair("renderer_revision", revision.c_str())}));
     EXPECT_EQ(stored_frame_metadata(shot).count("frame"), 0u);
     EXPECT_EQ(stored_frame_metadata(shot).at("DateTime"), "1970:01:01 00:00:00");
     EXPECT_EQ(video_metadata(shot).at("title"), "tiny");
