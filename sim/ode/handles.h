@@ -5,6 +5,7 @@
 
 #include <ode/ode.h>
 
+#include "sim/timeline/error.h"
 #include "sim/timeline/vocabulary.h"
 
 namespace carom::sim::ode {
@@ -12,12 +13,35 @@ namespace carom::sim::ode {
 struct WorldDeleter {
     void operator()(dWorldID world) const { dWorldDestroy(world); }
 };
+struct ThreadingDeleter {
+    void operator()(dThreadingImplementationID threading) const {
+        dThreadingFreeImplementation(threading);
+    }
+};
 struct JointGroupDeleter {
     void operator()(dJointGroupID group) const { dJointGroupDestroy(group); }
 };
 
-/// Destroys its bodies and joints with it.
-using World = std::unique_ptr<dxWorld, WorldDeleter>;
+/// A world that destroys its bodies and joints with it. Left alone, all worlds of a process share
+/// one built-in threading implementation, which crashes when two threads step at once
+/// (dWorldSetStepThreadingImplementation in ode/objects.h); so each has its own.
+class World {
+  public:
+    World() : threading_(dThreadingAllocateSelfThreadedImplementation()), world_(dWorldCreate()) {
+        if (threading_ == nullptr || world_ == nullptr)
+            throw Error("ODE could not make a world");
+        dWorldSetStepThreadingImplementation(
+            world_.get(), dThreadingImplementationGetFunctions(threading_.get()), threading_.get());
+    }
+
+    [[nodiscard]] dWorldID get() const { return world_.get(); }
+
+  private:
+    // The world goes first, since it uses the other.
+    std::unique_ptr<dxThreadingImplementation, ThreadingDeleter> threading_;
+    std::unique_ptr<dxWorld, WorldDeleter> world_;
+};
+
 /// To be declared after its world: it is destroyed first.
 using JointGroup = std::unique_ptr<dxJointGroup, JointGroupDeleter>;
 

@@ -71,7 +71,7 @@ void measure_impulse(const ImpactBody& first, const Vec3& normal, ImpactResult& 
 
 // Destroyed from the last to the first: the joints before their world.
 struct ImpactSolver::State {
-    World world{dWorldCreate()};
+    World world;
     JointGroup contacts{dJointGroupCreate(0)};
     dBodyID first = dBodyCreate(world.get());
     dBodyID second = dBodyCreate(world.get());

@@ -80,7 +80,7 @@ struct Attempt {
 }  // namespace
 
 struct StepWorld::State {
-    World world;
+    std::unique_ptr<World> world;
     JointGroup group;
     std::vector<dBodyID> bodies;
     std::vector<StepBody> masses;
@@ -112,16 +112,16 @@ struct StepWorld::State {
 /// old one can be trusted.
 void StepWorld::State::rebuild() {
     group.reset();
-    world.reset(dWorldCreate());
+    world = std::make_unique<World>();
     group.reset(dJointGroupCreate(0));
-    dWorldSetContactMaxCorrectingVel(world.get(), kCorrectingSpeed);
+    dWorldSetContactMaxCorrectingVel(world->get(), kCorrectingSpeed);
     bodies.clear();
     for (const StepBody& mass : masses)
         create(mass);
 }
 
 void StepWorld::State::create(const StepBody& from) {
-    dBodyID body = dBodyCreate(world.get());
+    dBodyID body = dBodyCreate(world->get());
     dMass mass;
     dMassSetParameters(&mass, from.mass, 0, 0, 0, from.inertia.x, from.inertia.y, from.inertia.z, 0,
                        0, 0);
@@ -180,7 +180,7 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
         contact.fdir1[i] = direction[i];
     }
     contact.geom.depth = std::max(from.depth, 0.0);
-    dJointID joint = dJointCreateContact(world.get(), group.get(), &contact);
+    dJointID joint = dJointCreateContact(world->get(), group.get(), &contact);
     dJointAttach(joint, first, second);
     dJointSetFeedback(joint, &feedback[number]);
 }
@@ -202,7 +202,7 @@ bool StepWorld::State::solve(const Attempt& attempt, double duration, const Vec3
                              std::span<const int> moving, std::span<const MotionState> states,
                              std::span<const StepContact> contacts) {
     prepare(moving, states, contacts);
-    dWorldSetGravity(world.get(), gravity.x, gravity.y, gravity.z);
+    dWorldSetGravity(world->get(), gravity.x, gravity.y, gravity.z);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const StepContact& contact = contacts[i];
         if (moving_body(contact.first) == nullptr && moving_body(contact.second) == nullptr)
@@ -214,7 +214,7 @@ bool StepWorld::State::solve(const Attempt& attempt, double duration, const Vec3
     }
     MessageCapture capture;
     try {
-        dWorldStep(world.get(), duration);
+        dWorldStep(world->get(), duration);
     } catch (const Error& error) {
         rebuild();
         capture.add_message(error.what());

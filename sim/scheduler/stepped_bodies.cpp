@@ -10,9 +10,9 @@ namespace {
 
 /// Bodies that were apart may overlap by this much (m) at a step's end; else the step is shortened
 /// to when they met.
-constexpr double kTouchDepth = 2e-5;
+constexpr double kTouchDepth = 5e-6;
 /// No step is made shorter than this (s) for that reason.
-constexpr double kShortestStep = 5e-5;
+constexpr double kShortestStep = 1e-5;
 /// A body moving less than this (m/s, its farthest point) for that long (s) falls asleep.
 constexpr double kSleepSpeed = 0.01;
 constexpr double kBallSleepDelay = 0.1;
@@ -311,7 +311,7 @@ double SteppedBodies::share_until_touch() const {
         return 1;
     double low = 0;
     double high = 1;
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 9; ++i) {
         const double middle = 0.5 * (low + high);
         (overlaps_at(middle) ? high : low) = middle;
     }
