@@ -101,6 +101,9 @@ TEST(Configs, EveryTableAndBallSet_Loads) {
     const fs::path configs = fs::path(CAROM_SOURCE_DIR) / "configs";
     for (const char* folder : {"tables", "balls", "looks"}) {
         for (const fs::directory_entry& entry : fs::directory_iterator(configs / folder)) {
+            if (entry.path().extension() != ".yaml") {
+                continue;  // what a look shows: pictures, meshes
+            }
             const Shot shot = load("carom: 1\ninclude: " + entry.path().string() + "\n" + kCamera);
             EXPECT_EQ(shot.cameras.size(), 1U) << entry.path();
         }
