@@ -1,5 +1,6 @@
 #include "render/integrator/direct_light.h"
 
+#include <algorithm>
 #include <array>
 
 #include "sim/timeline/assert.h"
@@ -9,6 +10,28 @@ namespace {
 
 // Shadow rays end this share of the way before the light, so that they do not hit it.
 constexpr float kShadowReach = 1.0f - 2e-4f;
+
+constexpr float kBelowOne = 0x1.fffffep-1f;
+
+// An environment that gives less than this share of the light at a first vertex is sampled there
+// less often, down to kRarest: a dim room beside a bright lamp is not worth a shadow ray each time.
+constexpr float kAlwaysAbove = 0.125f;
+constexpr float kRarest = 0.125f;
+
+/// How many directions towards the environment a path's first vertex takes, on average.
+float environment_samples(const LightSet& lights, const ShadingVertex& vertex) {
+    const std::size_t environment = lights.area_light_count();
+    if (vertex.glossy_samples > 1 || lights.sampled_count() == environment) {
+        return static_cast<float>(vertex.glossy_samples);
+    }
+    float total = 0;
+    float share = 0;
+    for (std::size_t light = 0; light < lights.sampled_count(); ++light) {
+        share = lights.importance(light, vertex.position, vertex.surface.frame.z);
+        total += share;
+    }
+    return total > 0 ? std::clamp(share / (kAlwaysAbove * total), kRarest, 1.0f) : 1.0f;
+}
 
 bool is_dark(const V3f& c) {
     return c.x <= 0 && c.y <= 0 && c.z <= 0;
@@ -37,7 +60,7 @@ V3f DirectLight::sampled(Path& path, const ShadingVertex& vertex, const V2f& u,
         }
         return sum;
     }
-    path.last.environment_samples = static_cast<float>(vertex.glossy_samples);
+    path.last.environment_samples = environment_samples(lights, vertex);
     std::array<V2f, 2> pair;
     for (std::size_t light = 0; light < light_count; ++light) {
         if (light % 2 == 0) {
@@ -45,9 +68,17 @@ V3f DirectLight::sampled(Path& path, const ShadingVertex& vertex, const V2f& u,
         }
         const bool is_environment = light >= lights.area_light_count();
         const int samples = is_environment ? vertex.glossy_samples : 1;
+        const float expected = is_environment ? path.last.environment_samples : 1.0f;
+        if (expected < 1) {
+            V2f& u_light = pair[light % 2];
+            if (u_light.x >= expected) {
+                continue;
+            }
+            u_light.x = std::min(u_light.x / expected, kBelowOne);
+        }
         for (int k = 0; k < samples; ++k) {
-            sum += from_light(light, static_cast<float>(samples),
-                              lattice_point(pair[light % 2], k, samples), path, vertex, count);
+            sum += from_light(light, expected, lattice_point(pair[light % 2], k, samples), path,
+                              vertex, count);
         }
     }
     return sum;
