@@ -93,7 +93,7 @@ V3f DirectLight::from_light(std::size_t light, float expected, const V2f& u, con
     }
     const float pdf = sample->pdf * expected;
     const V3f value = scattered(vertex, sample->direction, pdf);
-    if (is_dark(value) || is_dark(sample->radiance)) {
+    if (is_dark(value)) {
         return V3f(0, 0, 0);
     }
     count.shadow_rays += 1;
@@ -102,7 +102,7 @@ V3f DirectLight::from_light(std::size_t light, float expected, const V2f& u, con
     if (scene_.frame.structure().any_hit(shadow)) {
         return V3f(0, 0, 0);
     }
-    return value * sample->radiance / pdf;
+    return value * scene_.lights.radiance(light, *sample) / pdf;
 }
 
 // Value of the BSDF, each part weighted against the scattering that would have found the light too.

@@ -39,8 +39,7 @@ std::optional<LightSample> RectangleEmitter::sample(const V3f& point, const V2f&
     }
     const float distance2 = way.length2();
     const float distance = std::sqrt(distance2);
-    return LightSample{way / distance, distance, radiance_,
-                       distance2 * distance / (height * area_)};
+    return LightSample{way / distance, distance, distance2 * distance / (height * area_), {}};
 }
 
 float RectangleEmitter::pdf(const V3f& /*point*/, const V3f& direction, float distance) const {
@@ -82,8 +81,9 @@ std::optional<LightSample> SphereEmitter::sample(const V3f& point, const V2f& u)
     // Near side of the sphere along the direction.
     const float inside = std::sqrt(std::max(0.0f, radius_ * radius_ - distance2 * sine2));
     return LightSample{OrthonormalBasis::around(way / distance).to_world(local).normalized(),
-                       std::max(0.0f, distance * local.z - inside), radiance_,
-                       pdf_cone(one_minus_cos)};
+                       std::max(0.0f, distance * local.z - inside),
+                       pdf_cone(one_minus_cos),
+                       {}};
 }
 
 float SphereEmitter::pdf(const V3f& point, const V3f& /*direction*/, float /*distance*/) const {

@@ -12,10 +12,10 @@ namespace carom::render {
 
 /// A direction towards a light. The light's own surface lies at `distance`.
 struct LightSample {
-    V3f direction;          // unit, from the point
-    float distance = 0;     // m, infinite for the environment
-    V3f radiance{0, 0, 0};  // that arrives if nothing is in the way
-    float pdf = 0;          // 1/sr of `direction`, > 0
+    V3f direction;       // unit, from the point
+    float distance = 0;  // m, infinite for the environment
+    float pdf = 0;       // 1/sr of `direction`, > 0
+    V2f place{0, 0};     // in the environment's picture
 };
 
 /// A mean of the channels weighted like brightness (Rec. ITU-R BT.709-6, item 3.2).

@@ -57,20 +57,29 @@ V2f Environment::picture_from_direction(const V3f& direction) const {
 
 V3f Environment::pixel(int x, int y) const {
     return padded_[static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(width_ + 2) +
-                   static_cast<std::size_t>(x + 1)];
+                   static_cast<std::size_t>(x + 1)]
+        .value();
 }
 
 void Environment::pad(const LinearImage& image) {
     width_ = image.width;
     height_ = image.height;
+    float largest = 0;
+    for (const V3f& c : image.pixels) {
+        largest = std::max({largest, c.x, c.y, c.z});
+    }
+    while (largest > unit_ * SharedExponent::kLargest) {
+        unit_ *= 2;
+    }
     padded_.reserve(static_cast<std::size_t>(width_ + 2) * static_cast<std::size_t>(height_ + 2));
     for (int y = -1; y <= height_; ++y) {
         for (int x = -1; x <= width_; ++x) {
             const int column = (x + width_) % width_;
             const int row = std::clamp(y, 0, height_ - 1);
-            padded_.push_back(
+            const V3f& colour =
                 image.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
-                             static_cast<std::size_t>(column)]);
+                             static_cast<std::size_t>(column)];
+            padded_.emplace_back(colour / unit_);
         }
     }
 }
@@ -85,7 +94,7 @@ V3f Environment::picture_radiance(const V2f& uv) const {
     const float fy = y - static_cast<float>(y0);
     const V3f top = pixel(x0, y0) * (1.0f - fx) + pixel(x0 + 1, y0) * fx;
     const V3f bottom = pixel(x0, y0 + 1) * (1.0f - fx) + pixel(x0 + 1, y0 + 1) * fx;
-    return (top * (1.0f - fy) + bottom * fy) * scale_;
+    return (top * (1.0f - fy) + bottom * fy) * (scale_ * unit_);
 }
 
 // Mean of the bilinear picture over one pixel's square: weights 1, 6, 1 over 8 both ways. It is
@@ -94,7 +103,7 @@ float Environment::cell_brightness(int x, int y) const {
     float sum = 0;
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) {
-            sum += kCellWeight[i + 1] * kCellWeight[j + 1] * luminance(pixel(x + i, y + j));
+            sum += kCellWeight[i + 1] * kCellWeight[j + 1] * luminance(pixel(x + i, y + j)) * unit_;
         }
     }
     return sum;
@@ -113,7 +122,7 @@ std::optional<LightSample> Environment::sample(const V2f& u) const {
     const SinCos azimuth = sin_cos_turn(0.5f + turns_ - place.uv.x);
     return LightSample{
         V3f(polar.sine * azimuth.cosine, polar.sine * azimuth.sine, polar.cosine).normalized(),
-        kInfinity, picture_radiance(place.uv), place.pdf / (kTurn * kPi * polar.sine)};
+        kInfinity, place.pdf / (kTurn * kPi * polar.sine), place.uv};
 }
 
 float Environment::pdf(const V3f& direction) const {

@@ -6,6 +6,7 @@
 
 #include "render/geometry/ray.h"
 #include "render/light/area_light.h"
+#include "render/light/shared_exponent.h"
 #include "render/sampling/distribution_2d.h"
 #include "render/scene/scene_description.h"
 #include "render/texture/image.h"
@@ -30,6 +31,11 @@ class Environment {
     /// In proportion to brightness and solid angle. Only if `is_sampled`.
     [[nodiscard]] std::optional<LightSample> sample(const V2f& u) const;
 
+    /// What arrives from there.
+    [[nodiscard]] V3f radiance(const LightSample& sample) const {
+        return picture_radiance(sample.place);
+    }
+
     /// Of `sample`, 1/sr; 0 if not `is_sampled`.
     [[nodiscard]] float pdf(const V3f& direction) const;
 
@@ -47,7 +53,8 @@ class Environment {
     V3f scale_{0, 0, 0};
     int width_ = 0;  // of the picture, pixels
     int height_ = 0;
-    std::vector<V3f> padded_;  // the picture with a border of one pixel; empty: constant
+    std::vector<SharedExponent> padded_;  // with a border of one pixel; empty: constant
+    float unit_ = 1;                      // that `padded_` is stored in
     Distribution2D distribution_;
     float turns_ = 0;  // rotation about z
     float mean_luminance_ = 0;

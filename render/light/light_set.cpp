@@ -112,6 +112,11 @@ std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point,
                       area_lights_[light]);
 }
 
+V3f LightSet::radiance(std::size_t light, const LightSample& sample) const {
+    return light >= area_lights_.size() ? environment_.radiance(sample)
+                                        : emitted(light, -sample.direction);
+}
+
 float LightSet::pdf(std::size_t light, const V3f& point, const V3f& direction,
                     float distance) const {
     if (light >= area_lights_.size()) {

@@ -45,6 +45,9 @@ class LightSet {
     [[nodiscard]] std::optional<LightSample> sample(std::size_t light, const V3f& point,
                                                     const V2f& u) const;
 
+    /// Radiance that arrives along a sample of that light if nothing is in the way.
+    [[nodiscard]] V3f radiance(std::size_t light, const LightSample& sample) const;
+
     /// Density of `sample` (1/sr, given that light) for a direction from `point` that reaches it
     /// after `distance`.
     [[nodiscard]] float pdf(std::size_t light, const V3f& point, const V3f& direction,

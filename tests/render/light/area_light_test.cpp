@@ -134,7 +134,8 @@ TEST(RectangleEmitter, Irradiance_IsLambertsFormula) {
         const float x = random.unit();
         const float y = random.unit();
         const auto sample = emitter.sample(point, V2f(x, y));
-        const double value = (sample->direction ^ normal) * sample->radiance.x / sample->pdf;
+        const double value =
+            (sample->direction ^ normal) * emitter.emitted(-sample->direction).x / sample->pdf;
         sum += value;
         squares += value * value;
     }
@@ -161,7 +162,8 @@ TEST(SphereEmitter, Irradiance_IsPiTimesSquareOfTheRatio) {
         const float x = random.unit();
         const float y = random.unit();
         const auto sample = emitter.sample(point, V2f(x, y));
-        const double value = (sample->direction ^ normal) * sample->radiance.x / sample->pdf;
+        const double value =
+            (sample->direction ^ normal) * emitter.emitted(-sample->direction).x / sample->pdf;
         sum += value;
         squares += value * value;
     }

@@ -1,0 +1,55 @@
+// Three non-negative numbers in 32 bits: nine bits each and a common exponent.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "render/geometry/ray.h"
+
+namespace carom::render {
+
+/// The layout of the OpenGL extension EXT_texture_shared_exponent: value = m 2^(e - 24), m < 512,
+/// e < 32. A colour keeps its largest channel within 1 part in 512, the others as finely in
+/// proportion to it. A picture of a sky so takes a third of the memory, which is what looking it up
+/// at random costs.
+class SharedExponent {
+  public:
+    static constexpr float kLargest = 511.0f * 128.0f;  // 511 2^(31 - 24)
+
+    SharedExponent() = default;
+
+    /// Channels are finite and >= 0; those above kLargest become kLargest.
+    explicit SharedExponent(const V3f& c) {
+        const float r = std::min(c.x, kLargest);
+        const float g = std::min(c.y, kLargest);
+        const float b = std::min(c.z, kLargest);
+        const float largest = std::max({r, g, b});
+        if (largest <= 0) {
+            return;
+        }
+        // The least exponent with which the largest channel, rounded, stays below 512.
+        int exponent = std::max(0, std::ilogb(largest) + 24 - 8);
+        if (std::lrint(std::ldexp(largest, 24 - exponent)) > 511) {
+            exponent += 1;
+        }
+        const auto mantissa = [&](float x) {
+            return static_cast<std::uint32_t>(std::lrint(std::ldexp(x, 24 - exponent)));
+        };
+        bits_ = mantissa(r) | mantissa(g) << 9 | mantissa(b) << 18 |
+                static_cast<std::uint32_t>(exponent) << 27;
+    }
+
+    [[nodiscard]] V3f value() const {
+        const float scale = std::bit_cast<float>(((bits_ >> 27) + (127 - 24)) << 23);
+        return {static_cast<float>(bits_ & 511u) * scale,
+                static_cast<float>(bits_ >> 9 & 511u) * scale,
+                static_cast<float>(bits_ >> 18 & 511u) * scale};
+    }
+
+  private:
+    std::uint32_t bits_ = 0;
+};
+
+}  // namespace carom::render
