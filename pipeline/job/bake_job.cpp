@@ -68,7 +68,7 @@ void keep(const sim::Bake& bake, const std::vector<std::string>& warnings,
 }  // namespace
 
 sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
-                        const JobObserver& observer, std::stop_token stop, bool* baked) {
+                        const JobObserver& observer, const std::stop_token& stop, bool* baked) {
     const Hash128 physics_hash = sim::physics_hash(shot.world);
     const std::string cache = cache_folder.empty() ? default_cache_folder() : cache_folder;
     const std::string path = cache + "/bakes/" + physics_hash.to_string() + ".bake";
@@ -83,7 +83,7 @@ sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
         return std::move(*kept);
     }
     WorkContext context;
-    context.stop = std::move(stop);
+    context.stop = stop;
     if (observer.on_progress) {
         context.progress = [&observer](double share) { observer.on_progress("bake", share); };
     }

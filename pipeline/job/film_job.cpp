@@ -5,16 +5,16 @@
 namespace carom::pipeline {
 
 FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
-                        const JobObserver& observer, std::stop_token stop) {
+                        const JobObserver& observer, const std::stop_token& stop) {
     return make_film_with(make_scene_renderer(shot, options.threads), shot, bake.timeline, options,
-                          observer, std::move(stop));
+                          observer, stop);
 }
 
 render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t frame,
                         const FilmJobOptions& options, const JobObserver& observer,
-                        std::stop_token stop) {
+                        const std::stop_token& stop) {
     return make_frame_with(make_scene_renderer(shot, options.threads), shot, bake.timeline, frame,
-                           options, observer, std::move(stop));
+                           options, observer, stop);
 }
 
 }  // namespace carom::pipeline

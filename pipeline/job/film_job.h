@@ -43,17 +43,17 @@ struct FilmJobResult {
 /// assets. A kept bake that is damaged is replaced; what the simulation warned of is told again.
 /// Throws Error, Stopped.
 [[nodiscard]] sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
-                                      const JobObserver& observer, std::stop_token stop,
+                                      const JobObserver& observer, const std::stop_token& stop,
                                       bool* baked = nullptr);
 
 /// Throws Error, Stopped. What was finished before stays in the store; the video appears whole or
 /// not at all.
 FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
-                        const JobObserver& observer, std::stop_token stop);
+                        const JobObserver& observer, const std::stop_token& stop);
 
 /// One frame, from the store if it is there.
 [[nodiscard]] render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t frame,
                                       const FilmJobOptions& options, const JobObserver& observer,
-                                      std::stop_token stop);
+                                      const std::stop_token& stop);
 
 }  // namespace carom::pipeline

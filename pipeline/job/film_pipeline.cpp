@@ -67,7 +67,7 @@ class EncoderThread {
 
 FilmJobResult make_film_with(const RenderFunction& render, const Shot& shot,
                              const sim::Timeline& timeline, const FilmJobOptions& options,
-                             const JobObserver& observer, std::stop_token stop) {
+                             const JobObserver& observer, const std::stop_token& stop) {
     const std::int64_t count = frame_count(shot.cameras, shot.timing);
     const std::vector<std::int64_t> frames = options.frames.frames(count);
     if (frames.empty()) {
@@ -103,7 +103,7 @@ FilmJobResult make_film_with(const RenderFunction& render, const Shot& shot,
 render::Film make_frame_with(const RenderFunction& render, const Shot& shot,
                              const sim::Timeline& timeline, std::int64_t frame,
                              const FilmJobOptions& options, const JobObserver& observer,
-                             std::stop_token stop) {
+                             const std::stop_token& stop) {
     ObserverGate gate(observer);
     const FrameStore store = open_store(options, gate);
     const FilmSource source(shot, timeline);

@@ -10,11 +10,13 @@ namespace carom::pipeline {
 [[nodiscard]] FilmJobResult make_film_with(const RenderFunction& render, const Shot& shot,
                                            const sim::Timeline& timeline,
                                            const FilmJobOptions& options,
-                                           const JobObserver& observer, std::stop_token stop);
+                                           const JobObserver& observer,
+                                           const std::stop_token& stop);
 
 [[nodiscard]] render::Film make_frame_with(const RenderFunction& render, const Shot& shot,
                                            const sim::Timeline& timeline, std::int64_t frame,
                                            const FilmJobOptions& options,
-                                           const JobObserver& observer, std::stop_token stop);
+                                           const JobObserver& observer,
+                                           const std::stop_token& stop);
 
 }  // namespace carom::pipeline

@@ -15,7 +15,7 @@ std::string environment(const char* name) {
 }  // namespace
 
 std::string default_cache_folder() {
-    if (const std::string own = environment("CAROM_CACHE"); !own.empty()) {
+    if (std::string own = environment("CAROM_CACHE"); !own.empty()) {
         return own;
     }
     if (const std::string shared = environment("XDG_CACHE_HOME"); !shared.empty()) {

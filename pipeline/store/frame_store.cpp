@@ -43,6 +43,8 @@ class PartialFile {
     }
     PartialFile(const PartialFile&) = delete;
     PartialFile& operator=(const PartialFile&) = delete;
+    PartialFile(PartialFile&&) = delete;
+    PartialFile& operator=(PartialFile&&) = delete;
 
     [[nodiscard]] const std::string& path() const { return path_; }
 

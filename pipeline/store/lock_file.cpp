@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -16,14 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+FileDescriptor open_file(const std::string& path, int flags) {
+    return FileDescriptor(::open(path.c_str(), O_RDWR | O_CLOEXEC | flags, 0666));
+}
+
 FileDescriptor open_or_create(const std::string& path) {
-    const auto open_file = [&path] {
-        return FileDescriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-    };
-    FileDescriptor file = open_file();
+    FileDescriptor file = open_file(path, O_CREAT);
     if (!file.is_open() && errno == ENOENT) {
         create_folder(fs::path(path).parent_path().string());
-        file = open_file();
+        file = open_file(path, O_CREAT);
     }
     if (!file.is_open()) {
         throw Error(system_problem(path, "the lock file cannot be opened"));
@@ -69,16 +71,17 @@ LockAttempt try_lock(const std::string& path) {
 }
 
 void remove_abandoned(const std::string& folder) {
+    // Listed first: what others create and remove meanwhile is not ours to chase.
     std::error_code ignored;
+    std::vector<std::string> paths;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-        const std::string path = entry.path().string();
-        try {
-            const LockAttempt attempt = try_lock(path);
-            if (attempt.state == LockState::held) {
-                ::unlink(path.c_str());
-            }
-        } catch (const Error&) {
-            // Somebody else's file: theirs to remove.
+        paths.push_back(entry.path().string());
+    }
+    for (const std::string& path : paths) {
+        const FileDescriptor file = open_file(path, 0);
+        if (file.is_open() && lock(file.get()) == LockState::held &&
+            still_has_its_name(file.get(), path)) {
+            ::unlink(path.c_str());
         }
     }
 }

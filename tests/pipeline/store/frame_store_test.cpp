@@ -1,22 +1,21 @@
 #include "pipeline/store/frame_store.h"
 
-#include <array>
 #include <cstdlib>
+#include <deque>
 #include <filesystem>
 #include <thread>
 
 #include <gmock/gmock.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "sim/timeline/error.h"
+#include "tests/pipeline/store/child_process.h"
 #include "tests/pipeline/store/sample_frames.h"
 #include "tests/pipeline/video/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {
 
+using carom::testing::ChildProcess;
 using carom::testing::make_film;
 using carom::testing::make_key;
 using carom::testing::read_text;
@@ -25,6 +24,8 @@ using carom::testing::write_text;
 using ::testing::IsEmpty;
 
 namespace fs = std::filesystem;
+
+const std::string kActor = CAROM_BINARY_DIR "/tests/carom_store_actor";
 
 std::vector<std::string> names_in(const std::string& folder) {
     std::vector<std::string> names;
@@ -154,40 +155,17 @@ TEST(FrameClaim, SecondClaim_IsRefusedUntilTheFirstEnds) {
     EXPECT_THAT(names_in(folder.path("locks")), IsEmpty());
 }
 
-/// Runs `work` in a child and returns its process id.
-template <class Work>
-pid_t start_child(const Work& work) {
-    const pid_t child = ::fork();
-    if (child == 0) {
-        work();
-        ::_exit(0);
-    }
-    return child;
-}
-
 TEST(FrameClaim, KilledOwner_FreesItsFrame) {
     const ScratchFolder folder;
-    std::array<int, 2> ends{};
-    ASSERT_EQ(::pipe(ends.data()), 0);
     const FrameStore store(folder.path());
-    const pid_t child = start_child([&] {
-        const std::optional<FrameClaim> claim = store.claim(make_key(1));
-        const char done = claim ? 'y' : 'n';
-        if (::write(ends[1], &done, 1) == 1) {
-            ::pause();
-        }
-    });
-    char claimed = 0;
-    ASSERT_EQ(::read(ends[0], &claimed, 1), 1);
-    EXPECT_EQ(claimed, 'y');
+    ChildProcess owner({kActor, "hold", folder.path(), folder.path("claimed")});
+    ASSERT_TRUE(owner.wait_until([&] { return fs::exists(folder.path("claimed")); }));
     EXPECT_FALSE(store.claim(make_key(1)));
-    ::kill(child, SIGKILL);
-    ::waitpid(child, nullptr, 0);
+    owner.kill();
+    (void)owner.wait();
     EXPECT_EQ(names_in(folder.path("locks")).size(), 1u);
     EXPECT_TRUE(store.claim(make_key(1)));
     EXPECT_THAT(names_in(folder.path("locks")), IsEmpty());
-    ::close(ends[0]);
-    ::close(ends[1]);
 }
 
 TEST(FrameClaim, LockOfAKilledOwner_IsSweptByTheNextStore) {
@@ -205,48 +183,27 @@ TEST(FrameClaim, LockOfAKilledOwner_IsSweptByTheNextStore) {
 
 TEST(FrameClaim, ManyProcesses_NeverHoldItTogether) {
     const ScratchFolder folder;
-    const FrameStore store(folder.path());
-    const std::string in_use = folder.path("in_use");
-    std::vector<pid_t> children;
+    std::deque<ChildProcess> children;
     for (int i = 0; i < 4; ++i) {
-        children.push_back(start_child([&] {
-            for (int granted = 0; granted < 300;) {
-                const std::optional<FrameClaim> claim = store.claim(make_key(1));
-                if (!claim) {
-                    std::this_thread::yield();
-                    continue;
-                }
-                ++granted;
-                if (::mkdir(in_use.c_str(), 0700) != 0 || ::rmdir(in_use.c_str()) != 0) {
-                    ::_exit(1);
-                }
-            }
-        }));
+        children.emplace_back(
+            std::vector<std::string>{kActor, "share", folder.path("store"), folder.path("in_use")});
     }
-    for (const pid_t child : children) {
-        int status = -1;
-        ::waitpid(child, &status, 0);
-        EXPECT_EQ(status, 0);
+    for (ChildProcess& child : children) {
+        EXPECT_EQ(child.wait(), 0);
     }
-    EXPECT_THAT(names_in(folder.path("locks")), IsEmpty());
+    EXPECT_THAT(names_in(folder.path("store/locks")), IsEmpty());
 }
 
 TEST(FrameStore, KilledWriter_LeavesNothingHalf) {
     const ScratchFolder folder;
-    const std::string writer = CAROM_BINARY_DIR "/tests/carom_store_writer";
     for (int round = 0; round < 6; ++round) {
-        const pid_t child = ::fork();
-        if (child == 0) {
-            ::execl(writer.c_str(), writer.c_str(), folder.path().c_str(), nullptr);
-            ::_exit(1);
-        }
-        while (!FrameStore(folder.path()).contains(make_key(0))) {
-            ASSERT_EQ(::waitpid(child, nullptr, WNOHANG), 0) << "the writer ended by itself";
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
+        ChildProcess writer({kActor, "write", folder.path()});
+        // Every new store sweeps, while the writer is at work.
+        ASSERT_TRUE(
+            writer.wait_until([&] { return FrameStore(folder.path()).contains(make_key(0)); }));
         std::this_thread::sleep_for(std::chrono::milliseconds(3 + 7 * round));
-        ::kill(child, SIGKILL);
-        ::waitpid(child, nullptr, 0);
+        writer.kill();
+        (void)writer.wait();
         const FrameStore store(folder.path());
         EXPECT_THAT(names_in(folder.path("partial")), IsEmpty());
         for (std::uint64_t number = 0; number < 8; ++number) {

@@ -1,0 +1,81 @@
+// Another program, started by a test and perhaps killed.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace carom::testing {
+
+/// Started by posix_spawn: fork() would run the handlers that libraries of the test program have
+/// registered for it. Killed when it goes out of scope.
+class ChildProcess {
+  public:
+    explicit ChildProcess(std::vector<std::string> command) {
+        std::vector<char*> arguments;
+        for (std::string& word : command) {
+            arguments.push_back(word.data());
+        }
+        arguments.push_back(nullptr);
+        if (::posix_spawn(&process_, arguments[0], nullptr, nullptr, arguments.data(), environ) !=
+            0) {
+            process_ = -1;
+            ADD_FAILURE() << "cannot start " << command[0];
+        }
+    }
+    ~ChildProcess() {
+        kill();
+        (void)wait();
+    }
+    ChildProcess(const ChildProcess&) = delete;
+    ChildProcess& operator=(const ChildProcess&) = delete;
+
+    void kill() {
+        if (process_ > 0) {
+            ::kill(process_, SIGKILL);
+        }
+    }
+
+    [[nodiscard]] bool is_running() {
+        if (process_ > 0 && ::waitpid(process_, &status_, WNOHANG) == process_) {
+            process_ = -1;
+        }
+        return process_ > 0;
+    }
+
+    /// As waitpid reports it: 0 if it ended well.
+    int wait() {
+        if (process_ > 0) {
+            ::waitpid(process_, &status_, 0);
+            process_ = -1;
+        }
+        return status_;
+    }
+
+    /// Asks `happened` every millisecond, for as long as the process runs and at most 30 s. False
+    /// if it did not happen.
+    template <class Question>
+    [[nodiscard]] bool wait_until(const Question& happened) {
+        const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+        while (!happened()) {
+            if (!is_running() || std::chrono::steady_clock::now() > deadline) {
+                return happened();
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return true;
+    }
+
+  private:
+    pid_t process_ = -1;
+    int status_ = -1;
+};
+
+}  // namespace carom::testing

@@ -1,0 +1,61 @@
+// Plays one part in a store, in a process that a test may kill:
+//   write FOLDER      writes frames for ever
+//   hold FOLDER FILE  claims frame 1, makes FILE and sleeps
+//   share FOLDER DIR  claims frame 1 300 times, each time being alone in making DIR; else fails
+#include <cstdint>
+#include <string_view>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "tests/pipeline/store/sample_frames.h"
+
+namespace {
+
+using carom::pipeline::FrameClaim;
+using carom::pipeline::FrameStore;
+using carom::testing::make_key;
+
+void write_for_ever(const FrameStore& store) {
+    for (std::uint64_t number = 0;; ++number) {
+        store.write(make_key(number % 8), carom::testing::make_film(static_cast<int>(number % 8)),
+                    {});
+    }
+}
+
+int hold(const FrameStore& store, const char* file) {
+    const std::optional<FrameClaim> claim = store.claim(make_key(1));
+    if (!claim || ::close(::open(file, O_CREAT | O_WRONLY, 0600)) != 0) {
+        return 1;
+    }
+    ::pause();
+    return 0;
+}
+
+int share(const FrameStore& store, const char* folder) {
+    for (int granted = 0; granted < 300;) {
+        const std::optional<FrameClaim> claim = store.claim(make_key(1));
+        if (!claim) {
+            std::this_thread::yield();
+            continue;
+        }
+        ++granted;
+        if (::mkdir(folder, 0700) != 0 || ::rmdir(folder) != 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int, char** arguments) {
+    const std::string_view part = arguments[1];
+    const FrameStore store(arguments[2]);
+    if (part == "write") {
+        write_for_ever(store);
+    }
+    return part == "hold" ? hold(store, arguments[3]) : share(store, arguments[3]);
+}
