@@ -1,7 +1,11 @@
 #include "render/integrator/direct_light.h"
 
+#include <cmath>
 #include <filesystem>
+#include <string>
+#include <vector>
 
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include "tests/render/integrator/integrator_scene.h"
@@ -62,6 +66,61 @@ TEST(DirectLight, Together_TheyBeatEitherAlone) {
     const Estimate both = with(DirectStrategy::both, 0);
     EXPECT_LT(both.error, 1.1 * with(DirectStrategy::lights_only, 0).error);
     EXPECT_LT(both.error, with(DirectStrategy::scattering_only, 0).error);
+}
+
+/// A picture of a dim sky with a brighter patch, in a file of its own.
+class SkyPicture {
+  public:
+    SkyPicture() {
+        path_ = (std::filesystem::temp_directory_path() / "carom_direct_light_sky.exr").string();
+        std::vector<float> pixels;
+        for (int i = 0; i < kWidth * kHeight; ++i) {
+            const bool patch = i % kWidth > 8 && i % kWidth < 12 && i / kWidth == 2;
+            pixels.insert(pixels.end(), 3, patch ? 4.0f : 0.1f);
+        }
+        const auto file = OIIO::ImageOutput::create(path_);
+        file->open(path_, OIIO::ImageSpec(kWidth, kHeight, 3, OIIO::TypeDesc::FLOAT));
+        file->write_image(OIIO::TypeDesc::FLOAT, pixels.data());
+        file->close();
+    }
+    SkyPicture(const SkyPicture&) = delete;
+    SkyPicture& operator=(const SkyPicture&) = delete;
+    ~SkyPicture() { std::filesystem::remove(path_); }
+
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+  private:
+    static constexpr int kWidth = 16;
+    static constexpr int kHeight = 8;
+    std::string path_;
+};
+
+// The lamp is a thousand times as important as the sky, which is thus sampled at one vertex in
+// eight; but a screen stands in the lamp's way, so that all of the picture hangs on those few.
+TEST(DirectLight, DimSkyBesideABrightLamp_EveryStrategyHasTheSameMean) {
+    const SkyPicture sky;
+    SceneBuilder builder = balls_on_floor();
+    builder.scene.lights.clear();
+    builder.object("screen", render::BoxShape{Vec3(0.5, 0.5, 0.01)}, Vec3(0, 0, 2.9), "metal");
+    builder.lamp(Vec3(0, 0, 3), 0.2, 0.2, 2000);
+    EnvironmentLight light;
+    light.image = sky.path();
+    builder.scene.lights.push_back({"sky", light});
+    const auto of = [&](DirectStrategy strategy) {
+        PathSettings path;
+        path.strategy = strategy;
+        path.max_bounces = 0;
+        return test::picture_luminance(
+            builder.scene, test::camera(Vec3(0, -1.2, 1.2), Vec3(0, 0, 0.2), 0.6), path, 24, 64);
+    };
+    const Estimate both = of(DirectStrategy::both);
+    const Estimate lights = of(DirectStrategy::lights_only);
+    const Estimate scattering = of(DirectStrategy::scattering_only);
+    EXPECT_NEAR(lights.mean, both.mean, 4 * std::hypot(lights.error, both.error));
+    EXPECT_NEAR(scattering.mean, both.mean, 4 * std::hypot(scattering.error, both.error));
+    EXPECT_LT(both.error, 0.01 * both.mean);
+    EXPECT_LT(lights.error, 0.02 * both.mean);
+    EXPECT_LT(scattering.error, 0.02 * both.mean);
 }
 
 TEST(PowerHeuristic, TheTwoShares_AddUpToOne) {
