@@ -12,13 +12,6 @@ namespace {
 /// Gaps up to this (m) count as contact, lest a ball that lies still keeps losing touch.
 constexpr double kMargin = 1e-5;
 
-Vec3 corner_of(const StepBody& box, int corner) {
-    const Vec3& h = box.half_size;
-    const Vec3 local((corner & 1) != 0 ? h.x : -h.x, (corner & 2) != 0 ? h.y : -h.y,
-                     (corner & 4) != 0 ? h.z : -h.z);
-    return box.state.position + to_world(box.state.orientation, local);
-}
-
 SurfaceContact from_ode(const ode::BoxContact& contact) {
     return {contact.point, contact.normal, contact.depth, 0};
 }
@@ -32,19 +25,6 @@ Aabb box_bounds(const FixedBox& box) {
 }
 
 }  // namespace
-
-double StepBody::reach() const {
-    return is_ball ? radius : std::sqrt(half_size.dot(half_size));
-}
-
-Aabb StepBody::bounds() const {
-    if (is_ball)
-        return {state.position - Vec3(radius), state.position + Vec3(radius)};
-    Aabb box{corner_of(*this, 0), corner_of(*this, 0)};
-    for (int i = 1; i < 8; ++i)
-        box.extend(corner_of(*this, i));
-    return box;
-}
 
 std::vector<FoundContact> ContactFinder::find(const std::vector<StepBody>& bodies) const {
     std::vector<FoundContact> found;

@@ -3,7 +3,10 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
+#include "sim/ode/impact_solver.h"
+#include "sim/scheduler/ball_state.h"
 #include "sim/spatial/box_touch.h"
 #include "sim/timeline/vocabulary.h"
 
@@ -28,6 +31,17 @@ struct StepBody {
     /// Radius of a sphere around the centre that holds all of it.
     [[nodiscard]] double reach() const;
     [[nodiscard]] Aabb bounds() const;
+    /// A bound for the speed of any of its points, m/s.
+    [[nodiscard]] double farthest_speed() const;
+    [[nodiscard]] Vec3 velocity_at(const Vec3& point) const;
+    [[nodiscard]] ode::ImpactBody impact_body() const;
 };
+
+/// First the balls in their order, then the moving boxes of the world in theirs.
+[[nodiscard]] std::vector<StepBody> make_step_bodies(const WorldDescription& world,
+                                                     const std::vector<Ball>& balls);
+
+/// Where a corner of a box is, counted from 0 to 7.
+[[nodiscard]] Vec3 corner_of(const StepBody& box, int corner);
 
 }  // namespace carom::sim

@@ -2,17 +2,17 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <string>
+#include <set>
 #include <utility>
 #include <vector>
 
-#include "sim/ode/impact_solver.h"
-#include "sim/ode/step_world.h"
 #include "sim/scheduler/balls.h"
 #include "sim/scheduler/contact_finder.h"
 #include "sim/scheduler/recording.h"
 #include "sim/scheduler/step_body.h"
+#include "sim/scheduler/step_bounces.h"
+#include "sim/scheduler/step_sleep.h"
+#include "sim/scheduler/step_trial.h"
 #include "sim/scheduler/surroundings.h"
 
 namespace carom::sim {
@@ -42,7 +42,9 @@ class SteppedBodies {
                     const Vec3& angular_velocity);
 
     /// Something happened near `place`: bodies that sleep within `reach` of it wake.
-    void wake_near(const Vec3& place, double reach, double time);
+    void wake_near(const Vec3& place, double reach, double time) {
+        sleep_.wake_near(place, reach, time);
+    }
 
     [[nodiscard]] MotionState box_state(std::uint32_t body) const { return bodies_[body].state; }
     void add_energy(EnergySample& sample) const;
@@ -51,38 +53,24 @@ class SteppedBodies {
 
   private:
     void adopt_balls(double time);
-    void choose_moving();
-    void solve(double duration);
-    [[nodiscard]] double share_until_touch() const;
-    void record(std::size_t slot, double end);
+    void show_paths();
+    void stay(double time);
+    void record(std::size_t slot);
     void log_touches();
-    void settle(std::uint32_t body, double end);
+    void settle_box(StepBody& body, double end);
     void settle_ball(StepBody& body, double end);
-    void wake_by_touch(double time);
-    void bounce_balls(double time);
-    void bounce(const FoundContact& found, double time);
-    void take(StepBody& body, const ode::Velocities& velocities, double time);
-    [[nodiscard]] double approach(const FoundContact& found) const;
-    void wake(StepBody& body, double time);
+    [[nodiscard]] Ground ground_under(const StepBody& ball, bool& touches_other) const;
 
     const Surroundings& around_;
     Balls& balls_;
     Recording& recording_;
     ContactFinder finder_;
-    ode::StepWorld world_;
     std::vector<StepBody> bodies_;  // first the balls in their order, then the boxes
-
-    // The step being tried.
+    StepSleep sleep_;
+    StepBounces bounces_;
+    StepTrial trial_;
     bool is_trying_ = false;
-    double step_start_ = 0;
-    double step_end_ = 0;
-    std::vector<int> moving_;
-    std::vector<MotionState> states_;
-    std::vector<FoundContact> contacts_;
-    std::vector<ode::StepContact> step_contacts_;
-    std::vector<ode::StepMotion> motions_;
-    std::vector<ode::StepImpulse> impulses_;
-    std::map<std::pair<int, int>, bool> last_pairs_;  // in touch during the last step
+    std::set<std::pair<int, int>> last_pairs_;  // in touch during the last step
 };
 
 }  // namespace carom::sim

@@ -1,0 +1,92 @@
+#include "sim/scheduler/step_body.h"
+
+#include <cmath>
+
+namespace carom::sim {
+namespace {
+
+double length(const Vec3& v) {
+    return std::sqrt(v.dot(v));
+}
+
+StepBody ball_body(const Ball& ball) {
+    StepBody body;
+    body.name = ball.name;
+    body.material = ball.material;
+    body.track = ball.track;
+    body.is_ball = true;
+    body.radius = ball.radius;
+    body.mass = ball.mass;
+    body.inertia = Vec3(0.4 * ball.mass * ball.radius * ball.radius);
+    return body;
+}
+
+StepBody box_body(const Body& from, const Vec3& size, std::size_t track) {
+    StepBody body;
+    body.name = from.name;
+    body.material = from.material;
+    body.track = track;
+    body.half_size = size * 0.5;
+    body.mass = from.mass;
+    body.inertia = Vec3(size.y * size.y + size.z * size.z, size.x * size.x + size.z * size.z,
+                        size.x * size.x + size.y * size.y) *
+                   (from.mass / 12);
+    body.state = {from.pose.position, from.pose.orientation, from.velocity, from.angular_velocity};
+    body.is_in = body.is_awake = true;
+    return body;
+}
+
+}  // namespace
+
+double StepBody::reach() const {
+    return is_ball ? radius : std::sqrt(half_size.dot(half_size));
+}
+
+Aabb StepBody::bounds() const {
+    if (is_ball)
+        return {state.position - Vec3(radius), state.position + Vec3(radius)};
+    Aabb box{corner_of(*this, 0), corner_of(*this, 0)};
+    for (int i = 1; i < 8; ++i)
+        box.extend(corner_of(*this, i));
+    return box;
+}
+
+double StepBody::farthest_speed() const {
+    return length(state.velocity) + reach() * length(state.angular_velocity);
+}
+
+Vec3 StepBody::velocity_at(const Vec3& point) const {
+    return state.velocity + state.angular_velocity.cross(point - state.position);
+}
+
+ode::ImpactBody StepBody::impact_body() const {
+    return {mass,
+            inertia,
+            {state.position, state.orientation},
+            {state.velocity, state.angular_velocity}};
+}
+
+std::vector<StepBody> make_step_bodies(const WorldDescription& world,
+                                       const std::vector<Ball>& balls) {
+    std::vector<StepBody> bodies;
+    for (const Ball& ball : balls)
+        bodies.push_back(ball_body(ball));
+    std::size_t track = 0;
+    for (const Body& body : world.bodies) {
+        if (body.kind != BodyKind::dynamic)
+            continue;
+        if (const auto* box = std::get_if<Box>(&body.shape))
+            bodies.push_back(box_body(body, box->size, track));
+        ++track;
+    }
+    return bodies;
+}
+
+Vec3 corner_of(const StepBody& box, int corner) {
+    const Vec3& h = box.half_size;
+    const Vec3 local((corner & 1) != 0 ? h.x : -h.x, (corner & 2) != 0 ? h.y : -h.y,
+                     (corner & 4) != 0 ? h.z : -h.z);
+    return box.state.position + to_world(box.state.orientation, local);
+}
+
+}  // namespace carom::sim

@@ -1,0 +1,78 @@
+#include "sim/scheduler/step_sleep.h"
+
+#include <cmath>
+
+namespace carom::sim {
+namespace {
+
+/// A body moving less than this (m/s, its farthest point) for that long (s) falls asleep.
+constexpr double kSleepSpeed = 0.01;
+constexpr double kBallSleepDelay = 0.1;
+constexpr double kBoxSleepDelay = 0.3;
+/// A sleeper wakes when something comes against it faster than this (m/s).
+constexpr double kWakeSpeed = 0.015;
+
+double length(const Vec3& v) {
+    return std::sqrt(v.dot(v));
+}
+
+}  // namespace
+
+void StepSleep::wake(StepBody& body, double time) {
+    body.is_awake = true;
+    body.slow_since = time;
+    body.free_steps = 0;
+    if (body.is_ball)
+        balls_.hand_to_ode(static_cast<std::uint32_t>(&body - bodies_.data()), time);
+}
+
+void StepSleep::wake_near(const Vec3& place, double reach, double time) {
+    constexpr double kNear = 1e-3;  // m
+    for (StepBody& body : bodies_) {
+        const bool sleeps = body.is_in && !body.is_awake;
+        if (!sleeps || length(body.state.position - place) > reach + body.reach() + kNear)
+            continue;
+        wake(body, time);
+        wake_near(body.state.position, body.reach(), time);
+    }
+}
+
+bool StepSleep::wake_by_touch(const std::vector<FoundContact>& contacts, double time) {
+    bool is_changed = false;
+    for (const FoundContact& found : contacts) {
+        if (found.other < 0)
+            continue;
+        StepBody& a = bodies_[static_cast<std::size_t>(found.contact.first)];
+        StepBody& b = bodies_[static_cast<std::size_t>(found.other)];
+        if (a.is_awake == b.is_awake)
+            continue;
+        const Vec3 relative =
+            a.velocity_at(found.contact.point) - b.velocity_at(found.contact.point);
+        if (length(relative) < kWakeSpeed)
+            continue;
+        wake(a.is_awake ? b : a, time);
+        is_changed = true;
+    }
+    return is_changed;
+}
+
+bool StepSleep::is_tired(StepBody& body, const std::vector<FoundContact>& contacts,
+                         double time) const {
+    const int me = static_cast<int>(&body - bodies_.data());
+    bool has_contact = false;
+    bool is_slow = body.farthest_speed() < kSleepSpeed;
+    for (const FoundContact& found : contacts) {
+        if (found.contact.first != me && found.other != me)
+            continue;
+        has_contact = true;
+        const int partner = found.contact.first == me ? found.other : found.contact.first;
+        if (partner >= 0)
+            is_slow = is_slow &&
+                      bodies_[static_cast<std::size_t>(partner)].farthest_speed() < kSleepSpeed;
+    }
+    if (!is_slow || !has_contact)
+        body.slow_since = time;
+    return time - body.slow_since > (body.is_ball ? kBallSleepDelay : kBoxSleepDelay);
+}
+
+}  // namespace carom::sim

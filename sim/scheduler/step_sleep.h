@@ -1,0 +1,33 @@
+// Which of the bodies that ODE carries are awake.
+#pragma once
+
+#include <vector>
+
+#include "sim/scheduler/balls.h"
+#include "sim/scheduler/contact_finder.h"
+#include "sim/scheduler/step_body.h"
+
+namespace carom::sim {
+
+class StepSleep {
+  public:
+    StepSleep(std::vector<StepBody>& bodies, Balls& balls) : bodies_(bodies), balls_(balls) {}
+
+    void wake(StepBody& body, double time);
+
+    /// Something happened near `place`: bodies that sleep within `reach` of it wake.
+    void wake_near(const Vec3& place, double reach, double time);
+
+    /// Wakes sleepers that something awake comes against; true if there were any.
+    bool wake_by_touch(const std::vector<FoundContact>& contacts, double time);
+
+    /// Whether a body has hardly moved, in touch with something, for long enough at `time`.
+    [[nodiscard]] bool is_tired(StepBody& body, const std::vector<FoundContact>& contacts,
+                                double time) const;
+
+  private:
+    std::vector<StepBody>& bodies_;
+    Balls& balls_;
+};
+
+}  // namespace carom::sim
