@@ -73,7 +73,9 @@ std::string problem_of(std::string_view line) {
     const std::string_view values = with_comment.substr(0, with_comment.find('#'));
     const std::string_view allowed = is_vertex ? "0123456789+-.eE \t\r" : "0123456789-/ \t\r";
     if (values.find_first_not_of(allowed) != std::string_view::npos) {
-        return "'" + std::string(line.substr(0, 60)) + "' has something that is no number";
+        std::string problem("'");
+        problem.append(line.substr(0, 60)).append("' has something that is no number");
+        return problem;
     }
     if (!is_vertex && has_digits(values, 10)) {
         return "a face refers to a vertex beyond a thousand million";
