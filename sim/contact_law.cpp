@@ -18,6 +18,19 @@ const PairContact* built_in(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+BallCushion usual_cushion(CushionModel model) {
+    switch (model) {
+        case CushionModel::mirror:
+            return {model, 0.85, 0};
+        case CushionModel::han2005:
+            break;
+        case CushionModel::mathavan2010:
+            // Their section 4: the best fit to rolling snooker balls below 1.5 m/s.
+            return {model, 0.98, 0.14};
+    }
+    return {CushionModel::han2005, 0.85, 0.2};
+}
+
 const PairContact& ContactLaw::between(const std::string& a, const std::string& b) const {
     const std::string& first = a <= b ? a : b;
     const std::string& second = a <= b ? b : a;

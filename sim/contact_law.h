@@ -42,6 +42,9 @@ struct BallCushion {
     bool operator==(const BallCushion&) const = default;
 };
 
+/// A model with the numbers that it was published with.
+[[nodiscard]] BallCushion usual_cushion(CushionModel model);
+
 /// Any two other materials.
 struct PairContact {
     double restitution = 0.3;       // [0, 1]

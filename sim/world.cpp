@@ -55,8 +55,6 @@ void check_contact_law(const ContactLaw& law, Complaints& complaints) {
     complaints.require(is_fraction(law.ball_ball.restitution), "restitution has to be in [0, 1]");
     complaints.require(is_not_negative(law.ball_ball.friction), "friction has to be 0 or more");
     complaints.about("ball_cushion");
-    complaints.require(law.ball_cushion.model != CushionModel::mathavan2010,
-                       "the model mathavan2010 is not available yet; use han2005 or mirror");
     complaints.require(is_fraction(law.ball_cushion.restitution),
                        "restitution has to be in [0, 1]");
     complaints.require(is_not_negative(law.ball_cushion.friction), "friction has to be 0 or more");

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/timeline/error.h"
+#include "sim/impact/mathavan_cushion.h"
 
 namespace carom::sim {
 namespace {
@@ -44,16 +44,17 @@ ImpulsePair han2005(BallBody& ball, const Vec3& normal, const BallCushion& law) 
 }  // namespace
 
 ImpulsePair cushion_impact(BallBody& ball, const Vec3& inward, const Vec3& contact_normal,
-                           const BallCushion& law) {
-    switch (law.model) {
+                           const ContactLaw& law) {
+    switch (law.ball_cushion.model) {
         case CushionModel::mirror:
-            return mirror(ball, inward, law.restitution);
+            return mirror(ball, inward, law.ball_cushion.restitution);
         case CushionModel::han2005:
-            return han2005(ball, contact_normal, law);
+            return han2005(ball, contact_normal, law.ball_cushion);
         case CushionModel::mathavan2010:
-            break;  // find_problems refuses it
+            return mathavan_impact(ball, contact_normal, law.ball_cushion.restitution,
+                                   law.ball_cushion.friction, law.ball_cloth.sliding_friction);
     }
-    throw Error("the cushion model mathavan2010 is not available");
+    return {};
 }
 
 }  // namespace carom::sim

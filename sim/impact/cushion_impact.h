@@ -9,6 +9,6 @@ namespace carom::sim {
 /// `contact_normal` the unit vector from the nose to the ball's centre (it points down for a nose
 /// above the centre). Changes the ball's velocities; the model's vertical part is kept as computed.
 ImpulsePair cushion_impact(BallBody& ball, const Vec3& inward, const Vec3& contact_normal,
-                           const BallCushion& law);
+                           const ContactLaw& law);
 
 }  // namespace carom::sim

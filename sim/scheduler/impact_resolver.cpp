@@ -195,7 +195,7 @@ void ImpactResolver::meet_cushion(const Touch& touch, const Vec2& nearest) {
     const double approach = -before.velocity.dot(inward);
     ImpulsePair impulse;
     if (ball.material == "ball") {
-        impulse = cushion_impact(body, inward, normal, around_.law.ball_cushion);
+        impulse = cushion_impact(body, inward, normal, around_.law);
     } else {
         const PairContact& law = around_.law.between(ball.material, "cushion");
         impulse = ball_static_impact(balls_.solver(), body, normal, law.restitution, law.friction);

@@ -3,10 +3,126 @@
 
 #include <gtest/gtest.h>
 
+#include "level_path.h"
 #include "shots.h"
+#include "sim/impact/mathavan_cushion.h"
 
 namespace carom::sim::test {
 namespace {
+
+constexpr double kPi = 3.14159265358979324;
+
+LevelState mirrored(const LevelState& s, const Vec2& inward, double restitution) {
+    LevelState after = s;
+    after.velocity += inward * ((1 + restitution) * -s.velocity.dot(inward));
+    return after;
+}
+
+/// Han 2005, equations 13 to 17: x into the cushion, y along it; the vertical part is left out.
+LevelState han(const LevelState& s, const Vec2& inward, double e, double mu) {
+    const Vec2 x = -inward;
+    const Vec2 y(-x.y, x.x);
+    const double sine = 0.27;
+    const double cosine = std::sqrt(1 - sine * sine);
+    const double vx = s.velocity.dot(x);
+    const double vy = s.velocity.dot(y);
+    const double wx = s.spin.x * x.x + s.spin.y * x.y;
+    const double wy = s.spin.x * y.x + s.spin.y * y.y;
+    const double sx = vx * sine + wy;
+    const double sy = -vy - s.spin.z * cosine + wx * sine;
+    const double along = (1 + e) * vx * cosine;
+    const double slip = std::sqrt(sx * sx + sy * sy);
+    const double across = slip > 0 ? std::min(2 * slip / 7, mu * along) / slip : 0;
+    const double px = -across * sx * sine - along * cosine;
+    const double py = across * sy;
+    const double pz = across * sx * cosine - along * sine;
+    LevelState after = s;
+    after.velocity += x * px + y * py;
+    const Vec2 turn = x * (-2.5 * py * sine) + y * (2.5 * (px * sine - pz * cosine));
+    after.spin += Vec3(turn.x, turn.y, 2.5 * py * cosine);
+    return after;
+}
+
+struct CushionShot {
+    double speed, degrees, roll, side;
+};
+
+/// Bakes the shot on a table of 2.54 x 1.27 m and returns how far it is from `table`'s path at
+/// most.
+double worst_distance(const CushionShot& shot, const BallCushion& law, const LevelTable& table) {
+    WorldDescription world = walled_world(20);
+    world.contact_law.ball_cushion = law;
+    const double angle = shot.degrees * kPi / 180;
+    const Vec3 velocity(shot.speed * std::cos(angle), shot.speed * std::sin(angle), 0);
+    const Vec3 spin =
+        rolling_spin(velocity) * shot.roll + Vec3(0, 0, shot.side * shot.speed / kRadius);
+    world.bodies = {ball("cue", 0.3, -0.1, velocity, spin)};
+    const LevelState start{{0.3, -0.1}, {velocity.x, velocity.y}, spin * kRadius};
+    const double interval = 0.02;
+    const std::vector<LevelState> path = level_path(table, start, interval, 3);
+    world.duration = interval * static_cast<double>(path.size());
+    const Timeline timeline = bake(world).timeline;
+    double worst = 0;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const Vec3 p = state_at(timeline, "cue", interval * static_cast<double>(i)).position;
+        worst = std::max(worst, (Vec2(p.x, p.y) - path[i].position).length());
+    }
+    return worst;
+}
+
+template <typename Visit>
+void sweep_cushion_shots(Visit visit) {
+    for (const double speed : {0.3, 1.2, 4.0, 9.0})
+        for (const double degrees : {3.0, 17.0, 38.0, 62.0, 88.0})
+            for (const double roll : {-1.0, 0.0, 1.0})
+                for (const double side : {-0.8, 0.0, 0.8})
+                    visit(CushionShot{speed, degrees, roll, side});
+}
+
+LevelTable bounds_of_the_table() {
+    LevelTable table;
+    table.half = {2.54 / 2 - kRadius, 1.27 / 2 - kRadius};
+    return table;
+}
+
+TEST(Cushion_MirrorOverThreeMetres, AgreesWithTheClosedForm) {
+    LevelTable table = bounds_of_the_table();
+    table.rebound = [](const LevelState& s, const Vec2& n) { return mirrored(s, n, 0.8); };
+    sweep_cushion_shots([&](const CushionShot& shot) {
+        EXPECT_LT(worst_distance(shot, {CushionModel::mirror, 0.8, 0}, table), 1e-8)
+            << shot.speed << " " << shot.degrees << " " << shot.roll << " " << shot.side;
+    });
+}
+
+TEST(Cushion_HanOverThreeMetres, AgreesWithTheClosedForm) {
+    LevelTable table = bounds_of_the_table();
+    table.rebound = [](const LevelState& s, const Vec2& n) { return han(s, n, 0.85, 0.2); };
+    sweep_cushion_shots([&](const CushionShot& shot) {
+        EXPECT_LT(worst_distance(shot, {CushionModel::han2005, 0.85, 0.2}, table), 1e-8)
+            << shot.speed << " " << shot.degrees << " " << shot.roll << " " << shot.side;
+    });
+}
+
+TEST(Cushion_Mathavan, IsTheImpactOfItsModel) {
+    for (const double side : {-60.0, 0.0, 60.0}) {
+        WorldDescription world = walled_world(0.5);
+        world.contact_law.ball_cushion = usual_cushion(CushionModel::mathavan2010);
+        world.bodies = {ball("cue", 0, 0.3, {1.5, 1.5, 0}, {0, 0, side})};
+        const Timeline timeline = bake(world).timeline;
+        const Event* impact = find_event(timeline, EventKind::impact, "cue", "cushion");
+        ASSERT_NE(impact, nullptr);
+        const Key key = key_at(timeline, "cue", impact->time);
+        BallBody ball{kMass, kRadius, {}};
+        ball.state.velocity = key.velocity_in;
+        ball.state.angular_velocity = key.angular_velocity_in;
+        const ImpulsePair impulse =
+            mathavan_impact(ball, {0, -std::sqrt(1 - 0.27 * 0.27), -0.27}, 0.98, 0.14, 0.2);
+        EXPECT_NEAR((key.velocity_out - ball.state.velocity).length(), 0, 1e-9);
+        EXPECT_NEAR((key.angular_velocity_out - ball.state.angular_velocity).length(), 0, 1e-7);
+        EXPECT_NEAR(impact->normal_impulse, impulse.normal, 1e-9);
+        EXPECT_NEAR(impact->tangential_impulse, impulse.tangential, 1e-9);
+    }
+}
 
 TEST(Cushion_Mirror, ReflectsThePath) {
     for (const double angle : {10.0, 35.0, 60.0, 85.0}) {

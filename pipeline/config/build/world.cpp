@@ -15,8 +15,7 @@ namespace {
 Place place_of(const std::string& problem, const Builder& builder) {
     for (const char* key : {"ball_cloth", "ball_ball", "ball_cushion"}) {
         if (problem.starts_with(key)) {
-            const bool is_model = problem.find("model") != std::string::npos;
-            return builder.place_of({"physics", key, is_model ? "model" : ""});
+            return builder.place_of({"physics", key});
         }
     }
     for (const auto& [name, place] : builder.placed) {

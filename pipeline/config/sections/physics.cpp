@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "pipeline/config/sections/sections.h"
 
 namespace carom::pipeline::config {
@@ -59,18 +61,67 @@ const MapSpec<BallBall>& ball_ball_spec() {
     return spec;
 }
 
-const MapSpec<BallCushion>& ball_cushion_spec() {
-    static const MapSpec<BallCushion> spec = [] {
-        MapSpec<BallCushion> s("ball_cushion", "A ball against a cushion.");
-        s.key("model", &BallCushion::model,
+/// The numbers mean something else in each model, so each has its own, and those of a set of balls
+/// survive a change of the model.
+struct CushionNumbers {
+    std::optional<double> restitution;
+    std::optional<double> friction;
+};
+
+struct CushionEntry {
+    sim::CushionModel model = BallCushion{}.model;
+    CushionNumbers chosen;  // over those below
+    CushionNumbers mirror, han2005, mathavan2010;
+
+    [[nodiscard]] BallCushion law() const;
+};
+
+BallCushion CushionEntry::law() const {
+    const CushionNumbers& own = model == sim::CushionModel::mirror    ? mirror
+                                : model == sim::CushionModel::han2005 ? han2005
+                                                                      : mathavan2010;
+    const BallCushion usual = sim::usual_cushion(model);
+    return {model, chosen.restitution.value_or(own.restitution.value_or(usual.restitution)),
+            chosen.friction.value_or(own.friction.value_or(usual.friction))};
+}
+
+const MapSpec<CushionNumbers>& cushion_numbers_spec() {
+    static const MapSpec<CushionNumbers> spec = [] {
+        MapSpec<CushionNumbers> s(
+            "cushion_numbers",
+            "What one model of the cushion uses. Published values: 0.85 and 0.2 for `han2005`, "
+            "0.98 and 0.14 for `mathavan2010`.");
+        s.key("restitution", &CushionNumbers::restitution, number(between(0, 1)),
+              "as the model means it; else the published one");
+        s.key("friction", &CushionNumbers::friction, number(between(0, kLargestFriction)),
+              "between ball and cushion; else the published one");
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<CushionEntry>& ball_cushion_spec() {
+    static const MapSpec<CushionEntry> spec = [] {
+        MapSpec<CushionEntry> s("ball_cushion", "A ball against a cushion.");
+        s.key("model", &CushionEntry::model,
               choice<sim::CushionModel>({{"mirror", sim::CushionModel::mirror},
                                          {"han2005", sim::CushionModel::han2005},
                                          {"mathavan2010", sim::CushionModel::mathavan2010}}),
               "which published model gives the impulse");
-        s.key("restitution", &BallCushion::restitution, number(between(0, 1)),
-              "as the model means it");
-        s.key("friction", &BallCushion::friction, number(between(0, kLargestFriction)),
-              "between ball and cushion");
+        s.key(
+            "restitution",
+            [](CushionEntry& e) -> std::optional<double>& { return e.chosen.restitution; },
+            number(between(0, 1)), "as the model means it; else the model's own, below");
+        s.key(
+            "friction", [](CushionEntry& e) -> std::optional<double>& { return e.chosen.friction; },
+            number(between(0, kLargestFriction)),
+            "between ball and cushion; else the model's own, below");
+        s.map("mirror", &CushionEntry::mirror, cushion_numbers_spec(),
+              "used with the model `mirror`");
+        s.map("han2005", &CushionEntry::han2005, cushion_numbers_spec(),
+              "used with the model `han2005`");
+        s.map("mathavan2010", &CushionEntry::mathavan2010, cushion_numbers_spec(),
+              "used with the model `mathavan2010`");
         return s;
     }();
     return spec;
@@ -150,9 +201,10 @@ const MapSpec<World>& physics_spec() {
         s.map(
             "ball_ball", [](World& w) -> BallBall& { return w.contact_law.ball_ball; },
             ball_ball_spec(), "a ball against a ball");
-        s.map(
-            "ball_cushion", [](World& w) -> BallCushion& { return w.contact_law.ball_cushion; },
-            ball_cushion_spec(), "a ball against a cushion");
+        s.set(
+            "ball_cushion", record(ball_cushion_spec()),
+            [](World& w, const CushionEntry& e) { w.contact_law.ball_cushion = e.law(); },
+            "a ball against a cushion");
         s.map(
             "otherwise", [](World& w) -> PairContact& { return w.contact_law.otherwise; },
             otherwise_spec(), "any other two materials");

@@ -55,6 +55,22 @@ TEST(Physics, Contacts_AreOverriddenValueByValue) {
     EXPECT_TRUE(law.hop);
 }
 
+TEST(Physics, CushionNumbers_BelongToTheModel) {
+    const auto law = [](const std::string& cushion) {
+        return load_sections("physics: {ball_cushion: {" + cushion + "}}\n")
+            .world.contact_law.ball_cushion;
+    };
+    using sim::BallCushion;
+    using enum sim::CushionModel;
+    EXPECT_EQ(law("model: han2005"), (BallCushion{han2005, 0.85, 0.2}));
+    EXPECT_EQ(law("model: mathavan2010"), (BallCushion{mathavan2010, 0.98, 0.14}));
+    EXPECT_EQ(law("model: mathavan2010, han2005: {friction: 0.5}"),
+              (BallCushion{mathavan2010, 0.98, 0.14}));
+    EXPECT_EQ(law("han2005: {friction: 0.5}"), (BallCushion{han2005, 0.85, 0.5}));
+    EXPECT_EQ(law("restitution: 0.7, han2005: {restitution: 0.8, friction: 0.5}"),
+              (BallCushion{han2005, 0.7, 0.5}));
+}
+
 TEST(Balls, Measures_AreThoseOfTheSet) {
     const Shot pool = load_sections("balls: {cue: {at: [0.1, 0.2]}}\n");
     EXPECT_EQ(std::get<sim::Sphere>(body(pool, "cue").shape).radius, 0.028575);

@@ -1,0 +1,228 @@
+#include "sim/impact/mathavan_cushion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::sim {
+namespace {
+
+const Vec3 kUp(0, 0, 1);
+/// Steps of at most this share of the approach speed, and of the slip that is left: the direction
+/// of a slip turns the faster the smaller it is.
+constexpr double kLongestStep = 1.0 / 64;
+constexpr double kLongestStiffStep = 1.0 / 256;
+constexpr double kShareOfSlip = 0.15;
+/// Slip below this share of the ball's speed counts as none.
+constexpr double kNoSlip = 1e-10;
+/// A ball that friction wedges under the nose would be pressed there for ever.
+constexpr double kMostImpulse = 50;  // times the approach
+
+/// Everything is divided by the ball's mass; spin is R w. So impulses and spin are velocities, and
+/// an impulse j at the unit direction d from the centre changes the spin by 5/2 d x j.
+struct Motion {
+    Vec3 velocity;
+    Vec3 spin;
+    double work = 0;         // of the normal impulse at the nose
+    Vec3 friction{0, 0, 0};  // impulse at the nose
+};
+
+Motion operator+(const Motion& a, const Motion& b) {
+    return {a.velocity + b.velocity, a.spin + b.spin, a.work + b.work, a.friction + b.friction};
+}
+Motion operator*(const Motion& a, double s) {
+    return {a.velocity * s, a.spin * s, a.work * s, a.friction * s};
+}
+
+double length(const Vec3& v) {
+    return std::sqrt(v.dot(v));
+}
+
+Vec3 across(const Vec3& v, const Vec3& normal) {
+    return v - normal * v.dot(normal);
+}
+
+Vec3 shortened(const Vec3& v, double limit) {
+    const double size = length(v);
+    return size > limit ? v * (limit / size) : v;
+}
+
+/// Velocity of the surface at the contact whose normal (towards the centre) is given, along it.
+Vec3 slip(const Motion& motion, const Vec3& normal) {
+    return across(motion.velocity - motion.spin.cross(normal), normal);
+}
+
+/// Forces, per unit of normal force at the nose.
+struct Forces {
+    Vec3 nose{0, 0, 0};   // friction
+    Vec3 cloth{0, 0, 0};  // friction
+    double support = 0;   // normal force of the cloth
+};
+
+/// How much the slip at a contact of a solid sphere changes by a unit of impulse there.
+constexpr double kResponse = 3.5;
+
+class CushionContact {
+  public:
+    CushionContact(const Vec3& normal, double friction, double cloth_friction, double no_slip)
+        : normal_(normal),
+          friction_(friction),
+          cloth_friction_(cloth_friction),
+          no_slip_(no_slip) {}
+
+    /// A step of at most `approach` times the shares above.
+    [[nodiscard]] Motion after_next(const Motion& motion, double approach, double& step) const {
+        const Forces now = forces(motion, 0);
+        step = next_step(motion, rate(motion, now), kLongestStep * approach);
+        if (is_stiff(motion, now, step))
+            step = std::min(step, kLongestStiffStep * approach);
+        return after(motion, step);
+    }
+
+    /// The classic Runge-Kutta method; the implicit midpoint rule where a slip turns faster than it
+    /// grows or shrinks, as after sticking.
+    [[nodiscard]] Motion after(const Motion& motion, double step) const {
+        const Forces now = forces(motion, 0);
+        if (is_stiff(motion, now, step)) {
+            const Forces middle = forces(motion, 0.5 * step);
+            return motion + rate(motion + rate(motion, middle) * (0.5 * step), middle) * step;
+        }
+        const Motion k1 = rate(motion, now);
+        const Motion k2 = rate(motion + k1 * (0.5 * step));
+        const Motion k3 = rate(motion + k2 * (0.5 * step));
+        const Motion k4 = rate(motion + k3 * step);
+        return motion + (k1 + k2 * 2 + k3 * 2 + k4) * (step / 6);
+    }
+
+  private:
+    [[nodiscard]] double next_step(const Motion& motion, const Motion& change,
+                                   double longest) const {
+        for (const Vec3& normal : {normal_, kUp}) {
+            const double now = length(slip(motion, normal));
+            const double speed = length(slip(change, normal));
+            if (now > no_slip_ && speed > 0)
+                longest = std::min(longest, kShareOfSlip * now / speed);
+        }
+        // A ball that was lifted comes down on the cloth again.
+        if (motion.velocity.z > no_slip_ && change.velocity.z < 0)
+            longest = std::min(longest, -motion.velocity.z / change.velocity.z);
+        return longest;
+    }
+
+    [[nodiscard]] bool is_stiff(const Motion& motion, const Forces& f, double step) const {
+        const double nose = length(slip(motion, normal_));
+        const double cloth = length(slip(motion, kUp));
+        return (nose > no_slip_ && kResponse * step * friction_ > nose) ||
+               (cloth > no_slip_ && kResponse * step * cloth_friction_ * f.support > cloth);
+    }
+
+    /// Change of the motion per unit of normal impulse.
+    [[nodiscard]] Motion rate(const Motion& motion) const {
+        return rate(motion, forces(motion, 0));
+    }
+
+    [[nodiscard]] Motion rate(const Motion& motion, const Forces& f) const {
+        const Vec3 torque = f.nose.cross(normal_) + f.cloth.cross(kUp);
+        return {normal_ + f.nose + f.cloth + kUp * f.support, torque * 2.5,
+                motion.velocity.dot(normal_), f.nose};
+    }
+
+    /// The cloth takes what presses the ball down.
+    [[nodiscard]] double support(const Motion& motion, const Vec3& nose_friction) const {
+        const double down = -(normal_.z + nose_friction.z);
+        return motion.velocity.z <= no_slip_ ? std::max(down, 0.0) : 0.0;
+    }
+
+    /// Friction against the slip `ahead` of now. Where there is slip now and nothing ahead it is
+    /// known. Else what stops the slip, or is the largest against it, is found in turns, each
+    /// contact answering to the other.
+    [[nodiscard]] Forces forces(const Motion& motion, double ahead) const {
+        const Vec3 nose_slip = slip(motion, normal_);
+        const Vec3 cloth_slip = slip(motion, kUp);
+        const double nose_speed = length(nose_slip);
+        const double cloth_speed = length(cloth_slip);
+        const bool is_nose_known = ahead == 0 && nose_speed > no_slip_;
+        const bool is_cloth_known = ahead == 0 && cloth_speed > no_slip_;
+        const double share = ahead > 0 ? 1 / ahead : 0;
+        Forces f;
+        if (is_nose_known)
+            f.nose = nose_slip * (-friction_ / nose_speed);
+        for (int turn = 0; turn < 200; ++turn) {
+            const Forces last = f;
+            if (!is_nose_known) {
+                const Vec3 coming = nose_slip * share + slip(rate(motion, f), normal_);
+                f.nose = shortened(f.nose - coming / kResponse, friction_);
+            }
+            f.support = support(motion, f.nose);
+            const double limit = cloth_friction_ * f.support;
+            if (is_cloth_known) {
+                f.cloth = cloth_slip * (-limit / cloth_speed);
+            } else {
+                const Vec3 coming = cloth_slip * share + slip(rate(motion, f), kUp);
+                f.cloth = shortened(f.cloth - coming / kResponse, limit);
+            }
+            const double change = length(f.nose - last.nose) + length(f.cloth - last.cloth);
+            if ((is_nose_known && is_cloth_known) || change < 1e-14)
+                break;
+        }
+        return f;
+    }
+
+    Vec3 normal_;
+    double friction_;
+    double cloth_friction_;
+    double no_slip_;
+};
+
+/// The part of `step` after which `is_over` turns true, by halving; it is true after all of it.
+template <typename Condition>
+double first_over(const CushionContact& contact, const Motion& motion, double step,
+                  Condition is_over) {
+    double low = 0;
+    double high = step;
+    for (int i = 0; i < 60 && high - low > 1e-16 * step; ++i) {
+        const double middle = 0.5 * (low + high);
+        (is_over(contact.after(motion, middle)) ? high : low) = middle;
+    }
+    return high;
+}
+
+/// Goes on from `motion` until `is_over`; returns the normal impulse that it took.
+template <typename Condition>
+double press(const CushionContact& contact, Motion& motion, double approach, Condition is_over) {
+    double impulse = 0;
+    while (!is_over(motion) && impulse < kMostImpulse * approach) {
+        double step = 0;
+        Motion next = contact.after_next(motion, approach, step);
+        if (is_over(next)) {
+            step = first_over(contact, motion, step, is_over);
+            next = contact.after(motion, step);
+        }
+        motion = next;
+        impulse += step;
+    }
+    return impulse;
+}
+
+}  // namespace
+
+ImpulsePair mathavan_impact(BallBody& ball, const Vec3& normal, double restitution, double friction,
+                            double cloth_friction) {
+    MotionState& state = ball.state;
+    const double approach = -state.velocity.dot(normal);
+    if (approach <= 0)
+        return {};
+    Motion motion{state.velocity, state.angular_velocity * ball.radius, 0};
+    const double speed = length(motion.velocity) + length(motion.spin);
+    const CushionContact contact(normal, friction, cloth_friction, kNoSlip * speed);
+    double impulse = press(contact, motion, approach,
+                           [&](const Motion& m) { return m.velocity.dot(normal) >= 0; });
+    // Compression's work is negative; restitution gives e^2 of it back.
+    const double final_work = (1 - restitution * restitution) * motion.work;
+    impulse +=
+        press(contact, motion, approach, [&](const Motion& m) { return m.work >= final_work; });
+    state.velocity = motion.velocity;
+    state.angular_velocity = motion.spin / ball.radius;
+    return {ball.mass * impulse, ball.mass * length(motion.friction)};
+}
+
+}  // namespace carom::sim
