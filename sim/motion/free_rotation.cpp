@@ -66,4 +66,11 @@ Rotation rotate_freely(const Rotation& from, const Vec3& inertia, double duratio
     return {q, rotated(q, omega)};
 }
 
+MotionState drift(const MotionState& from, const Vec3& inertia, double duration) {
+    const Rotation turned =
+        rotate_freely({from.orientation, from.angular_velocity}, inertia, duration);
+    return {from.position + from.velocity * duration, turned.orientation, from.velocity,
+            turned.angular_velocity};
+}
+
 }  // namespace carom::sim

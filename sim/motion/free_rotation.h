@@ -17,4 +17,7 @@ struct Rotation {
 /// `inertia`: principal moments, kg m^2.
 [[nodiscard]] Rotation rotate_freely(const Rotation& from, const Vec3& inertia, double duration);
 
+/// Where a body is `duration` later that nothing pulls at.
+[[nodiscard]] MotionState drift(const MotionState& from, const Vec3& inertia, double duration);
+
 }  // namespace carom::sim

@@ -12,12 +12,15 @@
 namespace carom::sim::ode {
 namespace {
 
-// How fast lasting contacts come out of each other: this share of the depth per step, at no more
-// than the given speed.
+// How fast lasting contacts come out of each other: at this rate (1/s) times the depth, at no more
+// than the given share per step and speed.
+constexpr double kErrorRate = 200;
 constexpr double kErrorReduction = 0.2;
 constexpr double kCorrectingSpeed = 0.1;  // m/s
-// ODE's constraint force mixing: shares the load among more contacts than are needed.
-constexpr double kSoftness = 1e-6;
+// ODE's constraint force mixing, as a share of the inverse mass that a contact meets: shares the
+// load among more contacts than are needed, and friction likewise. Left to round-off it turns
+// bodies aside.
+constexpr double kSoftness = 1e-3;
 // Where ODE gives a step up all the same, it is tried again, each time ten times softer.
 constexpr int kMostAttempts = 4;
 // Every contact parts at about this speed (m/s), each at another one. Bodies that fall together
@@ -50,14 +53,25 @@ Vec3 velocity_at(dBodyID body, const Vec3& point) {
     return to_vec3(v);
 }
 
-/// Along the slip that would be there without friction, so that the pyramid is exact along it.
+Vec3 velocity_at(const MotionState& state, const Velocities& velocities, const Vec3& point) {
+    return velocities.linear + velocities.angular.cross(point - state.position);
+}
+
+Vec3 across(const Vec3& v, const Vec3& normal) {
+    return v - normal * v.dot(normal);
+}
+
+/// Slower slip than this (m/s) is round-off's and has no direction.
+constexpr double kLeastSlip = 1e-6;
+
+/// Along `slip`, so that the pyramid is exact along it.
 Vec3 friction_direction(const Vec3& slip, const Vec3& normal) {
     const double speed = length(slip);
-    if (speed > 1e-12)
+    if (speed > kLeastSlip)
         return slip / speed;
     const Vec3 axis = std::abs(normal.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
-    const Vec3 across = normal.cross(axis);
-    return across / length(across);
+    const Vec3 sideways = normal.cross(axis);
+    return sideways / length(sideways);
 }
 
 struct Attempt {
@@ -85,8 +99,9 @@ struct StepWorld::State {
     std::vector<dBodyID> bodies;
     std::vector<StepBody> masses;
     std::vector<char> is_moving;
-    std::vector<char> has_contact;
     std::vector<dJointFeedback> feedback;
+    std::vector<Vec3> directions;  // of each contact's friction
+    std::vector<int> slots;        // of each moving body among them
 
     [[nodiscard]] dBodyID moving_body(int number) const {
         if (number < 0)
@@ -104,8 +119,18 @@ struct StepWorld::State {
                              std::span<const StepContact> contacts);
     void add_contact(const StepContact& from, std::size_t number, const Attempt& attempt,
                      double duration, const Vec3& pull);
-    [[nodiscard]] StepMotion motion_of(int number, const MotionState& before,
-                                       double duration) const;
+    [[nodiscard]] bool turn_directions(std::span<const MotionState> states,
+                                       std::span<const StepContact> contacts,
+                                       const std::vector<Velocities>& after);
+    void solve_with_directions(double duration, const Vec3& gravity, std::span<const int> moving,
+                               std::span<const MotionState> states,
+                               std::span<const StepContact> contacts,
+                               std::vector<Velocities>& after);
+    void solve_all(double duration, const Vec3& gravity, std::span<const int> moving,
+                   std::span<const MotionState> states, std::span<const StepContact> contacts,
+                   std::vector<Velocities>& after, std::vector<StepImpulse>& impulses);
+    [[nodiscard]] StepImpulse impulse_of(const StepContact& contact, const dJointFeedback& felt,
+                                         double duration) const;
 };
 
 /// A new world with the same bodies: after ODE has given up in the middle of a step nothing of the
@@ -152,18 +177,26 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
         relative += velocity_at(first, from.point) + pull;
     if (second != nullptr)
         relative -= velocity_at(second, from.point) + pull;
-    const Vec3 slip = relative - from.normal * relative.dot(from.normal);
-    const Vec3 direction = friction_direction(slip, from.normal);
+    const Vec3 slip = across(relative, from.normal);
+    if (number >= directions.size())
+        directions.push_back(friction_direction(slip, from.normal));
     dContact contact{};
     dSurfaceParameters& surface = contact.surface;
     surface.mode = dContactBounce | dContactSoftERP | dContactSoftCFM | dContactApprox1 |
-                   dContactFDir1 | dContactMotionN;
+                   dContactFDir1 | dContactMotionN | dContactSlip1 | dContactSlip2;
     surface.mu = attempt.has_friction() ? from.friction : 0;
     surface.bounce = from.restitution;
     surface.bounce_vel = kBounceSpeed;
-    surface.soft_erp = kErrorReduction;
-    surface.soft_cfm = attempt.softness();
-    // A gap may close within the step, but no further.
+    surface.soft_erp = std::min(kErrorReduction, kErrorRate * duration);
+    double inverse_mass = 0;
+    for (const int body : {from.first, from.second}) {
+        if (moving_body(body) != nullptr)
+            inverse_mass += 1 / masses[static_cast<std::size_t>(body)].mass;
+    }
+    surface.soft_cfm = attempt.softness() * inverse_mass * duration;
+    surface.slip1 = surface.slip2 = surface.soft_cfm;
+    // A gap half-way may close by the middle of the next step, but no further. (Closed within this
+    // one it would open again half a step on, and so forth.)
     surface.motionN = std::min(from.depth, 0.0) / duration + attempt.parting(number);
     // A ball that slips has no rolling resistance yet.
     const bool is_rolling = length(slip) < 4 * from.friction * length(pull) + 1e-6;
@@ -177,7 +210,7 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
     for (int i = 0; i < 3; ++i) {
         contact.geom.pos[i] = from.point[i];
         contact.geom.normal[i] = from.normal[i];
-        contact.fdir1[i] = direction[i];
+        contact.fdir1[i] = directions[number][i];
     }
     contact.geom.depth = std::max(from.depth, 0.0);
     dJointID joint = dJointCreateContact(world->get(), group.get(), &contact);
@@ -188,11 +221,12 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
 void StepWorld::State::prepare(std::span<const int> moving, std::span<const MotionState> states,
                                std::span<const StepContact> contacts) {
     is_moving.assign(masses.size(), 0);
-    has_contact.assign(masses.size(), 0);
+    slots.assign(masses.size(), -1);
     feedback.assign(contacts.size(), dJointFeedback{});
     for (std::size_t i = 0; i < moving.size(); ++i) {
         const auto number = static_cast<std::size_t>(moving[i]);
         is_moving[number] = 1;
+        slots[number] = static_cast<int>(i);
         load(bodies[number], states[i]);
         dBodyEnable(bodies[number]);
     }
@@ -205,12 +239,9 @@ bool StepWorld::State::solve(const Attempt& attempt, double duration, const Vec3
     dWorldSetGravity(world->get(), gravity.x, gravity.y, gravity.z);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const StepContact& contact = contacts[i];
-        if (moving_body(contact.first) == nullptr && moving_body(contact.second) == nullptr)
-            continue;
+        CAROM_ASSERT(moving_body(contact.first) != nullptr ||
+                     moving_body(contact.second) != nullptr);
         add_contact(contact, i, attempt, duration, gravity * duration);
-        has_contact[static_cast<std::size_t>(contact.first)] = 1;
-        if (contact.second >= 0)
-            has_contact[static_cast<std::size_t>(contact.second)] = 1;
     }
     MessageCapture capture;
     try {
@@ -224,48 +255,100 @@ bool StepWorld::State::solve(const Attempt& attempt, double duration, const Vec3
     return capture.messages().empty();
 }
 
-StepMotion StepWorld::State::motion_of(int number, const MotionState& before,
-                                       double duration) const {
-    const auto i = static_cast<std::size_t>(number);
-    StepMotion motion;
-    motion.before = motion.after = before;
-    motion.after.velocity = to_vec3(dBodyGetLinearVel(bodies[i]));
-    motion.after.angular_velocity = to_vec3(dBodyGetAngularVel(bodies[i]));
-    motion.end = motion.after;
-    const Vec3 mean = has_contact[i] != 0 ? motion.after.velocity
-                                          : (before.velocity + motion.after.velocity) * 0.5;
-    motion.end.position += mean * duration;
-    const Rotation turned = rotate_freely({before.orientation, motion.after.angular_velocity},
-                                          masses[i].inertia, duration);
-    motion.end.orientation = turned.orientation;
-    motion.end.angular_velocity = turned.angular_velocity;
-    return motion;
+StepImpulse StepWorld::State::impulse_of(const StepContact& contact, const dJointFeedback& felt,
+                                         double duration) const {
+    const bool is_on_first = moving_body(contact.first) != nullptr;
+    const Vec3 force = is_on_first ? to_vec3(felt.f1) : -to_vec3(felt.f2);
+    const double along = force.dot(contact.normal);
+    return {along * duration, length(force - contact.normal * along) * duration};
+}
+
+void StepWorld::State::solve_with_directions(double duration, const Vec3& gravity,
+                                             std::span<const int> moving,
+                                             std::span<const MotionState> states,
+                                             std::span<const StepContact> contacts,
+                                             std::vector<Velocities>& after) {
+    for (Attempt attempt; attempt.number < kMostAttempts; ++attempt.number) {
+        dJointGroupEmpty(group.get());
+        if (solve(attempt, duration, gravity, moving, states, contacts))
+            break;
+    }
+    after.resize(moving.size());
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+        const dBodyID body = bodies[static_cast<std::size_t>(moving[i])];
+        after[i] = {to_vec3(dBodyGetLinearVel(body)), to_vec3(dBodyGetAngularVel(body))};
+        dBodyDisable(body);
+    }
+}
+
+/// Where a contact begins to slip, or slips another way, its friction has to follow: a pyramid that
+/// stands askew pushes bodies aside. True if any direction was changed.
+bool StepWorld::State::turn_directions(std::span<const MotionState> states,
+                                       std::span<const StepContact> contacts,
+                                       const std::vector<Velocities>& after) {
+    constexpr double kSlip = 1e-5;    // m/s
+    constexpr double kAstray = 0.02;  // sine of the angle
+    bool is_changed = false;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        const StepContact& contact = contacts[i];
+        Vec3 relative(0, 0, 0);
+        if (moving_body(contact.first) != nullptr) {
+            const auto slot =
+                static_cast<std::size_t>(slots[static_cast<std::size_t>(contact.first)]);
+            relative += velocity_at(states[slot], after[slot], contact.point);
+        }
+        if (moving_body(contact.second) != nullptr) {
+            const auto slot =
+                static_cast<std::size_t>(slots[static_cast<std::size_t>(contact.second)]);
+            relative -= velocity_at(states[slot], after[slot], contact.point);
+        }
+        const Vec3 slip = across(relative, contact.normal);
+        if (contact.friction == 0 || length(slip) < kSlip ||
+            length(slip.cross(directions[i])) < kAstray * length(slip))
+            continue;
+        directions[i] = slip / length(slip);
+        is_changed = true;
+    }
+    return is_changed;
+}
+
+void StepWorld::State::solve_all(double duration, const Vec3& gravity, std::span<const int> moving,
+                                 std::span<const MotionState> states,
+                                 std::span<const StepContact> contacts,
+                                 std::vector<Velocities>& after,
+                                 std::vector<StepImpulse>& impulses) {
+    directions.clear();
+    solve_with_directions(duration, gravity, moving, states, contacts, after);
+    if (turn_directions(states, contacts, after))
+        solve_with_directions(duration, gravity, moving, states, contacts, after);
+    dJointGroupEmpty(group.get());
+    impulses.resize(contacts.size());
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+        impulses[i] = impulse_of(contacts[i], feedback[i], duration);
 }
 
 void StepWorld::step(double duration, const Vec3& gravity, std::span<const int> moving,
-                     std::span<const MotionState> states, std::span<const StepContact> contacts,
+                     std::span<const MotionState> middles, std::span<const StepContact> contacts,
                      std::vector<StepMotion>& motions, std::vector<StepImpulse>& impulses) {
-    State& s = *state_;
-    for (Attempt attempt; attempt.number < kMostAttempts; ++attempt.number) {
-        dJointGroupEmpty(s.group.get());
-        if (s.solve(attempt, duration, gravity, moving, states, contacts))
-            break;
-    }
+    std::vector<Velocities> after;
+    state_->solve_all(duration, gravity, moving, middles, contacts, after, impulses);
     motions.resize(moving.size());
     for (std::size_t i = 0; i < moving.size(); ++i) {
-        motions[i] = s.motion_of(moving[i], states[i], duration);
-        dBodyDisable(s.bodies[static_cast<std::size_t>(moving[i])]);
+        StepMotion& motion = motions[i];
+        motion.after = middles[i];
+        motion.after.velocity = after[i].linear;
+        motion.after.angular_velocity = after[i].angular;
+        const Vec3& inertia = state_->masses[static_cast<std::size_t>(moving[i])].inertia;
+        motion.end = drift(motion.after, inertia, 0.5 * duration);
     }
-    dJointGroupEmpty(s.group.get());
-    impulses.resize(contacts.size());
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const StepContact& contact = contacts[i];
-        const dJointFeedback& f = s.feedback[i];
-        const bool is_on_first = s.moving_body(contact.first) != nullptr;
-        const Vec3 force = is_on_first ? to_vec3(f.f1) : -to_vec3(f.f2);
-        const double along = force.dot(contact.normal);
-        impulses[i] = {along * duration, length(force - contact.normal * along) * duration};
-    }
+}
+
+void StepWorld::strike(std::span<const int> moving, std::span<const MotionState> states,
+                       std::span<const StepContact> contacts, std::vector<Velocities>& after,
+                       std::vector<StepImpulse>& impulses) {
+    // Impulses do not depend on it but through ODE's softness.
+    constexpr double kBlow = 1.0 / 1024;  // s
+    state_->solve_all(kBlow, Vec3(0, 0, 0), moving, states, contacts, after, impulses);
 }
 
 }  // namespace carom::sim::ode

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/ode/impact_solver.h"
 #include "sim/timeline/vocabulary.h"
 
 namespace carom::sim::ode {
@@ -27,14 +28,12 @@ struct StepImpulse {
     double tangential = 0;  // N s
 };
 
-/// What a step did to a body: its velocities changed from `before` to `after` at the step's start,
-/// then it moved freely to `end`.
+/// What a step did to a body: its velocities changed half-way, then it moved freely to `end`.
 struct StepMotion {
-    MotionState before, after, end;
+    MotionState after;  // half-way, behind the change
+    MotionState end;
 };
 
-/// A body's mass, principal moments of inertia and whether it is a sphere (which needs no care when
-/// it turns).
 struct StepBody {
     double mass = 1;
     Vec3 inertia{1, 1, 1};
@@ -53,14 +52,22 @@ class StepWorld {
     /// Returns the body's number, counted from 0.
     int add(const StepBody& body);
 
-    /// Steps the bodies numbered in `moving` from `states` (same order) over `duration`. Contacts
-    /// may name bodies that are not moving; those stand like walls. Velocities are solved for by
-    /// dWorldStep with all contacts at once; then each body moves on freely (semi-implicit), along
-    /// the exact parabola where it touches nothing, turning with conserved energy and angular
-    /// momentum.
+    /// Steps the bodies numbered in `moving` over `duration`. `middles` (same order): where they
+    /// get to in half of it without any force; the contacts are those found there. Velocities are
+    /// solved for by dWorldStep with all contacts at once, then each body goes on freely for the
+    /// other half (Moreau's midpoint scheme: Jean, The non-smooth contact dynamics method, Comput.
+    /// Methods Appl. Mech. Eng. 177, 1999, section 4.1): of second order as long as contacts last,
+    /// exact for what touches nothing. Contacts may name bodies that are not moving; those stand
+    /// like walls.
     void step(double duration, const Vec3& gravity, std::span<const int> moving,
-              std::span<const MotionState> states, std::span<const StepContact> contacts,
+              std::span<const MotionState> middles, std::span<const StepContact> contacts,
               std::vector<StepMotion>& motions, std::vector<StepImpulse>& impulses);
+
+    /// The velocities behind a blow: contacts with their restitution, nothing else acts and nothing
+    /// moves.
+    void strike(std::span<const int> moving, std::span<const MotionState> states,
+                std::span<const StepContact> contacts, std::vector<Velocities>& after,
+                std::vector<StepImpulse>& impulses);
 
   private:
     struct State;

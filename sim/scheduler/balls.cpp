@@ -118,12 +118,6 @@ void Balls::carry(std::uint32_t index, double time, const MotionState& state) {
     ++ball.version;
 }
 
-void Balls::show_step(std::uint32_t index, double time, const MotionState& state,
-                      const Vec3& mean_velocity) {
-    carry(index, time, state);
-    balls_[index].stretch.state.velocity = mean_velocity;
-}
-
 void Balls::take_back(std::uint32_t index, double time, const MotionState& state, Ground ground) {
     Ball& ball = balls_[index];
     ball.ground = ground;

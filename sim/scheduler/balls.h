@@ -50,8 +50,9 @@ class Balls {
     /// time.
     void note_sunk(std::uint32_t index, double time, const Vec3& centre);
     /// Shows the straight path that it takes during a step that ODE is trying.
-    void show_step(std::uint32_t index, double time, const MotionState& state,
-                   const Vec3& mean_velocity);
+    void show_step(std::uint32_t index, double time, const MotionState& state) {
+        carry(index, time, state);
+    }
 
     void finish(double time);
 

@@ -59,6 +59,12 @@ Vec3 StepBody::velocity_at(const Vec3& point) const {
     return state.velocity + state.angular_velocity.cross(point - state.position);
 }
 
+double StepBody::kinetic_energy() const {
+    const Vec3 w = to_body(state.orientation, state.angular_velocity);
+    return 0.5 * mass * state.velocity.dot(state.velocity) +
+           0.5 * (inertia.x * w.x * w.x + inertia.y * w.y * w.y + inertia.z * w.z * w.z);
+}
+
 ode::ImpactBody StepBody::impact_body() const {
     return {mass,
             inertia,

@@ -34,6 +34,7 @@ struct StepBody {
     /// A bound for the speed of any of its points, m/s.
     [[nodiscard]] double farthest_speed() const;
     [[nodiscard]] Vec3 velocity_at(const Vec3& point) const;
+    [[nodiscard]] double kinetic_energy() const;
     [[nodiscard]] ode::ImpactBody impact_body() const;
 };
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "sim/ode/step_world.h"
 #include "sim/scheduler/balls.h"
 #include "sim/scheduler/contact_finder.h"
 #include "sim/scheduler/recording.h"
@@ -14,26 +15,49 @@ namespace carom::sim {
 /// How fast the two bodies of a contact approach there, m/s.
 [[nodiscard]] double approach_speed(const std::vector<StepBody>& bodies, const FoundContact& found);
 
+/// Gaps up to this (m) count as closed when something strikes.
+inline constexpr double kClosedGap = 2e-6;
+
 class StepBounces {
   public:
     StepBounces(std::vector<StepBody>& bodies, StepSleep& sleep, const ContactFinder& finder,
-                Balls& balls, Recording& recording)
-        : bodies_(bodies), sleep_(sleep), finder_(finder), balls_(balls), recording_(recording) {}
+                ode::StepWorld& world, Balls& balls, Recording& recording)
+        : bodies_(bodies),
+          sleep_(sleep),
+          finder_(finder),
+          world_(world),
+          balls_(balls),
+          recording_(recording) {}
 
-    /// Balls that come against something bounce pair by pair, the fastest first, until none
+    /// What comes against something bounces pair by pair, the fastest first, until nothing
     /// approaches: restitution in one solve for all contacts would add energy. What remains is for
-    /// ODE's step: the contacts' restitution is taken from them.
-    void resolve(std::vector<FoundContact>& contacts, double time);
+    /// ODE's step. `contacts`: all of the bodies where they are.
+    void resolve(const std::vector<FoundContact>& contacts, double time);
 
   private:
-    void bounce(const FoundContact& found, double time);
+    void bounce_ball(const FoundContact& found, double time);
+    void bounce_pair(const std::vector<FoundContact>& contacts, const FoundContact& fastest,
+                     double time);
+    ImpulsePair strike(const std::vector<int>& moving, std::vector<ode::StepContact>& contacts,
+                       std::vector<ode::Velocities>& after);
     void take(StepBody& body, const ode::Velocities& velocities, double time);
+    void note(const FoundContact& found, const ImpulsePair& impulse);
+    void log_blows(double time);
+
+    /// What a pair of boxes gave each other in one instant, in one entry of the log however often
+    /// they struck.
+    struct Blow {
+        FoundContact contact;
+        ImpulsePair impulse;
+    };
 
     std::vector<StepBody>& bodies_;
     StepSleep& sleep_;
     const ContactFinder& finder_;
+    ode::StepWorld& world_;
     Balls& balls_;
     Recording& recording_;
+    std::vector<Blow> blows_;
 };
 
 }  // namespace carom::sim

@@ -8,7 +8,7 @@ namespace {
 /// A body moving less than this (m/s, its farthest point) for that long (s) falls asleep.
 constexpr double kSleepSpeed = 0.01;
 constexpr double kBallSleepDelay = 0.1;
-constexpr double kBoxSleepDelay = 0.3;
+constexpr double kBoxSleepDelay = 0.12;
 /// A sleeper wakes when something comes against it faster than this (m/s).
 constexpr double kWakeSpeed = 0.015;
 

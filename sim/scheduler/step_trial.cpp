@@ -2,30 +2,27 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
+
+#include "sim/motion/free_rotation.h"
+#include "sim/scheduler/step_bounces.h"
 
 namespace carom::sim {
 namespace {
 
-/// Bodies that were apart may overlap by this much (m) at a step's end; else the step is shortened
-/// to when they met.
-constexpr double kTouchDepth = 5e-6;
+/// What strikes or meets may overlap by this much (m) at a step's end; else the step is shortened
+/// to when it does by between a quarter of this and this.
+constexpr double kTouchDepth = 4e-6;
 /// No step is made shorter than this (s) for that reason.
 constexpr double kShortestStep = 1e-5;
 
 }  // namespace
 
-StepTrial::StepTrial(const ContactFinder& finder, const Vec3& gravity,
-                     const std::vector<StepBody>& bodies)
-    : finder_(finder), gravity_(gravity), bodies_(bodies) {
-    for (const StepBody& body : bodies)
-        world_.add({body.mass, body.inertia});
-}
-
-void StepTrial::attempt(double start, double end, std::vector<FoundContact> contacts) {
+void StepTrial::attempt(double start, double end) {
     start_ = start;
     end_ = end;
-    contacts_ = std::move(contacts);
+    placed_ = bodies_;
     choose_moving();
     solve();
     const double whole = end - start;
@@ -46,50 +43,88 @@ bool StepTrial::shorten(double end) {
 
 void StepTrial::choose_moving() {
     moving_.clear();
-    states_.clear();
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        if (!bodies_[i].is_in || !bodies_[i].is_awake)
-            continue;
-        moving_.push_back(static_cast<int>(i));
-        states_.push_back(bodies_[i].state);
+        if (bodies_[i].is_in && bodies_[i].is_awake)
+            moving_.push_back(static_cast<int>(i));
     }
-    step_contacts_.clear();
-    for (const FoundContact& found : contacts_)
-        step_contacts_.push_back(found.contact);
 }
 
 void StepTrial::solve() {
-    world_.step(end_ - start_, gravity_, moving_, states_, step_contacts_, motions_, impulses_);
+    middles_.clear();
+    for (const int number : moving_) {
+        StepBody& body = placed_[static_cast<std::size_t>(number)];
+        body.state = drift(bodies_[static_cast<std::size_t>(number)].state, body.inertia,
+                           0.5 * (end_ - start_));
+        middles_.push_back(body.state);
+    }
+    contacts_ = finder_.find(placed_);
+    drop_blows();
+    step_contacts_.clear();
+    for (FoundContact& found : contacts_) {
+        found.contact.restitution = 0;
+        step_contacts_.push_back(found.contact);
+    }
+    world_.step(end_ - start_, gravity_, moving_, middles_, step_contacts_, motions_, impulses_);
 }
 
-/// Which share of the step passes before bodies that were apart overlap.
-double StepTrial::share_until_touch() const {
-    std::map<std::pair<int, int>, bool> known;
+/// Half-way: what was apart at the start and comes fast is no lasting contact. It strikes. Contacts
+/// of a pair that come about as fast are of one mind, lest round-off turns bodies aside.
+void StepTrial::drop_blows() {
+    std::map<std::pair<int, int>, double> fastest;
+    std::vector<double> speeds;
+    for (const FoundContact& found : contacts_) {
+        const double approach = approach_speed(placed_, found);
+        const double gap_at_start = 0.5 * (end_ - start_) * approach - found.contact.depth;
+        speeds.push_back(gap_at_start > kClosedGap ? approach : 0);
+        double& most = fastest[found.pair()];
+        most = std::max(most, speeds.back());
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const double most = fastest[contacts_[i].pair()];
+        if (most <= ode::kBounceSpeed || speeds[i] < 0.5 * most)
+            contacts_[kept++] = contacts_[i];
+    }
+    contacts_.resize(kept);
+}
+
+void StepTrial::place_at(double share) {
+    const double time = share * (end_ - start_);
+    const double half = 0.5 * (end_ - start_);
+    for (std::size_t slot = 0; slot < moving_.size(); ++slot) {
+        const auto number = static_cast<std::size_t>(moving_[slot]);
+        StepBody& body = placed_[number];
+        body.state = time < half ? drift(bodies_[number].state, body.inertia, time)
+                                 : drift(motions_[slot].after, body.inertia, time - half);
+    }
+}
+
+/// Which share of the step passes before something strikes or bodies meet that were apart.
+double StepTrial::share_until_touch() {
+    std::set<std::pair<int, int>> known;
     for (const FoundContact& found : contacts_)
-        known[found.pair()] = true;
-    std::vector<StepBody> trial = bodies_;
-    const auto overlaps_at = [&](double share) {
-        for (std::size_t slot = 0; slot < moving_.size(); ++slot) {
-            const ode::StepMotion& motion = motions_[slot];
-            MotionState& state = trial[static_cast<std::size_t>(moving_[slot])].state;
-            state.position =
-                motion.before.position + (motion.end.position - motion.before.position) * share;
-            state.orientation =
-                Imath::slerpShortestArc(motion.before.orientation, motion.end.orientation, share);
+        known.insert(found.pair());
+    const auto deepest_at = [&](double share) {
+        place_at(share);
+        double deepest = 0;
+        for (const FoundContact& found : finder_.find(placed_)) {
+            if (found.contact.depth > deepest &&
+                (!known.contains(found.pair()) ||
+                 approach_speed(placed_, found) > ode::kBounceSpeed))
+                deepest = found.contact.depth;
         }
-        for (const FoundContact& found : finder_.find(trial)) {
-            if (found.contact.depth > kTouchDepth && !known.contains(found.pair()))
-                return true;
-        }
-        return false;
+        return deepest;
     };
-    if (!overlaps_at(1))
+    if (deepest_at(1) <= kTouchDepth)
         return 1;
     double low = 0;
     double high = 1;
-    for (int i = 0; i < 9; ++i) {
+    for (int i = 0; i < 16; ++i) {
         const double middle = 0.5 * (low + high);
-        (overlaps_at(middle) ? high : low) = middle;
+        const double depth = deepest_at(middle);
+        if (depth > 0.25 * kTouchDepth && depth <= kTouchDepth)
+            return middle;
+        (depth > kTouchDepth ? high : low) = middle;
     }
     return low;
 }

@@ -1,19 +1,12 @@
 #include "sim/scheduler/stepped_bodies.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace carom::sim {
 namespace {
 
-/// Changes of velocity beyond what gravity does, in a step, that count as an impact (m/s).
-constexpr double kKick = 0.02;
 /// A ball that has touched nothing but level ground for so many steps is given back.
 constexpr int kFreeSteps = 3;
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
-}
 
 }  // namespace
 
@@ -25,8 +18,11 @@ SteppedBodies::SteppedBodies(const WorldDescription& world, const Surroundings& 
       finder_(around),
       bodies_(make_step_bodies(world, balls.all())),
       sleep_(bodies_, balls),
-      bounces_(bodies_, sleep_, finder_, balls, recording),
-      trial_(finder_, around.gravity, bodies_) {}
+      bounces_(bodies_, sleep_, finder_, world_, balls, recording),
+      trial_(world_, finder_, around.gravity, bodies_) {
+    for (const StepBody& body : bodies_)
+        world_.add({body.mass, body.inertia});
+}
 
 void SteppedBodies::start(double time) {
     for (StepBody& body : bodies_) {
@@ -71,7 +67,7 @@ double SteppedBodies::try_step(double now, double until) {
     if (sleep_.wake_by_touch(contacts, now))
         contacts = finder_.find(bodies_);
     bounces_.resolve(contacts, now);
-    trial_.attempt(now, until, std::move(contacts));
+    trial_.attempt(now, until);
     show_paths();
     return trial_.end();
 }
@@ -80,14 +76,14 @@ void SteppedBodies::show_paths() {
     const double duration = trial_.end() - trial_.start();
     for (std::size_t slot = 0; slot < trial_.moving().size(); ++slot) {
         const auto number = static_cast<std::uint32_t>(trial_.moving()[slot]);
-        const ode::StepMotion& motion = trial_.motions()[slot];
         StepBody& body = bodies_[number];
-        MotionState path = motion.after;
-        const Vec3 mean = (motion.end.position - motion.before.position) / duration;
+        const MotionState& end = trial_.motions()[slot].end;
+        MotionState path = body.state;
+        path.velocity = (end.position - body.state.position) / duration;
+        path.angular_velocity = (body.state.angular_velocity + end.angular_velocity) * 0.5;
         if (body.is_ball) {
-            balls_.show_step(number, trial_.start(), path, mean);
+            balls_.show_step(number, trial_.start(), path);
         } else {
-            path.velocity = mean;
             body.motion = {body.half_size, trial_.start(), path};
         }
     }
@@ -97,9 +93,8 @@ void SteppedBodies::commit(double end) {
     is_trying_ = false;
     if (!trial_.shorten(end))
         return stay(end);
-    log_touches();
     for (std::size_t slot = 0; slot < trial_.moving().size(); ++slot)
-        record(slot);
+        bodies_[static_cast<std::size_t>(trial_.moving()[slot])].state = trial_.motions()[slot].end;
     for (const int number : trial_.moving()) {
         StepBody& body = bodies_[static_cast<std::size_t>(number)];
         if (body.is_ball) {
@@ -108,9 +103,6 @@ void SteppedBodies::commit(double end) {
             settle_box(body, end);
         }
     }
-    last_pairs_.clear();
-    for (const FoundContact& found : trial_.contacts())
-        last_pairs_.insert(found.pair());
 }
 
 /// Nothing of the step is left: everything stays where it is.
@@ -123,40 +115,6 @@ void SteppedBodies::stay(double time) {
         } else {
             body.motion = {body.half_size, time, body.state};
         }
-    }
-}
-
-void SteppedBodies::record(std::size_t slot) {
-    const ode::StepMotion& motion = trial_.motions()[slot];
-    StepBody& body = bodies_[static_cast<std::size_t>(trial_.moving()[slot])];
-    const Vec3 fall = around_.gravity * (trial_.end() - trial_.start());
-    const Vec3 kick = motion.after.velocity - motion.before.velocity - fall;
-    const Vec3 twist = motion.after.angular_velocity - motion.before.angular_velocity;
-    if (length(kick) > kKick || length(twist) * body.reach() > kKick)
-        recording_.add_break(body.track, trial_.start(), motion.before, motion.after);
-    body.state = motion.end;
-}
-
-void SteppedBodies::log_touches() {
-    const std::vector<FoundContact>& contacts = trial_.contacts();
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const FoundContact& found = contacts[i];
-        const bool is_first_of_pair = i == 0 || contacts[i - 1].pair() != found.pair();
-        if (!is_first_of_pair || last_pairs_.contains(found.pair()))
-            continue;
-        const StepBody& a = bodies_[static_cast<std::size_t>(found.contact.first)];
-        if (a.is_ball || approach_speed(bodies_, found) < kKick)
-            continue;
-        ImpulsePair sum;
-        for (std::size_t j = i; j < contacts.size() && contacts[j].pair() == found.pair(); ++j) {
-            sum.normal += trial_.impulses()[j].normal;
-            sum.tangential += trial_.impulses()[j].tangential;
-        }
-        const std::string& other = found.other >= 0
-                                       ? bodies_[static_cast<std::size_t>(found.other)].name
-                                       : finder_.info(found.other).name;
-        recording_.log_impact(trial_.start(), a.name, other, found.contact.point,
-                              found.contact.normal, sum);
     }
 }
 
@@ -239,12 +197,8 @@ void SteppedBodies::add_energy(EnergySample& sample) const {
     for (const StepBody& body : bodies_) {
         if (body.is_ball)
             continue;
-        const MotionState& s = body.state;
-        const Vec3 w = to_body(s.orientation, s.angular_velocity);
-        sample.kinetic += 0.5 * body.mass * s.velocity.dot(s.velocity) +
-                          0.5 * (body.inertia.x * w.x * w.x + body.inertia.y * w.y * w.y +
-                                 body.inertia.z * w.z * w.z);
-        sample.potential -= body.mass * around_.gravity.dot(s.position);
+        sample.kinetic += body.kinetic_energy();
+        sample.potential -= body.mass * around_.gravity.dot(body.state.position);
     }
 }
 

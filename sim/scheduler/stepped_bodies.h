@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <set>
-#include <utility>
 #include <vector>
 
 #include "sim/scheduler/balls.h"
@@ -55,8 +53,6 @@ class SteppedBodies {
     void adopt_balls(double time);
     void show_paths();
     void stay(double time);
-    void record(std::size_t slot);
-    void log_touches();
     void settle_box(StepBody& body, double end);
     void settle_ball(StepBody& body, double end);
     [[nodiscard]] Ground ground_under(const StepBody& ball, bool& touches_other) const;
@@ -66,11 +62,11 @@ class SteppedBodies {
     Recording& recording_;
     ContactFinder finder_;
     std::vector<StepBody> bodies_;  // first the balls in their order, then the boxes
+    ode::StepWorld world_;
     StepSleep sleep_;
     StepBounces bounces_;
     StepTrial trial_;
     bool is_trying_ = false;
-    std::set<std::pair<int, int>> last_pairs_;  // in touch during the last step
 };
 
 }  // namespace carom::sim
