@@ -5,6 +5,7 @@
 
 #include "sim/billiards/parts.h"
 #include "sim/billiards/surface_builder.h"
+#include "sim/numeric/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -75,7 +76,8 @@ Surface build_leg(const std::string& name, const Vec2& axis, double floor, doubl
         auto& row = rows.emplace_back();
         for (int step = 0; step <= around; ++step) {
             const double angle = 2 * std::numbers::pi * (step % around) / around;
-            const Vec2 radial(std::cos(angle), std::sin(angle));
+            const SinCos at = sin_cos(angle);
+            const Vec2 radial(at.cos, at.sin);
             const Vec2 place = axis + kLegRadius * radius * radial;
             row.push_back({{place.x, place.y, floor + share * height},
                            Vec3(radial.x, radial.y, down).normalized(),

@@ -4,6 +4,7 @@
 
 #include "sim/billiards/parts.h"
 #include "sim/billiards/surface_builder.h"
+#include "sim/numeric/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -43,12 +44,13 @@ class CushionSection {
     // From the bottom up to the nose.
     [[nodiscard]] Profile undercut() const {
         constexpr int rows = 4;
-        const double open = std::cos(undercut_);
-        const double up = -std::sin(undercut_);
+        const SinCos lean = sin_cos(undercut_);
+        const double open = lean.cos;
+        const double up = -lean.sin;
         Profile profile;
         for (int row = 0; row <= rows; ++row) {
             const double below = (measures_.nose_height - kBottom) * (rows - row) / rows;
-            profile.push_back({below * std::tan(undercut_), measures_.nose_height - below, open, up,
+            profile.push_back({below * tangent(undercut_), measures_.nose_height - below, open, up,
                                -below / open});
         }
         return profile;
@@ -60,8 +62,9 @@ class CushionSection {
         Profile profile;
         for (int step = 0; step <= steps; ++step) {
             const double angle = 0.5 * std::numbers::pi * step / steps;
-            const double open = step == steps ? 0 : std::cos(angle);
-            const double up = std::sin(angle);
+            const SinCos at = sin_cos(angle);
+            const double open = step == steps ? 0 : at.cos;
+            const double up = at.sin;
             profile.push_back({radius_ * (1 - open), measures_.nose_height + radius_ * up, open, up,
                                radius_ * angle});
         }
@@ -243,8 +246,8 @@ void add_faces(const CushionLayout& cushion, double cushion_width, TableGeometry
     };
     const auto add_jaw = [&](const Jaw& jaw, double tip, double radius, double sign) {
         // From the rail to the lip for the first jaw of a cushion, the other way for the second.
-        const Vec2 lip = side.at(tip + sign * jaw.lip_reach * std::cos(jaw.turn),
-                                 jaw.lip_reach * std::sin(jaw.turn));
+        const SinCos turn = sin_cos(jaw.turn);
+        const Vec2 lip = side.at(tip + sign * jaw.lip_reach * turn.cos, jaw.lip_reach * turn.sin);
         const Vec2 end = side.at(tip + sign * jaw.end.x, jaw.end.y);
         const Vec2 rail = side.at(tip + sign * jaw.end.x, cushion_width);
         if (sign < 0) {

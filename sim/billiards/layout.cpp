@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/numeric/elementary.h"
+
 namespace carom::sim::billiards {
 
 namespace {
@@ -21,7 +23,7 @@ double nose_inset(double nose_height, double ball_radius) {
 // Table and Equipment Specifications, section 9), and enough for a ball to meet the nose before the
 // face.
 double undercut(double nose_height, double ball_radius) {
-    const double touch = std::asin(std::clamp(nose_height / ball_radius - 1, 0.0, 0.9));
+    const double touch = arcsine(std::clamp(nose_height / ball_radius - 1, 0.0, 0.9));
     return std::max(14 * kPi / 180, touch + 0.5 * kPi / 180);
 }
 
@@ -103,16 +105,17 @@ Jaw jaw_of(const PocketMeasures& pocket, bool is_corner, double cushion_width) {
     jaw.turn = kPi - pocket.jaw_angle;
     // The pocket's axis is at 45 degrees to a corner's cushions and square to a side's.
     const double closing = (is_corner ? kPi / 4 : kPi / 2) - jaw.turn;
-    const double whole = cushion_width / std::sin(jaw.turn);
+    const SinCos turn = sin_cos(jaw.turn);
+    const double across = 2 * sin_cos(closing).sin;
+    const double whole = cushion_width / turn.sin;
     jaw.length = whole;
     // Parallel jaws have their throat everywhere.
-    if (std::abs(std::sin(closing)) > 1e-9)
-        jaw.length = std::min(whole, (pocket.mouth - pocket.throat) / (2 * std::sin(closing)));
+    if (std::abs(across) > 2e-9)
+        jaw.length = std::min(whole, (pocket.mouth - pocket.throat) / across);
     if (std::abs(jaw.length - whole) < 1e-9)
         jaw.length = whole;
-    jaw.end = {jaw.length * std::cos(jaw.turn),
-               jaw.length == whole ? cushion_width : jaw.length * std::sin(jaw.turn)};
-    jaw.lip_reach = pocket.lip_radius * std::tan(jaw.turn / 2);
+    jaw.end = {jaw.length * turn.cos, jaw.length == whole ? cushion_width : jaw.length * turn.sin};
+    jaw.lip_reach = pocket.lip_radius * tangent(jaw.turn / 2);
     return jaw;
 }
 

@@ -3,6 +3,7 @@
 
 #include "sim/billiards/layout.h"
 #include "sim/billiards/table.h"
+#include "sim/numeric/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -15,9 +16,10 @@ constexpr double kDegree = std::numbers::pi / 180;
 PocketMeasures fit_hole(PocketMeasures pocket, bool is_corner, double cushion_width) {
     const double turn = std::numbers::pi - pocket.jaw_angle;
     const double closing = (is_corner ? std::numbers::pi / 4 : std::numbers::pi / 2) - turn;
-    const double length = cushion_width / std::sin(turn);
-    pocket.throat = pocket.mouth - 2 * length * std::sin(closing);
-    const double behind_shelf = length * std::cos(closing) - pocket.shelf;
+    const SinCos close = sin_cos(closing);
+    const double length = cushion_width / sin_cos(turn).sin;
+    pocket.throat = pocket.mouth - 2 * length * close.sin;
+    const double behind_shelf = length * close.cos - pocket.shelf;
     const double half = 0.5 * pocket.throat;
     pocket.hole_radius = (behind_shelf * behind_shelf + half * half) / (2 * behind_shelf);
     return pocket;

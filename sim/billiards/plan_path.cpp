@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "sim/numeric/elementary.h"
 #include "sim/timeline/assert.h"
 
 namespace carom::sim::billiards {
@@ -78,7 +79,8 @@ void PathBuilder::append_arc(const Vec2& centre, double radius, double begin_ang
     const double sign = (turn > 0) == (open_side_ == OpenSide::left) ? -1 : 1;
     const auto radial = [&](int step) {
         const double angle = begin_angle + turn * step / count;
-        return Vec2(std::cos(angle), std::sin(angle));
+        const SinCos at = sin_cos(angle);
+        return Vec2(at.cos, at.sin);
     };
     for (int step = 1; step <= count; ++step)
         append(centre + radius * radial(step), sign * radial(step - 1), sign * radial(step));
@@ -87,8 +89,8 @@ void PathBuilder::append_arc(const Vec2& centre, double radius, double begin_ang
 PathBuilder& PathBuilder::arc_to(const Vec2& end, const Vec2& centre, bool is_counter_clockwise) {
     const Vec2 a = points_.back().position - centre;
     const Vec2 b = end - centre;
-    const double begin_angle = std::atan2(a.y, a.x);
-    double turn = std::atan2(cross(a, b), a.dot(b));
+    const double begin_angle = angle_of(a.x, a.y);
+    double turn = angle_of(a.dot(b), cross(a, b));
     if (is_counter_clockwise && turn < 0)
         turn += 2 * kPi;
     if (!is_counter_clockwise && turn > 0)
@@ -101,16 +103,16 @@ PathBuilder& PathBuilder::arc_to(const Vec2& end, const Vec2& centre, bool is_co
 PathBuilder& PathBuilder::round(const Vec2& tip, double radius, const Vec2& next) {
     const Vec2 before = (tip - points_.back().position).normalized();
     const Vec2 after = (next - tip).normalized();
-    const double turn = std::atan2(cross(before, after), before.dot(after));
+    const double turn = angle_of(before.dot(after), cross(before, after));
     const Vec2 mitre = mitre_of(open_normal(before), open_normal(after));
-    const double reach = radius * std::tan(std::abs(turn) / 2);
+    const double reach = radius * tangent(std::abs(turn) / 2);
     line_to(tip - reach * before);
     const std::size_t first = points_.size() - 1;
     if (reach > 0) {
         const double side = turn > 0 ? 1 : -1;
         const Vec2 centre = tip - reach * before + side * radius * left_of(before);
         const Vec2 a = points_.back().position - centre;
-        append_arc(centre, radius, std::atan2(a.y, a.x), turn);
+        append_arc(centre, radius, angle_of(a.x, a.y), turn);
         points_.back().position = tip + reach * after;
     }
     // Material inside the bend: moving into it shrinks the rounding.

@@ -4,6 +4,7 @@
 
 #include "sim/billiards/parts.h"
 #include "sim/billiards/surface_builder.h"
+#include "sim/numeric/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -22,8 +23,9 @@ std::vector<Profile> wall_profile(double bottom, double top) {
     Profile rim;
     for (int step = steps; step >= 0; --step) {
         const double angle = std::numbers::pi * step / steps;
-        const double open = step == steps ? -1 : std::cos(angle);
-        const double up = step == steps ? 0 : std::sin(angle);
+        const SinCos at = sin_cos(angle);
+        const double open = step == steps ? -1 : at.cos;
+        const double up = step == steps ? 0 : at.sin;
         rim.push_back({half * (1 - open), top - half + half * up, open, up, -half * angle});
     }
     const ProfilePlace inner{0, bottom};

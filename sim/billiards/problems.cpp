@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "sim/billiards/parts.h"
+#include "sim/numeric/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -89,8 +90,9 @@ void check_hole(const TableLayout& layout, const PocketLayout& pocket, Problems&
     const Jaw jaw = jaw_of(pocket.measures, pocket.is_corner, measures.cushion_width);
     const double closing =
         (pocket.is_corner ? std::numbers::pi / 4 : std::numbers::pi / 2) - jaw.turn;
-    const double deep = jaw.length * std::cos(closing);
-    const double half = 0.5 * pocket.measures.mouth - jaw.length * std::sin(closing);
+    const SinCos close = sin_cos(closing);
+    const double deep = jaw.length * close.cos;
+    const double half = 0.5 * pocket.measures.mouth - jaw.length * close.sin;
     const Vec2 end = pocket.mouth + deep * pocket.axis + half * Vec2(-pocket.axis.y, pocket.axis.x);
     const double reach = (end - pocket.pocket.centre).length();
     if (reach > pocket.pocket.radius + 1e-6)

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <span>
 
+#include "sim/numeric/elementary.h"
+
 namespace carom::sim::billiards {
 
 namespace {
@@ -51,7 +53,8 @@ class Lattice {
         // Even over the disk.
         const double radius = 0.5 * gap_ * std::sqrt(random_number(seed_, 2 * index));
         const double angle = 2 * std::numbers::pi * random_number(seed_, 2 * index + 1);
-        return apex_ + Vec3(along + radius * std::cos(angle), across + radius * std::sin(angle), 0);
+        const SinCos at = sin_cos(angle);
+        return apex_ + Vec3(along + radius * at.cos, across + radius * at.sin, 0);
     }
 
   private:

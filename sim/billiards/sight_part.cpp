@@ -3,6 +3,7 @@
 
 #include "sim/billiards/parts.h"
 #include "sim/billiards/surface_builder.h"
+#include "sim/numeric/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -28,7 +29,8 @@ Loop disc(const Vec2& centre) {
     Loop loop;
     for (int corner = 0; corner < corners; ++corner) {
         const double angle = 2 * std::numbers::pi * corner / corners;
-        loop.push_back(centre + kDiscRadius * Vec2(std::cos(angle), std::sin(angle)));
+        const SinCos at = sin_cos(angle);
+        loop.push_back(centre + kDiscRadius * Vec2(at.cos, at.sin));
     }
     return loop;
 }

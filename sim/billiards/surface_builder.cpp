@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "sim/numeric/elementary.h"
+
 namespace carom::sim::billiards {
 
 SurfaceBuilder::SurfaceBuilder(std::string name, SurfacePart part) {
@@ -150,8 +152,9 @@ Profile round_profile(ProfilePlace wall, ProfilePlace level) {
     for (int step = 0; step <= steps; ++step) {
         const double angle = 0.5 * std::numbers::pi * step / steps;
         // Exact at the ends, so that neighbours share their points bit for bit.
-        const double sine = step == steps ? 1 : std::sin(angle);
-        const double cosine = step == steps ? 0 : std::cos(angle);
+        const SinCos at = sin_cos(angle);
+        const double sine = step == steps ? 1 : at.sin;
+        const double cosine = step == steps ? 0 : at.cos;
         const double inside = step == steps ? level.inside : wall.inside + across * (1 - cosine);
         const double z = step == steps ? level.z : wall.z + rise * sine;
         // Gradient of (x/across)^2 + (y/rise)^2, for a wall whose open side is towards it.

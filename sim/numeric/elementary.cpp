@@ -81,4 +81,8 @@ double angle_of(double x, double y) {
     return angle;
 }
 
+double arcsine(double sine) {
+    return angle_of(std::sqrt((1 - sine) * (1 + sine)), sine);
+}
+
 }  // namespace carom::sim

@@ -12,10 +12,19 @@ struct SinCos {
 /// For |angle| up to 1e5 rad; within 2 units in the last place of 1.
 [[nodiscard]] SinCos sin_cos(double angle);
 
+/// sin / cos, for |angle| up to 1e5 rad.
+[[nodiscard]] inline double tangent(double angle) {
+    const SinCos at = sin_cos(angle);
+    return at.sin / at.cos;
+}
+
 /// e^x for x in [-700, 700], relative error under 1e-15; 0 below, infinity above.
 [[nodiscard]] double exponential(double x);
 
 /// The angle in (-pi, pi] of the point (x, y), within 4e-16; 0 at the origin.
 [[nodiscard]] double angle_of(double x, double y);
+
+/// The angle in [-pi/2, pi/2] whose sine is `sine`, in [-1, 1].
+[[nodiscard]] double arcsine(double sine);
 
 }  // namespace carom::sim

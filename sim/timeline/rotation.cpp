@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/numeric/elementary.h"
+
 namespace carom::sim {
 
 namespace {
@@ -25,7 +27,8 @@ Quat rotation_from_vector(const Vec3& vector) {
     if (x2 <= 0.0625)
         return Quat(cosine(x2), sine_over_x(x2) * half);
     const double x = std::sqrt(x2);
-    return Quat(std::cos(x), std::sin(x) / x * half);
+    const SinCos at = sin_cos(x);
+    return Quat(at.cos, at.sin / x * half);
 }
 
 Vec3 rotation_vector(const Quat& rotation) {
@@ -34,7 +37,7 @@ Vec3 rotation_vector(const Quat& rotation) {
     const double cosine = sign * rotation.r;
     // atan(x) = x - x^3/3: below 1e-5 the rest is under 1e-25.
     const double scale = sine < 1e-5 * cosine ? (1 - sine * sine / (3 * cosine * cosine)) / cosine
-                                              : std::atan2(sine, cosine) / sine;
+                                              : angle_of(cosine, sine) / sine;
     return (2 * sign * scale) * rotation.v;
 }
 

@@ -1,4 +1,4 @@
-#include "level_path.h"
+#include "tests/sim/level_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,6 +108,17 @@ std::vector<LevelState> level_path(const LevelTable& table, LevelState state, do
         }
     }
     return path;
+}
+
+LevelState level_end(const LevelTable& table, LevelState state) {
+    for (;;) {
+        const Law law = law_of(table, state);
+        if (law.acceleration == Vec2(0, 0) && state.velocity.length() < 1e-11)
+            return state;
+        state = after(state, law, law.end);
+        if (std::abs(state.spin.z) < 1e-9)
+            state.spin.z = 0;
+    }
 }
 
 }  // namespace carom::sim::test

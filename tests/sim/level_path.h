@@ -31,4 +31,7 @@ struct LevelTable {
 [[nodiscard]] std::vector<LevelState> level_path(const LevelTable& table, LevelState state,
                                                  double interval, double length);
 
+/// The ball when it has come to rest; `table` has no walls in its way.
+[[nodiscard]] LevelState level_end(const LevelTable& table, LevelState state);
+
 }  // namespace carom::sim::test

@@ -61,26 +61,72 @@ TEST(Strike_Elevated, DrivesTheBallIntoTheSlate) {
     EXPECT_EQ(result.angular_velocity.length(), 0);
 }
 
-/// The proof's own variables: b is the height above the centre, c the depth, in the level frame.
-TEST(Strike_ElevatedWithOffset, AgreesWithTheLevelFrameFormula) {
-    const double theta = 0.7;
-    const double a = 0.2 * kRadius;
-    const double up = 0.3 * kRadius;
-    const double deep = std::sqrt(kRadius * kRadius - a * a - up * up);
-    const double b = up * std::cos(theta) + deep * std::sin(theta);
-    const double c = deep * std::cos(theta) - up * std::sin(theta);
-    const StrikeResult result = struck(at_tip(0.2, 0.3, theta));
-    const double ct = std::cos(theta);
-    const double st = std::sin(theta);
-    const double speed = 2 * 2 /
-                         (1 + kMass / 0.567 +
-                          2.5 / (kRadius * kRadius) *
-                              (a * a + b * b * ct * ct + c * c * st * st - 2 * b * c * ct * st));
-    EXPECT_NEAR(result.velocity.length(), speed, 1e-12);
-    const double rate = 2.5 * speed / (kRadius * kRadius);
-    EXPECT_NEAR(result.angular_velocity.x, -rate * (b * ct - c * st), 1e-9);
-    EXPECT_NEAR(result.angular_velocity.y, rate * a * st, 1e-9);
-    EXPECT_NEAR(result.angular_velocity.z, rate * a * ct, 1e-9);
+template <typename Visit>
+void sweep(Visit visit) {
+    for (const double a : {-0.45, -0.2, 0.0, 0.1, 0.5})
+        for (const double up : {-0.45, -0.1, 0.0, 0.3, 0.45})
+            for (const double theta : {0.0, 0.05, 0.4, 0.8, 1.3})
+                for (const double speed : {0.5, 9.0})
+                    for (const double stick : {0.3, 0.567})
+                        visit(a, up, theta, speed, stick);
+}
+
+// TP A-30 in its own variables: b is the height above the centre, c the depth, in the level frame.
+TEST(Strike_Sweep, AgreesWithTheLevelFrameFormula) {
+    sweep([](double right, double raised, double theta, double speed, double stick) {
+        Strike strike = at_tip(right, raised, theta);
+        strike.speed = speed;
+        strike.stick_mass = stick;
+        const double a = right * kRadius;
+        const double up = raised * kRadius;
+        const double deep = std::sqrt(kRadius * kRadius - a * a - up * up);
+        const double ct = std::cos(theta);
+        const double st = std::sin(theta);
+        const double b = up * ct + deep * st;
+        const double c = deep * ct - up * st;
+        const StrikeResult result = struck(strike);
+        const double expected =
+            2 * speed /
+            (1 + kMass / stick +
+             2.5 / (kRadius * kRadius) *
+                 (a * a + b * b * ct * ct + c * c * st * st - 2 * b * c * ct * st));
+        EXPECT_NEAR(result.velocity.length() / expected, 1, 1e-13);
+        const double rate = 2.5 * expected / (kRadius * kRadius);
+        const Vec3 spin(-rate * (b * ct - c * st), rate * a * st, rate * a * ct);
+        EXPECT_NEAR((result.angular_velocity - spin).length() * kRadius / expected, 0, 1e-13);
+    });
+}
+
+// TP A-31: counter-clockwise atan2(2.5 a sqrt(1 - a^2), 1 + m/m_end + 2.5 (1 - a^2)), whatever the
+// rest of the blow.
+TEST(Strike_Sweep, SquirtsByTheFormula) {
+    for (const double end_mass : {1.0 / 60, 1.0 / 30, 0.1}) {
+        sweep([=](double a, double up, double theta, double speed, double) {
+            Strike strike = at_tip(a, up, theta);
+            strike.speed = speed;
+            strike.end_mass_ratio = end_mass;
+            const Vec3 v = struck(strike).velocity;
+            const double squirt =
+                std::atan2(2.5 * a * std::sqrt(1 - a * a), 1 + 1 / end_mass + 2.5 * (1 - a * a));
+            EXPECT_NEAR(std::atan2(-v.x, v.y), squirt, 1e-14);
+        });
+    }
+}
+
+// The stick cannot give more than it has: its energy goes to the ball and what it keeps.
+TEST(Strike_Sweep, KeepsTheEnergyOfStickAndBall) {
+    sweep([](double a, double up, double theta, double speed, double stick) {
+        Strike strike = at_tip(a, up, theta);
+        strike.speed = speed;
+        strike.stick_mass = stick;
+        const StrikeResult result = struck(strike);
+        const Vec3& w = result.angular_velocity;
+        const double v = result.velocity.length();
+        const double ball = 0.5 * kMass * (v * v + 0.4 * kRadius * kRadius * w.dot(w));
+        const double after = speed - kMass * v / stick;
+        EXPECT_NEAR(ball + 0.5 * stick * after * after, 0.5 * stick * speed * speed,
+                    1e-12 * stick * speed * speed);
+    });
 }
 
 TEST(Strike_ByBallSpeed, GivesThatSpeed) {

@@ -1,0 +1,52 @@
+#include "sim/timeline/energy.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace carom::sim {
+namespace {
+
+bool is_force_event(EventKind kind) {
+    switch (kind) {
+        case EventKind::force:
+        case EventKind::torque:
+        case EventKind::impulse:
+        case EventKind::velocity:
+        case EventKind::strike:
+            return true;
+        default:
+            return false;
+    }
+}
+
+/// Whether a force event acts between two samples. There is one sample right before and one right
+/// after each event's beginning.
+bool is_forced(const Timeline& timeline, double from, double to) {
+    return std::any_of(timeline.events.begin(), timeline.events.end(), [=](const Event& event) {
+        const bool is_instant = from == to && event.time == from;
+        return is_force_event(event.kind) &&
+               (is_instant || (event.time < to && event.end_time > from));
+    });
+}
+
+}  // namespace
+
+double largest_energy_rise(const Timeline& timeline) {
+    double lowest = std::numeric_limits<double>::infinity();
+    double kinetic = 0;
+    double largest = 0;
+    for (std::size_t i = 0; i < timeline.energy.size(); ++i) {
+        const EnergySample& sample = timeline.energy[i];
+        if (i > 0 && is_forced(timeline, timeline.energy[i - 1].time, sample.time)) {
+            lowest = sample.total();
+            kinetic = 0;
+        }
+        kinetic = std::max(kinetic, sample.kinetic);
+        if (sample.total() > lowest && kinetic > 0)
+            largest = std::max(largest, (sample.total() - lowest) / kinetic);
+        lowest = std::min(lowest, sample.total());
+    }
+    return largest;
+}
+
+}  // namespace carom::sim

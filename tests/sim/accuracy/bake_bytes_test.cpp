@@ -1,0 +1,54 @@
+// The same world gives the same bytes in every build: g++ or clang, -O0 or -O2, with or without
+// sanitizers. The values were recorded with g++ 12 -O2. A change of the simulation that is meant to
+// change bakes changes them: raise kSimulationRevision (sim/physics_hash.cpp) and record anew what
+// the failing test prints.
+#include <gtest/gtest.h>
+
+#include "sim/timeline/bake_file.h"
+#include "sim/timeline/hash.h"
+#include "tests/sim/shots.h"
+
+namespace carom::sim::test {
+namespace {
+
+/// Of the tracks, events and energies alone.
+std::string content_of(const WorldDescription& world) {
+    Bake bake_file;
+    bake_file.timeline = bake(world).timeline;
+    return hash_bytes(encode_bake(bake_file)).to_string();
+}
+
+TEST(BakeBytes_OfABreak, AreTheSameInEveryBuild) {
+    WorldDescription world = nine_ball_world(4);
+    world.floor_height = -world.table->height;
+    world.contact_law.ball_ball.friction_model = BallFriction::alciatore;
+    world.events = {strike_towards("cue", "one", 9.2, 0.3, {0.1, 0.3}, 0.05)};
+    EXPECT_EQ(content_of(world), "1027e6f6da8f75a0eaa3a793d2a32cc0");
+}
+
+TEST(BakeBytes_OfAJumpAndAMasse, AreTheSameInEveryBuild) {
+    WorldDescription world = nine_ball_world(4);
+    world.contact_law.ball_cushion = usual_cushion(CushionModel::mathavan2010);
+    world.contact_law.hop = true;
+    world.events = {strike_towards("cue", "five", 5, 0.1, {0, 0}, 0.6),
+                    strike_towards("cue", "one", 3, 2, {-0.3, -0.2}, 1.1)};
+    EXPECT_EQ(content_of(world), "f4b42681da118f6592b1f7f9a738109c");
+}
+
+TEST(BakeBytes_OfBoxesHitByABall, AreTheSameInEveryBuild) {
+    WorldDescription world = walled_world(2);
+    for (int i = 0; i < 3; ++i) {
+        Body box;
+        box.name = "box" + std::to_string(i);
+        box.shape = Box{{0.06, 0.06, 0.06}};
+        box.mass = 0.08;
+        box.material = "wood";
+        box.pose.position = {0.3, 0, 0.03 + 0.06 * i};
+        world.bodies.push_back(box);
+    }
+    world.bodies.push_back(ball("cue", -0.2, 0.01, {2.5, 0, 0}, {0, 50, 20}));
+    EXPECT_EQ(content_of(world), "0a278dba0fb96cac8276b5901ecf3ecd");
+}
+
+}  // namespace
+}  // namespace carom::sim::test
