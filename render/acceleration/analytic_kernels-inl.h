@@ -261,6 +261,9 @@ struct BestLanes {
         const Int<D> di;
         const float nearest = hn::GetLane(hn::MinOfLanes(d, t));
         const hn::Mask<D> at_nearest = hn::Eq(t, hn::Set(d, nearest));
+        if (hn::AllFalse(d, at_nearest)) {
+            return;  // all are infinite, which Highway's emulated tier takes for the largest number
+        }
         const hn::Vec<Int<D>> candidates = hn::IfThenElse(
             hn::RebindMask(di, at_nearest), object, hn::Set(di, hwy::LimitsMax<std::int32_t>()));
         const std::int32_t lowest = hn::GetLane(hn::MinOfLanes(di, candidates));

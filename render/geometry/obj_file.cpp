@@ -91,7 +91,9 @@ void check_lines(std::string_view text, const std::string& path) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::string problem = problem_of(text.substr(begin, end - begin));
         if (!problem.empty()) {
-            refuse(path, "line " + std::to_string(line_number) + ": " + problem);
+            std::string what("line ");
+            what.append(std::to_string(line_number)).append(": ").append(problem);
+            refuse(path, what);
         }
         begin = end + 1;
     }
