@@ -1,4 +1,8 @@
 // Whole bakes. Each one checks its result, so that a fast wrong answer does not pass.
+#include <cmath>
+#include <cstdint>
+#include <string>
+
 #include <benchmark/benchmark.h>
 
 #include "sim/bake.h"
@@ -38,6 +42,56 @@ WorldDescription break_of(billiards::RackKind kind, double duration) {
     return world;
 }
 
+/// `count` balls on a table of 0.2 m^2 of cloth each (16 on one of 9 ft), with cushions and without
+/// pockets, set going at random.
+WorldDescription crowd(int count, double duration) {
+    WorldDescription world;
+    world.duration = duration;
+    world.table = billiards::standard_table(billiards::TableKind::pool, "9 ft");
+    world.table->kind = billiards::TableKind::custom;
+    world.table->width = std::sqrt(0.1 * count);
+    world.table->length = 2 * world.table->width;
+    world.table->corner_pocket.reset();
+    world.table->side_pocket.reset();
+    const int rows = static_cast<int>(std::sqrt(count / 2.0));
+    const double step = world.table->width / rows;
+    std::uint64_t draw = 1;
+    const auto uniform = [&draw] {  // splitmix64, in [-1, 1)
+        draw += 0x9E3779B97F4A7C15U;
+        std::uint64_t z = (draw ^ (draw >> 30U)) * 0xBF58476D1CE4E5B9U;
+        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+        return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-52 - 1;
+    };
+    for (int i = 0; i < count; ++i) {
+        const double x = (i / rows + 0.5) * step - world.table->length / 2;
+        const double y = (i % rows + 0.5) * step - world.table->width / 2;
+        world.bodies.push_back(ball("ball" + std::to_string(i), {x, y, kRadius}));
+        Vec3& velocity = world.bodies.back().velocity;
+        velocity.x = 4 * uniform();
+        velocity.y = 4 * uniform();
+    }
+    return world;
+}
+
+void growth(benchmark::State& state) {
+    const WorldDescription world = crowd(static_cast<int>(state.range(0)), 4);
+    std::size_t impacts = 0;
+    for (auto _ : state) {
+        const BakeResult result = bake(world);
+        impacts = 0;
+        for (const Event& event : result.timeline.events)
+            impacts += event.kind == EventKind::impact ? 1 : 0;
+        if (!result.warnings.empty() || impacts < world.bodies.size())
+            state.SkipWithError("the crowd went wrong");
+        benchmark::DoNotOptimize(result);
+    }
+    state.counters["impacts_per_ball"] =
+        static_cast<double>(impacts) / static_cast<double>(world.bodies.size());
+    state.counters["s_per_impact"] =
+        benchmark::Counter(static_cast<double>(impacts) * static_cast<double>(state.iterations()),
+                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
 void break_shot(benchmark::State& state, billiards::RackKind kind) {
     const WorldDescription world = break_of(kind, 10);
     for (auto _ : state) {
@@ -57,3 +111,4 @@ BENCHMARK_CAPTURE(break_shot, nine_ball, billiards::RackKind::nine_ball)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(break_shot, fifteen_ball, billiards::RackKind::fifteen_ball)
     ->Unit(benchmark::kMillisecond);
+BENCHMARK(growth)->Arg(16)->Arg(64)->Arg(256)->Arg(1024)->Unit(benchmark::kMillisecond);

@@ -5,20 +5,24 @@
 
 namespace carom::sim::billiards {
 
-TableGeometry build_table(const TableMeasures& measures, double ball_radius) {
+TableGeometry build_table(const TableMeasures& measures, double ball_radius, TableParts parts) {
     if (const auto problems = find_problems(measures); !problems.empty())
         throw Error(problems.front());
     TableGeometry geometry;
+    const bool all = parts == TableParts::all;
     if (!measures.has_cushions) {
-        geometry.surfaces.push_back(build_open_cloth(measures));
+        if (all)
+            geometry.surfaces.push_back(build_open_cloth(measures));
         return geometry;
     }
     const TableLayout layout = lay_out(measures, ball_radius);
-    geometry.surfaces.push_back(build_cloth(layout));
+    if (all)
+        geometry.surfaces.push_back(build_cloth(layout));
+    int number = 0;
     for (const CushionLayout& cushion : layout.cushions) {
         add_faces(cushion, measures.cushion_width, geometry);
         geometry.surfaces.push_back(
-            build_cushion(layout, cushion, "cushion_" + std::to_string(geometry.surfaces.size())));
+            build_cushion(layout, cushion, "cushion_" + std::to_string(++number)));
     }
     for (Surface& rail : build_rails(layout))
         geometry.surfaces.push_back(std::move(rail));
@@ -27,6 +31,8 @@ TableGeometry build_table(const TableMeasures& measures, double ball_radius) {
         geometry.surfaces.push_back(build_pocket_liner(layout, pocket));
         geometry.surfaces.push_back(build_pocket_floor(pocket));
     }
+    if (!all)
+        return geometry;
     geometry.surfaces.push_back(build_apron(layout));
     for (Surface& leg : build_legs(layout))
         geometry.surfaces.push_back(std::move(leg));

@@ -90,8 +90,14 @@ struct TableGeometry {
     std::vector<Surface> surfaces;
 };
 
+enum class TableParts {
+    all,
+    collided,  // without those that nothing collides with (the cloth is a plane with holes)
+};
+
 /// `ball_radius` matters since cushion faces are where such a ball is touched: the drawn nose lies
 /// R - sqrt(R^2 - (h - R)^2) inside the line where the ball's own front touches.
-[[nodiscard]] TableGeometry build_table(const TableMeasures& measures, double ball_radius);
+[[nodiscard]] TableGeometry build_table(const TableMeasures& measures, double ball_radius,
+                                        TableParts parts = TableParts::all);
 
 }  // namespace carom::sim::billiards

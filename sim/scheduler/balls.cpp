@@ -42,12 +42,15 @@ Ground ground_at_start(const Ball& ball, const Surroundings& around) {
 }  // namespace
 
 Balls::Balls(const WorldDescription& world, const Surroundings& around, Recording& recording)
-    : around_(around), recording_(recording), balls_(make_balls(world, around)) {}
+    : around_(around),
+      recording_(recording),
+      balls_(make_balls(world, around)),
+      is_changed_(balls_.size(), 0) {}
 
 void Balls::start(double time) {
     for (Ball& ball : balls_) {
         ball.ground = ground_at_start(ball, around_);
-        ball.stretch = next_stretch(ball, time, ball.stretch.state, around_);
+        set_stretch(ball, next_stretch(ball, time, ball.stretch.state, around_));
         recording_.keep(ball.track, time, ball.stretch.state);
     }
 }
@@ -85,11 +88,41 @@ void Balls::settle(Ball& ball, double time, MotionState& state) {
 
 void Balls::begin(Ball& ball, double time, const MotionState& state) {
     const MotionKind kind = ball.stretch.kind;
-    ball.stretch = next_stretch(ball, time, state, around_);
+    set_stretch(ball, next_stretch(ball, time, state, around_));
     ball.is_lying = false;
-    ++ball.version;
     if (ball.stretch.kind != kind)
         recording_.log(event_of(ball.stretch.kind), time, ball.name, ball.stretch.state.position);
+}
+
+void Balls::set_stretch(Ball& ball, const Stretch& stretch) {
+    if (ball.is_stepped())
+        --stepped_count_;
+    ball.stretch = stretch;
+    if (ball.is_stepped())
+        ++stepped_count_;
+    note_change(ball);
+}
+
+void Balls::note_change(Ball& ball) {
+    ++ball.version;
+    const auto index = static_cast<std::uint32_t>(&ball - balls_.data());
+    if (is_changed_[index] == 0)
+        changed_.push_back(index);
+    is_changed_[index] = 1;
+}
+
+void Balls::void_predictions() {
+    for (Ball& ball : balls_)
+        note_change(ball);
+}
+
+std::vector<std::uint32_t> Balls::take_changed() {
+    std::vector<std::uint32_t> taken;
+    taken.swap(changed_);
+    for (const std::uint32_t index : taken)
+        is_changed_[index] = 0;
+    std::sort(taken.begin(), taken.end());
+    return taken;
 }
 
 void Balls::go_on(std::uint32_t index, double time) {
@@ -111,11 +144,11 @@ void Balls::carry(std::uint32_t index, double time, const MotionState& state) {
     Ball& ball = balls_[index];
     ball.ground = Ground::none;
     ball.is_lying = false;
-    ball.stretch = {};
-    ball.stretch.kind = MotionKind::stepped;
-    ball.stretch.start = time;
-    ball.stretch.state = state;
-    ++ball.version;
+    Stretch stretch;
+    stretch.kind = MotionKind::stepped;
+    stretch.start = time;
+    stretch.state = state;
+    set_stretch(ball, stretch);
 }
 
 void Balls::take_back(std::uint32_t index, double time, const MotionState& state, Ground ground) {
@@ -144,7 +177,9 @@ void Balls::lay_down(std::uint32_t index, double time, MotionState state) {
     Ball& ball = balls_[index];
     state.velocity = state.angular_velocity = {0, 0, 0};
     carry(index, time, state);
-    ball.stretch.kind = MotionKind::resting;
+    Stretch still = ball.stretch;
+    still.kind = MotionKind::resting;
+    set_stretch(ball, still);
     ball.is_lying = true;
     recording_.keep(ball.track, time, state);
     recording_.log(EventKind::resting, time, ball.name, state.position);

@@ -56,17 +56,29 @@ class Balls {
 
     void finish(double time);
 
+    /// Those that have begun a new stretch since this was asked last, in their order.
+    [[nodiscard]] std::vector<std::uint32_t> take_changed();
+    /// All predictions are void, and all balls count as changed.
+    void void_predictions();
+    /// How many ODE carries.
+    [[nodiscard]] std::size_t stepped_count() const { return stepped_count_; }
+
     void add_energy(double time, EnergySample& sample) const;
     [[nodiscard]] bool all_rest() const;
 
   private:
     void settle(Ball& ball, double time, MotionState& state);
     void begin(Ball& ball, double time, const MotionState& state);
+    void note_change(Ball& ball);
+    void set_stretch(Ball& ball, const Stretch& stretch);
 
     const Surroundings& around_;
     Recording& recording_;
     std::vector<Ball> balls_;
     ode::ImpactSolver solver_;
+    std::vector<std::uint32_t> changed_;
+    std::vector<char> is_changed_;  // one per ball, so that none is listed twice
+    std::size_t stepped_count_ = 0;
 };
 
 }  // namespace carom::sim

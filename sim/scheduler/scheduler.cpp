@@ -12,17 +12,17 @@ namespace {
 constexpr double kEnergyInterval = 1.0 / 60;  // s
 /// ODE steps what lies in touch at a quarter of the world's step, or of this (s) if that is less.
 constexpr double kLongestCoarseStep = 1.0 / 240;
-/// More touches than this in one window mean that balls are caught in a corner that the laws do
-/// not resolve. A break has some tens, a spinning ball pressed to a cushion a hundred.
-constexpr std::size_t kMostTouchesPerWindow = 100000;
+/// More touches than this per ball in one window mean that balls are caught in a corner that the
+/// laws do not resolve. A break has some ten, a spinning ball pressed to a cushion some hundreds.
+constexpr std::size_t kMostTouchesPerBall = 10000;
 
-std::string cap_warning(const Touch& touch, const Ball& ball) {
+std::string cap_warning(std::size_t most, const Touch& touch, const Ball& ball) {
     const Vec3 p = ball.stretch.position_at(touch.time);
     std::array<char, 200> text{};
     std::snprintf(text.data(), text.size(),
-                  "more than %zu touches in one step at %.6f s near '%s' at (%.4f, %.4f, %.4f): "
-                  "touches are ignored until the step's end",
-                  kMostTouchesPerWindow, touch.time, ball.name.c_str(), p.x, p.y, p.z);
+                  "more than %zu touches at %.6f s near '%s' at (%.4f, %.4f, %.4f): "
+                  "touches are ignored for up to 1/60 s",
+                  most, touch.time, ball.name.c_str(), p.x, p.y, p.z);
     return text.data();
 }
 
@@ -59,16 +59,15 @@ void Scheduler::run(const WorkContext& context) {
 }
 
 void Scheduler::run_window() {
-    queue_ = {};
-    touches_in_window_ = 0;
-    is_capped_ = false;
+    begin_count();
     measure_energy();
     act();
     if (stepped_.is_active()) {
         const double fine = std::min(world_.step, kLongestCoarseStep) / 4;
         window_end_ = stepped_.try_step(now_, std::min(window_end_, now_ + fine));
     }
-    look_ahead_for_all();
+    look_ahead();
+    find_boxes();
     const std::optional<Touch> last = meet_all();
     if (stepped_.is_trying())
         stepped_.commit(window_end_);
@@ -86,6 +85,10 @@ std::optional<Touch> Scheduler::meet_all() {
         queue_.pop();
         if (!is_valid(touch))
             continue;
+        if (touch.kind == TouchKind::cell_crossing || touch.kind == TouchKind::look_again) {
+            look_on(touch);
+            continue;
+        }
         if (needs_step(touch)) {
             window_end_ = touch.time;
             return touch;
@@ -103,11 +106,7 @@ bool Scheduler::needs_step(const Touch& touch) const {
 }
 
 double Scheduler::window_end_from(double now) const {
-    // Multiples of the step, so that what happens between does not shift those that follow.
-    double end = (std::floor(now / world_.step * (1 + 1e-15)) + 1) * world_.step;
-    if (end <= now)
-        end = now + world_.step;
-    end = std::min(end, world_.duration);
+    double end = world_.duration;
     if (next_energy_time_ > now)
         end = std::min(end, next_energy_time_);
     const double next_action = schedule_.next_time();
@@ -135,35 +134,63 @@ void Scheduler::act() {
     window_end_ = window_end_from(now_);
 }
 
-void Scheduler::look_ahead_for_all() {
-    for (std::uint32_t i = 0; i < balls_.all().size(); ++i)
-        finder_.find(i, now_, window_end_, true, queue_);
+Outlook Scheduler::outlook() const {
+    return {now_, world_.duration, stepped_.is_trying() ? window_end_ : world_.duration};
 }
 
-void Scheduler::look_ahead(std::uint32_t ball) {
-    finder_.find(ball, now_, window_end_, false, queue_);
+void Scheduler::look_ahead() {
+    finder_.find(balls_.take_changed(), outlook(), queue_);
+}
+
+void Scheduler::look_on(const Touch& touch) {
+    now_ = std::max(now_, touch.time);
+    if (touch.kind == TouchKind::cell_crossing) {
+        finder_.cross(touch, outlook(), queue_);
+    } else {
+        finder_.look_again(touch, outlook(), queue_);
+    }
+}
+
+/// Where boxes are known to be holds for as long as ODE's step; at rest, for ever.
+void Scheduler::find_boxes() {
+    const bool has_boxes = stepped_.all().size() > balls_.all().size();
+    if (has_boxes && (stepped_.is_trying() || was_stepping_))
+        finder_.find_boxes_for_all(outlook(), queue_);
+    was_stepping_ = stepped_.is_trying();
+}
+
+/// Counts touches anew for every window. Touches that have been ignored may be long past: all balls
+/// look ahead again.
+void Scheduler::begin_count() {
+    touches_in_window_ = 0;
+    if (!is_capped_)
+        return;
+    is_capped_ = false;
+    balls_.void_predictions();
 }
 
 bool Scheduler::is_valid(const Touch& touch) const {
     const std::vector<Ball>& balls = balls_.all();
-    return balls[touch.first].version == touch.first_version &&
-           (touch.kind != TouchKind::ball || balls[touch.second].version == touch.second_version);
+    if (balls[touch.first].version != touch.first_version)
+        return false;
+    if (touch.kind == TouchKind::ball)
+        return balls[touch.second].version == touch.second_version;
+    return touch.kind != TouchKind::box || touch.second_version == finder_.box_round();
 }
 
 void Scheduler::meet(const Touch& touch) {
     const bool is_law_change = touch.kind == TouchKind::stretch_end;
-    if (++touches_in_window_ > kMostTouchesPerWindow && !is_law_change) {
+    const std::size_t most = kMostTouchesPerBall * std::max<std::size_t>(balls_.all().size(), 10);
+    if (++touches_in_window_ > most && !is_law_change) {
         if (!is_capped_)
-            recording_.warn(cap_warning(touch, balls_.all()[touch.first]));
+            recording_.warn(cap_warning(most, touch, balls_.all()[touch.first]));
         is_capped_ = true;
         return;
     }
     now_ = touch.time;
     const bool was_stepping = stepped_.is_active();
     resolver_.resolve(touch);
-    look_ahead(touch.first);
-    if (touch.kind == TouchKind::ball)
-        look_ahead(touch.second);
+    look_ahead();
     notice_events();
     // What ODE has just been given it steps from here on, in a window of its own.
     const bool is_handed = balls_.all()[touch.first].is_stepped() || !was_stepping;

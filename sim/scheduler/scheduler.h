@@ -36,8 +36,11 @@ class Scheduler {
     [[nodiscard]] std::optional<Touch> meet_all();
     void act();
     void meet(const Touch& touch);
-    void look_ahead_for_all();
-    void look_ahead(std::uint32_t ball);
+    void look_on(const Touch& touch);
+    void look_ahead();
+    void find_boxes();
+    void begin_count();
+    [[nodiscard]] Outlook outlook() const;
     void notice_events();
     void measure_energy();
     void add_energy();
@@ -63,7 +66,8 @@ class Scheduler {
     double next_energy_time_ = 0;
     std::size_t noticed_events_ = 0;
     std::size_t touches_in_window_ = 0;
-    bool is_capped_ = false;  // for the rest of this window
+    bool is_capped_ = false;     // for the rest of this window
+    bool was_stepping_ = false;  // in the last window
 };
 
 }  // namespace carom::sim

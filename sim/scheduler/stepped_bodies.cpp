@@ -35,13 +35,9 @@ void SteppedBodies::start(double time) {
 }
 
 bool SteppedBodies::is_active() const {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        const bool is_moving =
-            bodies_[i].is_ball ? balls_.all()[i].is_stepped() : bodies_[i].is_awake;
-        if (is_moving)
-            return true;
-    }
-    return false;
+    const auto first_box = bodies_.begin() + static_cast<std::ptrdiff_t>(balls_.all().size());
+    return balls_.stepped_count() > 0 ||
+           std::any_of(first_box, bodies_.end(), [](const StepBody& b) { return b.is_awake; });
 }
 
 void SteppedBodies::adopt_balls(double time) {

@@ -95,7 +95,8 @@ void Surroundings::add_table(const WorldDescription& world, bool has_boxes) {
         Vec2(world.table->length, world.table->width) * 0.5 + Vec2(world.table->cushion_width);
     if (!has_cushions)
         return;
-    table = billiards::build_table(*world.table, table_ball_radius(world));
+    table = billiards::build_table(*world.table, table_ball_radius(world),
+                                   billiards::TableParts::collided);
     for (const billiards::Surface& surface : table.surfaces) {
         const auto material = material_of(surface.part);
         if (!material || surface.triangles.empty())

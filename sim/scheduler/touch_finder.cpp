@@ -16,9 +16,28 @@ Vec3 in_space(const Vec2& v, double z) {
 }
 
 void push(TouchQueue& queue, const Ball& ball, std::uint32_t index, TouchKind kind,
-          std::size_t other, std::optional<double> time) {
+          std::size_t other, std::optional<double> time, std::uint32_t second_version = 0) {
     if (time)
-        queue.push({*time, kind, index, static_cast<std::uint32_t>(other), ball.version, 0});
+        queue.push(
+            {*time, kind, index, static_cast<std::uint32_t>(other), ball.version, second_version});
+}
+
+/// Twice the largest ball's diameter: wider, and more pairs are looked at; narrower, and balls
+/// cross more often.
+double cell_width(const std::vector<Ball>& balls) {
+    double largest = 0;
+    for (const Ball& ball : balls)
+        largest = std::max(largest, ball.radius);
+    return std::max(4 * largest, 16 * kCellMargin);
+}
+
+/// A look goes as far as a ball moves by about its own radius.
+double look_duration(const Ball& ball, double now) {
+    constexpr double kShortest = 1.0 / 2000;  // s
+    constexpr double kLongest = 1.0 / 60;
+    const Vec3 v = ball.stretch.velocity_at(now);
+    const double speed = std::sqrt(v.dot(v));
+    return std::clamp(ball.radius / std::max(speed, 1e-3), kShortest, kLongest);
 }
 
 /// The nearest time at which the centre comes within `reach` of the nose between the ends of a
@@ -45,44 +64,128 @@ double nose_reach(double radius, double z, double nose_height) {
     return square > 0 ? std::sqrt(square) : 0;
 }
 
-void TouchFinder::find(std::uint32_t index, double now, double until, bool only_later_balls,
-                       TouchQueue& queue) const {
+TouchFinder::TouchFinder(const Surroundings& around, const std::vector<Ball>& balls,
+                         const std::vector<StepBody>& bodies)
+    : around_(around),
+      balls_(balls),
+      bodies_(bodies),
+      grid_(cell_width(balls), balls.size()),
+      next_look_(balls.size(), kNever),
+      last_found_(balls.size(), 0) {}
+
+void TouchFinder::find(const std::vector<std::uint32_t>& changed, const Outlook& outlook,
+                       TouchQueue& queue) {
+    ++find_count_;
+    for (const std::uint32_t index : changed)
+        grid_.place(index, balls_[index].stretch.position_at(outlook.now));
+    for (const std::uint32_t index : changed)
+        find_one(index, outlook, queue);
+}
+
+void TouchFinder::find_one(std::uint32_t index, const Outlook& outlook, TouchQueue& queue) {
     const Ball& ball = balls_[index];
-    if (!ball.is_stepped() && !ball.is_lying)
-        find_boxes(index, now, std::min(until, ball.stretch.end), queue);
+    const double now = outlook.now;
+    const double end = ball.is_stepped() ? outlook.step_end : outlook.end;
+    const double until = std::min(end, ball.stretch.end);
+    if (ball.stretch.end <= end)
+        push(queue, ball, index, TouchKind::stretch_end, 0, std::max(now, ball.stretch.end));
+    grid_.find_near(index, near_);
+    for (const std::uint32_t other : near_) {
+        // Of two that have both changed the second one to be asked leaves the pair out.
+        if (last_found_[other] != find_count_)
+            find_pair(index, other, now, until, queue);
+    }
+    last_found_[index] = find_count_;
+    find_crossing(index, now, until, queue);
+    find_unmoving(index, outlook, queue);
+    const bool moves_freely = !ball.is_still() && !ball.is_stepped();
+    if (!moves_freely || ball.stretch.kind == MotionKind::spinning)
+        return;
+    find_fixed_spheres(index, now, until, queue);
+    if (ball.ground == Ground::cloth && around_.has_cushions)
+        find_on_cloth(index, now, until, queue);
+}
+
+void TouchFinder::find_crossing(std::uint32_t index, double now, double until,
+                                TouchQueue& queue) const {
+    const Ball& ball = balls_[index];
+    if (ball.is_still() || ball.stretch.kind == MotionKind::spinning)
+        return;
+    if (const auto crossing = grid_.next_crossing(index, ball.stretch, now, until))
+        push(queue, ball, index, TouchKind::cell_crossing, static_cast<std::size_t>(crossing->to),
+             crossing->time);
+}
+
+void TouchFinder::cross(const Touch& crossing, const Outlook& outlook, TouchQueue& queue) {
+    const std::uint32_t index = crossing.first;
+    const Ball& ball = balls_[index];
+    const auto side = static_cast<CellGrid::Side>(crossing.second);
+    const double end = ball.is_stepped() ? outlook.step_end : outlook.end;
+    const double until = std::min(end, ball.stretch.end);
+    grid_.cross(index, side);
+    grid_.find_ahead(index, side, near_);
+    for (const std::uint32_t other : near_)
+        find_pair(index, other, outlook.now, until, queue);
+    find_crossing(index, outlook.now, until, queue);
+}
+
+void TouchFinder::find_pair(std::uint32_t index, std::uint32_t other, double now, double until,
+                            TouchQueue& queue) const {
+    const Ball& ball = balls_[index];
+    const Ball& partner = balls_[other];
+    if (ball.is_still() && partner.is_still())
+        return;
+    // ODE sees to those that it carries both.
+    if ((ball.is_stepped() && (partner.is_stepped() || partner.is_lying)) ||
+        (ball.is_lying && partner.is_stepped()))
+        return;
+    const double end = std::min(until, partner.stretch.end);
+    const auto time =
+        ball_touch(ball.stretch, partner.stretch, ball.radius + partner.radius, now, end);
+    if (!time)
+        return;
+    const auto [low, high] = std::minmax(index, other);
+    queue.push({*time, TouchKind::ball, low, high, balls_[low].version, balls_[high].version});
+}
+
+/// What takes a walk through a tree or a search in steps is looked for only some way ahead.
+void TouchFinder::find_unmoving(std::uint32_t index, const Outlook& outlook, TouchQueue& queue) {
+    const Ball& ball = balls_[index];
+    next_look_[index] = kNever;
+    if (ball.is_stepped() || ball.is_lying)
+        return;
+    const bool is_flying = ball.ground == Ground::none && !ball.is_still();
+    const bool has_boxes = bodies_.size() > balls_.size();
+    if (!is_flying && !has_boxes && around_.scenery_mesh.empty())
+        return;
+    const double whole = std::min(outlook.end, ball.stretch.end);
+    const double until = std::min(whole, outlook.now + look_duration(ball, outlook.now));
+    find_boxes(index, outlook.now, std::min(until, outlook.step_end), queue);
     if (ball.is_still())
         return;
-    if (ball.stretch.end <= until)
-        push(queue, ball, index, TouchKind::stretch_end, 0, std::max(now, ball.stretch.end));
-    until = std::min(until, ball.stretch.end);
-    find_balls(index, now, until, only_later_balls, queue);
-    if (ball.is_stepped() || ball.stretch.kind == MotionKind::spinning)
-        return;
-    find_fixed(index, now, until, queue);
-    if (ball.ground == Ground::none) {
-        find_in_air(index, now, until, queue);
-    } else if (ball.ground == Ground::cloth && around_.has_cushions) {
-        find_on_cloth(index, now, until, queue);
+    find_scenery(index, outlook.now, until, queue);
+    if (is_flying)
+        find_in_air(index, outlook.now, until, queue);
+    if (until < whole) {
+        next_look_[index] = until;
+        push(queue, ball, index, TouchKind::look_again, 0, until);
     }
 }
 
-void TouchFinder::find_balls(std::uint32_t index, double now, double until, bool only_later_balls,
-                             TouchQueue& queue) const {
-    const Ball& ball = balls_[index];
-    for (std::uint32_t other = 0; other < balls_.size(); ++other) {
-        const Ball& partner = balls_[other];
-        if (other == index || (only_later_balls && other < index && !partner.is_still()))
+void TouchFinder::look_again(const Touch& look, const Outlook& outlook, TouchQueue& queue) {
+    if (next_look_[look.first] == look.time)
+        find_unmoving(look.first, outlook, queue);
+}
+
+void TouchFinder::find_boxes_for_all(const Outlook& outlook, TouchQueue& queue) {
+    ++box_round_;
+    for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+        const Ball& ball = balls_[i];
+        if (ball.is_stepped() || ball.is_lying)
             continue;
-        // ODE sees to those that it carries both.
-        if (ball.is_stepped() && (partner.is_stepped() || partner.is_lying))
-            continue;
-        const double end = std::min(until, partner.stretch.end);
-        const auto time =
-            ball_touch(ball.stretch, partner.stretch, ball.radius + partner.radius, now, end);
-        if (!time)
-            continue;
-        const auto [low, high] = std::minmax(index, other);
-        queue.push({*time, TouchKind::ball, low, high, balls_[low].version, balls_[high].version});
+        // A ball without a next look looks as far as its stretch goes.
+        const double until = std::min({outlook.step_end, ball.stretch.end, next_look_[i]});
+        find_boxes(i, outlook.now, until, queue);
     }
 }
 
@@ -93,18 +196,23 @@ void TouchFinder::find_boxes(std::uint32_t index, double now, double until,
         const StepBody& box = bodies_[i];
         if (!ball.is_still() || box.is_awake)
             push(queue, ball, index, TouchKind::box, i,
-                 box_touch(ball.stretch, ball.radius, box.motion, now, until));
+                 box_touch(ball.stretch, ball.radius, box.motion, now, until), box_round_);
     }
 }
 
-void TouchFinder::find_fixed(std::uint32_t index, double now, double until,
-                             TouchQueue& queue) const {
+void TouchFinder::find_scenery(std::uint32_t index, double now, double until,
+                               TouchQueue& queue) const {
     const Ball& ball = balls_[index];
-    if (!around_.scenery_mesh.empty()) {
-        const auto touch = around_.scenery_mesh.first_touch(ball.stretch, ball.radius, now, until);
-        if (touch)
-            push(queue, ball, index, TouchKind::scenery_feature, touch->feature, touch->time);
-    }
+    if (around_.scenery_mesh.empty() || ball.stretch.kind == MotionKind::spinning)
+        return;
+    const auto touch = around_.scenery_mesh.first_touch(ball.stretch, ball.radius, now, until);
+    if (touch)
+        push(queue, ball, index, TouchKind::scenery_feature, touch->feature, touch->time);
+}
+
+void TouchFinder::find_fixed_spheres(std::uint32_t index, double now, double until,
+                                     TouchQueue& queue) const {
+    const Ball& ball = balls_[index];
     for (std::size_t i = 0; i < around_.spheres.size(); ++i) {
         const FixedSphere& sphere = around_.spheres[i];
         push(queue, ball, index, TouchKind::fixed_sphere, i,

@@ -1,38 +1,68 @@
 // Which touches lie ahead of a ball.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "sim/scheduler/ball_state.h"
 #include "sim/scheduler/step_body.h"
 #include "sim/scheduler/surroundings.h"
 #include "sim/scheduler/touch_queue.h"
+#include "sim/spatial/cell_grid.h"
 
 namespace carom::sim {
 
+/// From when to when touches are looked for.
+struct Outlook {
+    double now = 0;
+    double end = 0;       // of the simulation
+    double step_end = 0;  // of what ODE is trying; `end` if it tries nothing
+};
+
+/// Predictions are made when a ball begins a stretch, as far as that stretch goes, and hold until
+/// either ball's version changes. Balls are compared with those in the neighbouring cells of a
+/// grid, and again with the new neighbours when they cross into another cell: so each pair is
+/// looked at before it can touch, and most pairs never are.
 class TouchFinder {
   public:
     TouchFinder(const Surroundings& around, const std::vector<Ball>& balls,
-                const std::vector<StepBody>& bodies)
-        : around_(around), balls_(balls), bodies_(bodies) {}
+                const std::vector<StepBody>& bodies);
 
-    /// Puts every touch of ball `index` in [now, until] into the queue. With `only_later_balls`,
-    /// of the other moving balls only those of a higher index are looked at (the lower ones have
-    /// been asked already).
-    void find(std::uint32_t index, double now, double until, bool only_later_balls,
-              TouchQueue& queue) const;
+    /// Everything ahead of the balls in `changed`, which have begun new stretches.
+    void find(const std::vector<std::uint32_t>& changed, const Outlook& outlook, TouchQueue& queue);
+
+    /// A ball passes into another cell.
+    void cross(const Touch& crossing, const Outlook& outlook, TouchQueue& queue);
+
+    /// What does not move, from where the last look ended; nothing if there has been a later look.
+    void look_again(const Touch& look, const Outlook& outlook, TouchQueue& queue);
+
+    /// Boxes are about to move, or have come to rest: what was predicted of them is void.
+    void find_boxes_for_all(const Outlook& outlook, TouchQueue& queue);
+
+    [[nodiscard]] std::uint32_t box_round() const { return box_round_; }
 
   private:
-    void find_balls(std::uint32_t index, double now, double until, bool only_later_balls,
-                    TouchQueue& queue) const;
+    void find_one(std::uint32_t index, const Outlook& outlook, TouchQueue& queue);
+    void find_crossing(std::uint32_t index, double now, double until, TouchQueue& queue) const;
+    void find_pair(std::uint32_t index, std::uint32_t other, double now, double until,
+                   TouchQueue& queue) const;
+    void find_unmoving(std::uint32_t index, const Outlook& outlook, TouchQueue& queue);
     void find_boxes(std::uint32_t index, double now, double until, TouchQueue& queue) const;
-    void find_fixed(std::uint32_t index, double now, double until, TouchQueue& queue) const;
+    void find_scenery(std::uint32_t index, double now, double until, TouchQueue& queue) const;
+    void find_fixed_spheres(std::uint32_t index, double now, double until, TouchQueue& queue) const;
     void find_on_cloth(std::uint32_t index, double now, double until, TouchQueue& queue) const;
     void find_in_air(std::uint32_t index, double now, double until, TouchQueue& queue) const;
 
     const Surroundings& around_;
     const std::vector<Ball>& balls_;
     const std::vector<StepBody>& bodies_;
+    CellGrid grid_;
+    std::vector<std::uint32_t> near_;        // of the ball being looked at
+    std::vector<double> next_look_;          // per ball: when `look_again` is due
+    std::vector<std::uint32_t> last_found_;  // per ball: in which call of `find` it was a `changed`
+    std::uint32_t find_count_ = 0;
+    std::uint32_t box_round_ = 0;
 };
 
 /// How far from the nose's line (horizontally) the centre of a ball at height `z` is when it

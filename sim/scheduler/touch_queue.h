@@ -21,6 +21,8 @@ enum class TouchKind : std::uint8_t {
     ground,           // it comes down on Ground `second`
     below_cloth,      // its centre sinks below the cloth
     stretch_end,      // its law of motion changes
+    cell_crossing,    // it passes into the next cell of the grid, on CellGrid::Side `second`
+    look_again,       // what does not move has been looked for only so far
 };
 
 /// `first` is a ball; predictions hold as long as the versions are those of the balls.
@@ -30,7 +32,7 @@ struct Touch {
     std::uint32_t first = 0;
     std::uint32_t second = 0;
     std::uint32_t first_version = 0;
-    std::uint32_t second_version = 0;  // with kind `ball`
+    std::uint32_t second_version = 0;  // `ball`: of the second; `box`: TouchFinder::box_round
 
     /// A total order, so that simultaneous touches always come in the same one.
     [[nodiscard]] friend bool operator<(const Touch& a, const Touch& b) {

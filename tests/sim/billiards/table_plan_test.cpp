@@ -165,6 +165,26 @@ TEST_P(TablePlan, SameMeasures_GiveTheSameGeometry) {
     }
 }
 
+TEST_P(TablePlan, CollidedParts_AreThoseOfTheWholeTable) {
+    const TableGeometry collided = build_table(measures_, radius_, TableParts::collided);
+    EXPECT_EQ(collided.faces.size(), geometry_.faces.size());
+    EXPECT_EQ(collided.pockets.size(), geometry_.pockets.size());
+    std::size_t next = 0;
+    for (const Surface& surface : geometry_.surfaces) {
+        const bool is_collided =
+            surface.part == SurfacePart::cushion || surface.part == SurfacePart::rail ||
+            surface.part == SurfacePart::pocket_liner || surface.part == SurfacePart::pocket_floor;
+        if (!is_collided)
+            continue;
+        ASSERT_LT(next, collided.surfaces.size());
+        EXPECT_EQ(collided.surfaces[next].name, surface.name);
+        EXPECT_EQ(collided.surfaces[next].vertices, surface.vertices);
+        EXPECT_EQ(collided.surfaces[next].triangles, surface.triangles);
+        ++next;
+    }
+    EXPECT_EQ(next, collided.surfaces.size());
+}
+
 INSTANTIATE_TEST_SUITE_P(Tables, TablePlan, testing::ValuesIn(test::kTables),
                          [](const auto& instance) { return instance.param.name; });
 

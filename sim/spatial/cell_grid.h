@@ -1,0 +1,66 @@
+// Which balls are near each other, seen from above.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/motion/stretch.h"
+
+namespace carom::sim {
+
+/// A square of the plane z = 0, counted from the origin.
+struct Cell {
+    std::int32_t x = 0;
+    std::int32_t y = 0;
+
+    [[nodiscard]] friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+/// Items (numbers below `count`), each in one cell of an endless grid. Two whose places are less
+/// than the cells' width apart are in the same cell or in neighbouring ones, as long as each one is
+/// moved by `cross` when `next_crossing` says so. A cell's edges are kept to within kCellMargin.
+class CellGrid {
+  public:
+    enum class Side : std::uint8_t { left, right, front, back };
+    struct Crossing {
+        double time = 0;
+        Side to = Side::left;
+    };
+
+    CellGrid(double width, std::size_t count);
+
+    /// Puts the item where it is, if that is not in the cell that it is known to be in.
+    void place(std::uint32_t item, const Vec3& position);
+
+    /// When the item, moving along `path`, passes into another cell in [now, until].
+    [[nodiscard]] std::optional<Crossing> next_crossing(std::uint32_t item, const Stretch& path,
+                                                        double now, double until) const;
+    void cross(std::uint32_t item, Side to);
+
+    /// The other items in its cell and the eight around it; `found` is emptied first.
+    void find_near(std::uint32_t item, std::vector<std::uint32_t>& found) const;
+    /// Only those in the three cells that have become neighbours when it crossed `to` that side.
+    void find_ahead(std::uint32_t item, Side to, std::vector<std::uint32_t>& found) const;
+
+    [[nodiscard]] Cell cell_of(std::uint32_t item) const { return cells_[item]; }
+
+  private:
+    [[nodiscard]] std::int32_t coordinate(double value) const;
+    [[nodiscard]] std::size_t bucket_of(Cell cell) const;
+    void find_in(Cell cell, std::uint32_t item, std::vector<std::uint32_t>& found) const;
+    void link(std::uint32_t item);
+    void unlink(std::uint32_t item);
+
+    double width_;
+    // Cells are hashed into buckets, each one a list linked through its items.
+    std::vector<Cell> cells_;
+    std::vector<std::uint32_t> next_, previous_;
+    std::vector<std::uint32_t> buckets_;
+};
+
+/// An item may be this far outside of its cell (m) before `place` moves it.
+inline constexpr double kCellMargin = 1e-4;
+
+}  // namespace carom::sim
