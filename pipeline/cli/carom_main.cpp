@@ -42,6 +42,7 @@ void run(const Command& command, CommandContext& context) {
                    [&](const CheckCommand& check) { run_check(check, context); },
                    [&](const BakeCommand& bake) { run_bake(bake, context); },
                    [&](const ExportCommand& export_) { run_export(export_, context); },
+                   [&](const ReportCommand& report) { run_report(report, context); },
                    [](const RenderCommand&) {},  // never here: needs_renderer
                    [](const FrameCommand&) {},
                },

@@ -37,6 +37,7 @@ struct Targets {
     FrameCommand frame;
     CheckCommand check;
     ExportCommand export_;
+    ReportCommand report;
 };
 
 void add_input(CLI::App& app, InputOptions& input, const char* name, const char* what) {
@@ -151,6 +152,18 @@ void add_export(CLI::App& app, Targets& targets) {
         example("  carom export break.yaml --rate 240 -o tracks.csv --events events.csv"));
 }
 
+void add_report(CLI::App& app, Targets& targets) {
+    CLI::App& command = *app.add_subcommand("report", "what happens in a shot, in numbers");
+    ReportCommand& report = targets.report;
+    add_input(command, report.input, "SHOT|BAKE", "a shot or a bake");
+    add_output(command, report.output, "else standard output");
+    command.add_flag("--json", report.json, "one JSON object, with all digits");
+    add_cache(command, report.cache);
+    add_talk(command, targets);
+    command.footer(example("  carom report break.yaml") +
+                   "\nEvents with speeds and cut angles; how each object moved and ended; energy.");
+}
+
 Command chosen_command(const CLI::App& app, Targets& targets) {
     const std::string name = app.get_subcommands().front()->get_name();
     if (name == "render") {
@@ -164,6 +177,9 @@ Command chosen_command(const CLI::App& app, Targets& targets) {
     }
     if (name == "check") {
         return std::move(targets.check);
+    }
+    if (name == "report") {
+        return std::move(targets.report);
     }
     return std::move(targets.export_);
 }
@@ -219,6 +235,7 @@ std::variant<CommandLine, NothingToRun> parse_command_line(
     add_frame(app, targets);
     add_check(app, targets);
     add_export(app, targets);
+    add_report(app, targets);
     try {
         // CLI11 takes its arguments from the back.
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

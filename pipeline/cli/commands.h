@@ -61,7 +61,15 @@ struct ExportCommand {
     std::optional<double> rate;  // Hz; none: the keys
 };
 
-using Command = std::variant<RenderCommand, BakeCommand, FrameCommand, CheckCommand, ExportCommand>;
+struct ReportCommand {
+    InputOptions input;
+    CacheOptions cache;
+    std::string output;  // empty: standard output
+    bool json = false;
+};
+
+using Command = std::variant<RenderCommand, BakeCommand, FrameCommand, CheckCommand, ExportCommand,
+                             ReportCommand>;
 
 struct CommandLine {
     TalkOptions talk;

@@ -4,8 +4,10 @@
 
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/cli/report_json.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/export/timeline_csv.h"
+#include "pipeline/report/report_text.h"
 #include "pipeline/video/video_format.h"
 #include "sim/timeline/bake_file.h"
 
@@ -14,12 +16,12 @@ namespace carom::cli {
 namespace {
 
 /// A bake's own timeline, or that of a shot.
-sim::Timeline timeline_of(const ExportCommand& command, CommandContext& context) {
-    if (is_bake_file(command.input.path)) {
-        return read_bake_input(command.input.path).timeline;
+sim::Timeline timeline_of(const InputOptions& input, const CacheOptions& cache,
+                          CommandContext& context) {
+    if (is_bake_file(input.path)) {
+        return read_bake_input(input.path).timeline;
     }
-    const ShotInput input = read_shot_input(command.input, context.console);
-    return bake_of(input.shot, command.cache, context).timeline;
+    return bake_of(read_shot_input(input, context.console).shot, cache, context).timeline;
 }
 
 }  // namespace
@@ -62,7 +64,7 @@ void run_export(const ExportCommand& command, CommandContext& context) {
     }
     check_output_folder(command.events);
 
-    const sim::Timeline timeline = timeline_of(command, context);
+    const sim::Timeline timeline = timeline_of(command.input, command.cache, context);
     if (tracks_wanted) {
         write_text_output(path, command.rate ? pipeline::samples_to_csv(timeline, *command.rate)
                                              : pipeline::keys_to_csv(timeline));
@@ -70,6 +72,14 @@ void run_export(const ExportCommand& command, CommandContext& context) {
     if (!command.events.empty()) {
         write_text_output(command.events, pipeline::events_to_csv(timeline));
     }
+}
+
+void run_report(const ReportCommand& command, CommandContext& context) {
+    check_output_folder(command.output);
+    const pipeline::ShotReport report =
+        pipeline::report_of(timeline_of(command.input, command.cache, context));
+    write_text_output(command.output.empty() ? "-" : command.output,
+                      command.json ? report_json(report) : pipeline::report_text(report));
 }
 
 }  // namespace carom::cli

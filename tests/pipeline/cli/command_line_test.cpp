@@ -32,7 +32,7 @@ TEST(CommandLine, Help_StartsWithThreeRealCommands) {
 }
 
 TEST(CommandLine, EveryCommandsHelp_HasAnExampleThatParses) {
-    for (const std::string name : {"render", "bake", "frame", "check", "export"}) {
+    for (const std::string name : {"render", "bake", "frame", "check", "export", "report"}) {
         const NothingToRun help = refused({name, "--help"});
         EXPECT_EQ(help.exit_code, 0);
         const std::size_t at = help.out.find("Example:\n  carom ");
@@ -99,6 +99,14 @@ TEST(CommandLine, FrameAndAt_ExcludeEachOther) {
     EXPECT_EQ(refused({"frame", "a.yaml", "--frame", "1", "--at", "1s"}).exit_code, 2);
 }
 
+TEST(CommandLine, Report_TakesItsOptions) {
+    const auto command = parsed<ReportCommand>({"report", "a.bake", "--json", "-o", "r.json"});
+    EXPECT_EQ(command.input.path, "a.bake");
+    EXPECT_EQ(command.output, "r.json");
+    EXPECT_TRUE(command.json);
+    EXPECT_FALSE(parsed<ReportCommand>({"report", "a.yaml"}).json);
+}
+
 TEST(CommandLine, WrongUsage_IsExitCode2WithAPointerToHelp) {
     const std::vector<std::vector<std::string>> wrong{
         {"rendr", "a.yaml"},
@@ -140,7 +148,8 @@ TEST(CommandLine, NoArguments_GiveTheHelpOnStderr) {
 }
 
 TEST(CommandLine, Help_FitsEightyColumns) {
-    for (const std::string name : {"render", "bake", "frame", "check", "export", "--help"}) {
+    for (const std::string name :
+         {"render", "bake", "frame", "check", "export", "report", "--help"}) {
         std::istringstream lines(refused({name, "--help"}).out);
         for (std::string line; std::getline(lines, line);) {
             EXPECT_LE(line.size(), 80U) << line;

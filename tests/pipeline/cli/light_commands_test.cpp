@@ -68,7 +68,7 @@ TEST_F(LightCommands, CheckWithJson_IsOneObjectPerLine) {
 
 TEST_F(LightCommands, MissingShot_IsExitCode2) {
     for (const std::string name : {"none.yaml", "none.bake"}) {
-        for (const std::string command : {"check", "export", "bake"}) {
+        for (const std::string command : {"check", "export", "bake", "report"}) {
             const RunResult result = run({command, name});
             EXPECT_EQ(result.exit_code, 2) << command << " " << name;
             EXPECT_THAT(result.err, HasSubstr(name));
@@ -107,7 +107,7 @@ TEST_F(LightCommands, DamagedBake_IsExitCode2) {
     std::string bytes = text_of("tiny.bake");
     bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
     write_text(path("tiny.bake"), bytes);
-    for (const std::string command : {"check", "export", "render"}) {
+    for (const std::string command : {"check", "export", "render", "report"}) {
         const RunResult result = run({command, "tiny.bake"});
         EXPECT_EQ(result.exit_code, 2) << command;
         EXPECT_THAT(result.err, HasSubstr("tiny.bake"));
@@ -141,6 +141,40 @@ TEST_F(LightCommands, ExportAtARate_SamplesEvenly) {
 TEST_F(LightCommands, ExportOfEventsAlone_WritesNoTracks) {
     EXPECT_EQ(run({"export", "tiny.yaml", "--events", "e.csv"}).out, "e.csv\n");
     EXPECT_THAT(results(), ElementsAre("e.csv"));
+}
+
+TEST_F(LightCommands, ReportOfShotAndOfItsBake_IsTheSameText) {
+    const RunResult of_shot = run({"report", "tiny.yaml"});
+    EXPECT_EQ(of_shot.exit_code, 0) << of_shot.err;
+    EXPECT_THAT(of_shot.out, StartsWith("0.000 s to 0.600 s, 2 objects, "));
+    EXPECT_THAT(of_shot.out, HasSubstr("impact    cue - one"));
+    EXPECT_THAT(of_shot.out, HasSubstr("\nafter the strike on cue"));
+    EXPECT_THAT(results(), IsEmpty());
+    ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
+    EXPECT_EQ(run({"report", "tiny.bake"}).out, of_shot.out);
+    EXPECT_EQ(run({"report", "tiny.bake", "-o", "r.txt"}).out, "r.txt\n");
+    EXPECT_EQ(text_of("r.txt"), of_shot.out);
+}
+
+TEST_F(LightCommands, ReportAsJson_IsOneObject) {
+    const RunResult result = run({"report", "tiny.yaml", "--json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, StartsWith("{\"start_time\":0,\"end_time\":0.6,"));
+    EXPECT_THAT(result.out, HasSubstr("\"kind\":\"impact\",\"a\":\"cue\",\"b\":\"one\""));
+    EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '{'),
+              std::count(result.out.begin(), result.out.end(), '}'));
+}
+
+TEST_F(LightCommands, ReportOfTheExample_FitsAHundredColumnsAndTellsTheBreak) {
+    const RunResult result = run({"report", CAROM_SOURCE_DIR "/examples/nine_ball_break.yaml"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("strike    cue"));
+    EXPECT_THAT(result.out, HasSubstr("impact    one - cue"));
+    EXPECT_THAT(result.out, HasSubstr("\nnine "));
+    std::istringstream lines(result.out);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), 100U) << line;
+    }
 }
 
 TEST_F(LightCommands, MissingFolderOfTheOutput_IsNamedBeforeTheWork) {

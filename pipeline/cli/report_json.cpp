@@ -1,0 +1,116 @@
+#include "pipeline/cli/report_json.h"
+
+#include <vector>
+
+#include "pipeline/cli/terminal/json_text.h"
+
+namespace carom::cli {
+
+namespace {
+
+using pipeline::Fate;
+
+/// Objects, one per line.
+std::string array(const std::vector<std::string>& objects) {
+    std::string text = "[";
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        text += (i > 0 ? ",\n" : "\n") + objects[i];
+    }
+    return text + "]";
+}
+
+void add_place(JsonMembers& members, const Vec3& p) {
+    members.add("x", p.x).add("y", p.y).add("z", p.z);
+}
+
+std::string event_object(const pipeline::ReportedEvent& row) {
+    const sim::Event& event = row.event;
+    JsonMembers members;
+    members.add("time", event.time).add("kind", to_string(event.kind)).add("a", event.a);
+    if (event.end_time > event.time) {
+        members.add("end_time", event.end_time);
+    }
+    if (!event.b.empty()) {
+        members.add("b", event.b);
+    }
+    add_place(members, event.place);
+    if (row.a) {
+        members.add("a_speed_before", row.a->before).add("a_speed_after", row.a->after);
+    }
+    if (row.b) {
+        members.add("b_speed_before", row.b->before).add("b_speed_after", row.b->after);
+    }
+    if (row.cut) {
+        members.add("cut", *row.cut);
+    }
+    if (event.kind == sim::EventKind::impact) {
+        members.add("normal_impulse", event.normal_impulse)
+            .add("tangential_impulse", event.tangential_impulse);
+    }
+    return members.object();
+}
+
+const char* fate_name(Fate fate) {
+    switch (fate) {
+        case Fate::rests:
+            return "rests";
+        case Fate::moves:
+            return "moves";
+        case Fate::potted:
+            return "potted";
+        case Fate::off_table:
+            break;
+    }
+    return "off_table";
+}
+
+std::string object_object(const pipeline::ReportedObject& object) {
+    JsonMembers members;
+    members.add("name", object.name)
+        .add("path", object.path)
+        .add("top_speed", object.top_speed)
+        .add("top_time", object.top_time)
+        .add("rise", object.rise)
+        .add("cushions", object.cushions)
+        .add("fate", fate_name(object.fate))
+        .add("fate_time", object.fate_time);
+    if (!object.pocket.empty()) {
+        members.add("pocket", object.pocket);
+    }
+    members.add("speed", object.speed);
+    add_place(members, object.place);
+    return members.object();
+}
+
+std::string energy_object(const pipeline::ReportedEnergy& mark) {
+    return JsonMembers()
+        .add("when", mark.when)
+        .add("time", mark.sample.time)
+        .add("kinetic", mark.sample.kinetic)
+        .add("potential", mark.sample.potential)
+        .object();
+}
+
+template <typename Item, typename Write>
+std::string array_of(const std::vector<Item>& items, Write write) {
+    std::vector<std::string> objects;
+    objects.reserve(items.size());
+    for (const Item& item : items) {
+        objects.push_back(write(item));
+    }
+    return array(objects);
+}
+
+}  // namespace
+
+std::string report_json(const pipeline::ShotReport& report) {
+    const JsonMembers numbers = JsonMembers()
+                                    .add("start_time", report.start_time)
+                                    .add("end_time", report.end_time)
+                                    .add("largest_energy_rise", report.largest_energy_rise);
+    return "{" + numbers.text() + ",\n\"events\":" + array_of(report.events, event_object) +
+           ",\n\"objects\":" + array_of(report.objects, object_object) +
+           ",\n\"energy\":" + array_of(report.energy, energy_object) + "}\n";
+}
+
+}  // namespace carom::cli

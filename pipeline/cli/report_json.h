@@ -1,0 +1,14 @@
+// A report as one JSON object.
+#pragma once
+
+#include <string>
+
+#include "pipeline/report/shot_report.h"
+
+namespace carom::cli {
+
+/// Members start_time, end_time, events, objects, energy and largest_energy_rise, in SI units with
+/// all digits; what an event does not have is left out.
+[[nodiscard]] std::string report_json(const pipeline::ShotReport& report);
+
+}  // namespace carom::cli

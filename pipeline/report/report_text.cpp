@@ -1,0 +1,161 @@
+#include "pipeline/report/report_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace carom::pipeline {
+
+namespace {
+
+constexpr double kDegrees = 57.295779513082321;
+constexpr int kWidestWho = 17;
+constexpr int kWidestName = 14;
+
+/// printf into a string; lines here are short.
+template <typename... Values>
+std::string format(const char* pattern, Values... values) {
+    std::array<char, 300> text{};
+    std::snprintf(text.data(), text.size(), pattern, values...);
+    return text.data();
+}
+
+/// Left-aligned in `width` columns; too long a text loses its end.
+std::string in_columns(std::string text, int width) {
+    const auto columns = static_cast<std::size_t>(width);
+    if (text.size() > columns) {
+        text = text.substr(0, columns - 1) + "~";
+    }
+    text.resize(columns, ' ');
+    return text;
+}
+
+/// -0.0004 would be written as -0.000.
+double shown(double value, double unit) {
+    return value > -0.5 * unit && value < 0.5 * unit ? 0 : value;
+}
+
+std::string place_text(const Vec3& p) {
+    return format("%6.3f %6.3f %6.3f", shown(p.x, 1e-3), shown(p.y, 1e-3), shown(p.z, 1e-3));
+}
+
+/// Where the law of motion changes the speed does not: it is given once.
+std::string speeds_text(const std::optional<SpeedChange>& speeds, bool is_jump) {
+    if (!speeds) {
+        return std::string(13, ' ');
+    }
+    return (is_jump ? format("%6.3f", speeds->before) : std::string(6, ' ')) +
+           format(" %6.3f", speeds->after);
+}
+
+bool is_jump(sim::EventKind kind) {
+    switch (kind) {
+        case sim::EventKind::impact:
+        case sim::EventKind::impulse:
+        case sim::EventKind::velocity:
+        case sim::EventKind::strike:
+            return true;
+        default:
+            return false;
+    }
+}
+
+std::string who_text(const sim::Event& event) {
+    return event.b.empty() ? event.a : event.a + " - " + event.b;
+}
+
+int width_of_who(const ShotReport& report) {
+    std::size_t width = 3;
+    for (const ReportedEvent& row : report.events) {
+        width = std::max(width, who_text(row.event).size());
+    }
+    return std::min(static_cast<int>(width), kWidestWho);
+}
+
+std::string without_trailing_blanks(std::string line) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line + "\n";
+}
+
+std::string events_table(const ShotReport& report) {
+    const int who = width_of_who(report);
+    const bool any_cut = std::any_of(report.events.begin(), report.events.end(),
+                                     [](const ReportedEvent& e) { return e.cut.has_value(); });
+    const std::string blank = in_columns("", who);
+    std::string text =
+        without_trailing_blanks("                   " + blank + "  first  m/s   second  m/s  " +
+                                (any_cut ? "  cut" : "     ") + " impulse");
+    text += without_trailing_blanks(
+        "     time event     " + in_columns("who", who) + " before  after before  after " +
+        (any_cut ? "  deg" : "     ") + "     N s    x m    y m    z m");
+    for (const ReportedEvent& row : report.events) {
+        const sim::Event& event = row.event;
+        const bool is_impact = event.kind == sim::EventKind::impact;
+        text += without_trailing_blanks(
+            format("%9.5f ", event.time) + in_columns(std::string(to_string(event.kind)), 9) + " " +
+            in_columns(who_text(event), who) + " " + speeds_text(row.a, is_jump(event.kind)) + " " +
+            speeds_text(row.b, is_jump(event.kind)) + " " +
+            (row.cut ? format("%5.1f", *row.cut * kDegrees) : std::string(5, ' ')) + " " +
+            (is_impact ? format("%7.4f", event.normal_impulse) : std::string(7, ' ')) + " " +
+            place_text(event.place));
+    }
+    return text;
+}
+
+std::string fate_text(const ReportedObject& object) {
+    switch (object.fate) {
+        case Fate::rests:
+            return format("at rest since %.3f s", object.fate_time);
+        case Fate::moves:
+            return format("moving at %.3f m/s", object.speed);
+        case Fate::potted:
+            return format("potted at %.3f s: ", object.fate_time) + object.pocket;
+        case Fate::off_table:
+            return format("off the table at %.3f s", object.fate_time);
+    }
+    return {};
+}
+
+std::string objects_table(const ShotReport& report) {
+    std::size_t longest = 6;
+    for (const ReportedObject& object : report.objects) {
+        longest = std::max(longest, object.name.size());
+    }
+    const int name = std::min(static_cast<int>(longest), kWidestName);
+    std::string text =
+        in_columns("object", name) +
+        "  path m top m/s     at s rise mm cushions    x m    y m    z m  at the end\n";
+    for (const ReportedObject& object : report.objects) {
+        text += in_columns(object.name, name) +
+                format(" %7.3f %7.3f %8.3f %7.1f %8d ", object.path, object.top_speed,
+                       object.top_time, 1000 * object.rise, object.cushions) +
+                place_text(object.place) + "  " + fate_text(object) + "\n";
+    }
+    return text;
+}
+
+std::string energy_table(const ShotReport& report) {
+    std::string text =
+        in_columns("energy", 30) + "      time   kinetic J potential J     total J\n";
+    for (const ReportedEnergy& mark : report.energy) {
+        const sim::EnergySample& sample = mark.sample;
+        text += in_columns(mark.when, 30) + format(" %9.5f %11.6f %11.6f %11.6f\n", sample.time,
+                                                   sample.kinetic, shown(sample.potential, 1e-6),
+                                                   shown(sample.total(), 1e-6));
+    }
+    if (report.largest_energy_rise == 0) {
+        return text + "it never rises between force events\n";
+    }
+    return text + format("largest rise between force events: %.1e of the kinetic energy\n",
+                         report.largest_energy_rise);
+}
+
+}  // namespace
+
+std::string report_text(const ShotReport& report) {
+    return format("%.3f s to %.3f s, %zu objects, %zu events\n\n", report.start_time,
+                  report.end_time, report.objects.size(), report.events.size()) +
+           events_table(report) + "\n" + objects_table(report) + "\n" + energy_table(report);
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,179 @@
+#include "pipeline/report/shot_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/timeline/energy.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+using sim::Event;
+using sim::EventKind;
+using sim::Key;
+using sim::Timeline;
+using sim::Track;
+
+constexpr double kSameTime = 1e-9;    // s
+constexpr double kStill = 1e-6;       // m/s
+constexpr double kPathRate = 480;     // samples per second along a path
+constexpr int kMostPathSteps = 4800;  // between two keys
+
+struct Velocities {
+    Vec3 before, after;
+};
+
+/// On arriving at `time` and on leaving.
+Velocities velocities_at(const Track& track, double time) {
+    const auto keys = track.keys();
+    const auto key = std::lower_bound(keys.begin(), keys.end(), time - kSameTime,
+                                      [](const Key& k, double t) { return k.time < t; });
+    if (key != keys.end() && key->time <= time + kSameTime) {
+        return {key->velocity_in, key->velocity_out};
+    }
+    const Vec3 velocity = track.sample(time).velocity;
+    return {velocity, velocity};
+}
+
+std::optional<SpeedChange> speeds_of(const Track* track, double time) {
+    if (track == nullptr) {
+        return std::nullopt;
+    }
+    const Velocities v = velocities_at(*track, time);
+    return SpeedChange{v.before.length(), v.after.length()};
+}
+
+/// Balls touch on their line of centres; boxes seldom do.
+std::optional<double> cut_of(const Event& event, const Track* a, const Track* b) {
+    if (event.kind != EventKind::impact || a == nullptr || b == nullptr) {
+        return std::nullopt;
+    }
+    const Vec3 between = a->sample(event.time).position - b->sample(event.time).position;
+    const Vec3 aside = between.cross(event.normal);
+    if (aside.length() > 1e-6 * between.length()) {
+        return std::nullopt;
+    }
+    const Vec3 approach =
+        velocities_at(*b, event.time).before - velocities_at(*a, event.time).before;
+    const double along = approach.dot(event.normal);
+    const double across = (approach - event.normal * along).length();
+    return along > 0 ? std::optional<double>(std::atan2(across, along)) : std::nullopt;
+}
+
+ReportedEvent reported(const Timeline& timeline, const Event& event) {
+    const Track* a = timeline.find(event.a);
+    const Track* b = event.b.empty() ? nullptr : timeline.find(event.b);
+    return {event, speeds_of(a, event.time), speeds_of(b, event.time), cut_of(event, a, b)};
+}
+
+double length_between(const Track& track, const Key& from, const Key& to) {
+    const double duration = to.time - from.time;
+    const int steps = std::clamp(static_cast<int>(duration * kPathRate), 4, kMostPathSteps);
+    Vec3 last = from.position;
+    double length = 0;
+    for (int i = 1; i <= steps; ++i) {
+        const Vec3 next =
+            i == steps ? to.position : track.sample(from.time + duration * i / steps).position;
+        length += (next - last).length();
+        last = next;
+    }
+    return length;
+}
+
+void measure_motion(const Track& track, ReportedObject& object) {
+    const auto keys = track.keys();
+    const double start_height = keys.front().position.z;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const Key& key = keys[i];
+        for (const Vec3& velocity : {key.velocity_in, key.velocity_out}) {
+            if (velocity.length() > object.top_speed) {
+                object.top_speed = velocity.length();
+                object.top_time = key.time;
+            }
+        }
+        if (i + 1 < keys.size()) {
+            object.path += length_between(track, key, keys[i + 1]);
+            const sim::Bounds bounds = track.position_bounds(key.time, keys[i + 1].time);
+            object.rise = std::max(object.rise, bounds.high.z - start_height);
+        }
+    }
+}
+
+void tell_fate(const Timeline& timeline, const Track& track, ReportedObject& object) {
+    const Key& last = track.keys().back();
+    object.place = last.position;
+    object.speed = last.velocity_in.length();
+    object.fate = object.speed > kStill ? Fate::moves : Fate::rests;
+    object.fate_time = timeline.start_time;
+    for (const Event& event : timeline.events) {
+        if (event.a != object.name && event.b != object.name) {
+            continue;
+        }
+        if (event.kind == EventKind::impact && event.b == "cushion") {
+            ++object.cushions;
+        } else if (event.a == object.name && event.kind == EventKind::potted) {
+            object.fate = Fate::potted;
+            object.fate_time = event.time;
+            object.pocket = event.b;
+        } else if (event.a == object.name && event.kind == EventKind::off_table) {
+            object.fate = Fate::off_table;
+            object.fate_time = event.time;
+        } else if (event.a == object.name && event.kind == EventKind::resting &&
+                   object.fate == Fate::rests) {
+            object.fate_time = event.time;
+        }
+    }
+}
+
+bool is_force_event(EventKind kind) {
+    return kind == EventKind::force || kind == EventKind::torque || kind == EventKind::impulse ||
+           kind == EventKind::velocity || kind == EventKind::strike;
+}
+
+/// The last sample that is not later than `time`, or the first one.
+const sim::EnergySample& sample_at(const Timeline& timeline, double time) {
+    const auto& energy = timeline.energy;
+    const auto after =
+        std::upper_bound(energy.begin(), energy.end(), time + kSameTime,
+                         [](double t, const sim::EnergySample& sample) { return t < sample.time; });
+    return after == energy.begin() ? energy.front() : *(after - 1);
+}
+
+std::vector<ReportedEnergy> energies_of(const Timeline& timeline) {
+    std::vector<ReportedEnergy> marks;
+    if (timeline.energy.empty()) {
+        return marks;
+    }
+    marks.push_back({"start", timeline.energy.front()});
+    for (const Event& event : timeline.events) {
+        if (is_force_event(event.kind)) {
+            marks.push_back({"after the " + std::string(to_string(event.kind)) + " on " + event.a,
+                             sample_at(timeline, std::max(event.time, event.end_time))});
+        }
+    }
+    marks.push_back({"end", timeline.energy.back()});
+    return marks;
+}
+
+}  // namespace
+
+ShotReport report_of(const Timeline& timeline) {
+    ShotReport report;
+    report.start_time = timeline.start_time;
+    report.end_time = timeline.end_time;
+    for (const Event& event : timeline.events) {
+        report.events.push_back(reported(timeline, event));
+    }
+    for (const Track& track : timeline.tracks) {
+        ReportedObject& object = report.objects.emplace_back();
+        object.name = track.name();
+        measure_motion(track, object);
+        tell_fate(timeline, track, object);
+    }
+    report.energy = energies_of(timeline);
+    report.largest_energy_rise = sim::largest_energy_rise(timeline);
+    return report;
+}
+
+}  // namespace carom::pipeline

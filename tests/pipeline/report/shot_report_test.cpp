@@ -1,0 +1,134 @@
+#include "pipeline/report/shot_report.h"
+
+#include <cmath>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pipeline/report/report_text.h"
+
+namespace carom::pipeline {
+namespace {
+
+using sim::Event;
+using sim::EventKind;
+using sim::Key;
+using ::testing::HasSubstr;
+
+constexpr double kRadius = 0.03;
+
+Key key(double time, const Vec3& position, const Vec3& in, const Vec3& out) {
+    Key k;
+    k.time = time;
+    k.position = position;
+    k.velocity_in = in;
+    k.velocity_out = out;
+    return k;
+}
+
+Event event(EventKind kind, double time, const std::string& a, const std::string& b = {}) {
+    Event e;
+    e.kind = kind;
+    e.time = e.end_time = time;
+    e.a = a;
+    e.b = b;
+    return e;
+}
+
+/// The cue ball comes along x at 2 m/s and meets the other at a cut of 30 degrees: elastic.
+sim::Timeline cut_shot() {
+    const double c = std::sqrt(0.75);
+    const Vec3 line(c, 0.5, 0);
+    const Vec3 object = line * (2 * c);
+    const Vec3 cue = Vec3(2, 0, 0) - object;
+    const Vec3 resting = line * (2 * kRadius);
+    sim::Timeline timeline;
+    timeline.end_time = 2;
+    timeline.tracks.emplace_back(
+        "cue", std::vector<Key>{key(0, {-2, 0, 0}, {0, 0, 0}, {2, 0, 0}),
+                                key(1, {0, 0, 0}, {2, 0, 0}, cue), key(2, cue, cue, cue)});
+    timeline.tracks.emplace_back(
+        "one",
+        std::vector<Key>{key(0, resting, {0, 0, 0}, {0, 0, 0}), key(1, resting, {0, 0, 0}, object),
+                         key(2, resting + object, object, {0, 0, 0})});
+    timeline.tracks.emplace_back("two", std::vector<Key>{key(0, {1, 1, 0}, {0, 0, 0}, {0, 0, 0})});
+    timeline.events = {event(EventKind::strike, 0, "cue"),
+                       event(EventKind::impact, 1, "cue", "one"),
+                       event(EventKind::impact, 1.5, "one", "cushion"),
+                       event(EventKind::potted, 1.75, "one", "top left")};
+    timeline.events[1].normal = -line;
+    timeline.events[1].normal_impulse = 0.25;
+    timeline.energy = {{0, 0, 0}, {0, 4, 0}, {1, 4, 0}, {2, 3, 0}};
+    return timeline;
+}
+
+TEST(ShotReport, Impact_HasSpeedsAndCutAngle) {
+    const ShotReport report = report_of(cut_shot());
+    ASSERT_EQ(report.events.size(), 4U);
+    const ReportedEvent& impact = report.events[1];
+    ASSERT_TRUE(impact.a && impact.b && impact.cut);
+    EXPECT_DOUBLE_EQ(impact.a->before, 2);
+    EXPECT_NEAR(impact.a->after, 1, 1e-12);
+    EXPECT_EQ(impact.b->before, 0);
+    EXPECT_NEAR(impact.b->after, 2 * std::sqrt(0.75), 1e-12);
+    EXPECT_NEAR(*impact.cut, 3.14159265358979 / 6, 1e-12);
+    EXPECT_FALSE(report.events[2].b);
+    EXPECT_FALSE(report.events[2].cut);
+}
+
+TEST(ShotReport, Objects_HavePathSpeedAndEnd) {
+    const ShotReport report = report_of(cut_shot());
+    const ReportedObject& cue = report.objects.at(0);
+    EXPECT_NEAR(cue.path, 3, 1e-9);
+    EXPECT_EQ(cue.top_speed, 2);
+    EXPECT_EQ(cue.top_time, 0);
+    EXPECT_EQ(cue.fate, Fate::moves);
+    EXPECT_NEAR(cue.speed, 1, 1e-12);
+    const ReportedObject& one = report.objects.at(1);
+    EXPECT_EQ(one.cushions, 1);
+    EXPECT_EQ(one.fate, Fate::potted);
+    EXPECT_EQ(one.pocket, "top left");
+    EXPECT_EQ(one.fate_time, 1.75);
+    const ReportedObject& two = report.objects.at(2);
+    EXPECT_EQ(two.fate, Fate::rests);
+    EXPECT_EQ(two.path, 0);
+}
+
+TEST(ShotReport, Energy_IsGivenAfterForceEvents) {
+    const ShotReport report = report_of(cut_shot());
+    ASSERT_EQ(report.energy.size(), 3U);
+    EXPECT_EQ(report.energy[0].sample.kinetic, 0);
+    EXPECT_EQ(report.energy[1].when, "after the strike on cue");
+    EXPECT_EQ(report.energy[1].sample.kinetic, 4);
+    EXPECT_EQ(report.energy[2].sample.kinetic, 3);
+    EXPECT_EQ(report.largest_energy_rise, 0);
+}
+
+TEST(ShotReport, EmptyTimeline_IsAnEmptyReport) {
+    const ShotReport report = report_of({});
+    EXPECT_TRUE(report.events.empty() && report.objects.empty() && report.energy.empty());
+    EXPECT_THAT(report_text(report), HasSubstr("0 objects, 0 events"));
+}
+
+TEST(ReportText, LongNames_AreShortenedToFitAHundredColumns) {
+    sim::Timeline timeline = cut_shot();
+    const std::string name = "a ball with quite a long name";
+    timeline.tracks.emplace_back(
+        name, std::vector<Key>{key(0, {-1234.5678, 1, 0}, {0, 0, 0}, {0, 0, 0})});
+    timeline.events.push_back(event(EventKind::off_table, 1.9, name));
+    const std::string text = report_text(report_of(timeline));
+    EXPECT_THAT(text, HasSubstr("impact    cue - one"));
+    EXPECT_THAT(text, HasSubstr(" 30.0  0.2500 "));
+    EXPECT_THAT(text, HasSubstr("potted at 1.750 s: top left"));
+    EXPECT_THAT(text, HasSubstr("off the table at 1.900 s"));
+    EXPECT_THAT(text, HasSubstr("a ball with q~"));
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), 106U) << line;  // six more for a place a kilometre away
+        EXPECT_TRUE(line.empty() || line.back() != ' ') << line;
+    }
+}
+
+}  // namespace
+}  // namespace carom::pipeline
