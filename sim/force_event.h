@@ -55,9 +55,12 @@ struct Strike {
 
 /// When: `time`, or with `trigger` the first time that it happens at or after `time`, plus `after`.
 struct Trigger {
-    enum class Kind { contact, potted, resting } kind = Kind::contact;
+    enum class Kind { contact, potted, resting, crossing } kind = Kind::contact;
     std::string a;  // object; empty with `resting`: all
     std::string b;  // contact only: the other object or surface
+    // Crossing only: `a`'s centre, seen from above, passes between these two points (m), whichever
+    // way it goes.
+    Vec2 from{0, 0}, to{0, 0};
 };
 
 struct ForceEvent {

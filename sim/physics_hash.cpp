@@ -8,7 +8,7 @@ namespace carom::sim {
 namespace {
 
 /// Counts up with every change to the simulation that can change a bake.
-constexpr std::int64_t kSimulationRevision = 3;
+constexpr std::int64_t kSimulationRevision = 4;
 
 template <typename T, typename Add>
 void add_optional(Hasher& hasher, const std::optional<T>& value, Add add) {
@@ -135,7 +135,9 @@ void add(Hasher& hasher, const ForceEvent& event) {
     add_optional(hasher, event.trigger, [&](const Trigger& trigger) {
         hasher.add(static_cast<std::int64_t>(trigger.kind))
             .add(std::string_view(trigger.a))
-            .add(std::string_view(trigger.b));
+            .add(std::string_view(trigger.b))
+            .add(trigger.from)
+            .add(trigger.to);
     });
     hasher.add(event.after).add(std::uint64_t{event.action.index()});
     std::visit(ActionHash{hasher}, event.action);

@@ -154,6 +154,15 @@ class EventChecker {
             complaints_.require(find(trigger.b) != nullptr || surfaces.contains(trigger.b),
                                 "its trigger names '" + trigger.b + "', which does not exist");
         }
+        if (trigger.kind == Trigger::Kind::crossing) {
+            const Vec2 way = trigger.to - trigger.from;
+            const double length2 = way.dot(way);
+            complaints_.require(
+                find(trigger.a) == nullptr || is_dynamic(trigger.a),
+                "it waits for '" + trigger.a + "' to cross a line, which never moves");
+            complaints_.require(std::isfinite(length2) && length2 > 0,
+                                "the line of its trigger needs two different ends");
+        }
     }
 
     void check_action(const Force& force) {

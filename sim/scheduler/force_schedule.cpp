@@ -23,8 +23,9 @@ bool fires(const Trigger& trigger, const Event& event) {
                     (event.a == trigger.b && event.b == trigger.a));
         case Trigger::Kind::potted:
             return event.kind == EventKind::potted && event.a == trigger.a;
-        case Trigger::Kind::resting:
-            return false;  // asked for by notice_rest
+        case Trigger::Kind::resting:   // asked for by notice_rest
+        case Trigger::Kind::crossing:  // told by notice_crossing
+            return false;
     }
     return false;
 }
@@ -35,6 +36,8 @@ std::string described(const Trigger& trigger) {
             return "'" + trigger.a + "' never touched '" + trigger.b + "'";
         case Trigger::Kind::potted:
             return "'" + trigger.a + "' was never potted";
+        case Trigger::Kind::crossing:
+            return "'" + trigger.a + "' never crossed the line";
         case Trigger::Kind::resting:
             break;
     }
@@ -101,6 +104,11 @@ void ForceSchedule::notice(const Event& event) {
             ++it;
         }
     }
+}
+
+void ForceSchedule::notice_crossing(std::size_t event, double time) {
+    if (waiting_.erase(event) > 0)
+        due_.insert({time + events_[event].after, event, -1});
 }
 
 void ForceSchedule::notice_rest(double now, const RestingQuery& is_resting) {

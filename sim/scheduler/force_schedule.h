@@ -43,6 +43,7 @@ class ForceSchedule {
 
     /// Lets triggers see what was logged, and who rests.
     void notice(const Event& event);
+    void notice_crossing(std::size_t event, double time);
     void notice_rest(double now, const RestingQuery& is_resting);
 
     /// Triggers that never happened, as sentences.

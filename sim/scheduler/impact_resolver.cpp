@@ -63,8 +63,9 @@ void ImpactResolver::resolve(const Touch& touch) {
             return sink(touch);
         case TouchKind::stretch_end:
             return balls_.go_on(touch.first, touch.time);
+        case TouchKind::line:
         case TouchKind::cell_crossing:
-        case TouchKind::look_again:  // the finder's
+        case TouchKind::look_again:  // the scheduler's
             break;
     }
 }

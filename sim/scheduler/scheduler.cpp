@@ -37,7 +37,8 @@ Scheduler::Scheduler(const WorldDescription& world)
       finder_(around_, balls_.all(), stepped_.all()),
       resolver_(around_, balls_, stepped_, recording_),
       schedule_(world.events),
-      actions_(world, balls_, stepped_, recording_) {}
+      actions_(world, balls_, stepped_, recording_),
+      lines_(world.events, stepped_.all()) {}
 
 void Scheduler::run(const WorkContext& context) {
     balls_.start(0);
@@ -59,15 +60,19 @@ void Scheduler::run(const WorkContext& context) {
 }
 
 void Scheduler::run_window() {
+    ++round_;
     begin_count();
     measure_energy();
     act();
     if (stepped_.is_active()) {
         const double fine = std::min(world_.step, kLongestCoarseStep) / 4;
-        window_end_ = stepped_.try_step(now_, std::min(window_end_, now_ + fine));
+        // Equal parts, lest the last one be round-off.
+        const double parts = std::ceil((window_end_ - now_) / fine * (1 - 1e-9));
+        window_end_ = stepped_.try_step(now_, now_ + (window_end_ - now_) / std::max(parts, 1.0));
     }
     look_ahead();
     find_boxes();
+    find_lines_of_boxes();
     const std::optional<Touch> last = meet_all();
     if (stepped_.is_trying())
         stepped_.commit(window_end_);
@@ -87,6 +92,10 @@ std::optional<Touch> Scheduler::meet_all() {
             continue;
         if (touch.kind == TouchKind::cell_crossing || touch.kind == TouchKind::look_again) {
             look_on(touch);
+            continue;
+        }
+        if (touch.kind == TouchKind::line) {
+            cross_line(touch);
             continue;
         }
         if (needs_step(touch)) {
@@ -139,7 +148,34 @@ Outlook Scheduler::outlook() const {
 }
 
 void Scheduler::look_ahead() {
-    finder_.find(balls_.take_changed(), outlook(), queue_);
+    const std::vector<std::uint32_t> changed = balls_.take_changed();
+    finder_.find(changed, outlook(), queue_);
+    if (!lines_.is_empty())
+        find_lines(changed);
+}
+
+void Scheduler::find_lines(const std::vector<std::uint32_t>& changed) {
+    const Outlook ahead = outlook();
+    for (const std::uint32_t index : changed) {
+        const Ball& ball = balls_.all()[index];
+        lines_.find(index, ball, now_, ball.is_stepped() ? ahead.step_end : ahead.end, queue_);
+    }
+}
+
+/// The same for what is not a ball; it moves only while ODE steps it.
+void Scheduler::find_lines_of_boxes() {
+    if (lines_.is_empty() || !stepped_.is_trying())
+        return;
+    for (std::size_t i = balls_.all().size(); i < stepped_.all().size(); ++i)
+        lines_.find(static_cast<std::uint32_t>(i), stepped_.all()[i], now_, window_end_, round_,
+                    queue_);
+}
+
+void Scheduler::cross_line(const Touch& touch) {
+    now_ = std::max(now_, touch.time);
+    if (const auto event = lines_.take(touch.second))
+        schedule_.notice_crossing(*event, touch.time);
+    window_end_ = std::max(now_, std::min(window_end_, schedule_.next_time()));
 }
 
 void Scheduler::look_on(const Touch& touch) {
@@ -171,6 +207,8 @@ void Scheduler::begin_count() {
 
 bool Scheduler::is_valid(const Touch& touch) const {
     const std::vector<Ball>& balls = balls_.all();
+    if (touch.first >= balls.size())  // what is not a ball, crossing a line
+        return touch.second_version == round_;
     if (balls[touch.first].version != touch.first_version)
         return false;
     if (touch.kind == TouchKind::ball)

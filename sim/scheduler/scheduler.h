@@ -11,6 +11,7 @@
 #include "sim/scheduler/balls.h"
 #include "sim/scheduler/force_schedule.h"
 #include "sim/scheduler/impact_resolver.h"
+#include "sim/scheduler/line_watch.h"
 #include "sim/scheduler/recording.h"
 #include "sim/scheduler/stepped_bodies.h"
 #include "sim/scheduler/surroundings.h"
@@ -39,6 +40,9 @@ class Scheduler {
     void look_on(const Touch& touch);
     void look_ahead();
     void find_boxes();
+    void find_lines(const std::vector<std::uint32_t>& changed);
+    void find_lines_of_boxes();
+    void cross_line(const Touch& touch);
     void begin_count();
     [[nodiscard]] Outlook outlook() const;
     void notice_events();
@@ -60,12 +64,14 @@ class Scheduler {
     ImpactResolver resolver_;
     ForceSchedule schedule_;
     Actions actions_;
+    LineWatch lines_;
     TouchQueue queue_;
     double now_ = 0;
     double window_end_ = 0;
     double next_energy_time_ = 0;
     std::size_t noticed_events_ = 0;
     std::size_t touches_in_window_ = 0;
+    std::uint32_t round_ = 0;    // counts the windows
     bool is_capped_ = false;     // for the rest of this window
     bool was_stepping_ = false;  // in the last window
 };

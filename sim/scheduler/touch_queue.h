@@ -21,18 +21,20 @@ enum class TouchKind : std::uint8_t {
     ground,           // it comes down on Ground `second`
     below_cloth,      // its centre sinks below the cloth
     stretch_end,      // its law of motion changes
+    line,             // body `first` (a number in SteppedBodies) crosses line `second` of LineWatch
     cell_crossing,    // it passes into the next cell of the grid, on CellGrid::Side `second`
     look_again,       // what does not move has been looked for only so far
 };
 
-/// `first` is a ball; predictions hold as long as the versions are those of the balls.
+/// `first` is a ball, but for `line`; predictions hold as long as the versions are those of the
+/// balls.
 struct Touch {
     double time = 0;
     TouchKind kind = TouchKind::stretch_end;
     std::uint32_t first = 0;
     std::uint32_t second = 0;
     std::uint32_t first_version = 0;
-    std::uint32_t second_version = 0;  // `ball`: of the second; `box`: TouchFinder::box_round
+    std::uint32_t second_version = 0;  // `ball`: of the second; `box` and `line`: of the round
 
     /// A total order, so that simultaneous touches always come in the same one.
     [[nodiscard]] friend bool operator<(const Touch& a, const Touch& b) {

@@ -83,6 +83,10 @@ TEST(PhysicsHash_AnyField, ChangesIt) {
         [](World& w) { w.events[0].time = 0.1; },
         [](World& w) { w.events[0].after = 0.1; },
         [](World& w) { w.events[0].trigger = Trigger{}; },
+        [](World& w) {
+            w.events[0].trigger = Trigger{};
+            w.events[0].trigger->to.x = 1;
+        },
         [](World& w) { std::get<Strike>(w.events[0].action).elevation = 0.1; },
         [](World& w) { w.events.clear(); },
     };

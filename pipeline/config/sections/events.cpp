@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "pipeline/config/sections/sections.h"
 
 namespace carom::pipeline::config {
@@ -10,6 +12,30 @@ using sim::Trigger;
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kLongest = 3600;  // s
+
+const MapSpec<Trigger>& crossing_spec() {
+    static const MapSpec<Trigger> spec = [] {
+        Trigger prototype;
+        prototype.kind = Trigger::Kind::crossing;
+        // An end that could not be read differs from the other one, and from itself.
+        prototype.from = prototype.to = Vec2(std::numeric_limits<double>::quiet_NaN());
+        MapSpec<Trigger> s("crossing",
+                           "The centre of an object, seen from above, passes between two points, "
+                           "whichever way it goes.",
+                           prototype);
+        s.key("object", &Trigger::a, name_of(ReferenceKind::body), "the ball or object").required();
+        s.key("from", &Trigger::from, vector2(Dimension::length), "one end of the line").required();
+        s.key("to", &Trigger::to, vector2(Dimension::length), "the other end").required();
+        s.check([](Reader& reader, const Node& node, Trigger& trigger) {
+            if (trigger.from == trigger.to) {
+                reader.error(node.find("to")->value.place,
+                             "'from' and 'to' are the same point: a line needs two");
+            }
+        });
+        return s;
+    }();
+    return spec;
+}
 
 const MapSpec<Trigger>& trigger_spec() {
     static const MapSpec<Trigger> spec = [] {
@@ -42,7 +68,11 @@ const MapSpec<Trigger>& trigger_spec() {
                 trigger.a = std::move(name);
             },
             "an object, or `all`, comes to rest");
-        s.exactly_one_of({"contact", "potted", "resting"});
+        s.set(
+            "crossing", record(crossing_spec()),
+            [](Trigger& trigger, Trigger crossing) { trigger = std::move(crossing); },
+            "an object crosses a line");
+        s.exactly_one_of({"contact", "potted", "resting", "crossing"});
         return s;
     }();
     return spec;

@@ -202,9 +202,11 @@ TEST(Events, OtherKinds_FillEveryField) {
         "            newtons: [0, 0, 3 N], at_point: [1 cm, 0, 0], axes: body}\n"
         "  - torque: {object: a, when: {resting: all}, for: 1 s, newton_metres: [0, 0, 0.1]}\n"
         "  - impulse: {object: b, at: 2 s, when: {potted: a}, newton_seconds: [0, 0.02, 0]}\n"
-        "  - velocity: {object: b, when: {resting: b}, linear: [1, 0, 0]}\n");
+        "  - velocity: {object: b, when: {resting: b}, linear: [1, 0, 0]}\n"
+        "  - velocity: {object: b, when: {crossing: {object: a, from: [1, 20 cm], to: [1, -3]}},\n"
+        "               linear: [1, 0, 0]}\n");
     const std::vector<sim::ForceEvent>& events = shot.world.events;
-    ASSERT_EQ(events.size(), 4U);
+    ASSERT_EQ(events.size(), 5U);
     const auto& force = std::get<sim::Force>(events[0].action);
     EXPECT_EQ(force.newtons, Vec3(0, 0, 3));
     EXPECT_EQ(force.duration, 0.02);
@@ -223,6 +225,11 @@ TEST(Events, OtherKinds_FillEveryField) {
     EXPECT_EQ(velocity.linear, Vec3(1, 0, 0));
     EXPECT_FALSE(velocity.angular);
     EXPECT_EQ(events[3].trigger->a, "b");
+    ASSERT_TRUE(events[4].trigger);
+    EXPECT_EQ(events[4].trigger->kind, sim::Trigger::Kind::crossing);
+    EXPECT_EQ(events[4].trigger->a, "a");
+    EXPECT_EQ(events[4].trigger->from, Vec2(1, 0.2));
+    EXPECT_EQ(events[4].trigger->to, Vec2(1, -3));
 }
 
 }  // namespace

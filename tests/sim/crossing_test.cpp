@@ -1,0 +1,168 @@
+// Triggers that wait for a line to be crossed.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "shots.h"
+
+namespace carom::sim::test {
+namespace {
+
+/// Pushes `marker` at the moment when `object` crosses the line.
+ForceEvent when_crossing(const std::string& object, const Vec2& from, const Vec2& to,
+                         double time = 0, double after = 0) {
+    ForceEvent event;
+    event.object = "marker";
+    event.time = time;
+    event.after = after;
+    event.action = Impulse{{0, 0.01, 0}, {0, 0, 0}, Axes::world};
+    Trigger trigger;
+    trigger.kind = Trigger::Kind::crossing;
+    trigger.a = object;
+    trigger.from = from;
+    trigger.to = to;
+    event.trigger = trigger;
+    return event;
+}
+
+WorldDescription world_of(const Body& body, double duration, const ForceEvent& event) {
+    WorldDescription world = cloth_world(duration);
+    world.bodies = {body, ball("marker", 0, 50)};
+    world.events = {event};
+    return world;
+}
+
+/// When the marker was pushed; -1 if it never was.
+double push_time(const WorldDescription& world) {
+    const Timeline timeline = bake(world).timeline;
+    const Event* impulse = find_event(timeline, EventKind::impulse, "marker");
+    return impulse != nullptr ? impulse->time : -1;
+}
+
+Body rolling(double x, double y, const Vec3& velocity) {
+    return ball("cue", x, y, velocity, rolling_spin(velocity));
+}
+
+TEST(Crossing_ByARollingBall, IsWhenItsCentreIsOnTheLine) {
+    // x = 2 t - mu g t^2 / 2 reaches 1.
+    const double a = 0.01 * kGravity;
+    const double expected = (2 - std::sqrt(4 - 2 * a)) / a;
+    for (const double after : {0.0, 0.25}) {
+        const ForceEvent event = when_crossing("cue", {1, -0.5}, {1, 0.5}, 0, after);
+        EXPECT_NEAR(push_time(world_of(rolling(0, 0, {2, 0, 0}), 2, event)), expected + after,
+                    1e-13);
+    }
+    // The other way round, and from the other side.
+    EXPECT_NEAR(push_time(world_of(rolling(2, 0, {-2, 0, 0}), 2,
+                                   when_crossing("cue", {1, 0.5}, {1, -0.5}))),
+                expected, 1e-13);
+}
+
+TEST(Crossing_BesideTheSegment, IsNone) {
+    const ForceEvent event = when_crossing("cue", {1, 0.1}, {1, 0.5});
+    const WorldDescription world = world_of(rolling(0, 0, {2, 0, 0}), 2, event);
+    const BakeResult result = bake(world);
+    EXPECT_EQ(find_event(result.timeline, EventKind::impulse, "marker"), nullptr);
+    ASSERT_EQ(result.warnings.size(), 1U);
+    EXPECT_EQ(result.warnings[0],
+              "event 1 on 'marker' never happened: 'cue' never crossed the line");
+}
+
+TEST(Crossing_BeforeItsTime, DoesNotCount) {
+    // Over the line at 0.1 s, and back over it after the cushion.
+    WorldDescription world = walled_world(4);
+    world.contact_law.ball_cushion = {CushionModel::mirror, 1, 0};
+    world.contact_law.ball_cloth = {0, 0, 0, 0.5};
+    world.bodies = {ball("cue", 0.5, 0, {1, 0, 0}), ball("marker", -1, 0.5)};
+    world.events = {when_crossing("cue", {0.6, -0.1}, {0.6, 0.1})};
+    EXPECT_NEAR(push_time(world), 0.1, 1e-13);
+    world.events[0].time = 0.3;
+    const double turn = 1.27 - kRadius;
+    EXPECT_NEAR(push_time(world), (turn - 0.5) + (turn - 0.6), 1e-12);
+}
+
+TEST(Crossing_FromOnTheLine, IsNotLeavingIt) {
+    // Leaves the line that it starts on, comes back to it by draw.
+    WorldDescription world = world_of(ball("cue", 0, 0, {1, 0, 0}, {0, -150, 0}), 3,
+                                      when_crossing("cue", {0, -1}, {0, 1}));
+    const Timeline timeline = bake(world).timeline;
+    const Event* impulse = find_event(timeline, EventKind::impulse, "marker");
+    ASSERT_NE(impulse, nullptr);
+    EXPECT_GT(impulse->time, 0.3);
+    EXPECT_NEAR(state_at(timeline, "cue", impulse->time).position.x, 0, 1e-6);
+    EXPECT_LT(state_at(timeline, "cue", impulse->time).velocity.x, 0);
+    world.bodies[0].angular_velocity = {0, 0, 0};
+    EXPECT_EQ(push_time(world), -1);
+}
+
+TEST(Crossing_InTheAir, IsSeenFromAbove) {
+    Body thrown = ball("cue", 0, 0, {1.5, 0, 3});
+    thrown.pose.position.z = 0.4;
+    EXPECT_NEAR(push_time(world_of(thrown, 1, when_crossing("cue", {0.6, -1}, {0.6, 1}))), 0.4,
+                1e-13);
+}
+
+TEST(Crossing_AtAnImpact, IsFoundOnce) {
+    // The balls meet when the cue ball's centre is on the line (but for round-off), and it goes on.
+    WorldDescription world =
+        world_of(rolling(0, 0, {2, 0, 0}), 2, when_crossing("cue", {0.5, -1}, {0.5, 1}));
+    world.bodies.push_back(ball("one", 0.5 + 2 * kRadius, 0));
+    world.contact_law.ball_ball.restitution = 0.5;
+    const Timeline timeline = bake(world).timeline;
+    EXPECT_EQ(count_events(timeline, EventKind::impulse), 1);
+    EXPECT_NEAR(find_event(timeline, EventKind::impulse, "marker")->time,
+                find_event(timeline, EventKind::impact, "cue", "one")->time, 1e-9);
+}
+
+TEST(Crossing_BySomethingThatOdeCarries, IsOnItsPath) {
+    // A box slides; v = 1 - mu g t, x = t - mu g t^2 / 2 reaches 0.1.
+    WorldDescription world = cloth_world(1);
+    Body box = ball("box", 0, 0, {1, 0, 0});
+    box.shape = Box{{0.1, 0.1, 0.02}};
+    box.material = "wood";
+    box.pose.position.z = 0.01;
+    world.contact_law.pairs[{"cloth", "wood"}] = {0, 0.3, 0};
+    world.bodies = {box, ball("marker", 0, 50)};
+    world.events = {when_crossing("box", {0.1, -1}, {0.1, 1})};
+    const Timeline timeline = bake(world).timeline;
+    const Event* impulse = find_event(timeline, EventKind::impulse, "marker");
+    ASSERT_NE(impulse, nullptr);
+    const double a = 0.3 * kGravity;
+    EXPECT_NEAR(impulse->time, (1 - std::sqrt(1 - 0.2 * a)) / a, 2e-4);
+    EXPECT_NEAR(state_at(timeline, "box", impulse->time).position.x, 0.1, 1e-6);
+}
+
+TEST(Crossing_ByABallOnTheEdgeOfAPocket, IsOnItsPath) {
+    WorldDescription world = nine_ball_world(3);
+    const billiards::Pocket pocket =
+        billiards::build_table(*world.table, kRadius, billiards::TableParts::collided).pockets[0];
+    const Vec2 outward = Vec2(-1, -1).normalized();
+    const Vec2 start = pocket.centre - outward * (pocket.radius + 0.02);
+    world.bodies = {rolling(start.x, start.y, Vec3(outward.x, outward.y, 0) * 0.1),
+                    ball("marker", 0, 0)};
+    // Across its way, a centimetre over the edge: ODE carries it there.
+    const Vec2 place = pocket.centre - outward * (pocket.radius - 0.01);
+    const Vec2 across(-outward.y, outward.x);
+    world.events = {when_crossing("cue", place - across * 0.05, place + across * 0.05)};
+    const Timeline timeline = bake(world).timeline;
+    const Event* impulse = find_event(timeline, EventKind::impulse, "marker");
+    ASSERT_NE(impulse, nullptr);
+    const Vec3 p = state_at(timeline, "cue", impulse->time).position;
+    EXPECT_NEAR((Vec2(p.x, p.y) - place).dot(outward), 0, 2e-6);
+    EXPECT_LT(p.z, kRadius - 1e-4);
+}
+
+TEST(Crossing_WithAFaultyLine, IsAProblem) {
+    const WorldDescription world =
+        world_of(rolling(0, 0, {1, 0, 0}), 1, when_crossing("cue", {1, 1}, {1, 1}));
+    EXPECT_EQ(find_problems(world).at(0),
+              "event 1 on 'marker': the line of its trigger needs two different ends");
+    WorldDescription still =
+        world_of(rolling(0, 0, {1, 0, 0}), 1, when_crossing("cue", {1, 0}, {1, 1}));
+    still.bodies[0].kind = BodyKind::fixed;
+    EXPECT_EQ(find_problems(still).at(0),
+              "event 1 on 'marker': it waits for 'cue' to cross a line, which never moves");
+}
+
+}  // namespace
+}  // namespace carom::sim::test
