@@ -54,6 +54,8 @@ const char* fate_name(Fate fate) {
     switch (fate) {
         case Fate::rests:
             return "rests";
+        case Fate::spins:
+            return "spins";
         case Fate::moves:
             return "moves";
         case Fate::potted:

@@ -106,6 +106,8 @@ std::string fate_text(const ReportedObject& object) {
     switch (object.fate) {
         case Fate::rests:
             return format("at rest since %.3f s", object.fate_time);
+        case Fate::spins:
+            return format("spinning since %.3f s", object.fate_time);
         case Fate::moves:
             return format("moving at %.3f m/s", object.speed);
         case Fate::potted:

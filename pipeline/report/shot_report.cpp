@@ -16,7 +16,7 @@ using sim::Timeline;
 using sim::Track;
 
 constexpr double kSameTime = 1e-9;    // s
-constexpr double kStill = 1e-6;       // m/s
+constexpr double kStill = 1e-6;       // m/s, rad/s
 constexpr double kPathRate = 480;     // samples per second along a path
 constexpr int kMostPathSteps = 4800;  // between two keys
 
@@ -104,7 +104,9 @@ void tell_fate(const Timeline& timeline, const Track& track, ReportedObject& obj
     const Key& last = track.keys().back();
     object.place = last.position;
     object.speed = last.velocity_in.length();
-    object.fate = object.speed > kStill ? Fate::moves : Fate::rests;
+    object.fate = object.speed > kStill                        ? Fate::moves
+                  : last.angular_velocity_in.length() > kStill ? Fate::spins
+                                                               : Fate::rests;
     object.fate_time = timeline.start_time;
     for (const Event& event : timeline.events) {
         if (event.a != object.name && event.b != object.name) {
@@ -119,8 +121,9 @@ void tell_fate(const Timeline& timeline, const Track& track, ReportedObject& obj
         } else if (event.a == object.name && event.kind == EventKind::off_table) {
             object.fate = Fate::off_table;
             object.fate_time = event.time;
-        } else if (event.a == object.name && event.kind == EventKind::resting &&
-                   object.fate == Fate::rests) {
+        } else if (event.a == object.name &&
+                   ((event.kind == EventKind::resting && object.fate == Fate::rests) ||
+                    (event.kind == EventKind::spinning && object.fate == Fate::spins))) {
             object.fate_time = event.time;
         }
     }

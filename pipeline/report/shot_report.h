@@ -23,7 +23,7 @@ struct ReportedEvent {
     std::optional<double> cut;
 };
 
-enum class Fate { rests, moves, potted, off_table };
+enum class Fate { rests, spins, moves, potted, off_table };  // spins: on the spot
 
 struct ReportedObject {
     std::string name;
@@ -33,7 +33,7 @@ struct ReportedObject {
     double rise = 0;       // of its centre above the start, m, at most
     int cushions = 0;      // touched
     Fate fate = Fate::rests;
-    double fate_time = 0;  // since when it rests, or when it went, s
+    double fate_time = 0;  // since when it rests or spins, or when it went, s
     std::string pocket;    // potted only
     Vec3 place{0, 0, 0};   // at the end
     double speed = 0;      // at the end, m/s

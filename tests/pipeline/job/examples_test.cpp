@@ -1,0 +1,108 @@
+// The example shots do what their first lines say.
+#include <algorithm>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "pipeline/config/load_shot.h"
+#include "sim/bake.h"
+#include "sim/timeline/energy.h"
+
+namespace carom::pipeline {
+namespace {
+
+using sim::Event;
+using sim::EventKind;
+
+Shot example(const std::string& name) {
+    const LoadResult loaded =
+        load_shot(std::string(CAROM_SOURCE_DIR) + "/examples/" + name + ".yaml");
+    EXPECT_TRUE(loaded.problems.empty()) << name;
+    return loaded.shot.value();
+}
+
+const Event* find(const sim::Timeline& timeline, EventKind kind, const std::string& a,
+                  const std::string& b = {}) {
+    for (const Event& event : timeline.events) {
+        const bool is_pair = event.a == a && (b.empty() || event.b == b);
+        if (event.kind == kind && (is_pair || (event.a == b && event.b == a))) {
+            return &event;
+        }
+    }
+    return nullptr;
+}
+
+struct Nearest {
+    double gap = 1e9;  // between the balls' surfaces
+    Vec3 a, b;         // centres
+};
+
+Nearest nearest(const sim::Timeline& timeline, const std::string& a, const std::string& b) {
+    Nearest best;
+    for (double time = 0; time <= timeline.end_time; time += 1e-3) {
+        const Vec3 p = timeline.find(a)->sample(time).position;
+        const Vec3 q = timeline.find(b)->sample(time).position;
+        const double gap = (p - q).length() - 2 * 0.028575;
+        if (gap < best.gap) {
+            best = {gap, p, q};
+        }
+    }
+    return best;
+}
+
+TEST(JumpShot, ClearsTheEightAndPotsTheNine) {
+    const sim::BakeResult result = sim::bake(example("jump_shot").world);
+    EXPECT_TRUE(result.warnings.empty());
+    const sim::Timeline& timeline = result.timeline;
+    EXPECT_EQ(find(timeline, EventKind::impact, "cue", "eight"), nullptr);
+    const Nearest over = nearest(timeline, "cue", "eight");
+    EXPECT_GT(over.gap, 0.005);
+    EXPECT_LT(over.gap, 0.1);
+    EXPECT_GT(over.a.z, over.b.z + 0.05);  // above it, not beside it
+    const Event* hit = find(timeline, EventKind::impact, "cue", "nine");
+    const Event* potted = find(timeline, EventKind::potted, "nine");
+    ASSERT_TRUE(hit != nullptr && potted != nullptr);
+    EXPECT_LT(hit->time, potted->time);
+    EXPECT_EQ(find(timeline, EventKind::potted, "cue"), nullptr);
+    EXPECT_LT(sim::largest_energy_rise(timeline), 1e-9);
+}
+
+TEST(Masse, CurvesRoundTheEightAndPotsTheThree) {
+    const sim::BakeResult result = sim::bake(example("masse").world);
+    EXPECT_TRUE(result.warnings.empty());
+    const sim::Timeline& timeline = result.timeline;
+    EXPECT_EQ(find(timeline, EventKind::impact, "cue", "eight"), nullptr);
+    const Nearest beside = nearest(timeline, "cue", "eight");
+    EXPECT_GT(beside.gap, 0.005);
+    const Event* hit = find(timeline, EventKind::impact, "cue", "three");
+    ASSERT_NE(hit, nullptr);
+    EXPECT_NE(find(timeline, EventKind::potted, "three"), nullptr);
+    EXPECT_EQ(find(timeline, EventKind::potted, "cue"), nullptr);
+    // The straight way is blocked: the eight is less than a ball's width off the line.
+    const sim::Track& cue = *timeline.find("cue");
+    const Vec3 start = cue.sample(0).position;
+    const Vec3 way = (cue.sample(hit->time).position - start).normalized();
+    const Vec3 eight = timeline.find("eight")->sample(0).position - start;
+    EXPECT_LT(way.cross(eight).length(), 2 * 0.028575);
+    // The path leaves to the left of it and comes back: it turns by more than thirty degrees.
+    const Vec3 first = cue.sample(0.51).velocity.normalized();
+    const Vec3 last = cue.sample(hit->time - 0.01).velocity.normalized();
+    EXPECT_GT(way.cross(first).z, 0.15);
+    EXPECT_LT(way.cross(last).z, -0.15);
+    EXPECT_LT(first.dot(last), 0.87);
+}
+
+TEST(Examples, All_LoadWithoutAWarning) {
+    int count = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(CAROM_SOURCE_DIR) + "/examples")) {
+        if (entry.path().extension() == ".yaml") {
+            (void)example(entry.path().stem().string());
+            ++count;
+        }
+    }
+    EXPECT_GE(count, 3);
+}
+
+}  // namespace
+}  // namespace carom::pipeline
