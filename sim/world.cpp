@@ -1,6 +1,9 @@
 #include "sim/world.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <set>
 #include <string>
 
@@ -24,6 +27,12 @@ class Complaints {
 
 bool is_finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+std::string millimetres(double metres) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.2f mm", std::max(metres * 1e3, 0.01));
+    return text.data();
 }
 
 bool is_positive(double value) {
@@ -107,9 +116,11 @@ void check_overlaps(const WorldDescription& world, Complaints& complaints) {
             if (a == nullptr || b == nullptr)
                 continue;
             const Vec3 d = world.bodies[i].pose.position - world.bodies[j].pose.position;
+            const double depth = a->radius + b->radius - std::sqrt(d.dot(d));
             complaints.about("body '" + world.bodies[j].name + "'");
-            complaints.require(std::sqrt(d.dot(d)) > (a->radius + b->radius) * (1 - 1e-9),
-                               "it overlaps '" + world.bodies[i].name + "' at the start");
+            complaints.require(depth < 1e-9 * (a->radius + b->radius),
+                               "it overlaps '" + world.bodies[i].name + "' by " +
+                                   millimetres(depth) + " at the start");
         }
     }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/start_overlaps.h"
 #include "sim/timeline/error.h"
 
 namespace carom::sim {
@@ -41,6 +42,10 @@ Scheduler::Scheduler(const WorldDescription& world)
       lines_(world.events, stepped_.all()) {}
 
 void Scheduler::run(const WorkContext& context) {
+    const auto overlaps =
+        find_start_overlaps(world_, around_.has_cushions ? &around_.table : nullptr);
+    if (!overlaps.empty())
+        throw Error("body '" + overlaps[0].ball + "' " + overlaps[0].sentence() + " at the start");
     balls_.start(0);
     stepped_.start(0);
     double reported = 0;

@@ -32,7 +32,7 @@ TEST(FindProblems_EachFault, IsNamed) {
     EXPECT_EQ(first_problem([](World& w) { w.bodies[1].name = "cue"; }),
               "body 'cue': there are two bodies of that name");
     EXPECT_EQ(first_problem([](World& w) { w.bodies[1].pose.position.x = 0.05; }),
-              "body 'one': it overlaps 'cue' at the start");
+              "body 'one': it overlaps 'cue' by 7.15 mm at the start");
     EXPECT_EQ(first_problem([](World& w) { w.contact_law.ball_ball.restitution = 1.2; }),
               "ball_ball: restitution has to be in [0, 1]");
     EXPECT_EQ(first_problem([](World& w) { w.events[0].object = "qew"; }),

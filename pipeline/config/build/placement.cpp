@@ -1,10 +1,11 @@
-// Balls that stand in each other or in a cushion.
+// Balls that stand in each other or in something else.
 #include <algorithm>
 #include <cmath>
 
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/text.h"
 #include "pipeline/config/units.h"
+#include "sim/start_overlaps.h"
 
 namespace carom::pipeline::config {
 
@@ -44,48 +45,6 @@ void check_pair(const Ball& a, const Ball& b, Builder& builder) {
     }
 }
 
-/// Distance in the plane from a point to the segment from -> to.
-double distance_to(const Vec2& point, const Vec2& from, const Vec2& to) {
-    const Vec2 along = to - from;
-    const double length2 = along.dot(along);
-    const double t = length2 > 0 ? std::clamp((point - from).dot(along) / length2, 0.0, 1.0) : 0.0;
-    const Vec2 gap = point - (from + along * t);
-    return std::sqrt(gap.dot(gap));
-}
-
-bool is_over_pocket(const Vec2& point, double radius, const Builder& builder) {
-    const auto& pockets = builder.table_geometry->pockets;
-    return std::any_of(pockets.begin(), pockets.end(), [&](const sim::billiards::Pocket& pocket) {
-        const Vec2 gap = point - pocket.centre;
-        const double reach = pocket.radius + radius;
-        return gap.dot(gap) < reach * reach;
-    });
-}
-
-/// Whether a ball that is low enough to touch a cushion reaches into one or into the rail.
-bool is_in_cushion(const Ball& ball, const Builder& builder) {
-    const sim::billiards::TableMeasures& table = *builder.shot.world.table;
-    const Vec3& centre = ball.body->pose.position;
-    const double rise = table.nose_height - centre.z;
-    if (std::abs(rise) >= ball.radius) {
-        return false;
-    }
-    // The nose is a line at its height: what the ball has there is a circle.
-    const double reach = std::sqrt(ball.radius * ball.radius - rise * rise) - 1e-6;
-    const Vec2 point(centre.x, centre.y);
-    const auto& faces = builder.table_geometry->faces;
-    const bool touches =
-        std::any_of(faces.begin(), faces.end(), [&](const sim::billiards::CushionFace& face) {
-            return distance_to(point, face.from, face.to) < reach;
-        });
-    const bool is_inside =
-        std::abs(point.x) < table.length / 2 && std::abs(point.y) < table.width / 2;
-    const double outer = table.cushion_width + table.rail_width;
-    const bool is_over_frame = !is_inside && std::abs(point.x) < table.length / 2 + outer &&
-                               std::abs(point.y) < table.width / 2 + outer;
-    return touches || (is_over_frame && !is_over_pocket(point, ball.radius, builder));
-}
-
 }  // namespace
 
 void check_placement(Builder& builder) {
@@ -96,11 +55,11 @@ void check_placement(Builder& builder) {
         }
     }
     const bool has_cushions = builder.table_geometry && builder.shot.world.table->has_cushions;
-    for (const Ball& ball : balls) {
-        if (has_cushions && is_in_cushion(ball, builder)) {
-            builder.reader.warning(place_of_body(builder, *ball.body),
-                                   quote(ball.body->name) + " stands in a cushion");
-        }
+    const auto overlaps = sim::find_start_overlaps(
+        builder.shot.world, has_cushions ? &*builder.table_geometry : nullptr);
+    for (const sim::StartOverlap& overlap : overlaps) {
+        builder.reader.error(builder.placed.at(overlap.ball),
+                             quote(overlap.ball) + " " + overlap.sentence());
     }
 }
 

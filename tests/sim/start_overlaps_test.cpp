@@ -1,0 +1,112 @@
+#include "sim/start_overlaps.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "shots.h"
+#include "sim/timeline/error.h"
+
+namespace carom::sim::test {
+namespace {
+
+struct Table {
+    billiards::TableKind kind;
+    const char* size;
+    double radius;
+};
+
+const std::vector<Table> kTables = {{billiards::TableKind::pool, "9 ft", 0.028575},
+                                    {billiards::TableKind::pool, "7 ft", 0.028575},
+                                    {billiards::TableKind::snooker, "12 ft", 0.02619375},
+                                    {billiards::TableKind::carom, "10 ft", 0.03075}};
+
+class Standing {
+  public:
+    explicit Standing(const Table& table) : radius_(table.radius) {
+        world_.duration = 0.5;
+        world_.table = billiards::standard_table(table.kind, table.size);
+        world_.floor_height = -world_.table->height;
+        geometry_ = billiards::build_table(*world_.table, radius_);
+    }
+    [[nodiscard]] const billiards::TableGeometry& geometry() const { return geometry_; }
+    [[nodiscard]] double radius() const { return radius_; }
+
+    /// What a ball there reaches into; empty if nothing.
+    std::vector<StartOverlap> at(const Vec2& place, double height) {
+        Body body = ball("cue", place.x, place.y);
+        body.shape = Sphere{radius_};
+        body.pose.position.z = height;
+        world_.bodies = {body};
+        return find_start_overlaps(world_, &geometry_);
+    }
+    [[nodiscard]] const WorldDescription& world() const { return world_; }
+
+  private:
+    double radius_;
+    WorldDescription world_;
+    billiards::TableGeometry geometry_;
+};
+
+TEST(StartOverlaps_FrozenToACushion, AreNoneAndAMillimetreFurtherIsOne) {
+    for (const Table& table : kTables) {
+        Standing standing(table);
+        const double rise = standing.world().table->nose_height - table.radius;
+        const double reach = std::sqrt(table.radius * table.radius - rise * rise);
+        for (const billiards::CushionFace& face : standing.geometry().faces) {
+            const Vec2 middle = (face.from + face.to) * 0.5;
+            const auto frozen = standing.at(middle + face.normal * reach, table.radius);
+            EXPECT_TRUE(frozen.empty()) << table.size << " " << frozen[0].sentence();
+            const auto inside = standing.at(middle + face.normal * (reach - 1e-3), table.radius);
+            ASSERT_EQ(inside.size(), 1U) << table.size;
+            EXPECT_EQ(inside[0].other, "a cushion");
+            EXPECT_NEAR(inside[0].depth, 1e-3, face.is_jaw ? 1e-2 : 1e-6);
+        }
+    }
+}
+
+TEST(StartOverlaps_HangingInAPocketsJaws, AreNone) {
+    for (const Table& table : kTables) {
+        Standing standing(table);
+        for (const billiards::Pocket& pocket : standing.geometry().pockets) {
+            const Vec2 inward = -pocket.centre.normalized();
+            for (const double away : {0.0, 0.5, 1.0}) {
+                const Vec2 place = pocket.centre + inward * (away * pocket.radius);
+                const auto found = standing.at(place, table.radius);
+                EXPECT_TRUE(found.empty())
+                    << table.size << " " << pocket.name << " " << away << found[0].sentence();
+            }
+            const auto lying = standing.at(pocket.centre, table.radius - pocket.drop);
+            EXPECT_TRUE(lying.empty()) << table.size << " " << pocket.name;
+        }
+    }
+}
+
+TEST(StartOverlaps_EverywhereOnTheField, AreNone) {
+    for (const Table& table : kTables) {
+        Standing standing(table);
+        const Vec2 half(0.5 * standing.world().table->length - table.radius,
+                        0.5 * standing.world().table->width - table.radius);
+        for (int i = 0; i <= 12; ++i) {
+            for (int j = 0; j <= 12; ++j) {
+                const Vec2 place(half.x * (i / 6.0 - 1), half.y * (j / 6.0 - 1));
+                const auto found = standing.at(place, table.radius);
+                EXPECT_TRUE(found.empty()) << table.size << place << found[0].sentence();
+            }
+        }
+    }
+}
+
+TEST(StartOverlaps_OfABallInTheSlate, AreRefusedByTheBake) {
+    Standing standing(kTables[0]);
+    (void)standing.at({0.3, 0.2}, standing.radius() - 2e-3);
+    try {
+        (void)bake(standing.world());
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "body 'cue' reaches 2.00 mm into the cloth at the start");
+    }
+}
+
+}  // namespace
+}  // namespace carom::sim::test
