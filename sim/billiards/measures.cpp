@@ -60,7 +60,7 @@ TableMeasures snooker_table() {
     table.kind = TableKind::snooker;
     table.length = 3.569;          // 11 ft 8 1/2 in
     table.width = 1.778;           // 5 ft 10 in
-    table.nose_height = 0.028;     // as in the snooker model of Mathavan et al. 2010; ours
+    table.nose_height = 0.028;     // ours; Mathavan et al. 2010 take 7/5 R, 36.75 mm
     table.cushion_width = 0.0508;  // 2 in, traditional
     table.rail_width = 0.105;
     table.rail_height = 0.038;
