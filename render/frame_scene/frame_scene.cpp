@@ -128,4 +128,27 @@ V3f FrameScene::moved(std::uint32_t object, const V3f& position, float from_time
     return motion->position(to_time) + rotate(motion->world_from_body(to_time), arm);
 }
 
+std::vector<FrameScene::Ball> FrameScene::balls() const {
+    std::vector<Ball> result;
+    for (std::uint32_t i = 0; i < data_->motions.size(); ++i) {
+        const SceneObject& object = data_->geometry->objects[i];
+        if (!object.is_round || object.light.has_value()) {
+            continue;
+        }
+        const RigidMotion* motion = data_->motions[i].get();
+        Imath::Box3f centres(object.frame.world_from_unit.translation);
+        if (motion != nullptr) {
+            centres = motion->position_bounds();
+        }
+        result.push_back({i, object.material, object.half_size.x, centres});
+    }
+    return result;
+}
+
+V3f FrameScene::centre(std::uint32_t object, float time) const {
+    const RigidMotion* motion = data_->motions[object].get();
+    return motion != nullptr ? motion->position(time)
+                             : data_->geometry->objects[object].frame.world_from_unit.translation;
+}
+
 }  // namespace carom::render

@@ -1,8 +1,12 @@
 // The shapes of one frame, set up for its shutter interval: what integrators trace against.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
+
+#include <Imath/ImathBox.h>
 
 #include "render/acceleration/acceleration_structure.h"
 #include "render/scene/render_settings.h"
@@ -33,6 +37,17 @@ class FrameScene {
     /// at another; both in [0, 1].
     [[nodiscard]] V3f moved(std::uint32_t object, const V3f& position, float from_time,
                             float to_time) const;
+
+    /// A sphere, still or moving.
+    struct Ball {
+        std::uint32_t object = 0;
+        std::uint32_t material = 0;
+        float radius = 0;
+        Imath::Box3f centres;  // every place that its centre takes
+    };
+    /// All of them that have a material, in order of object.
+    [[nodiscard]] std::vector<Ball> balls() const;
+    [[nodiscard]] V3f centre(std::uint32_t object, float time) const;
 
   private:
     struct Data;

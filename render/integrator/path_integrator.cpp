@@ -63,7 +63,7 @@ struct PathIntegrator::Work {
 };
 
 PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& settings)
-    : scene_(scene), direct_(scene_, settings.strategy), settings_(settings) {
+    : scene_(scene), direct_(scene_, settings.strategy), caustics_(scene_), settings_(settings) {
     CAROM_ASSERT(settings.split_vertices >= 0 && settings.split_vertices <= kMostSplits);
 }
 
@@ -99,6 +99,11 @@ void PathIntegrator::follow(Path path, Work& work) const {
             work.result.coverage = 1;
         }
         if (scene_.is_light(hit)) {
+            if (path.last.connected_ball >= 0 &&
+                caustics_.covers(static_cast<std::uint32_t>(path.last.connected_ball),
+                                 scene_.light_of(hit))) {
+                return;
+            }
             work.add(path.throughput * direct_.met(path, hit), path.vertex);
             if (path.vertex == 0) {
                 work.result.normal = -path.ray.direction;
@@ -128,6 +133,15 @@ void PathIntegrator::follow(Path path, Work& work) const {
         const VertexNumbers u = work.dimensions.vertex(path);
         const V3f direct = direct_.sampled(path, vertex, u.light, work.dimensions, work.count);
         work.add(path.throughput * direct, path.vertex + 1);
+        const bool connects = settings_.caustics && path.vertex < settings_.max_bounces &&
+                              caustics_.connects(path, vertex);
+        if (connects) {
+            const V3f found =
+                caustics_.connected(path, vertex, hit.object, work.dimensions, work.count);
+            work.add(path.throughput * found, path.vertex + 2);
+        }
+        path.last.connected_ball = path.last.connects ? std::int64_t{hit.object} : -1;
+        path.last.connects = connects;
         if (!scatter(path, vertex, u.scattering, work)) {
             return;
         }
@@ -158,6 +172,9 @@ bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, const V2f&
         onward.throughput *= sample->weight / static_cast<float>(samples);
         onward.last.pdf = sample->pdf * static_cast<float>(samples);
         onward.last.is_delta = sample->is_delta;
+        // Light is sought by broad lobes and one mirror, in this order, and by no other way.
+        onward.last.connects = onward.last.connects && !sample->is_delta;
+        onward.last.connected_ball = sample->is_delta ? onward.last.connected_ball : -1;
         onward.ray = Ray{vertex.origin, sample->direction, 0, kInfinity, path.ray.time};
         onward.spread = sample->is_delta
                             ? std::min(onward.spread * kMirrorSpread, kWidestSpread)

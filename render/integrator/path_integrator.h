@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "render/integrator/caustics.h"
 #include "render/integrator/direct_light.h"
 #include "render/integrator/path_state.h"
 #include "render/integrator/transport_scene.h"
@@ -16,6 +17,7 @@ struct PathSettings {
     int split_vertices = 2;
     int glossy_samples = 4;  // see ShadingVertex, for coats that the camera sees, [1, 16]
     DirectStrategy strategy = DirectStrategy::both;
+    bool caustics = true;  // by connection; else by chance, with the same mean
 };
 
 /// One camera sample.
@@ -56,6 +58,7 @@ class PathIntegrator {
 
     TransportScene scene_;
     DirectLight direct_;
+    Caustics caustics_;
     PathSettings settings_;
 };
 

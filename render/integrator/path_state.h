@@ -15,9 +15,12 @@ namespace carom::render {
 /// techniques for Monte Carlo rendering").
 struct LastScattering {
     V3f position{0, 0, 0};
-    V3f normal{0, 0, 1};      // shading normal, which lights were chosen with
-    float pdf = 0;            // of the direction, times the number of directions taken, 1/sr
-    bool is_delta = true;     // a mirror or the camera: lights cannot be sampled instead
+    V3f normal{0, 0, 1};    // shading normal, which lights were chosen with
+    float pdf = 0;          // of the direction, times the number of directions taken, 1/sr
+    bool is_delta = true;   // a mirror or the camera: lights cannot be sampled instead
+    bool connects = false;  // light by way of mirroring balls was sought there
+    /// The ball that mirrored it there from a vertex that connects; none: -1.
+    std::int64_t connected_ball = -1;
     bool all_lights = false;  // every light was sampled there, not one
     float total_importance = 0;
     float environment_samples = 1;
@@ -65,6 +68,13 @@ class PathDimensions {
         const auto u = set(place(path) * 2 + 1);
         return V3f(u[0], u[1], u[2]);
     }
+    /// For light by way of a ball: whether it is sought at all, and then how.
+    [[nodiscard]] float caustic_roulette(const Path& path) const {
+        return stream_.lone_number(kCaustics + 2 * place(path));
+    }
+    [[nodiscard]] std::array<float, 4> caustic(const Path& path) const {
+        return set(kCaustics + 2 * place(path) + 1);
+    }
     /// For lights 2 `pair` and 2 `pair` + 1 at the first vertex.
     [[nodiscard]] std::array<V2f, 2> light_pair(std::uint32_t pair) const {
         const auto u = set(kLightPairs + pair);
@@ -74,6 +84,7 @@ class PathDimensions {
   private:
     static constexpr std::uint32_t kVertices = 128;  // more than a path can have
     static constexpr std::uint32_t kLightPairs = 0x10000;
+    static constexpr std::uint32_t kCaustics = 0x20000;
 
     [[nodiscard]] static std::uint32_t place(const Path& path) {
         return path.branch * kVertices + static_cast<std::uint32_t>(path.vertex);

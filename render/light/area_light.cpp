@@ -13,6 +13,9 @@ namespace {
 // then is chosen hardly ever.
 constexpr float kLeastCosine = 0.1f;
 
+// A disk that stands for a sphere light must not grow without end.
+constexpr float kWidestSine = 0.9f;
+
 /// Cosine towards the light's middle for an estimate; 0 if all of it lies below the horizon.
 /// `reach`: the light's radius over the distance.
 float surface_cosine(float cosine, float reach) {
@@ -65,6 +68,18 @@ float RectangleEmitter::importance(const V3f& point, const V3f& normal) const {
            std::max(distance2, 0.25f * area_);
 }
 
+EmitterPoint RectangleEmitter::sample_area(const V3f& /*receiver*/, float /*reach*/,
+                                           const V2f& u) const {
+    return {centre_ + edge_u_ * (2.0f * u.x - 1.0f) + edge_v_ * (2.0f * u.y - 1.0f), normal_,
+            1 / area_};
+}
+
+std::optional<float> RectangleEmitter::distance_along(const V3f& /*origin*/,
+                                                      const V3f& /*direction*/,
+                                                      float to_point) const {
+    return to_point;
+}
+
 SphereEmitter::SphereEmitter(const SphereLight& light)
     : centre_(light.centre), radiance_(light.radiance), radius_(static_cast<float>(light.radius)) {}
 
@@ -107,6 +122,34 @@ float SphereEmitter::importance(const V3f& point, const V3f& normal) const {
     const float solid_angle = 2.0f * kPi * one_minus_cos_of_sphere(radius_, distance);
     return luminance(radiance_) * solid_angle *
            surface_cosine((way ^ normal) / distance, radius_ / distance);
+}
+
+// A ray that meets the light passes its middle within the radius. It crosses the disk at an angle
+// to the normal whose sine is at most (reach + radius) / distance: within radius / cosine.
+EmitterPoint SphereEmitter::sample_area(const V3f& receiver, float reach, const V2f& u) const {
+    const V3f way = receiver - centre_;
+    const float distance = way.length();
+    const float sine = (reach + radius_) / distance;
+    const OrthonormalBasis basis = OrthonormalBasis::around(way / distance);
+    const float disk = radius_ / std::sqrt(1 - sine * sine);
+    const V2f place = sample_disk(u) * disk;
+    return {centre_ + basis.x * place.x + basis.y * place.y, basis.z, 1 / (kPi * disk * disk)};
+}
+
+bool SphereEmitter::can_sample_area(float distance, float reach) const {
+    return reach + radius_ < kWidestSine * distance;
+}
+
+std::optional<float> SphereEmitter::distance_along(const V3f& origin, const V3f& direction,
+                                                   float /*to_point*/) const {
+    const V3f way = centre_ - origin;
+    const float along = way ^ direction;
+    const float beside2 = (way - direction * along).length2();
+    const float inside2 = radius_ * radius_ - beside2;
+    if (inside2 <= 0 || along <= 0) {
+        return std::nullopt;
+    }
+    return std::max(0.0f, along - std::sqrt(inside2));
 }
 
 }  // namespace carom::render

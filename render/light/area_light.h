@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "render/geometry/ray.h"
+#include "render/geometry/trigonometry.h"
 #include "render/scene/scene_description.h"
 
 namespace carom::render {
@@ -16,6 +17,13 @@ struct LightSample {
     float distance = 0;  // m, infinite for the environment
     float pdf = 0;       // 1/sr of `direction`, > 0
     V2f place{0, 0};     // in the environment's picture
+};
+
+/// A point that light may come from, chosen by area, for connections that bend on their way.
+struct EmitterPoint {
+    V3f position;
+    V3f normal;     // unit, of the area that the point was chosen on, on the side of the receiver
+    float pdf = 0;  // 1/m^2, > 0
 };
 
 /// A mean of the channels weighted like brightness (Rec. ITU-R BT.709-6, item 3.2).
@@ -36,6 +44,16 @@ class RectangleEmitter {
     /// Towards `direction`, which points away from the light.
     [[nodiscard]] V3f emitted(const V3f& direction) const;
     [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
+    /// Luminous power per steradian straight ahead: radiance times area.
+    [[nodiscard]] float intensity() const { return luminance(radiance_) * area_; }
+    [[nodiscard]] const V3f& centre() const { return centre_; }
+
+    /// Any point of the rectangle, whoever receives.
+    [[nodiscard]] EmitterPoint sample_area(const V3f& receiver, float reach, const V2f& u) const;
+    [[nodiscard]] bool can_sample_area(float /*distance*/, float /*reach*/) const { return true; }
+    /// Distance to the light of a ray towards a point of `sample_area`.
+    [[nodiscard]] std::optional<float> distance_along(const V3f& origin, const V3f& direction,
+                                                      float to_point) const;
 
   private:
     V3f centre_, edge_u_, edge_v_, normal_, radiance_;
@@ -53,6 +71,17 @@ class SphereEmitter {
     [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance) const;
     [[nodiscard]] V3f emitted(const V3f& direction) const;
     [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
+    [[nodiscard]] float intensity() const { return luminance(radiance_) * kPi * radius_ * radius_; }
+    [[nodiscard]] const V3f& centre() const { return centre_; }
+
+    /// A point of a disk across the light's middle, large enough that every ray from within `reach`
+    /// of `receiver` that meets the light crosses it. `can_sample_area` must hold.
+    [[nodiscard]] EmitterPoint sample_area(const V3f& receiver, float reach, const V2f& u) const;
+    /// Whether a receiver whose middle is at `distance` leaves room for the disk.
+    [[nodiscard]] bool can_sample_area(float distance, float reach) const;
+    /// Distance to the light along a ray, empty if it passes by.
+    [[nodiscard]] std::optional<float> distance_along(const V3f& origin, const V3f& direction,
+                                                      float to_point) const;
 
   private:
     V3f centre_, radiance_;

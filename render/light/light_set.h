@@ -56,6 +56,9 @@ class LightSet {
     /// Radiance of an area light towards the unit `direction`, away from it.
     [[nodiscard]] V3f emitted(std::size_t light, const V3f& direction) const;
 
+    [[nodiscard]] const AreaLight& area_light(std::size_t light) const {
+        return area_lights_[light];
+    }
     [[nodiscard]] const Environment& environment() const { return environment_; }
 
   private:

@@ -103,6 +103,14 @@ bool Bsdf::can_evaluate(Layers layers) const {
     return coat || base;
 }
 
+bool Bsdf::is_broad() const {
+    constexpr float kBroad = 0.09f;  // of a facet distribution's width
+    const LayerConstants& layers = *surface_->layers;
+    const bool narrow_coat = has_rough_coat_ && layers.coat_alpha < kBroad;
+    const bool narrow_facets = facets_ > 0 && layers.alpha > 0 && layers.alpha < kBroad;
+    return can_evaluate(Layers::all) && !narrow_coat && !narrow_facets;
+}
+
 BsdfValue Bsdf::evaluate_local(Layers layers, const V3f& wi) const {
     BsdfValue result;
     if (wi.z <= 0) {

@@ -41,6 +41,9 @@ class Bsdf {
     /// Whether anything but mirrors is there, so that `evaluate` is not 0 everywhere.
     [[nodiscard]] bool can_evaluate(Layers layers) const;
 
+    /// Whether all that is no mirror scatters into wide lobes.
+    [[nodiscard]] bool is_broad() const;
+
     /// Value and density for light from `wi`; both 0 below the surface.
     [[nodiscard]] BsdfValue evaluate(Layers layers, const V3f& wi) const {
         if ((surface_->geometric_normal ^ wi) <= 0) {

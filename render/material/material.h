@@ -51,6 +51,13 @@ class Material {
 
     [[nodiscard]] const LayerConstants& layers() const { return layers_; }
 
+    /// Whether it mirrors by a smooth coat, everywhere along the geometric normal, and by nothing
+    /// else.
+    [[nodiscard]] bool is_only_mirror_coat() const {
+        const bool base_mirrors = layers_.alpha == 0 && (layers_.metal > 0 || layers_.specular > 0);
+        return layers_.coat_weight > 0 && layers_.coat_alpha == 0 && bump_ == 0 && !base_mirrors;
+    }
+
   private:
     Texture texture_;
     LayerConstants layers_;

@@ -42,4 +42,9 @@ std::array<float, 4> SampleStream::next_4d() {
     return detail::sobol_point(shuffled, set_hash);
 }
 
+float SampleStream::lone_number(std::uint32_t set) const {
+    const std::uint32_t set_hash = detail::mix(pixel_hash_ ^ detail::mix(set));
+    return detail::to_unit(detail::mix(set_hash ^ reversed_sample_));
+}
+
 }  // namespace carom::render

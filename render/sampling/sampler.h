@@ -29,6 +29,10 @@ class SampleStream {
     /// The next four dimensions: one shuffled, scrambled four-dimensional Sobol point.
     [[nodiscard]] std::array<float, 4> next_4d();
 
+    /// One number of a set by itself, independent from sample to sample: for choices that hardly
+    /// ever turn out one way, where even spreading buys nothing.
+    [[nodiscard]] float lone_number(std::uint32_t set) const;
+
     /// Goes on with the given set of four dimensions: a path whose branches end at different depths
     /// gives every vertex sets of its own, so that samples stay comparable.
     void seek(std::uint32_t set) { set_ = set; }

@@ -103,7 +103,7 @@ namespace carom::render {
 // ---- triangle, per area ----------------------------------------------------------------------
 
 /// Barycentric weights of the second and third corner; density 1 / area.
-[[nodiscard]] inline V2f sample_triangle(V2f u) {
+[[nodiscard]] inline V2f sample_triangle(const V2f& u) {
     const float r = std::sqrt(u.x);
     return V2f(r * (1 - u.y), r * u.y);
 }

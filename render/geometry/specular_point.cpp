@@ -1,0 +1,84 @@
+#include "render/geometry/specular_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/geometry/orthonormal_basis.h"
+
+namespace carom::render {
+namespace {
+
+constexpr int kMostSteps = 12;
+constexpr float kTolerance = 1e-7f;  // rad
+
+/// The angle of the answer between 0 and `between`, where the equation changes its sign once:
+/// Newton's steps, halved where they leave the bracket.
+float mirror_angle(float between, float radius_over_a, float radius_over_b) {
+    float low = 0;
+    float high = between;
+    float angle = between * (1 - radius_over_a) / (2 - radius_over_a - radius_over_b);
+    for (int step = 0; step < kMostSteps; ++step) {
+        const float value = std::sin(2 * angle - between) - radius_over_b * std::sin(angle) +
+                            radius_over_a * std::sin(between - angle);
+        (value < 0 ? low : high) = angle;
+        const float slope = 2 * std::cos(2 * angle - between) - radius_over_b * std::cos(angle) -
+                            radius_over_a * std::cos(between - angle);
+        float next = angle - value / slope;
+        if (!(next >= low && next <= high)) {
+            next = 0.5f * (low + high);
+        }
+        const float change = std::abs(next - angle);
+        angle = next;
+        if (change < kTolerance) {
+            break;
+        }
+    }
+    return angle;
+}
+
+/// A unit vector at right angles to the unit `axis`, towards `other`.
+V3f across(const V3f& axis, const V3f& other) {
+    const V3f side = other - axis * (axis ^ other);
+    const float length2 = side.length2();
+    return length2 > 1e-14f ? side / std::sqrt(length2) : OrthonormalBasis::around(axis).x;
+}
+
+}  // namespace
+
+std::optional<SpecularPoint> specular_point(const V3f& a, const V3f& b, const V3f& centre,
+                                            float radius) {
+    const V3f to_a = a - centre;
+    const V3f to_b = b - centre;
+    const float distance_a = to_a.length();
+    const float distance_b = to_b.length();
+    if (distance_a <= radius || distance_b <= radius) {
+        return std::nullopt;
+    }
+    const V3f axis = to_a / distance_a;
+    const V3f other = to_b / distance_b;
+    const V3f side = across(axis, other);
+    const float between = std::atan2(side ^ other, axis ^ other);
+    const float radius_over_a = radius / distance_a;
+    const float radius_over_b = radius / distance_b;
+    const float angle = mirror_angle(between, radius_over_a, radius_over_b);
+    if (std::cos(angle) <= radius_over_a || std::cos(between - angle) <= radius_over_b) {
+        return std::nullopt;
+    }
+    SpecularPoint point;
+    point.normal = axis * std::cos(angle) + side * std::sin(angle);
+    point.position = centre + point.normal * radius;
+    const V3f leg_a = a - point.position;
+    const V3f leg_b = b - point.position;
+    point.from = leg_a.length();
+    point.to = leg_b.length();
+    point.cosine = (leg_a ^ point.normal) / point.from;
+    if (!(point.cosine > 0) || !((leg_b ^ point.normal) > 0)) {
+        return std::nullopt;
+    }
+    const float sum = point.from + point.to;
+    const float product = 2 * point.from * point.to / radius;
+    point.spread = 1 / ((sum + product / point.cosine) * (sum + product * point.cosine));
+    return point;
+}
+
+}  // namespace carom::render

@@ -1,0 +1,173 @@
+#include "render/integrator/caustics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/geometry/specular_point.h"
+#include "render/material/fresnel.h"
+#include "render/sampling/reuse.h"
+
+namespace carom::render {
+namespace {
+
+constexpr int kVertices = 2;  // of a path that connect
+
+// A vertex is connected with a probability of its balls' total weight times this: about the share
+// of what it sees that they fill, so that most vertices, far from balls, cost nothing.
+// Shadow rays end this share of the way before what they lead to.
+constexpr float kReach = 1.0f - 2e-4f;
+
+// As the surface points of surface.cpp: how far rays start off a surface, of the coordinates' size.
+constexpr float kOffsetShare = 0x1p-19f;
+
+}  // namespace
+
+Caustics::Caustics(const TransportScene& scene)
+    : scene_(scene), light_count_(scene.lights.area_light_count()) {
+    for (const FrameScene::Ball& ball : scene.frame.balls()) {
+        const Material& material = scene.materials[ball.material];
+        if (light_count_ > 0 && material.is_only_mirror_coat()) {
+            add(ball, material);
+        }
+    }
+}
+
+void Caustics::add(const FrameScene::Ball& ball, const Material& material) {
+    const V3f middle = ball.centres.center();
+    const float travel = 0.5f * ball.centres.size().length();
+    Ball entry{ball.radius, material.layers().coat_weight, material.layers().coat_ior, 0,
+               ball.object};
+    std::vector<float> intensities;
+    for (std::size_t light = 0; light < light_count_; ++light) {
+        const auto intensity_there = [&](const auto& emitter) {
+            const float distance = (emitter.centre() - middle).length() - travel;
+            return distance > 0 && emitter.can_sample_area(distance, ball.radius)
+                       ? emitter.intensity() / (distance * distance)
+                       : 0.0f;
+        };
+        intensities.push_back(std::visit(intensity_there, scene_.lights.area_light(light)));
+        entry.intensity += intensities.back();
+    }
+    if (entry.intensity <= 0) {
+        return;
+    }
+    index_.resize(std::max<std::size_t>(index_.size(), ball.object + 1u), -1);
+    index_[ball.object] = static_cast<int>(balls_.size());
+    balls_.push_back(entry);
+    pairs_.insert(pairs_.end(), intensities.begin(), intensities.end());
+    places_.x.push_back(middle.x);
+    places_.y.push_back(middle.y);
+    places_.z.push_back(middle.z);
+    places_.reach.push_back(ball.radius + travel);
+    places_.radius2.push_back(ball.radius * ball.radius);
+}
+
+bool Caustics::connects(const Path& path, const ShadingVertex& vertex) const {
+    return !balls_.empty() && path.vertex < kVertices && vertex.bsdf.is_broad();
+}
+
+// The share of all directions that the ball fills, about (a quarter of the squared ratio of radius
+// and distance); 0 if all of it lies below the horizon.
+inline float Caustics::weight(std::size_t ball, const V3f& position, const V3f& normal) const {
+    const float x = places_.x[ball] - position.x;
+    const float y = places_.y[ball] - position.y;
+    const float z = places_.z[ball] - position.z;
+    const float height = x * normal.x + y * normal.y + z * normal.z + places_.reach[ball];
+    const float radius2 = places_.radius2[ball];
+    const float share = 0.25f * radius2 / std::max(x * x + y * y + z * z, radius2);
+    return height > 0 ? share : 0.0f;
+}
+
+// `own`: the ball that the vertex lies on, which mirrors nothing there.
+float Caustics::total_weight(const ShadingVertex& vertex, std::size_t own) const {
+    const V3f position = vertex.position;
+    const V3f normal = vertex.surface.geometric_normal;
+    float total = 0;
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+        total += weight(i, position, normal);
+    }
+    return own < balls_.size() ? total - weight(own, position, normal) : total;
+}
+
+// A vertex connects with the probability that is the balls' total weight: most are far from balls
+// and cost nothing.
+V3f Caustics::connected(const Path& path, const ShadingVertex& vertex, std::uint32_t object,
+                        const PathDimensions& dimensions, RenderStatistics& count) const {
+    const std::size_t own = object < index_.size() && index_[object] >= 0
+                                ? static_cast<std::size_t>(index_[object])
+                                : balls_.size();
+    const float total = total_weight(vertex, own);
+    const float survival = std::min(1.0f, total);
+    if (!(dimensions.caustic_roulette(path) < survival)) {
+        return V3f(0, 0, 0);
+    }
+    const std::array<float, 4> u = dimensions.caustic(path);
+    float rest = u[0] * total;
+    std::size_t chosen = balls_.size();
+    float share = 0;
+    for (std::size_t i = 0; i < balls_.size() && rest >= 0; ++i) {
+        const float w = i == own ? 0 : weight(i, vertex.position, vertex.surface.geometric_normal);
+        if (w > 0) {
+            chosen = i;  // the last one with a weight if rounding leaves a rest
+            share = w / total;
+            rest -= w;
+        }
+    }
+    if (chosen == balls_.size()) {
+        return V3f(0, 0, 0);
+    }
+    return through(chosen, path, vertex, u, count) / (survival * share);
+}
+
+V3f Caustics::through(std::size_t index, const Path& path, const ShadingVertex& vertex,
+                      const std::array<float, 4>& u, RenderStatistics& count) const {
+    const Ball& ball = balls_[index];
+    const float* intensities = &pairs_[index * light_count_];
+    std::size_t light = 0;
+    float rest = u[1] * ball.intensity;
+    while (light + 1 < light_count_ && (rest >= intensities[light] || intensities[light] <= 0)) {
+        rest -= intensities[light];
+        ++light;
+    }
+    if (intensities[light] <= 0) {
+        return V3f(0, 0, 0);
+    }
+    const float light_share = intensities[light] / ball.intensity;
+    const V3f centre = scene_.frame.centre(ball.object, path.ray.time);
+    const AreaLight& emitter = scene_.lights.area_light(light);
+    const EmitterPoint target = std::visit(
+        [&](const auto& e) { return e.sample_area(centre, ball.radius, V2f(u[2], u[3])); },
+        emitter);
+    const auto mirror = specular_point(vertex.position, target.position, centre, ball.radius);
+    if (!mirror) {
+        return V3f(0, 0, 0);
+    }
+    const V3f there = (mirror->position - vertex.position) / mirror->from;
+    const V3f onward = (target.position - mirror->position) / mirror->to;
+    const float cosine = std::abs(target.normal ^ onward);
+    const V3f radiance = scene_.lights.emitted(light, -onward);
+    const V3f value = vertex.bsdf.evaluate(Layers::all, there).value * radiance;
+    if (!(luminance(value) > 0)) {
+        return V3f(0, 0, 0);
+    }
+    const float size = std::max(
+        {std::abs(mirror->position.x), std::abs(mirror->position.y), std::abs(mirror->position.z)});
+    const V3f origin = mirror->position + mirror->normal * (kOffsetShare * (size + ball.radius));
+    const auto distance = std::visit(
+        [&](const auto& e) { return e.distance_along(origin, onward, mirror->to); }, emitter);
+    if (!distance) {
+        return V3f(0, 0, 0);
+    }
+    const auto is_blocked = [&](const V3f& from, const V3f& direction, float length) {
+        count.shadow_rays += 1;
+        return scene_.frame.structure().any_hit(
+            Ray{from, direction, 0, length * kReach, path.ray.time});
+    };
+    if (is_blocked(vertex.origin, there, mirror->from) || is_blocked(origin, onward, *distance)) {
+        return V3f(0, 0, 0);
+    }
+    const float reflectance = ball.coat * fresnel_dielectric(mirror->cosine, ball.ior);
+    return value * (reflectance * mirror->spread * cosine / (target.pdf * light_share));
+}
+
+}  // namespace carom::render
