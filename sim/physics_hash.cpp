@@ -8,7 +8,7 @@ namespace carom::sim {
 namespace {
 
 /// Counts up with every change to the simulation that can change a bake.
-constexpr std::int64_t kSimulationRevision = 4;
+constexpr std::int64_t kSimulationRevision = 5;
 
 template <typename T, typename Add>
 void add_optional(Hasher& hasher, const std::optional<T>& value, Add add) {
@@ -71,6 +71,17 @@ struct ShapeHash {
 
     void operator()(const Sphere& sphere) const { hasher.add(sphere.radius); }
     void operator()(const Box& box) const { hasher.add(box.size); }
+    void operator()(const Capsule& capsule) const {
+        hasher.add(capsule.radius).add(capsule.length);
+    }
+    void operator()(const Cylinder& cylinder) const {
+        hasher.add(cylinder.radius).add(cylinder.height);
+    }
+    void operator()(const ConvexHull& hull) const {
+        hasher.add(std::uint64_t{hull.points.size()});
+        for (const Vec3& point : hull.points)
+            hasher.add(point);
+    }
     void operator()(const TriangleMesh& mesh) const {
         hasher.add(std::uint64_t{mesh.vertices.size()});
         for (const Vec3& vertex : mesh.vertices)

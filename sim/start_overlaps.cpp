@@ -6,7 +6,8 @@
 #include <cstdio>
 #include <optional>
 
-#include "sim/spatial/box_touch.h"
+#include "sim/solid_shape.h"
+#include "sim/spatial/convex_touch.h"
 #include "sim/spatial/static_mesh.h"
 
 namespace carom::sim {
@@ -142,13 +143,14 @@ void offer_mesh(const Ball& ball, const StaticMesh& mesh, const std::vector<std:
         deepest.offer(contact.depth, kPolygon, names[contact.surface]);
 }
 
-void offer_boxes(const Ball& ball, const WorldDescription& world, Deepest& deepest) {
+void offer_solids(const Ball& ball, const WorldDescription& world, Deepest& deepest) {
     for (const Body& body : world.bodies) {
-        const auto* box = std::get_if<Box>(&body.shape);
-        if (box == nullptr)
+        const std::optional<SolidShape> solid = solid_shape(body.shape);
+        if (!solid)
             continue;
+        const Pose pose{body.pose.position, body.pose.orientation * solid->principal};
         const SurfaceContact contact =
-            box_contact(box->size * 0.5, body.pose, ball.centre, ball.radius);
+            convex_contact(*solid->shape, pose, ball.centre, ball.radius);
         deepest.offer(contact.depth, kRoundOff, "'" + body.name + "'");
     }
 }
@@ -184,7 +186,7 @@ std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,
         }
         if (world.floor_height)
             deepest.offer(ball.radius - (centre.z - *world.floor_height), kRoundOff, "the floor");
-        offer_boxes(ball, world, deepest);
+        offer_solids(ball, world, deepest);
         offer_mesh(ball, scenery, scenery_names, deepest);
         if (auto overlap = deepest.of(body.name))
             overlaps.push_back(std::move(*overlap));

@@ -7,6 +7,8 @@
 #include <set>
 #include <string>
 
+#include "sim/shape/mass_properties.h"
+
 namespace carom::sim {
 namespace {
 
@@ -72,6 +74,24 @@ void check_contact_law(const ContactLaw& law, Complaints& complaints) {
         check_pair(pair, "'" + names.first + "' and '" + names.second + "'", complaints);
 }
 
+void check_hull(const ConvexHull& shape, Complaints& complaints) {
+    for (const Vec3& point : shape.points) {
+        if (!is_finite(point))
+            return complaints.require(false, "every point of a convex hull has to be finite");
+    }
+    const std::optional<Polyhedron> hull = convex_hull(shape.points);
+    complaints.require(hull.has_value(),
+                       "a convex hull needs at least four points that do not lie in a plane");
+    if (!hull)
+        return;
+    const Vec3 centre = mass_properties(*hull).centre;
+    double reach = 0;
+    for (const Vec3& vertex : hull->vertices)
+        reach = std::max(reach, std::sqrt(vertex.dot(vertex)));
+    complaints.require(std::sqrt(centre.dot(centre)) <= 1e-6 * reach,
+                       "the points of a convex hull have to be given about its centre of mass");
+}
+
 void check_shape(const Body& body, Complaints& complaints) {
     if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
         complaints.require(is_positive(sphere->radius), "radius has to be greater than 0");
@@ -79,6 +99,14 @@ void check_shape(const Body& body, Complaints& complaints) {
         complaints.require(
             is_positive(box->size.x) && is_positive(box->size.y) && is_positive(box->size.z),
             "every edge of a box has to be longer than 0");
+    } else if (const auto* capsule = std::get_if<Capsule>(&body.shape)) {
+        complaints.require(is_positive(capsule->radius) && is_positive(capsule->length),
+                           "radius and length of a capsule have to be greater than 0");
+    } else if (const auto* cylinder = std::get_if<Cylinder>(&body.shape)) {
+        complaints.require(is_positive(cylinder->radius) && is_positive(cylinder->height),
+                           "radius and height of a cylinder have to be greater than 0");
+    } else if (const auto* hull = std::get_if<ConvexHull>(&body.shape)) {
+        check_hull(*hull, complaints);
     } else if (const auto* mesh = std::get_if<TriangleMesh>(&body.shape)) {
         complaints.require(body.kind == BodyKind::fixed, "a mesh has to be fixed");
         bool vertices_fit = true;

@@ -24,13 +24,31 @@ struct Box {
     Vec3 size{1, 1, 1};  // full edge lengths along the body's axes, m, > 0
 };
 
+/// A cylinder about the body's z axis with a half ball on each end.
+struct Capsule {
+    double radius = 0.02;  // m, > 0
+    double length = 0.1;   // between the centres of its ends, m, > 0
+};
+
+/// About the body's z axis.
+struct Cylinder {
+    double radius = 0.02;  // m, > 0
+    double height = 0.1;   // m, > 0
+};
+
+/// The hull of points in body axes, m. The centre of mass of the hull (of even density) is the
+/// origin: see mass_properties() for where it lies.
+struct ConvexHull {
+    std::vector<Vec3> points;  // at least four, not in a plane
+};
+
 /// A closed or open surface. Allowed for static bodies only.
 struct TriangleMesh {
     std::vector<Vec3> vertices;                           // body axes, m
     std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise seen from outside
 };
 
-using BodyShape = std::variant<Sphere, Box, TriangleMesh>;
+using BodyShape = std::variant<Sphere, Box, TriangleMesh, Capsule, Cylinder, ConvexHull>;
 
 enum class BodyKind {
     dynamic,  // moves by the laws of physics

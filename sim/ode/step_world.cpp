@@ -16,6 +16,8 @@ namespace {
 // than the given share per step and speed.
 constexpr double kErrorRate = 200;
 constexpr double kErrorReduction = 0.2;
+// Depths up to this (m) stay: what strikes is found that late, and coming out would add energy.
+constexpr double kSlop = 5e-6;
 constexpr double kCorrectingSpeed = 0.1;  // m/s
 // ODE's constraint force mixing, as a share of the inverse mass that a contact meets: shares the
 // load among more contacts than are needed, and friction likewise. Left to round-off it turns
@@ -212,7 +214,7 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
         contact.geom.normal[i] = from.normal[i];
         contact.fdir1[i] = directions[number][i];
     }
-    contact.geom.depth = std::max(from.depth, 0.0);
+    contact.geom.depth = std::max(from.depth - kSlop, 0.0);
     dJointID joint = dJointCreateContact(world->get(), group.get(), &contact);
     dJointAttach(joint, first, second);
     dJointSetFeedback(joint, &feedback[number]);

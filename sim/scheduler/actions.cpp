@@ -47,6 +47,10 @@ MotionState Actions::state_of(std::uint32_t body, double time) const {
     return entry.is_ball ? balls_.all()[body].stretch.state_at(time) : entry.state;
 }
 
+Quat Actions::axes_of(std::uint32_t body, double time) const {
+    return stepped_.all()[body].seen(state_of(body, time)).orientation;
+}
+
 const std::string& Actions::name_of(std::uint32_t body) const {
     return stepped_.all()[body].name;
 }
@@ -65,20 +69,21 @@ void Actions::change(std::uint32_t body, double time, const MotionState& before,
 void Actions::begin(const Force& force, const DueAction& due, std::uint32_t body) {
     const MotionState state = state_of(body, due.time);
     recording_.log_action(EventKind::force, due.time, due.time + force.duration, name_of(body),
-                          state.position, in_world(force.axes, state.orientation, force.newtons));
+                          state.position,
+                          in_world(force.axes, axes_of(body, due.time), force.newtons));
 }
 
 void Actions::begin(const Torque& torque, const DueAction& due, std::uint32_t body) {
     const MotionState state = state_of(body, due.time);
     recording_.log_action(EventKind::torque, due.time, due.time + torque.duration, name_of(body),
                           state.position,
-                          in_world(torque.axes, state.orientation, torque.newton_metres));
+                          in_world(torque.axes, axes_of(body, due.time), torque.newton_metres));
 }
 
 void Actions::begin(const Impulse& impulse, const DueAction& due, std::uint32_t body) {
     const MotionState state = state_of(body, due.time);
-    const Vec3 p = in_world(impulse.axes, state.orientation, impulse.newton_seconds);
-    const Vec3 arm = in_world(impulse.axes, state.orientation, impulse.at_point);
+    const Vec3 p = in_world(impulse.axes, axes_of(body, due.time), impulse.newton_seconds);
+    const Vec3 arm = in_world(impulse.axes, axes_of(body, due.time), impulse.at_point);
     recording_.log_action(EventKind::impulse, due.time, due.time, name_of(body), state.position, p);
     push(body, due.time, p, arm.cross(p));
 }
@@ -118,7 +123,7 @@ void Actions::begin(const Strike& strike, const DueAction& due, std::uint32_t bo
 
 void Actions::kick(const DueAction& due, std::uint32_t body) {
     const ForceEvent& event = world_.events[due.event];
-    const Quat orientation = state_of(body, due.time).orientation;
+    const Quat orientation = axes_of(body, due.time);
     if (const auto* force = std::get_if<Force>(&event.action)) {
         const double share = force->duration / kick_count(force->duration);
         const Vec3 p = in_world(force->axes, orientation, force->newtons) * share;

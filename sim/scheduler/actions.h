@@ -32,6 +32,7 @@ class Actions {
     void change(std::uint32_t body, double time, const MotionState& before,
                 const MotionState& after);
     [[nodiscard]] MotionState state_of(std::uint32_t body, double time) const;
+    [[nodiscard]] Quat axes_of(std::uint32_t body, double time) const;
     [[nodiscard]] const std::string& name_of(std::uint32_t body) const;
     [[nodiscard]] Vec3 aim_of(const Strike& strike, const Vec3& from, double time) const;
     [[nodiscard]] Vec3 place_of(const std::string& name, double time) const;

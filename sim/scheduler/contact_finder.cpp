@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "sim/scheduler/contact_numbers.h"
+#include "sim/spatial/convex_contacts.h"
+#include "sim/spatial/mesh_contacts.h"
 
 namespace carom::sim {
 namespace {
@@ -16,12 +18,8 @@ SurfaceContact from_ode(const ode::BoxContact& contact) {
     return {contact.point, contact.normal, contact.depth, 0};
 }
 
-Aabb box_bounds(const FixedBox& box) {
-    StepBody body;
-    body.half_size = box.size * 0.5;
-    body.state.position = box.pose.position;
-    body.state.orientation = box.pose.orientation;
-    return body.bounds();
+SurfaceContact from_convex(const ConvexContact& contact) {
+    return {contact.point, contact.normal, contact.depth, 0};
 }
 
 }  // namespace
@@ -37,7 +35,7 @@ std::vector<FoundContact> ContactFinder::find(const std::vector<StepBody>& bodie
             if (body.is_ball) {
                 find_for_ball(i, body, found);
             } else {
-                find_for_box(i, body, found);
+                find_for_solid(i, body, found);
             }
         }
         for (int j = i + 1; j < count; ++j) {
@@ -100,6 +98,15 @@ void ContactFinder::find_for_ball(int number, const StepBody& ball,
             add(number, ball, kFirstSurface - static_cast<int>(contact.surface),
                 around_.surfaces[contact.surface].material, contact, found);
     }
+    for (const FixedSolid& solid : around_.solids) {
+        if (solid.has_mesh)
+            continue;
+        const SurfaceContact contact =
+            convex_contact(*solid.shape, solid.pose, centre, ball.radius);
+        if (contact.depth > -kMargin)
+            add(number, ball, kFirstSurface - static_cast<int>(solid.surface), solid.info.material,
+                contact, found);
+    }
     for (std::size_t i = 0; i < around_.spheres.size(); ++i) {
         const FixedSphere& sphere = around_.spheres[i];
         const Vec3 d = centre - sphere.centre;
@@ -111,53 +118,107 @@ void ContactFinder::find_for_ball(int number, const StepBody& ball,
     }
 }
 
-void ContactFinder::find_for_box(int number, const StepBody& box,
-                                 std::vector<FoundContact>& found) const {
-    find_level(number, box, found);
-    Aabb bounds = box.bounds();
+void ContactFinder::find_for_solid(int number, const StepBody& body,
+                                   std::vector<FoundContact>& found) const {
+    find_level(number, body, found);
+    Aabb bounds = body.bounds();
     bounds.grow(ode::kBoxMargin);
-    const Pose pose{box.state.position, box.state.orientation};
-    std::vector<ode::BoxContact> contacts;
-    for (const FixedBox& fixed : around_.boxes) {
-        if (!bounds.overlaps(box_bounds(fixed)))
+    for (const FixedSolid& solid : around_.solids) {
+        if (!bounds.overlaps(solid.bounds))
             continue;
-        contacts.clear();
-        ode::collide_boxes(box.half_size * 2, pose, fixed.size, fixed.pose, contacts);
-        for (const ode::BoxContact& contact : contacts)
-            add(number, box, kFirstSurface - static_cast<int>(fixed.surface), fixed.info.material,
-                from_ode(contact), found);
+        for (const SurfaceContact& contact :
+             solid_contacts(body.placed(), {solid.shape.get(), solid.pose}))
+            add(number, body, kFirstSurface - static_cast<int>(solid.surface), solid.info.material,
+                contact, found);
     }
-    for (const BoxObstacle& obstacle : around_.box_obstacles) {
-        if (!bounds.overlaps(obstacle.bounds))
-            continue;
-        contacts.clear();
-        obstacle.surface.collide(box.half_size * 2, pose, contacts);
-        for (const ode::BoxContact& contact : contacts)
-            add(number, box, kFirstSurface - static_cast<int>(obstacle.number),
-                obstacle.info.material, from_ode(contact), found);
+    if (body.is_box()) {
+        find_obstacles(number, body, bounds, found);
+    } else {
+        find_meshes(number, body, bounds, found);
     }
     for (std::size_t i = 0; i < around_.spheres.size(); ++i) {
         const FixedSphere& sphere = around_.spheres[i];
-        SurfaceContact contact = box_contact(box.half_size, pose, sphere.centre, sphere.radius);
+        SurfaceContact contact =
+            convex_contact(*body.shape, body.placed().pose, sphere.centre, sphere.radius);
         contact.normal = -contact.normal;
         if (contact.depth > -kMargin)
-            add(number, box, kFirstFixed - static_cast<int>(i), sphere.info.material, contact,
+            add(number, body, kFirstFixed - static_cast<int>(i), sphere.info.material, contact,
                 found);
     }
 }
 
-void ContactFinder::find_level(int number, const StepBody& box,
-                               std::vector<FoundContact>& found) const {
-    for (int i = 0; i < 8; ++i) {
-        const Vec3 corner = corner_of(box, i);
-        const Vec3 up(0, 0, 1);
-        if (around_.has_cloth && corner.z < ode::kBoxMargin && corner.z > -box.reach() &&
-            around_.is_over_cloth(corner))
-            add(number, box, kCloth, "cloth", {corner, up, -corner.z, 0}, found);
-        if (around_.floor_height && corner.z - *around_.floor_height < ode::kBoxMargin)
-            add(number, box, kFloor, "floor", {corner, up, *around_.floor_height - corner.z, 0},
-                found);
+void ContactFinder::find_obstacles(int number, const StepBody& box, const Aabb& bounds,
+                                   std::vector<FoundContact>& found) const {
+    std::vector<ode::BoxContact> contacts;
+    for (const BoxObstacle& obstacle : around_.box_obstacles) {
+        if (!bounds.overlaps(obstacle.bounds))
+            continue;
+        contacts.clear();
+        obstacle.surface.collide(box.shape->half_size() * 2, box.placed().pose, contacts);
+        for (const ode::BoxContact& contact : contacts)
+            add(number, box, kFirstSurface - static_cast<int>(obstacle.number),
+                obstacle.info.material, from_ode(contact), found);
     }
+}
+
+void ContactFinder::find_meshes(int number, const StepBody& body, const Aabb& bounds,
+                                std::vector<FoundContact>& found) const {
+    for (const StaticMesh* mesh : {&around_.table_mesh, &around_.scenery_mesh}) {
+        for (const SurfaceContact& contact :
+             mesh_contacts(body.placed(), *mesh, bounds, ode::kBoxMargin)) {
+            // Solids with flat sides are met as solids.
+            const bool is_solid = std::any_of(
+                around_.solids.begin(), around_.solids.end(), [&](const FixedSolid& solid) {
+                    return mesh == &around_.scenery_mesh && solid.surface == contact.surface;
+                });
+            if (!is_solid)
+                add(number, body, kFirstSurface - static_cast<int>(contact.surface),
+                    around_.surfaces[contact.surface].material, contact, found);
+        }
+    }
+}
+
+void ContactFinder::find_level(int number, const StepBody& body,
+                               std::vector<FoundContact>& found) const {
+    const Vec3 up(0, 0, 1);
+    const Quat& turn = body.state.orientation;
+    std::vector<Vec3> points;
+    body.shape->resting_points(to_body(turn, -up), points);
+    std::vector<ConvexContact> on_cloth;
+    std::vector<ConvexContact> on_floor;
+    for (const Vec3& point : points) {
+        const Vec3 corner = body.state.position + to_world(turn, point);
+        if (around_.has_cloth && corner.z < ode::kBoxMargin && corner.z > -body.reach() &&
+            around_.is_over_cloth(corner))
+            on_cloth.push_back({corner, up, -corner.z});
+        if (around_.floor_height && corner.z - *around_.floor_height < ode::kBoxMargin)
+            on_floor.push_back({corner, up, *around_.floor_height - corner.z});
+    }
+    thin_out(on_cloth);
+    thin_out(on_floor);
+    for (const ConvexContact& contact : on_cloth)
+        add(number, body, kCloth, "cloth", from_convex(contact), found);
+    for (const ConvexContact& contact : on_floor)
+        add(number, body, kFloor, "floor", from_convex(contact), found);
+}
+
+/// Boxes by ODE, all others by our own.
+std::vector<SurfaceContact> ContactFinder::solid_contacts(const PlacedShape& a,
+                                                          const PlacedShape& b) {
+    std::vector<SurfaceContact> result;
+    if (a.shape->is_box() && b.shape->is_box()) {
+        std::vector<ode::BoxContact> contacts;
+        ode::collide_boxes(a.shape->half_size() * 2, a.pose, b.shape->half_size() * 2, b.pose,
+                           contacts);
+        for (const ode::BoxContact& contact : contacts)
+            result.push_back(from_ode(contact));
+        return result;
+    }
+    std::vector<ConvexContact> contacts;
+    convex_contacts(a, b, ode::kBoxMargin, contacts);
+    for (const ConvexContact& contact : contacts)
+        result.push_back(from_convex(contact));
+    return result;
 }
 
 void ContactFinder::find_between(int a, const StepBody& first, int b, const StepBody& second,
@@ -166,8 +227,6 @@ void ContactFinder::find_between(int a, const StepBody& first, int b, const Step
     const double reach = first.reach() + second.reach() + ode::kBoxMargin;
     if (d.dot(d) > reach * reach)
         return;
-    const Pose pose_a{first.state.position, first.state.orientation};
-    const Pose pose_b{second.state.position, second.state.orientation};
     if (first.is_ball && second.is_ball) {
         const double distance = std::sqrt(d.dot(d));
         const double depth = first.radius + second.radius - distance;
@@ -177,14 +236,12 @@ void ContactFinder::find_between(int a, const StepBody& first, int b, const Step
                 found);
     } else if (first.is_ball) {
         const SurfaceContact contact =
-            box_contact(second.half_size, pose_b, first.state.position, first.radius);
+            convex_contact(*second.shape, second.placed().pose, first.state.position, first.radius);
         if (contact.depth > -kMargin)
             add(a, first, b, second.material, contact, found);
     } else {
-        std::vector<ode::BoxContact> contacts;
-        ode::collide_boxes(first.half_size * 2, pose_a, second.half_size * 2, pose_b, contacts);
-        for (const ode::BoxContact& contact : contacts)
-            add(a, first, b, second.material, from_ode(contact), found);
+        for (const SurfaceContact& contact : solid_contacts(first.placed(), second.placed()))
+            add(a, first, b, second.material, contact, found);
     }
 }
 

@@ -36,8 +36,14 @@ class ContactFinder {
 
   private:
     void find_for_ball(int number, const StepBody& ball, std::vector<FoundContact>& found) const;
-    void find_for_box(int number, const StepBody& box, std::vector<FoundContact>& found) const;
-    void find_level(int number, const StepBody& box, std::vector<FoundContact>& found) const;
+    void find_for_solid(int number, const StepBody& body, std::vector<FoundContact>& found) const;
+    void find_obstacles(int number, const StepBody& box, const Aabb& bounds,
+                        std::vector<FoundContact>& found) const;
+    void find_meshes(int number, const StepBody& body, const Aabb& bounds,
+                     std::vector<FoundContact>& found) const;
+    void find_level(int number, const StepBody& body, std::vector<FoundContact>& found) const;
+    [[nodiscard]] static std::vector<SurfaceContact> solid_contacts(const PlacedShape& a,
+                                                                    const PlacedShape& b);
     void find_between(int a, const StepBody& first, int b, const StepBody& second,
                       std::vector<FoundContact>& found) const;
     void add(int number, const StepBody& body, int other, const std::string& other_material,

@@ -56,6 +56,7 @@ void ImpactResolver::resolve(const Touch& touch) {
         case TouchKind::table_feature:
         case TouchKind::scenery_feature:
         case TouchKind::fixed_sphere:
+        case TouchKind::fixed_solid:
             return meet_surface(touch);
         case TouchKind::ground:
             return land(touch);
@@ -117,7 +118,7 @@ void ImpactResolver::meet_box(const Touch& touch) {
     const MotionState before = body.state;
     const Pose box_pose{box.state.position, box.state.orientation};
     const SurfaceContact contact =
-        box_contact(box.half_size, box_pose, before.position, ball.radius);
+        convex_contact(*box.shape, box_pose, before.position, ball.radius);
     const auto separation = [&](const Vec3& ball_velocity, const ode::Velocities& box_velocities) {
         const Vec3 arm = contact.point - box_pose.position;
         return (ball_velocity - box_velocities.linear - box_velocities.angular.cross(arm))
@@ -157,6 +158,9 @@ void ImpactResolver::meet_surface(const Touch& touch) {
         const FixedSphere& sphere = around_.spheres[touch.second];
         const Vec3 normal = unit(centre - sphere.centre);
         bounce(touch, {sphere.centre + normal * sphere.radius, normal, 0, 0}, sphere.info);
+    } else if (touch.kind == TouchKind::fixed_solid) {
+        const FixedSolid& solid = around_.solids[touch.second];
+        bounce(touch, convex_contact(*solid.shape, solid.pose, centre, ball.radius), solid.info);
     } else {
         const bool is_table = touch.kind == TouchKind::table_feature;
         const StaticMesh& mesh = is_table ? around_.table_mesh : around_.scenery_mesh;

@@ -21,17 +21,17 @@ StepBody ball_body(const Ball& ball) {
     return body;
 }
 
-StepBody box_body(const Body& from, const Vec3& size, std::size_t track) {
+StepBody solid_body(const Body& from, const SolidShape& solid, std::size_t track) {
     StepBody body;
     body.name = from.name;
     body.material = from.material;
     body.track = track;
-    body.half_size = size * 0.5;
+    body.shape = solid.shape;
+    body.principal = solid.principal;
     body.mass = from.mass;
-    body.inertia = Vec3(size.y * size.y + size.z * size.z, size.x * size.x + size.z * size.z,
-                        size.x * size.x + size.y * size.y) *
-                   (from.mass / 12);
-    body.state = {from.pose.position, from.pose.orientation, from.velocity, from.angular_velocity};
+    body.inertia = solid.inertia * from.mass;
+    body.state = {from.pose.position, from.pose.orientation * solid.principal, from.velocity,
+                  from.angular_velocity};
     body.is_in = body.is_awake = true;
     return body;
 }
@@ -39,16 +39,20 @@ StepBody box_body(const Body& from, const Vec3& size, std::size_t track) {
 }  // namespace
 
 double StepBody::reach() const {
-    return is_ball ? radius : std::sqrt(half_size.dot(half_size));
+    return is_ball ? radius : shape->reach();
+}
+
+MotionState StepBody::seen(const MotionState& internal) const {
+    MotionState result = internal;
+    if (principal != Quat())
+        result.orientation = internal.orientation * Quat(principal.r, -principal.v);
+    return result;
 }
 
 Aabb StepBody::bounds() const {
     if (is_ball)
         return {state.position - Vec3(radius), state.position + Vec3(radius)};
-    Aabb box{corner_of(*this, 0), corner_of(*this, 0)};
-    for (int i = 1; i < 8; ++i)
-        box.extend(corner_of(*this, i));
-    return box;
+    return bounds_of(placed());
 }
 
 double StepBody::farthest_speed() const {
@@ -81,18 +85,11 @@ std::vector<StepBody> make_step_bodies(const WorldDescription& world,
     for (const Body& body : world.bodies) {
         if (body.kind != BodyKind::dynamic)
             continue;
-        if (const auto* box = std::get_if<Box>(&body.shape))
-            bodies.push_back(box_body(body, box->size, track));
+        if (const auto solid = solid_shape(body.shape))
+            bodies.push_back(solid_body(body, *solid, track));
         ++track;
     }
     return bodies;
-}
-
-Vec3 corner_of(const StepBody& box, int corner) {
-    const Vec3& h = box.half_size;
-    const Vec3 local((corner & 1) != 0 ? h.x : -h.x, (corner & 2) != 0 ? h.y : -h.y,
-                     (corner & 4) != 0 ? h.z : -h.z);
-    return box.state.position + to_world(box.state.orientation, local);
 }
 
 }  // namespace carom::sim

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "sim/ode/impact_solver.h"
 #include "sim/scheduler/ball_state.h"
-#include "sim/spatial/box_touch.h"
+#include "sim/solid_shape.h"
+#include "sim/spatial/convex_distance.h"
+#include "sim/spatial/convex_touch.h"
 #include "sim/timeline/vocabulary.h"
 
 namespace carom::sim {
@@ -17,16 +20,24 @@ struct StepBody {
     std::string material;
     std::size_t track = 0;
     bool is_ball = false;
-    double radius = 0;        // of a ball
-    Vec3 half_size{0, 0, 0};  // of a box, m
+    double radius = 0;                         // of a ball
+    std::shared_ptr<const ConvexShape> shape;  // of all others, along principal axes
+    Quat principal{};                          // turns those into the body's own axes
     double mass = 1;
     Vec3 inertia{1, 1, 1};  // principal moments
-    bool is_in = false;     // ODE's; a box always, a ball while it is stepped or lying
+    bool is_in = false;     // ODE's; a ball while it is stepped or lying
     bool is_awake = false;
-    MotionState state;      // when it is in: at the end of the last step
-    BoxMotion motion;       // of a box during the step being tried
+    MotionState state;      // when it is in: at the end of the last step, along principal axes
+    ConvexMotion motion;    // of what is no ball during the step being tried
     double slow_since = 0;  // scene time since when it has hardly moved
     int free_steps = 0;     // of a ball: steps since it last touched more than the ground
+
+    [[nodiscard]] bool is_box() const { return !is_ball && shape->is_box(); }
+    [[nodiscard]] PlacedShape placed() const {
+        return {shape.get(), {state.position, state.orientation}};
+    }
+    /// A state of this body as tracks have it: the orientation of its own axes.
+    [[nodiscard]] MotionState seen(const MotionState& internal) const;
 
     /// Radius of a sphere around the centre that holds all of it.
     [[nodiscard]] double reach() const;
@@ -38,11 +49,8 @@ struct StepBody {
     [[nodiscard]] ode::ImpactBody impact_body() const;
 };
 
-/// First the balls in their order, then the moving boxes of the world in theirs.
+/// First the balls in their order, then what else moves in the world in its order.
 [[nodiscard]] std::vector<StepBody> make_step_bodies(const WorldDescription& world,
                                                      const std::vector<Ball>& balls);
-
-/// Where a corner of a box is, counted from 0 to 7.
-[[nodiscard]] Vec3 corner_of(const StepBody& box, int corner);
 
 }  // namespace carom::sim

@@ -154,7 +154,7 @@ void StepBounces::take(StepBody& body, const ode::Velocities& velocities, double
     const MotionState before = body.state;
     body.state.velocity = velocities.linear;
     body.state.angular_velocity = velocities.angular;
-    recording_.add_break(body.track, time, before, body.state);
+    recording_.add_break(body.track, time, body.seen(before), body.seen(body.state));
 }
 
 }  // namespace carom::sim

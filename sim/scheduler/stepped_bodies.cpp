@@ -28,9 +28,9 @@ void SteppedBodies::start(double time) {
     for (StepBody& body : bodies_) {
         if (body.is_ball)
             continue;
-        body.motion = {body.half_size, time, body.state};
+        body.motion = {body.shape.get(), time, body.state};
         body.slow_since = time;
-        recording_.keep(body.track, time, body.state);
+        recording_.keep(body.track, time, body.seen(body.state));
     }
 }
 
@@ -80,7 +80,7 @@ void SteppedBodies::show_paths() {
         if (body.is_ball) {
             balls_.show_step(number, trial_.start(), path);
         } else {
-            body.motion = {body.half_size, trial_.start(), path};
+            body.motion = {body.shape.get(), trial_.start(), path};
         }
     }
 }
@@ -109,7 +109,7 @@ void SteppedBodies::stay(double time) {
         if (body.is_ball) {
             balls_.carry(number, time, body.state);
         } else {
-            body.motion = {body.half_size, time, body.state};
+            body.motion = {body.shape.get(), time, body.state};
         }
     }
 }
@@ -117,14 +117,14 @@ void SteppedBodies::stay(double time) {
 void SteppedBodies::settle_box(StepBody& body, double end) {
     if (sleep_.is_tired(body, trial_.contacts(), end)) {
         body.is_awake = false;
-        recording_.add(body.track, end, body.state);
+        recording_.add(body.track, end, body.seen(body.state));
         body.state.velocity = body.state.angular_velocity = {0, 0, 0};
-        recording_.keep(body.track, end, body.state);
+        recording_.keep(body.track, end, body.seen(body.state));
         recording_.log(EventKind::resting, end, body.name, body.state.position);
     } else {
-        recording_.add(body.track, end, body.state);
+        recording_.add(body.track, end, body.seen(body.state));
     }
-    body.motion = {body.half_size, end, body.state};
+    body.motion = {body.shape.get(), end, body.state};
 }
 
 /// The level surface that a ball touches; `touches_other`: something else, too.
@@ -181,8 +181,8 @@ void SteppedBodies::change_box(std::uint32_t number, double time, const Vec3& ve
     const MotionState before = body.state;
     body.state.velocity = velocity;
     body.state.angular_velocity = angular_velocity;
-    recording_.add_break(body.track, time, before, body.state);
-    body.motion = {body.half_size, time, body.state};
+    recording_.add_break(body.track, time, body.seen(before), body.seen(body.state));
+    body.motion = {body.shape.get(), time, body.state};
     if (!body.is_awake)
         sleep_.wake(body, time);
     body.slow_since = time;
@@ -206,7 +206,7 @@ bool SteppedBodies::all_rest() const {
 void SteppedBodies::finish(double time) {
     for (const StepBody& body : bodies_) {
         if (!body.is_ball)
-            recording_.keep(body.track, time, body.state);
+            recording_.keep(body.track, time, body.seen(body.state));
     }
 }
 

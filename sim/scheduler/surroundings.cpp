@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/spatial/box_touch.h"
+#include "sim/spatial/axes.h"
 
 namespace carom::sim {
 namespace {
@@ -58,6 +58,23 @@ Triangles box_triangles(const Vec3& size) {
     box.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                      {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
     return box;
+}
+
+/// What balls meet as triangles: boxes and hulls.
+Triangles flat_sides(const BodyShape& shape) {
+    if (const auto* box = std::get_if<Box>(&shape))
+        return box_triangles(box->size);
+    Triangles mesh;
+    const auto* points = std::get_if<ConvexHull>(&shape);
+    const auto hull = points != nullptr ? convex_hull(points->points) : std::nullopt;
+    if (!hull)
+        return mesh;
+    mesh.vertices = hull->vertices;
+    for (const PolyhedronFace& face : hull->faces) {
+        for (std::size_t i = 2; i < face.corners.size(); ++i)
+            mesh.triangles.push_back({face.corners[0], face.corners[i - 1], face.corners[i]});
+    }
+    return mesh;
 }
 
 void place(Triangles& mesh, const Pose& pose) {
@@ -126,9 +143,14 @@ void Surroundings::add_fixed_bodies(const WorldDescription& world, bool has_boxe
         }
         const auto number = static_cast<std::uint32_t>(surfaces.size());
         Triangles mesh;
-        if (const auto* box = std::get_if<Box>(&body.shape)) {
-            mesh = box_triangles(box->size);
-            boxes.push_back({info, number, box->size, body.pose});
+        if (const auto solid = solid_shape(body.shape)) {
+            const Pose pose{body.pose.position, body.pose.orientation * solid->principal};
+            mesh = flat_sides(body.shape);
+            solids.push_back({info, number, solid->shape, pose,
+                              bounds_of(PlacedShape{solid->shape.get(), pose}),
+                              !mesh.triangles.empty()});
+            if (mesh.triangles.empty())
+                surfaces.push_back(info);
         } else if (const auto* triangles = std::get_if<TriangleMesh>(&body.shape)) {
             mesh = {triangles->vertices, triangles->triangles};
         }

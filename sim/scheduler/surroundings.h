@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/billiards/table.h"
 #include "sim/ode/box_collider.h"
+#include "sim/solid_shape.h"
 #include "sim/spatial/rim.h"
 #include "sim/spatial/static_mesh.h"
 #include "sim/world.h"
@@ -29,11 +31,14 @@ struct FixedSphere {
     double radius = 0;
 };
 
-struct FixedBox {
+/// A fixed box, capsule, cylinder or hull.
+struct FixedSolid {
     SurfaceInfo info;
     std::uint32_t surface = 0;  // its index in Surroundings::surfaces
-    Vec3 size{1, 1, 1};
-    Pose pose;
+    std::shared_ptr<const ConvexShape> shape;
+    Pose pose;  // of the shape's axes
+    Aabb bounds;
+    bool has_mesh = false;  // flat sides: balls meet them as triangles of the scenery
 };
 
 /// A fixed mesh as moving boxes see it.
@@ -66,8 +71,8 @@ struct Surroundings {
     StaticMesh scenery_mesh;
     std::vector<SurfaceInfo> surfaces;
     std::vector<FixedSphere> spheres;
-    // The same for moving boxes; empty if there are none.
-    std::vector<FixedBox> boxes;
+    std::vector<FixedSolid> solids;
+    // Meshes for moving boxes; empty if there are none.
     std::vector<BoxObstacle> box_obstacles;
 
     [[nodiscard]] bool is_over_cloth(const Vec3& centre) const;

@@ -156,7 +156,7 @@ void TouchFinder::find_unmoving(std::uint32_t index, const Outlook& outlook, Tou
         return;
     const bool is_flying = ball.ground == Ground::none && !ball.is_still();
     const bool has_boxes = bodies_.size() > balls_.size();
-    if (!is_flying && !has_boxes && around_.scenery_mesh.empty())
+    if (!is_flying && !has_boxes && around_.scenery_mesh.empty() && around_.solids.empty())
         return;
     const double whole = std::min(outlook.end, ball.stretch.end);
     const double until = std::min(whole, outlook.now + look_duration(ball, outlook.now));
@@ -196,14 +196,26 @@ void TouchFinder::find_boxes(std::uint32_t index, double now, double until,
         const StepBody& box = bodies_[i];
         if (!ball.is_still() || box.is_awake)
             push(queue, ball, index, TouchKind::box, i,
-                 box_touch(ball.stretch, ball.radius, box.motion, now, until), box_round_);
+                 convex_touch(ball.stretch, ball.radius, box.motion, now, until), box_round_);
     }
 }
 
 void TouchFinder::find_scenery(std::uint32_t index, double now, double until,
                                TouchQueue& queue) const {
     const Ball& ball = balls_[index];
-    if (around_.scenery_mesh.empty() || ball.stretch.kind == MotionKind::spinning)
+    if (ball.stretch.kind == MotionKind::spinning)
+        return;
+    for (std::size_t i = 0; i < around_.solids.size(); ++i) {
+        const FixedSolid& solid = around_.solids[i];
+        const ConvexMotion still{
+            solid.shape.get(),
+            now,
+            {solid.pose.position, solid.pose.orientation, Vec3(0, 0, 0), Vec3(0, 0, 0)}};
+        if (!solid.has_mesh)
+            push(queue, ball, index, TouchKind::fixed_solid, i,
+                 convex_touch(ball.stretch, ball.radius, still, now, until));
+    }
+    if (around_.scenery_mesh.empty())
         return;
     const auto touch = around_.scenery_mesh.first_touch(ball.stretch, ball.radius, now, until);
     if (touch)

@@ -18,6 +18,7 @@ enum class TouchKind : std::uint8_t {
     table_feature,    // in the air, it meets a feature of the table's mesh
     scenery_feature,  // it meets a feature of a fixed body's mesh
     fixed_sphere,     // it meets fixed sphere `second`
+    fixed_solid,      // it meets fixed capsule or cylinder `second` of Surroundings::solids
     ground,           // it comes down on Ground `second`
     below_cloth,      // its centre sinks below the cloth
     stretch_end,      // its law of motion changes

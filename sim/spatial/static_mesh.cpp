@@ -175,6 +175,23 @@ std::vector<SurfaceContact> StaticMesh::contacts(const Vec3& centre, double radi
     return kept;
 }
 
+std::vector<StaticMesh::Triangle> StaticMesh::triangles_near(const Aabb& bounds) const {
+    std::vector<Triangle> found;
+    std::vector<std::uint32_t> near;
+    for (Part& part : parts_) {
+        if (!part.bounds.overlaps(bounds))
+            continue;
+        make_ready(part);
+        part.tree.query(bounds, near);
+        for (const std::uint32_t index : near) {
+            const MeshFeature& feature = part.features[index];
+            if (feature.kind == MeshFeature::Kind::face)
+                found.push_back({feature.points, feature.direction, part.surface});
+        }
+    }
+    return found;
+}
+
 Aabb swept_bounds(const Stretch& ball, double from, double to) {
     const Vec3 p = ball.position_at(from);
     Aabb box{p, p};

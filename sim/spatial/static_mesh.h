@@ -1,6 +1,7 @@
 // Triangle surfaces that do not move, and a ball's way to them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -44,6 +45,15 @@ class StaticMesh {
     /// with nearly the same normal are one.
     [[nodiscard]] std::vector<SurfaceContact> contacts(const Vec3& centre, double radius,
                                                        double margin) const;
+
+    /// A triangle, its corners counter-clockwise seen against `normal`.
+    struct Triangle {
+        std::array<Vec3, 3> corners;
+        Vec3 normal{0, 0, 1};
+        std::uint32_t surface = 0;
+    };
+    /// All triangles whose bounds overlap `bounds`, in a fixed order.
+    [[nodiscard]] std::vector<Triangle> triangles_near(const Aabb& bounds) const;
 
     [[nodiscard]] bool empty() const { return parts_.empty(); }
 

@@ -1,0 +1,33 @@
+// How far apart two convex solids are.
+#pragma once
+
+#include <optional>
+
+#include "sim/shape/convex_shape.h"
+
+namespace carom::sim {
+
+/// A solid somewhere in the world.
+struct PlacedShape {
+    const ConvexShape* shape = nullptr;
+    Pose pose;
+
+    [[nodiscard]] Vec3 support(const Vec3& world_direction) const;
+    [[nodiscard]] Vec3 core_support(const Vec3& world_direction) const;
+};
+
+struct ClosestPoints {
+    Vec3 on_a{0, 0, 0};
+    Vec3 on_b{0, 0, 0};
+};
+
+/// The closest points of the two cores (ConvexShape::core_support), world axes; empty where those
+/// overlap. Gilbert, Johnson and Keerthi, A fast procedure for computing the distance between
+/// complex objects in three-dimensional space, IEEE J. Robotics and Automation 4(2), 1988.
+[[nodiscard]] std::optional<ClosestPoints> closest_core_points(const PlacedShape& a,
+                                                               const PlacedShape& b);
+
+/// The gap between the two along unit `normal` (from b towards a): never more than their distance.
+[[nodiscard]] double gap_along(const PlacedShape& a, const PlacedShape& b, const Vec3& normal);
+
+}  // namespace carom::sim

@@ -1,0 +1,55 @@
+#include "sim/spatial/convex_touch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/numeric/rotation.h"
+#include "sim/spatial/advance.h"
+
+namespace carom::sim {
+namespace {
+
+double length(const Vec3& v) {
+    return std::sqrt(v.dot(v));
+}
+
+}  // namespace
+
+Pose ConvexMotion::pose_at(double time) const {
+    const double t = time - start;
+    return {state.position + state.velocity * t,
+            rotation_by(state.angular_velocity * t) * state.orientation};
+}
+
+SurfaceContact convex_contact(const ConvexShape& shape, const Pose& pose, const Vec3& centre,
+                              double radius) {
+    const Nearest found = nearest(shape, to_body(pose.orientation, centre - pose.position));
+    SurfaceContact contact;
+    contact.point = pose.position + to_world(pose.orientation, found.point);
+    contact.normal = to_world(pose.orientation, found.normal);
+    contact.depth = radius - found.distance;
+    return contact;
+}
+
+std::optional<double> convex_touch(const Stretch& ball, double radius, const ConvexMotion& solid,
+                                   double now, double until) {
+    const double span = until - now;
+    if (!(span >= 0))
+        return std::nullopt;
+    const double reach = solid.shape->reach();
+    const double ball_speed =
+        std::max(length(ball.velocity_at(now)), length(ball.velocity_at(until)));
+    const double solid_speed =
+        length(solid.state.velocity) + reach * length(solid.state.angular_velocity);
+    const double speed = ball_speed + solid_speed;
+    const Vec3 apart = ball.position_at(now) - solid.pose_at(now).position;
+    if (length(apart) > reach + radius + speed * span)
+        return std::nullopt;
+    const auto gap_at = [&](double time) {
+        return -convex_contact(*solid.shape, solid.pose_at(time), ball.position_at(time), radius)
+                    .depth;
+    };
+    return first_closing(gap_at, speed, now, until);
+}
+
+}  // namespace carom::sim

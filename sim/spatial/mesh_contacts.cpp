@@ -1,0 +1,86 @@
+#include "sim/spatial/mesh_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/spatial/convex_contacts.h"
+
+namespace carom::sim {
+namespace {
+
+/// What one plane of one surface gives.
+struct Group {
+    std::uint32_t surface = 0;
+    std::vector<ConvexContact> contacts;
+};
+
+/// The triangle as a solid without thickness, its corners about its middle.
+PlacedShape place_triangle(const StaticMesh::Triangle& triangle,
+                           std::optional<ConvexShape>& store) {
+    const Vec3 middle = (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
+    Polyhedron flat;
+    for (const Vec3& corner : triangle.corners)
+        flat.vertices.push_back(corner - middle);
+    flat.faces = {{{0, 1, 2}, triangle.normal}, {{0, 2, 1}, -triangle.normal}};
+    store = ConvexShape::hull(std::move(flat));
+    return {&*store, {middle, Quat()}};
+}
+
+bool is_on_side(const ConvexContact& contact, const StaticMesh::Triangle& triangle) {
+    constexpr double kSame = 0.9998;  // 1.1 degrees
+    return std::abs(contact.normal.dot(triangle.normal)) > kSame;
+}
+
+/// True if a flat side's contact holds the solid at this place already.
+bool is_held(const ConvexContact& edge, const std::vector<Group>& sides, double margin) {
+    return std::any_of(sides.begin(), sides.end(), [&](const Group& side) {
+        const ConvexContact& on_side = side.contacts.front();
+        return std::abs(on_side.normal.dot(edge.point - on_side.point)) < 4 * margin;
+    });
+}
+
+void add_to(std::vector<Group>& groups, std::uint32_t surface,
+            const std::vector<ConvexContact>& contacts) {
+    constexpr double kSamePlane = 0.9998;
+    for (Group& group : groups) {
+        if (group.surface == surface &&
+            group.contacts.front().normal.dot(contacts.front().normal) > kSamePlane) {
+            group.contacts.insert(group.contacts.end(), contacts.begin(), contacts.end());
+            return;
+        }
+    }
+    groups.push_back({surface, contacts});
+}
+
+}  // namespace
+
+std::vector<SurfaceContact> mesh_contacts(const PlacedShape& solid, const StaticMesh& mesh,
+                                          const Aabb& bounds, double margin) {
+    std::vector<Group> sides;
+    std::vector<Group> edges;
+    std::vector<ConvexContact> contacts;
+    std::optional<ConvexShape> store;
+    for (const StaticMesh::Triangle& triangle : mesh.triangles_near(bounds)) {
+        convex_contacts(solid, place_triangle(triangle, store), margin, contacts);
+        if (!contacts.empty())
+            add_to(is_on_side(contacts.front(), triangle) ? sides : edges, triangle.surface,
+                   contacts);
+    }
+    for (Group& edge : edges) {
+        std::erase_if(edge.contacts, [&](const ConvexContact& contact) {
+            return is_held(contact, sides, margin);
+        });
+        if (!edge.contacts.empty())
+            sides.push_back(std::move(edge));
+    }
+    std::vector<SurfaceContact> result;
+    for (Group& group : sides) {
+        thin_out(group.contacts);
+        for (const ConvexContact& contact : group.contacts)
+            result.push_back({contact.point, contact.normal, contact.depth, group.surface});
+    }
+    return result;
+}
+
+}  // namespace carom::sim
