@@ -15,7 +15,9 @@ constexpr double kShareOfSlip = 0.15;
 /// Slip below this share of the ball's speed counts as none.
 constexpr double kNoSlip = 1e-10;
 /// A ball that friction wedges under the nose would be pressed there for ever.
-constexpr double kMostImpulse = 50;  // times the approach
+constexpr double kMostImpulse = 20;  // times the approach; a free ball takes 2 to 4
+
+constexpr int kMostSteps = 20000;  // some hundreds are usual
 
 /// Everything is divided by the ball's mass; spin is R w. So impulses and spin are velocities, and
 /// an impulse j at the unit direction d from the centre changes the spin by 5/2 d x j.
@@ -70,7 +72,7 @@ class CushionContact {
           no_slip_(no_slip) {}
 
     /// A step of at most `approach` times the shares above.
-    [[nodiscard]] Motion after_next(const Motion& motion, double approach, double& step) const {
+    [[nodiscard]] Motion after_next(const Motion& motion, double approach, double& step) {
         const Forces now = forces(motion, 0);
         step = next_step(motion, rate(motion, now), kLongestStep * approach);
         if (is_stiff(motion, now, step))
@@ -80,7 +82,7 @@ class CushionContact {
 
     /// The classic Runge-Kutta method; the implicit midpoint rule where a slip turns faster than it
     /// grows or shrinks, as after sticking.
-    [[nodiscard]] Motion after(const Motion& motion, double step) const {
+    [[nodiscard]] Motion after(const Motion& motion, double step) {
         const Forces now = forces(motion, 0);
         if (is_stiff(motion, now, step)) {
             const Forces middle = forces(motion, 0.5 * step);
@@ -116,9 +118,7 @@ class CushionContact {
     }
 
     /// Change of the motion per unit of normal impulse.
-    [[nodiscard]] Motion rate(const Motion& motion) const {
-        return rate(motion, forces(motion, 0));
-    }
+    [[nodiscard]] Motion rate(const Motion& motion) { return rate(motion, forces(motion, 0)); }
 
     [[nodiscard]] Motion rate(const Motion& motion, const Forces& f) const {
         const Vec3 torque = f.nose.cross(normal_) + f.cloth.cross(kUp);
@@ -135,7 +135,7 @@ class CushionContact {
     /// Friction against the slip `ahead` of now. Where there is slip now and nothing ahead it is
     /// known. Else what stops the slip, or is the largest against it, is found in turns, each
     /// contact answering to the other.
-    [[nodiscard]] Forces forces(const Motion& motion, double ahead) const {
+    [[nodiscard]] Forces forces(const Motion& motion, double ahead) {
         const Vec3 nose_slip = slip(motion, normal_);
         const Vec3 cloth_slip = slip(motion, kUp);
         const double nose_speed = length(nose_slip);
@@ -143,10 +143,10 @@ class CushionContact {
         const bool is_nose_known = ahead == 0 && nose_speed > no_slip_;
         const bool is_cloth_known = ahead == 0 && cloth_speed > no_slip_;
         const double share = ahead > 0 ? 1 / ahead : 0;
-        Forces f;
+        Forces& f = forces_;  // those found last are close
         if (is_nose_known)
             f.nose = nose_slip * (-friction_ / nose_speed);
-        for (int turn = 0; turn < 200; ++turn) {
+        for (int turn = 0; turn < 100; ++turn) {
             const Forces last = f;
             if (!is_nose_known) {
                 const Vec3 coming = nose_slip * share + slip(rate(motion, f), normal_);
@@ -171,12 +171,12 @@ class CushionContact {
     double friction_;
     double cloth_friction_;
     double no_slip_;
+    Forces forces_;
 };
 
 /// The part of `step` after which `is_over` turns true, by halving; it is true after all of it.
 template <typename Condition>
-double first_over(const CushionContact& contact, const Motion& motion, double step,
-                  Condition is_over) {
+double first_over(CushionContact& contact, const Motion& motion, double step, Condition is_over) {
     double low = 0;
     double high = step;
     for (int i = 0; i < 60 && high - low > 1e-16 * step; ++i) {
@@ -188,9 +188,9 @@ double first_over(const CushionContact& contact, const Motion& motion, double st
 
 /// Goes on from `motion` until `is_over`; returns the normal impulse that it took.
 template <typename Condition>
-double press(const CushionContact& contact, Motion& motion, double approach, Condition is_over) {
+double press(CushionContact& contact, Motion& motion, double approach, Condition is_over) {
     double impulse = 0;
-    while (!is_over(motion) && impulse < kMostImpulse * approach) {
+    for (int i = 0; i < kMostSteps && !is_over(motion) && impulse < kMostImpulse * approach; ++i) {
         double step = 0;
         Motion next = contact.after_next(motion, approach, step);
         if (is_over(next)) {
@@ -213,7 +213,7 @@ ImpulsePair mathavan_impact(BallBody& ball, const Vec3& normal, double restituti
         return {};
     Motion motion{state.velocity, state.angular_velocity * ball.radius, 0};
     const double speed = length(motion.velocity) + length(motion.spin);
-    const CushionContact contact(normal, friction, cloth_friction, kNoSlip * speed);
+    CushionContact contact(normal, friction, cloth_friction, kNoSlip * speed);
     double impulse = press(contact, motion, approach,
                            [&](const Motion& m) { return m.velocity.dot(normal) >= 0; });
     // Compression's work is negative; restitution gives e^2 of it back.
@@ -221,6 +221,10 @@ ImpulsePair mathavan_impact(BallBody& ball, const Vec3& normal, double restituti
     impulse +=
         press(contact, motion, approach, [&](const Motion& m) { return m.work >= final_work; });
     state.velocity = motion.velocity;
+    // Wedged under the nose: what still presses it there is taken away.
+    const Vec3 level(normal.x, normal.y, 0);
+    if (state.velocity.dot(normal) < 0)
+        state.velocity -= level * (std::min(state.velocity.dot(level), 0.0) / level.dot(level));
     state.angular_velocity = motion.spin / ball.radius;
     return {ball.mass * impulse, ball.mass * length(motion.friction)};
 }

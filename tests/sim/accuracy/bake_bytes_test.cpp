@@ -35,6 +35,14 @@ TEST(BakeBytes_OfAJumpAndAMasse, AreTheSameInEveryBuild) {
     EXPECT_EQ(content_of(world), "aeecaf13bb9eb2c2ff13b367a0fe5f5c");
 }
 
+TEST(BakeBytes_OfMathavansCushions, AreTheSameInEveryBuild) {
+    WorldDescription world = walled_world(6);
+    world.contact_law.ball_cushion = usual_cushion(CushionModel::mathavan2010);
+    world.bodies = {ball("cue", -0.2, 0.1, {3.5, 1.7, 0}, {-20, 60, 40}),
+                    ball("one", 0.4, -0.3, {-1.1, -2.6, 0}, {0, 0, -70})};
+    EXPECT_EQ(content_of(world), "61f2dc297a385802a65c99e06fe3e00e");
+}
+
 TEST(BakeBytes_OfBoxesHitByABall, AreTheSameInEveryBuild) {
     WorldDescription world = walled_world(2);
     for (int i = 0; i < 3; ++i) {
