@@ -15,7 +15,7 @@ constexpr double kEnergyInterval = 1.0 / 60;  // s
 constexpr double kLongestCoarseStep = 1.0 / 240;
 /// More touches than this per ball in one window mean that balls are caught in a corner that the
 /// laws do not resolve. A break has some ten, a spinning ball pressed to a cushion some hundreds.
-constexpr std::size_t kMostTouchesPerBall = 10000;
+constexpr std::size_t kMostTouchesPerBall = 2000;
 
 std::string cap_warning(std::size_t most, const Touch& touch, const Ball& ball) {
     const Vec3 p = ball.stretch.position_at(touch.time);

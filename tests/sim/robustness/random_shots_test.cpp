@@ -1,0 +1,64 @@
+// Random shots end, and break no law on the way.
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "random_shot.h"
+#include "shot_checks.h"
+#include "sim/timeline/error.h"
+
+namespace carom::sim::test {
+namespace {
+
+/// `CAROM_RANDOM_SHOTS`: how many (a few hundred unless told); `CAROM_FIRST_SHOT`: from which on.
+std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
+    const char* value = std::getenv(variable);
+    return value != nullptr ? std::strtoull(value, nullptr, 10) : otherwise;
+}
+
+TEST(RandomShots_OfEveryKind, EndAndBreakNoLaw) {
+    const std::uint64_t first = number_from("CAROM_FIRST_SHOT", 0);
+    const std::uint64_t count = number_from("CAROM_RANDOM_SHOTS", 200);
+    for (std::uint64_t number = first; number < first + count; ++number) {
+        const WorldDescription world = random_shot(number);
+        ASSERT_TRUE(find_problems(world).empty()) << number << ": " << find_problems(world)[0];
+        try {
+            for (const std::string& fault : find_faults(world, bake(world)))
+                ADD_FAILURE() << "shot " << number << ": " << fault;
+        } catch (const Error& error) {
+            ADD_FAILURE() << "shot " << number << ": " << error.what();
+        }
+    }
+}
+
+// Between two fixed balls with hardly a gap, losing nothing: ten million touches a second.
+TEST(Touches_WithoutEnd, AreCappedAndToldOf) {
+    WorldDescription world;
+    world.duration = 0.04;
+    world.gravity = {0, 0, 0};
+    constexpr double kRadius = 0.03;
+    for (const int side : {-1, 0, 1}) {
+        Body body;
+        body.name = side < 0 ? "left" : side > 0 ? "right" : "cue";
+        body.shape = Sphere{kRadius};
+        body.kind = side == 0 ? BodyKind::dynamic : BodyKind::fixed;
+        body.material = "steel";
+        body.pose.position = {side * (2 * kRadius + 5e-8), 0, 0.25};
+        world.bodies.push_back(body);
+    }
+    world.bodies[1].velocity = {1, 0, 0};
+    world.contact_law.otherwise = {1, 0, 0};
+    const BakeResult result = bake(world);
+    // Once in each window of 1/60 s.
+    ASSERT_EQ(result.warnings.size(), 3U);
+    for (const std::string& warning : result.warnings)
+        EXPECT_NE(warning.find("more than 20000 touches at 0.0"), std::string::npos) << warning;
+    EXPECT_NE(result.warnings[0].find("touches at 0.002"), std::string::npos);
+    EXPECT_NE(result.warnings[0].find("near 'cue' at (0.0000, 0.0000, 0.2500)"), std::string::npos)
+        << result.warnings[0];
+}
+
+}  // namespace
+}  // namespace carom::sim::test

@@ -1,0 +1,224 @@
+#include "shot_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "sim/billiards/table.h"
+
+namespace carom::sim::test {
+namespace {
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+    std::array<char, 300> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), format, values...);
+    return buffer.data();
+}
+
+/// What shots are allowed to be warned of.
+bool is_harmless(const std::string& warning) {
+    return warning.find("never happened") != std::string::npos ||
+           warning.find("never touched") != std::string::npos ||
+           warning.find("would miscue") != std::string::npos ||
+           warning.find("straight above or below") != std::string::npos;
+}
+
+void check_warnings(const BakeResult& result, std::vector<std::string>& faults) {
+    for (const std::string& warning : result.warnings) {
+        if (!is_harmless(warning))
+            faults.push_back("warning: " + warning);
+    }
+}
+
+/// From what the solids are to where a ball may be.
+class Solids {
+  public:
+    Solids(const billiards::TableMeasures& table, double radius)
+        : table_(table),
+          radius_(radius),
+          geometry_(billiards::build_table(table, radius, billiards::TableParts::collided)) {}
+
+    /// How far (m) a ball is where it cannot be; 0 where it can. `has_left`: the table, over its
+    /// rails; from the floor it may get under the table.
+    [[nodiscard]] double depth(const Vec3& p, bool has_left) const {
+        const Vec2 level(p.x, p.y);
+        const Vec2 field(0.5 * table_.length, 0.5 * table_.width);
+        const double beyond = std::max(std::abs(p.x) - field.x, std::abs(p.y) - field.y);
+        const double outer = table_.cushion_width + table_.rail_width;
+        const double to_pocket = distance_to_pocket(level);
+        if (to_pocket < 0 || beyond > outer || (has_left && p.z < 0))
+            return 0;
+        // Above the nose's height it may be over the cushion; in a pocket's mouth, beside it.
+        const bool is_in_mouth = to_pocket < 3 * radius_;
+        if (beyond > 0 && !is_in_mouth)
+            return std::max(table_.nose_height + radius_ * 0.7 - p.z, 0.0);
+        return std::max({radius_ - p.z, in_nose(p), 0.0});
+    }
+
+  private:
+    [[nodiscard]] double in_nose(const Vec3& p) const {
+        const double rise = table_.nose_height - p.z;
+        if (std::abs(rise) >= radius_)
+            return 0;
+        const double reach = std::sqrt(radius_ * radius_ - rise * rise);
+        const Vec2 level(p.x, p.y);
+        double deepest = 0;
+        for (const billiards::CushionFace& face : geometry_.faces) {
+            const Vec2 along = face.to - face.from;
+            const double place = (level - face.from).dot(along) / along.dot(along);
+            const double distance = (level - face.from).dot(face.normal);
+            const bool is_over_it = distance < 0 && rise < 0;
+            if (place >= 0 && place <= 1 && distance > -radius_ && !is_over_it)
+                deepest = std::max(deepest, reach - distance);
+        }
+        for (const billiards::CushionCorner& corner : geometry_.corners)
+            deepest = std::max(deepest, reach + corner.radius - (level - corner.centre).length());
+        return deepest;
+    }
+    [[nodiscard]] double distance_to_pocket(const Vec2& place) const {
+        double least = 1e9;
+        for (const billiards::Pocket& pocket : geometry_.pockets)
+            least = std::min(least, (place - pocket.centre).length() - pocket.radius);
+        return least;
+    }
+
+    const billiards::TableMeasures& table_;
+    double radius_;
+    billiards::TableGeometry geometry_;
+};
+
+/// When it left the table for good; later than any time if it did not.
+double off_table_time(const Timeline& timeline, const std::string& ball) {
+    for (const Event& event : timeline.events) {
+        if (event.kind == EventKind::off_table && event.a == ball)
+            return event.time;
+    }
+    return 1e9;
+}
+
+void check_places(const WorldDescription& world, const Timeline& timeline,
+                  std::vector<std::string>& faults) {
+    if (!world.table || !world.table->has_cushions)
+        return;
+    constexpr double kAllowed = 2e-4;  // m: ODE's contacts give way a little
+    std::map<double, Solids> by_radius;
+    for (const Body& body : world.bodies) {
+        const auto* sphere = std::get_if<Sphere>(&body.shape);
+        if (sphere == nullptr)
+            continue;
+        const Solids& solids =
+            by_radius.try_emplace(sphere->radius, *world.table, sphere->radius).first->second;
+        const Track& track = *timeline.find(body.name);
+        const double left = off_table_time(timeline, body.name);
+        // Nothing crosses the rails between two looks.
+        for (double time = 0; time < world.duration; time += 1.0 / 240) {
+            const Vec3 p = track.sample(time).position;
+            const double depth = solids.depth(p, time >= left);
+            if (depth > kAllowed) {
+                faults.push_back(text("'%s' is %.3f mm inside at %.4f s, (%.4f, %.4f, %.4f)",
+                                      body.name.c_str(), depth * 1e3, time, p.x, p.y, p.z));
+                break;
+            }
+        }
+    }
+}
+
+/// Two balls in one place.
+void check_pairs(const WorldDescription& world, const Timeline& timeline,
+                 std::vector<std::string>& faults) {
+    constexpr double kAllowed = 2e-4;  // m
+    struct Placed {
+        const Body* body;
+        double radius;
+        const Track* track;
+        Vec3 place;
+    };
+    std::vector<Placed> balls;
+    for (const Body& body : world.bodies) {
+        if (const auto* sphere = std::get_if<Sphere>(&body.shape))
+            balls.push_back({&body, sphere->radius, timeline.find(body.name), Vec3(0, 0, 0)});
+    }
+    for (int k = 0; k <= 40; ++k) {
+        const double time = world.duration * k / 40;
+        for (std::size_t i = 0; i < balls.size(); ++i) {
+            balls[i].place = balls[i].track->sample(time).position;
+            for (std::size_t j = 0; j < i; ++j) {
+                const double depth =
+                    balls[i].radius + balls[j].radius - (balls[i].place - balls[j].place).length();
+                if (depth <= kAllowed)
+                    continue;
+                faults.push_back(text("'%s' is %.3f mm in '%s' at %.4f s, z %.4f",
+                                      balls[i].body->name.c_str(), depth * 1e3,
+                                      balls[j].body->name.c_str(), time, balls[i].place.z));
+                return;
+            }
+        }
+    }
+}
+
+bool is_force(EventKind kind) {
+    return kind == EventKind::force || kind == EventKind::torque || kind == EventKind::impulse ||
+           kind == EventKind::velocity || kind == EventKind::strike;
+}
+
+/// Whether a force event acts in [from, to].
+bool acts(const Timeline& timeline, double from, double to) {
+    return std::any_of(timeline.events.begin(), timeline.events.end(), [&](const Event& event) {
+        return is_force(event.kind) && event.time <= to && event.end_time >= from;
+    });
+}
+
+void check_energy(const WorldDescription& world, const Timeline& timeline,
+                  std::vector<std::string>& faults) {
+    const bool has_boxes = std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& b) {
+        return !std::holds_alternative<Sphere>(b.shape);
+    });
+    const bool has_meshes = world.table && world.table->has_cushions;
+    const double allowed = has_boxes || has_meshes ? 1e-6 : 1e-9;
+    double most = 0;  // since the last force event
+    for (std::size_t i = 0; i + 1 < timeline.energy.size(); ++i) {
+        const EnergySample& a = timeline.energy[i];
+        const EnergySample& b = timeline.energy[i + 1];
+        const double rise = b.total() - a.total();
+        const bool is_driven = acts(timeline, a.time, b.time);
+        most = is_driven ? 0 : std::max(most, a.kinetic + std::abs(a.potential));
+        if (!is_driven && !(rise <= allowed * most)) {
+            faults.push_back(text("energy rises by %.3g of %.3g J from %.4f to %.4f s", rise, most,
+                                  a.time, b.time));
+            return;
+        }
+    }
+}
+
+void check_values(const Timeline& timeline, std::vector<std::string>& faults) {
+    const auto is_finite = [](const Vec3& v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
+    for (const Track& track : timeline.tracks) {
+        for (const Key& key : track.keys()) {
+            if (!is_finite(key.position) || !is_finite(key.velocity_out) ||
+                !is_finite(key.angular_velocity_out)) {
+                faults.push_back(
+                    text("'%s' is not finite at %.6f s", track.name().c_str(), key.time));
+                break;
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> find_faults(const WorldDescription& world, const BakeResult& result) {
+    std::vector<std::string> faults;
+    check_warnings(result, faults);
+    check_values(result.timeline, faults);
+    check_places(world, result.timeline, faults);
+    check_pairs(world, result.timeline, faults);
+    check_energy(world, result.timeline, faults);
+    return faults;
+}
+
+}  // namespace carom::sim::test
