@@ -82,7 +82,9 @@ struct ObjectPhysics {
 
 struct ObjectSection {
     std::optional<render::Shape> shape;
+    std::optional<sim::BodyShape> solid;  // what `shape` draws, if that is no shape of its own
     Vec3 at{0, 0, 0};
+    Vec3 centre{0, 0, 0};  // of mass, from the origin in the object's axes (hulls)
     Quat rotate;
     double scale = 1;
     std::optional<std::string> material;  // of the look

@@ -4,6 +4,7 @@
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/text.h"
 #include "render/geometry/obj_file.h"
+#include "sim/shape/mass_properties.h"
 #include "sim/timeline/error.h"
 
 namespace carom::pipeline::config {
@@ -19,8 +20,24 @@ std::string shape_name(const render::Shape& shape) {
     return kNames[shape.index()];
 }
 
+/// Where the centre of mass is at the start.
+Vec3 centre_of(const ObjectSection& object) {
+    return object.at + object.rotate.rotateVector(object.centre);
+}
+
 /// Volume of the shapes that can move.
-std::optional<double> volume(const render::Shape& shape) {
+std::optional<double> volume(const ObjectSection& object) {
+    const render::Shape& shape = *object.shape;
+    if (object.solid) {
+        if (const auto* capsule = std::get_if<sim::Capsule>(&*object.solid)) {
+            return sim::capsule_volume(capsule->radius, capsule->length);
+        }
+        if (const auto* cylinder = std::get_if<sim::Cylinder>(&*object.solid)) {
+            return sim::cylinder_volume(cylinder->radius, cylinder->height);
+        }
+        const auto hull = sim::convex_hull(std::get<sim::ConvexHull>(*object.solid).points);
+        return hull ? std::optional(sim::mass_properties(*hull).volume) : std::nullopt;
+    }
     if (const auto* sphere = std::get_if<render::SphereShape>(&shape)) {
         return 4.0 / 3.0 * kPi * sphere->radius * sphere->radius * sphere->radius;
     }
@@ -49,6 +66,9 @@ sim::TriangleMesh read_mesh(const std::string& file, double scale) {
 /// The shape that others collide with; empty after a problem.
 std::optional<sim::BodyShape> body_shape(const Named<ObjectSection>& object, Builder& builder) {
     const render::Shape& shape = *object.value.shape;
+    if (object.value.solid) {
+        return object.value.solid;
+    }
     if (const auto* sphere = std::get_if<render::SphereShape>(&shape)) {
         return sim::Sphere{sphere->radius};
     }
@@ -112,10 +132,10 @@ void add_body(const Named<ObjectSection>& object, Builder& builder) {
     body.name = object.name;
     body.shape = std::move(*shape);
     body.kind = physics.kind;
-    body.mass = physics.mass.value_or(physics.density.value_or(1000) *
-                                      volume(*object.value.shape).value_or(1));
+    body.mass =
+        physics.mass.value_or(physics.density.value_or(1000) * volume(object.value).value_or(1));
     body.material = physics.material;
-    body.pose = {object.value.at, object.value.rotate};
+    body.pose = {centre_of(object.value), object.value.rotate};
     body.velocity = physics.velocity.value_or(Vec3(0, 0, 0));
     body.angular_velocity = physics.spin.value_or(Vec3(0, 0, 0));
     builder.shot.world.bodies.push_back(std::move(body));
@@ -132,7 +152,7 @@ void add_to_scene(const Named<ObjectSection>& object, bool is_moving, Builder& b
         seen.track = object.name;
     } else {
         Mat44 translation;
-        translation.setTranslation(object.value.at);
+        translation.setTranslation(centre_of(object.value));
         seen.world_from_object =
             seen.world_from_object * object.value.rotate.toMatrix44() * translation;
     }

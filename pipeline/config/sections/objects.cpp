@@ -1,6 +1,8 @@
 #include <cmath>
 
 #include "pipeline/config/sections/sections.h"
+#include "pipeline/shot/solid_mesh.h"
+#include "sim/shape/mass_properties.h"
 
 namespace carom::pipeline::config {
 
@@ -85,6 +87,66 @@ void add_shape(MapSpec<ObjectSection>& spec, std::string name, ValueType<V> type
         std::move(description));
 }
 
+const MapSpec<sim::Capsule>& capsule_spec() {
+    static const MapSpec<sim::Capsule> spec = [] {
+        MapSpec<sim::Capsule> s("capsule", "A cylinder about z with a half ball on each end.");
+        s.key("radius", &sim::Capsule::radius, length(above_up_to(0, 1000)), "of all of it")
+            .required();
+        s.key("length", &sim::Capsule::length, length(above_up_to(0, 1000)),
+              "between the centres of its ends")
+            .required();
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<sim::Cylinder>& cylinder_spec() {
+    static const MapSpec<sim::Cylinder> spec = [] {
+        MapSpec<sim::Cylinder> s("cylinder", "A cylinder about z.");
+        s.key("radius", &sim::Cylinder::radius, length(above_up_to(0, 1000)), "of its caps")
+            .required();
+        s.key("height", &sim::Cylinder::height, length(above_up_to(0, 1000)), "from cap to cap")
+            .required();
+        return s;
+    }();
+    return spec;
+}
+
+/// The hull about its centre of mass: what `at` places is the origin of the points.
+void set_hull(ObjectSection& object, const std::vector<Vec3>& points) {
+    const std::optional<sim::Polyhedron> hull = sim::convex_hull(points);
+    if (!hull) {
+        object.shape = render::MeshShape{};
+        return;
+    }
+    object.centre = sim::mass_properties(*hull).centre;
+    sim::Polyhedron about_centre = *hull;
+    for (Vec3& vertex : about_centre.vertices) {
+        vertex -= object.centre;
+    }
+    object.shape = hull_mesh(about_centre);
+    object.solid = sim::ConvexHull{about_centre.vertices};
+}
+
+void add_solids(MapSpec<ObjectSection>& s) {
+    s.set(
+        "capsule", record(capsule_spec()),
+        [](ObjectSection& object, const sim::Capsule& capsule) {
+            object.shape = capsule_mesh(capsule);
+            object.solid = capsule;
+        },
+        "a cylinder with round ends, its axis along z");
+    s.set(
+        "cylinder", record(cylinder_spec()),
+        [](ObjectSection& object, const sim::Cylinder& cylinder) {
+            object.shape = cylinder_mesh(cylinder);
+            object.solid = cylinder;
+        },
+        "its axis along z");
+    s.set("hull", list_of(vector3(Dimension::length, between(-1000, 1000)), 4, 1000), set_hull,
+          "the convex hull of points, four or more that are not in a plane");
+}
+
 void add_shapes(MapSpec<ObjectSection>& s) {
     add_shape(
         s, "box", vector3(Dimension::length, above_up_to(0, 1000)),
@@ -108,14 +170,22 @@ void add_shapes(MapSpec<ObjectSection>& s) {
             return mesh;
         },
         "an OBJ file");
-    s.exactly_one_of({"box", "sphere", "rectangle", "plane", "mesh"});
+    add_solids(s);
+    s.exactly_one_of(
+        {"box", "sphere", "rectangle", "plane", "mesh", "capsule", "cylinder", "hull"});
 }
 
 void note_shape_place(Reader& reader, const Node& node, ObjectSection& object) {
-    for (const char* key : {"box", "sphere", "rectangle", "plane", "mesh"}) {
+    for (const char* key :
+         {"box", "sphere", "rectangle", "plane", "mesh", "capsule", "cylinder", "hull"}) {
         if (const Entry* entry = node.find(key)) {
             object.shape_place = entry->key_place;
         }
+    }
+    if (node.find("hull") != nullptr && object.shape && !object.solid) {
+        reader.error(object.shape_place, "the points of " + reader.label() +
+                                             " lie in a plane: a hull needs four that do not");
+        object.shape.reset();
     }
     const Entry* scale = node.find("scale");
     if (scale != nullptr && node.find("mesh") == nullptr) {

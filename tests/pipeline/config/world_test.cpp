@@ -232,5 +232,47 @@ TEST(Events, OtherKinds_FillEveryField) {
     EXPECT_EQ(events[4].trigger->to, Vec2(1, -3));
 }
 
+TEST(Objects, Solids_CollideAsTheyAreSeen) {
+    const Shot shot = load_sections(
+        "objects:\n"
+        "  roller: {cylinder: {radius: 2 cm, height: 10 cm}, at: [0, 0, 1],\n"
+        "           physics: {density: 800}}\n"
+        "  pill: {capsule: {radius: 2 cm, length: 6 cm}, at: [1, 0, 1], physics: {mass: 0.1}}\n"
+        "  post: {cylinder: {radius: 5 cm, height: 1 m}, physics: fixed}\n"
+        "  wedge: {hull: [[0, 0, 0], [0.3, 0, 0], [0, 0.3, 0], [0, 0, 0.3]], at: [2, 0, 1],\n"
+        "          rotate: [0, 0, 90 deg], physics: {density: 600}}\n");
+    const auto& cylinder = std::get<sim::Cylinder>(body(shot, "roller").shape);
+    EXPECT_EQ(cylinder.radius, 0.02);
+    EXPECT_EQ(cylinder.height, 0.1);
+    EXPECT_NEAR(body(shot, "roller").mass, 800 * 3.14159265358979 * 0.02 * 0.02 * 0.1, 1e-9);
+    EXPECT_EQ(std::get<sim::Capsule>(body(shot, "pill").shape).length, 0.06);
+    EXPECT_EQ(body(shot, "pill").mass, 0.1);
+    EXPECT_EQ(body(shot, "post").kind, sim::BodyKind::fixed);
+    // A hull's track is that of its centre of mass, and its mesh lies about it.
+    EXPECT_NEAR(body(shot, "wedge").mass, 600 * 0.3 * 0.3 * 0.3 / 6, 1e-12);
+    EXPECT_LT((body(shot, "wedge").pose.position - Vec3(2 - 0.075, 0.075, 1.075)).length(), 1e-12);
+    EXPECT_TRUE(find_problems(shot.world).empty());
+    for (const render::ObjectDescription& object : shot.scene.objects) {
+        if (object.name != "roller" && object.name != "pill" && object.name != "wedge") {
+            continue;
+        }
+        EXPECT_EQ(object.track, object.name);
+        const auto& mesh = std::get<render::MeshShape>(object.shape);
+        ASSERT_EQ(mesh.normals.size(), mesh.vertices.size());
+        double volume = 0;
+        for (const auto& t : mesh.triangles) {
+            const Vec3& a = mesh.vertices[t[0]];
+            const Vec3& b = mesh.vertices[t[1]];
+            const Vec3& c = mesh.vertices[t[2]];
+            volume += a.dot(b.cross(c)) / 6;
+            EXPECT_GT((b - a).cross(c - a).dot(mesh.normals[t[0]]), 0);
+        }
+        const double expected = object.name == "wedge"    ? 0.0045
+                                : object.name == "roller" ? 4e-4 * 0.1 * 3.14159265358979
+                                                          : 4e-4 * 0.086666666 * 3.14159265358979;
+        EXPECT_NEAR(volume / expected, 1, 2e-3) << object.name;
+    }
+}
+
 }  // namespace
 }  // namespace carom::pipeline

@@ -1,0 +1,104 @@
+#include "pipeline/shot/solid_mesh.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace carom::pipeline {
+namespace {
+
+constexpr std::uint32_t kSides = 96;
+constexpr int kRingsPerEnd = 24;
+constexpr double kPi = 3.14159265358979323846;
+
+Vec3 around(std::uint32_t side) {
+    const double angle = 2 * kPi * side / kSides;
+    return {std::cos(angle), std::sin(angle), 0};
+}
+
+void add_ring(render::MeshShape& mesh, double radius, double z, double slope) {
+    for (std::uint32_t i = 0; i < kSides; ++i) {
+        const Vec3 out = around(i);
+        mesh.vertices.push_back(out * radius + Vec3(0, 0, z));
+        mesh.normals.push_back(out * std::cos(slope) + Vec3(0, 0, std::sin(slope)));
+    }
+}
+
+/// Joins the last two rings.
+void join_rings(render::MeshShape& mesh) {
+    const auto upper = static_cast<std::uint32_t>(mesh.vertices.size()) - kSides;
+    const std::uint32_t lower = upper - kSides;
+    for (std::uint32_t i = 0; i < kSides; ++i) {
+        const std::uint32_t next = (i + 1) % kSides;
+        mesh.triangles.push_back({lower + i, lower + next, upper + next});
+        mesh.triangles.push_back({lower + i, upper + next, upper + i});
+    }
+}
+
+/// A flat side of its own vertices.
+void add_side(render::MeshShape& mesh, const std::vector<Vec3>& corners, const Vec3& normal) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const Vec3& corner : corners) {
+        mesh.vertices.push_back(corner);
+        mesh.normals.push_back(normal);
+    }
+    for (std::uint32_t i = 2; i < corners.size(); ++i) {
+        mesh.triangles.push_back({first, first + i - 1, first + i});
+    }
+}
+
+}  // namespace
+
+render::MeshShape cylinder_mesh(const sim::Cylinder& cylinder) {
+    render::MeshShape mesh;
+    const double half = 0.5 * cylinder.height;
+    add_ring(mesh, cylinder.radius, -half, 0);
+    add_ring(mesh, cylinder.radius, half, 0);
+    join_rings(mesh);
+    std::vector<Vec3> top;
+    std::vector<Vec3> bottom;
+    for (std::uint32_t i = 0; i < kSides; ++i) {
+        top.push_back(around(i) * cylinder.radius + Vec3(0, 0, half));
+        bottom.push_back(around(kSides - 1 - i) * cylinder.radius + Vec3(0, 0, -half));
+    }
+    add_side(mesh, top, {0, 0, 1});
+    add_side(mesh, bottom, {0, 0, -1});
+    return mesh;
+}
+
+render::MeshShape capsule_mesh(const sim::Capsule& capsule) {
+    render::MeshShape mesh;
+    // From pole to pole; the rings at the poles have no extent.
+    for (const double end : {-1.0, 1.0}) {
+        for (int i = 0; i <= kRingsPerEnd; ++i) {
+            const int step = end < 0 ? i - kRingsPerEnd : i;
+            const double slope = 0.5 * kPi * step / kRingsPerEnd;
+            const bool is_pole = step == -kRingsPerEnd || step == kRingsPerEnd;
+            add_ring(mesh, is_pole ? 0 : capsule.radius * std::cos(slope),
+                     0.5 * end * capsule.length + capsule.radius * std::sin(slope), slope);
+            if (mesh.vertices.size() > kSides) {
+                join_rings(mesh);
+            }
+        }
+    }
+    // Triangles at the poles have two corners in one place.
+    std::erase_if(mesh.triangles, [&](const auto& t) {
+        return mesh.vertices[t[0]] == mesh.vertices[t[1]] ||
+               mesh.vertices[t[1]] == mesh.vertices[t[2]] ||
+               mesh.vertices[t[2]] == mesh.vertices[t[0]];
+    });
+    return mesh;
+}
+
+render::MeshShape hull_mesh(const sim::Polyhedron& hull) {
+    render::MeshShape mesh;
+    for (const sim::PolyhedronFace& face : hull.faces) {
+        std::vector<Vec3> corners;
+        for (const std::uint32_t corner : face.corners) {
+            corners.push_back(hull.vertices[corner]);
+        }
+        add_side(mesh, corners, face.normal);
+    }
+    return mesh;
+}
+
+}  // namespace carom::pipeline
