@@ -101,8 +101,31 @@ void offer_cloth(const Ball& ball, const billiards::TableGeometry* table,
         deepest.offer(ball.radius - ball.centre.z, kRoundOff, "the cloth");
 }
 
-/// Cushion tops, rails and pockets, as far as their surfaces go.
-StaticMesh table_mesh(const billiards::TableGeometry& table, std::vector<std::string>& names) {
+std::vector<Aabb> boxes_around_balls(const WorldDescription& world) {
+    std::vector<Aabb> boxes;
+    for (const Body& body : world.bodies) {
+        const auto* sphere = std::get_if<Sphere>(&body.shape);
+        if (sphere == nullptr || body.kind == BodyKind::fixed)
+            continue;
+        boxes.push_back({body.pose.position, body.pose.position});
+        boxes.back().grow(sphere->radius);
+    }
+    return boxes;
+}
+
+bool is_near_any(const billiards::Surface& surface, const std::vector<Aabb>& balls) {
+    if (surface.vertices.empty())
+        return false;
+    Aabb bounds{surface.vertices[0], surface.vertices[0]};
+    for (const Vec3& vertex : surface.vertices)
+        bounds.extend(vertex);
+    return std::any_of(balls.begin(), balls.end(),
+                       [&](const Aabb& ball) { return ball.overlaps(bounds); });
+}
+
+/// Cushion tops, rails and pockets near balls, as far as their surfaces go.
+StaticMesh table_mesh(const billiards::TableGeometry& table, const std::vector<Aabb>& balls,
+                      std::vector<std::string>& names) {
     StaticMesh mesh;
     for (const billiards::Surface& surface : table.surfaces) {
         using billiards::SurfacePart;
@@ -113,7 +136,7 @@ StaticMesh table_mesh(const billiards::TableGeometry& table, std::vector<std::st
             name = "a rail";
         if (surface.part == SurfacePart::pocket_liner || surface.part == SurfacePart::pocket_floor)
             name = "a pocket";
-        if (name.empty())
+        if (name.empty() || !is_near_any(surface, balls))
             continue;
         mesh.add(surface.vertices, surface.triangles, static_cast<std::uint32_t>(names.size()));
         names.push_back(name);
@@ -167,7 +190,9 @@ std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,
                                               const billiards::TableGeometry* table) {
     std::vector<std::string> table_names;
     std::vector<std::string> scenery_names;
-    const StaticMesh drawn = table != nullptr ? table_mesh(*table, table_names) : StaticMesh();
+    const StaticMesh drawn = table != nullptr
+                                 ? table_mesh(*table, boxes_around_balls(world), table_names)
+                                 : StaticMesh();
     const StaticMesh scenery = scenery_mesh(world, scenery_names);
     std::vector<StartOverlap> overlaps;
     for (const Body& body : world.bodies) {

@@ -1,5 +1,6 @@
 #include "pocket_shots.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "shots.h"
@@ -7,31 +8,9 @@
 namespace carom::sim::test {
 namespace {
 
-constexpr double kAway = 0.5;      // m
-constexpr double kFarthest = 0.08;  // m
-constexpr double kLook = 0.004;
-
-/// From 0 outwards on the side of `sign`: the last offset that drops before the first that misses.
-double edge(const PocketTable& table, const billiards::PocketLayout& pocket, PocketShot shot,
-            double sign, double& beyond) {
-    const auto drops_at = [&](double offset) {
-        shot.offset = sign * offset;
-        return drops(table, pocket, shot);
-    };
-    double inside = 0;
-    double outside = kLook;
-    while (outside <= kFarthest && drops_at(outside)) {
-        inside = outside;
-        outside += kLook;
-    }
-    for (double offset = outside + kLook; offset <= kFarthest; offset += kLook)
-        beyond += drops_at(offset) ? kLook : 0;
-    while (outside - inside > 1e-4) {
-        const double middle = 0.5 * (inside + outside);
-        (drops_at(middle) ? inside : outside) = middle;
-    }
-    return sign * inside;
-}
+constexpr double kAway = 0.5;  // m
+constexpr int kLooks = 13;     // to both sides of the middle
+constexpr double kApart = 0.005;
 
 }  // namespace
 
@@ -72,12 +51,43 @@ bool drops(const PocketTable& table, const billiards::PocketLayout& pocket,
 
 Opening find_opening(const PocketTable& table, const billiards::PocketLayout& pocket, double speed,
                      double angle) {
-    Opening opening;
-    const PocketShot shot{speed, angle, 0};
-    if (!drops(table, pocket, shot))
-        return opening;
-    opening.high = edge(table, pocket, shot, 1, opening.beyond);
-    opening.low = edge(table, pocket, shot, -1, opening.beyond);
+    const auto drops_at = [&](double offset) {
+        return drops(table, pocket, {speed, angle, offset});
+    };
+    // The longest row of offsets that drop.
+    std::vector<int> dropping;
+    int first = 0;
+    int count = 0;
+    int row = 0;
+    for (int i = -kLooks; i <= kLooks; ++i) {
+        const bool is_in = drops_at(i * kApart);
+        if (is_in)
+            dropping.push_back(i);
+        row = is_in ? row + 1 : 0;
+        if (row > count) {
+            count = row;
+            first = i - row + 1;
+        }
+    }
+    if (count == 0)
+        return {};
+    const auto edge = [&](double inside, double outside) {
+        while (std::abs(outside - inside) > 1e-4) {
+            const double middle = 0.5 * (inside + outside);
+            (drops_at(middle) ? inside : outside) = middle;
+        }
+        return inside;
+    };
+    const int last = first + count - 1;
+    Opening opening{edge(first * kApart, (first - 1) * kApart),
+                    edge(last * kApart, (last + 1) * kApart)};
+    for (const int i : dropping) {
+        if (i >= first && i <= last)
+            continue;
+        const double width =
+            edge(i * kApart, (i + 1) * kApart) - edge(i * kApart, (i - 1) * kApart);
+        opening.beyond = std::max(opening.beyond, width);
+    }
     return opening;
 }
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/billiards/layout.h"
 #include "sim/bake.h"
+#include "sim/billiards/layout.h"
 
 namespace carom::sim::test {
 
@@ -29,9 +29,8 @@ struct PocketShot {
 [[nodiscard]] bool drops(const PocketTable& table, const billiards::PocketLayout& pocket,
                          const PocketShot& shot);
 
-/// The offsets around 0 between which it drops, to within 0.1 mm. `low` is at most 0, `high` at
-/// least 0; both are 0 if it does not drop at 0. `beyond`: how much (m) of what lies outside, up to
-/// 80 mm to both sides, drops in spite of that (looked at every 4 mm).
+/// The offsets between which it drops, to within 0.1 mm: the longest row of such out to 65 mm to
+/// both sides. `beyond`: the widest gap (m) found outside through which balls drop all the same.
 struct Opening {
     double low = 0, high = 0;
     double beyond = 0;

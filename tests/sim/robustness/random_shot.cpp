@@ -40,6 +40,8 @@ class Dice {
     std::uint64_t state_;
 };
 
+constexpr double kLargestSolid = 0.11;  // half its diagonal, m
+
 struct Game {
     TableKind kind;
     const char* size;
@@ -69,7 +71,7 @@ class ShotMaker {
         for (int i = 0; i < loose; ++i)
             add_ball("loose" + std::to_string(i));
         if (dice_.one_in(8))
-            add_boxes();
+            add_solids();
         if (dice_.one_in(3))
             set_going();
         const int count = 1 + dice_.below(4);
@@ -140,9 +142,8 @@ class ShotMaker {
     [[nodiscard]] bool is_free(const Vec3& place) const {
         return std::all_of(world_.bodies.begin(), world_.bodies.end(), [&](const Body& other) {
             const Vec3 d = other.pose.position - place;
-            const auto* box = std::get_if<Box>(&other.shape);
-            const double reach =
-                game_.radius + (box != nullptr ? 0.5 * box->size.length() : game_.radius);
+            const bool is_ball = std::holds_alternative<Sphere>(other.shape);
+            const double reach = game_.radius + (is_ball ? game_.radius : kLargestSolid);
             return d.dot(d) >= reach * reach;
         });
     }
@@ -163,20 +164,43 @@ class ShotMaker {
         }
     }
 
-    void add_boxes() {
+    /// A box, or something else that fits into one of that size and is as high.
+    BodyShape solid(const Vec3& size) {
+        const double radius = 0.5 * std::min({size.x, size.y, 0.9 * size.z});
+        switch (dice_.below(6)) {
+            case 0:
+                return Capsule{radius, size.z - 2 * radius};
+            case 1:
+                return Cylinder{radius, size.z};
+            case 2: {  // an octahedron
+                ConvexHull hull;
+                for (int axis = 0; axis < 3; ++axis) {
+                    for (const double side : {-0.5, 0.5}) {
+                        hull.points.emplace_back(0, 0, 0);
+                        hull.points.back()[axis] = side * size[axis];
+                    }
+                }
+                return hull;
+            }
+            default:
+                return Box{size};
+        }
+    }
+
+    void add_solids() {
         const int count = 1 + dice_.below(3);
         for (int i = 0; i < count; ++i) {
             Body body;
-            body.name = "box" + std::to_string(i);
-            Box box;
+            body.name = "solid" + std::to_string(i);
+            Vec3 size(0, 0, 0);
             for (int axis = 0; axis < 3; ++axis)
-                box.size[axis] = dice_.between(0.02, 0.12);
-            body.shape = box;
+                size[axis] = dice_.between(0.02, 0.12);
+            body.shape = solid(size);
             body.mass = dice_.between(0.05, 1);
             body.material = "wood";
             Vec3 place = dice_.vector(0.3 * world_.table->length, 0.3 * world_.table->width, 0);
-            place.z = 0.5 * box.size.z + (dice_.one_in(2) ? 0 : dice_.between(0.05, 0.3));
-            const double reach = 0.5 * box.size.length() + 0.05;
+            place.z = 0.5 * size.z + (dice_.one_in(2) ? 0 : dice_.between(0.05, 0.3));
+            const double reach = 0.5 * size.length() + 0.05;
             const bool fits =
                 std::all_of(world_.bodies.begin(), world_.bodies.end(), [&](const Body& other) {
                     const Vec3 d = other.pose.position - place;
