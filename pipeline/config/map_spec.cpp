@@ -13,6 +13,7 @@ constexpr std::size_t kMostListedKeys = 12;
 
 std::vector<std::string> quoted(const std::vector<std::string>& words) {
     std::vector<std::string> result;
+    result.reserve(words.size());
     for (const std::string& word : words) {
         result.push_back("'" + word + "'");
     }

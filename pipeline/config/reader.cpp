@@ -34,7 +34,7 @@ std::string Reader::value_name() const {
         if (!step->key.empty()) {
             return "'" + step->key + text + "'";
         }
-        text = "[" + std::to_string(step->index) + "]" + text;
+        text.insert(0, "[" + std::to_string(step->index) + "]");
     }
     return "the shot";
 }

@@ -247,7 +247,7 @@ struct Named {
 
 /// A list of maps of keys, called "camera 1" or, by its key `name`, "camera 'opening'".
 template <class T>
-ValueType<std::vector<T>> numbered(std::string noun, const MapSpec<T>& spec) {
+ValueType<std::vector<T>> numbered(const std::string& noun, const MapSpec<T>& spec) {
     ValueType<std::vector<T>> result;
     result.info.kind = TypeInfo::Kind::list;
     result.info.noun = noun;
@@ -276,7 +276,7 @@ ValueType<std::vector<T>> numbered(std::string noun, const MapSpec<T>& spec) {
 
 /// A map from names to maps of keys, in the order of the file. `noun` is "ball", "light" ...
 template <class T>
-ValueType<std::vector<Named<T>>> named(std::string noun, const MapSpec<T>& spec) {
+ValueType<std::vector<Named<T>>> named(const std::string& noun, const MapSpec<T>& spec) {
     ValueType<std::vector<Named<T>>> result;
     result.info.kind = TypeInfo::Kind::named;
     result.info.noun = noun;

@@ -140,17 +140,28 @@ class Mesh {
         ++flip_count_;
     }
 
+    /// A side that has the point beyond it, or -1: the triangle holds the point.
+    [[nodiscard]] int side_before(const Triangle& triangle, const Vec2& point) const {
+        for (int side = 0; side < 3; ++side)
+            if (doubled_area(points_[triangle.corners[next(side)]],
+                             points_[triangle.corners[next(next(side))]], point) < 0)
+                return side;
+        return -1;
+    }
+
+    /// Walks from the last triangle found towards the point (Lawson 1977), which mostly lies near;
+    /// looks at all where a hole or the outline is in the way.
     [[nodiscard]] Index triangle_at(const Vec2& point) {
-        const auto contains = [&](const Triangle& triangle) {
-            for (int side = 0; side < 3; ++side)
-                if (doubled_area(points_[triangle.corners[side]],
-                                 points_[triangle.corners[next(side)]], point) < 0)
-                    return false;
-            return true;
-        };
-        for (Index index = 0; index < triangles_.size(); ++index)
-            if (contains(triangles_[index]))
-                return index;
+        Index index = last_found_;
+        for (std::size_t step = 0; step < triangles_.size() && index != kNone; ++step) {
+            const int side = side_before(triangles_[index], point);
+            if (side < 0)
+                return last_found_ = index;
+            index = triangles_[index].across[side];
+        }
+        for (index = 0; index < triangles_.size(); ++index)
+            if (side_before(triangles_[index], point) < 0)
+                return last_found_ = index;
         return kNone;
     }
 
@@ -173,6 +184,7 @@ class Mesh {
 
     std::vector<Vec2> points_;
     std::vector<Triangle> triangles_;
+    Index last_found_ = 0;
     std::size_t flip_count_ = 0;
 };
 

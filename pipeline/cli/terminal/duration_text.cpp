@@ -31,7 +31,7 @@ std::string duration_text(double seconds) {
         return two_units(whole / 60, "min", whole % 60, "s");
     }
     const long long minutes = std::llround(seconds / 60);
-    if (minutes < 24 * 60) {
+    if (minutes < 24LL * 60) {
         return two_units(minutes / 60, "h", minutes % 60, "min");
     }
     const long long hours = std::llround(seconds / 3600);

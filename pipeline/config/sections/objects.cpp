@@ -23,9 +23,9 @@ const MapSpec<AxisAngle>& axis_angle_spec() {
             .required();
         s.check([](Reader& reader, const Node& node, AxisAngle& value) {
             if (value.axis.length() < 1e-9) {
-                reader.error(
-                    node.find("axis") != nullptr ? node.find("axis")->value.place : node.place,
-                    "'axis' must have a length");
+                const Entry* axis = node.find("axis");
+                reader.error(axis != nullptr ? axis->value.place : node.place,
+                             "'axis' must have a length");
                 value.axis = {0, 0, 1};
             }
         });

@@ -1,0 +1,32 @@
+// What the fuzzer started from and what it found: each file is a shot or has errors.
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/config/load_shot.h"
+
+namespace carom::pipeline {
+namespace {
+
+TEST(FuzzCorpus, EveryFile_IsAShotThatLoadsAgainOrHasErrors) {
+    int files = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(CAROM_SOURCE_DIR "/tests/fuzz/corpus/yaml")) {
+        ++files;
+        std::ifstream file(entry.path());
+        std::stringstream text;
+        text << file.rdbuf();
+        const LoadResult result = load_shot_text(text.str(), "/nowhere/fuzz.yaml");
+        EXPECT_NE(result.shot.has_value(), has_errors(result.problems)) << entry.path();
+        if (result.shot) {
+            EXPECT_TRUE(load_shot_text(result.shot->resolved_text, "/nowhere/again.yaml").shot)
+                << entry.path();
+        }
+    }
+    EXPECT_GE(files, 6);
+}
+
+}  // namespace
+}  // namespace carom::pipeline
