@@ -10,7 +10,7 @@ constexpr double kSleepSpeed = 0.01;
 constexpr double kBallSleepDelay = 0.1;
 constexpr double kBoxSleepDelay = 0.12;
 /// A sleeper wakes when something comes against it faster than this (m/s).
-constexpr double kWakeSpeed = 0.015;
+constexpr double kWakeSpeed = 0.01;
 
 double length(const Vec3& v) {
     return std::sqrt(v.dot(v));

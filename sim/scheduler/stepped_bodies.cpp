@@ -186,7 +186,6 @@ void SteppedBodies::change_box(std::uint32_t number, double time, const Vec3& ve
     if (!body.is_awake)
         sleep_.wake(body, time);
     body.slow_since = time;
-    sleep_.wake_near(body.state.position, body.reach(), time);
 }
 
 void SteppedBodies::add_energy(EnergySample& sample) const {
