@@ -42,17 +42,19 @@ WorldDescription break_of(billiards::RackKind kind, double duration) {
     return world;
 }
 
-/// `count` balls on a table of 0.2 m^2 of cloth each (16 on one of 9 ft), with cushions and without
-/// pockets, set going at random.
-WorldDescription crowd(int count, double duration) {
+/// `count` balls on a table of 0.2 m^2 of cloth each (16 on one of 9 ft) with cushions, set going
+/// at random.
+WorldDescription crowd(int count, double duration, bool has_pockets) {
     WorldDescription world;
     world.duration = duration;
     world.table = billiards::standard_table(billiards::TableKind::pool, "9 ft");
     world.table->kind = billiards::TableKind::custom;
     world.table->width = std::sqrt(0.1 * count);
     world.table->length = 2 * world.table->width;
-    world.table->corner_pocket.reset();
-    world.table->side_pocket.reset();
+    if (!has_pockets) {
+        world.table->corner_pocket.reset();
+        world.table->side_pocket.reset();
+    }
     const int rows = static_cast<int>(std::sqrt(count / 2.0));
     const int columns = (count + rows - 1) / rows;
     const Vec2 step(world.table->length / columns, world.table->width / rows);
@@ -74,8 +76,8 @@ WorldDescription crowd(int count, double duration) {
     return world;
 }
 
-void growth(benchmark::State& state) {
-    const WorldDescription world = crowd(static_cast<int>(state.range(0)), 4);
+void growth(benchmark::State& state, bool has_pockets) {
+    const WorldDescription world = crowd(static_cast<int>(state.range(0)), 4, has_pockets);
     std::size_t impacts = 0;
     for (auto _ : state) {
         const BakeResult result = bake(world);
@@ -83,7 +85,7 @@ void growth(benchmark::State& state) {
         bool has_left = false;
         for (const Event& event : result.timeline.events) {
             impacts += event.kind == EventKind::impact ? 1 : 0;
-            has_left = has_left || event.kind == EventKind::airborne;
+            has_left = has_left || (!has_pockets && event.kind == EventKind::airborne);
         }
         if (!result.warnings.empty() || has_left || impacts < world.bodies.size())
             state.SkipWithError("the crowd went wrong");
@@ -115,4 +117,11 @@ BENCHMARK_CAPTURE(break_shot, nine_ball, billiards::RackKind::nine_ball)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(break_shot, fifteen_ball, billiards::RackKind::fifteen_ball)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK(growth)->Arg(16)->Arg(64)->Arg(256)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(growth, cushions, false)
+    ->RangeMultiplier(4)
+    ->Range(16, 1024)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(growth, cushions_and_pockets, true)
+    ->RangeMultiplier(4)
+    ->Range(16, 1024)
+    ->Unit(benchmark::kMillisecond);

@@ -36,6 +36,13 @@ void Aabb::grow(double margin) {
     high += Vec3(margin);
 }
 
+double Aabb::squared_distance(const Vec3& point) const {
+    const Vec3 nearest(std::clamp(point.x, low.x, high.x), std::clamp(point.y, low.y, high.y),
+                       std::clamp(point.z, low.z, high.z));
+    const Vec3 d = point - nearest;
+    return d.dot(d);
+}
+
 AabbTree::AabbTree(std::vector<Aabb> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
     if (boxes_.empty())
         return;
@@ -70,6 +77,15 @@ void AabbTree::split(std::uint32_t node, std::uint32_t begin, std::uint32_t end)
 }
 
 void AabbTree::query(const Aabb& box, std::vector<std::uint32_t>& found) const {
+    walk([&](const Aabb& candidate) { return candidate.overlaps(box); }, found);
+}
+
+void AabbTree::query(const Vec3& point, double reach, std::vector<std::uint32_t>& found) const {
+    walk([&](const Aabb& box) { return box.squared_distance(point) <= reach * reach; }, found);
+}
+
+template <class Meets>
+void AabbTree::walk(const Meets& meets, std::vector<std::uint32_t>& found) const {
     found.clear();
     if (nodes_.empty())
         return;
@@ -78,7 +94,7 @@ void AabbTree::query(const Aabb& box, std::vector<std::uint32_t>& found) const {
     stack[depth++] = 0;
     while (depth > 0) {
         const Node& node = nodes_[stack[--depth]];
-        if (!node.box.overlaps(box))
+        if (!meets(node.box))
             continue;
         if (node.count == 0) {
             stack[depth++] = node.first;
@@ -86,7 +102,7 @@ void AabbTree::query(const Aabb& box, std::vector<std::uint32_t>& found) const {
             continue;
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            if (boxes_[order_[i]].overlaps(box))
+            if (meets(boxes_[order_[i]]))
                 found.push_back(order_[i]);
         }
     }

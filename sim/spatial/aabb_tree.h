@@ -15,6 +15,8 @@ struct Aabb {
     void extend(const Vec3& point);
     void extend(const Aabb& box);
     void grow(double margin);
+    /// 0 inside.
+    [[nodiscard]] double squared_distance(const Vec3& point) const;
     [[nodiscard]] bool overlaps(const Aabb& other) const {
         return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
                other.low.y <= high.y && low.z <= other.high.z && other.low.z <= high.z;
@@ -28,6 +30,8 @@ class AabbTree {
 
     /// The indices of all boxes that overlap `box`, ascending; `found` is emptied first.
     void query(const Aabb& box, std::vector<std::uint32_t>& found) const;
+    /// The same for boxes that come within `reach` of a point.
+    void query(const Vec3& point, double reach, std::vector<std::uint32_t>& found) const;
 
   private:
     struct Node {
@@ -35,6 +39,8 @@ class AabbTree {
         std::uint32_t first = 0;  // inner: the left child, whose neighbour is the right one
         std::uint32_t count = 0;  // leaf: how many of order_ from `first`; inner: 0
     };
+    template <class Meets>
+    void walk(const Meets& meets, std::vector<std::uint32_t>& found) const;
     void split(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
 
     std::vector<Aabb> boxes_;

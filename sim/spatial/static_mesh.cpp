@@ -146,15 +146,14 @@ SurfaceContact StaticMesh::contact(std::uint32_t feature, const Vec3& centre, do
 
 std::vector<SurfaceContact> StaticMesh::contacts(const Vec3& centre, double radius,
                                                  double margin) const {
-    Aabb bounds{centre, centre};
-    bounds.grow(radius + margin);
+    const double reach = (radius + margin) * (1 + 1e-12);
     std::vector<std::uint32_t> near;
     std::vector<SurfaceContact> found;
     for (Part& part : parts_) {
-        if (!part.bounds.overlaps(bounds))
+        if (part.bounds.squared_distance(centre) > reach * reach)
             continue;
         make_ready(part);
-        part.tree.query(bounds, near);
+        part.tree.query(centre, reach, near);
         for (const std::uint32_t index : near) {
             SurfaceContact candidate = contact_with(part.features[index], centre, radius);
             candidate.surface = part.surface;

@@ -8,7 +8,8 @@
 namespace carom::sim::test {
 
 /// The shot of that number: a random table with random balls, racked or strewn about, at speeds up
-/// to 15 m/s, boxes and other solids now and then, and force events of every kind. It has no problems.
+/// to 15 m/s, boxes and other solids now and then, and force events of every kind. It has no
+/// problems.
 [[nodiscard]] WorldDescription random_shot(std::uint64_t number);
 
 }  // namespace carom::sim::test
