@@ -14,7 +14,11 @@ namespace {
 /// What strikes or meets may overlap by this much (m) at a step's end; else the step is shortened
 /// to when it does by between a quarter of this and this.
 constexpr double kTouchDepth = 4e-6;
-/// No step is made shorter than this (s) for that reason.
+/// Lasting contacts may get deeper by this much (m) in the first half of a step; else the step is
+/// halved, up to so many times.
+constexpr double kSinking = 3e-6;
+constexpr int kMostHalvings = 4;
+/// No step is made shorter than this (s) for what strikes.
 constexpr double kShortestStep = 1e-5;
 
 }  // namespace
@@ -24,18 +28,36 @@ void StepTrial::attempt(double start, double end) {
     end_ = end;
     placed_ = bodies_;
     choose_moving();
+    go_half_way();
+    for (int i = 0; i < kMostHalvings && sinking() > kSinking; ++i) {
+        end_ = start + 0.5 * (end_ - start);
+        go_half_way();
+    }
     solve();
-    const double whole = end - start;
+    const double whole = end_ - start;
     const double share = share_until_touch();
     if (share < 1) {
         end_ = start + std::max(share * whole, std::min(kShortestStep, whole));
+        go_half_way();
         solve();
     }
+}
+
+/// How deep lasting contacts get in the first half of the step: what rolls on a rim or a corner
+/// turns away from the contact that it had before.
+double StepTrial::sinking() const {
+    double most = 0;
+    for (const FoundContact& found : contacts_) {
+        if (found.contact.depth > 0)
+            most = std::max(most, approach_speed(placed_, found) * 0.5 * (end_ - start_));
+    }
+    return most;
 }
 
 bool StepTrial::shorten(double end) {
     if (end < end_ && end > start_) {
         end_ = end;
+        go_half_way();
         solve();
     }
     return end > start_;
@@ -49,7 +71,7 @@ void StepTrial::choose_moving() {
     }
 }
 
-void StepTrial::solve() {
+void StepTrial::go_half_way() {
     middles_.clear();
     for (const int number : moving_) {
         StepBody& body = placed_[static_cast<std::size_t>(number)];
@@ -64,6 +86,9 @@ void StepTrial::solve() {
         found.contact.restitution = 0;
         step_contacts_.push_back(found.contact);
     }
+}
+
+void StepTrial::solve() {
     world_.step(end_ - start_, gravity_, moving_, middles_, step_contacts_, motions_, impulses_);
 }
 

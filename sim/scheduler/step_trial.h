@@ -33,8 +33,10 @@ class StepTrial {
 
   private:
     void choose_moving();
+    void go_half_way();
     void solve();
     void drop_blows();
+    [[nodiscard]] double sinking() const;
     [[nodiscard]] double share_until_touch();
     void place_at(double share);
 

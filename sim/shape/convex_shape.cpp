@@ -210,10 +210,9 @@ void ConvexShape::resting_points(const Vec3& down, std::vector<Vec3>& points) co
         return;
     }
     const Vec3 u = level_direction(down) * radius_;
-    const Vec3 w(-u.y, u.x, 0);
     for (const double end : {-1.0, 1.0}) {
-        for (const Vec3& rim : {u, w, -u, -w})
-            points.push_back(rim + Vec3(0, 0, end * half_size_.z));
+        for (const Vec2& c : circle())
+            points.emplace_back(u.x * c.x - u.y * c.y, u.y * c.x + u.x * c.y, end * half_size_.z);
     }
 }
 

@@ -153,39 +153,43 @@ Separation separation_of(const PlacedShape& a, const PlacedShape& b,
 
 }  // namespace
 
-/// The farthest from the middle, the farthest from that, and the farthest from their line on either
-/// side; points along a line are two.
+/// The deepest (of those as deep the farthest from the middle), the farthest from that, and the
+/// farthest from their line on either side; points along a line are two.
 void thin_out(std::vector<ConvexContact>& contacts) {
     if (contacts.size() <= 2)
         return;
+    constexpr double kAsDeep = 1e-7;  // m
     Vec3 middle(0, 0, 0);
-    for (const ConvexContact& c : contacts)
+    double deepest = contacts.front().depth;
+    for (const ConvexContact& c : contacts) {
         middle += c.point / static_cast<double>(contacts.size());
+        deepest = std::max(deepest, c.depth);
+    }
     const auto largest = [&](const auto& measure) {
         return *std::max_element(contacts.begin(), contacts.end(),
                                  [&](const ConvexContact& a, const ConvexContact& b) {
-                                     return measure(a.point) < measure(b.point) - 1e-12;
+                                     return measure(a) < measure(b) - 1e-12;
                                  });
     };
-    const auto from = [](const Vec3& origin) {
-        return [origin](const Vec3& p) { return length(p - origin); };
-    };
-    const ConvexContact first = largest(from(middle));
-    const ConvexContact second = largest(from(first.point));
+    const ConvexContact first = largest([&](const ConvexContact& c) {
+        return c.depth > deepest - kAsDeep ? length(c.point - middle) : -1;
+    });
+    const ConvexContact second =
+        largest([&](const ConvexContact& c) { return length(c.point - first.point); });
     const Vec3 along = second.point - first.point;
     const Vec3 aside = first.normal.cross(along);
-    const auto left = [&](const Vec3& p) { return aside.dot(p - first.point); };
-    const auto right = [&](const Vec3& p) { return -aside.dot(p - first.point); };
+    const auto left = [&](const ConvexContact& c) { return aside.dot(c.point - first.point); };
+    const auto right = [&](const ConvexContact& c) { return -left(c); };
     const ConvexContact third = largest(left);
     const ConvexContact fourth = largest(right);
     constexpr double kSlender = 1e-3;  // of the line's length
     const double least = kSlender * along.dot(along);
     contacts = {first};
-    if (left(third.point) > least)
+    if (left(third) > least)
         contacts.push_back(third);
     if (along.dot(along) > 0)
         contacts.push_back(second);
-    if (right(fourth.point) > least)
+    if (right(fourth) > least)
         contacts.push_back(fourth);
 }
 
