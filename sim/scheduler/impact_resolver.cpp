@@ -60,6 +60,8 @@ void ImpactResolver::resolve(const Touch& touch) {
             return meet_surface(touch);
         case TouchKind::ground:
             return land(touch);
+        case TouchKind::slate_underside:
+            return meet_slate_from_below(touch);
         case TouchKind::below_cloth:
             return sink(touch);
         case TouchKind::stretch_end:
@@ -167,6 +169,14 @@ void ImpactResolver::meet_surface(const Touch& touch) {
         const SurfaceContact contact = mesh.contact(touch.second, centre, ball.radius);
         bounce(touch, contact, around_.surfaces[contact.surface]);
     }
+}
+
+/// It is as hard as the rails' wood.
+void ImpactResolver::meet_slate_from_below(const Touch& touch) {
+    const Ball& ball = balls_[touch.first];
+    const Vec3 down(0, 0, -1);
+    const Vec3 top = ball.stretch.position_at(touch.time) - down * ball.radius;
+    bounce(touch, {top, down, 0, 0}, {"rail", "rail"});
 }
 
 void ImpactResolver::bounce(const Touch& touch, const SurfaceContact& contact,

@@ -23,6 +23,7 @@ class ImpactResolver {
     void meet_box(const Touch& touch);
     void meet_cushion(const Touch& touch, const Vec2& nearest);
     void meet_surface(const Touch& touch);
+    void meet_slate_from_below(const Touch& touch);
     void enter_pocket(const Touch& touch);
     void sink(const Touch& touch);
     void land(const Touch& touch);

@@ -19,6 +19,9 @@ namespace carom::sim {
 /// A level surface that balls slide and roll on in closed form.
 enum class Ground { none, cloth, floor };
 
+/// Height of the slate's underside (m), as deep as the cloth is drawn around a pocket's edge.
+inline constexpr double kSlateUnderside = -0.025;
+
 /// What a triangle surface is called in the event log and which physical material it has.
 struct SurfaceInfo {
     std::string name;

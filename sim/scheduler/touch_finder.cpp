@@ -274,6 +274,12 @@ void TouchFinder::find_in_air(std::uint32_t index, double now, double until,
                          until));
     if (!around_.has_cushions)
         return;
+    if (height < kSlateUnderside - ball.radius + kDeepest) {
+        const auto time =
+            plane_touch(ball.stretch, Vec3(0, 0, kSlateUnderside), -kUp, ball.radius, now, until);
+        if (time && around_.is_over_cloth(ball.stretch.position_at(*time)))
+            push(queue, ball, index, TouchKind::slate_underside, 0, time);
+    }
     if (const auto touch = around_.table_mesh.first_touch(ball.stretch, ball.radius, now, until))
         push(queue, ball, index, TouchKind::table_feature, touch->feature, touch->time);
     for (std::size_t i = 0; i < around_.rims.size(); ++i) {

@@ -20,6 +20,7 @@ enum class TouchKind : std::uint8_t {
     fixed_sphere,     // it meets fixed sphere `second`
     fixed_solid,      // it meets fixed capsule or cylinder `second` of Surroundings::solids
     ground,           // it comes down on Ground `second`
+    slate_underside,  // coming up from the floor, it meets the slate from below
     below_cloth,      // its centre sinks below the cloth
     stretch_end,      // its law of motion changes
     line,             // body `first` (a number in SteppedBodies) crosses line `second` of LineWatch

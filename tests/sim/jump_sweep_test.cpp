@@ -128,5 +128,23 @@ TEST(Balls_DrivenOffTheTable, LandOnTheFloor) {
     }
 }
 
+// Found by random shots: a ball that bounces from the floor came up through the cloth.
+TEST(Ball_ComingUpUnderTheTable, IsStoppedByTheSlate) {
+    WorldDescription world;
+    world.duration = 2;
+    world.table = billiards::standard_table(billiards::TableKind::pool, "9 ft");
+    world.floor_height = -world.table->height;
+    Body body = ball("cue", 0, 0, {0.5, 0.1, 7});
+    body.pose.position.z = kRadius - world.table->height;
+    world.bodies = {body};
+    const Timeline timeline = bake(world).timeline;
+    const Event* impact = find_event(timeline, EventKind::impact, "cue", "rail");
+    ASSERT_NE(impact, nullptr);
+    EXPECT_NEAR(impact->place.z, -0.025, 1e-9);
+    EXPECT_EQ(impact->normal, Vec3(0, 0, -1));
+    for (double t = 0; t < 2; t += 0.01)
+        EXPECT_LT(state_at(timeline, "cue", t).position.z, -0.025 - kRadius + 1e-9) << t;
+}
+
 }  // namespace
 }  // namespace carom::sim::test
