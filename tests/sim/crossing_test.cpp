@@ -152,6 +152,28 @@ TEST(Crossing_ByABallOnTheEdgeOfAPocket, IsOnItsPath) {
     EXPECT_LT(p.z, kRadius - 1e-4);
 }
 
+TEST(Trigger_Potted, FiresAfterTheBallHasFallen) {
+    WorldDescription world = nine_ball_world(2);
+    const billiards::Pocket pocket =
+        billiards::build_table(*world.table, kRadius, billiards::TableParts::collided).pockets[1];
+    world.bodies = {ball("one", pocket.centre.x, pocket.centre.y), ball("marker", 0.5, 0)};
+    for (const double after : {0.0, 0.2}) {
+        ForceEvent event = when_crossing("one", {0, 0}, {1, 0}, 0, after);
+        event.trigger = Trigger{Trigger::Kind::potted, "one", "", {0, 0}, {0, 0}};
+        world.events = {event};
+        const Timeline timeline = bake(world).timeline;
+        const Event* potted = find_event(timeline, EventKind::potted, "one");
+        const Event* impulse = find_event(timeline, EventKind::impulse, "marker");
+        ASSERT_NE(potted, nullptr);
+        ASSERT_NE(impulse, nullptr);
+        EXPECT_NEAR(impulse->time, potted->time + after, 1e-12);
+    }
+    // A time later than the potting: it happens no more.
+    world.events[0].time = 1;
+    EXPECT_EQ(bake(world).warnings.at(0),
+              "event 1 on 'marker' never happened: 'one' was never potted");
+}
+
 TEST(Crossing_WithAFaultyLine, IsAProblem) {
     const WorldDescription world =
         world_of(rolling(0, 0, {1, 0, 0}), 1, when_crossing("cue", {1, 1}, {1, 1}));

@@ -20,7 +20,7 @@ std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
 
 TEST(RandomShots_OfEveryKind, EndAndBreakNoLaw) {
     const std::uint64_t first = number_from("CAROM_FIRST_SHOT", 0);
-    const std::uint64_t count = number_from("CAROM_RANDOM_SHOTS", 200);
+    const std::uint64_t count = number_from("CAROM_RANDOM_SHOTS", 150);
     for (std::uint64_t number = first; number < first + count; ++number) {
         const WorldDescription world = random_shot(number);
         ASSERT_TRUE(find_problems(world).empty()) << number << ": " << find_problems(world)[0];
