@@ -15,10 +15,22 @@ void add_camera(Hasher& hasher, const render::CameraState& camera) {
     hasher.add(camera.blades).add(camera.blade_rotation);
 }
 
+void add_distributed(Hasher& hasher, const render::DistributedSettings& settings) {
+    hasher.add(settings.pixel_samples).add(settings.blur_samples).add(settings.lens_samples);
+    hasher.add(settings.shadow_samples).add(settings.reflection_samples);
+    hasher.add(settings.refraction_samples).add(settings.recursion_limit);
+    hasher.add(settings.falloff).add(settings.ambient_coefficient);
+}
+
 void add_settings(Hasher& hasher, const render::RenderSettings& settings) {
     hasher.add(settings.width).add(settings.height);
     hasher.add(static_cast<std::int32_t>(settings.integrator));
-    hasher.add(settings.samples).add(settings.max_bounces).add(settings.clamp);
+    // What one integrator ignores would only keep its frames from being shared.
+    if (settings.integrator == render::IntegratorKind::distributed) {
+        add_distributed(hasher, settings.distributed);
+    } else {
+        hasher.add(settings.samples).add(settings.max_bounces).add(settings.clamp);
+    }
     hasher.add(static_cast<std::int32_t>(settings.filter)).add(settings.filter_width);
     hasher.add(static_cast<std::int32_t>(settings.acceleration));
     hasher.add(std::uint64_t{settings.aovs.size()});

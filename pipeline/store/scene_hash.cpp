@@ -15,7 +15,7 @@ class SceneHasher {
     explicit SceneHasher(const render::SceneDescription& scene) : scene_(scene) {}
 
     Hash128 hash() {
-        hasher_.add("carom scene, format 1");
+        hasher_.add("carom scene, format 2");
         hasher_.add(std::uint64_t{scene_.objects.size()});
         for (const render::ObjectDescription& object : scene_.objects) {
             add(object);
@@ -40,7 +40,12 @@ class SceneHasher {
         hasher_.add(object.world_from_object).add(!object.track.empty());
         for (const render::MaterialDescription& material : scene_.materials) {
             if (material.name == object.material) {
-                add(material.surface);
+                hasher_.add(material.phong.has_value());
+                if (material.phong) {
+                    add(*material.phong);
+                } else {
+                    add(material.surface);
+                }
                 return;
             }
         }
@@ -78,6 +83,15 @@ class SceneHasher {
         hasher_.add(material.metal).add(material.roughness).add(material.specular);
         hasher_.add(material.sheen).add(material.sheen_colour).add(material.bump);
         hasher_.add(material.coat.weight).add(material.coat.ior).add(material.coat.roughness);
+    }
+
+    void add(const render::PhongMaterial& material) {
+        add_variant(material.diffuse);
+        hasher_.add(material.ambient.has_value()).add(material.ambient.value_or(Vec3(0, 0, 0)));
+        hasher_.add(material.specular).add(material.shininess);
+        hasher_.add(material.reflectance).add(material.reflectance_spread);
+        hasher_.add(material.transmittance).add(material.transmittance_spread);
+        hasher_.add(material.index);
     }
 
     void add(const Vec3& colour) { hasher_.add(colour); }

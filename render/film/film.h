@@ -16,8 +16,22 @@ struct Channel {
 /// What the renderer counted.
 struct RenderStatistics {
     std::uint64_t camera_rays = 0;
-    std::uint64_t scattered_rays = 0;
+    std::uint64_t scattered_rays = 0;  // by any way that surfaces send light on
     std::uint64_t shadow_rays = 0;
+    // By the distributed integrator only, which keeps kinds apart:
+    std::uint64_t reflection_rays = 0;       // of the scattered rays
+    std::uint64_t refraction_rays = 0;       // of the scattered rays
+    std::uint64_t needless_shadow_rays = 0;  // of the shadow rays: known to be dark, never traced
+
+    RenderStatistics& operator+=(const RenderStatistics& other) {
+        camera_rays += other.camera_rays;
+        scattered_rays += other.scattered_rays;
+        shadow_rays += other.shadow_rays;
+        reflection_rays += other.reflection_rays;
+        refraction_rays += other.refraction_rays;
+        needless_shadow_rays += other.needless_shadow_rays;
+        return *this;
+    }
 };
 
 struct Film {

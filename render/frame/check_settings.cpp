@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 
 #include "render/frame/aov_planes.h"
+#include "render/integrator/distributed_ray_counts.h"
 #include "sim/timeline/error.h"
 
 namespace carom::render {
@@ -28,6 +30,31 @@ class Problems {
     std::vector<std::string> list_;
 };
 
+constexpr int kMostSamples = 1024;
+constexpr std::int64_t kMostCameraSamples = 65536;
+
+void add_problems_of(const DistributedSettings& settings, Problems& problems) {
+    const auto count = [&](const char* name, int value) {
+        problems.unless_between(name, value, 1, kMostSamples);
+    };
+    count("pixel_samples", settings.pixel_samples);
+    count("blur_samples", settings.blur_samples);
+    count("lens_samples", settings.lens_samples);
+    count("shadow_samples", settings.shadow_samples);
+    count("reflection_samples", settings.reflection_samples);
+    count("refraction_samples", settings.refraction_samples);
+    problems.unless_between("recursion_limit", settings.recursion_limit, 0, 32);
+    problems.unless_between("ambient_coefficient", settings.ambient_coefficient, 0.0, 1e6);
+    const std::int64_t rays = std::int64_t{settings.pixel_samples} *
+                              std::int64_t{settings.blur_samples} *
+                              std::int64_t{settings.lens_samples};
+    if (rays > kMostCameraSamples) {
+        problems.add("pixel_samples, blur_samples and lens_samples together ask for " +
+                     std::to_string(rays) + " rays per pixel; at most " +
+                     std::to_string(kMostCameraSamples) + " can be had");
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> problems_of(const RenderSettings& settings) {
@@ -38,6 +65,9 @@ std::vector<std::string> problems_of(const RenderSettings& settings) {
     problems.unless_between("max_bounces", settings.max_bounces, 0, 64);
     problems.unless_between("clamp", settings.clamp, 0.0, 1e30);
     problems.unless_between("filter_width", settings.filter_width, 0.5, 8.0);
+    if (settings.integrator == IntegratorKind::distributed) {
+        add_problems_of(settings.distributed, problems);
+    }
     for (const std::string& name : settings.aovs) {
         if (!is_aov(name)) {
             problems.add("there is no AOV '" + name + "'");
@@ -57,6 +87,35 @@ std::vector<std::string> problems_of(const FrameInput& frame) {
         problems.add(text.str());
     }
     return problems.take();
+}
+
+void check_integrator(const RenderSettings& settings, const std::vector<Material>& materials,
+                      std::size_t lights) {
+    if (settings.integrator == IntegratorKind::path) {
+        const bool has_phong = std::any_of(materials.begin(), materials.end(),
+                                           [](const Material& m) { return m.is_phong(); });
+        if (has_phong) {
+            throw Error(
+                "the scene has a phong material, which only the distributed integrator can render");
+        }
+        return;
+    }
+    const bool reflects = std::any_of(materials.begin(), materials.end(), [](const Material& m) {
+        return m.phong().metal > 0 || m.phong().reflectance != V3f(0, 0, 0) ||
+               m.phong().transmittance != V3f(0, 0, 0);
+    });
+    const bool refracts = std::any_of(materials.begin(), materials.end(), [](const Material& m) {
+        return m.phong().transmittance != V3f(0, 0, 0);
+    });
+    const double rays = rays_per_camera_ray(settings.distributed, lights, reflects, refracts);
+    if (rays > kMostRaysPerCameraRay) {
+        std::ostringstream text;
+        text << "one camera ray could branch into " << rays << " rays, and more than "
+             << kMostRaysPerCameraRay
+             << " would take too long; lower recursion_limit or the sample counts of the "
+                "distributed integrator, or let them fall off with depth";
+        throw Error(text.str());
+    }
 }
 
 void check(const RenderSettings& settings, const FrameInput& frame) {

@@ -62,6 +62,7 @@ Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks
     check(settings, frame);
     const FlushDenormals flush;  // while Embree builds
     const PreparedScene::Data& data = scene.data();
+    check_integrator(settings, data.materials, data.lights.sampled_count());
     const FrameScene frame_scene(data.geometry, tracks, frame.scene_open, frame.scene_close);
     const TransportScene transport{frame_scene, data.materials, data.lights, data.object_count};
 
@@ -78,9 +79,7 @@ Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks
         throw Stopped();
     }
     for (const RenderStatistics& count : counts) {
-        film.statistics.camera_rays += count.camera_rays;
-        film.statistics.scattered_rays += count.scattered_rays;
-        film.statistics.shadow_rays += count.shadow_rays;
+        film.statistics += count;
     }
     film.aovs = aovs.take();
     return film;

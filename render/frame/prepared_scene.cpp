@@ -18,7 +18,11 @@ std::vector<Material> make_materials(const SceneDescription& scene) {
             throw Error("the scene has two materials of the name '" + description.name + "'");
         }
         try {
-            materials.emplace_back(description.surface, images);
+            if (description.phong) {
+                materials.emplace_back(*description.phong, images);
+            } else {
+                materials.emplace_back(description.surface, images);
+            }
         } catch (const Error& error) {
             throw Error("material '" + description.name + "': " + error.what());
         }

@@ -1,13 +1,15 @@
 // The pixels of one frame, tile by tile.
 #pragma once
 
+#include <memory>
 #include <stop_token>
 
 #include "render/camera/thin_lens_camera.h"
 #include "render/film/film.h"
 #include "render/frame/aov_planes.h"
 #include "render/frame/frame.h"
-#include "render/integrator/path_integrator.h"
+#include "render/integrator/integrator.h"
+#include "render/integrator/transport_scene.h"
 
 namespace carom::render {
 
@@ -26,13 +28,18 @@ class TileRenderer {
     [[nodiscard]] RenderStatistics render(int tile, const std::stop_token& stop);
 
   private:
+    [[nodiscard]] Ray camera_ray(int x, int y, const SampleStream& stream) const;
     void render_pixel(int x, int y, const std::stop_token& stop, RenderStatistics& count);
 
     RenderSettings settings_;
     std::uint64_t seed_;
     ThinLensCamera camera_;
     float pixel_spread_;
-    PathIntegrator integrator_;
+    std::unique_ptr<const Integrator> integrator_;
+    int samples_;  // per pixel
+    int samples_between_stops_;
+    bool is_centred_;        // every ray through the pixel's centre
+    bool is_instantaneous_;  // every ray in the middle of the shutter
     Film& film_;
     AovPlanes& aovs_;
     int tiles_x_;

@@ -22,7 +22,8 @@ std::uint32_t find_material(const SceneDescription& scene, const ObjectDescripti
 }
 
 bool has_texture(const MaterialDescription& material) {
-    return !std::holds_alternative<Vec3>(material.surface.base);
+    const ColourSource& colour = material.phong ? material.phong->diffuse : material.surface.base;
+    return !std::holds_alternative<Vec3>(colour);
 }
 
 /// Whether the axes of the unit shape are those of the world, in any order and direction.

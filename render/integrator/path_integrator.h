@@ -5,6 +5,7 @@
 
 #include "render/integrator/caustics.h"
 #include "render/integrator/direct_light.h"
+#include "render/integrator/integrator.h"
 #include "render/integrator/path_state.h"
 #include "render/integrator/transport_scene.h"
 
@@ -20,33 +21,18 @@ struct PathSettings {
     bool caustics = true;  // by connection; else by chance, with the same mean
 };
 
-/// One camera sample.
-struct RadianceSample {
-    V3f radiance{0, 0, 0};
-    float coverage = 0;   // 1 where the camera's ray met something
-    V3f normal{0, 0, 0};  // what it met, world axes, towards the camera
-    V3f albedo{0, 0, 0};
-};
-
-/// Where a sample belongs, for messages.
-struct SampleIndex {
-    int x = 0, y = 0, sample = 0;
-};
-
 /// Immutable; shared by all threads.
 ///
 /// At the first two vertices of a path the coat and what lies below it are both followed (Cook,
 /// Porter and Carpenter 1984 chose one; choosing costs a factor 3 in efficiency on billiard balls).
 /// Every light is sampled at the first vertex, one later. No roulette before the sixth vertex.
-class PathIntegrator {
+class PathIntegrator final : public Integrator {
   public:
     PathIntegrator(const TransportScene& scene, const PathSettings& settings);
 
-    /// The light that arrives against `camera_ray`; `pixel_spread`: width of a pixel at distance 1.
-    /// All values are finite and >= 0. Adds to `count`.
     [[nodiscard]] RadianceSample sample(const Ray& camera_ray, float pixel_spread,
                                         const SampleStream& stream, const SampleIndex& index,
-                                        RenderStatistics& count) const;
+                                        RenderStatistics& count) const override;
 
   private:
     struct Work;

@@ -51,7 +51,11 @@ LayerConstants make_layers(const StandardMaterial& m) {
 Material::Material(const StandardMaterial& description, ImageCache& images)
     : texture_(description.base, images),
       layers_(make_layers(description)),
+      phong_(phong_model(description)),
       bump_(texture_.has_relief() ? share(description.bump) : 0.0f) {}
+
+Material::Material(const PhongMaterial& description, ImageCache& images)
+    : texture_(description.diffuse, images), phong_(phong_model(description)), is_phong_(true) {}
 
 Surface Material::resolve(const SurfacePoint& point, const V3f& wo, float footprint) const {
     Surface surface;

@@ -4,6 +4,7 @@
 #include "render/geometry/orthonormal_basis.h"
 #include "render/geometry/ray.h"
 #include "render/material/albedo_table.h"
+#include "render/material/phong.h"
 #include "render/scene/material_description.h"
 #include "render/texture/texture.h"
 
@@ -44,12 +45,19 @@ class Material {
   public:
     /// Throws Error if a texture's file is missing.
     Material(const StandardMaterial& description, ImageCache& images);
+    /// For the distributed integrator alone: to the layered model it is a diffuse surface.
+    Material(const PhongMaterial& description, ImageCache& images);
 
     /// The surface at `point` as seen from the unit direction `wo` (away from the surface);
     /// `footprint`: width of a pixel there, m. Both sides of a surface scatter alike.
     [[nodiscard]] Surface resolve(const SurfacePoint& point, const V3f& wo, float footprint) const;
 
     [[nodiscard]] const LayerConstants& layers() const { return layers_; }
+
+    /// What the distributed integrator shades with.
+    [[nodiscard]] const PhongModel& phong() const { return phong_; }
+    /// Whether it was described as a phong surface, which the path integrator cannot shade.
+    [[nodiscard]] bool is_phong() const { return is_phong_; }
 
     /// Whether it mirrors by a smooth coat, everywhere along the geometric normal, and by nothing
     /// else.
@@ -61,6 +69,8 @@ class Material {
   private:
     Texture texture_;
     LayerConstants layers_;
+    PhongModel phong_;
+    bool is_phong_ = false;
     float bump_ = 0;
 };
 

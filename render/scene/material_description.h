@@ -1,6 +1,8 @@
-// Surfaces as plain data: the layered `standard` material and the textures that vary it.
+// Surfaces as plain data: the layered `standard` material, the classic `phong` one, and the
+// textures that vary them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -68,9 +70,29 @@ struct StandardMaterial {
     Coat coat;
 };
 
+/// The surface of the `distributed` integrator: the terms of Phong 1975, "Illumination for computer
+/// generated pictures", and the rays that Whitted 1980 ("An improved illumination model for shaded
+/// display") sends on, spread as in Cook, Porter and Carpenter 1984 ("Distributed ray tracing").
+/// Nothing makes it keep energy: that diffuse, specular, reflectance and transmittance add up to at
+/// most 1 is left to whoever writes it.
+struct PhongMaterial {
+    std::optional<Vec3> ambient;  // colour under the ambient light; none: that of `diffuse`
+    ColourSource diffuse = Vec3{0.8, 0.8, 0.8};
+    Vec3 specular{0, 0, 0};           // colour of the highlights of lights
+    double shininess = 20;            // exponent of the highlights, [0, 1e6]
+    Vec3 reflectance{0, 0, 0};        // share of what is mirrored
+    double reflectance_spread = 0;    // standard deviation from the mirror direction, rad
+    Vec3 transmittance{0, 0, 0};      // share of what is seen through the surface
+    double transmittance_spread = 0;  // standard deviation from the refracted direction, rad
+    double index = 1.5;               // of refraction, of the inside over the outside, [0.1, 10]
+};
+
+inline constexpr double kWidestPhongSpread = 1.5;  // rad
+
 struct MaterialDescription {
     std::string name;
     StandardMaterial surface;
+    std::optional<PhongMaterial> phong{};  // if there, the surface instead of `surface`
 };
 
 }  // namespace carom::render

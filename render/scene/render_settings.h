@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "render/scene/distributed_settings.h"
+
 namespace carom::render {
 
-enum class IntegratorKind { path };
+enum class IntegratorKind { path, distributed };
 enum class PixelFilter { box, gaussian, blackman_harris };
 enum class AccelerationKind { hybrid, embree };
 
@@ -14,8 +16,9 @@ struct RenderSettings {
     int width = 1280;  // pixels, [16, 16384]
     int height = 720;
     IntegratorKind integrator = IntegratorKind::path;
-    int samples = 64;     // per pixel, [1, 65536]; powers of two converge best
-    int max_bounces = 4;  // [0, 64]
+    int samples = 64;                 // per pixel, [1, 65536]; powers of two converge best (path)
+    int max_bounces = 4;              // [0, 64] (path)
+    DistributedSettings distributed;  // instead of the two, with that integrator
     double clamp =
         0;  // radiance of one sample's indirect light is clamped to this; 0: off (biased otherwise)
     PixelFilter filter = PixelFilter::blackman_harris;

@@ -24,6 +24,10 @@ struct SceneBuilder {
         scene.materials.push_back({name, std::move(surface)});
         return *this;
     }
+    SceneBuilder& phong(const std::string& name, render::PhongMaterial surface) {
+        scene.materials.push_back({name, {}, std::move(surface)});
+        return *this;
+    }
     SceneBuilder& diffuse(const std::string& name, double albedo) {
         render::StandardMaterial surface;
         surface.base = Vec3(albedo, albedo, albedo);

@@ -1,0 +1,50 @@
+// The classic distributed ray tracer.
+#pragma once
+
+#include "render/integrator/integrator.h"
+#include "render/integrator/transport_scene.h"
+#include "render/scene/distributed_settings.h"
+
+namespace carom::render {
+
+/// Cook, Porter and Carpenter 1984, "Distributed ray tracing", on the shading model of Whitted 1980
+/// with Phong's highlights. Towards a viewer in direction E a surface sends
+///   k_a i_a + sum over lights of the mean over shadow samples of I (k_d (N.L) + k_s (R.E)^n)
+///           + k_r (mean of the reflection rays) + k_t (mean of the refraction rays),
+/// R being L mirrored in the surface. I is radiance / (pi p) for a shadow sample of density p
+/// (1/sr) that nothing opaque hides: irradiance over pi and cosine, so that k_d is an albedo and a
+/// diffuse surface has the radiance that the path integrator gives it after one bounce.
+///
+/// Rays leave around the mirrored or refracted direction, the angle normally distributed, the
+/// azimuth uniform, each weighted by the angle's cosine; one that would pass to the wrong side of
+/// the surface is turned to the opposite azimuth. At total reflection k_t joins k_r.
+///
+/// Rays see lights and the environment as they are; an environment without a picture shines on
+/// diffuse surfaces by the ambient term alone, as nothing else here follows scattered light.
+class DistributedIntegrator final : public Integrator {
+  public:
+    DistributedIntegrator(const TransportScene& scene, const DistributedSettings& settings)
+        : scene_(scene), settings_(settings) {}
+
+    [[nodiscard]] RadianceSample sample(const Ray& camera_ray, float pixel_spread,
+                                        const SampleStream& stream, const SampleIndex& index,
+                                        RenderStatistics& count) const override;
+
+  private:
+    struct Work;
+    struct TreeRay;
+    struct Vertex;
+    struct Lobe;
+
+    [[nodiscard]] V3f trace(const TreeRay& ray, Work& work) const;
+    [[nodiscard]] V3f direct(const Vertex& vertex, Work& work) const;
+    [[nodiscard]] V3f from_light(std::size_t light, const V2f& u, const Vertex& vertex,
+                                 Work& work) const;
+    [[nodiscard]] V3f sent_on(const Vertex& vertex, Work& work) const;
+    [[nodiscard]] V3f gathered(const Lobe& lobe, const Vertex& vertex, Work& work) const;
+
+    TransportScene scene_;
+    DistributedSettings settings_;
+};
+
+}  // namespace carom::render

@@ -1,0 +1,41 @@
+// What makes light of camera rays.
+#pragma once
+
+#include "render/film/film.h"
+#include "render/geometry/ray.h"
+#include "render/sampling/sampler.h"
+
+namespace carom::render {
+
+/// One camera sample.
+struct RadianceSample {
+    V3f radiance{0, 0, 0};
+    float coverage = 0;   // 1 where the camera's ray met something
+    V3f normal{0, 0, 0};  // what it met, world axes, towards the camera
+    V3f albedo{0, 0, 0};
+};
+
+/// Where a sample belongs, for messages.
+struct SampleIndex {
+    int x = 0, y = 0, sample = 0;
+};
+
+/// Immutable; shared by all threads.
+class Integrator {
+  public:
+    virtual ~Integrator() = default;
+
+    /// The light that arrives against `camera_ray`; `pixel_spread`: width of a pixel at distance 1.
+    /// All values are finite and >= 0. Adds to `count`.
+    [[nodiscard]] virtual RadianceSample sample(const Ray& camera_ray, float pixel_spread,
+                                                const SampleStream& stream,
+                                                const SampleIndex& index,
+                                                RenderStatistics& count) const = 0;
+
+  protected:
+    Integrator() = default;
+    Integrator(const Integrator&) = default;
+    Integrator& operator=(const Integrator&) = default;
+};
+
+}  // namespace carom::render

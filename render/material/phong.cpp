@@ -1,0 +1,54 @@
+#include "render/material/phong.h"
+
+#include <algorithm>
+
+namespace carom::render {
+namespace {
+
+double reflectance_straight_on(double index) {
+    const double root = (index - 1) / (index + 1);
+    return root * root;
+}
+
+constexpr double kHighlightIndex = 1.5;
+constexpr double kSharpestAlpha = 1e-3;
+
+}  // namespace
+
+PhongModel phong_model(const PhongMaterial& description) {
+    PhongModel model;
+    model.has_ambient = description.ambient.has_value();
+    model.ambient = V3f(description.ambient.value_or(Vec3(0, 0, 0)));
+    model.specular = V3f(description.specular);
+    model.shininess = static_cast<float>(description.shininess);
+    model.reflectance = V3f(description.reflectance);
+    model.reflectance_spread = static_cast<float>(description.reflectance_spread);
+    model.transmittance = V3f(description.transmittance);
+    model.transmittance_spread = static_cast<float>(description.transmittance_spread);
+    model.index = static_cast<float>(description.index);
+    return model;
+}
+
+PhongModel phong_model(const StandardMaterial& description) {
+    const double coat = description.coat.weight * reflectance_straight_on(description.coat.ior);
+    const double below = 1 - coat;
+    const double alpha = description.roughness * description.roughness;
+    PhongModel model;
+    model.diffuse_share = static_cast<float>(below * (1 - description.metal));
+    model.metal = static_cast<float>(below * description.metal);
+    model.reflectance = V3f(static_cast<float>(coat));
+    const double coat_alpha = description.coat.roughness * description.coat.roughness;
+    model.reflectance_spread = static_cast<float>(
+        std::max(coat > 0 ? coat_alpha : 0.0, description.metal > 0 ? alpha : 0.0));
+    if (description.specular > 0) {
+        const double sharp = std::max(alpha, kSharpestAlpha);
+        const double exponent = std::max(2 / (sharp * sharp) - 2, 1.0) / 4;
+        const double share = below * (1 - description.metal) * description.specular *
+                             reflectance_straight_on(kHighlightIndex);
+        model.shininess = static_cast<float>(exponent);
+        model.specular = V3f(static_cast<float>(share * (exponent + 2) / 2));
+    }
+    return model;
+}
+
+}  // namespace carom::render

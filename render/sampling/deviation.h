@@ -1,0 +1,20 @@
+// Directions around a given one, as the classic distributed ray tracer spreads them.
+#pragma once
+
+#include "render/geometry/ray.h"
+
+namespace carom::render {
+
+/// Inverse of the error function for y in (-1, 1), to about 3e-7 of its value (Giles 2010,
+/// "Approximating the erfinv function", GPU Computing Gems, table 5, single precision).
+[[nodiscard]] float inverse_erf(float y);
+
+/// Unit direction about +z for `u` in [0, 1)^2: the angle from the axis is |x| for a normally
+/// distributed x of standard deviation `spread` (rad, > 0), cut off at pi / 2; the azimuth is
+/// uniform.
+[[nodiscard]] V3f sample_deviation(const V2f& u, float spread);
+
+/// Density of the angle of `sample_deviation`, 1/rad, for an angle in [0, pi / 2].
+[[nodiscard]] double pdf_deviation_angle(double angle, double spread);
+
+}  // namespace carom::render
