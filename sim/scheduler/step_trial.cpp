@@ -14,10 +14,11 @@ namespace {
 /// What strikes or meets may overlap by this much (m) at a step's end; else the step is shortened
 /// to when it does by between a quarter of this and this.
 constexpr double kTouchDepth = 4e-6;
-/// Lasting contacts may get deeper by this much (m) in the first half of a step; else the step is
-/// halved, up to so many times.
+/// Lasting contacts may get deeper by this much (m) in the first half of a step, those of rims,
+/// which wander fastest, by less; else the step is halved, up to so many times.
 constexpr double kSinking = 3e-6;
-constexpr int kMostHalvings = 4;
+constexpr double kRimSinking = 1e-6;
+constexpr int kMostHalvings = 5;
 /// No step is made shorter than this (s) for what strikes.
 constexpr double kShortestStep = 1e-5;
 
@@ -29,7 +30,7 @@ void StepTrial::attempt(double start, double end) {
     placed_ = bodies_;
     choose_moving();
     go_half_way();
-    for (int i = 0; i < kMostHalvings && sinking() > kSinking; ++i) {
+    for (int i = 0; i < kMostHalvings && sinking() > 1; ++i) {
         end_ = start + 0.5 * (end_ - start);
         go_half_way();
     }
@@ -43,13 +44,22 @@ void StepTrial::attempt(double start, double end) {
     }
 }
 
-/// How deep lasting contacts get in the first half of the step: what rolls on a rim or a corner
-/// turns away from the contact that it had before.
+/// How deep lasting contacts get in the first half of the step, as a share of what they may: what
+/// rolls on a rim or a corner turns away from the contact that it had before.
 double StepTrial::sinking() const {
+    const auto has_rim = [this](int number) {
+        if (number < 0)
+            return false;
+        const StepBody& body = bodies_[static_cast<std::size_t>(number)];
+        return !body.is_ball && body.shape->kind() == ConvexShape::Kind::cylinder;
+    };
     double most = 0;
     for (const FoundContact& found : contacts_) {
-        if (found.contact.depth > 0)
-            most = std::max(most, approach_speed(placed_, found) * 0.5 * (end_ - start_));
+        if (found.contact.depth <= 0)
+            continue;
+        const double sunk = approach_speed(placed_, found) * 0.5 * (end_ - start_);
+        const bool is_rim = has_rim(found.contact.first) || has_rim(found.other);
+        most = std::max(most, sunk / (is_rim ? kRimSinking : kSinking));
     }
     return most;
 }

@@ -73,7 +73,7 @@ ConvexShape ConvexShape::box(const Vec3& half_size) {
 
 ConvexShape ConvexShape::capsule(double radius, double half_length) {
     ConvexShape shape(Kind::capsule);
-    shape.radius_ = shape.core_skin_ = radius;
+    shape.radius_ = radius;
     shape.half_size_.z = half_length;
     shape.reach_ = radius + half_length;
     return shape;
@@ -98,7 +98,7 @@ ConvexShape ConvexShape::hull(Polyhedron solid) {
         shape.reach_ = std::max(shape.reach_, length(v));
     if (nearest_side > 0) {
         shape.core_skin_ = std::min(kSkin, kMostSkin * nearest_side);
-        shape.core_scale_ = 1 - shape.core_skin_ / nearest_side;
+        shape.core_shrinkage_ = shape.core_skin_ / nearest_side;
     }
     shape.solid_ = std::move(solid);
     return shape;
@@ -127,21 +127,21 @@ Vec3 ConvexShape::support(const Vec3& d) const {
     return *best;
 }
 
-Vec3 ConvexShape::core_support(const Vec3& d) const {
+Vec3 ConvexShape::core_support(const Vec3& d, double depth) const {
     switch (kind_) {
         case Kind::box: {
-            const Vec3 h = half_size_ - Vec3(core_skin_);
+            const Vec3 h = half_size_ - Vec3(depth * core_skin_);
             return {sign(d.x) * h.x, sign(d.y) * h.y, sign(d.z) * h.z};
         }
         case Kind::capsule:
             return {0, 0, sign(d.z) * half_size_.z};
         case Kind::cylinder:
-            return level_direction(d) * (radius_ - core_skin_) +
-                   Vec3(0, 0, sign(d.z) * (half_size_.z - core_skin_));
+            return level_direction(d) * (radius_ - depth * core_skin_) +
+                   Vec3(0, 0, sign(d.z) * (half_size_.z - depth * core_skin_));
         case Kind::hull:
             break;
     }
-    return support(d) * core_scale_;
+    return support(d) * (1 - depth * core_shrinkage_);
 }
 
 const PolyhedronFace& ConvexShape::facing_side(const Vec3& d) const {

@@ -42,9 +42,12 @@ class ConvexShape {
 
     /// The farthest point along `direction` (not zero, of any length).
     [[nodiscard]] Vec3 support(const Vec3& direction) const;
-    /// The same of a core that lies at least `core_skin` inside everywhere.
-    [[nodiscard]] Vec3 core_support(const Vec3& direction) const;
-    [[nodiscard]] double core_skin() const { return core_skin_; }
+    /// The same of a core: of a capsule its axis; of other shapes with `depth` 0 all of it, with 1
+    /// what lies at least a millimetre (of small ones less) inside.
+    [[nodiscard]] Vec3 core_support(const Vec3& direction, double depth) const;
+
+    /// By how much the shape reaches beyond its core of depth 0.
+    [[nodiscard]] double core_gap() const { return kind_ == Kind::capsule ? radius_ : 0; }
 
     [[nodiscard]] FacingFeature facing(const Vec3& direction) const;
     /// The outward normal of the flat side nearest to `direction`; empty if the shape has none.
@@ -65,7 +68,7 @@ class ConvexShape {
     Polyhedron solid_;  // of boxes, too
     double reach_ = 0;
     double core_skin_ = 0;
-    double core_scale_ = 1;  // of hulls and boxes
+    double core_shrinkage_ = 0;  // of hulls: by which share towards the origin
 };
 
 /// What of a solid is nearest to a point.

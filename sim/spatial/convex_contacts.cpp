@@ -45,10 +45,33 @@ class Separation {
     /// distance, so the larger of all is the better one.
     void straighten() {
         const Vec3 found = normal_;
+        const double gap = gap_;
         if (const auto side = a_.shape->facing_normal(to_body(a_.pose.orientation, -found)))
             consider(-to_world(a_.pose.orientation, *side));
         if (const auto side = b_.shape->facing_normal(to_body(b_.pose.orientation, found)))
             consider(to_world(b_.pose.orientation, *side));
+        is_flat_ = gap_ > gap;
+    }
+    /// Whether a flat side gave the normal.
+    [[nodiscard]] bool is_flat() const { return is_flat_; }
+
+    /// By small turns, as long as they help: on round sides the closest points are found by and by.
+    void polish() {
+        constexpr double kWidest = 4e-3;  // rad
+        constexpr double kFinest = 1e-6;
+        constexpr int kMostTurns = 100;
+        int turns = 0;
+        for (double step = kWidest; step > kFinest && turns < kMostTurns; ++turns) {
+            const double before = gap_;
+            const Vec3 axis = std::abs(normal_.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+            const Vec3 u = normal_.cross(axis) / length(normal_.cross(axis));
+            const Vec3 v = normal_.cross(u);
+            const Vec3 from = normal_;
+            for (const Vec3& turn : {u, v, -u, -v})
+                consider(from + turn * step);
+            if (gap_ <= before)
+                step *= 0.5;
+        }
     }
 
     [[nodiscard]] const Vec3& normal() const { return normal_; }
@@ -59,6 +82,7 @@ class Separation {
     const PlacedShape& b_;
     Vec3 normal_{0, 0, 1};
     double gap_ = -1e300;
+    bool is_flat_ = false;
 };
 
 FacingFeature facing_in_world(const PlacedShape& of, const Vec3& direction) {
@@ -136,12 +160,26 @@ void add_over_side(const FacingFeature& side, const FacingFeature& other, const 
     }
 }
 
+/// As they are while they are apart; of cores as little inside as possible where they overlap.
+std::optional<ClosestPoints> closest_points(const PlacedShape& a, const PlacedShape& b,
+                                            double far) {
+    constexpr double kClear = 1e-9;  // m: nearer, and the direction is round-off's
+    for (const double depth : {0.0, 0.1, 1.0}) {
+        const std::optional<ClosestPoints> closest = closest_core_points(a, b, depth, far + depth);
+        if (closest && length(closest->on_a - closest->on_b) > kClear)
+            return closest;
+    }
+    return std::nullopt;
+}
+
 Separation separation_of(const PlacedShape& a, const PlacedShape& b,
-                         const std::optional<ClosestPoints>& closest) {
+                         const std::optional<ClosestPoints>& closest, double margin) {
     Separation separation(a, b);
     if (closest) {
         separation.consider(closest->on_a - closest->on_b);
         separation.straighten();
+        if (!separation.is_flat() && separation.gap() <= margin)
+            separation.polish();
         return separation;
     }
     // Cores overlap: deeper than anything that is stepped gets. The way out is through a side.
@@ -196,8 +234,9 @@ void thin_out(std::vector<ConvexContact>& contacts) {
 void convex_contacts(const PlacedShape& a, const PlacedShape& b, double margin,
                      std::vector<ConvexContact>& contacts) {
     contacts.clear();
-    const std::optional<ClosestPoints> closest = closest_core_points(a, b);
-    const Separation separation = separation_of(a, b, closest);
+    const double far = margin + a.shape->core_gap() + b.shape->core_gap();
+    const std::optional<ClosestPoints> closest = closest_points(a, b, far);
+    const Separation separation = separation_of(a, b, closest, margin);
     if (separation.gap() > margin)
         return;
     const Vec3& normal = separation.normal();

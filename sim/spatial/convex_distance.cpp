@@ -131,12 +131,13 @@ Vec3 PlacedShape::support(const Vec3& world_direction) const {
            to_world(pose.orientation, shape->support(to_body(pose.orientation, world_direction)));
 }
 
-Vec3 PlacedShape::core_support(const Vec3& world_direction) const {
-    return pose.position + to_world(pose.orientation, shape->core_support(to_body(
-                                                          pose.orientation, world_direction)));
+Vec3 PlacedShape::core_support(const Vec3& world_direction, double depth) const {
+    const Vec3 local = to_body(pose.orientation, world_direction);
+    return pose.position + to_world(pose.orientation, shape->core_support(local, depth));
 }
 
-std::optional<ClosestPoints> closest_core_points(const PlacedShape& a, const PlacedShape& b) {
+std::optional<ClosestPoints> closest_core_points(const PlacedShape& a, const PlacedShape& b,
+                                                 double depth, double far) {
     constexpr int kMostRounds = 100;
     constexpr double kSettled = 1e-13;  // relative, of the squared distance
     constexpr double kNothing = 1e-18;  // m^2
@@ -146,10 +147,14 @@ std::optional<ClosestPoints> closest_core_points(const PlacedShape& a, const Pla
     Simplex simplex;
     for (int i = 0; i < kMostRounds; ++i) {
         Vertex next;
-        next.on_a = a.core_support(-nearest);
-        next.on_b = b.core_support(nearest);
+        next.on_a = a.core_support(-nearest, depth);
+        next.on_b = b.core_support(nearest, depth);
         next.difference = next.on_a - next.on_b;
         const double square = nearest.dot(nearest);
+        // What is beyond this plane on one side and before it on the other is no nearer.
+        const double least = nearest.dot(next.difference);
+        if (simplex.count > 0 && least > 0 && least * least > far * far * square)
+            break;
         if (simplex.count > 0 && square - nearest.dot(next.difference) <= kSettled * square)
             break;
         const Simplex before = simplex;

@@ -13,7 +13,7 @@ struct PlacedShape {
     Pose pose;
 
     [[nodiscard]] Vec3 support(const Vec3& world_direction) const;
-    [[nodiscard]] Vec3 core_support(const Vec3& world_direction) const;
+    [[nodiscard]] Vec3 core_support(const Vec3& world_direction, double depth) const;
 };
 
 struct ClosestPoints {
@@ -21,11 +21,13 @@ struct ClosestPoints {
     Vec3 on_b{0, 0, 0};
 };
 
-/// The closest points of the two cores (ConvexShape::core_support), world axes; empty where those
-/// overlap. Gilbert, Johnson and Keerthi, A fast procedure for computing the distance between
-/// complex objects in three-dimensional space, IEEE J. Robotics and Automation 4(2), 1988.
+/// The closest points of the two cores of that depth (ConvexShape::core_support), world axes; empty
+/// where those overlap. Where the cores are farther apart than `far` (m), any points that are.
+/// Gilbert, Johnson and Keerthi, A fast procedure for computing the distance between complex
+/// objects in three-dimensional space, IEEE J. Robotics and Automation 4(2), 1988.
 [[nodiscard]] std::optional<ClosestPoints> closest_core_points(const PlacedShape& a,
-                                                               const PlacedShape& b);
+                                                               const PlacedShape& b, double depth,
+                                                               double far);
 
 /// The gap between the two along unit `normal` (from b towards a): never more than their distance.
 [[nodiscard]] double gap_along(const PlacedShape& a, const PlacedShape& b, const Vec3& normal);

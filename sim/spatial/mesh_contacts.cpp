@@ -62,6 +62,11 @@ std::vector<SurfaceContact> mesh_contacts(const PlacedShape& solid, const Static
     std::vector<ConvexContact> contacts;
     std::optional<ConvexShape> store;
     for (const StaticMesh::Triangle& triangle : mesh.triangles_near(bounds)) {
+        // Most triangles near it lie in planes that it does not reach.
+        const double side = triangle.normal.dot(solid.pose.position - triangle.corners[0]);
+        const Vec3 normal = side >= 0 ? triangle.normal : -triangle.normal;
+        if (normal.dot(solid.support(-normal) - triangle.corners[0]) > margin)
+            continue;
         convex_contacts(solid, place_triangle(triangle, store), margin, contacts);
         if (!contacts.empty())
             add_to(is_on_side(contacts.front(), triangle) ? sides : edges, triangle.surface,
