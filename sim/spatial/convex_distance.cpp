@@ -30,10 +30,13 @@ struct Simplex {
     }
 };
 
-Simplex subset(const Simplex& from, std::initializer_list<std::size_t> which) {
+/// Those vertices whose bits are set.
+Simplex subset(const Simplex& from, unsigned bits) {
     Simplex result;
-    for (const std::size_t i : which)
-        result.vertices[result.count++] = from.vertices[i];
+    for (std::size_t i = 0; i < from.count; ++i) {
+        if ((bits >> i & 1U) != 0)
+            result.vertices[result.count++] = from.vertices[i];
+    }
     return result;
 }
 
@@ -89,37 +92,22 @@ bool holds_origin(const Simplex& s) {
 bool reduce(Simplex& s) {
     if (s.count == 4 && holds_origin(s))
         return false;
+    // Corners, edges, triangles, each as the bits of its vertices.
+    constexpr std::array<unsigned, 14> kParts{1, 2, 4, 8, 3, 5, 9, 6, 10, 12, 7, 11, 13, 14};
     Simplex best;
     double least = 1e300;
-    const auto consider = [&](std::initializer_list<std::size_t> which) {
-        for (const std::size_t i : which) {
-            if (i >= s.count)
-                return;
-        }
-        Simplex candidate = subset(s, which);
+    for (const unsigned part : kParts) {
+        if (part >= 1U << s.count)
+            continue;
+        Simplex candidate = subset(s, part);
         if (!weigh(candidate))
-            return;
+            continue;
         const Vec3 nearest = candidate.nearest();
         if (nearest.dot(nearest) < least) {
             least = nearest.dot(nearest);
             best = candidate;
         }
-    };
-    for (const auto which : {std::initializer_list<std::size_t>{0},
-                             {1},
-                             {2},
-                             {3},
-                             {0, 1},
-                             {0, 2},
-                             {0, 3},
-                             {1, 2},
-                             {1, 3},
-                             {2, 3},
-                             {0, 1, 2},
-                             {0, 1, 3},
-                             {0, 2, 3},
-                             {1, 2, 3}})
-        consider(which);
+    }
     s = best;
     return true;
 }
