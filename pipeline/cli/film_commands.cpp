@@ -15,6 +15,7 @@
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/video/video_format.h"
+#include "render/integrator/distributed_ray_counts.h"
 
 namespace carom::cli {
 
@@ -81,6 +82,26 @@ std::int64_t chosen_frame(const FrameCommand& command, const Shot& shot) {
     return frame;
 }
 
+/// Lights that shadow rays are sent to: an environment without a picture is none.
+std::size_t sampled_lights(const Shot& shot) {
+    return static_cast<std::size_t>(
+        std::count_if(shot.scene.lights.begin(), shot.scene.lights.end(), [](const auto& light) {
+            const auto* environment = std::get_if<render::EnvironmentLight>(&light.light);
+            return environment == nullptr || !environment->image.empty();
+        }));
+}
+
+/// The distributed integrator's rays by kind, of what was rendered now.
+void tell_rays(const Shot& shot, const render::RenderStatistics& count, Console& console) {
+    if (shot.render.integrator != render::IntegratorKind::distributed || count.camera_rays == 0) {
+        return;
+    }
+    for (const std::string& line :
+         render::describe_rays(count, shot.render, sampled_lights(shot))) {
+        console.info(line);
+    }
+}
+
 std::string numbered_extension(std::int64_t frame) {
     std::string digits = std::to_string(frame);
     digits.insert(0, 4 - std::min<std::size_t>(4, digits.size()), '0');
@@ -111,6 +132,7 @@ void run_render(const RenderCommand& command, CommandContext& context) {
     context.console.info(std::to_string(result.frames) + " frames, " +
                          std::to_string(result.rendered) + " of them rendered now, in " +
                          duration_text(elapsed.count()));
+    tell_rays(input.shot, result.counts, context.console);
     print_path(path);
 }
 
@@ -129,6 +151,7 @@ void run_frame(const FrameCommand& command, CommandContext& context) {
     const render::Film film = pipeline::make_frame(
         input.shot, bake, frame, options, talk_about_job(context.console, 1), context.stop);
     context.console.end_progress();
+    tell_rays(input.shot, film.statistics, context.console);
     write_picture(film, input.shot.output, path,
                   pipeline::exported_frame_metadata(input.shot, bake.timeline, frame));
     print_path(path);

@@ -138,7 +138,7 @@ struct ShotFile {
     std::vector<Named<BallSection>> balls;
     std::vector<Named<ObjectSection>> objects;
     std::vector<EventSection> events;
-    std::vector<Named<render::StandardMaterial>> materials;
+    std::vector<Named<render::MaterialDescription>> materials;  // their own names are empty
     std::vector<Named<LightSection>> lights;
     std::vector<CameraRig> cameras;
     Place cameras_place;

@@ -37,6 +37,7 @@ struct FilmJobOptions {
 struct FilmJobResult {
     std::int64_t frames = 0;
     std::int64_t rendered = 0;  // the others came from the store, or show what one of these does
+    render::RenderStatistics counts{};  // the rays of those rendered
 };
 
 /// The kept bake if its physics hash fits, else a new one, which is kept; with this shot's text and
@@ -51,7 +52,7 @@ struct FilmJobResult {
 FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                         const JobObserver& observer, const std::stop_token& stop);
 
-/// One frame, from the store if it is there.
+/// One frame, from the store if it is there: then no rays are counted.
 [[nodiscard]] render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t frame,
                                       const FilmJobOptions& options, const JobObserver& observer,
                                       const std::stop_token& stop);

@@ -97,7 +97,7 @@ FilmJobResult make_film_with(const RenderFunction& render, const Shot& shot,
     if (!encoder.is_complete()) {
         failure ? std::rethrow_exception(failure) : throw Stopped();
     }
-    return {static_cast<std::int64_t>(frames.size()), supply.rendered()};
+    return {static_cast<std::int64_t>(frames.size()), supply.rendered(), supply.counts()};
 }
 
 render::Film make_frame_with(const RenderFunction& render, const Shot& shot,
@@ -111,14 +111,13 @@ render::Film make_frame_with(const RenderFunction& render, const Shot& shot,
     PictureBoard board(1);
     board.reader_done();
     PictureMaker maker(source, store, render);
-    PictureSupply(plan, maker, board, gate).run(stop);
-    if (std::optional<render::Film> film = store.read(plan.pictures[0].key)) {
-        return std::move(*film);
-    }
-    // What was kept is damaged, and removed by now.
-    PictureSupply(plan, maker, board, gate).run(stop);
-    if (std::optional<render::Film> film = store.read(plan.pictures[0].key)) {
-        return std::move(*film);
+    for (int attempt = 0; attempt < 2; ++attempt) {  // what was kept may be damaged, and is removed
+        PictureSupply supply(plan, maker, board, gate);
+        supply.run(stop);
+        if (std::optional<render::Film> film = store.read(plan.pictures[0].key)) {
+            film->statistics = supply.counts();
+            return std::move(*film);
+        }
     }
     throw Error("frame " + std::to_string(frame) +
                 " was rendered, but the cache does not hold it whole");

@@ -22,13 +22,22 @@ std::string clamp_text(double clamp) {
 }
 
 std::map<std::string, std::string> render_metadata(const Shot& shot) {
-    return {{"carom_version", CAROM_VERSION},
-            {"renderer_revision", std::to_string(render::kRendererRevision)},
-            {"simd", std::string(render::simd_tier())},
-            {"integrator", "path"},
-            {"samples", std::to_string(shot.render.samples)},
-            {"max_bounces", std::to_string(shot.render.max_bounces)},
-            {"clamp", clamp_text(shot.render.clamp)}};
+    std::map<std::string, std::string> metadata{
+        {"carom_version", CAROM_VERSION},
+        {"renderer_revision", std::to_string(render::kRendererRevision)},
+        {"simd", std::string(render::simd_tier())}};
+    if (shot.render.integrator == render::IntegratorKind::distributed) {
+        const render::DistributedSettings& settings = shot.render.distributed;
+        metadata["integrator"] = "distributed";
+        metadata["samples"] = std::to_string(camera_samples(settings));
+        metadata["recursion_limit"] = std::to_string(settings.recursion_limit);
+    } else {
+        metadata["integrator"] = "path";
+        metadata["samples"] = std::to_string(shot.render.samples);
+        metadata["max_bounces"] = std::to_string(shot.render.max_bounces);
+        metadata["clamp"] = clamp_text(shot.render.clamp);
+    }
+    return metadata;
 }
 
 }  // namespace

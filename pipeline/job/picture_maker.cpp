@@ -9,14 +9,14 @@ namespace carom::pipeline {
 
 MadePicture PictureMaker::make(const FilmPlan::Picture& picture, const WorkContext& context) {
     if (store_.contains(picture.key)) {
-        return {PictureOrigin::stored, 0, 0};
+        return {PictureOrigin::stored, 0, {}};
     }
     const std::optional<FrameClaim> claim = store_.claim(picture.key);
     if (!claim) {
-        return {PictureOrigin::held, 0, 0};
+        return {PictureOrigin::held, 0, {}};
     }
     if (store_.contains(picture.key)) {  // finished between the two questions
-        return {PictureOrigin::stored, 0, 0};
+        return {PictureOrigin::stored, 0, {}};
     }
     if (context.stop.stop_requested()) {
         throw Stopped();
@@ -27,9 +27,7 @@ MadePicture PictureMaker::make(const FilmPlan::Picture& picture, const WorkConte
     const render::Film film = render_(inputs, context);
     store_.write(picture.key, film, stored_frame_metadata(source_.shot()));
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    const render::RenderStatistics& counts = film.statistics;
-    return {PictureOrigin::rendered, elapsed.count(),
-            counts.camera_rays + counts.scattered_rays + counts.shadow_rays};
+    return {PictureOrigin::rendered, elapsed.count(), film.statistics};
 }
 
 }  // namespace carom::pipeline

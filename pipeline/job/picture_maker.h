@@ -17,8 +17,12 @@ enum class PictureOrigin {
 
 struct MadePicture {
     PictureOrigin origin = PictureOrigin::held;
-    double seconds = 0;      // spent rendering
-    std::uint64_t rays = 0;  // of all kinds
+    double seconds = 0;  // spent rendering
+    render::RenderStatistics counts{};
+
+    [[nodiscard]] std::uint64_t rays() const {
+        return counts.camera_rays + counts.scattered_rays + counts.shadow_rays;
+    }
 };
 
 /// For one thread at a time. Refers to its arguments.

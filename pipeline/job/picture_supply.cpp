@@ -48,6 +48,7 @@ bool PictureSupply::try_make(std::size_t picture, const std::stop_token& stop) {
         return false;
     }
     rendered_ += made.origin == PictureOrigin::rendered ? 1 : 0;
+    counts_ += made.counts;
     report(picture, made);
     board_.mark_ready(picture);
     return true;
@@ -84,7 +85,7 @@ void PictureSupply::report(std::size_t picture, const MadePicture& made) {
     bool from_store = made.origin == PictureOrigin::stored;
     for (const std::int64_t frame : plan_.pictures[picture].frames) {
         observer_.frame(frame, from_store, from_store ? 0 : made.seconds,
-                        from_store ? 0 : made.rays);
+                        from_store ? 0 : made.rays());
         from_store = true;  // the others show what is there by now
         ++reported_frames_;
     }

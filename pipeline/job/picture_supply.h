@@ -30,6 +30,8 @@ class PictureSupply {
 
     /// How many pictures were rendered, not found.
     [[nodiscard]] std::int64_t rendered() const { return rendered_; }
+    /// The rays of these.
+    [[nodiscard]] const render::RenderStatistics& counts() const { return counts_; }
 
   private:
     [[nodiscard]] bool try_make(std::size_t picture, const std::stop_token& stop);
@@ -46,6 +48,7 @@ class PictureSupply {
     std::vector<int> repairs_;
     std::int64_t reported_frames_ = 0;
     std::int64_t rendered_ = 0;
+    render::RenderStatistics counts_;
 };
 
 }  // namespace carom::pipeline

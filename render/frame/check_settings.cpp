@@ -31,7 +31,6 @@ class Problems {
 };
 
 constexpr int kMostSamples = 1024;
-constexpr std::int64_t kMostCameraSamples = 65536;
 
 void add_problems_of(const DistributedSettings& settings, Problems& problems) {
     const auto count = [&](const char* name, int value) {

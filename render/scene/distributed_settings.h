@@ -1,6 +1,8 @@
 // How the classic distributed ray tracer works: how many rays each effect gets.
 #pragma once
 
+#include <cstddef>
+
 namespace carom::render {
 
 /// A count of 1 switches its effect off: the pixel's centre, the middle of the exposure, the centre
@@ -30,6 +32,32 @@ struct DistributedSettings {
     const int divisor = 1 << generation;
     return count / divisor + (count % divisor != 0 ? 1 : 0);
 }
+
+/// All rays for one camera ray if every surface reflects and refracts, both with a spread, and
+/// every ray meets a surface: the sum over generations n = 0 ... r of the rays of that generation
+/// times (1 + lights x shadow samples). Without fall-off: sum of (R + T)^n (1 + L S). With R or T
+/// left out
+/// (`reflects`, `refracts`) for scenes where no surface does.
+[[nodiscard]] inline double rays_per_camera_ray(const DistributedSettings& settings,
+                                                std::size_t lights, bool reflects = true,
+                                                bool refracts = true) {
+    double sum = 0;
+    double rays = 1;
+    for (int generation = 0; generation <= settings.recursion_limit; ++generation) {
+        const auto samples = [&](int count) {
+            return static_cast<double>(samples_at(count, generation, settings.falloff));
+        };
+        sum += rays * (1 + static_cast<double>(lights) * samples(settings.shadow_samples));
+        rays *= (reflects ? samples(settings.reflection_samples) : 0) +
+                (refracts ? samples(settings.refraction_samples) : 0);
+    }
+    return sum;
+}
+
+/// More rays than this for one camera ray are refused: a frame of them would hardly end.
+inline constexpr double kMostRaysPerCameraRay = 1e7;
+
+inline constexpr int kMostCameraSamples = 65536;
 
 /// Camera rays per pixel.
 [[nodiscard]] constexpr int camera_samples(const DistributedSettings& settings) {

@@ -103,16 +103,17 @@ render::MaterialDescription make_material(const Ball& ball, const Builder& build
             material.surface = known.surface;
         }
     }
-    for (const Named<render::StandardMaterial>& given : builder.file.materials) {
+    for (const Named<render::MaterialDescription>& given : builder.file.materials) {
         if (given.name == "ball") {
-            material.surface = given.value;
+            material.surface = given.value.surface;
+            material.phong = given.value.phong;
         }
     }
     render::BallTexture texture = ball_texture(set_of(builder.file), ball.name);
     if (ball.section != nullptr && ball.section->look) {
         change_paint(texture, *ball.section->look);
     }
-    material.surface.base = texture;
+    (material.phong ? material.phong->diffuse : material.surface.base) = texture;
     return material;
 }
 

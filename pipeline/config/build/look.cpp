@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <set>
+#include <sstream>
+#include <string>
 #include <utility>
 
 #include "pipeline/config/build/builder.h"
@@ -13,14 +15,16 @@ namespace {
 /// The built-in materials, with the look's own laid over them by name.
 std::vector<render::MaterialDescription> all_materials(const ShotFile& file) {
     std::vector<render::MaterialDescription> materials = default_materials();
-    for (const Named<render::StandardMaterial>& given : file.materials) {
+    for (const Named<render::MaterialDescription>& given : file.materials) {
         const auto known = std::find_if(
             materials.begin(), materials.end(),
             [&](const render::MaterialDescription& m) { return m.name == given.name; });
         if (known == materials.end()) {
-            materials.push_back({given.name, given.value});
+            materials.push_back(given.value);
+            materials.back().name = given.name;
         } else {
-            known->surface = given.value;
+            *known = given.value;
+            known->name = given.name;
         }
     }
     return materials;
@@ -65,11 +69,58 @@ void add_lights(Builder& builder) {
     }
 }
 
+bool is_black(const Vec3& colour) {
+    return colour == Vec3(0, 0, 0);
+}
+
+void check_phong(Builder& builder) {
+    for (const render::MaterialDescription& material : builder.shot.scene.materials) {
+        if (!material.phong) {
+            continue;
+        }
+        // A ball's own material is made from that of the look.
+        const std::string name = material.name.rfind("ball/", 0) == 0 ? "ball" : material.name;
+        builder.reader.error(builder.place_of({"materials", name}),
+                             "material '" + name +
+                                 "' is a phong surface, which only the distributed integrator can "
+                                 "render: write render: {integrator: distributed}");
+        return;
+    }
+}
+
+void check_ray_tree(Builder& builder) {
+    bool reflects = false;
+    bool refracts = false;
+    for (const render::MaterialDescription& material : builder.shot.scene.materials) {
+        const render::StandardMaterial& surface = material.surface;
+        const bool transmits = material.phong && !is_black(material.phong->transmittance);
+        refracts = refracts || transmits;
+        reflects = reflects || transmits ||
+                   (material.phong ? !is_black(material.phong->reflectance)
+                                   : surface.metal > 0 || surface.coat.weight > 0);
+    }
+    const double rays =
+        render::rays_per_camera_ray(builder.file.render.settings.distributed,
+                                    builder.shot.scene.lights.size(), reflects, refracts);
+    if (rays > render::kMostRaysPerCameraRay) {
+        std::ostringstream text;
+        text << "one camera ray could branch into " << rays << " rays; at most "
+             << render::kMostRaysPerCameraRay
+             << " are possible: lower 'recursion_limit' or the samples of 'distributed'";
+        builder.reader.error(builder.place_of({"render", "distributed"}), text.str());
+    }
+}
+
 }  // namespace
 
 void build_look(Builder& builder) {
     add_used_materials(builder);
     add_lights(builder);
+    if (builder.file.render.settings.integrator == render::IntegratorKind::path) {
+        check_phong(builder);
+    } else {
+        check_ray_tree(builder);
+    }
 }
 
 }  // namespace carom::pipeline::config

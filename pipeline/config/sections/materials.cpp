@@ -5,6 +5,8 @@ namespace carom::pipeline::config {
 namespace {
 
 using render::ColourSource;
+using render::MaterialDescription;
+using render::PhongMaterial;
 using render::StandardMaterial;
 
 const MapSpec<render::Coat>& coat_spec() {
@@ -132,18 +134,49 @@ const MapSpec<StandardMaterial>& standard_spec() {
     return spec;
 }
 
+const MapSpec<PhongMaterial>& phong_spec() {
+    static const MapSpec<PhongMaterial> spec = [] {
+        MapSpec<PhongMaterial> s("phong", "The classic surface, for the distributed integrator.");
+        const auto share = colour(between(0, 1));
+        const auto spread = angle(between(0, render::kWidestPhongSpread));
+        s.key("ambient", &PhongMaterial::ambient, share,
+              "colour under the ambient light; without it that of `diffuse`");
+        s.key("diffuse", &PhongMaterial::diffuse, base(), "colour or a texture");
+        s.key("specular", &PhongMaterial::specular, share, "colour of the highlights of lights");
+        s.key("shininess", &PhongMaterial::shininess, number(between(0, 1e6)),
+              "exponent of the highlights: more is sharper");
+        s.key("reflectance", &PhongMaterial::reflectance, share, "share of what is mirrored");
+        s.key("reflectance_spread", &PhongMaterial::reflectance_spread, spread,
+              "standard deviation of reflection rays from the mirror direction");
+        s.key("transmittance", &PhongMaterial::transmittance, share,
+              "share of what is seen through the surface");
+        s.key("transmittance_spread", &PhongMaterial::transmittance_spread, spread,
+              "standard deviation of refraction rays from the refracted direction");
+        s.key("index", &PhongMaterial::index, number(between(0.1, 10)),
+              "of refraction, of the inside over the outside");
+        return s;
+    }();
+    return spec;
+}
+
 }  // namespace
 
-const MapSpec<StandardMaterial>& material_spec() {
-    static const MapSpec<StandardMaterial> spec = [] {
-        MapSpec<StandardMaterial> s("material", "A surface by name.");
+const MapSpec<MaterialDescription>& material_spec() {
+    static const MapSpec<MaterialDescription> spec = [] {
+        MapSpec<MaterialDescription> s("material", "A surface by name.");
         s.set(
-             "standard", record(standard_spec()),
-             [](StandardMaterial& material, StandardMaterial value) {
-                 material = std::move(value);
-             },
-             "the layered surface")
-            .required();
+            "standard", record(standard_spec()),
+            [](MaterialDescription& material, StandardMaterial value) {
+                material.surface = std::move(value);
+            },
+            "the layered surface");
+        s.set(
+            "phong", record(phong_spec()),
+            [](MaterialDescription& material, PhongMaterial value) {
+                material.phong = std::move(value);
+            },
+            "the classic surface, for `integrator: distributed`");
+        s.exactly_one_of({"standard", "phong"});
         return s;
     }();
     return spec;

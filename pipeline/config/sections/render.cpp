@@ -5,6 +5,7 @@ namespace carom::pipeline::config {
 
 namespace {
 
+using render::DistributedSettings;
 using render::RenderSettings;
 
 constexpr double kPi = 3.14159265358979323846;
@@ -129,6 +130,45 @@ ValueType<Size> size() {
     });
 }
 
+const MapSpec<DistributedSettings>& distributed_spec() {
+    static const MapSpec<DistributedSettings> spec = [] {
+        MapSpec<DistributedSettings> s(
+            "distributed",
+            "Rays of the distributed integrator. A count of 1 switches its effect off.");
+        const auto count = integer(1, 1024);
+        s.key("pixel_samples", &DistributedSettings::pixel_samples, count,
+              "over the pixel's filter");
+        s.key("blur_samples", &DistributedSettings::blur_samples, count,
+              "over the exposure, for each of these");
+        s.key("lens_samples", &DistributedSettings::lens_samples, count,
+              "over the lens, for each of these");
+        s.key("shadow_samples", &DistributedSettings::shadow_samples, count, "per light and point");
+        s.key("reflection_samples", &DistributedSettings::reflection_samples, count,
+              "per point, where the surface spreads them");
+        s.key("refraction_samples", &DistributedSettings::refraction_samples, count,
+              "per point, where the surface spreads them");
+        s.key("recursion_limit", &DistributedSettings::recursion_limit, integer(0, 32),
+              "generations of rays after the camera's");
+        s.key("falloff", &DistributedSettings::falloff, boolean(),
+              "shadow, reflection and refraction samples halve with each generation");
+        s.key("ambient_coefficient", &DistributedSettings::ambient_coefficient,
+              number(between(0, 1e6)), "radiance of the ambient light");
+        s.check([](Reader& reader, const Node& node, DistributedSettings& settings) {
+            const std::int64_t rays = std::int64_t{settings.pixel_samples} *
+                                      std::int64_t{settings.blur_samples} *
+                                      std::int64_t{settings.lens_samples};
+            if (rays > render::kMostCameraSamples) {
+                reader.error(node.place,
+                             "'pixel_samples', 'blur_samples' and 'lens_samples' ask for " +
+                                 std::to_string(rays) + " rays per pixel; at most " +
+                                 std::to_string(render::kMostCameraSamples) + " are possible");
+            }
+        });
+        return s;
+    }();
+    return spec;
+}
+
 void add_sampling(MapSpec<RenderSection>& s) {
     const auto add = [&s](const char* name, auto field, auto type, const char* description) {
         s.key(
@@ -136,10 +176,11 @@ void add_sampling(MapSpec<RenderSection>& s) {
             description);
     };
     add("integrator", &RenderSettings::integrator,
-        choice<render::IntegratorKind>({{"path", render::IntegratorKind::path}}),
-        "how light is followed");
+        choice<render::IntegratorKind>({{"path", render::IntegratorKind::path},
+                                        {"distributed", render::IntegratorKind::distributed}}),
+        "how light is followed: by paths, or as the classic distributed ray tracer does");
     add("samples", &RenderSettings::samples, integer(1, 65536),
-        "per pixel; powers of two converge best");
+        "per pixel; powers of two converge best; `path` only");
     add("max_bounces", &RenderSettings::max_bounces, integer(0, 64), "of a path");
     add("clamp", &RenderSettings::clamp, number(between(0, 1e6)),
         "limit of a sample's indirect radiance, against fireflies; 0: off");
@@ -183,6 +224,10 @@ const MapSpec<RenderSection>& render_spec() {
             any_of<ShutterSection>({{is_scalar, bare_shutter()}, {is_map, record(shutter_spec())}}),
             "an angle such as 180 deg, a time such as 1/48 s, or a map");
         add_sampling(s);
+        s.map(
+            "distributed",
+            [](RenderSection& r) -> DistributedSettings& { return r.settings.distributed; },
+            distributed_spec(), "rays of the distributed integrator");
         s.key(
             "aovs", [](RenderSection& r) -> std::vector<std::string>& { return r.settings.aovs; },
             list_of(choice<std::string>(aov_names()), 0, 6), "further channels of each frame");

@@ -17,7 +17,7 @@ namespace carom::pipeline::config {
 [[nodiscard]] const MapSpec<BallSection>& ball_spec();
 [[nodiscard]] const MapSpec<ObjectSection>& object_spec();
 [[nodiscard]] const MapSpec<EventSection>& event_spec();
-[[nodiscard]] const MapSpec<render::StandardMaterial>& material_spec();
+[[nodiscard]] const MapSpec<render::MaterialDescription>& material_spec();
 [[nodiscard]] const MapSpec<LightSection>& light_spec();
 [[nodiscard]] const MapSpec<CameraRig>& camera_spec();
 [[nodiscard]] const MapSpec<RenderSection>& render_spec();

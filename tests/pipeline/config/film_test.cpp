@@ -140,6 +140,20 @@ TEST(Render, Settings_FillEveryField) {
     EXPECT_EQ(load_sections("").render, render::RenderSettings{});
 }
 
+TEST(Render, Distributed_FillsEveryField) {
+    const render::RenderSettings r = load_sections(
+                                         "render:\n"
+                                         "  integrator: distributed\n"
+                                         "  distributed: {pixel_samples: 2, blur_samples: 3, "
+                                         "lens_samples: 5, shadow_samples: 6,\n"
+                                         "    reflection_samples: 7, refraction_samples: 8, "
+                                         "recursion_limit: 1, falloff: false,\n"
+                                         "    ambient_coefficient: 0.15}\n")
+                                         .render;
+    EXPECT_EQ(r.integrator, render::IntegratorKind::distributed);
+    EXPECT_EQ(r.distributed, (render::DistributedSettings{2, 3, 5, 6, 7, 8, 1, false, 0.15}));
+}
+
 TEST(Output, Settings_FillEveryField) {
     const OutputSettings o = load_sections(
                                  "output: {codec: ffv1, crf: 20.5, preset: slow, threads: 3, view: "

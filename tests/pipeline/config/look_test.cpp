@@ -51,6 +51,47 @@ TEST(Materials, Standard_FillsEveryField) {
     EXPECT_EQ(read_material("{base: 0.5}").coat.weight, 0);
 }
 
+TEST(Materials, Phong_FillsEveryField) {
+    const Shot shot = load_sections(
+        "render: {integrator: distributed}\n"
+        "objects: {o: {sphere: 1, material: m}, p: {sphere: 1, at: [9, 0, 5], material: n}}\n"
+        "materials:\n"
+        "  m: {phong: {ambient: [0.1, 0.2, 0.3], diffuse: {checker: {size: 2}}, specular: 0.5,\n"
+        "    shininess: 40, reflectance: [0.2, 0.3, 0.4], reflectance_spread: 9 deg,\n"
+        "    transmittance: 0.25, transmittance_spread: 0.1 rad, index: 1.4}}\n"
+        "  n: {phong: {}}\n");
+    ASSERT_EQ(shot.scene.materials.size(), 2u);
+    ASSERT_TRUE(shot.scene.materials[0].phong);
+    const render::PhongMaterial& m = *shot.scene.materials[0].phong;
+    EXPECT_EQ(m.ambient, Vec3(0.1, 0.2, 0.3));
+    EXPECT_EQ(std::get<render::CheckerTexture>(m.diffuse).size, 2);
+    EXPECT_EQ(m.specular, Vec3(0.5));
+    EXPECT_EQ(m.shininess, 40);
+    EXPECT_EQ(m.reflectance, Vec3(0.2, 0.3, 0.4));
+    EXPECT_NEAR(m.reflectance_spread, 0.15707963267948966, 1e-15);
+    EXPECT_EQ(m.transmittance, Vec3(0.25));
+    EXPECT_EQ(m.transmittance_spread, 0.1);
+    EXPECT_EQ(m.index, 1.4);
+    EXPECT_FALSE(shot.scene.materials[1].phong->ambient);
+}
+
+TEST(Materials, PhongBalls_KeepTheirPaint) {
+    const Shot shot = load_sections(
+        "render: {integrator: distributed}\n"
+        "table: {kind: pool, size: 9 ft}\n"
+        "balls: {three: {at: [0, 0]}}\n"
+        "materials: {ball: {phong: {reflectance: 0.1}}}\n");
+    for (const render::MaterialDescription& material : shot.scene.materials) {
+        if (material.name == "ball/three") {
+            ASSERT_TRUE(material.phong);
+            EXPECT_EQ(material.phong->reflectance, Vec3(0.1));
+            EXPECT_EQ(std::get<render::BallTexture>(material.phong->diffuse).number, 3);
+            return;
+        }
+    }
+    FAIL() << "no material of the ball";
+}
+
 TEST(Materials, Colours_HaveThreeSpellings) {
     EXPECT_EQ(std::get<Vec3>(read_material("{base: 0.25}").base), Vec3(0.25));
     const Vec3 white = std::get<Vec3>(read_material("{base: \"#ffffff\"}").base);

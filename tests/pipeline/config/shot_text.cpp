@@ -105,6 +105,13 @@ void write_scene(Writer& out, const render::SceneDescription& scene) {
         out.line("material", material.name, s.metal, s.roughness, s.specular, s.sheen,
                  s.sheen_colour, s.bump, s.coat.weight, s.coat.ior, s.coat.roughness);
         std::visit(ColourWriter{out}, s.base);
+        if (material.phong) {
+            const render::PhongMaterial& p = *material.phong;
+            out.line("phong", p.ambient.value_or(Vec3(-1, -1, -1)), p.specular, p.shininess,
+                     p.reflectance, p.reflectance_spread, p.transmittance, p.transmittance_spread,
+                     p.index);
+            std::visit(ColourWriter{out}, p.diffuse);
+        }
     }
     for (const render::LightDescription& light : scene.lights) {
         out.line("light", light.name);
@@ -140,6 +147,10 @@ std::string shot_text(const Shot& shot) {
     const render::RenderSettings& r = shot.render;
     out.line("render", r.width, r.height, r.integrator, r.samples, r.max_bounces, r.clamp, r.filter,
              r.filter_width, r.acceleration);
+    const render::DistributedSettings& d = r.distributed;
+    out.line("distributed", d.pixel_samples, d.blur_samples, d.lens_samples, d.shadow_samples,
+             d.reflection_samples, d.refraction_samples, d.recursion_limit, d.falloff,
+             d.ambient_coefficient);
     for (const std::string& aov : r.aovs) {
         out.line(aov);
     }

@@ -71,11 +71,13 @@ TEST(FilmPipeline, SecondRun_RendersNothingAndWritesTheSameBytes) {
     const FilmJobResult first = studio.film();
     EXPECT_EQ(first.frames, kFrames);
     EXPECT_EQ(first.rendered, kPictures);
+    EXPECT_EQ(first.counts.camera_rays, 100u * kPictures);
     const std::string video = studio.video();
     EXPECT_FALSE(video.empty());
     const FilmJobResult second = studio.film("again.mkv");
     EXPECT_EQ(second.frames, kFrames);
     EXPECT_EQ(second.rendered, 0);
+    EXPECT_EQ(second.counts.camera_rays, 0u);
     EXPECT_EQ(studio.video("again.mkv"), video);
     EXPECT_EQ(studio.renderer.rendered().size(), std::size_t{kPictures});
 }

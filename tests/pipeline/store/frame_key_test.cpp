@@ -77,6 +77,21 @@ Hash128 key_with(const Change& change) {
     return inputs.key();
 }
 
+render::DistributedSettings& distributed(Inputs& i) {
+    i.settings.integrator = render::IntegratorKind::distributed;
+    return i.settings.distributed;
+}
+
+TEST(FrameKey, SettingsOfTheOtherIntegrator_DoNotEnter) {
+    EXPECT_EQ(key_with([](Inputs& i) { i.settings.distributed.shadow_samples = 9; }),
+              Inputs().key());
+    EXPECT_EQ(key_with([](Inputs& i) {
+                  distributed(i);
+                  i.settings.samples = 65;
+              }),
+              key_with([](Inputs& i) { distributed(i); }));
+}
+
 TEST(FrameKey, SameInputs_HaveTheSameKey) {
     EXPECT_EQ(Inputs().key(), Inputs().key());
 }
@@ -137,6 +152,19 @@ TEST(FrameKey, WhateverIsSeen_ChangesIt) {
         {"samples", [](Inputs& i) { i.settings.samples = 65; }},
         {"max_bounces", [](Inputs& i) { i.settings.max_bounces = 5; }},
         {"clamp", [](Inputs& i) { i.settings.clamp = 10; }},
+        {"integrator", [](Inputs& i) { distributed(i); }},
+        {"distributed.pixel_samples", [](Inputs& i) { distributed(i).pixel_samples = 3; }},
+        {"distributed.blur_samples", [](Inputs& i) { distributed(i).blur_samples = 3; }},
+        {"distributed.lens_samples", [](Inputs& i) { distributed(i).lens_samples = 3; }},
+        {"distributed.shadow_samples", [](Inputs& i) { distributed(i).shadow_samples = 3; }},
+        {"distributed.reflection_samples",
+         [](Inputs& i) { distributed(i).reflection_samples = 3; }},
+        {"distributed.refraction_samples",
+         [](Inputs& i) { distributed(i).refraction_samples = 3; }},
+        {"distributed.recursion_limit", [](Inputs& i) { distributed(i).recursion_limit = 1; }},
+        {"distributed.falloff", [](Inputs& i) { distributed(i).falloff = false; }},
+        {"distributed.ambient_coefficient",
+         [](Inputs& i) { distributed(i).ambient_coefficient = 0.15; }},
         {"filter", [](Inputs& i) { i.settings.filter = render::PixelFilter::box; }},
         {"filter_width", [](Inputs& i) { i.settings.filter_width = 2; }},
         {"acceleration",

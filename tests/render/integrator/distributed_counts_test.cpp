@@ -1,4 +1,5 @@
 // Rays by kind.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "render/integrator/distributed_ray_counts.h"
@@ -133,12 +134,13 @@ TEST(RayCounts, AsText_StandBesideBothFormulas) {
     settings.distributed = many();
     settings.distributed.pixel_samples = settings.distributed.blur_samples = 1;
     settings.distributed.lens_samples = 1;
-    const std::string text = describe_rays(count, settings, 2);
-    EXPECT_NE(text.find("rays: 1170 = 100 camera + 20 reflection + 10 refraction + 1040 shadow"),
-              std::string::npos)
-        << text;
-    EXPECT_NE(text.find("2.79e+04 = camera rays"), std::string::npos) << text;
-    EXPECT_NE(text.find("4.88e+04 = pixels"), std::string::npos) << text;  // 8 + 2 x 8 x (5 + 25)
+    const std::vector<std::string> text = describe_rays(count, settings, 2);
+    ASSERT_EQ(text.size(), 6u);
+    EXPECT_EQ(text[0], "rays: 1170 = 100 camera + 20 reflection + 10 refraction + 1040 shadow");
+    EXPECT_THAT(text[1], testing::HasSubstr("4 were dark"));
+    EXPECT_THAT(text[2], testing::HasSubstr("2.79e+04 = camera rays"));
+    // 100 pixels, each 8 + 2 x 8 x (5 + 25).
+    EXPECT_THAT(text[4], testing::HasSubstr("4.88e+04 = pixels"));
 }
 
 }  // namespace
