@@ -159,6 +159,21 @@ TEST_F(FilmCommands, Frame_WritesEachKindOfPicture) {
     EXPECT_THAT(results(), ElementsAre("a.bmp", "a.exr", "a.jpg", "a.png"));
 }
 
+TEST_F(FilmCommands, FrameByTheDistributedIntegrator_TellsItsRaysWhenTheyAreTraced) {
+    const std::vector<std::string> command{"frame", "tiny.yaml",
+                                           "--set", "render.integrator=distributed",
+                                           "--set", "render.distributed.pixel_samples=2",
+                                           "-o",    "tiny.png"};
+    const RunResult first = run(command);
+    EXPECT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_EQ(first.out, "tiny.png\n");
+    EXPECT_THAT(first.err, HasSubstr(" = 73728 camera + "));  // 64 x 36 x 2 x 4 x 4
+    EXPECT_THAT(first.err, HasSubstr("by the classic formula: "));
+    const RunResult second = run(command);
+    EXPECT_EQ(second.exit_code, 0) << second.err;
+    EXPECT_THAT(second.err, ::testing::Not(HasSubstr("rays: ")));  // taken from the cache
+}
+
 TEST_F(FilmCommands, FrameByTime_IsTheOneShownThen) {
     ASSERT_EQ(run({"frame", "tiny.yaml", "--at", "0.39s", "-o", "a.png"}).exit_code, 0);
     ASSERT_EQ(run({"frame", "tiny.yaml", "--at", "300 ms", "-o", "b.png"}).exit_code, 0);

@@ -154,6 +154,13 @@ TEST(Render, Distributed_FillsEveryField) {
     EXPECT_EQ(r.distributed, (render::DistributedSettings{2, 3, 5, 6, 7, 8, 1, false, 0.15}));
 }
 
+TEST(Render, Draft_SwitchesTheDistributedEffectsOff) {
+    const render::DistributedSettings d =
+        load("carom: 1\n" + kCamera + "render: {distributed: {shadow_samples: 16}}\n", {}, "draft")
+            .render.distributed;
+    EXPECT_EQ(d, (render::DistributedSettings{4, 1, 1, 1, 1, 1, 2, true, 0.12}));
+}
+
 TEST(Output, Settings_FillEveryField) {
     const OutputSettings o = load_sections(
                                  "output: {codec: ffv1, crf: 20.5, preset: slow, threads: 3, view: "

@@ -1,4 +1,5 @@
 // Ambient, diffuse and specular terms, and soft shadows.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -56,6 +57,44 @@ TEST(PhongTerms, AmbientWithoutAColourOfItsOwn_IsThatOfTheDiffuseTerm) {
     EXPECT_NEAR(seen.x, 0.05f, 1e-6f);
     EXPECT_NEAR(seen.y, 0.1f, 1e-6f);
     EXPECT_NEAR(seen.z, 0.2f, 1e-6f);
+}
+
+TEST(LayeredMaterials, AsPhong_ReflectWhatTheyReflectStraightOn) {
+    // A coat of index 1.5 reflects 4 %, over which the base keeps 96 %; a metal reflects its base.
+    StandardMaterial coated;
+    coated.base = Vec3(0.5, 0.5, 0.5);
+    coated.coat.weight = 1;
+    StandardMaterial metal;
+    metal.base = Vec3(0.9, 0.9, 0.9);
+    metal.metal = 1;
+    metal.roughness = 0.5;
+    SceneBuilder builder;
+    builder.material("coated", coated).material("metal", metal).environment(2);
+    builder.sphere("a", 1, Vec3(0), "coated").sphere("b", 1, Vec3(5, 0, 0), "metal");
+    const DistributedScene scene(builder.scene);
+    DistributedSettings settings = whitted(1);
+    settings.ambient_coefficient = 0.1;
+    settings.reflection_samples = 8;
+    const auto seen = [&](double x) {
+        return scene.trace(settings, Vec3(x, -5, 0), Vec3(0, 1, 0));
+    };
+    EXPECT_NEAR(seen(0).sample.radiance.x, 2 * 0.04 + 0.1 * 0.96 * 0.5, 1e-5);
+    EXPECT_EQ(seen(0).count.reflection_rays, 1u);  // a smooth coat needs no more
+    EXPECT_NEAR(seen(5).sample.radiance.x, 2 * 0.9, 1e-5);
+    EXPECT_EQ(seen(5).count.reflection_rays, 8u);
+}
+
+TEST(LayeredMaterials, RoughHighlight_HasTheAlbedoOfItsReflectance) {
+    // Integrated over the hemisphere of light directions, straight on, each weighted by 1 / pi for
+    // I: the lobe k_s cos^n has the albedo 2 k_s / (n + 2) with a cosine, which is f to a part in
+    // n.
+    StandardMaterial plastic;
+    plastic.base = Vec3(0, 0, 0);
+    plastic.specular = 1;
+    plastic.roughness = 0.4;
+    const PhongModel model = phong_model(plastic);
+    EXPECT_NEAR(model.specular.x * 2 / (model.shininess + 2), 0.04, 1e-6);
+    EXPECT_GT(model.shininess, 10);
 }
 
 TEST(DiffuseFloor, UnderARectangle_IsAsBrightAsByPathTracing) {
