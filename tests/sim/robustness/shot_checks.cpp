@@ -170,9 +170,7 @@ void check_energy(const WorldDescription& world, const Timeline& timeline,
         std::any_of(timeline.events.begin(), timeline.events.end(), [](const Event& event) {
             return event.kind == EventKind::potted || event.kind == EventKind::airborne;
         });
-    // Solids that roll on a rim or rest on a face gain up to some 5e-5 (docs/physics.md, known
-    // limits).
-    const double allowed = has_solids ? 1e-4 : has_left ? 1e-6 : 1e-9;
+    const double allowed = has_solids || has_left ? 1e-6 : 1e-9;
     const double rise = largest_energy_rise(timeline);
     double most = 0;
     for (const EnergySample& sample : timeline.energy)
