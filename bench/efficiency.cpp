@@ -22,6 +22,7 @@ struct Run {
     Picture picture;
     double cpu_seconds = 0;
     double rays = 0;
+    double camera_rays = 0;
 };
 
 struct Error {
@@ -43,6 +44,7 @@ Run render_once(const PeerScene& scene, const render::PreparedScene& prepared, i
     Run run;
     run.cpu_seconds = cpu_now() - start;
     const render::RenderStatistics& count = film.statistics;
+    run.camera_rays = static_cast<double>(count.camera_rays);
     run.rays = static_cast<double>(count.camera_rays + count.scattered_rays + count.shadow_rays);
     for (std::size_t i = 0; i < film.rgba.size(); i += 4) {
         run.picture.insert(run.picture.end(), {film.rgba[i], film.rgba[i + 1], film.rgba[i + 2]});
@@ -126,6 +128,7 @@ std::vector<Error> errors_of(const std::vector<Run>& runs, const std::string& re
 void report(const std::vector<Run>& runs, const std::vector<Error>& errors) {
     double cpu = 0;
     double rays = 0;
+    double camera_rays = 0;
     double trimmed = 0;
     double all = 0;
     double lowest = errors[0].all;
@@ -133,17 +136,20 @@ void report(const std::vector<Run>& runs, const std::vector<Error>& errors) {
     for (std::size_t k = 0; k < runs.size(); ++k) {
         cpu += runs[k].cpu_seconds;
         rays += runs[k].rays;
+        camera_rays += runs[k].camera_rays;
         trimmed += errors[k].trimmed;
         all += errors[k].all;
         lowest = std::min(lowest, errors[k].all);
         highest = std::max(highest, errors[k].all);
     }
     const double n = static_cast<double>(runs.size());
+    const double pixels = static_cast<double>(runs[0].picture.size()) / 3;
     std::printf(
-        "%zu seeds: %.3f CPU s, %.2f Mrays/s per core, relMSE %.3e trimmed / %.3e all "
+        "%zu seeds, %.1f samples: %.3f CPU s, %.2f Mrays/s per core, relMSE %.3e trimmed / %.3e "
+        "all "
         "(%.2e to %.2e), efficiency %.0f / %.0f\n",
-        runs.size(), cpu / n, rays / cpu / 1e6, trimmed / n, all / n, lowest, highest,
-        n * n / (trimmed * cpu), n * n / (all * cpu));
+        runs.size(), camera_rays / n / pixels, cpu / n, rays / cpu / 1e6, trimmed / n, all / n,
+        lowest, highest, n * n / (trimmed * cpu), n * n / (all * cpu));
 }
 
 int run(int argc, char** argv) {
@@ -156,6 +162,8 @@ int run(int argc, char** argv) {
     int first_seed = 1;
     app.add_option("scene", scene_path, "neutral scene, JSON")->required();
     app.add_option("--samples", samples, "per pixel")->capture_default_str();
+    double noise = 0;
+    app.add_option("--noise", noise, "adaptive sampling down to this; --samples is the least then");
     app.add_option("--seeds", seeds, "runs")->capture_default_str()->check(CLI::Range(1, 4096));
     app.add_option("--first-seed", first_seed)->capture_default_str();
     app.add_option("--reference", reference, "EXR; without it runs are compared with each other");
@@ -163,6 +171,8 @@ int run(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     PeerScene scene = read_peer_scene(scene_path);
     scene.settings.samples = samples;
+    scene.settings.noise = noise;
+    scene.settings.max_samples = 4096;
     const render::PreparedScene prepared(scene.scene, scene.settings);
     std::vector<Run> runs;
     for (int seed = 0; seed < seeds; ++seed) {

@@ -34,6 +34,7 @@ std::map<std::string, std::string> render_metadata(const Shot& shot) {
     } else {
         metadata["integrator"] = "path";
         metadata["samples"] = std::to_string(shot.render.samples);
+        metadata["noise"] = shot.render.noise > 0 ? number_text(shot.render.noise) : "off";
         metadata["max_bounces"] = std::to_string(shot.render.max_bounces);
         metadata["clamp"] = clamp_text(shot.render.clamp);
     }

@@ -29,7 +29,8 @@ void add_settings(Hasher& hasher, const render::RenderSettings& settings) {
     if (settings.integrator == render::IntegratorKind::distributed) {
         add_distributed(hasher, settings.distributed);
     } else {
-        hasher.add(settings.samples).add(settings.max_bounces).add(settings.clamp);
+        hasher.add(settings.samples).add(settings.noise).add(settings.max_samples);
+        hasher.add(settings.max_bounces).add(settings.clamp);
     }
     hasher.add(static_cast<std::int32_t>(settings.filter)).add(settings.filter_width);
     hasher.add(static_cast<std::int32_t>(settings.acceleration));

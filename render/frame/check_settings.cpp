@@ -61,6 +61,12 @@ std::vector<std::string> problems_of(const RenderSettings& settings) {
     problems.unless_between("width", settings.width, 1, 16384);
     problems.unless_between("height", settings.height, 1, 16384);
     problems.unless_between("samples", settings.samples, 1, 65536);
+    problems.unless_between("noise", settings.noise, 0.0, 1.0);
+    problems.unless_between("max_samples", settings.max_samples, 1, 65536);
+    if (settings.noise > 0 && settings.samples % 4 != 0) {
+        problems.add("samples is " + std::to_string(settings.samples) +
+                     "; with noise it must be a multiple of 4");
+    }
     problems.unless_between("max_bounces", settings.max_bounces, 0, 64);
     problems.unless_between("clamp", settings.clamp, 0.0, 1e30);
     problems.unless_between("filter_width", settings.filter_width, 0.5, 8.0);

@@ -8,17 +8,19 @@
 #include "render/acceleration/flush_denormals.h"
 #include "render/frame/check_settings.h"
 #include "render/frame/prepared_scene.h"
+#include "render/frame/sample_plan.h"
 #include "render/frame/tile_renderer.h"
 #include "sim/timeline/error.h"
 
 namespace carom::render {
 namespace {
 
-/// Counts finished tiles and tells the caller, one call at a time.
+/// Counts finished tiles and tells the caller, one call at a time, how far from `start` to `end`
+/// they have come.
 class TileProgress {
   public:
-    TileProgress(const ProgressCallback& callback, int tiles)
-        : callback_(callback), tiles_(tiles) {}
+    TileProgress(const ProgressCallback& callback, int tiles, double start, double end)
+        : callback_(callback), tiles_(tiles), start_(start), end_(end) {}
 
     void finish_tile() {
         if (!callback_) {
@@ -26,32 +28,62 @@ class TileProgress {
         }
         const std::lock_guard<std::mutex> lock(mutex_);
         finished_ += 1;
-        callback_(static_cast<double>(finished_) / tiles_);
+        callback_(start_ + (end_ - start_) * finished_ / tiles_);
     }
 
   private:
     const ProgressCallback& callback_;
     int tiles_;
+    double start_;
+    double end_;
     int finished_ = 0;
     std::mutex mutex_;
 };
 
-void render_tiles(TileRenderer& renderer, std::vector<RenderStatistics>& counts,
-                  const WorkContext& context) {
-    TileProgress progress(context.progress, renderer.tile_count());
+struct Share {
+    double start = 0;
+    double end = 1;
+};
+
+/// `render_tile` for each tile, in parallel; its counts are added to `total`, in the tiles' order.
+template <class RenderTile>
+void for_all_tiles(int tiles, const Share& share, const WorkContext& context,
+                   RenderStatistics& total, const RenderTile& render_tile) {
+    TileProgress progress(context.progress, tiles, share.start, share.end);
+    std::vector<RenderStatistics> counts(static_cast<std::size_t>(tiles));
     tbb::parallel_for(
-        0, renderer.tile_count(),
+        0, tiles,
         [&](int tile) {
             if (context.stop.stop_requested()) {
                 return;
             }
             const FlushDenormals flush;
-            counts[static_cast<std::size_t>(tile)] = renderer.render(tile, context.stop);
+            counts[static_cast<std::size_t>(tile)] = render_tile(tile);
             if (!context.stop.stop_requested()) {
                 progress.finish_tile();
             }
         },
         tbb::simple_partitioner());
+    if (context.stop.stop_requested()) {
+        throw Stopped();
+    }
+    for (const RenderStatistics& count : counts) {
+        total += count;
+    }
+}
+
+void render_adaptively(TileRenderer& renderer, const RenderSettings& settings,
+                       const WorkContext& context, RenderStatistics& total) {
+    // How much the first samples are of all is known only after them.
+    constexpr double kPilotShare = 0.3;
+    const int tiles = renderer.tile_count();
+    std::vector<PixelSums> pilot(static_cast<std::size_t>(settings.width) *
+                                 static_cast<std::size_t>(settings.height));
+    for_all_tiles(tiles, {0, kPilotShare}, context, total,
+                  [&](int tile) { return renderer.begin(tile, pilot, context.stop); });
+    const std::vector<int> plan = plan_samples(pilot, settings);
+    for_all_tiles(tiles, {kPilotShare, 1}, context, total,
+                  [&](int tile) { return renderer.finish(tile, pilot, plan, context.stop); });
 }
 
 }  // namespace
@@ -73,13 +105,11 @@ Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks
                      static_cast<std::size_t>(settings.height));
     AovPlanes aovs(settings, frame, frame_scene);
     TileRenderer renderer(settings, frame, transport, film, aovs);
-    std::vector<RenderStatistics> counts(static_cast<std::size_t>(renderer.tile_count()));
-    render_tiles(renderer, counts, context);
-    if (context.stop.stop_requested()) {
-        throw Stopped();
-    }
-    for (const RenderStatistics& count : counts) {
-        film.statistics += count;
+    if (renderer.is_adaptive()) {
+        render_adaptively(renderer, settings, context, film.statistics);
+    } else {
+        for_all_tiles(renderer.tile_count(), {}, context, film.statistics,
+                      [&](int tile) { return renderer.render(tile, context.stop); });
     }
     film.aovs = aovs.take();
     return film;

@@ -43,38 +43,6 @@ int tiles_along(int pixels) {
     return (pixels + TileRenderer::kTileSize - 1) / TileRenderer::kTileSize;
 }
 
-/// Sums of a pixel's samples, in double: thousands of samples lose nothing.
-struct PixelSums {
-    Vec3 radiance{0, 0, 0};
-    Vec3 normal{0, 0, 0};
-    Vec3 albedo{0, 0, 0};
-    double coverage = 0;
-    double luminance = 0;
-    double luminance2 = 0;
-
-    void add(const RadianceSample& sample) {
-        radiance += Vec3(sample.radiance);
-        normal += Vec3(sample.normal);
-        albedo += Vec3(sample.albedo);
-        coverage += static_cast<double>(sample.coverage);
-        const double y = static_cast<double>(render::luminance(sample.radiance));
-        luminance += y;
-        luminance2 += y * y;
-    }
-
-    [[nodiscard]] PixelMeans means(int count) const {
-        PixelMeans result;
-        result.normal = V3f(normal / count);
-        result.albedo = V3f(albedo / count);
-        const double mean = luminance / count;
-        if (count > 1) {
-            result.variance =
-                static_cast<float>(std::max(0.0, luminance2 / count - mean * mean) / (count - 1));
-        }
-        return result;
-    }
-};
-
 }  // namespace
 
 TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& frame,
@@ -98,18 +66,56 @@ TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& fra
       tiles_x_(tiles_along(settings.width)),
       tiles_y_(tiles_along(settings.height)) {}
 
-RenderStatistics TileRenderer::render(int tile, const std::stop_token& stop) {
-    RenderStatistics count;
+template <class Pixel>
+void TileRenderer::for_each_pixel(int tile, const std::stop_token& stop, const Pixel& pixel) const {
     const int x0 = tile % tiles_x_ * kTileSize;
     const int y0 = tile / tiles_x_ * kTileSize;
     for (int y = y0; y < std::min(y0 + kTileSize, settings_.height); ++y) {
         for (int x = x0; x < std::min(x0 + kTileSize, settings_.width); ++x) {
             if (stop.stop_requested()) {
-                return count;
+                return;
             }
-            render_pixel(x, y, stop, count);
+            pixel(x, y);
         }
     }
+}
+
+RenderStatistics TileRenderer::render(int tile, const std::stop_token& stop) {
+    RenderStatistics count;
+    for_each_pixel(tile, stop, [&](int x, int y) {
+        PixelSums sums;
+        add_samples(x, y, 0, samples_, sums, stop, count);
+        write(x, y, sums, samples_);
+    });
+    return count;
+}
+
+RenderStatistics TileRenderer::begin(int tile, std::vector<PixelSums>& pilot,
+                                     const std::stop_token& stop) {
+    RenderStatistics count;
+    for_each_pixel(tile, stop, [&](int x, int y) {
+        PixelSums& sums = pilot[index(x, y)];
+        double before = 0;
+        for (int group = 0; group < PixelSums::kGroups; ++group) {
+            const int share = settings_.samples / PixelSums::kGroups;
+            add_samples(x, y, group * share, (group + 1) * share, sums, stop, count);
+            sums.groups[static_cast<std::size_t>(group)] =
+                static_cast<float>(sums.luminance - before);
+            before = sums.luminance;
+        }
+    });
+    return count;
+}
+
+RenderStatistics TileRenderer::finish(int tile, const std::vector<PixelSums>& pilot,
+                                      const std::vector<int>& plan, const std::stop_token& stop) {
+    RenderStatistics count;
+    for_each_pixel(tile, stop, [&](int x, int y) {
+        PixelSums sums = pilot[index(x, y)];
+        const int samples = plan[index(x, y)];
+        add_samples(x, y, settings_.samples, samples, sums, stop, count);
+        write(x, y, sums, samples);
+    });
     return count;
 }
 
@@ -124,10 +130,9 @@ Ray TileRenderer::camera_ray(int x, int y, const SampleStream& stream) const {
     return camera_.ray(x, y, sample);
 }
 
-void TileRenderer::render_pixel(int x, int y, const std::stop_token& stop,
-                                RenderStatistics& count) {
-    PixelSums sums;
-    for (int sample = 0; sample < samples_; ++sample) {
+void TileRenderer::add_samples(int x, int y, int from, int to, PixelSums& sums,
+                               const std::stop_token& stop, RenderStatistics& count) const {
+    for (int sample = from; sample < to; ++sample) {
         if (sample % samples_between_stops_ == samples_between_stops_ - 1 &&
             stop.stop_requested()) {
             return;
@@ -138,17 +143,17 @@ void TileRenderer::render_pixel(int x, int y, const std::stop_token& stop,
         const Ray ray = camera_ray(x, y, stream);
         sums.add(integrator_->sample(ray, pixel_spread_, stream, {x, y, sample}, count));
     }
-    const std::size_t pixel =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(settings_.width) +
-        static_cast<std::size_t>(x);
-    const double scale = 1.0 / samples_;
-    float* rgba = &film_.rgba[4 * pixel];
+}
+
+void TileRenderer::write(int x, int y, const PixelSums& sums, int samples) {
+    const double scale = 1.0 / samples;
+    float* rgba = &film_.rgba[4 * index(x, y)];
     for (int channel = 0; channel < 3; ++channel) {
         rgba[channel] = static_cast<float>(sums.radiance[channel] * scale);
     }
     rgba[3] = static_cast<float>(sums.coverage * scale);
     if (!aovs_.empty()) {
-        aovs_.write(x, y, sums.means(samples_));
+        aovs_.write(x, y, sums.means(samples));
     }
 }
 

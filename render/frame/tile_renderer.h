@@ -1,13 +1,16 @@
 // The pixels of one frame, tile by tile.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <stop_token>
+#include <vector>
 
 #include "render/camera/thin_lens_camera.h"
 #include "render/film/film.h"
 #include "render/frame/aov_planes.h"
 #include "render/frame/frame.h"
+#include "render/frame/pixel_sums.h"
 #include "render/integrator/integrator.h"
 #include "render/integrator/transport_scene.h"
 
@@ -24,12 +27,31 @@ class TileRenderer {
 
     [[nodiscard]] int tile_count() const { return tiles_x_ * tiles_y_; }
 
-    /// Returns early, leaving pixels unwritten, once `stop` is triggered.
+    /// Returns early, leaving pixels unwritten, once `stop` is triggered; so do the others.
     [[nodiscard]] RenderStatistics render(int tile, const std::stop_token& stop);
+
+    [[nodiscard]] bool is_adaptive() const {
+        return settings_.integrator == IntegratorKind::path && settings_.noise > 0;
+    }
+    /// For adaptive sampling: the first samples of each pixel into `pilot`, ...
+    [[nodiscard]] RenderStatistics begin(int tile, std::vector<PixelSums>& pilot,
+                                         const std::stop_token& stop);
+    /// ... and the others up to the number in `plan`, into the film. Both row by row.
+    [[nodiscard]] RenderStatistics finish(int tile, const std::vector<PixelSums>& pilot,
+                                          const std::vector<int>& plan,
+                                          const std::stop_token& stop);
 
   private:
     [[nodiscard]] Ray camera_ray(int x, int y, const SampleStream& stream) const;
-    void render_pixel(int x, int y, const std::stop_token& stop, RenderStatistics& count);
+    template <class Pixel>
+    void for_each_pixel(int tile, const std::stop_token& stop, const Pixel& pixel) const;
+    void add_samples(int x, int y, int from, int to, PixelSums& sums, const std::stop_token& stop,
+                     RenderStatistics& count) const;
+    void write(int x, int y, const PixelSums& sums, int samples);
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(settings_.width) +
+               static_cast<std::size_t>(x);
+    }
 
     RenderSettings settings_;
     std::uint64_t seed_;

@@ -16,7 +16,12 @@ struct RenderSettings {
     int width = 1280;  // pixels, [16, 16384]
     int height = 720;
     IntegratorKind integrator = IntegratorKind::path;
-    int samples = 64;                 // per pixel, [1, 65536]; powers of two converge best (path)
+    int samples = 64;  // per pixel, [1, 65536]; powers of two converge best (path)
+    /// Adaptive sampling (path): `samples` (a multiple of 4 then) is the least, and pixels get more
+    /// by their noise until the frame's relative error is this, root mean square over its pixels;
+    /// 0: off.
+    double noise = 0;
+    int max_samples = 1024;           // of one pixel, [1, 65536]
     int max_bounces = 4;              // [0, 64] (path)
     DistributedSettings distributed;  // instead of the two, with that integrator
     double clamp =

@@ -181,6 +181,12 @@ void add_sampling(MapSpec<RenderSection>& s) {
         "how light is followed: by paths, or as the classic distributed ray tracer does");
     add("samples", &RenderSettings::samples, integer(1, 65536),
         "per pixel; powers of two converge best; `path` only");
+    add("noise", &RenderSettings::noise, number(between(0, 1)),
+        "adaptive sampling: beyond `samples`, which is a multiple of 4 then, pixels get more by "
+        "their "
+        "noise until the frame's relative error (root mean square) is this; 0: all get `samples`");
+    add("max_samples", &RenderSettings::max_samples, integer(1, 65536),
+        "of one pixel, where `noise` is set");
     add("max_bounces", &RenderSettings::max_bounces, integer(0, 64), "of a path");
     add("clamp", &RenderSettings::clamp, number(between(0, 1e6)),
         "limit of a sample's indirect radiance, against fireflies; 0: off");
@@ -231,6 +237,14 @@ const MapSpec<RenderSection>& render_spec() {
         s.key(
             "aovs", [](RenderSection& r) -> std::vector<std::string>& { return r.settings.aovs; },
             list_of(choice<std::string>(aov_names()), 0, 6), "further channels of each frame");
+        s.check([](Reader& reader, const Node& node, RenderSection& r) {
+            const Entry* noise = node.find("noise");
+            if (noise != nullptr && r.settings.noise > 0 && r.settings.samples % 4 != 0) {
+                reader.error(noise->value.place,
+                             "'noise' needs 'samples' to be a multiple of 4, which " +
+                                 std::to_string(r.settings.samples) + " is not");
+            }
+        });
         return s;
     }();
     return spec;

@@ -150,6 +150,8 @@ TEST(FrameKey, WhateverIsSeen_ChangesIt) {
         {"width", [](Inputs& i) { i.settings.width = 640; }},
         {"height", [](Inputs& i) { i.settings.height = 640; }},
         {"samples", [](Inputs& i) { i.settings.samples = 65; }},
+        {"noise", [](Inputs& i) { i.settings.noise = 0.01; }},
+        {"max_samples", [](Inputs& i) { i.settings.max_samples = 65; }},
         {"max_bounces", [](Inputs& i) { i.settings.max_bounces = 5; }},
         {"clamp", [](Inputs& i) { i.settings.clamp = 10; }},
         {"integrator", [](Inputs& i) { distributed(i); }},

@@ -1,0 +1,49 @@
+// What a pixel's samples add up to.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "render/frame/aov_planes.h"
+#include "render/integrator/integrator.h"
+#include "render/light/area_light.h"
+
+namespace carom::render {
+
+/// In double: thousands of samples lose nothing. Samples are added in their order.
+struct PixelSums {
+    static constexpr int kGroups = 4;
+
+    Vec3 radiance{0, 0, 0};
+    Vec3 normal{0, 0, 0};
+    Vec3 albedo{0, 0, 0};
+    double coverage = 0;
+    double luminance = 0;
+    double luminance2 = 0;
+    /// Luminance of each quarter of the first samples: how they differ says how noisy the pixel is.
+    std::array<float, kGroups> groups{};
+
+    void add(const RadianceSample& sample) {
+        radiance += Vec3(sample.radiance);
+        normal += Vec3(sample.normal);
+        albedo += Vec3(sample.albedo);
+        coverage += static_cast<double>(sample.coverage);
+        const double y = static_cast<double>(render::luminance(sample.radiance));
+        luminance += y;
+        luminance2 += y * y;
+    }
+
+    [[nodiscard]] PixelMeans means(int count) const {
+        PixelMeans result;
+        result.normal = V3f(normal / count);
+        result.albedo = V3f(albedo / count);
+        const double mean = luminance / count;
+        if (count > 1) {
+            result.variance =
+                static_cast<float>(std::max(0.0, luminance2 / count - mean * mean) / (count - 1));
+        }
+        return result;
+    }
+};
+
+}  // namespace carom::render

@@ -1,0 +1,95 @@
+#include "render/frame/sample_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/timeline/assert.h"
+
+namespace carom::render {
+namespace {
+
+constexpr double kDarkest = 0.01;  // squared luminance that errors are measured against at least
+
+/// Squared relative error of the mean of a pixel's first samples.
+double relative_variance(const PixelSums& pixel, int samples) {
+    constexpr int n = PixelSums::kGroups;
+    double mean = 0;
+    for (const float sum : pixel.groups) {
+        mean += static_cast<double>(sum) / samples;
+    }
+    double squares = 0;
+    for (const float sum : pixel.groups) {
+        const double d = static_cast<double>(sum) * n / samples - mean;
+        squares += d * d;
+    }
+    return squares / (n * (n - 1)) / (mean * mean + kDarkest);
+}
+
+/// Means over the pixels around each one, without its own.
+std::vector<double> around(const std::vector<double>& values, int width, int height) {
+    std::vector<double> result(values.size());
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            double sum = 0;
+            int count = 0;
+            for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j) {
+                for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width - 1); ++i) {
+                    if (i != x || j != y) {
+                        sum += values[static_cast<std::size_t>(j * width + i)];
+                        count += 1;
+                    }
+                }
+            }
+            result[static_cast<std::size_t>(y * width + x)] = count > 0 ? sum / count : 0;
+        }
+    }
+    return result;
+}
+
+/// Samples of a pixel of the given standard deviation, before rounding.
+double share_of(double deviation, double scale, const RenderSettings& settings) {
+    return std::clamp(scale * deviation, static_cast<double>(settings.samples),
+                      static_cast<double>(std::max(settings.max_samples, settings.samples)));
+}
+
+double mean_square_error(const std::vector<double>& deviations, double scale,
+                         const RenderSettings& settings) {
+    double sum = 0;
+    for (const double deviation : deviations) {
+        sum += deviation * deviation / share_of(deviation, scale, settings);
+    }
+    return sum / static_cast<double>(deviations.size());
+}
+
+}  // namespace
+
+std::vector<int> plan_samples(const std::vector<PixelSums>& pilot, const RenderSettings& settings) {
+    CAROM_ASSERT(settings.noise > 0 && settings.samples % PixelSums::kGroups == 0);
+    std::vector<double> deviations;
+    deviations.reserve(pilot.size());
+    for (const PixelSums& pixel : pilot) {
+        deviations.push_back(relative_variance(pixel, settings.samples));
+    }
+    deviations = around(deviations, settings.width, settings.height);
+    for (double& value : deviations) {
+        value = std::sqrt(value * settings.samples);  // of one sample
+    }
+    // Halving: the error falls as the scale grows.
+    const double target = settings.noise * settings.noise;
+    double low = 0;
+    double high = 1e9;
+    for (int step = 0; step < 50; ++step) {
+        const double middle = step < 20 ? std::sqrt((low + 1) * high) : 0.5 * (low + high);
+        (mean_square_error(deviations, middle, settings) > target ? low : high) = middle;
+    }
+    const int quantum = settings.samples / PixelSums::kGroups;
+    std::vector<int> plan;
+    plan.reserve(pilot.size());
+    for (const double deviation : deviations) {
+        const double wanted = share_of(deviation, high, settings);
+        plan.push_back(static_cast<int>(std::ceil(wanted / quantum - 1e-6)) * quantum);
+    }
+    return plan;
+}
+
+}  // namespace carom::render
