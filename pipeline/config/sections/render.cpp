@@ -183,8 +183,8 @@ void add_sampling(MapSpec<RenderSection>& s) {
         "per pixel; powers of two converge best; `path` only");
     add("noise", &RenderSettings::noise, number(between(0, 1)),
         "adaptive sampling: beyond `samples`, which is a multiple of 4 then, pixels get more by "
-        "their "
-        "noise until the frame's relative error (root mean square) is this; 0: all get `samples`");
+        "their noise until the frame's relative error (root mean square) is this; 0: all get "
+        "`samples`");
     add("max_samples", &RenderSettings::max_samples, integer(1, 65536),
         "of one pixel, where `noise` is set");
     add("max_bounces", &RenderSettings::max_bounces, integer(0, 64), "of a path");
