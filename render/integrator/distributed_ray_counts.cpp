@@ -46,12 +46,14 @@ std::vector<std::string> describe_rays(const RenderStatistics& count,
         line("if every surface reflected and refracted: ", full,
              " = camera rays x sum over n = 0..", limit,
              " of rays of generation n x (1 + lights x shadow samples)"),
-        "  fewer are sent where a ray leaves the scene or meets a light, where a surface does not "
-        "reflect or refract or spreads nothing, and at total reflection",
+        line(
+            "  fewer are sent where a ray leaves the scene or meets a light, where a surface does ",
+            "not reflect or refract or spreads nothing, and at total reflection"),
         line("by the classic formula: ", classic,
              " = pixels x blur x lens x (L S + sum over n = 1..", limit, " of 2 L S (R + T)^n)"),
-        "  it knows neither pixel samples nor fall-off, leaves out the camera rays, and counts L S "
-        "rays, not one, for each ray sent on"};
+        line("  it knows neither pixel samples nor fall-off, leaves out the camera rays, and "
+             "counts ",
+             "L S rays, not one, for each ray sent on")};
 }
 
 }  // namespace carom::render
