@@ -144,7 +144,8 @@ TEST(Solids_Dropped, ComeToRestWithoutGainingEnergy) {
     const BakeResult result = bake(world);
     double last = 1e300;
     for (const EnergySample& sample : result.timeline.energy) {
-        EXPECT_LE(sample.total(), last + 1e-6 * std::abs(last)) << sample.time << " by " << sample.total() - last;
+        EXPECT_LE(sample.total(), last + 1e-6 * std::abs(last))
+            << sample.time << " by " << sample.total() - last;
         last = sample.total();
     }
     for (const Body& body : world.bodies) {
