@@ -82,12 +82,14 @@ struct ObjectPhysics {
 
 struct ObjectSection {
     std::optional<render::Shape> shape;
+    bool is_degenerate = false;           // a triangle or parallelogram without area
     std::optional<sim::BodyShape> solid;  // what `shape` draws, if that is no shape of its own
     Vec3 at{0, 0, 0};
     Vec3 centre{0, 0, 0};  // of mass, from the origin in the object's axes (hulls)
     Quat rotate;
-    double scale = 1;
-    std::optional<std::string> material;  // of the look
+    Vec3 scale{1, 1, 1};
+    std::optional<std::vector<Vec3>> axes;  // three, instead of `rotate` and `scale`
+    std::optional<std::string> material;    // of the look
     std::optional<ObjectPhysics> physics;
     Place shape_place;
 };

@@ -48,23 +48,6 @@ void add_side(render::MeshShape& mesh, const std::vector<Vec3>& corners, const V
 
 }  // namespace
 
-render::MeshShape cylinder_mesh(const sim::Cylinder& cylinder) {
-    render::MeshShape mesh;
-    const double half = 0.5 * cylinder.height;
-    add_ring(mesh, cylinder.radius, -half, 0);
-    add_ring(mesh, cylinder.radius, half, 0);
-    join_rings(mesh);
-    std::vector<Vec3> top;
-    std::vector<Vec3> bottom;
-    for (std::uint32_t i = 0; i < kSides; ++i) {
-        top.push_back(around(i) * cylinder.radius + Vec3(0, 0, half));
-        bottom.push_back(around(kSides - 1 - i) * cylinder.radius + Vec3(0, 0, -half));
-    }
-    add_side(mesh, top, {0, 0, 1});
-    add_side(mesh, bottom, {0, 0, -1});
-    return mesh;
-}
-
 render::MeshShape capsule_mesh(const sim::Capsule& capsule) {
     render::MeshShape mesh;
     // From pole to pole; the rings at the poles have no extent.
@@ -86,6 +69,39 @@ render::MeshShape capsule_mesh(const sim::Capsule& capsule) {
                mesh.vertices[t[1]] == mesh.vertices[t[2]] ||
                mesh.vertices[t[2]] == mesh.vertices[t[0]];
     });
+    return mesh;
+}
+
+sim::TriangleMesh disk_mesh(double radius) {
+    sim::TriangleMesh mesh;
+    mesh.vertices.emplace_back(0, 0, 0);
+    for (std::uint32_t i = 0; i < kSides; ++i) {
+        mesh.vertices.push_back(around(i) * radius);
+        mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % kSides});
+    }
+    return mesh;
+}
+
+sim::TriangleMesh cone_mesh(const render::ConeShape& cone) {
+    std::vector<Vec3> points;
+    for (const double end : {-0.5, 0.5}) {
+        const double radius = end < 0 ? cone.radius : cone.top_radius;
+        const Vec3 centre(0, 0, end * cone.height);
+        for (std::uint32_t i = 0; i < (radius > 0 ? kSides : 1); ++i) {
+            points.push_back(centre + around(i) * radius);
+        }
+    }
+    sim::TriangleMesh mesh;
+    const std::optional<sim::Polyhedron> hull = sim::convex_hull(points);
+    if (!hull) {
+        return mesh;
+    }
+    mesh.vertices = hull->vertices;
+    for (const sim::PolyhedronFace& face : hull->faces) {
+        for (std::size_t i = 2; i < face.corners.size(); ++i) {
+            mesh.triangles.push_back({face.corners[0], face.corners[i - 1], face.corners[i]});
+        }
+    }
     return mesh;
 }
 

@@ -1,4 +1,4 @@
-// Capsules, cylinders and hulls as meshes to see: the same measures that are collided with.
+// Capsules and hulls as meshes to see, disks and cones as meshes to collide with.
 #pragma once
 
 #include "render/scene/scene_description.h"
@@ -9,7 +9,10 @@ namespace carom::pipeline {
 
 /// Drawn with 96 sides around: inside the true surface by at most 0.06 % of the radius.
 [[nodiscard]] render::MeshShape capsule_mesh(const sim::Capsule& capsule);
-[[nodiscard]] render::MeshShape cylinder_mesh(const sim::Cylinder& cylinder);
+
+/// What balls collide with: inside the true surface by as much.
+[[nodiscard]] sim::TriangleMesh disk_mesh(double radius);
+[[nodiscard]] sim::TriangleMesh cone_mesh(const render::ConeShape& cone);
 
 /// Every side flat.
 [[nodiscard]] render::MeshShape hull_mesh(const sim::Polyhedron& hull);

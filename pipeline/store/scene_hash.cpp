@@ -58,6 +58,22 @@ class SceneHasher {
     void add(const render::PlaneShape&) {}
     void add(const render::RectangleShape& rectangle) { hasher_.add(rectangle.size); }
 
+    void add(const render::TriangleShape& triangle) {
+        for (const Vec3& corner : triangle.corners) {
+            hasher_.add(corner);
+        }
+    }
+    void add(const render::ParallelogramShape& shape) {
+        hasher_.add(shape.corner).add(shape.edge_u).add(shape.edge_v);
+    }
+    void add(const render::DiskShape& disk) { hasher_.add(disk.radius); }
+    void add(const render::CylinderShape& cylinder) {
+        hasher_.add(cylinder.radius).add(cylinder.height);
+    }
+    void add(const render::ConeShape& cone) {
+        hasher_.add(cone.radius).add(cone.top_radius).add(cone.height);
+    }
+
     void add(const render::MeshShape& mesh) {
         add_file(mesh.file);
         hasher_.add(std::uint64_t{mesh.vertices.size()});

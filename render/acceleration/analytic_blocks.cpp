@@ -74,21 +74,39 @@ std::vector<AlignedBoxBlock> pack_boxes(const std::vector<AlignedBox>& boxes) {
     });
 }
 
-std::vector<MappedBlock> pack_mapped(const std::vector<MappedShape>& shapes) {
-    MappedBlock empty;  // the whole world at (2, 2, 2), beside every unit shape
+/// The whole world at (2, 2, 2), beside every unit shape.
+MappedBlock empty_mapped() {
+    MappedBlock empty;
     for (int axis = 0; axis < 3; ++axis) {
         fill(empty.map[3][axis], 2);
     }
-    return pack(shapes, empty, [](MappedBlock& block, int lane, const MappedShape& shape) {
-        for (int row = 0; row < 3; ++row) {
-            for (int axis = 0; axis < 3; ++axis) {
-                block.map[row][axis].values[lane] = shape.unit_from_world.linear[row][axis];
-            }
-        }
+    return empty;
+}
+
+void put_mapped(MappedBlock& block, int lane, const MappedShape& shape) {
+    for (int row = 0; row < 3; ++row) {
         for (int axis = 0; axis < 3; ++axis) {
-            block.map[3][axis].values[lane] = shape.unit_from_world.translation[axis];
+            block.map[row][axis].values[lane] = shape.unit_from_world.linear[row][axis];
         }
-        block.one_sided.values[lane] = shape.one_sided ? 1.f : 0.f;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        block.map[3][axis].values[lane] = shape.unit_from_world.translation[axis];
+    }
+    block.one_sided.values[lane] = shape.one_sided ? 1.f : 0.f;
+    block.object.values[lane] = lane_object(shape.object);
+}
+
+std::vector<MappedBlock> pack_mapped(const std::vector<MappedShape>& shapes) {
+    return pack(shapes, empty_mapped(), put_mapped);
+}
+
+std::vector<FrustumBlock> pack_frustums(const std::vector<MappedShape>& shapes) {
+    FrustumBlock empty;
+    empty.mapped = empty_mapped();
+    return pack(shapes, empty, [](FrustumBlock& block, int lane, const MappedShape& shape) {
+        put_mapped(block.mapped, lane, shape);
+        block.middle.values[lane] = shape.profile.middle;
+        block.slope.values[lane] = shape.profile.slope;
         block.object.values[lane] = lane_object(shape.object);
     });
 }
@@ -108,6 +126,9 @@ AnalyticBlocks make_blocks(const ShapeSet& shapes) {
     blocks.mapped_balls = pack_mapped(in_order(shapes.mapped_balls));
     blocks.mapped_boxes = pack_mapped(in_order(shapes.mapped_boxes));
     blocks.rectangles = pack_mapped(in_order(shapes.rectangles));
+    blocks.triangles = pack_mapped(in_order(shapes.triangles));
+    blocks.disks = pack_mapped(in_order(shapes.disks));
+    blocks.frustums = pack_frustums(in_order(shapes.frustums));
     blocks.planes = pack_mapped(in_order(shapes.planes));
     return blocks;
 }

@@ -44,6 +44,12 @@ struct MappedBlock {
     ObjectLanes object;
 };
 
+struct FrustumBlock {
+    MappedBlock mapped;
+    Lanes middle, slope;
+    ObjectLanes object;
+};
+
 /// All analytic shapes that stand still or are plain spheres, each kind in order of object.
 struct AnalyticBlocks {
     std::vector<StillSphereBlock> still_spheres;
@@ -52,6 +58,9 @@ struct AnalyticBlocks {
     std::vector<MappedBlock> mapped_balls;
     std::vector<MappedBlock> mapped_boxes;
     std::vector<MappedBlock> rectangles;
+    std::vector<MappedBlock> triangles;
+    std::vector<MappedBlock> disks;
+    std::vector<FrustumBlock> frustums;
     std::vector<MappedBlock> planes;
 };
 

@@ -217,23 +217,116 @@ struct PlaneTest {
     }
 };
 
+/// Where the ray meets the plane z = 0 of the unit shape in each lane.
+template <class D>
+struct PlanePoint {
+    hn::Vec<D> x, y, slope;
+};
+
+template <class D>
+HWY_INLINE PlanePoint<D> meet_plane(D d, const RayLanes<D>& ray, const MappedBlock& block, int lane,
+                                    hn::Vec<D>& t) {
+    PlanePoint<D> point;
+    point.slope = mapped_direction(d, ray, block, lane, 2);
+    t = hn::Neg(hn::Div(mapped_origin(d, ray, block, lane, 2), point.slope));
+    point.x = hn::MulAdd(t, mapped_direction(d, ray, block, lane, 0),
+                         mapped_origin(d, ray, block, lane, 0));
+    point.y = hn::MulAdd(t, mapped_direction(d, ray, block, lane, 1),
+                         mapped_origin(d, ray, block, lane, 1));
+    return point;
+}
+
 struct RectangleTest {
     template <class D>
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
                                       int lane, hn::Vec<D>& t) const {
-        const hn::Vec<D> slope = mapped_direction(d, ray, block, lane, 2);
-        const hn::Vec<D> height = mapped_origin(d, ray, block, lane, 2);
-        t = hn::Neg(hn::Div(height, slope));
-        const hn::Vec<D> x = hn::MulAdd(t, mapped_direction(d, ray, block, lane, 0),
-                                        mapped_origin(d, ray, block, lane, 0));
-        const hn::Vec<D> y = hn::MulAdd(t, mapped_direction(d, ray, block, lane, 1),
-                                        mapped_origin(d, ray, block, lane, 1));
+        const PlanePoint<D> at = meet_plane(d, ray, block, lane, t);
         const hn::Vec<D> one = hn::Set(d, 1.f);
-        const hn::Mask<D> inside = hn::And(hn::Le(hn::Abs(x), one), hn::Le(hn::Abs(y), one));
+        const hn::Mask<D> inside = hn::And(hn::Le(hn::Abs(at.x), one), hn::Le(hn::Abs(at.y), one));
         // From behind (slope > 0) a one-sided rectangle is not there.
-        const hn::Mask<D> seen =
-            hn::Or(hn::Lt(slope, hn::Zero(d)), hn::Eq(load(d, block.one_sided, lane), hn::Zero(d)));
+        const hn::Mask<D> seen = hn::Or(hn::Lt(at.slope, hn::Zero(d)),
+                                        hn::Eq(load(d, block.one_sided, lane), hn::Zero(d)));
         return hn::And(hn::And(inside, seen), hn::Gt(t, ray.t_min));
+    }
+};
+
+struct TriangleTest {
+    template <class D>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                      int lane, hn::Vec<D>& t) const {
+        const PlanePoint<D> at = meet_plane(d, ray, block, lane, t);
+        const hn::Vec<D> low = hn::Set(d, -kTriangleMargin);
+        const hn::Vec<D> high = hn::Set(d, 1 + kTriangleMargin);
+        const hn::Mask<D> inside = hn::And(hn::And(hn::Ge(at.x, low), hn::Ge(at.y, low)),
+                                           hn::Le(hn::Add(at.x, at.y), high));
+        return hn::And(inside, hn::Gt(t, ray.t_min));
+    }
+};
+
+struct DiskTest {
+    template <class D>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                      int lane, hn::Vec<D>& t) const {
+        const PlanePoint<D> at = meet_plane(d, ray, block, lane, t);
+        const hn::Vec<D> radius2 = hn::MulAdd(at.x, at.x, hn::Mul(at.y, at.y));
+        return hn::And(hn::Le(radius2, hn::Set(d, 1.f)), hn::Gt(t, ray.t_min));
+    }
+};
+
+/// As cross_frustum in intersect.h, with its reasons.
+struct FrustumTest {
+    template <class D>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const FrustumBlock& block,
+                                      int lane, hn::Vec<D>& t) const {
+        const hn::Vec<D> v[3] = {mapped_direction(d, ray, block.mapped, lane, 0),
+                                 mapped_direction(d, ray, block.mapped, lane, 1),
+                                 mapped_direction(d, ray, block.mapped, lane, 2)};
+        hn::Vec<D> p[3] = {mapped_origin(d, ray, block.mapped, lane, 0),
+                           mapped_origin(d, ray, block.mapped, lane, 1),
+                           mapped_origin(d, ray, block.mapped, lane, 2)};
+        const hn::Vec<D> shift = hn::Neg(hn::Div(dot<D>(p, v), dot<D>(v, v)));
+        for (int axis = 0; axis < 3; ++axis) {
+            p[axis] = hn::MulAdd(shift, v[axis], p[axis]);
+        }
+        const hn::Vec<D> zero = hn::Zero(d);
+        const hn::Vec<D> one = hn::Set(d, 1.f);
+        const hn::Vec<D> middle = load(d, block.middle, lane);
+        const hn::Vec<D> slope = load(d, block.slope, lane);
+        const hn::Vec<D> radius = hn::MulAdd(slope, p[2], middle);
+        const hn::Vec<D> narrowing = hn::Mul(slope, v[2]);
+        const hn::Vec<D> a =
+            hn::NegMulAdd(narrowing, narrowing, hn::MulAdd(v[0], v[0], hn::Mul(v[1], v[1])));
+        const hn::Vec<D> b =
+            hn::NegMulAdd(narrowing, radius, hn::MulAdd(p[0], v[0], hn::Mul(p[1], v[1])));
+        const hn::Vec<D> c =
+            hn::NegMulAdd(radius, radius, hn::MulAdd(p[0], p[0], hn::Mul(p[1], p[1])));
+        const hn::Vec<D> discriminant = hn::NegMulAdd(a, c, hn::Mul(b, b));
+        const hn::Vec<D> root = hn::Sqrt(hn::Max(discriminant, zero));
+        const hn::Vec<D> q = hn::Neg(hn::Add(b, hn::CopySign(root, b)));
+        const hn::Mask<D> meets = hn::Ge(discriminant, zero);
+        const hn::Vec<D> margin = hn::Set(d, kFrustumMargin);
+        t = hn::Set(d, kInfinity);
+        const auto offer = [&](hn::Vec<D> u, hn::Mask<D> valid) HWY_ATTR {
+            const hn::Vec<D> at = hn::Add(shift, u);
+            const hn::Mask<D> take = hn::And(valid, hn::And(hn::Gt(at, ray.t_min), hn::Lt(at, t)));
+            t = hn::IfThenElse(take, at, t);
+        };
+        const auto offer_side = [&](hn::Vec<D> u) HWY_ATTR {
+            const hn::Vec<D> z = hn::Abs(hn::MulAdd(u, v[2], p[2]));
+            offer(u, hn::And(meets, hn::Le(z, hn::Add(one, margin))));
+        };
+        const auto offer_cap = [&](hn::Vec<D> end, hn::Vec<D> cap_radius) HWY_ATTR {
+            const hn::Vec<D> u = hn::Div(hn::Sub(end, p[2]), v[2]);
+            const hn::Vec<D> x = hn::MulAdd(u, v[0], p[0]);
+            const hn::Vec<D> y = hn::MulAdd(u, v[1], p[1]);
+            const hn::Vec<D> reach = hn::Add(cap_radius, margin);
+            offer(u, hn::Le(hn::MulAdd(x, x, hn::Mul(y, y)), hn::Mul(reach, reach)));
+        };
+        offer_side(hn::Div(q, a));
+        offer_side(hn::Div(c, q));
+        offer_cap(hn::Neg(one), hn::Sub(middle, slope));
+        offer_cap(one, hn::Add(middle, slope));
+        return hn::Lt(t, hn::Set(d, kInfinity));
     }
 };
 
@@ -312,6 +405,9 @@ inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const Ray& ray, Candi
     scan(d, lanes, blocks.mapped_boxes, MappedBoxTest(), nearest);
     scan(d, lanes, blocks.mapped_balls, MappedBallTest(), nearest);
     scan(d, lanes, blocks.rectangles, RectangleTest(), nearest);
+    scan(d, lanes, blocks.triangles, TriangleTest(), nearest);
+    scan(d, lanes, blocks.disks, DiskTest(), nearest);
+    scan(d, lanes, blocks.frustums, FrustumTest(), nearest);
     scan(d, lanes, blocks.planes, PlaneTest(), nearest);
     nearest.reduce(d, best);
 }
@@ -327,6 +423,9 @@ inline HWY_ATTR bool any(const AnalyticBlocks& blocks, const Ray& ray) {
            scan_any(d, lanes, t_max, blocks.mapped_boxes, MappedBoxTest()) ||
            scan_any(d, lanes, t_max, blocks.mapped_balls, MappedBallTest()) ||
            scan_any(d, lanes, t_max, blocks.rectangles, RectangleTest()) ||
+           scan_any(d, lanes, t_max, blocks.triangles, TriangleTest()) ||
+           scan_any(d, lanes, t_max, blocks.disks, DiskTest()) ||
+           scan_any(d, lanes, t_max, blocks.frustums, FrustumTest()) ||
            scan_any(d, lanes, t_max, blocks.planes, PlaneTest());
 }
 
@@ -363,6 +462,9 @@ inline const AnalyticKernels& kernels_of_target() {
         one_shape<MappedBlock, MappedBallTest>,
         one_shape<MappedBlock, MappedBoxTest>,
         one_shape<MappedBlock, RectangleTest>,
+        one_shape<MappedBlock, TriangleTest>,
+        one_shape<MappedBlock, DiskTest>,
+        one_shape<FrustumBlock, FrustumTest>,
         one_shape<MappedBlock, PlaneTest>,
         hwy::TargetName(HWY_TARGET),
     };

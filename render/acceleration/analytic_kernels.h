@@ -37,6 +37,9 @@ struct AnalyticKernels {
     bool (*mapped_ball)(const MappedBlock& block, int lane, const Ray& ray, float& t);
     bool (*mapped_box)(const MappedBlock& block, int lane, const Ray& ray, float& t);
     bool (*rectangle)(const MappedBlock& block, int lane, const Ray& ray, float& t);
+    bool (*triangle)(const MappedBlock& block, int lane, const Ray& ray, float& t);
+    bool (*disk)(const MappedBlock& block, int lane, const Ray& ray, float& t);
+    bool (*frustum)(const FrustumBlock& block, int lane, const Ray& ray, float& t);
     bool (*plane)(const MappedBlock& block, int lane, const Ray& ray, float& t);
 
     std::string_view tier;  // "AVX2", "SSE4" ...

@@ -17,7 +17,7 @@ struct MeshEntry;
 /// except which of two triangles at the very same distance is named.
 class EmbreeStructure final : public AccelerationStructure {
   public:
-    /// `shapes.triangles` is not used: the still meshes are given themselves and outlive this.
+    /// `shapes.meshes` is not used: the still meshes are given themselves and outlive this.
     /// Throws Error.
     EmbreeStructure(std::shared_ptr<const EmbreeDevice> device, const ShapeSet& shapes,
                     std::span<const MeshEntry> meshes);

@@ -61,6 +61,9 @@ MovingBounds still(const Box& box) {
     return {widened(box), widened(box)};
 }
 
+/// Of the unit cube: what the margins of intersect.h add to a shape, and more.
+constexpr double kUnitWidening = 1.00005;
+
 /// World bounds of the unit cube (flat: of its slice z = 0) under the map's inverse.
 MovingBounds mapped_bounds(const MappedShape& shape, bool flat) {
     Mat44 unit_from_world;
@@ -76,7 +79,7 @@ MovingBounds mapped_bounds(const MappedShape& shape, bool flat) {
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3 p((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1,
                      flat ? 0 : ((corner & 4) ? 1 : -1));
-        box.extendBy(V3f(p * world_from_unit));
+        box.extendBy(V3f((kUnitWidening * p) * world_from_unit));
     }
     return still(box);
 }
@@ -121,6 +124,15 @@ bool hit_shape(const UserShapes& all, const UserShape& shape, const Ray& ray, Hi
             break;
         case Kind::rectangle:
             found = kernels.rectangle(blocks.rectangles[block], lane, ray, t);
+            break;
+        case Kind::triangle:
+            found = kernels.triangle(blocks.triangles[block], lane, ray, t);
+            break;
+        case Kind::disk:
+            found = kernels.disk(blocks.disks[block], lane, ray, t);
+            break;
+        case Kind::frustum:
+            found = kernels.frustum(blocks.frustums[block], lane, ray, t);
             break;
         case Kind::moving:
             return intersect_moving(all.moving[shape.index], ray, hit);
@@ -201,6 +213,9 @@ UserShapes make_user_shapes(const ShapeSet& shapes) {
     add(all.shapes, Kind::mapped_ball, all.blocks.mapped_balls, shapes.mapped_balls, solid);
     add(all.shapes, Kind::mapped_box, all.blocks.mapped_boxes, shapes.mapped_boxes, solid);
     add(all.shapes, Kind::rectangle, all.blocks.rectangles, shapes.rectangles, flat);
+    add(all.shapes, Kind::triangle, all.blocks.triangles, shapes.triangles, flat);
+    add(all.shapes, Kind::disk, all.blocks.disks, shapes.disks, flat);
+    add(all.shapes, Kind::frustum, all.blocks.frustums, shapes.frustums, solid);
     for (std::uint32_t i = 0; i < shapes.moving.size(); ++i) {
         const MovingShape& shape = shapes.moving[i];
         if (shape.kind != MovingShape::Kind::plane) {

@@ -30,6 +30,9 @@ struct UserShape {
         mapped_ball,
         mapped_box,
         rectangle,
+        triangle,
+        disk,
+        frustum,
         moving
     };
     Kind kind = Kind::box;

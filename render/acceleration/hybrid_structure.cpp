@@ -21,7 +21,7 @@ HybridStructure::HybridStructure(const ShapeSet& shapes)
     : kernels_(best_kernels()),
       blocks_(make_blocks(shapes)),
       moving_(shapes.moving),
-      triangles_(shapes.triangles) {
+      meshes_(shapes.meshes) {
     std::stable_sort(
         moving_.begin(), moving_.end(),
         [](const MovingShape& a, const MovingShape& b) { return a.object < b.object; });
@@ -53,7 +53,7 @@ bool HybridStructure::closest_hit(const Ray& ray, Hit& hit) const {
         }
     }
     Hit other;
-    if (triangles_ && triangles_->closest_hit(remaining, other)) {
+    if (meshes_ && meshes_->closest_hit(remaining, other)) {
         accept(other);
     }
     if (best.object == kNoObject) {
@@ -76,7 +76,7 @@ bool HybridStructure::any_hit(const Ray& ray) const {
             return true;
         }
     }
-    return triangles_ && triangles_->any_hit(safe);
+    return meshes_ && meshes_->any_hit(safe);
 }
 
 }  // namespace carom::render

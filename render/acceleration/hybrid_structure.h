@@ -23,7 +23,7 @@ class HybridStructure final : public AccelerationStructure {
     const AnalyticKernels& kernels_;
     AnalyticBlocks blocks_;
     std::vector<MovingShape> moving_;  // in order of object
-    std::shared_ptr<const TriangleScene> triangles_;
+    std::shared_ptr<const TriangleScene> meshes_;
 };
 
 }  // namespace carom::render

@@ -18,6 +18,11 @@ bool may_meet(const MovingShape& shape, const Ray& ray) {
     return crossing && crossing->leave * kWidening >= ray.t_min && crossing->enter <= ray.t_max;
 }
 
+RaySegment<float> in_unit_axes(const MovingShape& shape, const Ray& local) {
+    return {shape.unit_from_body.point(local.origin), shape.unit_from_body.vector(local.direction),
+            local.t_min, local.t_max};
+}
+
 Ray in_body_axes(const MovingShape& shape, const Ray& ray) {
     const Imath::Quatf turn = shape.motion->world_from_body(ray.time);
     Ray local = ray;
@@ -27,20 +32,22 @@ Ray in_body_axes(const MovingShape& shape, const Ray& ray) {
 }
 
 std::optional<float> intersect_analytic(const MovingShape& shape, const Ray& local) {
-    const RaySegment<float> segment{local.origin, local.direction, local.t_min, local.t_max};
-    const V3f& half = shape.half_size;
+    const RaySegment<float> segment = in_unit_axes(shape, local);
     switch (shape.kind) {
-        case MovingShape::Kind::ball: {
-            const RaySegment<float> scaled{local.origin / half, local.direction / half, local.t_min,
-                                           local.t_max};
-            return intersect_sphere(scaled, 1.f);
-        }
+        case MovingShape::Kind::ball:
+            return intersect_sphere(segment, 1.f);
         case MovingShape::Kind::box: {
-            const auto hit = intersect_box(segment, -half, half);
+            const auto hit = intersect_box(segment, V3f(-1), V3f(1));
             return hit ? std::optional(hit->t) : std::nullopt;
         }
         case MovingShape::Kind::rectangle:
-            return intersect_rectangle(segment, V2f(half.x, half.y));
+            return intersect_rectangle(segment, V2f(1));
+        case MovingShape::Kind::triangle:
+            return intersect_unit_triangle(segment);
+        case MovingShape::Kind::disk:
+            return intersect_unit_disk(segment);
+        case MovingShape::Kind::frustum:
+            return intersect_frustum(segment, shape.profile.middle, shape.profile.slope);
         case MovingShape::Kind::plane:
             return intersect_plane(segment);
         case MovingShape::Kind::mesh:

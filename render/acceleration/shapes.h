@@ -34,20 +34,29 @@ struct AlignedBox {
     std::uint32_t object = 0;
 };
 
-/// A unit shape under an affine map: the ball |p| <= 1, the box |p| <= 1 in every coordinate, the
-/// rectangle |x|, |y| <= 1 of the plane z = 0, or that whole plane.
+/// Radius of a frustum, middle + slope z for |z| <= 1: a cylinder (1, 0) or a cone (1/2, -1/2).
+struct Profile {
+    float middle = 1;
+    float slope = 0;
+};
+
+/// A unit shape under an affine map: the ball |p| <= 1; the box |p| <= 1 in every coordinate; the
+/// frustum x^2 + y^2 <= (middle + slope z)^2, |z| <= 1; and of the plane z = 0 the rectangle |x|,
+/// |y| <= 1, the triangle x, y >= 0, x + y <= 1, the disk x^2 + y^2 <= 1, or all of it.
 struct MappedShape {
     Affine unit_from_world;
     std::uint32_t object = 0;
     bool one_sided = false;  // rectangles: rays that come from below, z < 0, pass
+    Profile profile{};       // frustums
 };
 
-/// Anything but a plain sphere that moves or turns: tested in its own axes, scaled but not turned,
-/// at the ray's time.
+/// Anything but a plain sphere that moves or turns: tested in the axes of its unit shape (meshes:
+/// of the body) at the ray's time.
 struct MovingShape {
-    enum class Kind { ball, box, rectangle, plane, mesh };
+    enum class Kind { ball, box, rectangle, plane, mesh, triangle, disk, frustum };
     Kind kind = Kind::box;
-    V3f half_size{1, 1, 1};  // of ball, box and rectangle in body axes, m
+    Affine unit_from_body;
+    Profile profile{};
     std::shared_ptr<const RigidMotion> motion;
     std::shared_ptr<const TriangleScene> mesh;  // in body axes, object indices 0
     Imath::Box3f bounds;                        // world axes, over the whole shutter
@@ -61,9 +70,12 @@ struct ShapeSet {
     std::vector<MappedShape> mapped_balls;
     std::vector<MappedShape> mapped_boxes;
     std::vector<MappedShape> rectangles;
+    std::vector<MappedShape> triangles;
+    std::vector<MappedShape> disks;
+    std::vector<MappedShape> frustums;
     std::vector<MappedShape> planes;
     std::vector<MovingShape> moving;
-    std::shared_ptr<const TriangleScene> triangles;  // of all still meshes; may be null
+    std::shared_ptr<const TriangleScene> meshes;  // all still ones; may be null
 };
 
 }  // namespace carom::render

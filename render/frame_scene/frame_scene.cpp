@@ -54,6 +54,12 @@ MovingShape::Kind moving_kind(ShapeKind kind) {
             return MovingShape::Kind::rectangle;
         case ShapeKind::plane:
             return MovingShape::Kind::plane;
+        case ShapeKind::triangle:
+            return MovingShape::Kind::triangle;
+        case ShapeKind::disk:
+            return MovingShape::Kind::disk;
+        case ShapeKind::frustum:
+            return MovingShape::Kind::frustum;
         case ShapeKind::mesh:
             break;
     }
@@ -69,13 +75,14 @@ void add_moving(ShapeSet& shapes, const StaticGeometry::Data& geometry, std::uin
     }
     if (motion->is_still() && object.kind != ShapeKind::mesh) {
         const UnitFrame frame =
-            unit_frame(object.half_size, motion->position(0), motion->world_from_body(0));
+            placed(object.frame, motion->position(0), motion->world_from_body(0));
         add_still_shape(shapes, object, index, frame);
         return;
     }
     MovingShape shape;
     shape.kind = moving_kind(object.kind);
-    shape.half_size = object.half_size;
+    shape.unit_from_body = object.frame.unit_from_world;
+    shape.profile = object.profile;
     shape.motion = motion;
     shape.mesh = geometry.tracked_meshes[index];
     shape.bounds = swept_bounds(*motion, object.reach);

@@ -46,27 +46,68 @@ Mat44 checked_transform(const ObjectDescription& description) {
     return m;
 }
 
-/// Half sizes of the shape before any scaling.
-struct HalfSizeOf {
+/// From the axes of the unit shape to the object's.
+struct ObjectFromUnit {
     const std::string& name;
 
-    Vec3 operator()(const SphereShape& shape) const {
+    Mat44 operator()(const SphereShape& shape) const {
         check_size(shape.radius, name, "the radius");
-        return Vec3(shape.radius);
+        return scaling(Vec3(shape.radius));
     }
-    Vec3 operator()(const BoxShape& shape) const {
+    Mat44 operator()(const BoxShape& shape) const {
         for (int axis = 0; axis < 3; ++axis) {
             check_size(shape.size[axis], name, "a box's edge");
         }
-        return 0.5 * shape.size;
+        return scaling(0.5 * shape.size);
     }
-    Vec3 operator()(const PlaneShape&) const { return Vec3(1); }
-    Vec3 operator()(const RectangleShape& shape) const {
+    Mat44 operator()(const PlaneShape&) const { return Mat44(); }
+    Mat44 operator()(const RectangleShape& shape) const {
         check_size(shape.size.x, name, "a rectangle's edge");
         check_size(shape.size.y, name, "a rectangle's edge");
-        return Vec3(0.5 * shape.size.x, 0.5 * shape.size.y, 1);
+        return scaling(Vec3(0.5 * shape.size.x, 0.5 * shape.size.y, 1));
     }
-    Vec3 operator()(const MeshShape&) const { return Vec3(1); }
+    Mat44 operator()(const MeshShape&) const { return Mat44(); }
+    Mat44 operator()(const TriangleShape& shape) const {
+        const auto& [a, b, c] = shape.corners;
+        return flat(b - a, c - a, a, "a triangle's corners lie in a line");
+    }
+    Mat44 operator()(const ParallelogramShape& shape) const {
+        const Vec3 half_u = 0.5 * shape.edge_u;
+        const Vec3 half_v = 0.5 * shape.edge_v;
+        return flat(half_u, half_v, shape.corner + half_u + half_v,
+                    "the edges of a parallelogram are parallel");
+    }
+    Mat44 operator()(const DiskShape& shape) const {
+        check_size(shape.radius, name, "the radius");
+        return scaling(Vec3(shape.radius, shape.radius, 1));
+    }
+    Mat44 operator()(const CylinderShape& shape) const {
+        check_size(shape.radius, name, "the radius");
+        check_size(shape.height, name, "the height");
+        return scaling(Vec3(shape.radius, shape.radius, 0.5 * shape.height));
+    }
+    Mat44 operator()(const ConeShape& shape) const {
+        const double radius = std::max(shape.radius, shape.top_radius);
+        check_size(radius, name, "the larger radius of a cone");
+        check_size(shape.height, name, "the height");
+        if (!(std::min(shape.radius, shape.top_radius) >= 0)) {
+            refuse(name, "no radius of a cone may be negative");
+        }
+        return scaling(Vec3(radius, radius, 0.5 * shape.height));
+    }
+
+  private:
+    Mat44 flat(const Vec3& x, const Vec3& y, const Vec3& origin, const char* problem) const {
+        const Vec3 normal = x.cross(y);
+        const double area = normal.length();
+        if (!(area > 1e-9 * x.length() * y.length()) || !std::isfinite(area) ||
+            !std::isfinite(origin.length())) {
+            refuse(name, problem);
+        }
+        const Vec3 n = normal / area;
+        return Mat44(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, n.x, n.y, n.z, 0, origin.x, origin.y,
+                     origin.z, 1);
+    }
 };
 
 struct KindOf {
@@ -75,7 +116,22 @@ struct KindOf {
     ShapeKind operator()(const PlaneShape&) const { return ShapeKind::plane; }
     ShapeKind operator()(const RectangleShape&) const { return ShapeKind::rectangle; }
     ShapeKind operator()(const MeshShape&) const { return ShapeKind::mesh; }
+    ShapeKind operator()(const TriangleShape&) const { return ShapeKind::triangle; }
+    ShapeKind operator()(const ParallelogramShape&) const { return ShapeKind::rectangle; }
+    ShapeKind operator()(const DiskShape&) const { return ShapeKind::disk; }
+    ShapeKind operator()(const CylinderShape&) const { return ShapeKind::frustum; }
+    ShapeKind operator()(const ConeShape&) const { return ShapeKind::frustum; }
 };
+
+Profile profile_of(const Shape& shape) {
+    const auto* cone = std::get_if<ConeShape>(&shape);
+    if (cone == nullptr) {
+        return {};
+    }
+    const double larger = std::max(cone->radius, cone->top_radius);
+    return {static_cast<float>(0.5 * (cone->top_radius + cone->radius) / larger),
+            static_cast<float>(0.5 * (cone->top_radius - cone->radius) / larger)};
+}
 
 bool equal_scales(const Vec3& scale) {
     const double largest = std::max({scale.x, scale.y, scale.z});
@@ -102,17 +158,33 @@ bool is_upright(const Mat44& m) {
     return true;
 }
 
-float reach_of(ShapeKind kind, const V3f& half_size) {
+/// As far the surface of the mapped unit shape is at most from the image of its centre.
+double reach_of(ShapeKind kind, const Mat44& world_from_unit) {
+    const Vec3 scale = axis_scales(world_from_unit);
+    if (!has_right_angles(world_from_unit)) {
+        return scale.x + scale.y + scale.z;
+    }
     switch (kind) {
         case ShapeKind::ball:
-            return std::max({half_size.x, half_size.y, half_size.z});
+            return std::max({scale.x, scale.y, scale.z});
         case ShapeKind::box:
-            return half_size.length();
+            return scale.length();
         case ShapeKind::rectangle:
-            return V2f(half_size.x, half_size.y).length();
-        default:
-            return 1;  // a plane has none, a mesh is measured
+        case ShapeKind::triangle:
+            return std::hypot(scale.x, scale.y);
+        case ShapeKind::disk:
+            return std::max(scale.x, scale.y);
+        case ShapeKind::frustum:
+            return std::hypot(std::max(scale.x, scale.y), scale.z);
+        case ShapeKind::plane:
+        case ShapeKind::mesh:
+            break;
     }
+    return 1;  // a plane has none, a mesh is measured
+}
+
+double length_of_translation(const Mat44& m) {
+    return Vec3(m[3][0], m[3][1], m[3][2]).length();
 }
 
 const MeshShape& loaded(const MeshShape& shape, MeshFiles& files) {
@@ -146,22 +218,21 @@ SceneObject make_object(const ObjectDescription& description, std::uint32_t mate
     object.material = material;
     object.has_texture = has_texture;
     object.kind = std::visit(KindOf{}, description.shape);
+    object.profile = profile_of(description.shape);
     const Mat44 world_from_object = checked_transform(description);
+    const Mat44 world_from_unit =
+        std::visit(ObjectFromUnit{description.name}, description.shape) * world_from_object;
+    const double offset = object.is_tracked() ? length_of_translation(world_from_unit) : 0;
     const Vec3 scale = axis_scales(world_from_object);
-    const Vec3 half_size = std::visit(HalfSizeOf{description.name}, description.shape);
-    object.half_size = V3f(half_size * scale);
-    object.is_round = object.kind == ShapeKind::ball && equal_scales(scale) &&
-                      (object.is_tracked() || has_right_angles(world_from_object));
+    object.half_size = object.kind == ShapeKind::plane ? V3f(1) : V3f(axis_scales(world_from_unit));
+    object.is_round = object.kind == ShapeKind::ball && equal_scales(scale) && offset == 0 &&
+                      has_right_angles(world_from_object);
     object.is_upright_box = object.kind == ShapeKind::box && is_upright(world_from_object);
-    object.reach = reach_of(object.kind, object.half_size);
-    object.frame = frame_of(scaling(half_size) * world_from_object);
-    object.body_from_world = Affine::narrowed(world_from_object.inverse() * scaling(scale));
-    if (object.kind == ShapeKind::plane) {
-        object.half_size = V3f(1);
-        object.frame = frame_of(world_from_object);
-    }
+    object.reach = static_cast<float>(offset + reach_of(object.kind, world_from_unit));
+    object.frame = frame_of(world_from_unit);
+    object.metres_from_world = Affine::narrowed(world_from_object.inverse() * scaling(scale));
     if (const auto* mesh = std::get_if<MeshShape>(&description.shape)) {
-        set_mesh(object, *mesh, object.is_tracked() ? scaling(scale) : world_from_object, files);
+        set_mesh(object, *mesh, world_from_object, files);
     }
     return object;
 }
@@ -202,25 +273,22 @@ std::optional<SceneObject> make_light_object(const LightDescription& description
         object.kind = ShapeKind::rectangle;
         object.is_one_sided = true;
         object.half_size = V3f(static_cast<float>(u.length()), static_cast<float>(v.length()), 1);
-        object.reach = reach_of(object.kind, object.half_size);
+        object.reach = static_cast<float>(reach_of(object.kind, world_from_unit));
         object.frame = frame_of(world_from_unit);
         return object;
     }
     return std::nullopt;
 }
 
-UnitFrame unit_frame(const V3f& half_size, const V3f& position,
-                     const Imath::Quatf& world_from_body) {
+UnitFrame placed(const UnitFrame& in_body, const V3f& position,
+                 const Imath::Quatf& world_from_body) {
     UnitFrame frame;
     const Imath::M33f turn = world_from_body.toMatrix33();
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            frame.world_from_unit.linear[i][j] = half_size[i] * turn[i][j];
-            frame.unit_from_world.linear[j][i] = turn[i][j] / half_size[i];
-        }
-    }
-    frame.world_from_unit.translation = position;
-    frame.unit_from_world.translation = -frame.unit_from_world.vector(position);
+    frame.world_from_unit.linear = in_body.world_from_unit.linear * turn;
+    frame.world_from_unit.translation = in_body.world_from_unit.translation * turn + position;
+    frame.unit_from_world.linear = turn.transposed() * in_body.unit_from_world.linear;
+    frame.unit_from_world.translation =
+        in_body.unit_from_world.translation - frame.unit_from_world.vector(position);
     return frame;
 }
 

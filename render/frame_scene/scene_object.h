@@ -14,9 +14,9 @@
 
 namespace carom::render {
 
-enum class ShapeKind { ball, box, rectangle, plane, mesh };
+enum class ShapeKind { ball, box, rectangle, plane, mesh, triangle, disk, frustum };
 
-/// World axes and those of the unit shape (shapes.h).
+/// World axes (of what follows a track: the body's) and those of the unit shape (shapes.h).
 struct UnitFrame {
     Affine unit_from_world;
     Affine world_from_unit;
@@ -32,10 +32,11 @@ struct SceneObject {
     bool is_round = false;        // a ball that is a sphere
     bool is_upright_box = false;  // a box whose axes are those of the world, in their order
     bool is_one_sided = false;    // a rectangle light
-    V3f half_size{1, 1, 1};       // body axes, m, scaled; a ball's radii, 1 for planes and meshes
-    float reach = 1;              // largest distance of the surface from the body's origin, m
-    UnitFrame frame;              // of still analytic shapes
-    Affine body_from_world;       // of still shapes: object axes, metres
+    V3f half_size{1, 1, 1};       // m, scaled; a ball's radii, 1 for planes and meshes
+    float reach = 1;              // as far from the body's origin the surface is at most, m
+    UnitFrame frame;              // of analytic shapes
+    Affine metres_from_world;     // object axes in metres, scaled; with a track: from the body's
+    Profile profile{};            // of a frustum
     std::shared_ptr<const TriangleMesh> mesh;  // still: world axes; with a track: body axes
 
     [[nodiscard]] bool is_tracked() const { return !track.empty(); }
@@ -52,8 +53,8 @@ using MeshFiles = std::map<std::string, MeshShape>;
 [[nodiscard]] std::optional<SceneObject> make_light_object(const LightDescription& description,
                                                            std::uint32_t light);
 
-/// The frame of a shape with those half sizes that is turned and placed as given.
-[[nodiscard]] UnitFrame unit_frame(const V3f& half_size, const V3f& position,
-                                   const Imath::Quatf& world_from_body);
+/// The frame in world axes of a shape whose body is turned and placed as given.
+[[nodiscard]] UnitFrame placed(const UnitFrame& in_body, const V3f& position,
+                               const Imath::Quatf& world_from_body);
 
 }  // namespace carom::render

@@ -85,7 +85,7 @@ void add_meshes(StaticGeometry::Data& data) {
         }
     }
     if (!data.still_meshes.empty() && data.acceleration == AccelerationKind::hybrid) {
-        data.still.triangles = std::make_shared<TriangleScene>(data.device, data.still_meshes);
+        data.still.meshes = std::make_shared<TriangleScene>(data.device, data.still_meshes);
     }
 }
 
@@ -105,7 +105,7 @@ bool needs_embree(const StaticGeometry::Data& data) {
 
 void add_still_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t index,
                      const UnitFrame& frame) {
-    const MappedShape mapped{frame.unit_from_world, index, object.is_one_sided};
+    const MappedShape mapped{frame.unit_from_world, index, object.is_one_sided, object.profile};
     switch (object.kind) {
         case ShapeKind::ball:
             if (object.is_round) {
@@ -127,6 +127,15 @@ void add_still_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t 
             break;
         case ShapeKind::rectangle:
             shapes.rectangles.push_back(mapped);
+            break;
+        case ShapeKind::triangle:
+            shapes.triangles.push_back(mapped);
+            break;
+        case ShapeKind::disk:
+            shapes.disks.push_back(mapped);
+            break;
+        case ShapeKind::frustum:
+            shapes.frustums.push_back(mapped);
             break;
         case ShapeKind::plane:
             shapes.planes.push_back(mapped);

@@ -39,9 +39,8 @@ void fill_ball(SurfacePoint& point, const SceneObject& object, const RigidMotion
     point.geometric_normal = normal;
     point.shading_normal = normal;
     if (object.has_texture) {
-        point.object_position = motion != nullptr
-                                    ? rotate_back(motion->world_from_body(ray.time), arm)
-                                    : object.body_from_world.vector(arm);
+        point.object_position = object.metres_from_world.vector(
+            motion != nullptr ? rotate_back(motion->world_from_body(ray.time), arm) : arm);
         point.uv = longitude_latitude(point.object_position);
         point.uv_per_metre = 0.5f * kInversePi / object.half_size.x;
     }
@@ -134,36 +133,93 @@ UnitPoint on_unit_plane(const V3f& origin, const V3f& direction, float t, bool b
     return {p, V3f(0, 0, 1), 0.5f * (V2f(p.x, p.y) + V2f(1))};
 }
 
-UnitPoint on_unit_shape(ShapeKind kind, const V3f& origin, const V3f& direction, float t) {
-    switch (kind) {
+UnitPoint on_unit_triangle(const V3f& origin, const V3f& direction, float t) {
+    const V3f p = origin + t * direction;
+    const float x = std::clamp(p.x, 0.f, 1.f);
+    const float y = std::clamp(p.y, 0.f, 1.f - x);
+    return {V3f(x, y, 0), V3f(0, 0, 1), V2f(x, y)};
+}
+
+V2f across_disk(const V3f& p) {
+    return 0.5f * (V2f(p.x, p.y) + V2f(1));
+}
+
+UnitPoint on_unit_disk(const V3f& origin, const V3f& direction, float t) {
+    const V3f p = origin + t * direction;
+    const V3f on_plane = V3f(p.x, p.y, 0) / std::max(1.f, std::sqrt(p.x * p.x + p.y * p.y));
+    return {on_plane, V3f(0, 0, 1), across_disk(on_plane)};
+}
+
+/// Of the faces that the ray meets, the one whose distance is nearest to t.
+UnitPoint on_unit_frustum(const Profile& profile, const V3f& origin, const V3f& direction,
+                          float t) {
+    using Crossings = FrustumCrossings<float>;
+    const Crossings crossings =
+        cross_frustum(RaySegment<float>{origin, direction}, profile.middle, profile.slope);
+    int face = Crossings::side_a;
+    float least = kInfinity;
+    for (int i = 0; i < 4; ++i) {
+        const float difference = std::abs(crossings.t[i] - t);
+        if (crossings.valid[i] && difference < least) {
+            least = difference;
+            face = i;
+        }
+    }
+    V3f p = origin + t * direction;
+    const float from_axis = std::sqrt(p.x * p.x + p.y * p.y);
+    if (face == Crossings::bottom || face == Crossings::top) {
+        const float end = face == Crossings::top ? 1.f : -1.f;
+        const float radius = profile.middle + profile.slope * end;
+        const float inwards = from_axis > radius ? radius / from_axis : 1.f;
+        p = V3f(inwards * p.x, inwards * p.y, end);
+        return {p, V3f(0, 0, end), across_disk(p)};
+    }
+    p.z = std::clamp(p.z, -1.f, 1.f);
+    const float radius = profile.middle + profile.slope * p.z;
+    const V2f out = from_axis > 0 ? V2f(p.x, p.y) / from_axis : V2f(1, 0);
+    const float turns = std::atan2(out.y, out.x) * (0.5f * kInversePi);
+    return {V3f(radius * out.x, radius * out.y, p.z), V3f(out.x, out.y, -profile.slope),
+            V2f(turns < 0 ? turns + 1 : turns, 0.5f * (p.z + 1))};
+}
+
+UnitPoint on_unit_shape(const SceneObject& object, const V3f& origin, const V3f& direction,
+                        float t) {
+    switch (object.kind) {
         case ShapeKind::ball:
             return on_unit_ball(origin, direction, t);
         case ShapeKind::box:
             return on_unit_box(origin, direction, t);
         case ShapeKind::rectangle:
             return on_unit_plane(origin, direction, t, true);
-        default:
-            return on_unit_plane(origin, direction, t, false);
+        case ShapeKind::triangle:
+            return on_unit_triangle(origin, direction, t);
+        case ShapeKind::disk:
+            return on_unit_disk(origin, direction, t);
+        case ShapeKind::frustum:
+            return on_unit_frustum(object.profile, origin, direction, t);
+        case ShapeKind::plane:
+        case ShapeKind::mesh:
+            break;
     }
+    return on_unit_plane(origin, direction, t, false);
 }
 
 void fill_analytic(SurfacePoint& point, const SceneObject& object, const RigidMotion* motion,
                    const Ray& ray, const Hit& hit) {
     UnitFrame moved;
     if (motion != nullptr) {
-        moved = unit_frame(object.half_size, motion->position(ray.time),
-                           motion->world_from_body(ray.time));
+        moved = placed(object.frame, motion->position(ray.time), motion->world_from_body(ray.time));
     }
     const UnitFrame& frame = motion != nullptr ? moved : object.frame;
     const V3f origin = frame.unit_from_world.point(ray.origin);
     const V3f direction = frame.unit_from_world.vector(ray.direction);
-    const UnitPoint on_shape = on_unit_shape(object.kind, origin, direction, hit.t);
+    const UnitPoint on_shape = on_unit_shape(object, origin, direction, hit.t);
     point.position = frame.world_from_unit.point(on_shape.position);
     point.geometric_normal = unit(Affine::normal(on_shape.normal, frame.unit_from_world));
     point.shading_normal = point.geometric_normal;
     if (object.has_texture) {
-        point.object_position = motion != nullptr ? on_shape.position * object.half_size
-                                                  : object.body_from_world.point(point.position);
+        point.object_position =
+            object.metres_from_world.point(object.frame.world_from_unit.point(on_shape.position));
         point.uv = on_shape.uv;
     }
 }
@@ -198,8 +254,7 @@ void fill_mesh(SurfacePoint& point, const SceneObject& object, const RigidMotion
     point.geometric_normal = geometric;
     point.shading_normal = shading;
     if (object.has_texture) {
-        point.object_position =
-            motion != nullptr ? local : object.body_from_world.point(point.position);
+        point.object_position = object.metres_from_world.point(local);
         point.uv = V2f(hit.u, hit.v);
         if (!mesh.uv.empty()) {
             const V2f& uv_a = mesh.uv[corners[0]];

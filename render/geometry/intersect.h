@@ -16,6 +16,10 @@ namespace carom::render {
 template <class T>
 using V3 = Imath::Vec3<T>;
 
+// In the units of the unit shapes.
+inline constexpr float kTriangleMargin = 4e-6f;
+inline constexpr float kFrustumMargin = 1e-5f;
+
 /// A stretch of a ray, in whichever axes.
 template <class T>
 struct RaySegment {
@@ -145,6 +149,86 @@ template <class T>
     const T y = ray.origin.y + *t * ray.direction.y;
     const bool inside = std::abs(x) <= half_size.x && std::abs(y) <= half_size.y;
     return inside ? t : std::nullopt;
+}
+
+/// x, y >= 0 and x + y <= 1 on the plane z = 0. The edges reach out a few roundings, so that
+/// triangles side by side leave no gap.
+template <class T>
+[[nodiscard]] std::optional<T> intersect_unit_triangle(const RaySegment<T>& ray) {
+    const std::optional<T> t = intersect_plane(ray);
+    if (!t) {
+        return std::nullopt;
+    }
+    const T x = ray.origin.x + *t * ray.direction.x;
+    const T y = ray.origin.y + *t * ray.direction.y;
+    const T margin = T(kTriangleMargin);
+    const bool inside = x >= -margin && y >= -margin && x + y <= 1 + margin;
+    return inside ? t : std::nullopt;
+}
+
+/// x^2 + y^2 <= 1 on the plane z = 0.
+template <class T>
+[[nodiscard]] std::optional<T> intersect_unit_disk(const RaySegment<T>& ray) {
+    const std::optional<T> t = intersect_plane(ray);
+    if (!t) {
+        return std::nullopt;
+    }
+    const T x = ray.origin.x + *t * ray.direction.x;
+    const T y = ray.origin.y + *t * ray.direction.y;
+    return x * x + y * y <= 1 ? t : std::nullopt;
+}
+
+/// The distances at which a ray may meet the unit frustum: x^2 + y^2 <= (middle + slope z)^2 for
+/// |z| <= 1.
+template <class T>
+struct FrustumCrossings {
+    enum Face { side_a, side_b, bottom, top };
+    T t[4];         // by face
+    bool valid[4];  // whether that point is on the solid
+};
+
+/// Both radii are in [0, 1], one of them 1. The quadratic is set up at the ray's point nearest to
+/// the centre, which keeps its digits far away, and solved without cancellation. Where side and cap
+/// meet each reaches out a few roundings, so that no ray slips between them.
+template <class T>
+[[nodiscard]] FrustumCrossings<T> cross_frustum(const RaySegment<T>& ray, T middle, T slope) {
+    const V3<T>& d = ray.direction;
+    const T shift = -ray.origin.dot(d) / d.dot(d);
+    const V3<T> p = ray.origin + shift * d;
+    const T radius = middle + slope * p.z;
+    const T a = d.x * d.x + d.y * d.y - (slope * d.z) * (slope * d.z);
+    const T b = p.x * d.x + p.y * d.y - slope * d.z * radius;
+    const T c = p.x * p.x + p.y * p.y - radius * radius;
+    const T discriminant = b * b - a * c;
+    const T q = -(b + std::copysign(std::sqrt(std::max(discriminant, T(0))), b));
+    FrustumCrossings<T> result;
+    const T from_p[4] = {q / a, c / q, (-1 - p.z) / d.z, (1 - p.z) / d.z};
+    for (int face = 0; face < 4; ++face) {
+        const T u = from_p[face];
+        const T x = p.x + u * d.x;
+        const T y = p.y + u * d.y;
+        const T z = p.z + u * d.z;
+        const T cap_radius = face == 2 ? middle - slope : middle + slope;
+        const T reach = cap_radius + T(kFrustumMargin);
+        const bool on_side = discriminant >= 0 && std::abs(z) <= 1 + T(kFrustumMargin);
+        const bool on_cap = x * x + y * y <= reach * reach;
+        result.t[face] = shift + u;
+        result.valid[face] = face < 2 ? on_side : on_cap;
+    }
+    return result;
+}
+
+template <class T>
+[[nodiscard]] std::optional<T> intersect_frustum(const RaySegment<T>& ray, T middle, T slope) {
+    const FrustumCrossings<T> crossings = cross_frustum(ray, middle, slope);
+    std::optional<T> nearest;
+    for (int face = 0; face < 4; ++face) {
+        const T t = crossings.t[face];
+        if (crossings.valid[face] && ray.contains(t) && (!nearest || t < *nearest)) {
+            nearest = t;
+        }
+    }
+    return nearest;
 }
 
 template <class T>

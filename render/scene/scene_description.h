@@ -32,6 +32,38 @@ struct RectangleShape {
     Vec2 size{1, 1};
 };
 
+/// The front is the side from which the corners run counter-clockwise; uv are the weights of the
+/// second and third corner.
+struct TriangleShape {
+    std::array<Vec3, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};  // not in a line
+};
+
+/// `corner`, `corner` + `edge_u`, `corner` + `edge_v` and the fourth; the front is the side from
+/// which `edge_u` turns to `edge_v` counter-clockwise. u and v run along the edges.
+struct ParallelogramShape {
+    Vec3 corner{0, 0, 0};
+    Vec3 edge_u{1, 0, 0};  // not parallel to edge_v
+    Vec3 edge_v{0, 1, 0};
+};
+
+/// Centre at the origin, normal +z.
+struct DiskShape {
+    double radius = 1;
+};
+
+/// Solid, about z, from z = -height / 2 to height / 2.
+struct CylinderShape {
+    double radius = 1;
+    double height = 1;
+};
+
+/// Solid, about z, from z = -height / 2 to height / 2. One of the radii may be 0: the tip.
+struct ConeShape {
+    double radius = 1;  // at the bottom
+    double top_radius = 0;
+    double height = 1;
+};
+
 /// Given in the scene itself (the table's surfaces) or read from an OBJ file.
 struct MeshShape {
     std::string file;  // absolute path; empty: the arrays below
@@ -41,10 +73,12 @@ struct MeshShape {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-using Shape = std::variant<SphereShape, BoxShape, PlaneShape, RectangleShape, MeshShape>;
+using Shape = std::variant<SphereShape, BoxShape, PlaneShape, RectangleShape, MeshShape,
+                           TriangleShape, ParallelogramShape, DiskShape, CylinderShape, ConeShape>;
 
-/// Something to see. With a `track` its place is the track's pose (body axes = object axes, after
-/// `world_from_object`'s scale); without one it stands still at `world_from_object`.
+/// Something to see. Without a `track` it stands still at `world_from_object`, which may scale,
+/// shear and mirror it. With one the same map leads to the axes of the body that the track's pose
+/// places.
 struct ObjectDescription {
     std::string name;
     Shape shape;

@@ -3,6 +3,7 @@
 
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/text.h"
+#include "pipeline/shot/solid_mesh.h"
 #include "render/geometry/obj_file.h"
 #include "sim/shape/mass_properties.h"
 #include "sim/timeline/error.h"
@@ -16,13 +17,34 @@ using sim::BodyKind;
 constexpr double kPi = 3.14159265358979323846;
 
 std::string shape_name(const render::Shape& shape) {
-    constexpr const char* kNames[] = {"sphere", "box", "plane", "rectangle", "mesh"};
+    constexpr const char* kNames[] = {"sphere",   "box",           "plane", "rectangle", "mesh",
+                                      "triangle", "parallelogram", "disk",  "cylinder",  "cone"};
     return kNames[shape.index()];
 }
 
 /// Where the centre of mass is at the start.
 Vec3 centre_of(const ObjectSection& object) {
     return object.at + object.rotate.rotateVector(object.centre);
+}
+
+Mat44 scaling(const Vec3& scale) {
+    Mat44 result;
+    result.setScale(scale);
+    return result;
+}
+
+/// The object's axes in the world's, without its place.
+Mat44 linear_map(const ObjectSection& object) {
+    if (!object.axes) {
+        return scaling(object.scale) * object.rotate.toMatrix44();
+    }
+    Mat44 map;
+    for (int row = 0; row < 3; ++row) {
+        for (int axis = 0; axis < 3; ++axis) {
+            map[row][axis] = (*object.axes)[static_cast<std::size_t>(row)][axis];
+        }
+    }
+    return map;
 }
 
 /// Volume of the shapes that can move.
@@ -47,13 +69,33 @@ std::optional<double> volume(const ObjectSection& object) {
     return std::nullopt;
 }
 
-sim::TriangleMesh rectangle_mesh(const Vec2& size) {
-    const double x = size.x / 2;
-    const double y = size.y / 2;
-    return {{{-x, -y, 0}, {x, -y, 0}, {x, y, 0}, {-x, y, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+/// What collides with shapes that only stand and have no solid of their own; empty for others.
+std::optional<sim::TriangleMesh> still_mesh(const render::Shape& shape) {
+    if (const auto* rectangle = std::get_if<render::RectangleShape>(&shape)) {
+        const double x = rectangle->size.x / 2;
+        const double y = rectangle->size.y / 2;
+        return sim::TriangleMesh{{{-x, -y, 0}, {x, -y, 0}, {x, y, 0}, {-x, y, 0}},
+                                 {{0, 1, 2}, {0, 2, 3}}};
+    }
+    if (const auto* triangle = std::get_if<render::TriangleShape>(&shape)) {
+        return sim::TriangleMesh{{triangle->corners.begin(), triangle->corners.end()}, {{0, 1, 2}}};
+    }
+    if (const auto* sides = std::get_if<render::ParallelogramShape>(&shape)) {
+        const Vec3& a = sides->corner;
+        const Vec3& u = sides->edge_u;
+        const Vec3& v = sides->edge_v;
+        return sim::TriangleMesh{{a, a + u, a + u + v, a + v}, {{0, 1, 2}, {0, 2, 3}}};
+    }
+    if (const auto* disk = std::get_if<render::DiskShape>(&shape)) {
+        return disk_mesh(disk->radius);
+    }
+    if (const auto* cone = std::get_if<render::ConeShape>(&shape)) {
+        return cone_mesh(*cone);
+    }
+    return std::nullopt;
 }
 
-sim::TriangleMesh read_mesh(const std::string& file, double scale) {
+sim::TriangleMesh read_mesh(const std::string& file, const Vec3& scale) {
     const render::MeshShape mesh = render::read_obj(file);
     sim::TriangleMesh result;
     for (const Vec3& vertex : mesh.vertices) {
@@ -81,8 +123,8 @@ std::optional<sim::BodyShape> body_shape(const Named<ObjectSection>& object, Bui
                                  "' needs 'physics: fixed' or 'physics: false'");
         return std::nullopt;
     }
-    if (const auto* rectangle = std::get_if<render::RectangleShape>(&shape)) {
-        return rectangle_mesh(rectangle->size);
+    if (auto still = still_mesh(shape)) {
+        return std::move(*still);
     }
     const auto& mesh = std::get<render::MeshShape>(shape);
     try {
@@ -146,15 +188,14 @@ void add_to_scene(const Named<ObjectSection>& object, bool is_moving, Builder& b
     seen.name = object.name;
     seen.shape = *object.value.shape;
     seen.material = object.value.material.value_or("plain");
-    const double s = object.value.scale;
-    seen.world_from_object.setScale(Vec3(s, s, s));
     if (is_moving) {
+        seen.world_from_object = scaling(object.value.scale);
         seen.track = object.name;
     } else {
+        const Mat44 linear = linear_map(object.value);
         Mat44 translation;
-        translation.setTranslation(centre_of(object.value));
-        seen.world_from_object =
-            seen.world_from_object * object.value.rotate.toMatrix44() * translation;
+        translation.setTranslation(object.value.at + object.value.centre * linear);
+        seen.world_from_object = linear * translation;
     }
     builder.shot.scene.objects.push_back(std::move(seen));
 }

@@ -78,6 +78,13 @@ ValueType<std::optional<ObjectPhysics>> object_physics() {
     return any_of<Result>({{is_scalar, word}, {is_map, map}});
 }
 
+const std::vector<std::string>& shape_keys() {
+    static const std::vector<std::string> keys{"box",  "sphere",   "rectangle",     "plane",
+                                               "mesh", "triangle", "parallelogram", "disk",
+                                               "cone", "capsule",  "cylinder",      "hull"};
+    return keys;
+}
+
 template <class V, class Make>
 void add_shape(MapSpec<ObjectSection>& spec, std::string name, ValueType<V> type, Make make,
                std::string description) {
@@ -139,12 +146,52 @@ void add_solids(MapSpec<ObjectSection>& s) {
     s.set(
         "cylinder", record(cylinder_spec()),
         [](ObjectSection& object, const sim::Cylinder& cylinder) {
-            object.shape = cylinder_mesh(cylinder);
+            object.shape = render::CylinderShape{cylinder.radius, cylinder.height};
             object.solid = cylinder;
         },
         "its axis along z");
     s.set("hull", list_of(vector3(Dimension::length, between(-1000, 1000)), 4, 1000), set_hull,
           "the convex hull of points, four or more that are not in a plane");
+}
+
+const MapSpec<render::ConeShape>& cone_spec() {
+    static const MapSpec<render::ConeShape> spec = [] {
+        using Cone = render::ConeShape;
+        MapSpec<Cone> s("cone", "A cone about z, its tip up, or cut off below the tip.");
+        s.key("radius", &Cone::radius, length(above_up_to(0, 1000)), "at the bottom").required();
+        s.key("top_radius", &Cone::top_radius, length(between(0, 1000)), "0: a tip");
+        s.key("height", &Cone::height, length(above_up_to(0, 1000)), "from bottom to top")
+            .required();
+        return s;
+    }();
+    return spec;
+}
+
+/// Whether two edges span an area; otherwise the shape is left out and said to be flat in
+/// note_shape_place.
+bool spans_area(const Vec3& u, const Vec3& v) {
+    return u.cross(v).length() > 1e-9 * u.length() * v.length();
+}
+
+void add_flat_shapes(MapSpec<ObjectSection>& s) {
+    const auto corners = list_of(vector3(Dimension::length, between(-1e6, 1e6)), 3, 3);
+    s.set(
+        "triangle", corners,
+        [](ObjectSection& object, const std::vector<Vec3>& p) {
+            object.shape = render::TriangleShape{{p[0], p[1], p[2]}};
+            object.is_degenerate = !spans_area(p[1] - p[0], p[2] - p[0]);
+        },
+        "its three corners, counter-clockwise seen from its front");
+    s.set(
+        "parallelogram", corners,
+        [](ObjectSection& object, const std::vector<Vec3>& p) {
+            object.shape = render::ParallelogramShape{p[0], p[1] - p[0], p[2] - p[0]};
+            object.is_degenerate = !spans_area(p[1] - p[0], p[2] - p[0]);
+        },
+        "a corner and its two neighbours; u runs to the first, v to the second");
+    add_shape(
+        s, "disk", length(above_up_to(0, 1000)),
+        [](double radius) { return render::DiskShape{radius}; }, "radius; it faces +z");
 }
 
 void add_shapes(MapSpec<ObjectSection>& s) {
@@ -170,28 +217,67 @@ void add_shapes(MapSpec<ObjectSection>& s) {
             return mesh;
         },
         "an OBJ file");
+    add_flat_shapes(s);
+    add_shape(
+        s, "cone", record(cone_spec()), [](const render::ConeShape& cone) { return cone; },
+        "its axis along z");
     add_solids(s);
-    s.exactly_one_of(
-        {"box", "sphere", "rectangle", "plane", "mesh", "capsule", "cylinder", "hull"});
+    s.exactly_one_of(shape_keys());
+}
+
+/// Only turns leave a shape what the simulation takes it for; a mesh is collided with as scaled.
+void check_transform(Reader& reader, const Node& node, ObjectSection& object) {
+    if (object.axes) {
+        const std::vector<Vec3>& a = *object.axes;
+        const double volume = std::abs(a[0].cross(a[1]).dot(a[2]));
+        if (!(volume > 1e-9 * a[0].length() * a[1].length() * a[2].length())) {
+            reader.error(node.find("axes")->key_place,
+                         "the axes of " + reader.label() + " lie in a plane");
+            object.axes.reset();
+        }
+    }
+    if (!object.physics) {
+        return;
+    }
+    for (const char* key : {"axes", "scale"}) {
+        const Entry* entry = node.find(key);
+        const bool is_mesh = node.find("mesh") != nullptr && std::string(key) == "scale";
+        if (entry != nullptr && !is_mesh) {
+            const bool is_axes = std::string(key) == "axes";
+            const std::string what = std::string("'") + key + "' is for what has no physics; ";
+            reader.error(entry->key_place,
+                         what + (is_axes ? "turn " + reader.label() + " by 'rotate' instead"
+                                         : "give " + reader.label() + " its size instead"));
+        }
+    }
 }
 
 void note_shape_place(Reader& reader, const Node& node, ObjectSection& object) {
-    for (const char* key :
-         {"box", "sphere", "rectangle", "plane", "mesh", "capsule", "cylinder", "hull"}) {
+    for (const std::string& key : shape_keys()) {
         if (const Entry* entry = node.find(key)) {
             object.shape_place = entry->key_place;
         }
+    }
+    if (object.shape && object.is_degenerate) {
+        const bool is_triangle = node.find("triangle") != nullptr;
+        reader.error(object.shape_place,
+                     std::string(is_triangle ? "the corners" : "the three points") + " of " +
+                         reader.label() + " lie in a line");
+        object.shape.reset();
     }
     if (node.find("hull") != nullptr && object.shape && !object.solid) {
         reader.error(object.shape_place, "the points of " + reader.label() +
                                              " lie in a plane: a hull needs four that do not");
         object.shape.reset();
     }
-    const Entry* scale = node.find("scale");
-    if (scale != nullptr && node.find("mesh") == nullptr) {
-        reader.error(scale->key_place,
-                     "'scale' is for a mesh; give " + reader.label() + " its size instead");
-    }
+}
+
+ValueType<Vec3> scale() {
+    const Range range = above_up_to(0, 1e6);
+    const auto even = convert<Vec3>(number(range), [](double s) { return Vec3(s, s, s); });
+    auto type = any_of<Vec3>({{is_scalar, even}, {is_list, vector3(Dimension::none, range)}});
+    type.show = [](const Vec3&) { return std::string("1"); };
+    return type;
 }
 
 }  // namespace
@@ -215,7 +301,11 @@ const MapSpec<ObjectSection>& object_spec() {
         s.key("at", &ObjectSection::at, vector3(Dimension::length), "its origin in world axes");
         s.key("rotate", &ObjectSection::rotate, rotation(),
               "angles about the world's x, y and z axis in this order, or {axis, angle}");
-        s.key("scale", &ObjectSection::scale, number(above_up_to(0, 1e6)), "of a mesh");
+        s.key("scale", &ObjectSection::scale, scale(),
+              "by which its own axes are stretched before it is turned");
+        s.key("axes", &ObjectSection::axes, list_of(vector3(Dimension::none), 3, 3),
+              "instead of `rotate` and `scale`: where its x, y and z axes go, of any length and at "
+              "any angles");
         s.key("material", &ObjectSection::material, name_of(ReferenceKind::material),
               "of the look; without it a plain grey");
         s.set(
@@ -224,7 +314,10 @@ const MapSpec<ObjectSection>& object_spec() {
                 object.physics = value;
             },
             "`false`: seen only; `fixed`: others collide with it; or a map", "false");
+        s.at_most_one_of({"rotate", "axes"});
+        s.at_most_one_of({"scale", "axes"});
         s.check(note_shape_place);
+        s.check(check_transform);
         return s;
     }();
     return spec;

@@ -245,5 +245,42 @@ TEST(Objects, StillOnes_StandInTheWorld) {
     EXPECT_EQ(object(shot, "tile").world_from_object, Mat44());
 }
 
+TEST(Objects, EveryShape_HasItsMeasures) {
+    const Shot shot = load_sections(
+        "objects:\n"
+        "  sail: {triangle: [[0, 0, 1], [1, 0, 1], [0, 2, 1]]}\n"
+        "  sheet: {parallelogram: [[0, 0, 1], [1, 0, 1], [0.5, 2, 1]]}\n"
+        "  plate: {disk: 20 cm, at: [0, 0, 1]}\n"
+        "  can: {cylinder: {radius: 5 cm, height: 10 cm}, at: [0, 0, 1]}\n"
+        "  hat: {cone: {radius: 5 cm, height: 10 cm}, at: [0, 0, 1]}\n"
+        "  cup: {cone: {radius: 3 cm, top_radius: 4 cm, height: 10 cm}, at: [0, 0, 1]}\n");
+    const auto& sail = std::get<render::TriangleShape>(object(shot, "sail").shape);
+    EXPECT_EQ(sail.corners[2], Vec3(0, 2, 1));
+    const auto& sheet = std::get<render::ParallelogramShape>(object(shot, "sheet").shape);
+    EXPECT_EQ(sheet.corner, Vec3(0, 0, 1));
+    EXPECT_EQ(sheet.edge_u, Vec3(1, 0, 0));
+    EXPECT_EQ(sheet.edge_v, Vec3(0.5, 2, 0));
+    EXPECT_EQ(std::get<render::DiskShape>(object(shot, "plate").shape).radius, 0.2);
+    EXPECT_EQ(std::get<render::CylinderShape>(object(shot, "can").shape).height, 0.1);
+    EXPECT_EQ(std::get<render::ConeShape>(object(shot, "hat").shape).top_radius, 0);
+    EXPECT_EQ(std::get<render::ConeShape>(object(shot, "cup").shape).top_radius, 0.04);
+}
+
+TEST(Objects, ScaleThenRotateThenAt) {
+    const Shot shot = load_sections(
+        "objects:\n"
+        "  egg: {sphere: 0.5, scale: [1, 2, 3], rotate: [90 deg, 0, 0], at: [0, 0, 1]}\n");
+    const Vec3 top = Vec3(0, 0.5, 0) * object(shot, "egg").world_from_object;
+    EXPECT_NEAR((top - Vec3(0, 0, 2)).length(), 0, 1e-12);
+}
+
+TEST(Objects, Axes_MayShear) {
+    const Shot shot = load_sections(
+        "objects:\n"
+        "  lean: {box: [1, 1, 1], axes: [[1, 0, 0], [0, 1, 0], [0.5, 0, 2]], at: [0, 0, 1]}\n");
+    const Vec3 top = Vec3(0, 0, 0.5) * object(shot, "lean").world_from_object;
+    EXPECT_NEAR((top - Vec3(0.25, 0, 2)).length(), 0, 1e-12);
+}
+
 }  // namespace
 }  // namespace carom::pipeline

@@ -50,6 +50,16 @@ void write_shape(Writer& out, const render::Shape& shape) {
         for (const Vec3& vertex : mesh->vertices) {
             out.line(vertex);
         }
+    } else if (const auto* triangle = std::get_if<render::TriangleShape>(&shape)) {
+        out.line("triangle", triangle->corners[0], triangle->corners[1], triangle->corners[2]);
+    } else if (const auto* sides = std::get_if<render::ParallelogramShape>(&shape)) {
+        out.line("parallelogram", sides->corner, sides->edge_u, sides->edge_v);
+    } else if (const auto* disk = std::get_if<render::DiskShape>(&shape)) {
+        out.line("disk", disk->radius);
+    } else if (const auto* cylinder = std::get_if<render::CylinderShape>(&shape)) {
+        out.line("cylinder", cylinder->radius, cylinder->height);
+    } else if (const auto* cone = std::get_if<render::ConeShape>(&shape)) {
+        out.line("cone", cone->radius, cone->top_radius, cone->height);
     }
 }
 

@@ -41,11 +41,28 @@ TEST(SceneHash, Shapes_AllCount) {
     flipped.triangles = {{0, 2, 1}};
     smooth.normals.assign(3, {0, 0, 1});
     mapped.uv.assign(3, {0, 1});
-    expect_all_different({hash_of(render::SphereShape{1}), hash_of(render::SphereShape{2}),
-                          hash_of(render::BoxShape{}), hash_of(render::BoxShape{{1, 1, 2}}),
-                          hash_of(render::PlaneShape{}), hash_of(render::RectangleShape{}),
-                          hash_of(render::RectangleShape{{2, 1}}), hash_of(mesh), hash_of(moved),
-                          hash_of(flipped), hash_of(smooth), hash_of(mapped)});
+    expect_all_different({hash_of(render::SphereShape{1}),
+                          hash_of(render::SphereShape{2}),
+                          hash_of(render::BoxShape{}),
+                          hash_of(render::BoxShape{{1, 1, 2}}),
+                          hash_of(render::PlaneShape{}),
+                          hash_of(render::RectangleShape{}),
+                          hash_of(render::RectangleShape{{2, 1}}),
+                          hash_of(mesh),
+                          hash_of(moved),
+                          hash_of(flipped),
+                          hash_of(smooth),
+                          hash_of(mapped),
+                          hash_of(render::TriangleShape{}),
+                          hash_of(render::TriangleShape{{Vec3(0), {1, 0, 0}, {0, 2, 0}}}),
+                          hash_of(render::ParallelogramShape{}),
+                          hash_of(render::ParallelogramShape{Vec3(0), {1, 0, 0}, {0, 2, 0}}),
+                          hash_of(render::DiskShape{}),
+                          hash_of(render::DiskShape{2}),
+                          hash_of(render::CylinderShape{}),
+                          hash_of(render::CylinderShape{1, 2}),
+                          hash_of(render::ConeShape{}),
+                          hash_of(render::ConeShape{1, 0.5, 1})});
 }
 
 TEST(SceneHash, Colours_AllCount) {

@@ -65,6 +65,14 @@ inline Affine random_map(TestRandom& random, const V3f& half_size, float size) {
     return Affine::narrowed(world_from_unit.inverse());
 }
 
+/// A cylinder, a cone or one cut off, either way up.
+inline render::Profile random_profile(TestRandom& random) {
+    const float other = std::max(0.f, random.between(-0.5f, 1.5f));
+    const float top = random.next() % 2 == 0 ? 1 : std::min(other, 1.f);
+    const float bottom = top == 1 ? std::min(other, 1.f) : 1;
+    return {0.5f * (top + bottom), 0.5f * (top - bottom)};
+}
+
 /// A path of three stretches with two impacts, turning fast.
 inline sim::Track random_track(TestRandom& random, float size) {
     std::vector<sim::Key> keys;
@@ -146,6 +154,10 @@ struct RandomScene {
             shapes.mapped_boxes.push_back({random_map(random, half, 2), object_count++});
             shapes.mapped_balls.push_back({random_map(random, half, 2), object_count++});
             shapes.rectangles.push_back({random_map(random, half, 2), object_count++, i % 2 == 0});
+            shapes.triangles.push_back({random_map(random, half, 2), object_count++});
+            shapes.disks.push_back({random_map(random, half, 2), object_count++});
+            shapes.frustums.push_back(
+                {random_map(random, half, 2), object_count++, false, random_profile(random)});
         }
         shapes.planes.push_back({random_map(random, V3f(1), 0.2f), object_count++});
     }
@@ -155,12 +167,19 @@ struct RandomScene {
         for (int i = 0; i < count; ++i) {
             const render::RigidMotion motion(random_track(random, 2), 0, 1);
             add_moving_sphere(shapes, motion, random.between(0.05f, 0.3f), object_count++);
-            for (const Kind kind : {Kind::ball, Kind::box, Kind::rectangle, Kind::mesh}) {
+            for (const Kind kind : {Kind::ball, Kind::box, Kind::rectangle, Kind::triangle,
+                                    Kind::disk, Kind::frustum, Kind::mesh}) {
                 render::MovingShape shape;
                 shape.kind = kind;
-                shape.half_size = random_point(random, 0.1f) + V3f(0.15f);
+                const V3f half_size = random_point(random, 0.1f) + V3f(0.15f);
+                Mat44 unit_from_body;
+                unit_from_body.setScale(Vec3(1) / Vec3(half_size));
+                shape.unit_from_body = Affine::narrowed(unit_from_body);
+                if (kind == Kind::frustum) {
+                    shape.profile = random_profile(random);
+                }
                 shape.motion = std::make_shared<render::RigidMotion>(random_track(random, 2), 0, 1);
-                float reach = shape.half_size.length();
+                float reach = half_size.length();
                 if (kind == Kind::mesh) {
                     meshes.push_back(std::make_unique<render::TriangleMesh>(bumpy_ball(0.2f, 6)));
                     const render::MeshEntry entry{meshes.back().get(), 0};
@@ -184,7 +203,7 @@ struct RandomScene {
             }
             still_meshes.push_back({meshes.back().get(), object_count++});
         }
-        shapes.triangles = std::make_shared<render::TriangleScene>(device, still_meshes);
+        shapes.meshes = std::make_shared<render::TriangleScene>(device, still_meshes);
     }
 };
 

@@ -53,7 +53,7 @@ struct SceneBuilder {
                              const Vec3& scale = Vec3(1)) {
         const std::string name = "track" + std::to_string(tracks.size());
         tracks.emplace_back(name, std::move(keys));
-        return add(shape, placed(Vec3(5, 6, 7), turn_about(Vec3(1, 1, 0), 1), scale), name);
+        return add(shape, placed(Vec3(0), Quat(), scale), name);
     }
 };
 
