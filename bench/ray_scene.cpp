@@ -22,7 +22,9 @@ void add(SceneDescription& scene, const Shape& shape, const Vec3& at, const std:
     ObjectDescription object;
     object.name = "object" + std::to_string(scene.objects.size());
     object.shape = shape;
-    object.world_from_object.setTranslation(at);
+    if (track.empty()) {
+        object.world_from_object.setTranslation(at);
+    }
     object.track = track;
     object.material = "plain";
     scene.objects.push_back(object);

@@ -33,9 +33,11 @@ struct SceneBuilder {
         surface.base = Vec3(albedo, albedo, albedo);
         return material(name, surface);
     }
+    /// What follows a track is where the track has it, not `at`.
     SceneBuilder& object(const std::string& name, render::Shape shape, const Vec3& at,
                          const std::string& surface, const std::string& track = "") {
-        scene.objects.push_back({name, std::move(shape), moved_to(at), track, surface});
+        scene.objects.push_back(
+            {name, std::move(shape), track.empty() ? moved_to(at) : Mat44(), track, surface});
         return *this;
     }
     SceneBuilder& sphere(const std::string& name, double radius, const Vec3& at,
