@@ -43,6 +43,7 @@ void run(const Command& command, CommandContext& context) {
                    [&](const BakeCommand& bake) { run_bake(bake, context); },
                    [&](const ExportCommand& export_) { run_export(export_, context); },
                    [&](const ReportCommand& report) { run_report(report, context); },
+                   [&](const ImportCommand& import_) { run_import(import_, context); },
                    [](const RenderCommand&) {},  // never here: needs_renderer
                    [](const FrameCommand&) {},
                },

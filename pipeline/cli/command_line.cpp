@@ -38,6 +38,7 @@ struct Targets {
     CheckCommand check;
     ExportCommand export_;
     ReportCommand report;
+    ImportCommand import_;
 };
 
 void add_input(CLI::App& app, InputOptions& input, const char* name, const char* what) {
@@ -164,6 +165,37 @@ void add_report(CLI::App& app, Targets& targets) {
                    "\nEvents with speeds and cut angles; how each object moved and ended; energy.");
 }
 
+void add_import(CLI::App& app, Targets& targets) {
+    CLI::App& command =
+        *app.add_subcommand("import", "make a shot of a scene in the older text format");
+    ImportCommand& options = targets.import_;
+    command.add_option("SCENE", options.scene, "a scene text (docs/import.md has the format)")
+        ->required()
+        ->option_text(" ");
+    add_output(command, options.output,
+               "the shot (else the scene's name and .yaml in the current folder)");
+    command
+        .add_option("--unit", options.unit,
+                    "length of the scene's unit in metres: 0.01 makes its table of 200 by 100 one "
+                    "of 2 m (the default)")
+        ->option_text("METRES")
+        ->check(CLI::Range(1e-6, 1e3));
+    command.add_option("--up", options.up, "the axis that points up: y (the default) or z")
+        ->option_text("AXIS")
+        ->check(CLI::IsMember({"y", "z"}));
+    command
+        .add_option("--force-time", options.force_time,
+                    "seconds for which each force acts, which the format does not say (default "
+                    "0.05)")
+        ->option_text("S")
+        ->check(CLI::Range(1e-6, 10.0));
+    add_talk(command, targets);
+    command.footer(
+        example("  carom import scene.txt -o shot.yaml && carom render shot.yaml") +
+        "\nWhat was approximated is said, and stands as comments in the shot.\n"
+        "'render --quality draft' is the format's preview, 'frame --frame N' one frame.");
+}
+
 Command chosen_command(const CLI::App& app, Targets& targets) {
     const std::string name = app.get_subcommands().front()->get_name();
     if (name == "render") {
@@ -180,6 +212,9 @@ Command chosen_command(const CLI::App& app, Targets& targets) {
     }
     if (name == "report") {
         return std::move(targets.report);
+    }
+    if (name == "import") {
+        return std::move(targets.import_);
     }
     return std::move(targets.export_);
 }
@@ -236,6 +271,7 @@ std::variant<CommandLine, NothingToRun> parse_command_line(
     add_check(app, targets);
     add_export(app, targets);
     add_report(app, targets);
+    add_import(app, targets);
     try {
         // CLI11 takes its arguments from the back.
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

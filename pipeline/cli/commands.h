@@ -68,8 +68,16 @@ struct ReportCommand {
     bool json = false;
 };
 
+struct ImportCommand {
+    std::string scene;   // of the older text format
+    std::string output;  // empty: the scene's name and .yaml in the current folder
+    double unit = 0.01;  // m
+    std::string up = "y";
+    double force_time = 0.05;  // s
+};
+
 using Command = std::variant<RenderCommand, BakeCommand, FrameCommand, CheckCommand, ExportCommand,
-                             ReportCommand>;
+                             ReportCommand, ImportCommand>;
 
 struct CommandLine {
     TalkOptions talk;

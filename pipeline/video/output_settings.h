@@ -5,7 +5,8 @@
 
 namespace carom::pipeline {
 
-enum class ViewTransform { srgb, filmic };
+/// raw: the numbers are shown as they are, for light that was computed in a display's own values.
+enum class ViewTransform { srgb, filmic, raw };
 enum class Codec { h264, ffv1 };
 
 struct OutputSettings {

@@ -63,10 +63,14 @@ struct PlainView {
     [[nodiscard]] Colour operator()(const Colour& colour) const { return colour; }
 };
 
-template <class View>
-void transform(const render::Film& film, float gain, const View& view,
+/// The numbers themselves, for pictures that were computed in a display's own.
+float unencoded(float value) {
+    return std::min(value, 1.0F);
+}
+
+template <class View, class Encoding>
+void transform(const render::Film& film, float gain, const View& view, const Encoding& encode,
                std::vector<std::uint16_t>& display) {
-    const ToneCurve encode(srgb_encode, 1.0);
     const std::size_t pixels = film.rgba.size() / 4;
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
         const Colour colour = view(exposed(&film.rgba[4 * pixel], gain));
@@ -85,12 +89,16 @@ std::vector<std::uint16_t> to_display_16(const render::Film& film, const OutputS
     CAROM_ASSERT(film.rgba.size() == 4 * pixels);
     const auto gain = static_cast<float>(std::exp2(output.exposure));
     std::vector<std::uint16_t> display(3 * pixels);
+    const ToneCurve encode(srgb_encode, 1.0);
     switch (output.view) {
         case ViewTransform::srgb:
-            transform(film, gain, PlainView{}, display);
+            transform(film, gain, PlainView{}, encode, display);
             break;
         case ViewTransform::filmic:
-            transform(film, gain, FilmicView{}, display);
+            transform(film, gain, FilmicView{}, encode, display);
+            break;
+        case ViewTransform::raw:
+            transform(film, gain, PlainView{}, unencoded, display);
             break;
     }
     return display;

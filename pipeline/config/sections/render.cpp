@@ -267,9 +267,10 @@ const MapSpec<OutputSettings>& output_spec() {
         s.key("threads", &OutputSettings::threads, integer(1, 64),
               "of the encoder; the file's bytes depend on it");
         s.key("view", &OutputSettings::view,
-              choice<ViewTransform>(
-                  {{"srgb", ViewTransform::srgb}, {"filmic", ViewTransform::filmic}}),
-              "from scene light to what a display shows");
+              choice<ViewTransform>({{"srgb", ViewTransform::srgb},
+                                     {"filmic", ViewTransform::filmic},
+                                     {"raw", ViewTransform::raw}}),
+              "from scene light to what a display shows; `raw`: the numbers as they are");
         s.key("exposure", &OutputSettings::exposure, number(between(-32, 32)), "in stops");
         return s;
     }();

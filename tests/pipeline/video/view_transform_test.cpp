@@ -35,6 +35,11 @@ TEST(SrgbView, LinearValues_FollowTheStandardsCurve) {
     }
 }
 
+TEST(RawView, Values_AreShownAsTheyAre) {
+    EXPECT_EQ(shown({0.25F, -1, 2}, ViewTransform::raw),
+              (std::vector<std::uint16_t>{16384, 0, 65535}));
+}
+
 TEST(SrgbView, ValuesOutsideTheDisplay_AreClipped) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinity = std::numeric_limits<float>::infinity();

@@ -1,0 +1,48 @@
+#include <filesystem>
+
+#include "pipeline/cli/light_commands.h"
+#include "pipeline/cli/output_file.h"
+#include "pipeline/cli/shot_input.h"
+#include "pipeline/config/load_shot.h"
+#include "pipeline/import/import_scene.h"
+
+namespace carom::cli {
+
+void run_import(const ImportCommand& command, CommandContext& context) {
+    const std::string path = output_or_default(command.output, command.scene, ".yaml");
+    const bool to_stdout = path == "-";
+    const std::string folder =
+        to_stdout ? "." : std::filesystem::absolute(path).parent_path().string();
+    if (!to_stdout) {
+        check_output_folder(path);
+        std::error_code ignored;
+        if (std::filesystem::equivalent(path, command.scene, ignored)) {
+            throw InputError("'" + path + "' is the scene itself");
+        }
+    }
+    pipeline::ImportOptions options;
+    options.unit = command.unit;
+    options.is_z_up = command.up == "z";
+    options.force_time = command.force_time;
+    const pipeline::ImportResult result =
+        pipeline::import_scene_file(command.scene, folder, options);
+    report_problems(result.problems, context.console);
+    if (result.yaml.empty()) {
+        throw InputError("'" + command.scene + "' has " + count_text(result.problems));
+    }
+    for (const std::string& note : result.notes) {
+        context.console.event("note", JsonMembers().add("message", note), "note: " + note + "\n",
+                              false);
+    }
+    write_text_output(path, result.yaml);
+    // What was made is checked as 'carom check' would.
+    const pipeline::LoadResult shot =
+        pipeline::load_shot_text(result.yaml, to_stdout ? folder + "/shot.yaml" : path);
+    report_problems(shot.problems, context.console);
+    if (!shot.shot) {
+        throw InputError("the shot that was made has " + count_text(shot.problems) +
+                         "; mend the scene or the shot");
+    }
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,118 @@
+#include "pipeline/import/conversion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace carom::pipeline::scene_text {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+}  // namespace
+
+void Conversion::note(const std::string& text) {
+    constexpr std::size_t kMost = 100;
+    if (notes.size() <= kMost && noted.insert(text).second) {
+        notes.push_back(notes.size() < kMost ? text : "and more of the kind");
+    }
+}
+
+std::string Names::claim(const std::string& name) {
+    std::string made;
+    for (const char c : name.substr(0, 48)) {
+        const bool is_allowed = is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
+        made += is_allowed ? c : '_';
+    }
+    static const std::set<std::string> kReserved{"all", "auto", "none", "true", "false", "null"};
+    if (made.empty() || (!is_letter(made[0]) && made[0] != '_') || kReserved.count(made) != 0) {
+        made = "n_" + made;
+    }
+    std::string free = made;
+    while (!taken_.insert(free).second) {
+        int& number = latest_[made];
+        number = number == 0 ? 2 : number + 1;
+        free = made + "_" + std::to_string(number);
+    }
+    return free;
+}
+
+std::string yaml(double value) {
+    if (std::abs(value) < 1e-15) {
+        return "0";
+    }
+    char text[40];
+    std::snprintf(text, sizeof text, "%.9g", value);
+    return text;
+}
+
+std::string yaml(const Vec3& value) {
+    return "[" + yaml(value.x) + ", " + yaml(value.y) + ", " + yaml(value.z) + "]";
+}
+
+std::string yaml_text(const std::string& value) {
+    std::string text = "\"";
+    for (const char c : value) {
+        if (c == '"' || c == '\\') {
+            text += '\\';
+        }
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+            char escape[8];
+            std::snprintf(escape, sizeof escape, "\\x%02x", static_cast<unsigned>(c));
+            text += escape;
+        } else {
+            text += c;
+        }
+    }
+    return text + "\"";
+}
+
+std::string yaml_rotation(const Vec3& x, const Vec3& y, const Vec3& z) {
+    // The matrix with these columns; its angle from the trace, its axis from what is not symmetric,
+    // or at half a turn from what is.
+    const double cosine = std::clamp((x.x + y.y + z.z - 1) / 2, -1.0, 1.0);
+    Vec3 axis(y.z - z.y, z.x - x.z, x.y - y.x);
+    const double sine = axis.length() / 2;
+    double angle = std::atan2(sine, cosine);
+    if (angle < 1e-12) {
+        return {};
+    }
+    if (sine < 1e-6) {
+        // (R + 1) / 2 = axis axis^T
+        const Vec3 squares((x.x + 1) / 2, (y.y + 1) / 2, (z.z + 1) / 2);
+        if (squares.x >= squares.y && squares.x >= squares.z) {
+            axis = Vec3(squares.x, (x.y + y.x) / 4, (x.z + z.x) / 4);
+        } else if (squares.y >= squares.z) {
+            axis = Vec3((x.y + y.x) / 4, squares.y, (y.z + z.y) / 4);
+        } else {
+            axis = Vec3((x.z + z.x) / 4, (y.z + z.y) / 4, squares.z);
+        }
+        angle = kPi;
+    }
+    return "rotate: {axis: " + yaml(axis.normalized()) + ", angle: " + yaml(angle * 180 / kPi) +
+           " deg}";
+}
+
+Vec3 bright_point(const SceneModel& scene) {
+    for (const bool moving_only : {true, false}) {
+        Vec3 sum(0, 0, 0);
+        int count = 0;
+        for (const Object& object : scene.objects) {
+            if (object.kind == ShapeKind::sphere && (object.uses_physics || !moving_only)) {
+                sum += *object.position;
+                ++count;
+            }
+        }
+        if (count > 0) {
+            return sum / count;
+        }
+    }
+    return scene.cameras.empty() ? Vec3(0, 0, 0) : scene.cameras.front().targets.front();
+}
+
+}  // namespace carom::pipeline::scene_text

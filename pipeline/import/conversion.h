@@ -1,0 +1,87 @@
+// What the parts of a conversion from a scene text to YAML share.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "pipeline/config/problem_list.h"
+#include "pipeline/import/import_scene.h"
+#include "pipeline/import/scene_model.h"
+
+namespace carom::pipeline::scene_text {
+
+/// Places and lengths of the author's in ours.
+class Axes {
+  public:
+    explicit Axes(const ImportOptions& options) : unit_(options.unit), is_z_up_(options.is_z_up) {}
+
+    /// A direction: no unit. A quarter turn about x, so that the author's up is ours.
+    [[nodiscard]] Vec3 direction(const Vec3& v) const {
+        return is_z_up_ ? v : Vec3(v.x, -v.z, v.y);
+    }
+    [[nodiscard]] Vec3 place(const Vec3& v) const { return direction(v) * unit_; }
+    [[nodiscard]] double length(double author_units) const { return author_units * unit_; }
+    [[nodiscard]] Vec3 author_up() const { return is_z_up_ ? Vec3(0, 0, 1) : Vec3(0, 1, 0); }
+
+  private:
+    double unit_;
+    bool is_z_up_;
+};
+
+/// What a conversion writes to.
+struct Conversion {
+    SceneModel scene;
+    const ImportOptions& options;
+    Axes axes;
+    config::ProblemList& problems;
+    std::string scene_folder, shot_folder;
+    std::vector<std::string> material_names{};  // in the YAML, by index
+    std::vector<std::string> notes{};
+    std::set<std::string> noted{};
+
+    /// Once each; only the first hundred are kept.
+    void note(const std::string& text);
+};
+
+/// Names that the YAML may have, each used once.
+class Names {
+  public:
+    /// `name` itself where the YAML allows it and it is not taken yet, else one made from it.
+    [[nodiscard]] std::string claim(const std::string& name);
+
+  private:
+    std::set<std::string> taken_;
+    std::map<std::string, int> latest_;  // number given to a name that was taken
+};
+
+// ---- sections of the YAML, whole lines ------------------------------------------------------
+
+// What cannot be converted becomes a problem.
+
+/// Nothing happens after `last_time`, s.
+[[nodiscard]] std::string objects_and_events(Conversion& conversion, double last_time);
+[[nodiscard]] std::string materials_section(Conversion& conversion);
+[[nodiscard]] std::string lights_section(Conversion& conversion);
+/// `duration` becomes the latest scene time that is filmed.
+[[nodiscard]] std::string cameras_section(Conversion& conversion, double& duration);
+[[nodiscard]] std::string render_section(Conversion& conversion);
+
+/// The point at which lights are as bright as the scene text means them: the middle of the moving
+/// spheres, or of all, or the first camera's target. In the author's units.
+[[nodiscard]] Vec3 bright_point(const SceneModel& scene);
+
+// ---- YAML ------------------------------------------------------------------------------------
+
+/// Nine significant digits: "0.45".
+[[nodiscard]] std::string yaml(double value);
+/// "[0.1, 0.2, 0.3]"
+[[nodiscard]] std::string yaml(const Vec3& value);
+/// Double-quoted.
+[[nodiscard]] std::string yaml_text(const std::string& value);
+/// "rotate: {axis: [0, 0, 1], angle: 30 deg}" for the turn that carries x, y and z to these unit
+/// vectors; empty for none.
+[[nodiscard]] std::string yaml_rotation(const Vec3& x, const Vec3& y, const Vec3& z);
+
+}  // namespace carom::pipeline::scene_text

@@ -1,0 +1,255 @@
+// Cameras as rigs, the film one after the other.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "pipeline/config/text.h"
+#include "pipeline/config/units.h"
+#include "pipeline/import/conversion.h"
+
+namespace carom::pipeline::scene_text {
+
+namespace {
+
+using config::quote;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kDefaultFov = 2;  // distance of the plane of projection
+constexpr double kDefaultWidth = 320;
+constexpr double kDefaultHeight = 240;
+
+/// A camera with everything decided.
+struct Rig {
+    const Camera* camera = nullptr;
+    double video_start = 0, video_end = 0, time_start = 0, time_end = 0;
+};
+
+/// In the order of the film; what was left out follows from what is there.
+std::vector<Rig> timed(Conversion& conversion) {
+    std::vector<Rig> rigs;
+    double end = 0;  // of the camera before
+    for (const Camera& camera : conversion.scene.cameras) {
+        Rig rig{&camera};
+        rig.video_start = camera.video_start.value_or(end);
+        const double length = camera.time_start && camera.time_end
+                                  ? std::abs(*camera.time_end - *camera.time_start)
+                                  : 1;
+        rig.video_end = camera.video_end.value_or(rig.video_start + length);
+        rig.time_start = camera.time_start.value_or(rig.video_start);
+        rig.time_end = camera.time_end.value_or(rig.time_start + rig.video_end - rig.video_start);
+        if (!camera.video_start || !camera.video_end || !camera.time_start || !camera.time_end) {
+            conversion.note("camera " + quote(camera.name.text) +
+                            ": times by default; it films from " + yaml(rig.video_start) + " to " +
+                            yaml(rig.video_end) + " s of the film what happens from " +
+                            yaml(rig.time_start) + " to " + yaml(rig.time_end) + " s");
+        }
+        if (!(rig.video_end > rig.video_start)) {
+            conversion.problems.error(camera.name.place,
+                                      "camera " + quote(camera.name.text) + " films from " +
+                                          yaml(rig.video_start) + " to " + yaml(rig.video_end) +
+                                          " s of the film; the end must be after the start");
+        }
+        end = rig.video_end;
+        rigs.push_back(rig);
+    }
+    std::stable_sort(rigs.begin(), rigs.end(),
+                     [](const Rig& a, const Rig& b) { return a.video_start < b.video_start; });
+    return rigs;
+}
+
+/// The film has neither gaps nor a late start: cameras move up. An overlap is an error.
+void close_ranks(std::vector<Rig>& rigs, Conversion& conversion) {
+    double end = 0;
+    double shift = 0;
+    for (std::size_t i = 0; i < rigs.size(); ++i) {
+        Rig& rig = rigs[i];
+        rig.video_start -= shift;
+        rig.video_end -= shift;
+        const double gap = rig.video_start - end;
+        const std::string name = quote(rig.camera->name.text);
+        if (gap > 1e-9) {
+            conversion.note("nobody films for " + yaml(gap) + " s before camera " + name +
+                            "; the film goes on without a gap");
+            rig.video_start -= gap;
+            rig.video_end -= gap;
+            shift += gap;
+        } else if (gap < -1e-9) {
+            conversion.problems.error(rig.camera->name.place,
+                                      "camera " + name + " starts before camera " +
+                                          quote(rigs[i - 1].camera->name.text) + " ends");
+        }
+        end = rig.video_end;
+    }
+}
+
+std::string path(const std::vector<Vec3>& points, const Axes& axes) {
+    if (points.size() == 1) {
+        return yaml(axes.place(points.front()));
+    }
+    std::string text;
+    for (const Vec3& point : points) {
+        text += (text.empty() ? "{bezier: [" : ", ") + yaml(axes.place(point));
+    }
+    return text + "]}";
+}
+
+/// Vertical, rad, for a plane of projection one unit wide at `distance`.
+double vertical_angle(double distance, double height_by_width) {
+    return 2 * std::atan(height_by_width / (2 * distance));
+}
+
+std::string degrees(double angle) {
+    return yaml(angle * 180 / kPi) + " deg";
+}
+
+/// One value, or those at start and end.
+std::string start_end(const std::string& start, const std::string& end) {
+    return start == end ? start : "[" + start + ", " + end + "]";
+}
+
+std::string focus(const Real& distance, const Axes& axes) {
+    return distance ? yaml(axes.length(*distance)) : "auto";
+}
+
+/// By how much the camera that looks along `forward` rolls so that `up` is up and not `reference`.
+double roll_between(const Vec3& forward, const Vec3& reference, const Vec3& up) {
+    const Vec3 right = forward.cross(reference);
+    const Vec3 upright = right.cross(forward);
+    // A camera rolled by r has upright cos r - right sin r for its own up.
+    return std::atan2(-(up.dot(right.normalized())), up.dot(upright.normalized()));
+}
+
+void write_sky(std::ostringstream& out, const Rig& rig, Conversion& conversion) {
+    const Camera& camera = *rig.camera;
+    const Vec3 usual = conversion.axes.author_up();
+    const Vec3 start = camera.sky_start.value_or(usual);
+    const Vec3 end = camera.sky_end.value_or(start);
+    const std::string owner = "camera " + quote(camera.name.text);
+    const auto looks_along = [](const Vec3& forward, const Vec3& sky) {
+        return forward.cross(sky).length() < 1e-6 * forward.length() * sky.length();
+    };
+    const Vec3 first = camera.targets.front() - camera.positions.front();
+    const Vec3 last = camera.targets.back() - camera.positions.back();
+    for (const auto& [forward, sky] : {std::pair(first, start), std::pair(last, end)}) {
+        if (forward.length() < 1e-9) {
+            conversion.problems.error(camera.name.place,
+                                      owner + " stands in its own target at the start or the end");
+            return;
+        }
+        if (looks_along(forward, sky)) {
+            conversion.problems.error(
+                camera.name.place, owner + " looks along its sky vector at the start or the end");
+            return;
+        }
+    }
+    const Vec3 up = conversion.axes.direction(start);
+    if (up.cross(Vec3(0, 0, 1)).length() > 1e-12 || up.z < 0) {
+        out << "    up: " << yaml(up.normalized()) << "\n";
+    }
+    const double roll = looks_along(last, start) ? 0 : roll_between(last, start, end);
+    if (std::abs(roll) > 1e-9) {
+        out << "    roll: [0 deg, " << degrees(roll) << "]\n";
+        conversion.note(owner + ": the turn of its sky vector became a roll at constant speed");
+    }
+}
+
+void write_lens(std::ostringstream& out, const Rig& rig, Conversion& conversion) {
+    const Camera& camera = *rig.camera;
+    const std::optional<Settings>& settings = conversion.scene.settings;
+    const double width = settings ? settings->width.value_or(kDefaultWidth) : kDefaultWidth;
+    const double height = settings ? settings->height.value_or(kDefaultHeight) : kDefaultHeight;
+    const double start = camera.fov_start.value_or(kDefaultFov);
+    const double end = camera.fov_end.value_or(camera.fov_start.value_or(kDefaultFov));
+    const std::string owner = "camera " + quote(camera.name.text);
+    if (!camera.fov_start) {
+        conversion.note(owner + ": FOV by default, " + yaml(kDefaultFov));
+    }
+    conversion.note(
+        "FOV is taken as the distance of a plane of projection one unit wide: the wider angle of "
+        "the picture is 2 atan(1 / (2 FOV))");
+    out << "    fov: "
+        << start_end(degrees(vertical_angle(start, height / width)),
+                     degrees(vertical_angle(end, height / width)))
+        << "\n";
+    if (start != end) {
+        conversion.note(owner + ": while it zooms the angle goes evenly, not the distance FOV");
+    }
+    out << "    focus: "
+        << start_end(focus(camera.dof_start, conversion.axes),
+                     focus(camera.dof_end, conversion.axes))
+        << "\n";
+    const double dof_c = settings ? settings->dof_c.value_or(0) : 0;
+    const double samples = settings ? settings->dof_samples.value_or(0) : 0;
+    if (dof_c > 0 && samples > 1) {
+        const double radius = conversion.axes.length(dof_c);
+        out << "    aperture: " << yaml(std::min(radius, 10.0)) << "\n";
+        conversion.note(
+            "dof_c is the radius of a lens evenly filled with rays; what is focused on is a plane");
+    }
+}
+
+}  // namespace
+
+std::string cameras_section(Conversion& conversion, double& duration) {
+    std::vector<Rig> rigs = timed(conversion);
+    close_ranks(rigs, conversion);
+    std::ostringstream out;
+    out << "cameras:\n";
+    Names names;
+    duration = 0;
+    for (const Rig& rig : rigs) {
+        duration = std::max({duration, rig.time_start, rig.time_end});
+        out << "  - name: " << names.claim(rig.camera->name.text) << "\n"
+            << "    video: [" << yaml(rig.video_start) << " s, " << yaml(rig.video_end) << " s]\n"
+            << "    scene: [" << yaml(rig.time_start) << " s, " << yaml(rig.time_end) << " s]\n"
+            << "    position: " << path(rig.camera->positions, conversion.axes) << "\n"
+            << "    target: " << path(rig.camera->targets, conversion.axes) << "\n";
+        write_lens(out, rig, conversion);
+        write_sky(out, rig, conversion);
+    }
+    return out.str();
+}
+
+std::string render_section(Conversion& conversion) {
+    static const Settings kNone{};
+    const std::optional<Settings>& given = conversion.scene.settings;
+    const Settings& s = given ? *given : kNone;
+    const auto defaulted = [&](const Real& value, double otherwise, const char* name) {
+        if (!value) {
+            conversion.note(std::string(name) + " by default: " + yaml(otherwise));
+        }
+        return value.value_or(otherwise);
+    };
+    // 0 and 1 both switch an effect off.
+    const auto count = [&](const Real& value, const char* name) {
+        return static_cast<int>(std::max(1.0, defaulted(value, 0, name)));
+    };
+    std::ostringstream out;
+    const double fps = defaulted(s.fps, 24, "fps");
+    const double ratio = defaulted(s.blur_switch_ratio, 0.2, "blur_switch_ratio");
+    const int blur = count(s.blur_samples, "blur_samples");
+    out << "render:\n"
+        << "  size: [" << yaml(defaulted(s.width, kDefaultWidth, "width")) << ", "
+        << yaml(defaulted(s.height, kDefaultHeight, "height")) << "]\n"
+        << "  fps: " << yaml(fps) << "\n"
+        << "  shutter: {time: "
+        << (blur == 1         ? "0 s"
+            : s.blur_duration ? yaml(*s.blur_duration) + " s"
+                              : "1/" + yaml(fps) + " s")
+        << ", position: start, switch_ratio: " << yaml(ratio) << "}\n"
+        << "  integrator: distributed\n"
+        << "  filter: gaussian\n"
+        << "  distributed: {pixel_samples: " << count(s.interpolate_samples, "interpolate_samples")
+        << ", blur_samples: " << blur << ", lens_samples: " << count(s.dof_samples, "dof_samples")
+        << ", shadow_samples: " << count(s.soft_shadow_samples, "soft_shadow_samples") << ",\n"
+        << "                reflection_samples: "
+        << count(s.diffuse_reflection_samples, "diffuse_reflection_samples")
+        << ", refraction_samples: "
+        << count(s.diffuse_refraction_samples, "diffuse_refraction_samples")
+        << ", recursion_limit: " << yaml(defaulted(s.recursion, 1, "recursion"))
+        << ",\n                ambient_coefficient: 0.12}\n"
+        << "output: {view: raw}   # colours were computed as a display shows them\n";
+    return out.str();
+}
+
+}  // namespace carom::pipeline::scene_text

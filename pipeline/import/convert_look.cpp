@@ -1,0 +1,220 @@
+// Materials as phong ones, lights as ours.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "pipeline/config/text.h"
+#include "pipeline/import/conversion.h"
+
+namespace carom::pipeline::scene_text {
+
+namespace {
+
+namespace fs = std::filesystem;
+using config::quote;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kWidestSpread = 1.5;  // rad, of the format
+
+// ---- materials ------------------------------------------------------------------------------
+
+class PhongText {
+  public:
+    PhongText(const PhongInfo& phong, Conversion& conversion)
+        : phong_(phong), conversion_(conversion) {}
+
+    /// `diffuse` instead of the colour, if it is not empty.
+    std::string operator()(const std::string& diffuse) {
+        std::string text = "ambient: " + colour(phong_.ambient, "ambient");
+        text += ", diffuse: " + (diffuse.empty() ? colour(phong_.diffuse, "diffuse") : diffuse);
+        text += ", specular: " + colour(phong_.specular, "specular");
+        text += ", shininess: " + yaml(clamped(phong_.shininess, 20, 0, 1e6, "shininess"));
+        const double reflectance = clamped(phong_.reflectance, 0, 0, 1, "reflectance");
+        if (reflectance > 0) {
+            text += ", reflectance: " + yaml(reflectance);
+            text += spread("reflectance_spread", phong_.diffuse_reflection, "diffuse_reflection");
+        }
+        const double refraction = clamped(phong_.refraction, 0, 0, 1, "refraction");
+        if (refraction > 0) {
+            text += ", transmittance: " + yaml(refraction);
+            text += spread("transmittance_spread", phong_.diffuse_refraction, "diffuse_refraction");
+            text += ", index: " +
+                    yaml(clamped(phong_.refraction_index, 1, 0.1, 10, "refraction_index"));
+        }
+        return text;
+    }
+
+  private:
+    std::string colour(const std::optional<Vec3>& given, const char* name) {
+        Vec3 c = given.value_or(Vec3(0, 0, 0));
+        for (int i = 0; i < 3; ++i) {
+            c[i] = clamped(c[i], 0, 0, 1, name);
+        }
+        return yaml(c);
+    }
+
+    double clamped(const Real& given, double otherwise, double low, double high, const char* name) {
+        const double value = given.value_or(otherwise);
+        const double result = std::clamp(value, low, high);
+        if (result != value) {
+            conversion_.note("phong_info " + quote(phong_.name.text) + ": " + name + " " +
+                             yaml(value) + " became " + yaml(result));
+        }
+        return result;
+    }
+
+    std::string spread(const char* key, const Real& given, const char* name) {
+        const double value = clamped(given, 0, 0, kWidestSpread, name);
+        return value > 0 ? std::string(", ") + key + ": " + yaml(value) : std::string();
+    }
+
+    const PhongInfo& phong_;
+    Conversion& conversion_;
+};
+
+/// How the picture of a texture is named in the YAML; empty, and a note, if it is not there.
+std::string picture(const Texture& texture, Conversion& conversion) {
+    const fs::path path = fs::path(conversion.scene_folder) / texture.filename->text;
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) {
+        conversion.note("texture " + quote(texture.name.text) + ": there is no file " +
+                        quote(texture.filename->text) + "; the diffuse colour stands for it");
+        return {};
+    }
+    const fs::path relative = fs::proximate(path, conversion.shot_folder, error);
+    return (error ? fs::absolute(path, error) : relative).generic_string();
+}
+
+std::string diffuse_picture(const Material& material, Conversion& conversion) {
+    if (!material.texture) {
+        return {};
+    }
+    const std::string file = picture(conversion.scene.textures[*material.texture], conversion);
+    if (file.empty()) {
+        return {};
+    }
+    const auto repeats = [](const Real& scale) {
+        return yaml(std::clamp(1 / scale.value_or(1), 1e-9, 1e4));
+    };
+    if (material.scale_u.value_or(1) != 1 || material.scale_v.value_or(1) != 1) {
+        conversion.note(
+            "scale_U and scale_V are taken as shares of the shape that one picture covers: of a "
+            "sphere's turn, of a rectangle's edge");
+    }
+    return "{image: {file: " + yaml_text(file) + ", scale: [" + repeats(material.scale_u) + ", " +
+           repeats(material.scale_v) + "], is_linear: true}}";
+}
+
+// ---- lights ---------------------------------------------------------------------------------
+
+std::string strength_note() {
+    return "light falls off with the square of the distance; lights are as bright as the text says "
+           "where the moving spheres start";
+}
+
+/// At right angles to the unit vector.
+Vec3 beside(const Vec3& v, const Vec3& axis) {
+    return v - axis * axis.dot(v);
+}
+
+std::string rectangle_light(const Light& light, const Vec3& bright, Conversion& conversion) {
+    const Axes& axes = conversion.axes;
+    const double width = light.x->length();
+    const Vec3 u = *light.x / std::max(width, 1e-300);
+    const Vec3 across = beside(*light.y, u);
+    const double breadth = across.length();
+    if (!(width > 0) || !(breadth > 1e-9 * std::max(width, light.y->length()))) {
+        conversion.problems.error(light.name.place, "the edges x and y of light_rect " +
+                                                        quote(light.name.text) +
+                                                        " do not span a rectangle");
+        return {};
+    }
+    if (std::abs(u.dot(*light.y)) > 1e-6 * light.y->length()) {
+        conversion.note("light_rect " + quote(light.name.text) +
+                        ": its edges are not at right angles; y was straightened");
+    }
+    const Vec3 middle = *light.position + *light.x / 2 + across / 2;
+    const Vec3 way = bright - middle;
+    Vec3 normal = u.cross(across / breadth);
+    normal = normal.dot(way) < 0 ? -normal : normal;
+    conversion.note("light_rect " + quote(light.name.text) + " shines to one side only");
+    const double distance2 = std::max(way.dot(way), 1e-12);
+    const double cosine = std::max(0.1, normal.dot(way) / std::sqrt(distance2));
+    // The light's own first axis, as the format has it, and the turn from there.
+    const Vec3 n = axes.direction(normal);
+    const Vec3 level = Vec3(0, 0, 1).cross(n);
+    const Vec3 u0 = level.dot(level) < 1e-12 ? Vec3(1, 0, 0) : level.normalized();
+    const Vec3 our_u = axes.direction(u);
+    const double roll = std::atan2(our_u.dot(n.cross(u0)), our_u.dot(u0)) * 180 / kPi;
+    const double scale = kPi * distance2 / (width * breadth * cosine);
+    return "rectangle: [" + yaml(axes.length(width)) + ", " + yaml(axes.length(breadth)) +
+           "], at: " + yaml(axes.place(middle)) + ", facing: " + yaml(n) + ", roll: " + yaml(roll) +
+           " deg, radiance: " + yaml(light.colour.value_or(Vec3(1, 1, 1)) * scale);
+}
+
+std::string light_text(const Light& light, const Vec3& bright, Conversion& conversion) {
+    const Axes& axes = conversion.axes;
+    const Vec3 colour = light.colour.value_or(Vec3(1, 1, 1));
+    const double distance = (bright - *light.position).length();
+    switch (light.kind) {
+        case LightKind::rectangle:
+            return rectangle_light(light, bright, conversion);
+        case LightKind::bulb: {
+            const double ratio = std::max(distance, 2 * *light.radius) / *light.radius;
+            return "sphere: " + yaml(axes.length(*light.radius)) +
+                   ", at: " + yaml(axes.place(*light.position)) +
+                   ", radiance: " + yaml(colour * (ratio * ratio));
+        }
+        case LightKind::point: {
+            const double metres = axes.length(std::max(distance, 1e-6));
+            return "point: " + yaml(colour * (kPi * metres * metres)) +
+                   ", at: " + yaml(axes.place(*light.position));
+        }
+    }
+    return {};
+}
+
+/// Over the first camera, as far above it as its target is away.
+Light light_over_camera(const Conversion& conversion) {
+    const Camera& camera = conversion.scene.cameras.front();
+    const Vec3 position = camera.positions.front();
+    const double distance = (camera.targets.front() - position).length();
+    Light light;
+    light.name.text = "over_the_camera";
+    light.position = position + conversion.axes.author_up() * distance;
+    return light;
+}
+
+}  // namespace
+
+std::string materials_section(Conversion& conversion) {
+    std::ostringstream out;
+    for (std::size_t i = 0; i < conversion.scene.materials.size(); ++i) {
+        const Material& material = conversion.scene.materials[i];
+        PhongText phong(conversion.scene.phong_infos[material.phong], conversion);
+        out << "  " << conversion.material_names[i] << ":\n    phong: {"
+            << phong(diffuse_picture(material, conversion)) << "}\n";
+    }
+    return conversion.scene.materials.empty() ? std::string() : "materials:\n" + out.str();
+}
+
+std::string lights_section(Conversion& conversion) {
+    std::vector<Light> lights = conversion.scene.lights;
+    if (lights.empty()) {
+        conversion.note("the text has no lights: there is one over the camera");
+        lights.push_back(light_over_camera(conversion));
+    }
+    conversion.note(strength_note());
+    const Vec3 bright = bright_point(conversion.scene);
+    std::ostringstream out;
+    Names names;
+    out << "lights:\n";
+    for (const Light& light : lights) {
+        out << "  " << names.claim(light.name.text) << ": {"
+            << light_text(light, bright, conversion) << "}\n";
+    }
+    return out.str();
+}
+
+}  // namespace carom::pipeline::scene_text

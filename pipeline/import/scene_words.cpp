@@ -1,0 +1,107 @@
+#include "pipeline/import/scene_words.h"
+
+#include <string_view>
+#include <utility>
+
+#include "pipeline/config/text.h"
+
+namespace carom::pipeline::scene_text {
+
+namespace {
+
+using config::Place;
+
+constexpr std::size_t kLongestWordBytes = 4096;
+constexpr std::size_t kDeepest = 8;
+
+bool is_space(char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
+}
+
+bool is_brace(char c) {
+    return c == '{' || c == '}';
+}
+
+class Splitter {
+  public:
+    Splitter(const config::SourceSet& sources, int source, config::ProblemList& problems)
+        : sources_(sources), source_(source), problems_(problems) {
+        open_.emplace_back();
+    }
+
+    std::vector<Item> run() {
+        const std::string_view text = sources_.at(source_).text;
+        std::size_t at = 0;
+        while (at < text.size()) {
+            if (is_space(text[at])) {
+                ++at;
+            } else if (is_brace(text[at])) {
+                brace(text[at], sources_.place_at(source_, at, 1));
+                ++at;
+            } else {
+                std::size_t end = at;
+                while (end < text.size() && !is_space(text[end]) && !is_brace(text[end])) {
+                    ++end;
+                }
+                add_word(text.substr(at, end - at), sources_.place_at(source_, at, end - at));
+                at = end;
+            }
+        }
+        while (open_.size() > 1) {
+            problems_.error(open_.back().place, "'{' is never closed");
+            close();
+        }
+        return std::move(open_.front().group);
+    }
+
+  private:
+    void add_word(std::string_view word, const Place& place) {
+        if (word.size() > kLongestWordBytes) {
+            problems_.error(place, "a word of " + std::to_string(word.size()) +
+                                       " bytes is longer than any name or number");
+            word = word.substr(0, 1);
+        }
+        open_.back().group.push_back({std::string(word), {}, false, place});
+    }
+
+    void brace(char c, const Place& place) {
+        if (c == '{') {
+            // What is nested too deeply is read into the last group that may be there.
+            if (open_.size() > kDeepest) {
+                if (too_deep_++ == 0) {
+                    problems_.error(
+                        place, "braces are nested more than " + std::to_string(kDeepest) + " deep");
+                }
+                return;
+            }
+            open_.push_back({{}, {}, true, place});
+        } else if (too_deep_ > 0) {
+            --too_deep_;
+        } else if (open_.size() == 1) {
+            problems_.error(place, "'}' closes nothing");
+        } else {
+            close();
+        }
+    }
+
+    void close() {
+        Item group = std::move(open_.back());
+        open_.pop_back();
+        open_.back().group.push_back(std::move(group));
+    }
+
+    const config::SourceSet& sources_;
+    int source_;
+    config::ProblemList& problems_;
+    std::vector<Item> open_;  // the text itself, then every open brace
+    int too_deep_ = 0;
+};
+
+}  // namespace
+
+std::vector<Item> split_words(const config::SourceSet& sources, int source,
+                              config::ProblemList& problems) {
+    return Splitter(sources, source, problems).run();
+}
+
+}  // namespace carom::pipeline::scene_text

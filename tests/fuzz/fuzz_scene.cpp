@@ -1,0 +1,36 @@
+// Any text is refused with problems that can be shown, or becomes YAML whose syntax is right.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "pipeline/config/load_shot.h"
+#include "pipeline/import/import_scene.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace carom::pipeline;
+    const ImportResult result =
+        import_scene(std::string(data, data + size), "fuzz.txt", "/nowhere", "/nowhere");
+    std::string shown;
+    for (const Problem& problem : result.problems) {
+        shown += format(problem);
+    }
+    if (result.yaml.empty() != has_errors(result.problems)) {
+        std::fprintf(stderr, "YAML beside errors, or neither\n%s", shown.c_str());
+        std::abort();
+    }
+    if (!result.yaml.empty()) {
+        for (const Problem& problem : load_shot_text(result.yaml, "/nowhere/shot.yaml").problems) {
+            // Values may lie outside what a shot allows; a key or a syntax that it does not know
+            // is ours.
+            const bool is_ours = problem.message.find("unknown key") != std::string::npos ||
+                                 problem.message.find("cannot be the name") != std::string::npos ||
+                                 problem.message.find("is not YAML") != std::string::npos;
+            if (is_ours) {
+                std::fprintf(stderr, "%s\n%s", result.yaml.c_str(), format(problem).c_str());
+                std::abort();
+            }
+        }
+    }
+    return 0;
+}

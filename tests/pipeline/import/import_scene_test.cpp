@@ -1,0 +1,297 @@
+// What becomes of the elements of a scene text.
+#include "pipeline/import/import_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/config/load_shot.h"
+
+namespace carom::pipeline {
+namespace {
+
+const std::string kSample = CAROM_SOURCE_DIR "/tests/examples/sample_scene.txt";
+const std::string kCamera =
+    "camera C { video_end 1 add_position { 0 0 -90 } add_target { 0 0 10 } DOF_end 40 }\n";
+
+/// The shot that the text becomes; a failure says why there is none.
+Shot shot_of(const ImportResult& imported) {
+    std::string problems;
+    for (const Problem& problem : imported.problems) {
+        problems += format(problem);
+    }
+    const LoadResult loaded = load_shot_text(imported.yaml, "/nowhere/shot.yaml");
+    for (const Problem& problem : loaded.problems) {
+        problems += format(problem);
+    }
+    EXPECT_TRUE(loaded.shot) << problems << imported.yaml;
+    EXPECT_EQ(problems, "");
+    return loaded.shot.value_or(Shot{});
+}
+
+Shot shot_of(const std::string& text, const ImportOptions& options = {}) {
+    return shot_of(import_scene(text, "scene.txt", "/nowhere", "/nowhere", options));
+}
+
+Shot sample(const ImportOptions& options = {}) {
+    return shot_of(import_scene_file(kSample, "/nowhere", options));
+}
+
+bool has_note(const ImportResult& result, const std::string& part) {
+    return std::any_of(result.notes.begin(), result.notes.end(), [&](const std::string& note) {
+        return note.find(part) != std::string::npos;
+    });
+}
+
+#define EXPECT_NEAR_VEC(a, b, bound)                                                               \
+    EXPECT_LT(((a) - (b)).length(), bound) << (a).x << " " << (a).y << " " << (a).z << " against " \
+                                           << (b).x << " " << (b).y << " " << (b).z
+
+Vec3 bezier_point(const CameraPath& path, std::size_t index) {
+    return std::get<BezierPath>(path).points.at(index).offset;
+}
+
+const render::ObjectDescription& object(const Shot& shot, const std::string& name) {
+    for (const render::ObjectDescription& object : shot.scene.objects) {
+        if (object.name == name) {
+            return object;
+        }
+    }
+    throw std::runtime_error("no object " + name);
+}
+
+Vec3 placed(const render::ObjectDescription& object, const Vec3& point) {
+    Vec3 result;
+    object.world_from_object.multVecMatrix(point, result);
+    return result;
+}
+
+TEST(ImportSample, Cameras_BecomeRigs) {
+    const Shot shot = sample();
+    ASSERT_EQ(shot.cameras.size(), 2U);
+    const CameraRig& forward = shot.cameras[0];
+    EXPECT_EQ(forward.name, "Forward");
+    // y is up in the text, z here; one of its units is a centimetre.
+    ASSERT_EQ(std::get<BezierPath>(forward.position).points.size(), 3U);
+    EXPECT_NEAR_VEC(bezier_point(forward.position, 0), Vec3(1.1, -0.9, 0.3), 1e-12);
+    EXPECT_NEAR_VEC(bezier_point(forward.target, 1), Vec3(0.4, -0.4, 0.02), 1e-12);
+    EXPECT_EQ(forward.focus.start.distance, 0.6);
+    EXPECT_EQ(forward.focus.end.distance, 0.5);
+    EXPECT_EQ(forward.aperture.start.value, 0.0015);
+    // 320 by 240 on a plane one unit wide at distance 2: 0.75 high.
+    EXPECT_NEAR(std::tan(forward.vertical_fov.start / 2), 0.375 / 2, 1e-9);
+    EXPECT_NEAR(std::tan(forward.vertical_fov.end / 2), 0.375 / 3, 1e-9);
+    const CameraRig& backward = shot.cameras[1];
+    EXPECT_EQ(backward.video_start, Rational(2));
+    EXPECT_EQ(backward.time_map.scene_start, Rational(2));
+    EXPECT_EQ(backward.time_map.scene_end, Rational(0));
+    EXPECT_FALSE(backward.focus.start.distance);
+    EXPECT_EQ(backward.focus.start.object, "");  // on the target
+}
+
+TEST(ImportSample, SkyVectors_EndUpright) {
+    const CameraRig rig = sample().cameras[1];
+    const Vec3 forward = (bezier_point(rig.target, 0) - bezier_point(rig.position, 0)).normalized();
+    const Vec3 level = forward.cross(rig.up).normalized();
+    const Vec3 upright = level.cross(forward);
+    // The camera's own up, as thin_lens_camera.cpp turns it.
+    const Vec3 up = upright * std::cos(rig.roll.end) - level * std::sin(rig.roll.end);
+    const Vec3 sky = Vec3(0.2, 0, 1);
+    const Vec3 wanted = (sky - forward * forward.dot(sky)).normalized();
+    EXPECT_NEAR_VEC(up, wanted, 1e-8);
+    EXPECT_GT(std::abs(rig.roll.end), 0.05);
+    EXPECT_EQ(rig.roll.start, 0);
+}
+
+TEST(ImportSample, Settings_BecomeThoseOfTheDistributedIntegrator) {
+    const Shot shot = sample();
+    EXPECT_EQ(shot.render.width, 320);
+    EXPECT_EQ(shot.render.height, 240);
+    EXPECT_EQ(shot.timing.fps, Rational(12));
+    EXPECT_EQ(shot.timing.shutter.exposure, Rational(1, 12));  // -1: a frame
+    EXPECT_EQ(shot.timing.shutter.switch_ratio, 0.3);
+    EXPECT_EQ(shot.render.integrator, render::IntegratorKind::distributed);
+    const render::DistributedSettings& rays = shot.render.distributed;
+    EXPECT_EQ(rays.pixel_samples, 1);
+    EXPECT_EQ(rays.blur_samples, 16);
+    EXPECT_EQ(rays.lens_samples, 8);
+    EXPECT_EQ(rays.shadow_samples, 4);
+    EXPECT_EQ(rays.reflection_samples, 2);
+    EXPECT_EQ(rays.refraction_samples, 1);
+    EXPECT_EQ(rays.recursion_limit, 2);
+    EXPECT_EQ(rays.ambient_coefficient, 0.12);
+    EXPECT_EQ(shot.output.view, ViewTransform::raw);
+}
+
+TEST(ImportSample, Materials_BecomePhongOnes) {
+    const Shot shot = sample();
+    const auto amber = std::find_if(shot.scene.materials.begin(), shot.scene.materials.end(),
+                                    [](const auto& material) { return material.name == "Amber"; });
+    ASSERT_NE(amber, shot.scene.materials.end());
+    ASSERT_TRUE(amber->phong);
+    EXPECT_EQ(amber->phong->ambient, Vec3(0.6, 0.3, 0));
+    EXPECT_EQ(std::get<Vec3>(amber->phong->diffuse), Vec3(0.6, 0.3, 0.02));
+    EXPECT_EQ(amber->phong->specular, Vec3(0.6, 0.6, 0.6));
+    EXPECT_EQ(amber->phong->shininess, 25);
+    EXPECT_EQ(amber->phong->reflectance, Vec3(0.2, 0.2, 0.2));
+    EXPECT_EQ(amber->phong->reflectance_spread, 0.2);
+    EXPECT_EQ(amber->phong->transmittance, Vec3(0.4, 0.4, 0.4));
+    EXPECT_EQ(amber->phong->transmittance_spread, 0.05);
+    EXPECT_EQ(amber->phong->index, 1.4);
+}
+
+TEST(ImportSample, Forces_BecomeImpulsesThatGiveTheAuthorsVelocity) {
+    ImportOptions options;
+    options.unit = 0.02;
+    options.force_time = 0.1;
+    const Shot shot = sample(options);
+    ASSERT_EQ(shot.world.events.size(), 2U);
+    const auto body = std::find_if(shot.world.bodies.begin(), shot.world.bodies.end(),
+                                   [](const sim::Body& b) { return b.name == "Striker"; });
+    ASSERT_NE(body, shot.world.bodies.end());
+    const auto& impulse = std::get<sim::Impulse>(shot.world.events[0].action);
+    // A sphere of radius 4 that weighs 1 per cubic unit, pushed for 0.1 s, in units of 2 cm.
+    const double mass = 4.0 / 3 * M_PI * 64;
+    const Vec3 velocity = Vec3(90000, -2000, 0) * (0.1 / mass) * 0.02;
+    EXPECT_NEAR_VEC(impulse.newton_seconds / body->mass, velocity, 1e-6 * velocity.length());
+}
+
+TEST(ImportSample, Lights_GiveTheirColourWhereTheSpheresStart) {
+    const Shot shot = sample();
+    const auto& bulb = std::get<render::SphereLight>(shot.scene.lights[1].light);
+    const Vec3 middle(0.5, -0.5, 0.0401);
+    const double distance = (bulb.centre - middle).length();
+    EXPECT_NEAR_VEC(bulb.radiance * std::pow(bulb.radius / distance, 2), Vec3(0.4, 0.35, 0.3),
+                    1e-6);
+    const auto& lamp = std::get<render::RectangleLight>(shot.scene.lights[0].light);
+    EXPECT_NEAR_VEC(lamp.centre, Vec3(0.7, -0.5, 0.8), 1e-9);
+    EXPECT_NEAR(lamp.edge_u.length(), 0.2, 1e-9);
+    EXPECT_NEAR(std::abs(lamp.edge_u.normalized().x), 1, 1e-9);
+    EXPECT_NEAR_VEC(lamp.normal, Vec3(0, 0, -1), 1e-9);
+    const Vec3 way = middle - lamp.centre;
+    const double area = 4 * lamp.edge_u.length() * lamp.edge_v.length();
+    const double cosine = lamp.normal.dot(way.normalized());
+    EXPECT_NEAR_VEC(lamp.radiance * (area * cosine / (M_PI * way.dot(way))), Vec3(0.9, 0.9, 0.8),
+                    1e-6);
+}
+
+TEST(Import, BoxesAndRectangles_StandWhereTheirVerticesSay) {
+    const Shot shot = shot_of(
+        kCamera +
+        "box B { vertex0 { 10 0 0 } vertex1 { 13 4 0 } vertex2 { 0 0 20 } heigth 2 use_physics 1 }"
+        "rectangle R { vertex0 { 1 1 1 } position1 { 1 5 1 } vertex2 { 3 2 1 } }"
+        "plane P { normal { 1 0 0 } position { -3 0 0 } }");
+    const auto& box = object(shot, "B");
+    const Vec3 half = std::get<render::BoxShape>(box.shape).size / 2;
+    EXPECT_NEAR_VEC(half * 2, Vec3(0.05, std::sqrt(64 + 36 + 400) * 0.01, 0.02), 1e-8);
+    // The edge from vertex0 to vertex1, in our axes, is an edge of the box.
+    const Vec3 edge = placed(box, Vec3(half.x, 0, 0)) - placed(box, Vec3(-half.x, 0, 0));
+    EXPECT_NEAR_VEC(edge, Vec3(0.03, 0, 0.04), 1e-8);
+    // vertex0 and vertex1 are two of its corners.
+    for (const Vec3& corner : {Vec3(0.1, 0, 0), Vec3(0.13, 0, 0.04)}) {
+        double nearest = 1;
+        for (int i = 0; i < 8; ++i) {
+            const Vec3 local(half.x * ((i & 1) != 0 ? 1 : -1), half.y * ((i & 2) != 0 ? 1 : -1),
+                             half.z * ((i & 4) != 0 ? 1 : -1));
+            nearest = std::min(nearest, (placed(box, local) - corner).length());
+        }
+        EXPECT_LT(nearest, 1e-8);
+    }
+    const auto& rectangle = object(shot, "R");
+    const Vec2 size = std::get<render::RectangleShape>(rectangle.shape).size;
+    EXPECT_NEAR(size.x, 0.04, 1e-9);
+    EXPECT_NEAR(size.y, 0.02, 1e-9);  // vertex2 lies on the opposite side, not at its corner
+    EXPECT_NEAR_VEC(placed(rectangle, Vec3(-size.x / 2, -size.y / 2, 0)), Vec3(0.01, -0.01, 0.01),
+                    1e-8);
+    const auto& plane = object(shot, "P");
+    EXPECT_NEAR_VEC(placed(plane, Vec3(0, 0, 1)) - placed(plane, Vec3(0, 0, 0)), Vec3(1, 0, 0),
+                    1e-8);
+}
+
+TEST(Import, ABallOfTheManualThatStandsInTheTable_IsMovedOut) {
+    const ImportResult result = import_scene(
+        kCamera +
+            "box ground { vertex0 { 0 -5 0 } vertex1 { 200 -5 0 } vertex2 { 200 -5 100 } heigth 5 "
+            "use_physics 1 } sphere Ball { position { 60 3.8 54.5 } radius 4 use_physics 1 }",
+        "scene.txt", "/nowhere", "/nowhere");
+    EXPECT_TRUE(has_note(result, "reached 0.2 into box 'ground'"));
+    const Shot shot = shot_of(result);
+    const auto ball = std::find_if(shot.world.bodies.begin(), shot.world.bodies.end(),
+                                   [](const sim::Body& b) { return b.name == "Ball"; });
+    EXPECT_NEAR(ball->pose.position.z, 0.04, 1e-6);
+}
+
+TEST(Import, SphereAxes_BecomeItsTurn) {
+    const Shot shot =
+        shot_of(kCamera + "sphere S { position { 0 0 0 } radius 4 v_e { 0 1 0 } v_n { 1 0 1 } }");
+    const auto& sphere = object(shot, "S");
+    EXPECT_NEAR_VEC(placed(sphere, Vec3(0, 0, 1)), Vec3(1, -1, 0).normalized(), 1e-8);  // the pole
+    EXPECT_NEAR_VEC(placed(sphere, Vec3(1, 0, 0)), Vec3(0, 0, 1), 1e-8);  // where u is 0
+}
+
+TEST(Import, WithoutLights_OneHangsOverTheCamera) {
+    const ImportResult result = import_scene(kCamera, "scene.txt", "/nowhere", "/nowhere");
+    EXPECT_TRUE(has_note(result, "one over the camera"));
+    const Shot shot = shot_of(result);
+    ASSERT_EQ(shot.scene.lights.size(), 1U);
+}
+
+TEST(Import, MissingPictures_AreReplacedByTheColourAndNoted) {
+    const ImportResult result =
+        import_scene(kCamera +
+                         "texture T { filename gone.tga } phong_info P { diffuse { 1 0 0 } } "
+                         "material_texture M { phong_info P texture T scale_U 0.5 scale_V 1 } "
+                         "sphere S { position { 0 0 0 } radius 1 material M }",
+                     "scene.txt", "/nowhere", "/nowhere");
+    EXPECT_TRUE(has_note(result, "no file 'gone.tga'"));
+    const Shot shot = shot_of(result);
+    EXPECT_EQ(std::get<Vec3>(shot.scene.materials[0].phong->diffuse), Vec3(1, 0, 0));
+}
+
+TEST(Import, Pictures_RepeatByTheirScale) {
+    const auto folder = std::filesystem::temp_directory_path() / "carom_import_test";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "ball.tga") << "any";
+    const ImportResult result =
+        import_scene(kCamera +
+                         "texture T { filename ball.tga } phong_info P { diffuse { 1 0 0 } } "
+                         "material_texture M { phong_info P texture T scale_U 0.5 scale_V -1 } "
+                         "sphere S { position { 0 0 0 } radius 1 material M }",
+                     "scene.txt", folder.string(), folder.string());
+    const LoadResult shot = load_shot_text(result.yaml, (folder / "shot.yaml").string());
+    ASSERT_TRUE(shot.shot);
+    const auto& image =
+        std::get<render::ImageTexture>(shot.shot->scene.materials[0].phong->diffuse);
+    EXPECT_EQ(image.scale, Vec2(2, 1));
+    EXPECT_TRUE(image.is_linear);
+    EXPECT_NE(result.yaml.find("file: \"ball.tga\""), std::string::npos);
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Import, NamesTheYamlCannotHave_AreChanged) {
+    const Shot shot = shot_of(kCamera +
+                              "sphere 8ball! { position { 0 0 0 } radius 1 }"
+                              "sphere 8ball? { position { 0 5 0 } radius 1 }"
+                              "sphere all { position { 0 9 0 } radius 1 }");
+    EXPECT_EQ(object(shot, "n_8ball_").name, "n_8ball_");
+    EXPECT_EQ(object(shot, "n_8ball__2").name, "n_8ball__2");
+    EXPECT_EQ(object(shot, "n_all").name, "n_all");
+}
+
+TEST(Import, GapsInTheFilm_AreClosed) {
+    const ImportResult result =
+        import_scene(kCamera +
+                         "camera D { video_start 3 video_end 4 time_start 5 time_end 6 "
+                         "add_position { 0 0 -9 } add_target { 0 0 1 } }",
+                     "scene.txt", "/nowhere", "/nowhere");
+    EXPECT_TRUE(has_note(result, "nobody films for 2 s"));
+    const Shot shot = shot_of(result);
+    EXPECT_EQ(shot.cameras[1].video_start, Rational(1));
+    EXPECT_EQ(shot.cameras[1].time_map.scene_start, Rational(5));
+}
+
+}  // namespace
+}  // namespace carom::pipeline
