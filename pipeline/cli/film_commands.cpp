@@ -82,12 +82,12 @@ std::int64_t chosen_frame(const FrameCommand& command, const Shot& shot) {
     return frame;
 }
 
-/// Lights that shadow rays are sent to: an environment without a picture is none.
+/// Lights that shadow rays are sent to: an environment of one colour is none.
 std::size_t sampled_lights(const Shot& shot) {
     return static_cast<std::size_t>(
         std::count_if(shot.scene.lights.begin(), shot.scene.lights.end(), [](const auto& light) {
             const auto* environment = std::get_if<render::EnvironmentLight>(&light.light);
-            return environment == nullptr || !environment->image.empty();
+            return environment == nullptr || !environment->image.empty() || environment->sky;
         }));
 }
 

@@ -94,13 +94,22 @@ struct ObjectSection {
     Place shape_place;
 };
 
-/// A picture or a colour all around.
+/// A picture, a colour or a sky all around.
 struct EnvironmentSection {
     std::optional<std::string> image;
     std::optional<Vec3> radiance;
+    std::optional<render::Sky> sky;
+};
+
+/// Half angles of a spot's cone, rad.
+struct SpotAngles {
+    double inner = 0.3;
+    double outer = 0.4;
 };
 
 struct LightSection {
+    std::optional<Vec3> point, spot, directional;  // intensity, W/sr; irradiance, W/m^2
+    SpotAngles angle;
     std::optional<Vec2> rectangle;
     std::optional<double> sphere;
     std::optional<EnvironmentSection> environment;

@@ -146,6 +146,23 @@ class SceneHasher {
     void add(const render::EnvironmentLight& light) {
         hasher_.add(light.radiance).add(light.rotation);
         add_file(light.image);
+        hasher_.add(light.sky.has_value());
+        if (light.sky) {
+            hasher_.add(light.sky->sun).add(light.sky->turbidity).add(light.sky->ground);
+        }
+    }
+
+    void add(const render::PointLight& light) {
+        hasher_.add(light.position).add(light.intensity);
+    }
+
+    void add(const render::SpotLight& light) {
+        hasher_.add(light.position).add(light.direction).add(light.intensity);
+        hasher_.add(light.inner_angle).add(light.outer_angle);
+    }
+
+    void add(const render::DirectionalLight& light) {
+        hasher_.add(light.direction).add(light.irradiance);
     }
 
     // The contents, not the path; each file is read once.

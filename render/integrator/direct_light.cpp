@@ -21,15 +21,14 @@ constexpr float kRarest = 0.125f;
 /// How many directions towards the environment a path's first vertex takes, on average.
 float environment_samples(const LightSet& lights, const ShadingVertex& vertex) {
     const std::size_t environment = lights.area_light_count();
-    if (vertex.glossy_samples > 1 || lights.sampled_count() == environment) {
+    if (vertex.glossy_samples > 1 || !lights.is_environment(environment)) {
         return static_cast<float>(vertex.glossy_samples);
     }
     float total = 0;
-    float share = 0;
     for (std::size_t light = 0; light < lights.sampled_count(); ++light) {
-        share = lights.importance(light, vertex.position, vertex.surface.frame.z);
-        total += share;
+        total += lights.importance(light, vertex.position, vertex.surface.frame.z);
     }
+    const float share = lights.environment().importance();
     return total > 0 ? std::clamp(share / (kAlwaysAbove * total), kRarest, 1.0f) : 1.0f;
 }
 
@@ -66,7 +65,7 @@ V3f DirectLight::sampled(Path& path, const ShadingVertex& vertex, const V2f& u,
         if (light % 2 == 0) {
             pair = dimensions.light_pair(static_cast<std::uint32_t>(light / 2));
         }
-        const bool is_environment = light >= lights.area_light_count();
+        const bool is_environment = lights.is_environment(light);
         const int samples = is_environment ? vertex.glossy_samples : 1;
         const float expected = is_environment ? path.last.environment_samples : 1.0f;
         if (expected < 1) {

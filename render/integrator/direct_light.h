@@ -7,7 +7,8 @@
 
 namespace carom::render {
 
-/// Which estimates of direct light are used; every choice has the same mean.
+/// Which estimates of direct light are used; every choice has the same mean, but that lights
+/// without a surface are only found by sampling them.
 enum class DirectStrategy { both, lights_only, scattering_only };
 
 /// Share of a sample's contribution, made with density `pdf`, when another strategy makes the same

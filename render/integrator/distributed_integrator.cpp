@@ -158,11 +158,13 @@ V3f DistributedIntegrator::direct(const Vertex& vertex, Work& work) const {
                                    std::holds_alternative<SphereEmitter>(lights.area_light(light));
             u = V2f(is_sphere ? 0.0f : 0.5f, 0.5f);
         }
+        // All rays to a light without a surface are the same.
+        const int rays = lights.is_delta(light) ? 1 : samples;
         V3f of_light(0, 0, 0);
-        for (int k = 0; k < samples; ++k) {
-            of_light += from_light(light, lattice_point(u, k, samples), vertex, work);
+        for (int k = 0; k < rays; ++k) {
+            of_light += from_light(light, lattice_point(u, k, rays), vertex, work);
         }
-        sum += of_light / static_cast<float>(samples);
+        sum += of_light / static_cast<float>(rays);
     }
     return sum;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "render/light/sky.h"
 #include "render/sampling/warp.h"
 
 namespace carom::render {
@@ -18,10 +19,10 @@ constexpr float kCellWeight[3] = {0.125f, 0.75f, 0.125f};
 Environment::Environment(const EnvironmentLight& light)
     : scale_(light.radiance), turns_(static_cast<float>(light.rotation) / kTurn) {
     mean_luminance_ = luminance(scale_);
-    if (light.image.empty()) {
+    if (light.image.empty() && !light.sky) {
         return;
     }
-    pad(read_linear_image(light.image, false));
+    pad(light.sky ? sky_picture(*light.sky) : read_linear_image(light.image, false));
     // A table of at most 256 columns stays in the processor's cache; a finer one costs more time
     // than its better fit saves.
     const int block = (width_ + kMostColumns - 1) / kMostColumns;

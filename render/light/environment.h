@@ -13,7 +13,8 @@
 
 namespace carom::render {
 
-/// Constant or an equirectangular picture, interpolated bilinearly. Immutable.
+/// Constant, or an equirectangular picture (read, or made of a sky), interpolated bilinearly.
+/// Immutable.
 class Environment {
   public:
     /// No light at all.

@@ -40,6 +40,38 @@ void check(const EnvironmentLight& light, const LightDescription& named) {
     require(std::isfinite(light.rotation), named, "the rotation is not a number");
 }
 
+void check(const PointLight& /*light*/, const LightDescription& /*named*/) {}
+
+void check(const SpotLight& light, const LightDescription& named) {
+    require(light.direction.length() > 1e-9, named, "the axis has no length");
+    require(light.inner_angle >= 0 && light.inner_angle <= light.outer_angle &&
+                light.outer_angle > 0 && light.outer_angle <= 3.1415926535897932,
+            named, "the angles are not 0 <= inner <= outer <= 180 degrees");
+}
+
+void check(const DirectionalLight& light, const LightDescription& named) {
+    require(light.direction.length() > 1e-9, named, "the direction has no length");
+}
+
+const Vec3& strength(const RectangleLight& light) {
+    return light.radiance;
+}
+const Vec3& strength(const SphereLight& light) {
+    return light.radiance;
+}
+const Vec3& strength(const EnvironmentLight& light) {
+    return light.radiance;
+}
+const Vec3& strength(const PointLight& light) {
+    return light.intensity;
+}
+const Vec3& strength(const SpotLight& light) {
+    return light.intensity;
+}
+const Vec3& strength(const DirectionalLight& light) {
+    return light.irradiance;
+}
+
 }  // namespace
 
 LightSet::LightSet(const std::vector<LightDescription>& lights) {
@@ -48,7 +80,7 @@ LightSet::LightSet(const std::vector<LightDescription>& lights) {
         std::visit(
             [&](const auto& light) {
                 check(light, description);
-                require(is_radiance(light.radiance), description,
+                require(is_radiance(strength(light)), description,
                         "the radiance is negative, infinite or not a number");
             },
             description.light);
@@ -56,19 +88,28 @@ LightSet::LightSet(const std::vector<LightDescription>& lights) {
             area_lights_.emplace_back(RectangleEmitter(*rectangle));
         } else if (const auto* sphere = std::get_if<SphereLight>(&description.light)) {
             area_lights_.emplace_back(SphereEmitter(*sphere));
-        } else {
+        } else if (const auto* environment = std::get_if<EnvironmentLight>(&description.light)) {
             if (has_environment) {
                 throw Error("light '" + description.name +
                             "' is a second environment; a scene has at most one");
             }
             has_environment = true;
-            environment_ = Environment(std::get<EnvironmentLight>(description.light));
+            environment_ = Environment(*environment);
+        } else if (const auto* point = std::get_if<PointLight>(&description.light)) {
+            delta_lights_.emplace_back(*point);
+        } else if (const auto* spot = std::get_if<SpotLight>(&description.light)) {
+            delta_lights_.emplace_back(*spot);
+        } else {
+            delta_lights_.emplace_back(std::get<DirectionalLight>(description.light));
         }
     }
 }
 
 float LightSet::importance(std::size_t light, const V3f& point, const V3f& normal) const {
-    if (light >= area_lights_.size()) {
+    if (is_delta(light)) {
+        return delta_lights_[light - first_delta()].importance(point, normal);
+    }
+    if (is_environment(light)) {
         return environment_.importance();
     }
     return std::visit([&](const auto& emitter) { return emitter.importance(point, normal); },
@@ -105,7 +146,10 @@ std::optional<LightSet::Choice> LightSet::choose(const V3f& point, const V3f& no
 
 std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point,
                                             const V2f& u) const {
-    if (light >= area_lights_.size()) {
+    if (is_delta(light)) {
+        return delta_lights_[light - first_delta()].sample(point);
+    }
+    if (is_environment(light)) {
         return environment_.sample(u);
     }
     return std::visit([&](const auto& emitter) { return emitter.sample(point, u); },
@@ -113,13 +157,16 @@ std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point,
 }
 
 V3f LightSet::radiance(std::size_t light, const LightSample& sample) const {
-    return light >= area_lights_.size() ? environment_.radiance(sample)
-                                        : emitted(light, -sample.direction);
+    if (is_delta(light)) {
+        return delta_lights_[light - first_delta()].radiance(sample);
+    }
+    return is_environment(light) ? environment_.radiance(sample)
+                                 : emitted(light, -sample.direction);
 }
 
 float LightSet::pdf(std::size_t light, const V3f& point, const V3f& direction,
                     float distance) const {
-    if (light >= area_lights_.size()) {
+    if (is_environment(light)) {
         return environment_.pdf(direction);
     }
     return std::visit([&](const auto& emitter) { return emitter.pdf(point, direction, distance); },

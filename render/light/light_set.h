@@ -7,25 +7,31 @@
 
 #include "render/geometry/ray.h"
 #include "render/light/area_light.h"
+#include "render/light/delta_light.h"
 #include "render/light/environment.h"
 #include "render/scene/scene_description.h"
 
 namespace carom::render {
 
 /// Lights that can be sampled are numbered from 0: area lights in the order of the description,
-/// then the environment if it is sampled. Immutable; shared by all threads.
+/// then the environment if it is sampled, then those without a surface. Immutable; shared by all
+/// threads.
 class LightSet {
   public:
     LightSet() = default;
 
     /// Throws Error naming the light: more than one environment, a picture that cannot be read, no
-    /// area, a rectangle without right angles, a radiance that is negative or not finite.
+    /// area, a rectangle without right angles, an axis without a length, angles out of order, a
+    /// radiance that is negative or not finite.
     explicit LightSet(const std::vector<LightDescription>& lights);
 
     [[nodiscard]] std::size_t area_light_count() const { return area_lights_.size(); }
-    [[nodiscard]] std::size_t sampled_count() const {
-        return area_lights_.size() + (environment_.is_sampled() ? 1 : 0);
+    [[nodiscard]] std::size_t sampled_count() const { return first_delta() + delta_lights_.size(); }
+    [[nodiscard]] bool is_environment(std::size_t light) const {
+        return light == area_lights_.size() && environment_.is_sampled();
     }
+    /// Whether it has no surface: one direction leads to it from any point.
+    [[nodiscard]] bool is_delta(std::size_t light) const { return light >= first_delta(); }
 
     /// Estimate of the unoccluded light that reaches a surface at `point`: what lights are chosen
     /// by. 0 only where nothing arrives.
@@ -48,7 +54,8 @@ class LightSet {
     /// Radiance that arrives along a sample of that light if nothing is in the way.
     [[nodiscard]] V3f radiance(std::size_t light, const LightSample& sample) const;
 
-    /// Density of `sample` (1/sr, given that light) for a direction from `point` that reaches it
+    /// Of an area light or the environment: density of `sample` (1/sr, given that light) for a
+    /// direction from `point` that reaches it
     /// after `distance`.
     [[nodiscard]] float pdf(std::size_t light, const V3f& point, const V3f& direction,
                             float distance) const;
@@ -62,8 +69,13 @@ class LightSet {
     [[nodiscard]] const Environment& environment() const { return environment_; }
 
   private:
+    [[nodiscard]] std::size_t first_delta() const {
+        return area_lights_.size() + (environment_.is_sampled() ? 1 : 0);
+    }
+
     std::vector<AreaLight> area_lights_;
     Environment environment_;
+    std::vector<DeltaLight> delta_lights_;
 };
 
 }  // namespace carom::render

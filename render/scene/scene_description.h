@@ -104,17 +104,49 @@ struct SphereLight {
     Vec3 radiance{1, 1, 1};
 };
 
-/// Light from infinitely far away in all directions: constant, or an equirectangular image (Z up,
-/// its centre column towards +x rotated by `rotation` about z).
+/// The clear sky of Preetham, Shirley and Smits 1999 (render/light/sky.h), without the sun itself.
+struct Sky {
+    Vec3 sun{1, 0, 1};           // towards it, above the horizon
+    double turbidity = 3;        // haze, [2, 10]: 2 very clear, 3 clear, 6 hazy
+    Vec3 ground{0.2, 0.2, 0.2};  // albedo of all that lies below the horizon
+};
+
+/// Light from infinitely far away in all directions: constant, an equirectangular image (Z up, its
+/// centre column towards +x rotated by `rotation` about z) or a sky.
 struct EnvironmentLight {
-    Vec3 radiance{1, 1, 1};  // multiplies the image
-    std::string image;       // absolute path; empty: constant
+    Vec3 radiance{1, 1, 1};  // multiplies the image or sky
+    std::string image;       // absolute path; empty: constant, or
     double rotation = 0;     // rad, counter-clockwise seen from above
+    std::optional<Sky> sky{};
+};
+
+/// Shines from one point in all directions. Never seen, in mirrors neither.
+struct PointLight {
+    Vec3 position{0, 0, 1};
+    Vec3 intensity{1, 1, 1};  // W/sr
+};
+
+/// A point light within a cone: all of it within the inner angle, nothing outside the outer one,
+/// a soft edge between.
+struct SpotLight {
+    Vec3 position{0, 0, 1};
+    Vec3 direction{0, 0, -1};  // of the axis
+    Vec3 intensity{1, 1, 1};   // W/sr
+    double inner_angle = 0.3;  // rad, from the axis, [0, outer_angle]
+    double outer_angle = 0.4;  // rad, (0, pi]
+};
+
+/// Parallel light from infinitely far away. Never seen.
+struct DirectionalLight {
+    Vec3 direction{0, 0, -1};  // in which it shines
+    Vec3 irradiance{1, 1, 1};  // of a surface that faces it, W/m^2
 };
 
 struct LightDescription {
     std::string name;
-    std::variant<RectangleLight, SphereLight, EnvironmentLight> light;
+    std::variant<RectangleLight, SphereLight, EnvironmentLight, PointLight, SpotLight,
+                 DirectionalLight>
+        light;
 };
 
 struct SceneDescription {

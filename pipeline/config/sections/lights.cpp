@@ -29,18 +29,62 @@ render::RectangleLight rectangle_light(const LightSection& keys) {
     return light;
 }
 
+const MapSpec<render::Sky>& sky_spec() {
+    static const MapSpec<render::Sky> spec = [] {
+        MapSpec<render::Sky> s("sky",
+                               "A clear sky (Preetham, Shirley and Smits 1999), without the sun's "
+                               "disk: for that add a directional light.");
+        s.key("sun", &render::Sky::sun, vector3(Dimension::none),
+              "direction towards the sun, above the horizon");
+        s.key("turbidity", &render::Sky::turbidity, number(between(2, 10)),
+              "haze: 2 very clear, 3 clear, 6 hazy");
+        s.key("ground", &render::Sky::ground, colour(between(0, 1)),
+              "albedo of all below the horizon");
+        s.check([](Reader& reader, const Node& node, render::Sky& sky) {
+            if (!(sky.sun.length() > 1e-9) || !(sky.sun.normalized().z > 1e-3)) {
+                reader.error(node.find("sun")->value.place, "'sun' must point above the horizon");
+                sky.sun = {0, 0, 1};
+            }
+        });
+        return s;
+    }();
+    return spec;
+}
+
 ValueType<EnvironmentSection> environment() {
     const auto image = convert<EnvironmentSection>(file(), [](std::string path) {
-        return EnvironmentSection{std::move(path), {}};
+        return EnvironmentSection{std::move(path), {}, {}};
+    });
+    const auto sky = convert<EnvironmentSection>(record(sky_spec()), [](const render::Sky& s) {
+        return EnvironmentSection{{}, {}, s};
     });
     const auto constant =
         convert<EnvironmentSection>(colour(between(0, kBrightest)), [](const Vec3& c) {
-            return EnvironmentSection{{}, c};
+            return EnvironmentSection{{}, c, {}};
         });
     const auto is_constant = [](const Node& node) {
         return is_list(node) || is_number(node) || (node.is_scalar() && node.text.starts_with('#'));
     };
-    return any_of<EnvironmentSection>({{is_constant, constant}, {is_scalar, image}});
+    return any_of<EnvironmentSection>({{is_constant, constant}, {is_scalar, image}, {is_map, sky}});
+}
+
+/// One angle, a hard edge, or two.
+ValueType<SpotAngles> spot_angle() {
+    constexpr double kHalfTurn = 3.14159265358979323846;
+    const auto one = convert<SpotAngles>(angle(above_up_to(0, kHalfTurn)), [](double edge) {
+        return SpotAngles{edge, edge};
+    });
+    ValueType<SpotAngles> two = convert<SpotAngles>(list_of(angle(between(0, kHalfTurn)), 2, 2),
+                                                    [](const std::vector<double>& angles) {
+                                                        return SpotAngles{angles[0], angles[1]};
+                                                    });
+    ValueType<SpotAngles> result =
+        any_of<SpotAngles>({{is_scalar, one}, {is_list, std::move(two)}});
+    result.show = [](const SpotAngles& angles) {
+        return "[" + show(angles.inner, Dimension::none) + " rad, " +
+               show(angles.outer, Dimension::none) + " rad]";
+    };
+    return result;
 }
 
 /// Keys that mean nothing for this kind of light.
@@ -56,11 +100,22 @@ void refuse_keys(Reader& reader, const Node& node, std::string_view kind,
 
 void check_kind(Reader& reader, const Node& node, LightSection& keys) {
     if (node.find("sphere") != nullptr) {
-        refuse_keys(reader, node, "a sphere", {"facing", "roll", "rotation"});
+        refuse_keys(reader, node, "a sphere", {"facing", "roll", "rotation", "angle"});
     } else if (node.find("rectangle") != nullptr) {
-        refuse_keys(reader, node, "a rectangle", {"rotation"});
+        refuse_keys(reader, node, "a rectangle", {"rotation", "angle"});
     } else if (node.find("environment") != nullptr) {
-        refuse_keys(reader, node, "an environment", {"at", "facing", "roll"});
+        refuse_keys(reader, node, "an environment", {"at", "facing", "roll", "angle"});
+    } else if (node.find("point") != nullptr) {
+        refuse_keys(reader, node, "a point", {"facing", "roll", "rotation", "angle", "radiance"});
+    } else if (node.find("spot") != nullptr) {
+        refuse_keys(reader, node, "a spot", {"roll", "rotation", "radiance"});
+    } else if (node.find("directional") != nullptr) {
+        refuse_keys(reader, node, "a directional", {"at", "roll", "rotation", "angle", "radiance"});
+    }
+    if (keys.angle.inner > keys.angle.outer || keys.angle.outer <= 0) {
+        reader.error(node.find("angle")->value.place,
+                     "the second of 'angle' must not be less than the first, and above 0");
+        keys.angle = {};
     }
     if (keys.facing.length() < 1e-9) {
         reader.error(node.find("facing")->value.place, "'facing' must have a length");
@@ -72,24 +127,36 @@ void check_kind(Reader& reader, const Node& node, LightSection& keys) {
 
 const MapSpec<LightSection>& light_spec() {
     static const MapSpec<LightSection> spec = [] {
-        MapSpec<LightSection> s("light", "A source of light: rectangle, sphere or environment.");
+        MapSpec<LightSection> s(
+            "light",
+            "A source of light. Points, spots and directional lights have no surface: they cast "
+            "hard shadows and are not seen, in mirrors neither.");
+        const auto strength = colour(between(0, kBrightest));
+        s.key("point", &LightSection::point, strength,
+              "light from one point: its intensity in W/sr");
+        s.key("spot", &LightSection::spot, strength,
+              "light from one point within a cone: its intensity in W/sr");
+        s.key("directional", &LightSection::directional, strength,
+              "parallel light: irradiance in W/m^2 of what faces it");
         s.key("rectangle", &LightSection::rectangle,
               vector2(Dimension::length, above_up_to(0, 1000)),
               "its two edges; it radiates to one side");
         s.key("sphere", &LightSection::sphere, length(above_up_to(0, 1000)), "its radius");
         s.key("environment", &LightSection::environment, environment(),
-              "light from all around: an equirectangular picture or a colour; one at most");
+              "light from all around: an equirectangular picture, a colour or a sky; one at most");
         s.key("at", &LightSection::at, vector3(Dimension::length),
-              "centre of a rectangle or sphere");
+              "where a point or spot is, or the centre of a rectangle or sphere");
         s.key("facing", &LightSection::facing, vector3(Dimension::none),
-              "direction in which a rectangle radiates");
+              "direction in which a rectangle, a spot or a directional light shines");
+        s.key("angle", &LightSection::angle, spot_angle(),
+              "of a spot, from its axis: the edge, or [where it begins to fade, where it ends]");
         s.key("roll", &LightSection::roll, angle(), "turn of a rectangle about `facing`");
         s.key("rotation", &LightSection::rotation, angle(), "turn of an environment about z");
         s.key("radiance", &LightSection::radiance, colour(between(0, kBrightest)),
               "in W/(m^2 sr); multiplies an environment's picture");
         s.key("strength", &LightSection::strength, number(between(0, kBrightest)),
               "multiplies the radiance");
-        s.exactly_one_of({"rectangle", "sphere", "environment"});
+        s.exactly_one_of({"point", "spot", "directional", "rectangle", "sphere", "environment"});
         s.check(check_kind);
         return s;
     }();
@@ -102,11 +169,19 @@ LightDescription to_light(const LightSection& keys) {
         result.light = rectangle_light(keys);
     } else if (keys.sphere) {
         result.light = render::SphereLight{keys.at, *keys.sphere, keys.radiance * keys.strength};
+    } else if (keys.point) {
+        result.light = render::PointLight{keys.at, *keys.point * keys.strength};
+    } else if (keys.spot) {
+        result.light = render::SpotLight{keys.at, keys.facing, *keys.spot * keys.strength,
+                                         keys.angle.inner, keys.angle.outer};
+    } else if (keys.directional) {
+        result.light = render::DirectionalLight{keys.facing, *keys.directional * keys.strength};
     } else if (keys.environment) {
         render::EnvironmentLight light;
         light.radiance = keys.radiance * keys.strength;
         light.image = keys.environment->image.value_or(std::string());
         light.rotation = keys.rotation;
+        light.sky = keys.environment->sky;
         if (keys.environment->radiance) {
             light.radiance = light.radiance * *keys.environment->radiance;
         }

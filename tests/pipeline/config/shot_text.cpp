@@ -89,6 +89,16 @@ struct LightWriter {
     }
     void operator()(const render::EnvironmentLight& l) const {
         out.line(l.radiance, l.image, l.rotation);
+        if (l.sky) {
+            out.line("sky", l.sky->sun, l.sky->turbidity, l.sky->ground);
+        }
+    }
+    void operator()(const render::PointLight& l) const { out.line(l.position, l.intensity); }
+    void operator()(const render::SpotLight& l) const {
+        out.line(l.position, l.direction, l.intensity, l.inner_angle, l.outer_angle);
+    }
+    void operator()(const render::DirectionalLight& l) const {
+        out.line(l.direction, l.irradiance);
     }
 };
 

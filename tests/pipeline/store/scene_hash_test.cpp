@@ -121,7 +121,48 @@ TEST(SceneHash, MaterialAndLights_AllCount) {
             s.lights.push_back({"a", render::EnvironmentLight{}});
         },
         [](auto& s) {
-            s.lights.push_back({"a", render::EnvironmentLight{{1, 1, 1}, "", 1}});
+            s.lights.push_back({"a", render::EnvironmentLight{{1, 1, 1}, "", 1, {}}});
+        },
+        [](auto& s) {
+            s.lights.push_back({"a", render::EnvironmentLight{{1, 1, 1}, "", 0, render::Sky{}}});
+        },
+        [](auto& s) {
+            render::Sky hazy;
+            hazy.turbidity = 5;
+            s.lights.push_back({"a", render::EnvironmentLight{{1, 1, 1}, "", 0, hazy}});
+        },
+        [](auto& s) {
+            render::Sky low;
+            low.sun = {1, 0, 0.2};
+            s.lights.push_back({"a", render::EnvironmentLight{{1, 1, 1}, "", 0, low}});
+        },
+        [](auto& s) {
+            render::Sky snow;
+            snow.ground = {0.8, 0.8, 0.8};
+            s.lights.push_back({"a", render::EnvironmentLight{{1, 1, 1}, "", 0, snow}});
+        },
+        [](auto& s) {
+            s.lights.push_back({"a", render::PointLight{}});
+        },
+        [](auto& s) {
+            s.lights.push_back({"a", render::PointLight{{0, 0, 1}, {1, 2, 1}}});
+        },
+        [](auto& s) {
+            s.lights.push_back({"a", render::SpotLight{}});
+        },
+        [](auto& s) {
+            s.lights.push_back(
+                {"a", render::SpotLight{{0, 0, 1}, {0, 0, -1}, {1, 1, 1}, 0.2, 0.4}});
+        },
+        [](auto& s) {
+            s.lights.push_back(
+                {"a", render::SpotLight{{0, 0, 1}, {0, 1, -1}, {1, 1, 1}, 0.3, 0.4}});
+        },
+        [](auto& s) {
+            s.lights.push_back({"a", render::DirectionalLight{}});
+        },
+        [](auto& s) {
+            s.lights.push_back({"a", render::DirectionalLight{{0, 1, -1}, {1, 1, 1}}});
         },
     };
     std::vector<Hash128> hashes;

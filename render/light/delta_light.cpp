@@ -1,0 +1,66 @@
+#include "render/light/delta_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::render {
+
+DeltaLight::DeltaLight(const PointLight& light)
+    : position_(light.position), power_(light.intensity) {}
+
+DeltaLight::DeltaLight(const SpotLight& light)
+    : position_(light.position),
+      direction_(light.direction.normalized()),
+      power_(light.intensity),
+      inner_cosine_(static_cast<float>(std::cos(light.inner_angle))),
+      outer_cosine_(static_cast<float>(std::cos(light.outer_angle))) {}
+
+DeltaLight::DeltaLight(const DirectionalLight& light)
+    : is_parallel_(true), direction_(light.direction.normalized()), power_(light.irradiance) {}
+
+float DeltaLight::share_at(float cosine) const {
+    if (cosine >= inner_cosine_) {
+        return 1;
+    }
+    if (cosine <= outer_cosine_) {
+        return 0;
+    }
+    const float t = (cosine - outer_cosine_) / (inner_cosine_ - outer_cosine_);
+    return t * t * (3 - 2 * t);
+}
+
+std::optional<LightSample> DeltaLight::sample(const V3f& point) const {
+    if (is_parallel_) {
+        return LightSample{-direction_, kInfinity, kDeltaPdf, {}};
+    }
+    const V3f way = position_ - point;
+    const float distance = way.length();
+    if (!(distance > 1e-9f)) {
+        return std::nullopt;
+    }
+    const V3f towards = way / distance;
+    if (share_at(-(towards ^ direction_)) <= 0) {
+        return std::nullopt;
+    }
+    return LightSample{towards, distance, kDeltaPdf, {}};
+}
+
+V3f DeltaLight::radiance(const LightSample& sample) const {
+    if (is_parallel_) {
+        return power_ * kDeltaPdf;
+    }
+    const float share = share_at(-(sample.direction ^ direction_));
+    return power_ * (share / (sample.distance * sample.distance)) * kDeltaPdf;
+}
+
+float DeltaLight::importance(const V3f& point, const V3f& normal) const {
+    const auto at = sample(point);
+    if (!at) {
+        return 0;
+    }
+    // A light at the horizon's edge is chosen a little all the same: normals are interpolated.
+    const float cosine = at->direction ^ normal;
+    return cosine <= 0 ? 0.0f : luminance(radiance(*at)) * (std::max(cosine, 0.1f) / kDeltaPdf);
+}
+
+}  // namespace carom::render
