@@ -224,5 +224,37 @@ TEST_F(LightCommands, LightProgram_LoadsNeitherPicturesNorVideo) {
     EXPECT_THAT(heavy, HasSubstr("libavcodec"));
 }
 
+TEST_F(LightCommands, ImportOfTheSample_MakesAShotThatChecksAndBakes) {
+    const std::string scene = CAROM_SOURCE_DIR "/tests/examples/sample_scene.txt";
+    const RunResult made = run({"import", scene, "-o", "shot.yaml"});
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    EXPECT_EQ(made.out, "shot.yaml\n");
+    EXPECT_THAT(made.err, HasSubstr("note: a force acts for 0.05 s"));
+    const RunResult checked = run({"check", "shot.yaml"});
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    EXPECT_THAT(checked.err, Not(HasSubstr("warning")));
+    const RunResult baked = run({"bake", "shot.yaml", "-o", "shot.bake"});
+    EXPECT_EQ(baked.exit_code, 0) << baked.err;
+    const RunResult report = run({"report", "shot.bake"});
+    EXPECT_THAT(report.out, HasSubstr("Striker"));
+}
+
+TEST_F(LightCommands, ImportOfABrokenScene_SaysWhereAndIsExitCode2) {
+    write_text(path("scene.txt"), "camera C { video_ende 1 }\n");
+    const RunResult result = run({"import", "scene.txt"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_THAT(result.err, HasSubstr("scene.txt:1:12: error: unknown attribute 'video_ende'"));
+    EXPECT_THAT(result.err, HasSubstr("carom: error: 'scene.txt' has 3 errors"));
+    EXPECT_FALSE(exists("scene.yaml"));
+}
+
+TEST_F(LightCommands, ImportOverItsOwnScene_IsRefused) {
+    write_text(path("scene.txt"), "camera C { }\n");
+    const RunResult result = run({"import", "scene.txt", "-o", "scene.txt"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("'scene.txt' is the scene itself"));
+}
+
 }  // namespace
 }  // namespace carom::cli
