@@ -186,7 +186,7 @@ TEST(Import, BoxesAndRectangles_StandWhereTheirVerticesSay) {
         "plane P { normal { 1 0 0 } position { -3 0 0 } }");
     const auto& box = object(shot, "B");
     const Vec3 half = std::get<render::BoxShape>(box.shape).size / 2;
-    EXPECT_NEAR_VEC(half * 2, Vec3(0.05, std::sqrt(64 + 36 + 400) * 0.01, 0.02), 1e-8);
+    EXPECT_NEAR_VEC(half * 2, Vec3(0.05, std::sqrt(464) * 0.01, 0.02), 1e-8);
     // The edge from vertex0 to vertex1, in our axes, is an edge of the box.
     const Vec3 edge = placed(box, Vec3(half.x, 0, 0)) - placed(box, Vec3(-half.x, 0, 0));
     EXPECT_NEAR_VEC(edge, Vec3(0.03, 0, 0.04), 1e-8);
