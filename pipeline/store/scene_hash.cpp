@@ -152,9 +152,7 @@ class SceneHasher {
         }
     }
 
-    void add(const render::PointLight& light) {
-        hasher_.add(light.position).add(light.intensity);
-    }
+    void add(const render::PointLight& light) { hasher_.add(light.position).add(light.intensity); }
 
     void add(const render::SpotLight& light) {
         hasher_.add(light.position).add(light.direction).add(light.intensity);
