@@ -15,7 +15,7 @@ class SceneHasher {
     explicit SceneHasher(const render::SceneDescription& scene) : scene_(scene) {}
 
     Hash128 hash() {
-        hasher_.add("carom scene, format 2");
+        hasher_.add("carom scene, format 3");
         hasher_.add(std::uint64_t{scene_.objects.size()});
         for (const render::ObjectDescription& object : scene_.objects) {
             add(object);
@@ -98,6 +98,8 @@ class SceneHasher {
         add_variant(material.base);
         hasher_.add(material.metal).add(material.roughness).add(material.specular);
         hasher_.add(material.sheen).add(material.sheen_colour).add(material.bump);
+        hasher_.add(material.transmission).add(material.ior);
+        hasher_.add(material.transmission_colour).add(material.transmission_depth);
         hasher_.add(material.coat.weight).add(material.coat.ior).add(material.coat.roughness);
     }
 

@@ -96,8 +96,8 @@ V3f DirectLight::from_light(std::size_t light, float expected, const V2f& u, con
         return V3f(0, 0, 0);
     }
     count.shadow_rays += 1;
-    const Ray shadow{vertex.origin, sample->direction, 0, sample->distance * kShadowReach,
-                     path.ray.time};
+    const Ray shadow{vertex.origin_towards(sample->direction), sample->direction, 0,
+                     sample->distance * kShadowReach, path.ray.time};
     if (scene_.frame.structure().any_hit(shadow)) {
         return V3f(0, 0, 0);
     }

@@ -21,13 +21,19 @@ enum class DirectStrategy { both, lights_only, scattering_only };
 /// A vertex that light is to be gathered at.
 struct ShadingVertex {
     V3f position;
-    V3f origin;  // off the surface: where rays start
+    V3f origin;  // off the surface: where rays on the viewer's side start
     const Surface& surface;
     const Bsdf& bsdf;
     bool splits = false;  // coat and base are followed apart from here
     /// Directions taken for a rough coat, and towards the environment for it: where it shows small
     /// bright things, one of each is too noisy.
     int glossy_samples = 1;
+
+    /// Where a ray in this direction starts: on the far side if it passes through the surface.
+    [[nodiscard]] V3f origin_towards(const V3f& direction) const {
+        const bool passes = bsdf.transmits() && (surface.geometric_normal ^ direction) < 0;
+        return passes ? position * 2.0f - origin : origin;
+    }
 };
 
 class DirectLight {

@@ -117,6 +117,7 @@ V3f DistributedIntegrator::trace(const TreeRay& from, Work& work) const {
     const bool is_camera_ray = from.generation == 0;
     if (is_camera_ray) {
         work.result.coverage = 1;
+        work.result.object = hit.object;
         work.result.normal = wo;
     }
     if (scene_.is_light(hit)) {

@@ -1,6 +1,8 @@
 // What makes light of camera rays.
 #pragma once
 
+#include <cstdint>
+
 #include "render/film/film.h"
 #include "render/geometry/ray.h"
 #include "render/sampling/sampler.h"
@@ -13,6 +15,7 @@ struct RadianceSample {
     float coverage = 0;   // 1 where the camera's ray met something
     V3f normal{0, 0, 0};  // what it met, world axes, towards the camera
     V3f albedo{0, 0, 0};
+    std::uint32_t object = kNoObject;  // that it met, lights after objects
 };
 
 /// Where a sample belongs, for messages.

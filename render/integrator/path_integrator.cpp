@@ -97,6 +97,7 @@ void PathIntegrator::follow(Path path, Work& work) const {
         }
         if (path.vertex == 0) {
             work.result.coverage = 1;
+            work.result.object = hit.object;
         }
         if (scene_.is_light(hit)) {
             if (path.last.connected_ball >= 0 &&
@@ -119,6 +120,9 @@ void PathIntegrator::follow(Path path, Work& work) const {
         const float cosine = std::max(std::abs(point.geometric_normal ^ wo), kLeastCosine);
         const Surface surface =
             scene_.materials[point.material].resolve(point, wo, path.width / std::sqrt(cosine));
+        if (surface.is_inside) {
+            path.throughput *= surface.layers->glass->left_after(hit.t);
+        }
         if (path.vertex == 0) {
             work.result.normal = surface.frame.z;
             work.result.albedo = surface.base;
@@ -175,7 +179,8 @@ bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, const V2f&
         // Light is sought by broad lobes and one mirror, in this order, and by no other way.
         onward.last.connects = onward.last.connects && !sample->is_delta;
         onward.last.connected_ball = sample->is_delta ? onward.last.connected_ball : -1;
-        onward.ray = Ray{vertex.origin, sample->direction, 0, kInfinity, path.ray.time};
+        onward.ray = Ray{vertex.origin_towards(sample->direction), sample->direction, 0, kInfinity,
+                         path.ray.time};
         onward.spread = sample->is_delta
                             ? std::min(onward.spread * kMirrorSpread, kWidestSpread)
                             : std::max(onward.spread, std::min(kLobeShare / std::sqrt(sample->pdf),

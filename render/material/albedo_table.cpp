@@ -67,6 +67,21 @@ AlbedoTable AlbedoTable::of_mirrors(float alpha) {
         [&](float cosine) { return microfacet_albedo(alpha, cosine, [](float) { return 1.0f; }); });
 }
 
+AlbedoTable AlbedoTable::of_glass(float alpha, float index) {
+    const AlbedoTable reflected = of_dielectric(alpha, index);
+    const Ggx ggx(alpha);
+    return build([&](float cosine) {
+        const V3f wo = direction_at(cosine);
+        return reflected.at(cosine) + mean_over_square([&](const V2f& u) {
+                   const V3f m = ggx.sample_visible(wo, u);
+                   const V3f wi = refracted_at(wo, m, index);
+                   return wi.z >= 0 ? 0.0f
+                                    : (1.0f - fresnel_dielectric(wo ^ m, index)) /
+                                          (1.0f + ggx.lambda(V3f(wi.x, wi.y, -wi.z)));
+               });
+    });
+}
+
 AlbedoTable AlbedoTable::of_sheen() {
     return build([](float cosine) {
         const V3f wo = direction_at(cosine);

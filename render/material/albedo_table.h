@@ -14,6 +14,9 @@ class AlbedoTable {
     [[nodiscard]] static AlbedoTable of_dielectric(float alpha, float ior);
     /// Microfacets that reflect everything: what single scattering keeps.
     [[nodiscard]] static AlbedoTable of_mirrors(float alpha);
+    /// Rough boundary of glass, `index` of the far side over the near one: what single scattering
+    /// reflects or lets through.
+    [[nodiscard]] static AlbedoTable of_glass(float alpha, float index);
     [[nodiscard]] static AlbedoTable of_sheen();
 
     [[nodiscard]] float at(float cosine) const;

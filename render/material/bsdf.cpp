@@ -29,7 +29,7 @@ Bsdf::Bsdf(const Surface& surface, const V3f& wo)
     : surface_(&surface), wo_(surface.frame.from_world(wo)) {
     wo_.z = std::max(wo_.z, kLeastCosine);
     const LayerConstants& layers = *surface.layers;
-    if (layers.coat_weight > 0) {
+    if (layers.coat_weight > 0 && !surface.is_inside) {
         const float reflected = layers.coat_alpha > 0 ? layers.coat_albedo.at(wo_.z)
                                                       : fresnel_dielectric(wo_.z, layers.coat_ior);
         coat_ = layers.coat_weight * reflected;
@@ -37,8 +37,8 @@ Bsdf::Bsdf(const Surface& surface, const V3f& wo)
     }
     weigh_base(1.0f - coat_);
     if (coat_ > 0) {
-        const float base =
-            largest(diffuse_) + largest(sheen_) + facets_ * largest(facet_reflectance(wo_.z));
+        const float base = largest(diffuse_) + largest(sheen_) +
+                           facets_ * largest(facet_reflectance(wo_.z)) + glass_;
         coat_choice_ = base > 0 ? std::clamp(coat_ / (coat_ + base), kLeastChoice, kMostChoice) : 1;
     }
 }
@@ -46,11 +46,16 @@ Bsdf::Bsdf(const Surface& surface, const V3f& wo)
 void Bsdf::weigh_base(float base_share) {
     const LayerConstants& layers = *surface_->layers;
     float rest = base_share;
-    if (layers.sheen > 0) {
+    if (layers.sheen > 0 && !surface_->is_inside) {
         const float albedo = layers.sheen * layers.sheen_albedo.at(wo_.z);
         sheen_ = layers.sheen_colour * (layers.sheen * rest);
         choose_sheen_ = albedo * rest * largest(layers.sheen_colour);
         rest *= 1.0f - std::min(1.0f, albedo * largest(layers.sheen_colour));
+    }
+    if (layers.transmission > 0) {
+        glass_ = rest * layers.transmission;
+        choose_glass_ = glass_;
+        rest -= glass_;
     }
     float below = 1.0f - layers.metal;
     if (layers.metal > 0 || layers.specular > 0) {
@@ -72,9 +77,11 @@ void Bsdf::weigh_base(float base_share) {
     }
     diffuse_ = surface_->base * (rest * below);
     choose_diffuse_ = largest(diffuse_);
-    is_diffuse_ = choose_sheen_ <= 0 && choose_facets_ <= 0 && choose_diffuse_ > 0;
-    const float sum = choose_sheen_ + choose_facets_ + choose_diffuse_;
+    is_diffuse_ =
+        choose_sheen_ <= 0 && choose_facets_ <= 0 && choose_glass_ <= 0 && choose_diffuse_ > 0;
+    const float sum = choose_sheen_ + choose_facets_ + choose_diffuse_ + choose_glass_;
     if (sum > 0) {
+        choose_glass_ /= sum;
         choose_sheen_ /= sum;
         choose_facets_ /= sum;
         choose_diffuse_ /= sum;
@@ -98,8 +105,9 @@ V3f Bsdf::facet_reflectance(float cosine) const {
 bool Bsdf::can_evaluate(Layers layers) const {
     const bool coat = layers != Layers::base && has_rough_coat_;
     const bool facets = facets_ > 0 && surface_->layers->alpha > 0;
+    const bool glass = glass_ > 0 && surface_->layers->glass->alpha > 0;
     const bool base =
-        layers != Layers::coat && (facets || choose_diffuse_ > 0 || choose_sheen_ > 0);
+        layers != Layers::coat && (facets || glass || choose_diffuse_ > 0 || choose_sheen_ > 0);
     return coat || base;
 }
 
@@ -108,7 +116,7 @@ bool Bsdf::is_broad() const {
     const LayerConstants& layers = *surface_->layers;
     const bool narrow_coat = has_rough_coat_ && layers.coat_alpha < kBroad;
     const bool narrow_facets = facets_ > 0 && layers.alpha > 0 && layers.alpha < kBroad;
-    return can_evaluate(Layers::all) && !narrow_coat && !narrow_facets;
+    return can_evaluate(Layers::all) && !narrow_coat && !narrow_facets && !transmits();
 }
 
 BsdfValue Bsdf::evaluate_local(Layers layers, const V3f& wi) const {
@@ -158,7 +166,24 @@ BsdfValue Bsdf::evaluate_base(const V3f& wi) const {
         result.value += facet_reflectance(wo_ ^ m) * (facets_ * ggx.reflection(wo_, wi, m));
         result.pdf += choose_facets_ * ggx.reflection_pdf(wo_, m);
     }
+    if (glass_ > 0) {
+        const auto glass =
+            GlassLobe(*surface_->layers->glass, surface_->is_inside, wo_).evaluate(wi);
+        result.value += V3f(glass_ * glass.value);
+        result.pdf += choose_glass_ * glass.pdf;
+    }
     return result;
+}
+
+// For light from the far side.
+BsdfValue Bsdf::evaluate_through(Layers layers, const V3f& wi) const {
+    if (wi.z >= 0 || layers == Layers::coat) {
+        return {};
+    }
+    const GlassConstants& constants = *surface_->layers->glass;
+    const auto glass = GlassLobe(constants, surface_->is_inside, wo_).evaluate(wi);
+    return {constants.tint * (glass_ * glass.value),
+            (1.0f - coat_probability(layers)) * choose_glass_ * glass.pdf};
 }
 
 std::optional<BsdfSample> Bsdf::sample(Layers layers, const V2f& u) const {
@@ -195,7 +220,10 @@ std::optional<BsdfSample> Bsdf::sample_base(Layers layers, const V2f& u, float p
         }
         return taken;
     };
-    if (takes(choose_facets_)) {
+    if (takes(choose_glass_)) {
+        return sample_glass(layers, square, probability * choose_glass_);
+    }
+    if (takes(choose_facets_ / (1.0f - choose_glass_))) {
         const float alpha = surface_->layers->alpha;
         if (alpha <= 0) {
             return mirror(facet_reflectance(wo_.z) * (facets_ / (probability * choose_facets_)));
@@ -206,6 +234,28 @@ std::optional<BsdfSample> Bsdf::sample_base(Layers layers, const V2f& u, float p
         return finish(layers, sample_cone(square, 1.0f));  // the whole hemisphere, evenly
     }
     return choose_diffuse_ > 0 ? finish(layers, sample_cosine_hemisphere(square)) : std::nullopt;
+}
+
+std::optional<BsdfSample> Bsdf::sample_glass(Layers layers, const V2f& u, float probability) const {
+    const GlassConstants& constants = *surface_->layers->glass;
+    const GlassLobe glass(constants, surface_->is_inside, wo_);
+    if (constants.alpha > 0) {
+        return finish(layers, glass.sample(u));
+    }
+    const float weight = glass_ / probability;
+    return u.x < glass.reflectance() ? mirror(V3f(weight))
+                                     : pass(glass.refracted(), constants.tint * weight);
+}
+
+std::optional<BsdfSample> Bsdf::pass(const V3f& wi, const V3f& weight) const {
+    BsdfSample sample;
+    sample.direction = surface_->frame.to_world(wi).normalized();
+    if (wi.z >= 0 || (surface_->geometric_normal ^ sample.direction) >= 0) {
+        return std::nullopt;
+    }
+    sample.weight = weight;
+    sample.is_delta = true;
+    return sample;
 }
 
 std::optional<BsdfSample> Bsdf::mirror(const V3f& weight) const {
@@ -222,10 +272,13 @@ std::optional<BsdfSample> Bsdf::mirror(const V3f& weight) const {
 std::optional<BsdfSample> Bsdf::finish(Layers layers, const V3f& wi) const {
     BsdfSample sample;
     sample.direction = surface_->frame.to_world(wi).normalized();
-    if (wi.z <= 0 || (surface_->geometric_normal ^ sample.direction) <= 0) {
+    const float side = surface_->geometric_normal ^ sample.direction;
+    if ((wi.z <= 0 || side <= 0) && !(transmits() && wi.z < 0 && side < 0)) {
         return std::nullopt;
     }
-    const BsdfValue value = is_lambert(layers) ? lambert(layers, wi.z) : evaluate_local(layers, wi);
+    const BsdfValue value = is_lambert(layers) ? lambert(layers, wi.z)
+                            : wi.z < 0         ? evaluate_through(layers, wi)
+                                               : evaluate_local(layers, wi);
     if (value.pdf <= 0) {
         return std::nullopt;
     }

@@ -28,7 +28,8 @@ struct BsdfSample {
 };
 
 /// All directions are unit, in world axes, and point away from the surface. Light comes only from
-/// the viewer's side. With `wo` the direction to the previous vertex of the path:
+/// the viewer's side, but through glass. With `wo` the direction to the previous vertex of the
+/// path:
 ///   coat = w E(wo) [as a lobe],  below = (1 - w E(wo)) x the rest,
 /// E being the share that the coat reflects: for a smooth coat Fresnel's F(wo) of a mirror.
 class Bsdf {
@@ -44,10 +45,14 @@ class Bsdf {
     /// Whether all that is no mirror scatters into wide lobes.
     [[nodiscard]] bool is_broad() const;
 
-    /// Value and density for light from `wi`; both 0 below the surface.
+    /// Whether light from behind the surface passes through it.
+    [[nodiscard]] bool transmits() const { return glass_ > 0; }
+
+    /// Value and density for light from `wi`; both 0 below the surface, unless it transmits.
     [[nodiscard]] BsdfValue evaluate(Layers layers, const V3f& wi) const {
         if ((surface_->geometric_normal ^ wi) <= 0) {
-            return {};
+            return glass_ > 0 ? evaluate_through(layers, surface_->frame.from_world(wi))
+                              : BsdfValue{};
         }
         return is_lambert(layers) ? lambert(layers, surface_->frame.z ^ wi)
                                   : evaluate_local(layers, surface_->frame.from_world(wi));
@@ -74,6 +79,7 @@ class Bsdf {
     }
     [[nodiscard]] BsdfValue evaluate_coat(const V3f& wi) const;
     [[nodiscard]] BsdfValue evaluate_base(const V3f& wi) const;
+    [[nodiscard]] BsdfValue evaluate_through(Layers layers, const V3f& wi) const;
     [[nodiscard]] V3f facet_reflectance(float cosine) const;
     // From here on directions are in the surface's own axes; `probability`: of having come here.
     [[nodiscard]] BsdfValue evaluate_local(Layers layers, const V3f& wi) const;
@@ -81,7 +87,10 @@ class Bsdf {
                                                         float probability) const;
     [[nodiscard]] std::optional<BsdfSample> sample_base(Layers layers, const V2f& u,
                                                         float probability) const;
+    [[nodiscard]] std::optional<BsdfSample> sample_glass(Layers layers, const V2f& u,
+                                                         float probability) const;
     [[nodiscard]] std::optional<BsdfSample> mirror(const V3f& weight) const;
+    [[nodiscard]] std::optional<BsdfSample> pass(const V3f& wi, const V3f& weight) const;
     [[nodiscard]] std::optional<BsdfSample> finish(Layers layers, const V3f& wi) const;
     void weigh_base(float base_share);
 
@@ -94,7 +103,9 @@ class Bsdf {
     float facets_ = 0;          // scale of metal and highlight after all layers above
     V3f metal_scale_{0, 0, 0};  // of the metal's own reflectance within `facets_`
     V3f sheen_{0, 0, 0};
+    float glass_ = 0;  // share that meets the glass after all layers above
     // Probabilities of the base's lobes, adding up to 1 unless all are 0.
+    float choose_glass_ = 0;
     float choose_facets_ = 0;
     float choose_sheen_ = 0;
     float choose_diffuse_ = 0;

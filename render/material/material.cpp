@@ -43,6 +43,8 @@ LayerConstants make_layers(const StandardMaterial& m) {
     if (layers.alpha > 0 && layers.metal > 0) {
         layers.mirror_albedo = AlbedoTable::of_mirrors(layers.alpha);
     }
+    layers.glass = glass_constants(m);
+    layers.transmission = layers.glass ? share(m.transmission) : 0.0f;
     return layers;
 }
 
@@ -75,6 +77,7 @@ Surface Material::resolve(const SurfacePoint& point, const V3f& wo, float footpr
     }
     surface.frame = OrthonormalBasis::around(normal);
     surface.layers = &layers_;
+    surface.is_inside = from_behind && layers_.glass != nullptr;
     return surface;
 }
 

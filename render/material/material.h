@@ -4,6 +4,7 @@
 #include "render/geometry/orthonormal_basis.h"
 #include "render/geometry/ray.h"
 #include "render/material/albedo_table.h"
+#include "render/material/glass.h"
 #include "render/material/phong.h"
 #include "render/scene/material_description.h"
 #include "render/texture/texture.h"
@@ -28,6 +29,9 @@ struct LayerConstants {
     float alpha = 0;  // of metal and highlight, 0: a smooth mirror
     AlbedoTable specular_albedo;
     AlbedoTable mirror_albedo;
+
+    float transmission = 0;                       // share of the base that is glass
+    std::shared_ptr<const GlassConstants> glass;  // null: nothing passes through
 };
 
 inline constexpr float kSpecularIor = 1.5f;
@@ -38,6 +42,7 @@ struct Surface {
     OrthonormalBasis frame;  // z: the shading normal, on the viewer's side
     V3f base;                // albedo, or reflectance of the metal
     const LayerConstants* layers = nullptr;
+    bool is_inside = false;  // the viewer is within the glass that this is the surface of
 };
 
 /// Immutable; shared by all threads.
@@ -49,7 +54,8 @@ class Material {
     Material(const PhongMaterial& description, ImageCache& images);
 
     /// The surface at `point` as seen from the unit direction `wo` (away from the surface);
-    /// `footprint`: width of a pixel there, m. Both sides of a surface scatter alike.
+    /// `footprint`: width of a pixel there, m. Both sides of a surface scatter alike, but for those
+    /// of glass.
     [[nodiscard]] Surface resolve(const SurfacePoint& point, const V3f& wo, float footprint) const;
 
     [[nodiscard]] const LayerConstants& layers() const { return layers_; }
@@ -63,7 +69,8 @@ class Material {
     /// else.
     [[nodiscard]] bool is_only_mirror_coat() const {
         const bool base_mirrors = layers_.alpha == 0 && (layers_.metal > 0 || layers_.specular > 0);
-        return layers_.coat_weight > 0 && layers_.coat_alpha == 0 && bump_ == 0 && !base_mirrors;
+        return layers_.coat_weight > 0 && layers_.coat_alpha == 0 && bump_ == 0 && !base_mirrors &&
+               !layers_.glass;
     }
 
   private:

@@ -31,19 +31,28 @@ PhongModel phong_model(const PhongMaterial& description) {
 
 PhongModel phong_model(const StandardMaterial& description) {
     const double coat = description.coat.weight * reflectance_straight_on(description.coat.ior);
-    const double below = 1 - coat;
+    const double opaque = (1 - coat) * (1 - description.transmission);
     const double alpha = description.roughness * description.roughness;
     PhongModel model;
-    model.diffuse_share = static_cast<float>(below * (1 - description.metal));
-    model.metal = static_cast<float>(below * description.metal);
+    model.diffuse_share = static_cast<float>(opaque * (1 - description.metal));
+    model.metal = static_cast<float>(opaque * description.metal);
     model.reflectance = V3f(static_cast<float>(coat));
     const double coat_alpha = description.coat.roughness * description.coat.roughness;
     model.reflectance_spread = static_cast<float>(
-        std::max(coat > 0 ? coat_alpha : 0.0, description.metal > 0 ? alpha : 0.0));
+        std::max(coat > 0 ? coat_alpha : 0.0,
+                 description.metal > 0 || description.transmission > 0 ? alpha : 0.0));
+    if (description.transmission > 0) {
+        const double glass = (1 - coat) * description.transmission;
+        const double mirrored = reflectance_straight_on(description.ior);
+        model.reflectance += V3f(static_cast<float>(glass * mirrored));
+        model.transmittance = V3f(description.transmission_colour * (glass * (1 - mirrored)));
+        model.transmittance_spread = static_cast<float>(alpha);
+        model.index = static_cast<float>(description.ior);
+    }
     if (description.specular > 0) {
         const double sharp = std::max(alpha, kSharpestAlpha);
         const double exponent = std::max(2 / (sharp * sharp) - 2, 1.0) / 4;
-        const double share = below * (1 - description.metal) * description.specular *
+        const double share = opaque * (1 - description.metal) * description.specular *
                              reflectance_straight_on(kHighlightIndex);
         model.shininess = static_cast<float>(exponent);
         model.specular = V3f(static_cast<float>(share * (exponent + 2) / 2));

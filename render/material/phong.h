@@ -35,7 +35,9 @@ struct PhongModel {
 /// reflect straight on, whatever the angle; both spread by the GGX alpha of the rougher one that is
 /// there. The dielectric highlight becomes a Phong lobe of n = max(2 / alpha^2 - 2, 1) / 4 with the
 /// same reflectance f: over the irradiance/pi that the lights give it is as high as the normalised
-/// lobe, f (n + 2) / 2 (Lafortune and Willems 1994). Sheen is left out.
+/// lobe, f (n + 2) / 2 (Lafortune and Willems 1994). Glass
+/// reflects what it reflects straight on and takes on its colour at each surface. Sheen is left
+/// out.
 [[nodiscard]] PhongModel phong_model(const StandardMaterial& description);
 
 }  // namespace carom::render

@@ -58,13 +58,19 @@ struct Coat {
     double roughness = 0;  // [0, 1]
 };
 
-/// Layers from the bottom up: diffuse base or metal, sheen, coat.
+/// Layers from the bottom up: diffuse base, metal or glass, sheen, coat. Glass fills what a closed
+/// surface encloses, its normals pointing outward.
 struct StandardMaterial {
     ColourSource base = Vec3{0.8, 0.8, 0.8};  // albedo, each channel in [0, 1]
     double metal = 0;                         // [0, 1]: base becomes the reflectance of a metal
-    double roughness = 0.5;  // [0, 1] of the base's specular lobe (GGX alpha = roughness^2)
-    double specular = 0;     // [0, 1] weight of the base's own dielectric highlight, ior 1.5
-    double sheen = 0;        // [0, 1] weight
+    double roughness = 0.5;   // [0, 1] of the base's specular lobe (GGX alpha = roughness^2)
+    double specular = 0;      // [0, 1] weight of the base's own dielectric highlight, ior 1.5
+    double transmission = 0;  // [0, 1] share of the base that is glass, rough by `roughness`
+    double ior = 1.5;         // [1, 3] of the glass
+    /// What is left of light after `transmission_depth` m of glass; 0: at each surface instead.
+    Vec3 transmission_colour{1, 1, 1};
+    double transmission_depth = 0;
+    double sheen = 0;  // [0, 1] weight
     Vec3 sheen_colour{1, 1, 1};
     double bump = 0;  // strength of the texture's own relief, [0, 1] (cloth)
     Coat coat;

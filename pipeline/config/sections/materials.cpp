@@ -115,14 +115,22 @@ ValueType<ColourSource> base() {
 const MapSpec<StandardMaterial>& standard_spec() {
     static const MapSpec<StandardMaterial> spec = [] {
         MapSpec<StandardMaterial> s(
-            "standard", "Layers from the bottom up: diffuse base or metal, sheen, coat.");
+            "standard", "Layers from the bottom up: diffuse base, metal or glass, sheen, coat.");
         s.key("base", &StandardMaterial::base, base(), "colour or a texture");
         s.key("metal", &StandardMaterial::metal, number(between(0, 1)),
               "1: the base is the reflectance of a metal");
         s.key("roughness", &StandardMaterial::roughness, number(between(0, 1)),
-              "of the base's highlight");
+              "of the base's highlight, and of glass: 0 is clear, more is frosted");
         s.key("specular", &StandardMaterial::specular, number(between(0, 1)),
               "weight of the base's own dielectric highlight");
+        s.key("transmission", &StandardMaterial::transmission, number(between(0, 1)),
+              "share of the base that is glass, filling what a closed surface encloses");
+        s.key("ior", &StandardMaterial::ior, number(between(1, 3)),
+              "index of refraction of the glass");
+        s.key("transmission_colour", &StandardMaterial::transmission_colour, colour(between(0, 1)),
+              "what is left of light after `transmission_depth` of glass");
+        s.key("transmission_depth", &StandardMaterial::transmission_depth, length(between(0, 1000)),
+              "0: the colour is taken on at each surface");
         s.key("sheen", &StandardMaterial::sheen, number(between(0, 1)),
               "weight of the shine at grazing angles, as of cloth");
         s.key("sheen_colour", &StandardMaterial::sheen_colour, colour(between(0, 1)), "its colour");

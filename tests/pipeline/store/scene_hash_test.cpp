@@ -88,6 +88,12 @@ TEST(SceneHash, MaterialAndLights_AllCount) {
         [](auto& s) { s.materials[0].surface.roughness = 0.1; },
         [](auto& s) { s.materials[0].surface.specular = 0.1; },
         [](auto& s) { s.materials[0].surface.sheen = 0.1; },
+        [](auto& s) { s.materials[0].surface.transmission = 0.1; },
+        [](auto& s) { s.materials[0].surface.ior = 1.1; },
+        [](auto& s) {
+            s.materials[0].surface.transmission_colour = {1, 0, 0};
+        },
+        [](auto& s) { s.materials[0].surface.transmission_depth = 0.1; },
         [](auto& s) {
             s.materials[0].surface.sheen_colour = {1, 0, 0};
         },

@@ -63,11 +63,13 @@ StandardMaterial white() {
 }
 
 /// A ball in a room that shines 1 from everywhere, as a picture.
-Film ball_in_furnace(const StandardMaterial& material, bool moving, double lens_radius) {
+Film ball_in_furnace(const StandardMaterial& material, bool moving, double lens_radius,
+                     int bounces = 4) {
     SceneBuilder builder;
     builder.material("skin", material).environment(1);
     builder.sphere("ball", 0.5, Vec3(0, 0, 0), "skin", "ball");
-    const RenderSettings settings = small_settings(24, 24, 64);
+    RenderSettings settings = small_settings(24, 24, 64);
+    settings.max_bounces = bounces;
     CameraState state = camera(Vec3(0, -3, 0), Vec3(0, 0, 0), 0.45);
     state.lens_radius = lens_radius;
     FrameInput frame = still_frame(state);
@@ -90,6 +92,51 @@ TEST(Furnace, WhiteBallUnderASmoothCoat_CannotBeSeen) {
             }
         }
     }
+}
+
+TEST(Furnace, ClearGlassBall_CannotBeSeen) {
+    StandardMaterial glass = white();
+    glass.transmission = 1;
+    glass.roughness = 0;
+    // Paths that total reflection keeps inside end unseen after four bounces: by (1 - F) F^4.
+    for (const bool moving : {false, true}) {
+        const Film film = ball_in_furnace(glass, moving, 0);
+        EXPECT_NEAR(test::mean_red(film), 1, 1e-3) << "moving " << moving;
+    }
+}
+
+TEST(Furnace, FrostedGlassBall_CannotBeSeen) {
+    StandardMaterial glass = white();
+    glass.transmission = 1;
+    for (const double roughness : {0.3, 0.6}) {
+        glass.roughness = roughness;
+        const double mean = test::mean_red(ball_in_furnace(glass, false, 0, 40));
+        EXPECT_LT(mean, 1.003) << roughness;
+        EXPECT_GT(mean, 0.99) << roughness;
+    }
+}
+
+TEST(Furnace, GlassBoxWithColourInDepth_DimsByBeerAndLambert) {
+    // Straight through a slab of 0.2 m: (1 - F)^2 / (1 - F^2 a^2) a + reflections from both sides.
+    StandardMaterial glass = white();
+    glass.transmission = 1;
+    glass.roughness = 0;
+    glass.transmission_colour = Vec3(0.5, 0.5, 0.5);
+    glass.transmission_depth = 0.1;
+    SceneBuilder builder;
+    builder.material("glass", glass).environment(1);
+    builder.object("slab", BoxShape{Vec3(4, 0.2, 4)}, Vec3(0, 0, 0), "glass");
+    RenderSettings settings = small_settings(16, 16, 1024);
+    settings.max_bounces = 12;
+    const FrameInput frame = still_frame(camera(Vec3(0, -3, 0), Vec3(0, 0, 0), 0.02));
+    const double mean =
+        test::mean_red(render_frame(PreparedScene(builder.scene, settings), {}, frame, settings));
+    constexpr double kF = 0.04;
+    constexpr double kA = 0.25;  // after 0.2 m
+    const double rest = 1 - kF * kF * kA * kA;
+    const double through = (1 - kF) * (1 - kF) * kA / rest;
+    const double back = kF + (1 - kF) * (1 - kF) * kF * kA * kA / rest;
+    EXPECT_NEAR(mean, through + back, 2e-3);
 }
 
 TEST(Furnace, GreyDiffuseBall_ShowsItsAlbedoMovingAndOutOfFocus) {

@@ -62,6 +62,30 @@ TEST(DirectLight, EveryStrategy_HasTheSameMean) {
     }
 }
 
+// Lights before and behind the glass, and the floor seen through it.
+TEST(DirectLight, FrostedGlass_EveryStrategyHasTheSameMean) {
+    StandardMaterial frosted;
+    frosted.transmission = 1;
+    frosted.roughness = 0.5;
+    SceneBuilder builder = balls_on_floor();
+    builder.material("frosted", frosted);
+    builder.sphere("c", 0.3, Vec3(0, -0.6, 0.35), "frosted");
+    const auto of = [&](DirectStrategy strategy) {
+        PathSettings path;
+        path.strategy = strategy;
+        path.max_bounces = 4;
+        return test::picture_luminance(builder.scene,
+                                       test::camera(Vec3(0, -2.2, 0.6), Vec3(0, -0.6, 0.35), 0.3),
+                                       path, 24, 24);
+    };
+    const Estimate both = of(DirectStrategy::both);
+    const Estimate lights = of(DirectStrategy::lights_only);
+    const Estimate scattering = of(DirectStrategy::scattering_only);
+    EXPECT_NEAR(lights.mean, both.mean, 4 * std::hypot(lights.error, both.error));
+    EXPECT_NEAR(scattering.mean, both.mean, 4 * std::hypot(scattering.error, both.error));
+    EXPECT_LT(both.error, 0.02 * both.mean);
+}
+
 TEST(DirectLight, Together_TheyBeatEitherAlone) {
     const Estimate both = with(DirectStrategy::both, 0);
     EXPECT_LT(both.error, 1.1 * with(DirectStrategy::lights_only, 0).error);

@@ -58,6 +58,27 @@ inline std::vector<Named> all() {
     return list;
 }
 
+/// Materials that light passes through, to be looked at from both sides.
+inline std::vector<Named> glasses() {
+    std::vector<Named> list;
+    StandardMaterial glass;
+    glass.transmission = 1;
+    glass.roughness = 0;
+    list.push_back({"clear glass", glass});
+    glass.roughness = 0.6;
+    list.push_back({"frosted glass", glass});
+    glass.roughness = 0.8;
+    glass.ior = 2.2;
+    list.push_back({"rough dense glass", glass});
+    glass.roughness = 0.7;
+    glass.transmission = 0.5;
+    glass.ior = 1.6;
+    glass.sheen = 0.5;
+    glass.coat = {0.8, 1.5, 0.6};
+    list.push_back({"half glass, half diffuse under a coat", glass});
+    return list;
+}
+
 inline Material make(const StandardMaterial& description) {
     ImageCache images;
     return Material(description, images);

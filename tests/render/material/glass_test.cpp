@@ -1,0 +1,209 @@
+// Light that passes through: Snell, Fresnel, total reflection, rough boundaries.
+#include <gtest/gtest.h>
+
+#include "render/material/fresnel.h"
+#include "tests/render/direction_density.h"
+#include "tests/render/material/material_samples.h"
+#include "tests/render/statistics.h"
+
+namespace carom::render {
+namespace {
+
+using namespace test_materials;
+
+const V3f kNormal = V3f(0.3f, -0.5f, 0.8f).normalized();
+
+StandardMaterial clear_glass(double ior) {
+    StandardMaterial glass;
+    glass.transmission = 1;
+    glass.roughness = 0;
+    glass.ior = ior;
+    return glass;
+}
+
+/// From outside or, with `side` = -1, from within.
+V3f viewer(float angle, float side) {
+    return tilted(kNormal, angle) * side;
+}
+
+struct Energy {
+    double reflected = 0;
+    double passed = 0;
+};
+
+Energy sampled_energy(const Bsdf& bsdf, const V3f& wo) {
+    constexpr int kSamples = 200'000;
+    Energy energy;
+    const float side = wo ^ kNormal;
+    for (int i = 0; i < kSamples; ++i) {
+        // Roberts 2018, as in bsdf_energy_test.cpp.
+        const auto at = [&](double step) {
+            const double x = 0.5 + i * step;
+            return static_cast<float>(x - std::floor(x)) * 0.9999999f;
+        };
+        if (const auto s =
+                bsdf.sample(Layers::all, V2f(at(0.7548776662466927), at(0.5698402909980532)))) {
+            const bool passes = (s->direction ^ kNormal) * side < 0;
+            (passes ? energy.passed : energy.reflected) += static_cast<double>(s->weight.x);
+        }
+    }
+    return {energy.reflected / kSamples, energy.passed / kSamples};
+}
+
+TEST(ClearGlass, BothSides_ShareLightByFresnelAndBendItBySnell) {
+    const Material material = make(clear_glass(1.5));
+    for (const float side : {1.0f, -1.0f}) {
+        for (const float angle : {0.0f, 0.3f, 0.6f}) {
+            const V3f wo = viewer(angle, side);
+            const Surface surface = resolve(material, kNormal, wo);
+            const Bsdf bsdf(surface, wo);
+            EXPECT_FALSE(bsdf.can_evaluate(Layers::all));
+            const float index = side > 0 ? 1.5f : 1 / 1.5f;
+            const float fresnel = fresnel_dielectric(std::cos(angle), index);
+            const auto mirrored = bsdf.sample(Layers::all, V2f(0.99f * fresnel, 0.5f));
+            const auto bent = bsdf.sample(Layers::all, V2f(1.01f * fresnel, 0.5f));
+            ASSERT_TRUE(mirrored && mirrored->is_delta && bent && bent->is_delta);
+            EXPECT_GT((mirrored->direction ^ kNormal) * side, 0);
+            EXPECT_LT((bent->direction ^ kNormal) * side, 0);
+            EXPECT_NEAR(mirrored->weight.x, 1, 1e-5f);
+            EXPECT_NEAR(bent->weight.x, 1, 1e-5f);
+            // n sin is kept, in the plane of incidence.
+            const V3f across_wo = wo - kNormal * (wo ^ kNormal);
+            const V3f across_wi = bent->direction - kNormal * (bent->direction ^ kNormal);
+            EXPECT_LT((across_wi * index + across_wo).length(), 2e-6f) << angle << " " << side;
+        }
+    }
+}
+
+TEST(ClearGlass, BeyondTheCriticalAngle_MirrorsEverything) {
+    const Material material = make(clear_glass(1.5));
+    const float critical = std::asin(1 / 1.5f);
+    for (const float u : {0.0f, 0.5f, 0.999f}) {
+        const V3f within = viewer(critical + 0.01f, -1);
+        const Surface surface = resolve(material, kNormal, within);
+        const auto sample = Bsdf(surface, within).sample(Layers::all, V2f(u, 0.3f));
+        ASSERT_TRUE(sample);
+        EXPECT_LT(sample->direction ^ kNormal, 0);
+        EXPECT_FLOAT_EQ(sample->weight.x, 1);
+    }
+    const V3f shallower = viewer(critical - 0.01f, -1);
+    const Surface surface = resolve(material, kNormal, shallower);
+    const auto sample = Bsdf(surface, shallower).sample(Layers::all, V2f(0.999f, 0.3f));
+    ASSERT_TRUE(sample);
+    EXPECT_GT(sample->direction ^ kNormal, 0);
+}
+
+TEST(ClearGlass, Colour_IsTakenOnAtTheSurfaceOrByTheWayWithin) {
+    StandardMaterial tinted = clear_glass(1.5);
+    tinted.transmission_colour = Vec3(0.9, 0.5, 0.1);
+    const Material material = make(tinted);
+    const Surface surface = resolve(material, kNormal, kNormal);
+    const auto sample = Bsdf(surface, kNormal).sample(Layers::all, V2f(0.9f, 0.5f));
+    ASSERT_TRUE(sample);
+    EXPECT_NEAR(sample->weight.y, 0.5f, 1e-6f);
+    EXPECT_FLOAT_EQ(material.layers().glass->left_after(1).y, 1);
+
+    tinted.transmission_depth = 0.05;
+    const Material deep = make(tinted);
+    EXPECT_NEAR(deep.layers().glass->left_after(0.05f).y, 0.5f, 1e-6f);
+    EXPECT_NEAR(deep.layers().glass->left_after(0.1f).z, 0.01f, 1e-6f);
+    const Surface clear = resolve(deep, kNormal, kNormal);
+    EXPECT_NEAR(Bsdf(clear, kNormal).sample(Layers::all, V2f(0.9f, 0.5f))->weight.y, 1, 1e-6f);
+}
+
+TEST(Glass, BothSidesAndAllAngles_KeepAllLightAndNoMore) {
+    for (const Named& named : glasses()) {
+        StandardMaterial white = named.material;
+        white.base = Vec3(1, 1, 1);
+        const Material material = make(white);
+        for (const float side : {1.0f, -1.0f}) {
+            for (const float angle : {0.02f, 0.5f, 0.9f, 1.2f, 1.45f}) {
+                const V3f wo = viewer(angle, side);
+                const Surface surface = resolve(material, kNormal, wo);
+                const Energy energy = sampled_energy(Bsdf(surface, wo), wo);
+                const double sum = energy.reflected + energy.passed;
+                SCOPED_TRACE(named.name + ", side " + std::to_string(side) + ", angle " +
+                             std::to_string(angle));
+                EXPECT_LE(sum, 1.004);
+                EXPECT_GT(sum, white.coat.weight > 0 ? 0.9 : 0.993);
+            }
+        }
+    }
+}
+
+TEST(FrostedGlass, FacetsGettingSmoother_ShareLightAsClearGlassDoes) {
+    StandardMaterial frosted = clear_glass(1.5);
+    frosted.roughness = 0.08;
+    const Material material = make(frosted);
+    for (const float side : {1.0f, -1.0f}) {
+        const V3f wo = viewer(0.4f, side);
+        const Surface surface = resolve(material, kNormal, wo);
+        const Energy energy = sampled_energy(Bsdf(surface, wo), wo);
+        const double fresnel =
+            static_cast<double>(fresnel_dielectric(std::cos(0.4f), side > 0 ? 1.5f : 1 / 1.5f));
+        EXPECT_NEAR(energy.reflected, fresnel, 2e-3);
+        EXPECT_NEAR(energy.passed, 1 - fresnel, 4e-3);
+    }
+}
+
+TEST(FrostedGlass, EverySample_FollowsItsPdfAndHasItsValue) {
+    test::DensityTest setup;
+    setup.samples = 40'000;
+    setup.tests = 18;
+    setup.rows = 48;
+    setup.columns = 48;
+    for (const Named& named : glasses()) {
+        if (named.material.roughness == 0) {
+            continue;
+        }
+        const Material material = make(named.material);
+        for (const float side : {1.0f, -1.0f}) {
+            for (const float angle : {0.1f, 0.8f, 1.35f}) {
+                SCOPED_TRACE(named.name + ", side " + std::to_string(side) + ", angle " +
+                             std::to_string(angle));
+                const V3f wo = viewer(angle, side);
+                const Surface surface = resolve(material, kNormal, wo);
+                const Bsdf bsdf(surface, wo);
+                setup.seed += 1;
+                int wrong = 0;
+                test::expect_direction_density(
+                    [&](V3f u) -> std::optional<V3f> {
+                        const auto s = bsdf.sample(Layers::all, V2f(u.x, u.y));
+                        if (!s) {
+                            return std::nullopt;
+                        }
+                        const BsdfValue value = bsdf.evaluate(Layers::all, s->direction);
+                        const float expected = s->weight.x * s->pdf;
+                        wrong += std::abs(value.pdf - s->pdf) > 5e-3f * s->pdf ||
+                                 std::abs(value.value.x - expected) > 5e-3f * expected + 1e-6f;
+                        return s->direction;
+                    },
+                    [&](const V3f& wi) { return bsdf.pdf(Layers::all, wi); }, kNormal, 2, setup);
+                EXPECT_LE(wrong, setup.samples / 1000);
+            }
+        }
+    }
+}
+
+TEST(FrostedGlass, BasicRadiance_IsReciprocal) {
+    // f(wo, wi) n_o^2 = f(wi, wo) n_i^2 for radiance (Walter 2007, section 2.2) is f(wo, wi) n_i^2
+    // = f(wi, wo) n_o^2 for basic radiance, here with the scale of single scattering taken out.
+    StandardMaterial frosted = clear_glass(1.5);
+    frosted.roughness = 0.5;
+    const auto glass = glass_constants(frosted);
+    for (const float angle : {0.1f, 0.5f, 0.9f}) {
+        const SinCos out = sin_cos(angle);
+        const V3f wo(out.sine, 0, out.cosine);
+        const V3f wi = V3f(-0.2f, 0.3f, -0.8f).normalized();
+        const auto unscaled = [&](bool is_inside, const V3f& viewer_side, const V3f& far_side) {
+            return GlassLobe(*glass, is_inside, viewer_side).evaluate(far_side).value *
+                   glass->kept[is_inside ? 1 : 0].at(viewer_side.z) / std::abs(far_side.z);
+        };
+        const float inward = unscaled(false, wo, wi);
+        const float outward = unscaled(true, V3f(wi.x, wi.y, -wi.z), V3f(wo.x, wo.y, -wo.z));
+        EXPECT_NEAR(inward, outward * 2.25f, 2e-3f * inward) << angle;
+    }
+}
+
+}  // namespace
+}  // namespace carom::render
