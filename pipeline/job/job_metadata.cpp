@@ -59,6 +59,12 @@ render::ImageMetadata exported_frame_metadata(const Shot& shot, const sim::Timel
     metadata["frame"] = std::to_string(frame);
     metadata["video_time"] = number_text(planned.video_time);
     metadata["scene_time"] = number_text(planned.scene_time);
+    // The two that formats without keys of their own have a place for.
+    metadata["Software"] = std::string("carom ") + CAROM_VERSION;
+    metadata["ImageDescription"] = shot.name + ", camera " + planned.rig + ", frame " +
+                                   metadata["frame"] + ", scene time " + metadata["scene_time"] +
+                                   " s, " + metadata["samples"] + " samples, renderer revision " +
+                                   metadata["renderer_revision"];
     return metadata;
 }
 

@@ -1,10 +1,12 @@
 #include "pipeline/store/frame_key.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
 #include "pipeline/store/frame_inputs.h"
 #include "render/acceleration/analytic_kernels.h"
+#include "render/frame/aov_planes.h"
 
 namespace carom::pipeline {
 namespace {
@@ -37,6 +39,19 @@ void add_settings(Hasher& hasher, const render::RenderSettings& settings) {
     hasher.add(std::uint64_t{settings.aovs.size()});
     for (const std::string& aov : settings.aovs) {
         hasher.add(aov);
+    }
+}
+
+// Names do not change what is seen, but what mattes call it.
+void add_names(Hasher& hasher, const render::SceneDescription& scene) {
+    for (const render::ObjectDescription& object : scene.objects) {
+        hasher.add(object.name).add(object.material);
+    }
+    for (const render::MaterialDescription& material : scene.materials) {
+        hasher.add(material.name);
+    }
+    for (const render::LightDescription& light : scene.lights) {
+        hasher.add(light.name);
     }
 }
 
@@ -92,6 +107,9 @@ Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& sce
     hasher.add(std::int32_t{render::kRendererRevision}).add(render::simd_tier());
     hasher.add(scene_hash);
     add_settings(hasher, settings);
+    if (std::any_of(settings.aovs.begin(), settings.aovs.end(), render::is_matte)) {
+        add_names(hasher, scene);
+    }
     add_camera(hasher, inputs.frame.camera_open);
     add_camera(hasher, inputs.frame.camera_close);
     hasher.add(inputs.frame.scene_open).add(inputs.frame.scene_close);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,10 +36,14 @@ struct RenderStatistics {
 };
 
 struct Film {
+    /// By key, as in an EXR file's header.
+    using Notes = std::map<std::string, std::string>;
+
     int width = 0;  // pixels
     int height = 0;
     std::vector<float> rgba;  // width * height * 4, row by row from the top left; alpha is coverage
     std::vector<Channel> aovs;
+    Notes notes;  // what the channels mean: Cryptomatte's manifests
     RenderStatistics statistics;
 };
 

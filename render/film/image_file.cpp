@@ -109,11 +109,24 @@ void check_opened(const OIIO::ImageSpec& spec, const std::string& path) {
     }
 }
 
+/// The notes that a film brought.
+Film::Notes notes_in(const OIIO::ImageSpec& spec) {
+    Film::Notes notes;
+    for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
+        const std::string name = attribute.name().string();
+        if (name.rfind("cryptomatte/", 0) == 0) {
+            notes[name] = attribute.get_string(0);
+        }
+    }
+    return notes;
+}
+
 Film deinterleave(const OIIO::ImageSpec& spec, std::span<const float> pixels) {
     Film film;
     film.width = spec.width;
     film.height = spec.height;
     const std::size_t channels = static_cast<std::size_t>(spec.nchannels);
+    film.notes = notes_in(spec);
     const std::size_t count = pixel_count(film);
     film.rgba.resize(4 * count);
     for (std::size_t c = 4; c < channels; ++c) {
@@ -151,6 +164,7 @@ void write_exr(const Film& film, const std::string& path, const ImageMetadata& m
     spec.attribute("compression", "zip");
     spec.attribute("oiio:ColorSpace", "Linear");
     add_metadata(spec, metadata);
+    add_metadata(spec, film.notes);
     write_pixels(path, "openexr", spec, OIIO::TypeFloat, pixels.data());
 }
 

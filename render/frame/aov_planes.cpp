@@ -16,12 +16,20 @@ struct Aov {
     bool is_seen_by_centre;
 };
 
-constexpr std::array<Aov, 6> kAovs{{{"depth", {"Z"}, true},
+constexpr std::array<Aov, 7> kAovs{{{"depth", {"Z"}, true},
                                     {"normal", {"N.X", "N.Y", "N.Z"}, false},
                                     {"albedo", {"albedo.R", "albedo.G", "albedo.B"}, false},
                                     {"motion", {"motion.X", "motion.Y"}, true},
                                     {"object_id", {"object_id"}, true},
+                                    {"material_id", {"material_id"}, true},
                                     {"variance", {"variance"}, false}}};
+
+constexpr std::string_view kObjectMatte = "cryptomatte_object";
+constexpr std::string_view kMaterialMatte = "cryptomatte_material";
+constexpr std::string_view kObjectLayer = "CryptoObject";
+constexpr std::string_view kMaterialLayer = "CryptoMaterial";
+// What lights, which have no material, are called among materials.
+constexpr const char* kLightMaterial = "light";
 
 const Aov* find_aov(std::string_view name) {
     const auto* found =
@@ -37,27 +45,60 @@ CameraState without_lens(CameraState state) {
 }  // namespace
 
 bool is_aov(std::string_view name) {
-    return find_aov(name) != nullptr;
+    return find_aov(name) != nullptr || is_matte(name);
+}
+
+bool is_matte(std::string_view name) {
+    return name == kObjectMatte || name == kMaterialMatte;
 }
 
 AovPlanes::AovPlanes(const RenderSettings& settings, const FrameInput& frame,
-                     const FrameScene& scene)
+                     const FrameScene& scene, const SceneNames& names)
     : names_(settings.aovs),
+      scene_names_(names),
       scene_(scene),
       camera_(without_lens(frame.camera_open), without_lens(frame.camera_close), settings.width,
               settings.height, 0, PixelFilter::box, 1),
       width_(settings.width) {
     const std::size_t pixels =
         static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
+    const auto add_channel = [&](std::string_view name) {
+        channels_.push_back({std::string(name), std::vector<float>(pixels)});
+    };
     for (const std::string& name : names_) {
+        if (is_matte(name)) {
+            for (const std::string& channel : add_matte(name)) {
+                add_channel(channel);
+            }
+            continue;
+        }
         const Aov* aov = find_aov(name);
         for (const std::string_view channel : aov->channels) {
             if (!channel.empty()) {
-                channels_.push_back({std::string(channel), std::vector<float>(pixels)});
+                add_channel(channel);
             }
         }
         looks_ = looks_ || aov->is_seen_by_centre;
     }
+}
+
+/// The names of its channels.
+std::vector<std::string> AovPlanes::add_matte(std::string_view name) {
+    if (name == kObjectMatte) {
+        for (const std::string& object : scene_names_.objects) {
+            object_ids_.push_back(matte_id(object));
+        }
+        notes_.merge(matte_notes(kObjectLayer, scene_names_.objects));
+        return matte_channels(kObjectLayer);
+    }
+    std::vector<std::string> materials = scene_names_.materials;
+    materials.emplace_back(kLightMaterial);
+    for (const std::uint32_t material : scene_names_.material_of) {
+        material_ids_.push_back(
+            matte_id(materials[std::min<std::size_t>(material, materials.size() - 1)]));
+    }
+    notes_.merge(matte_notes(kMaterialLayer, materials));
+    return matte_channels(kMaterialLayer);
 }
 
 V2f AovPlanes::motion_of(const V3f& at_open, const V3f& at_close) const {
@@ -81,7 +122,19 @@ AovPlanes::Seen AovPlanes::look(int x, int y) const {
     seen.motion = motion_of(scene_.moved(hit.object, point, kMiddle, 0),
                             scene_.moved(hit.object, point, kMiddle, 1));
     seen.object = static_cast<float>(hit.object + 1);
+    const std::uint32_t material = scene_names_.material_of[hit.object];
+    seen.material =
+        material < scene_names_.materials.size() ? static_cast<float>(material + 1) : 0.0f;
     return seen;
+}
+
+MatteRanks AovPlanes::ranks(const PixelMeans& means, const std::vector<float>& ids) const {
+    std::vector<MatteRank> seen;
+    for (const ObjectCount& entry : means.objects) {
+        seen.push_back({ids[entry.object],
+                        static_cast<float>(entry.samples) / static_cast<float>(means.samples)});
+    }
+    return ranked(std::move(seen));
 }
 
 void AovPlanes::write(int x, int y, const PixelMeans& means) {
@@ -95,8 +148,17 @@ void AovPlanes::write(int x, int y, const PixelMeans& means) {
             ++channel;
         }
     };
+    const auto put_ranks = [&](const MatteRanks& ranks) {
+        for (const MatteRank& rank : ranks) {
+            put(std::array{rank.id, rank.coverage});
+        }
+    };
     for (const std::string& name : names_) {
-        if (name == "depth") {
+        if (name == kObjectMatte) {
+            put_ranks(ranks(means, object_ids_));
+        } else if (name == kMaterialMatte) {
+            put_ranks(ranks(means, material_ids_));
+        } else if (name == "depth") {
             put(std::array{seen.depth});
         } else if (name == "normal") {
             put(std::array{means.normal.x, means.normal.y, means.normal.z});
@@ -106,6 +168,8 @@ void AovPlanes::write(int x, int y, const PixelMeans& means) {
             put(std::array{seen.motion.x, seen.motion.y});
         } else if (name == "object_id") {
             put(std::array{seen.object});
+        } else if (name == "material_id") {
+            put(std::array{seen.material});
         } else {
             put(std::array{means.variance});
         }

@@ -1,11 +1,14 @@
 // The channels beside the picture: what was seen, not how bright it was.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "render/camera/thin_lens_camera.h"
+#include "render/film/cryptomatte.h"
 #include "render/film/film.h"
 #include "render/frame/frame.h"
 #include "render/frame_scene/frame_scene.h"
@@ -16,9 +19,25 @@ namespace carom::render {
 inline constexpr float kFarDepth = 1e10f;
 
 [[nodiscard]] bool is_aov(std::string_view name);
+/// Whether the channel of that name holds what scene and materials are called.
+[[nodiscard]] bool is_matte(std::string_view name);
+
+/// What the indices of hits are called.
+struct SceneNames {
+    std::vector<std::string> objects;  // and after them the area lights
+    std::vector<std::string> materials;
+    std::vector<std::uint32_t> material_of;  // by object; a light's is beyond all materials
+};
+
+struct ObjectCount {
+    std::uint32_t object = 0;
+    std::uint32_t samples = 0;
+};
 
 /// Means over a pixel's samples.
 struct PixelMeans {
+    std::span<const ObjectCount> objects;  // met by how many of `samples`
+    int samples = 1;
     V3f normal{0, 0, 0};
     V3f albedo{0, 0, 0};
     float variance = 0;  // of the mean luminance
@@ -30,31 +49,46 @@ struct PixelMeans {
 ///   albedo     albedo.R .G .B    base colour; mean over the samples
 ///   motion     motion.X .Y       pixels (right, down) that the point moves from open to close
 ///   object_id  object_id         1 + index in the scene's objects, then its lights; 0: nothing
+///   material_id material_id      1 + index in the scene's materials; 0: nothing, or a light
 ///   variance   variance          of the pixel's mean luminance, as if samples were independent
-/// Depth, motion and object belong to what the pixel's centre sees through the centre of the lens
-/// in the middle of the shutter: they have no noise and no mixed values.
+///   cryptomatte_object, cryptomatte_material
+///              CryptoObject00.R ... mattes by the names of objects and materials (cryptomatte.h)
+/// Depth, motion, object and material belong to what the pixel's centre sees through the centre of
+/// the lens in the middle of the shutter: they have no noise and no mixed values.
 class AovPlanes {
   public:
-    AovPlanes(const RenderSettings& settings, const FrameInput& frame, const FrameScene& scene);
+    AovPlanes(const RenderSettings& settings, const FrameInput& frame, const FrameScene& scene,
+              const SceneNames& names);
 
     [[nodiscard]] bool empty() const { return channels_.empty(); }
+
+    /// Whether `write` needs to know which objects a pixel's samples met.
+    [[nodiscard]] bool needs_objects() const { return !notes_.empty(); }
 
     void write(int x, int y, const PixelMeans& means);
 
     /// In the order of `settings.aovs`.
     [[nodiscard]] std::vector<Channel> take() { return std::move(channels_); }
+    [[nodiscard]] Film::Notes take_notes() { return std::move(notes_); }
 
   private:
     struct Seen {
         float depth = kFarDepth;
         V2f motion{0, 0};
         float object = 0;
+        float material = 0;
     };
 
+    [[nodiscard]] std::vector<std::string> add_matte(std::string_view name);
     [[nodiscard]] Seen look(int x, int y) const;
+    [[nodiscard]] MatteRanks ranks(const PixelMeans& means, const std::vector<float>& ids) const;
     [[nodiscard]] V2f motion_of(const V3f& at_open, const V3f& at_close) const;
 
     std::vector<std::string> names_;
+    const SceneNames& scene_names_;
+    std::vector<float> object_ids_;    // of Cryptomatte, by object
+    std::vector<float> material_ids_;  // ditto: of the object's material
+    Film::Notes notes_;
     std::vector<Channel> channels_;
     const FrameScene& scene_;
     ThinLensCamera camera_;  // without a lens

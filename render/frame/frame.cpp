@@ -103,7 +103,7 @@ Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks
     film.height = settings.height;
     film.rgba.resize(4 * static_cast<std::size_t>(settings.width) *
                      static_cast<std::size_t>(settings.height));
-    AovPlanes aovs(settings, frame, frame_scene);
+    AovPlanes aovs(settings, frame, frame_scene, data.names);
     TileRenderer renderer(settings, frame, transport, film, aovs);
     if (renderer.is_adaptive()) {
         render_adaptively(renderer, settings, context, film.statistics);
@@ -112,6 +112,7 @@ Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks
                       [&](int tile) { return renderer.render(tile, context.stop); });
     }
     film.aovs = aovs.take();
+    film.notes = aovs.take_notes();
     return film;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "render/frame/aov_planes.h"
 #include "render/integrator/integrator.h"
@@ -22,6 +23,8 @@ struct PixelSums {
     double luminance2 = 0;
     /// Luminance of each quarter of the first samples: how they differ says how noisy the pixel is.
     std::array<float, kGroups> groups{};
+    /// How many samples met which object; empty unless they are counted.
+    std::vector<ObjectCount> objects;
 
     void add(const RadianceSample& sample) {
         radiance += Vec3(sample.radiance);
@@ -33,8 +36,21 @@ struct PixelSums {
         luminance2 += y * y;
     }
 
+    void count_object(std::uint32_t object) {
+        const auto known =
+            std::find_if(objects.begin(), objects.end(),
+                         [&](const ObjectCount& entry) { return entry.object == object; });
+        if (known != objects.end()) {
+            known->samples += 1;
+        } else if (object != kNoObject) {
+            objects.push_back({object, 1});
+        }
+    }
+
     [[nodiscard]] PixelMeans means(int count) const {
         PixelMeans result;
+        result.objects = objects;
+        result.samples = count;
         result.normal = V3f(normal / count);
         result.albedo = V3f(albedo / count);
         const double mean = luminance / count;

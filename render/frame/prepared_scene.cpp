@@ -1,5 +1,7 @@
 #include "render/frame/prepared_scene.h"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -30,11 +32,32 @@ std::vector<Material> make_materials(const SceneDescription& scene) {
     return materials;
 }
 
+SceneNames names_of(const SceneDescription& scene) {
+    SceneNames names;
+    for (const MaterialDescription& material : scene.materials) {
+        names.materials.push_back(material.name);
+    }
+    for (const ObjectDescription& object : scene.objects) {
+        names.objects.push_back(object.name);
+        const auto found =
+            std::find(names.materials.begin(), names.materials.end(), object.material);
+        names.material_of.push_back(
+            static_cast<std::uint32_t>(std::distance(names.materials.begin(), found)));
+    }
+    for (const LightDescription& light : scene.lights) {
+        if (!std::holds_alternative<EnvironmentLight>(light.light)) {
+            names.objects.push_back(light.name);
+            names.material_of.push_back(static_cast<std::uint32_t>(names.materials.size()));
+        }
+    }
+    return names;
+}
+
 }  // namespace
 
 PreparedScene::PreparedScene(const SceneDescription& scene, const RenderSettings& settings)
     : data_(new Data{StaticGeometry(scene, settings), make_materials(scene), LightSet(scene.lights),
-                     static_cast<std::uint32_t>(scene.objects.size())}) {}
+                     static_cast<std::uint32_t>(scene.objects.size()), names_of(scene)}) {}
 
 PreparedScene::~PreparedScene() = default;
 PreparedScene::PreparedScene(PreparedScene&&) noexcept = default;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/frame/aov_planes.h"
 #include "render/frame/frame.h"
 #include "render/frame_scene/static_geometry.h"
 #include "render/light/light_set.h"
@@ -16,6 +17,7 @@ struct PreparedScene::Data {
     std::vector<Material> materials;  // in the scene's order
     LightSet lights;
     std::uint32_t object_count = 0;  // of the scene; lights follow
+    SceneNames names;
 };
 
 }  // namespace carom::render

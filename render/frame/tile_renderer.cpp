@@ -141,7 +141,12 @@ void TileRenderer::add_samples(int x, int y, int from, int to, PixelSums& sums,
                                   static_cast<std::uint32_t>(y),
                                   static_cast<std::uint32_t>(sample));
         const Ray ray = camera_ray(x, y, stream);
-        sums.add(integrator_->sample(ray, pixel_spread_, stream, {x, y, sample}, count));
+        const RadianceSample result =
+            integrator_->sample(ray, pixel_spread_, stream, {x, y, sample}, count);
+        sums.add(result);
+        if (aovs_.needs_objects()) {
+            sums.count_object(result.object);
+        }
     }
 }
 

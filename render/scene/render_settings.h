@@ -29,8 +29,7 @@ struct RenderSettings {
     PixelFilter filter = PixelFilter::blackman_harris;
     double filter_width = 1.5;  // full width in pixels, [0.5, 8]; box: 1
     AccelerationKind acceleration = AccelerationKind::hybrid;
-    std::vector<std::string>
-        aovs;  // of "depth", "normal", "albedo", "motion", "object_id", "variance"
+    std::vector<std::string> aovs;  // by the names in render/frame/aov_planes.h
 
     bool operator==(const RenderSettings&) const = default;
 };

@@ -115,6 +115,23 @@ TEST(FrameKey, NumbersNamesAndDirection_DoNotEnter) {
     EXPECT_EQ(key, key_with([](Inputs& i) { i.scene.materials.push_back({"unused", {}}); }));
 }
 
+TEST(FrameKey, NamesUnderMattes_Enter) {
+    const auto with_mattes = [](const Change& change) {
+        return key_with([&](Inputs& i) {
+            i.settings.aovs = {"depth", "cryptomatte_object"};
+            change(i);
+        });
+    };
+    const Hash128 key = with_mattes([](Inputs&) {});
+    EXPECT_NE(key, with_mattes([](Inputs& i) { i.scene.objects[1].name = "white"; }));
+    EXPECT_NE(key, with_mattes([](Inputs& i) {
+                  i.scene.materials[0].name = "crimson";
+                  i.scene.objects[1].material = i.scene.objects[2].material = "crimson";
+              }));
+    EXPECT_NE(key, with_mattes([](Inputs& i) { i.scene.lights[0].name = "dome"; }));
+    EXPECT_EQ(key, with_mattes([](Inputs& i) { i.frame.rig = "other"; }));
+}
+
 TEST(FrameKey, MotionOutsideTheShutter_DoesNotEnter) {
     const Hash128 key = Inputs().key();
     EXPECT_EQ(key, key_with([](Inputs& i) { i.cue.back().time = 60; }));

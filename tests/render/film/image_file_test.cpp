@@ -105,6 +105,51 @@ TEST_F(ImageFile, SameFilm_SameBytes) {
     EXPECT_EQ(a.find("carom_film"), std::string::npos) << "the path is in the file";
 }
 
+TEST_F(ImageFile, Notes_ComeBackAndAreReadByOthers) {
+    Film film = some_film(16, 16);
+    film.notes = {{"cryptomatte/3ae39a5/name", "CryptoObject"},
+                  {"cryptomatte/3ae39a5/manifest", std::string(3000, 'x')}};
+    write_exr(film, path("a.exr"), {{"shot", "break"}});
+    EXPECT_EQ(read_exr(path("a.exr")).notes, film.notes);
+    const auto input = OIIO::ImageInput::open(path("a.exr"));
+    ASSERT_TRUE(input);
+    const OIIO::ImageSpec spec = input->spec();
+    EXPECT_EQ(spec.get_string_attribute("cryptomatte/3ae39a5/name"), "CryptoObject");
+    EXPECT_EQ(spec.get_string_attribute("shot"), "break");
+    EXPECT_EQ(spec.channelformat(0), OIIO::TypeHalf);
+    EXPECT_EQ(spec.channelformat(4), OIIO::TypeFloat);
+}
+
+TEST_F(ImageFile, DisplayFormats_HoldTheSamePictureAndSayWhatItIs) {
+    std::vector<std::uint8_t> rgb;
+    for (int i = 0; i < 32 * 24; ++i) {
+        const int x = i % 32;
+        const int y = i / 32;
+        rgb.insert(rgb.end(), {static_cast<std::uint8_t>(8 * x), static_cast<std::uint8_t>(10 * y),
+                               static_cast<std::uint8_t>(4 * x + 5 * y)});
+    }
+    for (const std::string name : {"a.png", "a.bmp", "a.tga", "a.jpg"}) {
+        write_display_image(rgb, 32, 24, path(name),
+                            {{"ImageDescription", "break, frame 12"}, {"Software", "carom 1"}});
+        const auto input = OIIO::ImageInput::open(path(name));
+        ASSERT_TRUE(input) << name;
+        const OIIO::ImageSpec spec = input->spec();
+        ASSERT_EQ(spec.width, 32);
+        ASSERT_EQ(spec.height, 24);
+        ASSERT_EQ(spec.nchannels, 3) << name;
+        std::vector<std::uint8_t> back(rgb.size());
+        ASSERT_TRUE(input->read_image(0, 0, 0, 3, OIIO::TypeUInt8, back.data()));
+        int worst = 0;
+        for (std::size_t i = 0; i < rgb.size(); ++i) {
+            worst = std::max(worst, std::abs(int{back[i]} - int{rgb[i]}));
+        }
+        EXPECT_LE(worst, name == "a.jpg" ? 12 : 0) << name;
+        if (name != "a.bmp") {  // which has no place for it
+            EXPECT_EQ(spec.get_string_attribute("ImageDescription"), "break, frame 12") << name;
+        }
+    }
+}
+
 TEST_F(ImageFile, NoFurtherChannels_IsFine) {
     Film film = some_film(16, 16);
     film.aovs.clear();

@@ -20,6 +20,21 @@ RenderSettings with_all_aovs(int samples) {
     return settings;
 }
 
+/// What the mattes of a pixel say: coverage of a name, and of all.
+double coverage(const Film& film, const std::string& layer, std::size_t pixel,
+                const std::string& name = "") {
+    double sum = 0;
+    const std::vector<std::string> channels = matte_channels(layer);
+    for (std::size_t i = 0; i < channels.size(); i += 2) {
+        const float id = plane(film, channels[i])[pixel];
+        const float share = plane(film, channels[i + 1])[pixel];
+        if (name.empty() || id == matte_id(name)) {
+            sum += static_cast<double>(share);
+        }
+    }
+    return sum;
+}
+
 /// A wall 2 m ahead, a small box in front of it at 1.5 m.
 SceneBuilder wall_and_box() {
     SceneBuilder builder;
@@ -110,6 +125,67 @@ TEST(Aovs, MovingCamera_MovesTheBackgroundToo) {
     EXPECT_LT(plane(film, "motion.X")[at(16, 9)], -1);
     EXPECT_EQ(plane(film, "Z")[at(16, 9)], kFarDepth);
     EXPECT_EQ(plane(film, "object_id")[at(16, 9)], 0);
+}
+
+TEST(Cryptomatte, BlurAndDefocus_CoveragesAddUpToAlpha) {
+    SceneBuilder builder;
+    builder.diffuse("paint", 0.5).diffuse("gold", 0.25).environment(1);
+    builder.object("box", BoxShape{Vec3(0.6, 0.2, 0.3)}, Vec3(0, 1.6, 0), "paint", "box");
+    builder.sphere("ball", 0.2, Vec3(0.3, 1.2, 0.1), "gold");
+    builder.sphere("other ball", 0.2, Vec3(-0.5, 2.2, 0), "gold");
+    builder.bulb(Vec3(-0.3, 1.4, 0.2), 0.08, 3);
+    builder.scene.lights.back().name = "bulb";
+    const std::vector<sim::Track> tracks{
+        test::straight_track("box", Vec3(-0.2, 1.6, 0), Vec3(0.2, 1.6, 0.1), 0, 0.02)};
+    CameraState state = camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8);
+    state.lens_radius = 0.05;
+    FrameInput frame = still_frame(state);
+    frame.scene_close = 0.02;
+    for (const double noise : {0.0, 0.05}) {
+        RenderSettings settings = small_settings(32, 18, 32);
+        settings.noise = noise;
+        settings.aovs = {"cryptomatte_object", "depth", "cryptomatte_material"};
+        const Film film =
+            render_frame(PreparedScene(builder.scene, settings), tracks, frame, settings);
+        ASSERT_EQ(film.aovs.size(), 25u);
+        double boxes = 0;
+        double mixed = 0;
+        for (std::size_t i = 0; i < 32u * 18u; ++i) {
+            const double alpha = film.rgba[4 * i + 3];
+            EXPECT_NEAR(coverage(film, "CryptoObject", i), alpha, 1e-6);
+            EXPECT_NEAR(coverage(film, "CryptoMaterial", i), alpha, 1e-6);
+            EXPECT_NEAR(coverage(film, "CryptoObject", i, "ball") +
+                            coverage(film, "CryptoObject", i, "other ball"),
+                        coverage(film, "CryptoMaterial", i, "gold"), 1e-6);
+            EXPECT_NEAR(coverage(film, "CryptoObject", i, "bulb"),
+                        coverage(film, "CryptoMaterial", i, "light"), 1e-6);
+            boxes += coverage(film, "CryptoObject", i, "box");
+            mixed += plane(film, "CryptoObject00.A")[i] > 0 ? 1 : 0;
+            EXPECT_GE(plane(film, "CryptoObject00.G")[i], plane(film, "CryptoObject00.A")[i]);
+        }
+        // The front face is 0.6 x 0.3 at 1.5 m, in pixels of 2 tan(0.4) / 18; part of it is hidden.
+        const double pixel = 1.5 * 2 * std::tan(0.4) / 18;
+        EXPECT_LT(boxes, 1.1 * 0.18 / (pixel * pixel));
+        EXPECT_GT(boxes, 0.5 * 0.18 / (pixel * pixel));
+        EXPECT_GT(mixed, 20);
+        EXPECT_EQ(film.notes.size(), 8u);
+        EXPECT_NE(film.notes.at("cryptomatte/3ae39a5/manifest").find("\"other ball\":\""),
+                  std::string::npos);
+    }
+}
+
+TEST(Aovs, MaterialId_IsThatOfTheScene) {
+    SceneBuilder builder = wall_and_box();
+    builder.bulb(Vec3(0, 1, 0.2), 0.05, 3);
+    RenderSettings settings = small_settings(32, 18, 1);
+    settings.aovs = {"material_id", "object_id"};
+    const std::vector<sim::Track> tracks{test::resting_track("box", Vec3(0, 1.6, 0))};
+    const FrameInput frame = still_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
+    const Film film = render_frame(PreparedScene(builder.scene, settings), tracks, frame, settings);
+    for (std::size_t i = 0; i < 32u * 18u; ++i) {
+        const float object = plane(film, "object_id")[i];
+        EXPECT_EQ(plane(film, "material_id")[i], object == 3 ? 0 : object);
+    }
 }
 
 TEST(Aovs, Variance_IsTheMeansAndFallsWithSamples) {
