@@ -15,6 +15,7 @@
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/video/video_format.h"
+#include "pipeline/video/view_transform.h"
 #include "render/integrator/distributed_ray_counts.h"
 
 namespace carom::cli {
@@ -65,6 +66,7 @@ void check_film(const Shot& shot, const std::string& path) {
         throw InputError(problem);
     }
     check_output_folder(path);
+    static_cast<void>(pipeline::DisplayView(shot.output));  // before rendering: it may fail
 }
 
 std::int64_t chosen_frame(const FrameCommand& command, const Shot& shot) {
@@ -143,6 +145,7 @@ void run_frame(const FrameCommand& command, CommandContext& context) {
         output_or_default(command.output, command.input.path, numbered_extension(frame));
     check_picture_path(path);
     check_output_folder(path);
+    const pipeline::DisplayView view(input.shot.output);  // before rendering: it may fail
 
     FilmJobOptions options;
     options.cache_folder = command.cache.folder;
@@ -152,7 +155,7 @@ void run_frame(const FrameCommand& command, CommandContext& context) {
         input.shot, bake, frame, options, talk_about_job(context.console, 1), context.stop);
     context.console.end_progress();
     tell_rays(input.shot, film.statistics, context.console);
-    write_picture(film, input.shot.output, path,
+    write_picture(film, view, path,
                   pipeline::exported_frame_metadata(input.shot, bake.timeline, frame));
     print_path(path);
 }

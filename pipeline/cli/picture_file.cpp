@@ -8,7 +8,6 @@
 
 #include "pipeline/cli/run_program.h"
 #include "pipeline/video/pending_file.h"
-#include "pipeline/video/view_transform.h"
 
 namespace carom::cli {
 
@@ -44,15 +43,15 @@ void check_picture_path(const std::string& path) {
     }
 }
 
-void write_picture(const render::Film& film, const pipeline::OutputSettings& output,
+void write_picture(const render::Film& film, const pipeline::DisplayView& view,
                    const std::string& path, const render::ImageMetadata& metadata) {
     pipeline::PendingFile file(path);
     try {
         if (extension_of(path) == ".exr") {
             render::write_exr(film, file.temporary_path(), metadata);
         } else {
-            render::write_display_image(pipeline::to_display_8(film, output), film.width,
-                                        film.height, file.temporary_path(), metadata);
+            render::write_display_image(view.to_8(film), film.width, film.height,
+                                        file.temporary_path(), metadata);
         }
     } catch (const Error& error) {
         throw Error(with_target(error.what(), file));

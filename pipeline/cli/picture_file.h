@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "pipeline/video/output_settings.h"
+#include "pipeline/video/view_transform.h"
 #include "render/film/film.h"
 #include "render/film/image_file.h"
 
@@ -14,7 +14,7 @@ void check_picture_path(const std::string& path);
 
 /// .exr: the film as it is, linear, with its further channels; otherwise 8 bits through the shot's
 /// view transform. Whole or not at all. Throws Error.
-void write_picture(const render::Film& film, const pipeline::OutputSettings& output,
+void write_picture(const render::Film& film, const pipeline::DisplayView& view,
                    const std::string& path, const render::ImageMetadata& metadata);
 
 }  // namespace carom::cli

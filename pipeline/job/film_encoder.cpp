@@ -30,13 +30,14 @@ void encode_film(const Shot& shot, const FilmPlan& plan, const FrameStore& store
                  const std::stop_token& stop) {
     VideoWriter writer(path, {shot.render.width, shot.render.height, shot.timing.fps}, shot.output,
                        video_metadata(shot));
+    const DisplayView view(shot.output);
     std::optional<std::size_t> shown;
     std::vector<std::uint16_t> display;
     const std::size_t frames = plan.picture_of.size();
     for (std::size_t i = 0; i < frames; ++i) {
         const std::size_t picture = plan.picture_of[i];
         if (shown != picture) {
-            display = to_display_16(read_picture(picture, plan, store, board, stop), shot.output);
+            display = view.to_16(read_picture(picture, plan, store, board, stop));
             shown = picture;
         }
         if (stop.stop_requested()) {

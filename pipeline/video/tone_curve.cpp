@@ -1,5 +1,6 @@
 #include "pipeline/video/tone_curve.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/timeline/assert.h"
@@ -51,6 +52,51 @@ std::function<double(double)> filmic_curve(const FilmicParameters& parameters) {
     const double b = (left_white - left_mid) / (std::pow(white, ad) - std::pow(mid, ad));
     const double c = left_white - std::pow(white, ad) * b;
     return [=](double x) { return x <= 0 ? 0 : std::pow(x, a) / (std::pow(x, ad) * b + c); };
+}
+
+namespace {
+
+double sigmoid(double u, double power) {
+    return u / std::pow(1 + std::pow(u, power), 1 / power);
+}
+
+/// a in a S(slope * stops / a) = height, which grows with a from 0 to slope * stops > height.
+double amplitude(double height, double slope, double stops, double power) {
+    CAROM_ASSERT(slope * stops > height);
+    double low = height;
+    double high = 2 * height;
+    const auto reached = [&](double a) { return a * sigmoid(slope * stops / a, power); };
+    while (reached(high) < height) {
+        high *= 2;
+    }
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (reached(middle) < height ? low : high) = middle;
+    }
+    return high;
+}
+
+}  // namespace
+
+std::function<double(double)> logarithmic_curve(const LogarithmicParameters& p) {
+    const double mid = std::pow(p.mid_grey, 1 / p.display_gamma);
+    const double below = amplitude(mid, p.slope, p.stops_below, p.toe);
+    const double above = amplitude(1 - mid, p.slope, p.stops_above, p.shoulder);
+    return [=](double light) {
+        if (light <= 0) {
+            return 0.0;
+        }
+        const double stops =
+            std::clamp(std::log2(light / p.mid_grey), -p.stops_below, p.stops_above);
+        const double signal = stops < 0
+                                  ? mid - below * sigmoid(-stops * p.slope / below, p.toe)
+                                  : mid + above * sigmoid(stops * p.slope / above, p.shoulder);
+        return std::pow(std::clamp(signal, 0.0, 1.0), p.display_gamma);
+    };
+}
+
+double white_of(const LogarithmicParameters& parameters) {
+    return parameters.mid_grey * std::exp2(parameters.stops_above);
 }
 
 }  // namespace carom::pipeline

@@ -4,10 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
+#include <string>
 
 #include "pipeline/video/dither.h"
+#include "pipeline/video/glow.h"
 #include "pipeline/video/tone_curve.h"
 #include "sim/timeline/assert.h"
+#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 
@@ -59,6 +63,32 @@ class FilmicView {
     ToneCurve curve_;
 };
 
+/// See tone_curve.h.
+class AgxView {
+  public:
+    AgxView() : curve_(logarithmic_curve(parameters_), white_of(parameters_)) {}
+
+    [[nodiscard]] Colour operator()(Colour colour) const {
+        const auto inset = static_cast<float>(parameters_.inset);
+        const auto outset = static_cast<float>(parameters_.outset);
+        const float light = mean(colour);
+        for (float& channel : colour) {
+            channel = curve_(channel + inset * (light - channel));
+        }
+        const float shown = mean(colour);
+        for (float& channel : colour) {
+            channel = (channel - outset * shown) / (1 - outset);
+        }
+        return colour;
+    }
+
+  private:
+    static float mean(const Colour& c) { return (c[0] + c[1] + c[2]) / 3; }
+
+    LogarithmicParameters parameters_;
+    ToneCurve curve_;
+};
+
 struct PlainView {
     [[nodiscard]] Colour operator()(const Colour& colour) const { return colour; }
 };
@@ -81,16 +111,53 @@ void transform(const render::Film& film, float gain, const View& view, const Enc
     }
 }
 
+void transform_by(const render::OcioView& ocio, const render::Film& film, float gain,
+                  std::vector<std::uint16_t>& display) {
+    std::vector<float> rgb;
+    rgb.reserve(display.size());
+    for (std::size_t i = 0; i < film.rgba.size(); i += 4) {
+        const Colour colour = exposed(&film.rgba[i], gain);
+        rgb.insert(rgb.end(), colour.begin(), colour.end());
+    }
+    ocio.apply(rgb, film.width, film.height);
+    for (std::size_t i = 0; i < rgb.size(); ++i) {
+        const float signal = rgb[i] > 0 ? std::min(rgb[i], 1.0F) : 0.0F;
+        display[i] = static_cast<std::uint16_t>(signal * 65535.0F + 0.5F);
+    }
+}
+
+std::string ocio_config() {
+    const char* path = std::getenv("OCIO");
+    if (path == nullptr || *path == 0) {
+        throw Error(
+            "'view: ocio' needs the environment variable OCIO to name an OpenColorIO "
+            "configuration");
+    }
+    return path;
+}
+
 }  // namespace
 
-std::vector<std::uint16_t> to_display_16(const render::Film& film, const OutputSettings& output) {
+DisplayView::DisplayView(const OutputSettings& output) : output_(output) {
+    if (output.view == ViewTransform::ocio) {
+        ocio_.emplace(ocio_config(), render::OcioNames{output.ocio.display, output.ocio.view,
+                                                       output.ocio.colour_space});
+    }
+}
+
+std::vector<std::uint16_t> DisplayView::to_16(const render::Film& source) const {
     const std::size_t pixels =
-        static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
-    CAROM_ASSERT(film.rgba.size() == 4 * pixels);
-    const auto gain = static_cast<float>(std::exp2(output.exposure));
+        static_cast<std::size_t>(source.width) * static_cast<std::size_t>(source.height);
+    CAROM_ASSERT(source.rgba.size() == 4 * pixels);
+    std::optional<render::Film> glowing;
+    if (output_.glow.strength > 0) {
+        glowing = with_glow(source, output_.glow);
+    }
+    const render::Film& film = glowing ? *glowing : source;
+    const auto gain = static_cast<float>(std::exp2(output_.exposure));
     std::vector<std::uint16_t> display(3 * pixels);
     const ToneCurve encode(srgb_encode, 1.0);
-    switch (output.view) {
+    switch (output_.view) {
         case ViewTransform::srgb:
             transform(film, gain, PlainView{}, encode, display);
             break;
@@ -100,12 +167,26 @@ std::vector<std::uint16_t> to_display_16(const render::Film& film, const OutputS
         case ViewTransform::raw:
             transform(film, gain, PlainView{}, unencoded, display);
             break;
+        case ViewTransform::agx:
+            transform(film, gain, AgxView{}, encode, display);
+            break;
+        case ViewTransform::ocio:
+            transform_by(*ocio_, film, gain, display);
+            break;
     }
     return display;
 }
 
+std::vector<std::uint16_t> to_display_16(const render::Film& film, const OutputSettings& output) {
+    return DisplayView(output).to_16(film);
+}
+
 std::vector<std::uint8_t> to_display_8(const render::Film& film, const OutputSettings& output) {
-    const std::vector<std::uint16_t> fine = to_display_16(film, output);
+    return DisplayView(output).to_8(film);
+}
+
+std::vector<std::uint8_t> DisplayView::to_8(const render::Film& film) const {
+    const std::vector<std::uint16_t> fine = to_16(film);
     const auto width = static_cast<std::size_t>(film.width);
     std::vector<std::uint8_t> display(fine.size());
     for (std::size_t i = 0; i < fine.size(); ++i) {

@@ -2,16 +2,34 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "pipeline/video/output_settings.h"
 #include "render/film/film.h"
+#include "render/film/ocio_view.h"
 
 namespace carom::pipeline {
 
-/// sRGB-encoded 16-bit RGB (width * height * 3), row by row from the top left. The colours are
-/// those of the film over black; alpha does not enter. Values below 0 and NaN become black, values
-/// beyond the view's white become white.
+/// The film's way to a display, ready to be used for many frames, from any thread.
+class DisplayView {
+  public:
+    /// Throws Error: the view is by OpenColorIO, and $OCIO names no configuration, or none that
+    /// has what the settings name.
+    explicit DisplayView(const OutputSettings& output);
+
+    /// See below.
+    [[nodiscard]] std::vector<std::uint16_t> to_16(const render::Film& film) const;
+    [[nodiscard]] std::vector<std::uint8_t> to_8(const render::Film& film) const;
+
+  private:
+    OutputSettings output_;
+    std::optional<render::OcioView> ocio_;
+};
+
+/// sRGB-encoded (by OpenColorIO: as its display wants it) 16-bit RGB (width * height * 3), row by
+/// row from the top left. The colours are those of the film over black; alpha does not enter.
+/// Values below 0 and NaN become black, values beyond the view's white become white.
 [[nodiscard]] std::vector<std::uint16_t> to_display_16(const render::Film& film,
                                                        const OutputSettings& output);
 

@@ -205,10 +205,36 @@ void add_sampling(MapSpec<RenderSection>& s) {
 
 std::vector<std::pair<std::string, std::string>> aov_names() {
     std::vector<std::pair<std::string, std::string>> names;
-    for (const char* name : {"depth", "normal", "albedo", "motion", "object_id", "variance"}) {
+    for (const char* name : {"depth", "normal", "albedo", "motion", "object_id", "material_id",
+                             "cryptomatte_object", "cryptomatte_material", "variance"}) {
         names.emplace_back(name, name);
     }
     return names;
+}
+
+const MapSpec<OcioSettings>& ocio_spec() {
+    static const MapSpec<OcioSettings> spec = [] {
+        MapSpec<OcioSettings> s("ocio", "Names out of an OpenColorIO configuration.");
+        s.key("display", &OcioSettings::display, text("a name"),
+              "without it the configuration's default");
+        s.key("view", &OcioSettings::view, text("a name"), "without it the display's default");
+        s.key("colour_space", &OcioSettings::colour_space, text("a name"),
+              "linear Rec.709, which films are in; without it the role scene_linear");
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<GlowSettings>& glow_spec() {
+    static const MapSpec<GlowSettings> spec = [] {
+        MapSpec<GlowSettings> s("glow", "Light that lens and eye scatter around bright points.");
+        s.key("strength", &GlowSettings::strength, number(between(0, 1)),
+              "share of all light that is scattered: 0.05 is a little haze");
+        s.key("radius", &GlowSettings::radius, number(above_up_to(0, 1)),
+              "of the widest part, in picture heights");
+        return s;
+    }();
+    return spec;
 }
 
 }  // namespace
@@ -236,7 +262,7 @@ const MapSpec<RenderSection>& render_spec() {
             distributed_spec(), "rays of the distributed integrator");
         s.key(
             "aovs", [](RenderSection& r) -> std::vector<std::string>& { return r.settings.aovs; },
-            list_of(choice<std::string>(aov_names()), 0, 6), "further channels of each frame");
+            list_of(choice<std::string>(aov_names()), 0, 9), "further channels of each frame");
         s.check([](Reader& reader, const Node& node, RenderSection& r) {
             const Entry* noise = node.find("noise");
             if (noise != nullptr && r.settings.noise > 0 && r.settings.samples % 4 != 0) {
@@ -269,8 +295,20 @@ const MapSpec<OutputSettings>& output_spec() {
         s.key("view", &OutputSettings::view,
               choice<ViewTransform>({{"srgb", ViewTransform::srgb},
                                      {"filmic", ViewTransform::filmic},
+                                     {"agx", ViewTransform::agx},
+                                     {"ocio", ViewTransform::ocio},
                                      {"raw", ViewTransform::raw}}),
-              "from scene light to what a display shows; `raw`: the numbers as they are");
+              "from scene light to what a display shows; `ocio`: by the OpenColorIO configuration "
+              "that the environment variable OCIO names; `raw`: the numbers as they are");
+        s.key("ocio", &OutputSettings::ocio, record(ocio_spec()), "what of it, with `view: ocio`");
+        s.key("glow", &OutputSettings::glow, record(glow_spec()),
+              "light that lens and eye scatter around bright points");
+        s.check([](Reader& reader, const Node& node, OutputSettings& output) {
+            const Entry* ocio = node.find("ocio");
+            if (ocio != nullptr && output.view != ViewTransform::ocio) {
+                reader.error(ocio->value.place, "'ocio' goes with 'view: ocio' only");
+            }
+        });
         s.key("exposure", &OutputSettings::exposure, number(between(-32, 32)), "in stops");
         return s;
     }();

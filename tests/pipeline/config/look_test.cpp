@@ -1,4 +1,7 @@
 // The sections that are seen: materials, lights, and what balls and objects look like.
+#include <algorithm>
+#include <filesystem>
+
 #include <gmock/gmock.h>
 
 #include "tests/pipeline/config/load.h"
@@ -49,6 +52,57 @@ TEST(Materials, Standard_FillsEveryField) {
     EXPECT_EQ(m.coat.ior, 1.6);
     EXPECT_EQ(m.coat.roughness, 0.02);
     EXPECT_EQ(read_material("{base: 0.5}").coat.weight, 0);
+}
+
+TEST(Materials, Glass_FillsEveryField) {
+    const render::StandardMaterial m = read_material(
+        "{transmission: 0.9, ior: 1.6, transmission_colour: [0.9, 0.8, 0.7],\n"
+        "  transmission_depth: 20 mm}");
+    EXPECT_EQ(m.transmission, 0.9);
+    EXPECT_EQ(m.ior, 1.6);
+    EXPECT_EQ(m.transmission_colour, Vec3(0.9, 0.8, 0.7));
+    EXPECT_EQ(m.transmission_depth, 0.02);
+    EXPECT_EQ(read_material("{base: 0.5}").transmission, 0);
+}
+
+TEST(Output, ViewsAndGlow_FillEveryField) {
+    const Shot shot = load_sections(
+        "output: {view: ocio, ocio: {display: a, view: b, colour_space: c},\n"
+        "  glow: {strength: 0.1, radius: 0.2}}\n");
+    EXPECT_EQ(shot.output.view, ViewTransform::ocio);
+    EXPECT_EQ(shot.output.ocio.display, "a");
+    EXPECT_EQ(shot.output.ocio.view, "b");
+    EXPECT_EQ(shot.output.ocio.colour_space, "c");
+    EXPECT_EQ(shot.output.glow.strength, 0.1);
+    EXPECT_EQ(shot.output.glow.radius, 0.2);
+    EXPECT_EQ(load_sections("output: {view: agx}\n").output.view, ViewTransform::agx);
+}
+
+std::vector<std::string> shipped_shots() {
+    std::vector<std::string> files;
+    const std::filesystem::path examples = std::string(CAROM_SOURCE_DIR) + "/examples";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(examples)) {
+        if (entry.path().extension() == ".yaml") {
+            files.push_back(entry.path().string());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+TEST(Examples, All_HaveNoProblemAndTheirFilesAreThere) {
+    EXPECT_GE(shipped_shots().size(), 15u);
+    for (const std::string& file : shipped_shots()) {
+        const LoadResult result = load_shot(file, {}, "");
+        EXPECT_EQ(all_problems(result), "") << file;
+        ASSERT_TRUE(result.shot) << file;
+        for (const render::ObjectDescription& object : result.shot->scene.objects) {
+            const auto* mesh = std::get_if<render::MeshShape>(&object.shape);
+            EXPECT_TRUE(mesh == nullptr || mesh->file.empty() ||
+                        std::filesystem::exists(mesh->file))
+                << file;
+        }
+    }
 }
 
 TEST(Materials, Phong_FillsEveryField) {

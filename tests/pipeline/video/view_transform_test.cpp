@@ -1,11 +1,16 @@
 #include "pipeline/video/view_transform.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "pipeline/video/tone_curve.h"
+#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {
@@ -74,6 +79,164 @@ TEST(FilmicView, Greys_StayGreyAndRise) {
         last = grey[0];
     }
     EXPECT_EQ(last, 65535);
+}
+
+TEST(AgxView, MidGrey_IsThatOfThePlainView) {
+    const auto plain = shown({0.18F, 0.18F, 0.18F}, ViewTransform::srgb);
+    const auto agx = shown({0.18F, 0.18F, 0.18F}, ViewTransform::agx);
+    EXPECT_NEAR(plain[0], agx[0], 3);
+}
+
+TEST(AgxView, Greys_StayGreyAndRiseOverSixteenStopsWithoutASuddenEnd) {
+    int last = -1;
+    int largest_step = 0;
+    for (double stops = -11; stops < 7; stops += 0.125) {
+        const float x = static_cast<float>(0.18 * std::exp2(stops));
+        const auto grey = shown({x, x, x}, ViewTransform::agx);
+        ASSERT_LE(std::abs(grey[0] - grey[1]), 1) << stops;
+        ASSERT_LE(std::abs(grey[0] - grey[2]), 1) << stops;
+        ASSERT_GE(grey[0], last) << stops;
+        largest_step = last < 0 ? 0 : std::max(largest_step, grey[0] - last);
+        last = grey[0];
+    }
+    EXPECT_EQ(last, 65535);
+    EXPECT_LT(largest_step, 0.16 / 8 * 65535);  // nowhere steeper than 0.16 a stop
+}
+
+TEST(AgxView, SixStopsOverMidGrey_StillDifferFromWhite) {
+    const auto at_stops = [](double stops) {
+        const float x = static_cast<float>(0.18 * std::exp2(stops));
+        return shown({x, x, x}, ViewTransform::agx)[0];
+    };
+    EXPECT_LT(at_stops(5), 64800);
+    EXPECT_GT(at_stops(5), 60000);
+    EXPECT_GT(at_stops(-7), 0);
+    EXPECT_LT(at_stops(-7), 1500);
+}
+
+TEST(AgxView, EveryPureLight_GoesToWhiteAndKeepsItsOrder) {
+    for (const std::array<float, 3>& colour :
+         {std::array<float, 3>{1, 0, 0}, std::array<float, 3>{0, 1, 0},
+          std::array<float, 3>{0, 0, 1}, std::array<float, 3>{1, 0.4F, 0.05F}}) {
+        for (float light = 0.01F; light < 1000; light *= 1.3F) {
+            const auto c = shown({light * colour[0], light * colour[1], light * colour[2]},
+                                 ViewTransform::agx);
+            for (std::size_t i = 0; i < 3; ++i) {
+                for (std::size_t j = 0; j < 3; ++j) {
+                    ASSERT_TRUE(colour[i] < colour[j] || c[i] >= c[j]) << light;
+                }
+            }
+        }
+        const auto white =
+            shown({900 * colour[0], 900 * colour[1], 900 * colour[2]}, ViewTransform::agx);
+        for (const std::uint16_t channel : white) {
+            EXPECT_GT(channel, 64000);
+        }
+    }
+}
+
+/// A configuration in a file, named by $OCIO while this lives.
+class Configuration {
+  public:
+    explicit Configuration(const std::string& text)
+        : path_(testing::TempDir() + "carom_test.ocio") {
+        std::ofstream(path_) << text;
+        setenv("OCIO", path_.c_str(), 1);
+    }
+    Configuration(const Configuration&) = delete;
+    Configuration& operator=(const Configuration&) = delete;
+    ~Configuration() {
+        unsetenv("OCIO");
+        std::filesystem::remove(path_);
+    }
+
+  private:
+    std::string path_;
+};
+
+// Two displays; "dim" is a gamma of 2 after a halving.
+constexpr const char* kConfig = R"(ocio_profile_version: 2
+roles: {default: linear, scene_linear: linear}
+file_rules: [!<Rule> {name: Default, colorspace: default}]
+displays:
+  monitor:
+    - !<View> {name: plain, colorspace: linear}
+    - !<View> {name: dim, colorspace: dim}
+  projector:
+    - !<View> {name: dim, colorspace: dim}
+active_displays: [monitor, projector]
+active_views: [plain, dim]
+colorspaces:
+  - !<ColorSpace> {name: linear}
+  - !<ColorSpace>
+    name: dim
+    from_scene_reference: !<GroupTransform>
+      children:
+        - !<MatrixTransform> {matrix: [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]}
+        - !<ExponentTransform> {value: [0.5, 0.5, 0.5, 1]}
+)";
+
+std::string problem_with(const OutputSettings& output) {
+    try {
+        static_cast<void>(DisplayView(output));
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "none";
+}
+
+TEST(OcioView, NamesOrDefaults_GiveWhatTheConfigurationSays) {
+    const Configuration config(kConfig);
+    const render::Film film = film_of({{0.5F, 0.02F, 3.0F}}, 1);
+    OutputSettings output;
+    output.view = ViewTransform::ocio;
+    const auto plain = to_display_16(film, output);
+    EXPECT_NEAR(plain[0], 0.5 * 65535, 2);
+    EXPECT_EQ(plain[2], 65535);
+    output.ocio.display = "projector";
+    output.exposure = 1;
+    const auto dim = to_display_16(film, output);
+    EXPECT_NEAR(dim[0], std::sqrt(0.5) * 65535, 8);
+    EXPECT_NEAR(dim[1], std::sqrt(0.02) * 65535, 8);
+}
+
+TEST(OcioView, WhatIsMissing_IsSaid) {
+    OutputSettings output;
+    output.view = ViewTransform::ocio;
+    unsetenv("OCIO");
+    EXPECT_EQ(problem_with(output),
+              "'view: ocio' needs the environment variable OCIO to name an OpenColorIO "
+              "configuration");
+    setenv("OCIO", "/no/such/config.ocio", 1);
+    EXPECT_EQ(problem_with(output), "there is no OpenColorIO configuration '/no/such/config.ocio'");
+    const Configuration config(kConfig);
+    EXPECT_EQ(problem_with(output), "none");
+    output.ocio.display = "telephone";
+    EXPECT_THAT(problem_with(output),
+                testing::HasSubstr("no display 'telephone'; there are 'monitor', 'projector'"));
+    output.ocio.display = "projector";
+    output.ocio.view = "plain";
+    EXPECT_THAT(problem_with(output), testing::HasSubstr("no view 'plain'; there are 'dim'"));
+    output.ocio.view = "";
+    output.ocio.colour_space = "nothing";
+    EXPECT_THAT(problem_with(output), testing::HasSubstr("no colour space 'nothing'"));
+}
+
+TEST(OcioView, Rubbish_IsRefused) {
+    const Configuration config("this is: [no configuration");
+    OutputSettings output;
+    output.view = ViewTransform::ocio;
+    EXPECT_THAT(problem_with(output), testing::HasSubstr("is no usable OpenColorIO configuration"));
+}
+
+TEST(Views, Glow_IsAddedBeforeTheView) {
+    std::vector<std::array<float, 3>> colours(64 * 36, {0.0F, 0.0F, 0.0F});
+    colours[18 * 64 + 32] = {5000, 5000, 5000};
+    const render::Film film = film_of(colours, 64);
+    OutputSettings output;
+    EXPECT_EQ(to_display_16(film, output)[3 * (18 * 64 + 34)], 0);
+    output.glow = {0.1, 0.1};
+    EXPECT_GT(to_display_16(film, output)[3 * (18 * 64 + 34)], 30000);
 }
 
 TEST(FilmicView, BrightSaturatedLight_GoesToWhite) {

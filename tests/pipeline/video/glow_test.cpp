@@ -1,0 +1,116 @@
+#include "pipeline/video/glow.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace carom::pipeline {
+namespace {
+
+render::Film even_film(int width, int height, float light) {
+    render::Film film;
+    film.width = width;
+    film.height = height;
+    for (int i = 0; i < width * height; ++i) {
+        film.rgba.insert(film.rgba.end(), {light, 0.5F * light, 0.0F, 0.25F});
+    }
+    return film;
+}
+
+std::size_t at(const render::Film& film, int x, int y) {
+    return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width) +
+                static_cast<std::size_t>(x));
+}
+
+double sum_of(const render::Film& film, std::size_t channel) {
+    double sum = 0;
+    for (std::size_t i = channel; i < film.rgba.size(); i += 4) {
+        sum += static_cast<double>(film.rgba[i]);
+    }
+    return sum;
+}
+
+TEST(Glow, NoStrength_ChangesNothing) {
+    const render::Film film = even_film(7, 5, 0.3F);
+    EXPECT_EQ(with_glow(film, {0, 0.1}).rgba, film.rgba);
+}
+
+TEST(Glow, EvenPicture_StaysEven) {
+    for (const double radius : {0.001, 0.04, 1.0}) {
+        const render::Film film = even_film(40, 30, 0.7F);
+        const render::Film glowing = with_glow(film, {0.8, radius});
+        for (std::size_t i = 0; i < film.rgba.size(); ++i) {
+            ASSERT_NEAR(glowing.rgba[i], film.rgba[i], 1e-6F) << radius;
+        }
+    }
+}
+
+TEST(Glow, PointAnywhere_KeepsItsLight) {
+    for (const auto& [x, y] : {std::pair{30, 20}, std::pair{0, 0}, std::pair{63, 11}}) {
+        for (const double radius : {0.01, 0.1, 0.9}) {
+            render::Film film = even_film(64, 48, 0);
+            film.rgba[at(film, x, y)] = 5000;
+            const render::Film glowing = with_glow(film, {0.2, radius});
+            EXPECT_NEAR(sum_of(glowing, 0), 5000, 5e-3) << x << " " << y << " " << radius;
+            EXPECT_EQ(sum_of(glowing, 1), 0);
+            EXPECT_GE(glowing.rgba[at(film, x, y)], 0.8F * 5000);
+        }
+    }
+}
+
+TEST(Glow, Point_IsRoundAndFallsOffAsTheInverseSquare) {
+    render::Film film = even_film(201, 201, 0);
+    film.rgba[at(film, 100, 100)] = 1e4F;
+    const render::Film glowing = with_glow(film, {1, 0.15});
+    float last = std::numeric_limits<float>::infinity();
+    for (int r = 0; r < 90; ++r) {
+        const float right = glowing.rgba[at(film, 100 + r, 100)];
+        ASSERT_LE(right, last) << r;
+        ASSERT_NEAR(right, glowing.rgba[at(film, 100, 100 - r)], 1e-5F * right);
+        last = right;
+    }
+    for (const int r : {7, 14, 28}) {  // along the diagonal, too
+        const int leg = static_cast<int>(std::lround(r * 0.70710678));
+        const float diagonal = glowing.rgba[at(film, 100 + leg, 100 + leg)];
+        EXPECT_NEAR(diagonal, glowing.rgba[at(film, 100 + r, 100)], 0.12F * diagonal) << r;
+    }
+    // From the narrowest to the widest bell the mean slope over logarithms is near -2.
+    const double slope = std::log(static_cast<double>(glowing.rgba[at(film, 102, 100)] /
+                                                      glowing.rgba[at(film, 132, 100)])) /
+                         std::log(2.0 / 32.0);
+    EXPECT_NEAR(slope, -2, 0.4);
+}
+
+TEST(Glow, Deviation_IsTheRadius) {
+    // The variance along x is the mean of the bells': (1 + 1/16 + 1/256) / 3 of the radius squared.
+    render::Film film = even_film(301, 101, 0);
+    film.rgba[at(film, 150, 50)] = 1;
+    const double radius = 0.12;
+    const render::Film glowing = with_glow(film, {1, radius});
+    double variance = 0;
+    for (int y = 0; y < film.height; ++y) {
+        for (int x = 0; x < film.width; ++x) {
+            variance += static_cast<double>(glowing.rgba[at(film, x, y)]) * (x - 150) * (x - 150);
+        }
+    }
+    const double expected = std::pow(radius * 101, 2) * (1 + 1.0 / 16 + 1.0 / 256) / 3;
+    EXPECT_NEAR(variance, expected, 0.02 * expected);
+}
+
+TEST(Glow, NotFiniteValues_CountAsNothing) {
+    render::Film film = even_film(9, 9, 1);
+    film.rgba[at(film, 4, 4)] = std::numeric_limits<float>::quiet_NaN();
+    film.rgba[at(film, 5, 5)] = std::numeric_limits<float>::infinity();
+    for (const float value : with_glow(film, {0.3, 0.2}).rgba) {
+        EXPECT_TRUE(std::isfinite(value));
+    }
+}
+
+TEST(Glow, OnePixel_IsFine) {
+    EXPECT_NEAR(with_glow(even_film(1, 1, 0.5F), {0.5, 1}).rgba[0], 0.5F, 1e-6F);
+}
+
+}  // namespace
+}  // namespace carom::pipeline
