@@ -1,37 +1,12 @@
 #!/usr/bin/env python3
 """Makes configs/looks/club_room.hdr: what surrounds the table in the `club` look.
 
-An equirectangular Radiance picture (Ward, Real Pixels, Graphics Gems II, 1991), Z up, whose centre column looks
-along +x: dark panelled walls, a lit bar with bottles on one side, rows of small bulbs, two dim windows. Only the
-Python standard library; the same file every time.
+Dark panelled walls, a lit bar with bottles on one side, rows of small bulbs, two dim windows.
 """
 import math
 import sys
 
-WIDTH, HEIGHT = 512, 256
-
-
-def noise(*key):
-    """A fixed pseudo-random number in [0, 1) of a few integers."""
-    h = 2166136261
-    for k in key:
-        h = ((h ^ (k & 0xFFFFFFFF)) * 16777619) & 0xFFFFFFFF
-        h ^= h >> 15
-        h = (h * 2246822519) & 0xFFFFFFFF
-        h ^= h >> 13
-    return h / 4294967296.0
-
-
-def bump(x, half):
-    """1 at 0, falling smoothly to 0 at +-half."""
-    t = abs(x) / half
-    return (1 - t * t) ** 2 if t < 1 else 0.0
-
-
-def turn(a):
-    """An angle in degrees brought into [-180, 180)."""
-    return (a + 180.0) % 360.0 - 180.0
-
+from radiance_file import bump, noise, turn, write
 
 BULBS = []  # azimuth, elevation, radius (degrees), radiance
 for i in range(9):  # along the bar, behind the table's left long side
@@ -74,45 +49,5 @@ def radiance(azimuth, elevation):
     return r, g, b
 
 
-def rgbe(r, g, b):
-    top = max(r, g, b)
-    if top < 1e-32:
-        return 0, 0, 0, 0
-    mantissa, exponent = math.frexp(top)
-    scale = mantissa * 256.0 / top
-    return int(r * scale), int(g * scale), int(b * scale), exponent + 128
-
-
-def run_lengths(values):
-    """One channel of a scan line, run-length coded as the format has it."""
-    out, i = bytearray(), 0
-    while i < len(values):
-        run = 1
-        while run < 127 and i + run < len(values) and values[i + run] == values[i]:
-            run += 1
-        if run >= 4:
-            out += bytes((128 + run, values[i]))
-            i += run
-            continue
-        start = i
-        while i < len(values) and i - start < 128:
-            if i + 3 < len(values) and values[i] == values[i + 1] == values[i + 2] == values[i + 3]:
-                break
-            i += 1
-        out += bytes((i - start,)) + bytes(values[start:i])
-    return bytes(out)
-
-
-def main(path):
-    with open(path, "wb") as file:
-        file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n" % (HEIGHT, WIDTH))
-        for y in range(HEIGHT):
-            elevation = 90 - (y + 0.5) * 180 / HEIGHT
-            line = [rgbe(*radiance(180 - (x + 0.5) * 360 / WIDTH, elevation)) for x in range(WIDTH)]
-            file.write(bytes((2, 2, WIDTH >> 8, WIDTH & 255)))
-            for channel in range(4):
-                file.write(run_lengths([pixel[channel] for pixel in line]))
-
-
 if __name__ == "__main__":
-    main(sys.argv[1] if len(sys.argv) > 1 else "configs/looks/club_room.hdr")
+    write(sys.argv[1] if len(sys.argv) > 1 else "configs/looks/club_room.hdr", radiance)
