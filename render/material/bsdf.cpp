@@ -240,7 +240,8 @@ std::optional<BsdfSample> Bsdf::sample_glass(Layers layers, const V2f& u, float 
     const GlassConstants& constants = *surface_->layers->glass;
     const GlassLobe glass(constants, surface_->is_inside, wo_);
     if (constants.alpha > 0) {
-        return finish(layers, glass.sample(u));
+        const V3f wi = glass.sample(u);
+        return finish(layers, wi, wi.z < 0);
     }
     const float weight = glass_ / probability;
     return u.x < glass.reflectance() ? mirror(V3f(weight))
@@ -269,15 +270,16 @@ std::optional<BsdfSample> Bsdf::mirror(const V3f& weight) const {
     return sample;
 }
 
-std::optional<BsdfSample> Bsdf::finish(Layers layers, const V3f& wi) const {
+// `passes`: meant to go to the far side; other lobes only stray there.
+std::optional<BsdfSample> Bsdf::finish(Layers layers, const V3f& wi, bool passes) const {
     BsdfSample sample;
     sample.direction = surface_->frame.to_world(wi).normalized();
     const float side = surface_->geometric_normal ^ sample.direction;
-    if ((wi.z <= 0 || side <= 0) && !(transmits() && wi.z < 0 && side < 0)) {
+    if (passes ? wi.z >= 0 || side >= 0 : wi.z <= 0 || side <= 0) {
         return std::nullopt;
     }
     const BsdfValue value = is_lambert(layers) ? lambert(layers, wi.z)
-                            : wi.z < 0         ? evaluate_through(layers, wi)
+                            : passes           ? evaluate_through(layers, wi)
                                                : evaluate_local(layers, wi);
     if (value.pdf <= 0) {
         return std::nullopt;

@@ -91,7 +91,8 @@ class Bsdf {
                                                          float probability) const;
     [[nodiscard]] std::optional<BsdfSample> mirror(const V3f& weight) const;
     [[nodiscard]] std::optional<BsdfSample> pass(const V3f& wi, const V3f& weight) const;
-    [[nodiscard]] std::optional<BsdfSample> finish(Layers layers, const V3f& wi) const;
+    [[nodiscard]] std::optional<BsdfSample> finish(Layers layers, const V3f& wi,
+                                                   bool passes = false) const;
     void weigh_base(float base_share);
 
     const Surface* surface_;

@@ -10,8 +10,8 @@ import sys
 from radiance_file import bump, noise, step, turn, write
 
 # Azimuth of the middle, half width, lower and upper end (all degrees), brightness.
-WINDOWS = [(62, 9.5, 3, 34, 1.0), (90, 10.5, 2.5, 37, 1.15), (118, 9.5, 3, 34, 1.0), (-14, 5, 5, 22, 0.45),
-           (10, 5, 5, 22, 0.5)]
+WINDOWS = [(62, 9.5, 3, 34, 1.5), (90, 10.5, 2.5, 37, 1.7), (118, 9.5, 3, 34, 1.5), (-14, 5, 5, 22, 0.7),
+           (10, 5, 5, 22, 0.75)]
 
 
 def view(azimuth, elevation):
@@ -32,14 +32,14 @@ def view(azimuth, elevation):
 def radiance(azimuth, elevation):
     # Walls are lightest opposite the windows; panelling up to the height of a chair's back.
     facing = 0.5 - 0.5 * math.cos(math.radians(turn(azimuth - 90)))
-    light = 0.16 + 0.30 * facing
+    light = 0.09 + 0.17 * facing
     r, g, b = light * 1.02, light, light * 0.95
     if elevation < 1.5:
         groove = 1 - 0.25 * bump(turn(azimuth * 30) / 30, 0.5)
         r, g, b = r * 0.72 * groove, g * 0.69 * groove, b * 0.62 * groove
     if elevation > 42:
         fade = min(1.0, (elevation - 42) / 8)
-        r, g, b = r + (0.42 - r) * fade, g + (0.42 - g) * fade, b + (0.43 - b) * fade
+        r, g, b = r + (0.30 - r) * fade, g + (0.30 - g) * fade, b + (0.31 - b) * fade
     if elevation < -6:
         r, g, b = 0.16, 0.12, 0.085
     for k, (centre, half, low, high, scale) in enumerate(WINDOWS):
