@@ -1,6 +1,9 @@
 // The sections that are seen: materials, lights, and what balls and objects look like.
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
 
 #include <gmock/gmock.h>
 
@@ -103,6 +106,25 @@ TEST(Examples, All_HaveNoProblemAndTheirFilesAreThere) {
                 << file;
         }
     }
+}
+
+TEST(Gallery, EveryPictureOnThePage_IsThereAndSoIsItsShot) {
+    const std::string root = CAROM_SOURCE_DIR;
+    std::ifstream stream(root + "/docs/gallery.md");
+    const std::string page{std::istreambuf_iterator<char>(stream), {}};
+    const std::regex link(R"(\(images/gallery/([a-z_]+)\.jpg\))");
+    int pictures = 0;
+    std::uintmax_t bytes = 0;
+    for (std::sregex_iterator i(page.begin(), page.end(), link), end; i != end; ++i) {
+        const std::string name = (*i)[1];
+        const std::string file = root + "/docs/images/gallery/" + name + ".jpg";
+        EXPECT_TRUE(std::filesystem::exists(root + "/examples/gallery/" + name + ".yaml")) << name;
+        ASSERT_TRUE(std::filesystem::exists(file)) << name;
+        bytes += std::filesystem::file_size(file);
+        pictures += 1;
+    }
+    EXPECT_EQ(pictures, 16);
+    EXPECT_LT(bytes, 6'000'000u);
 }
 
 TEST(Materials, Phong_FillsEveryField) {

@@ -1,8 +1,10 @@
+#include <bit>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "render/frame/aov_planes.h"
+#include "sim/timeline/hash.h"
 #include "tests/render/scene_builder.h"
 
 namespace carom::render {
@@ -96,6 +98,31 @@ TEST(Aovs, MoreSamples_ChangeNoDepthIdOrMotion) {
     for (const char* name : {"Z", "object_id", "motion.X", "motion.Y"}) {
         EXPECT_EQ(plane(a, name), plane(b, name)) << name;
     }
+}
+
+// Every bit of a small scene's planes without noise. They change with the renderer's revision
+// alone.
+TEST(Aovs, PlanesWithoutNoise_HaveTheirBytes) {
+    SceneBuilder builder = wall_and_box();
+    builder.sphere("ball", 0.25, Vec3(0.3, 1.4, 0.1), "wall", "ball");
+    const std::vector<sim::Track> tracks{
+        test::straight_track("box", Vec3(-0.2, 1.6, 0), Vec3(0.2, 1.6, 0.03), 0, 0.02),
+        test::straight_track("ball", Vec3(0.3, 1.4, 0.1), Vec3(0.25, 1.3, 0.1), 0, 0.02)};
+    CameraState state = camera(Vec3(0, 0, 0), Vec3(0.05, 1, 0.1), 0.8);
+    state.lens_radius = 0.02;
+    FrameInput frame = still_frame(state);
+    frame.scene_close = 0.02;
+    RenderSettings settings = small_settings(32, 18, 2);
+    settings.aovs = {"depth", "motion", "object_id", "material_id"};
+    const Film film = render_frame(PreparedScene(builder.scene, settings), tracks, frame, settings);
+    Hasher hasher;
+    for (const Channel& channel : film.aovs) {
+        hasher.add(channel.name);
+        for (const float value : channel.values) {
+            hasher.add(std::bit_cast<std::uint32_t>(value));
+        }
+    }
+    EXPECT_EQ(hasher.finish().to_string(), "750f9667207af7bf8388accb53fd4a28");
 }
 
 TEST(Aovs, MovingBox_HasItsWayInPixels) {
