@@ -45,7 +45,9 @@ SceneNames names_of(const SceneDescription& scene) {
             static_cast<std::uint32_t>(std::distance(names.materials.begin(), found)));
     }
     for (const LightDescription& light : scene.lights) {
-        if (!std::holds_alternative<EnvironmentLight>(light.light)) {
+        // The others have no shape that a ray could meet.
+        if (std::holds_alternative<RectangleLight>(light.light) ||
+            std::holds_alternative<SphereLight>(light.light)) {
             names.objects.push_back(light.name);
             names.material_of.push_back(static_cast<std::uint32_t>(names.materials.size()));
         }

@@ -160,6 +160,7 @@ TEST(Cryptomatte, BlurAndDefocus_CoveragesAddUpToAlpha) {
     builder.object("box", BoxShape{Vec3(0.6, 0.2, 0.3)}, Vec3(0, 1.6, 0), "paint", "box");
     builder.sphere("ball", 0.2, Vec3(0.3, 1.2, 0.1), "gold");
     builder.sphere("other ball", 0.2, Vec3(-0.5, 2.2, 0), "gold");
+    builder.scene.lights.push_back({"star", PointLight{}});  // which nothing can meet
     builder.bulb(Vec3(-0.3, 1.4, 0.2), 0.08, 3);
     builder.scene.lights.back().name = "bulb";
     const std::vector<sim::Track> tracks{
