@@ -18,6 +18,15 @@ class AccelerationStructure {
 
     /// Whether anything is hit in (ray.t_min, ray.t_max).
     [[nodiscard]] virtual bool any_hit(const Ray& ray) const = 0;
+
+    /// The rays of a fan that `any_hit` is true of.
+    [[nodiscard]] virtual FanMask any_hits(const RayFan& fan) const {
+        FanMask hits = 0;
+        for (int i = 0; i < fan.count; ++i) {
+            hits |= any_hit(fan.ray(i)) ? FanMask{1} << i : 0;
+        }
+        return hits;
+    }
 };
 
 }  // namespace carom::render

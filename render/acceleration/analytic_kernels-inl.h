@@ -66,32 +66,49 @@ HWY_INLINE hn::Mask<D> hit_sphere(D d, const RayLanes<D>& ray, const hn::Vec<D> 
 }
 
 struct StillSphereTest {
+    /// Where the spheres are, seen from the ray's origin; returns the squares of their radii.
+    template <class D>
+    HWY_INLINE hn::Vec<D> place(D d, const RayLanes<D>& ray, const StillSphereBlock& block,
+                                int lane, hn::Vec<D> (&offset)[3]) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            offset[axis] = hn::Sub(load(d, block.centre[axis], lane), ray.origin[axis]);
+        }
+        return load(d, block.radius2, lane);
+    }
+
     template <class D>
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const StillSphereBlock& block,
                                       int lane, hn::Vec<D>& t) const {
-        const hn::Vec<D> offset[3] = {hn::Sub(load(d, block.centre[0], lane), ray.origin[0]),
-                                      hn::Sub(load(d, block.centre[1], lane), ray.origin[1]),
-                                      hn::Sub(load(d, block.centre[2], lane), ray.origin[2])};
-        return hit_sphere(d, ray, offset, load(d, block.radius2, lane), t);
+        hn::Vec<D> offset[3];
+        const hn::Vec<D> radius2 = place(d, ray, block, lane, offset);
+        return hit_sphere(d, ray, offset, radius2, t);
     }
 };
 
 struct MovingSphereTest {
+    /// The same; spheres that are not in force at the ray's time get a radius that nothing meets.
+    template <class D>
+    HWY_INLINE hn::Vec<D> place(D d, const RayLanes<D>& ray, const MovingSphereBlock& block,
+                                int lane, hn::Vec<D> (&offset)[3]) const {
+        const hn::Vec<D> elapsed = hn::Sub(ray.time, load(d, block.path_start, lane));
+        for (int axis = 0; axis < 3; ++axis) {
+            hn::Vec<D> centre = load(d, block.path[3][axis], lane);
+            centre = hn::MulAdd(centre, elapsed, load(d, block.path[2][axis], lane));
+            centre = hn::MulAdd(centre, elapsed, load(d, block.path[1][axis], lane));
+            centre = hn::MulAdd(centre, elapsed, load(d, block.path[0][axis], lane));
+            offset[axis] = hn::Sub(centre, ray.origin[axis]);
+        }
+        const hn::Mask<D> in_force = hn::And(hn::Ge(ray.time, load(d, block.start, lane)),
+                                             hn::Lt(ray.time, load(d, block.end, lane)));
+        return hn::IfThenElse(in_force, load(d, block.radius2, lane), hn::Set(d, -1.f));
+    }
+
     template <class D>
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MovingSphereBlock& block,
                                       int lane, hn::Vec<D>& t) const {
-        const hn::Vec<D> elapsed = hn::Sub(ray.time, load(d, block.path_start, lane));
-        const auto offset_along = [&](int axis) HWY_ATTR {
-            hn::Vec<D> place = load(d, block.path[3][axis], lane);
-            place = hn::MulAdd(place, elapsed, load(d, block.path[2][axis], lane));
-            place = hn::MulAdd(place, elapsed, load(d, block.path[1][axis], lane));
-            place = hn::MulAdd(place, elapsed, load(d, block.path[0][axis], lane));
-            return hn::Sub(place, ray.origin[axis]);
-        };
-        const hn::Vec<D> offset[3] = {offset_along(0), offset_along(1), offset_along(2)};
-        const hn::Mask<D> in_force = hn::And(hn::Ge(ray.time, load(d, block.start, lane)),
-                                             hn::Lt(ray.time, load(d, block.end, lane)));
-        return hn::And(in_force, hit_sphere(d, ray, offset, load(d, block.radius2, lane), t));
+        hn::Vec<D> offset[3];
+        const hn::Vec<D> radius2 = place(d, ray, block, lane, offset);
+        return hit_sphere(d, ray, offset, radius2, t);
     }
 };
 
@@ -429,6 +446,64 @@ inline HWY_ATTR bool any(const AnalyticBlocks& blocks, const Ray& ray) {
            scan_any(d, lanes, t_max, blocks.planes, PlaneTest());
 }
 
+/// A ray of a fan in every lane.
+HWY_INLINE RayLanes<WideTag> broadcast_of_fan(const RayFan& fan, int index) {
+    return broadcast(WideTag(), fan.ray(index));
+}
+
+/// Calls `is_blocked(index)` for each ray of `open`, and takes those out that are.
+template <class Predicate>
+HWY_INLINE FanMask without_blocked(FanMask open, const Predicate& is_blocked) {
+    FanMask rest = open;
+    for (int i = 0; open >> i != 0; ++i) {
+        const FanMask bit = FanMask{1} << i;
+        if ((open & bit) != 0 && is_blocked(i)) {
+            rest &= ~bit;
+        }
+    }
+    return rest;
+}
+
+/// Spheres are set up once for all rays: where they are, as seen from the origin.
+template <class Block, class Test>
+HWY_INLINE FanMask past_spheres(const std::vector<Block>& blocks, const Test& test,
+                                const RayFan& fan, FanMask open) {
+    const WideTag d;
+    const RayLanes<WideTag> origin = broadcast_of_fan(fan, 0);
+    for (const Block& block : blocks) {
+        for (int lane = 0; lane < kBlockLanes && open != 0;
+             lane += static_cast<int>(hn::Lanes(d))) {
+            hn::Vec<WideTag> offset[3];
+            const hn::Vec<WideTag> radius2 = test.place(d, origin, block, lane, offset);
+            open = without_blocked(open, [&](int i) HWY_ATTR {
+                const RayLanes<WideTag> ray = broadcast_of_fan(fan, i);
+                hn::Vec<WideTag> t = hn::Zero(d);
+                const hn::Mask<WideTag> valid = hit_sphere(d, ray, offset, radius2, t);
+                return !hn::AllFalse(d, hn::And(valid, hn::Lt(t, hn::Set(d, fan.t_max[i]))));
+            });
+        }
+    }
+    return open;
+}
+
+inline HWY_ATTR FanMask any_of_fan(const AnalyticBlocks& blocks, const RayFan& fan, FanMask asked) {
+    const WideTag d;
+    FanMask open = past_spheres(blocks.moving_spheres, MovingSphereTest(), fan, asked);
+    open = past_spheres(blocks.still_spheres, StillSphereTest(), fan, open);
+    open = without_blocked(open, [&](int i) HWY_ATTR {
+        const Ray ray = fan.ray(i);
+        const RayLanes<WideTag> lanes = broadcast(d, ray);
+        const hn::Vec<WideTag> t_max = hn::Set(d, ray.t_max);
+        return scan_any(d, lanes, t_max, blocks.boxes,
+                        AlignedBoxTest<WideTag>(d, lanes, ray.direction)) ||
+               scan_any(d, lanes, t_max, blocks.mapped_boxes, MappedBoxTest()) ||
+               scan_any(d, lanes, t_max, blocks.mapped_balls, MappedBallTest()) ||
+               scan_any(d, lanes, t_max, blocks.rectangles, RectangleTest()) ||
+               scan_any(d, lanes, t_max, blocks.planes, PlaneTest());
+    });
+    return asked & ~open;
+}
+
 template <class Block, class Test>
 HWY_INLINE bool hit_one(const Block& block, int lane, const RayLanes<OneTag>& ray, const Test& test,
                         float& t) {
@@ -456,6 +531,7 @@ inline const AnalyticKernels& kernels_of_target() {
     static const AnalyticKernels kKernels = {
         closest,
         any,
+        any_of_fan,
         one_shape<StillSphereBlock, StillSphereTest>,
         one_shape<MovingSphereBlock, MovingSphereTest>,
         one_box,

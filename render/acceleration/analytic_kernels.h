@@ -29,6 +29,8 @@ struct Candidate {
 struct AnalyticKernels {
     void (*closest)(const AnalyticBlocks& blocks, const Ray& ray, Candidate& best);
     bool (*any)(const AnalyticBlocks& blocks, const Ray& ray);
+    /// Those of the rays `asked` for that `any` is true of.
+    FanMask (*any_of_fan)(const AnalyticBlocks& blocks, const RayFan& fan, FanMask asked);
 
     // The shape in one lane: whether its first hit is nearer than `t`, which is then replaced.
     bool (*still_sphere)(const StillSphereBlock& block, int lane, const Ray& ray, float& t);

@@ -79,4 +79,25 @@ bool HybridStructure::any_hit(const Ray& ray) const {
     return meshes_ && meshes_->any_hit(safe);
 }
 
+FanMask HybridStructure::any_hits(const RayFan& fan) const {
+    RayFan safe = fan;
+    safe.time = std::clamp(fan.time, 0.f, 1.f);
+    FanMask traceable = 0;
+    for (int i = 0; i < fan.count; ++i) {
+        traceable |= is_traceable(fan.ray(i)) ? FanMask{1} << i : 0;
+    }
+    FanMask hits = kernels_.any_of_fan(blocks_, safe, traceable);
+    for (int i = 0; i < fan.count && !moving_.empty(); ++i) {
+        const FanMask bit = FanMask{1} << i;
+        const auto blocks = [&](const MovingShape& shape) {
+            return occluded_by_moving(shape, safe.ray(i));
+        };
+        if ((traceable & ~hits & bit) != 0 && std::any_of(moving_.begin(), moving_.end(), blocks)) {
+            hits |= bit;
+        }
+    }
+    const FanMask open = traceable & ~hits;
+    return triangles_ && open != 0 ? hits | triangles_->any_hits(safe, open) : hits;
+}
+
 }  // namespace carom::render

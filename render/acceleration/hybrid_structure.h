@@ -18,6 +18,7 @@ class HybridStructure final : public AccelerationStructure {
 
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const override;
     [[nodiscard]] bool any_hit(const Ray& ray) const override;
+    [[nodiscard]] FanMask any_hits(const RayFan& fan) const override;
 
   private:
     const AnalyticKernels& kernels_;

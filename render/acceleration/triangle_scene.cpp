@@ -1,5 +1,6 @@
 #include "render/acceleration/triangle_scene.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,33 @@ bool TriangleScene::any_hit(const Ray& ray) const {
     RTCRay query = to_embree(ray);
     rtcOccluded1(data_->scene.get(), &context, &query);
     return query.tfar < 0;  // Embree's mark: minus infinity
+}
+
+FanMask TriangleScene::any_hits(const RayFan& fan, FanMask asked) const {
+    static_assert(RayFan::kMost == 8);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    RTCRay8 query{};
+    alignas(32) int valid[RayFan::kMost];
+    for (int i = 0; i < RayFan::kMost; ++i) {
+        valid[i] = (asked >> i & 1u) != 0 ? -1 : 0;
+        query.org_x[i] = fan.origin.x;
+        query.org_y[i] = fan.origin.y;
+        query.org_z[i] = fan.origin.z;
+        query.time[i] = fan.time;
+        query.mask[i] = ~0u;
+    }
+    std::copy_n(fan.direction[0], RayFan::kMost, query.dir_x);
+    std::copy_n(fan.direction[1], RayFan::kMost, query.dir_y);
+    std::copy_n(fan.direction[2], RayFan::kMost, query.dir_z);
+    std::copy_n(fan.t_max, RayFan::kMost, query.tfar);
+    rtcOccluded8(valid, data_->scene.get(), &context, &query);
+    FanMask hits = 0;
+    for (int i = 0; i < fan.count; ++i) {
+        hits |= valid[i] != 0 && query.tfar[i] < 0 ? FanMask{1} << i : 0;
+    }
+    return hits;
 }
 
 std::shared_ptr<const EmbreeDevice> make_embree_device() {

@@ -33,6 +33,8 @@ class TriangleScene {
     /// necessarily the first.
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const;
     [[nodiscard]] bool any_hit(const Ray& ray) const;
+    /// The rays `asked` for of a fan of safe rays for which `any_hit` is true.
+    [[nodiscard]] FanMask any_hits(const RayFan& fan, FanMask asked) const;
 
     struct Data;
     [[nodiscard]] const Data& data() const { return *data_; }

@@ -145,17 +145,56 @@ Ray ThinLensCamera::pinhole_ray(const CameraFrame& frame, const V2f& picture) co
     return ray;
 }
 
-Ray ThinLensCamera::lens_ray(const CameraFrame& frame, const V2f& picture, const V2f& lens) const {
+// From the centre of the lens.
+V3f ThinLensCamera::on_lens(const CameraFrame& frame, const V2f& lens) const {
     const V2f p =
         frame.lens_radius *
         (blades_ == 0 ? sample_disk(lens) : sample_polygon(lens, blades_, frame.blade_turns));
-    const V3f on_lens = p.x * frame.right + p.y * frame.up;
+    return p.x * frame.right + p.y * frame.up;
+}
+
+Ray ThinLensCamera::lens_ray(const CameraFrame& frame, const V2f& picture, const V2f& lens) const {
+    const V3f arm = on_lens(frame, lens);
     const V3f in_focus =
         frame.focus_distance * (frame.forward + picture.x * frame.right + picture.y * frame.up);
     Ray ray;
-    ray.origin = frame.position + on_lens;
-    ray.direction = unit(in_focus - on_lens);
+    ray.origin = frame.position + arm;
+    ray.direction = unit(in_focus - arm);
     return ray;
+}
+
+ThinLensCamera::Aperture ThinLensCamera::aperture(const CameraSample& sample) const {
+    Aperture result;
+    result.time = sample_trapezoid(sample.time, switch_ratio_);
+    result.frame = frame_at(result.time);
+    result.position = result.frame.position;
+    if (has_lens_) {
+        result.position += on_lens(result.frame, sample.lens);
+    }
+    return result;
+}
+
+// The ray's crossing of the focus plane is where the picture's point lies. A pixel there has the
+// side focus_distance * pixel_size and is seen under the angle of the ray to the axis.
+std::optional<ThinLensCamera::Arrival> ThinLensCamera::arrival(const Aperture& aperture,
+                                                               const V3f& direction) const {
+    constexpr float kLeastCosine = 1e-3f;
+    const CameraFrame& frame = aperture.frame;
+    const float cosine = direction ^ frame.forward;
+    if (!(cosine > kLeastCosine)) {
+        return std::nullopt;
+    }
+    const V3f in_focus =
+        (aperture.position - frame.position) / frame.focus_distance + direction / cosine;
+    const float scale = 1 / frame.pixel_size;
+    const V2f place(half_width_ + (in_focus ^ frame.right) * scale,
+                    half_height_ - (in_focus ^ frame.up) * scale);
+    const auto reach = static_cast<float>(0.5 * filter_.width());
+    if (place.x < -reach || place.y < -reach || place.x > 2 * half_width_ + reach ||
+        place.y > 2 * half_height_ + reach) {
+        return std::nullopt;
+    }
+    return Arrival{place, frame.pixel_size * frame.pixel_size * cosine * cosine * cosine};
 }
 
 std::optional<V2f> ThinLensCamera::project(const V3f& point, float time) const {

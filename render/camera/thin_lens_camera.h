@@ -41,6 +41,27 @@ class ThinLensCamera {
     /// of the picture does not depend on the sample's lens and time, bit for bit.
     [[nodiscard]] Ray ray(int pixel_x, int pixel_y, const CameraSample& sample) const;
 
+    /// A point of the lens at an instant.
+    struct Aperture {
+        CameraFrame frame;
+        V3f position;
+        float time = 0;
+    };
+    /// What `ray` would start from for the same lens and time.
+    [[nodiscard]] Aperture aperture(const CameraSample& sample) const;
+
+    /// Where in the picture light arrives from a direction.
+    struct Arrival {
+        V2f place;                    // pixels from the top left
+        float pixel_solid_angle = 0;  // sr per pixel there, seen from that point of the lens
+    };
+    /// Light that comes to a point of the lens against the unit `direction`; empty from behind or
+    /// where it lands farther outside the picture than the filter reaches.
+    [[nodiscard]] std::optional<Arrival> arrival(const Aperture& aperture,
+                                                 const V3f& direction) const;
+
+    [[nodiscard]] const PixelFilterSampler& filter() const { return filter_; }
+
     /// The camera's values at `time` within the shutter, [0, 1].
     [[nodiscard]] CameraFrame frame_at(float time) const;
 
@@ -52,6 +73,7 @@ class ThinLensCamera {
     [[nodiscard]] float pixel_solid_angle() const;
 
   private:
+    [[nodiscard]] V3f on_lens(const CameraFrame& frame, const V2f& lens) const;
     [[nodiscard]] Ray pinhole_ray(const CameraFrame& frame, const V2f& picture) const;
     [[nodiscard]] Ray lens_ray(const CameraFrame& frame, const V2f& picture, const V2f& lens) const;
 

@@ -86,6 +86,29 @@ void render_adaptively(TileRenderer& renderer, const RenderSettings& settings,
                   [&](int tile) { return renderer.finish(tile, pilot, plan, context.stop); });
 }
 
+/// The images of lights in balls, as well sampled as the picture is on average.
+void add_reflections(TileRenderer& renderer, const RenderSettings& settings,
+                     const WorkContext& context, RenderStatistics& total) {
+    const std::size_t number = renderer.reflection_count();
+    const double samples = static_cast<double>(total.camera_rays) /
+                           (static_cast<double>(settings.width) * settings.height);
+    std::vector<std::vector<Splat>> splats(number);
+    std::vector<RenderStatistics> counts(number);
+    tbb::parallel_for(std::size_t{0}, number, [&](std::size_t i) {
+        if (!context.stop.stop_requested()) {
+            const FlushDenormals flush;
+            splats[i] = renderer.reflection(i, samples, counts[i]);
+        }
+    });
+    if (context.stop.stop_requested()) {
+        throw Stopped();
+    }
+    for (std::size_t i = 0; i < number; ++i) {
+        renderer.add(splats[i]);
+        total += counts[i];
+    }
+}
+
 }  // namespace
 
 Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks,
@@ -111,6 +134,7 @@ Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks
         for_all_tiles(renderer.tile_count(), {}, context, film.statistics,
                       [&](int tile) { return renderer.render(tile, context.stop); });
     }
+    add_reflections(renderer, settings, context, film.statistics);
     film.aovs = aovs.take();
     film.notes = aovs.take_notes();
     return film;

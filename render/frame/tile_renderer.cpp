@@ -1,6 +1,7 @@
 #include "render/frame/tile_renderer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/integrator/distributed_integrator.h"
 #include "render/integrator/path_integrator.h"
@@ -20,11 +21,12 @@ PathSettings path_settings(const RenderSettings& settings) {
 }
 
 std::unique_ptr<const Integrator> make_integrator(const RenderSettings& settings,
-                                                  const TransportScene& scene) {
+                                                  const TransportScene& scene,
+                                                  const LightReflections* reflections) {
     if (settings.integrator == IntegratorKind::distributed) {
         return std::make_unique<DistributedIntegrator>(scene, settings.distributed);
     }
-    return std::make_unique<PathIntegrator>(scene, path_settings(settings));
+    return std::make_unique<PathIntegrator>(scene, path_settings(settings), reflections);
 }
 
 /// Of `count`, whether the settings switch the effect off.
@@ -53,7 +55,10 @@ TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& fra
               settings.width, settings.height, frame.switch_ratio, settings.filter,
               settings.filter_width),
       pixel_spread_(camera_.frame_at(0).pixel_size),
-      integrator_(make_integrator(settings, scene)),
+      reflections_(settings.integrator == IntegratorKind::path
+                       ? std::make_unique<LightReflections>(scene, camera_)
+                       : nullptr),
+      integrator_(make_integrator(settings, scene, reflections_.get())),
       samples_(settings.integrator == IntegratorKind::distributed
                    ? camera_samples(settings.distributed)
                    : settings.samples),
@@ -146,6 +151,41 @@ void TileRenderer::add_samples(int x, int y, int from, int to, PixelSums& sums,
         sums.add(result);
         if (aovs_.needs_objects()) {
             sums.count_object(result.object);
+        }
+    }
+}
+
+std::size_t TileRenderer::reflection_count() const {
+    return reflections_ ? reflections_->pair_count() : 0;
+}
+
+std::vector<Splat> TileRenderer::reflection(std::size_t index, double samples,
+                                            RenderStatistics& count) const {
+    return reflections_->splats(index, samples, seed_, count);
+}
+
+void TileRenderer::add(const std::vector<Splat>& splats) {
+    const PixelFilterSampler& filter = camera_.filter();
+    const auto reach = static_cast<float>(0.5 * filter.width());
+    const auto first = [&](float place) {
+        return std::max(0, static_cast<int>(std::ceil(place - 0.5f - reach)));
+    };
+    const auto last = [&](float place, int size) {
+        return std::min(size - 1, static_cast<int>(std::floor(place - 0.5f + reach)));
+    };
+    const auto density = [&](float place, int pixel) {
+        return filter.pdf_1d(static_cast<double>(place - 0.5f - static_cast<float>(pixel)));
+    };
+    for (const Splat& splat : splats) {
+        for (int y = first(splat.place.y); y <= last(splat.place.y, settings_.height); ++y) {
+            const double across = density(splat.place.y, y);
+            for (int x = first(splat.place.x); x <= last(splat.place.x, settings_.width); ++x) {
+                const auto share = static_cast<float>(across * density(splat.place.x, x));
+                for (int channel = 0; channel < 3; ++channel) {
+                    film_.rgba[4 * index(x, y) + static_cast<std::size_t>(channel)] +=
+                        share * splat.flux[channel];
+                }
+            }
         }
     }
 }

@@ -12,6 +12,7 @@
 #include "render/frame/frame.h"
 #include "render/frame/pixel_sums.h"
 #include "render/integrator/integrator.h"
+#include "render/integrator/light_reflections.h"
 #include "render/integrator/transport_scene.h"
 
 namespace carom::render {
@@ -41,6 +42,13 @@ class TileRenderer {
                                           const std::vector<int>& plan,
                                           const std::stop_token& stop);
 
+    /// What no pixel finds by itself: `reflection_count` images of lights, each of which gives its
+    /// light to pixels anywhere. They may be made at the same time but are added in their order.
+    [[nodiscard]] std::size_t reflection_count() const;
+    [[nodiscard]] std::vector<Splat> reflection(std::size_t index, double samples,
+                                                RenderStatistics& count) const;
+    void add(const std::vector<Splat>& splats);
+
   private:
     [[nodiscard]] Ray camera_ray(int x, int y, const SampleStream& stream) const;
     template <class Pixel>
@@ -57,6 +65,7 @@ class TileRenderer {
     std::uint64_t seed_;
     ThinLensCamera camera_;
     float pixel_spread_;
+    std::unique_ptr<const LightReflections> reflections_;  // for paths only
     std::unique_ptr<const Integrator> integrator_;
     int samples_;  // per pixel
     int samples_between_stops_;

@@ -66,31 +66,26 @@ struct FacePoint {
     float side;  // 1 or -1
 };
 
+// Of the three faces that a ray from outside can enter by, or leave by from inside, the one that
+// the place lies farthest out on.
 FacePoint on_box(const V3f& origin, const V3f& direction, float t, const V3f& half_size) {
-    const V3f inverse(finite_reciprocal(direction.x), finite_reciprocal(direction.y),
-                      finite_reciprocal(direction.z));
-    const auto crossing = cross_box(origin, inverse, -half_size, half_size);
+    const bool leaves = std::abs(origin.x) < half_size.x && std::abs(origin.y) < half_size.y &&
+                        std::abs(origin.z) < half_size.z;
     V3f p = origin + t * direction;
-    int face = 0;
-    if (crossing) {
-        const bool enters = std::abs(t - crossing->enter) <= std::abs(t - crossing->leave);
-        face = enters ? crossing->enter_face : crossing->leave_face;
-    } else {  // an edge that rounding has moved away
-        int axis = 0;
-        for (int k = 1; k < 3; ++k) {
-            if (std::abs(p[k]) * half_size[axis] > std::abs(p[axis]) * half_size[k]) {
-                axis = k;
-            }
-        }
-        face = 2 * axis + (p[axis] > 0 ? 1 : 0);
-    }
-    const int axis = face / 2;
-    const float side = (face & 1) != 0 ? 1.f : -1.f;
+    FacePoint face{p, 0, 1};
+    float farthest = -kInfinity;
     for (int k = 0; k < 3; ++k) {
-        p[k] = std::clamp(p[k], -half_size[k], half_size[k]);
+        const float side = (direction[k] > 0) == leaves ? 1.f : -1.f;
+        const float out = side * p[k] - half_size[k];
+        if (out > farthest) {
+            farthest = out;
+            face.axis = k;
+            face.side = side;
+        }
+        face.position[k] = std::clamp(p[k], -half_size[k], half_size[k]);
     }
-    p[axis] = side * half_size[axis];
-    return {p, axis, side};
+    face.position[face.axis] = face.side * half_size[face.axis];
+    return face;
 }
 
 V2f across_face(const FacePoint& point, const V3f& half_size) {

@@ -22,6 +22,33 @@ struct Ray {
     float time = 0;  // within the shutter: 0 is scene_open, 1 is scene_close
 };
 
+/// Rays of one origin and one time, as those from a vertex towards lights: tested together.
+struct RayFan {
+    static constexpr int kMost = 8;
+
+    V3f origin{0, 0, 0};
+    float time = 0;
+    int count = 0;
+    alignas(32) float direction[3][kMost] = {};  // by axis, then by ray; unit length
+    alignas(32) float t_max[kMost] = {};         // they begin at 0
+
+    /// Needs count < kMost.
+    void add(const V3f& towards, float distance) {
+        direction[0][count] = towards.x;
+        direction[1][count] = towards.y;
+        direction[2][count] = towards.z;
+        t_max[count] = distance;
+        count += 1;
+    }
+    [[nodiscard]] Ray ray(int index) const {
+        return {origin, V3f(direction[0][index], direction[1][index], direction[2][index]), 0,
+                t_max[index], time};
+    }
+};
+
+/// One bit for each ray of a fan, the first one lowest.
+using FanMask = std::uint32_t;
+
 inline constexpr std::uint32_t kNoObject = 0xffffffffu;
 
 struct Hit {

@@ -1,10 +1,7 @@
 #include "render/integrator/caustics.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "render/geometry/specular_point.h"
-#include "render/material/fresnel.h"
 #include "render/sampling/reuse.h"
 
 namespace carom::render {
@@ -12,31 +9,19 @@ namespace {
 
 constexpr int kVertices = 2;  // of a path that connect
 
-// A vertex is connected with a probability of its balls' total weight times this: about the share
-// of what it sees that they fill, so that most vertices, far from balls, cost nothing.
-// Shadow rays end this share of the way before what they lead to.
-constexpr float kReach = 1.0f - 2e-4f;
-
-// As the surface points of surface.cpp: how far rays start off a surface, of the coordinates' size.
-constexpr float kOffsetShare = 0x1p-19f;
-
 }  // namespace
 
 Caustics::Caustics(const TransportScene& scene)
     : scene_(scene), light_count_(scene.lights.area_light_count()) {
-    for (const FrameScene::Ball& ball : scene.frame.balls()) {
-        const Material& material = scene.materials[ball.material];
-        if (light_count_ > 0 && material.is_only_mirror_coat()) {
-            add(ball, material);
-        }
+    for (const MirrorBall& ball : mirror_balls(scene)) {
+        add(ball);
     }
 }
 
-void Caustics::add(const FrameScene::Ball& ball, const Material& material) {
+void Caustics::add(const MirrorBall& ball) {
     const V3f middle = ball.centres.center();
     const float travel = 0.5f * ball.centres.size().length();
-    Ball entry{ball.radius, material.layers().coat_weight, material.layers().coat_ior, 0,
-               ball.object};
+    float total = 0;
     std::vector<float> intensities;
     for (std::size_t light = 0; light < light_count_; ++light) {
         const auto intensity_there = [&](const auto& emitter) {
@@ -46,14 +31,15 @@ void Caustics::add(const FrameScene::Ball& ball, const Material& material) {
                        : 0.0f;
         };
         intensities.push_back(std::visit(intensity_there, scene_.lights.area_light(light)));
-        entry.intensity += intensities.back();
+        total += intensities.back();
     }
-    if (entry.intensity <= 0) {
+    if (total <= 0) {
         return;
     }
     index_.resize(std::max<std::size_t>(index_.size(), ball.object + 1u), -1);
     index_[ball.object] = static_cast<int>(balls_.size());
-    balls_.push_back(entry);
+    balls_.push_back(ball);
+    intensity_.push_back(total);
     pairs_.insert(pairs_.end(), intensities.begin(), intensities.end());
     places_.x.push_back(middle.x);
     places_.y.push_back(middle.y);
@@ -121,10 +107,9 @@ V3f Caustics::connected(const Path& path, const ShadingVertex& vertex, std::uint
 
 V3f Caustics::through(std::size_t index, const Path& path, const ShadingVertex& vertex,
                       const std::array<float, 4>& u, RenderStatistics& count) const {
-    const Ball& ball = balls_[index];
     const float* intensities = &pairs_[index * light_count_];
     std::size_t light = 0;
-    float rest = u[1] * ball.intensity;
+    float rest = u[1] * intensity_[index];
     while (light + 1 < light_count_ && (rest >= intensities[light] || intensities[light] <= 0)) {
         rest -= intensities[light];
         ++light;
@@ -132,42 +117,19 @@ V3f Caustics::through(std::size_t index, const Path& path, const ShadingVertex& 
     if (intensities[light] <= 0) {
         return V3f(0, 0, 0);
     }
-    const float light_share = intensities[light] / ball.intensity;
-    const V3f centre = scene_.frame.centre(ball.object, path.ray.time);
-    const AreaLight& emitter = scene_.lights.area_light(light);
-    const EmitterPoint target = std::visit(
-        [&](const auto& e) { return e.sample_area(centre, ball.radius, V2f(u[2], u[3])); },
-        emitter);
-    const auto mirror = specular_point(vertex.position, target.position, centre, ball.radius);
-    if (!mirror) {
+    const auto mirrored = mirrored_light(scene_, balls_[index], light, vertex.position,
+                                         path.ray.time, V2f(u[2], u[3]));
+    if (!mirrored) {
         return V3f(0, 0, 0);
     }
-    const V3f there = (mirror->position - vertex.position) / mirror->from;
-    const V3f onward = (target.position - mirror->position) / mirror->to;
-    const float cosine = std::abs(target.normal ^ onward);
-    const V3f radiance = scene_.lights.emitted(light, -onward);
-    const V3f value = vertex.bsdf.evaluate(Layers::all, there).value * radiance;
-    if (!(luminance(value) > 0)) {
+    const V3f value =
+        vertex.bsdf.evaluate(Layers::all, mirrored->direction).value * mirrored->radiance;
+    if (!(luminance(value) > 0) ||
+        is_blocked(scene_, *mirrored, vertex.origin, path.ray.time, count)) {
         return V3f(0, 0, 0);
     }
-    const float size = std::max(
-        {std::abs(mirror->position.x), std::abs(mirror->position.y), std::abs(mirror->position.z)});
-    const V3f origin = mirror->position + mirror->normal * (kOffsetShare * (size + ball.radius));
-    const auto distance = std::visit(
-        [&](const auto& e) { return e.distance_along(origin, onward, mirror->to); }, emitter);
-    if (!distance) {
-        return V3f(0, 0, 0);
-    }
-    const auto is_blocked = [&](const V3f& from, const V3f& direction, float length) {
-        count.shadow_rays += 1;
-        return scene_.frame.structure().any_hit(
-            Ray{from, direction, 0, length * kReach, path.ray.time});
-    };
-    if (is_blocked(vertex.origin, there, mirror->from) || is_blocked(origin, onward, *distance)) {
-        return V3f(0, 0, 0);
-    }
-    const float reflectance = ball.coat * fresnel_dielectric(mirror->cosine, ball.ior);
-    return value * (reflectance * mirror->spread * cosine / (target.pdf * light_share));
+    const float light_share = intensities[light] / intensity_[index];
+    return value * (mirrored->solid_angle / light_share);
 }
 
 }  // namespace carom::render

@@ -6,16 +6,15 @@
 #include <vector>
 
 #include "render/integrator/direct_light.h"
+#include "render/integrator/mirrored_light.h"
 #include "render/integrator/path_state.h"
 #include "render/integrator/transport_scene.h"
 
 namespace carom::render {
 
 /// A path that finds such light by chance makes a bright speck. At a path's first two vertices it
-/// is sought on purpose instead: a ball, a light and a point of the light are chosen, the mirror
-/// point between is solved for, and both legs are tested (manifold connections: Hanika, Droske and
-/// Fascione 2015, "Manifold next event estimation"; for spheres in closed form). What is so
-/// connected is left out where paths meet it.
+/// is sought on purpose instead: a ball, a light and a point of the light are chosen
+/// (mirrored_light.h). What is so connected is left out where paths meet it.
 class Caustics {
   public:
     explicit Caustics(const TransportScene& scene);
@@ -37,13 +36,6 @@ class Caustics {
     }
 
   private:
-    struct Ball {
-        float radius = 0;
-        float coat = 0;
-        float ior = 1.5f;
-        float intensity = 0;  // sum over its lights
-        std::uint32_t object = 0;
-    };
     /// What balls are chosen by, an array for each number: for vectors.
     struct Places {
         std::vector<float> x, y, z;  // the middle of the places that the centre takes
@@ -54,11 +46,12 @@ class Caustics {
     [[nodiscard]] float total_weight(const ShadingVertex& vertex, std::size_t own) const;
     [[nodiscard]] V3f through(std::size_t ball, const Path& path, const ShadingVertex& vertex,
                               const std::array<float, 4>& u, RenderStatistics& count) const;
-    void add(const FrameScene::Ball& ball, const Material& material);
+    void add(const MirrorBall& ball);
 
     TransportScene scene_;
     std::size_t light_count_ = 0;
-    std::vector<Ball> balls_;
+    std::vector<MirrorBall> balls_;
+    std::vector<float> intensity_;  // by ball: sum over its lights
     Places places_;
     std::vector<int> index_;    // by object: into balls_, or -1
     std::vector<float> pairs_;  // ball by ball, each light's intensity there; 0: not connected

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <variant>
 
 #include "sim/timeline/assert.h"
 
@@ -17,6 +18,9 @@ constexpr float kBelowOne = 0x1.fffffep-1f;
 // less often, down to kRarest: a dim room beside a bright lamp is not worth a shadow ray each time.
 constexpr float kAlwaysAbove = 0.125f;
 constexpr float kRarest = 0.125f;
+
+// With more area lights than these each is sampled once: together they are smooth enough.
+constexpr std::size_t kFewLights = 4;
 
 /// How many directions towards the environment a path's first vertex takes, on average.
 float environment_samples(const LightSet& lights, const ShadingVertex& vertex) {
@@ -38,70 +42,174 @@ bool is_dark(const V3f& c) {
 
 }  // namespace
 
+/// Light on its way to a vertex, each arrival with its shadow ray: these are traced together.
+class DirectLight::Arrivals {
+  public:
+    Arrivals(const AccelerationStructure& structure, const ShadingVertex& vertex, float time,
+             RenderStatistics& count)
+        : structure_(structure), vertex_(vertex), count_(count) {
+        fan_.origin = vertex.origin;
+        fan_.time = time;
+    }
+
+    /// `radiance`: what the light adds to the vertex if nothing is in the way.
+    void add(const V3f& direction, float distance, const V3f& radiance) {
+        count_.shadow_rays += 1;
+        const V3f origin = vertex_.origin_towards(direction);
+        if (origin != fan_.origin) {  // through the surface
+            const Ray shadow{origin, direction, 0, distance * kShadowReach, fan_.time};
+            sum_ += structure_.any_hit(shadow) ? V3f(0, 0, 0) : radiance;
+            return;
+        }
+        if (fan_.count == RayFan::kMost) {
+            trace();
+        }
+        radiance_[static_cast<std::size_t>(fan_.count)] = radiance;
+        fan_.add(direction, distance * kShadowReach);
+    }
+
+    /// All that arrives.
+    [[nodiscard]] V3f sum() {
+        trace();
+        return sum_;
+    }
+
+  private:
+    void trace() {
+        const FanMask blocked = fan_.count > 1 ? structure_.any_hits(fan_)
+                                : fan_.count == 1 && structure_.any_hit(fan_.ray(0)) ? 1u
+                                                                                     : 0u;
+        for (int i = 0; i < fan_.count; ++i) {
+            if ((blocked >> i & 1u) == 0) {
+                sum_ += radiance_[static_cast<std::size_t>(i)];
+            }
+        }
+        fan_.count = 0;
+    }
+
+    const AccelerationStructure& structure_;
+    const ShadingVertex& vertex_;
+    RenderStatistics& count_;
+    RayFan fan_;
+    std::array<V3f, RayFan::kMost> radiance_;
+    V3f sum_{0, 0, 0};
+};
+
 V3f DirectLight::sampled(Path& path, const ShadingVertex& vertex, const V2f& u,
                          const PathDimensions& dimensions, RenderStatistics& count) const {
     const LightSet& lights = scene_.lights;
-    const std::size_t light_count = lights.sampled_count();
     path.last.position = vertex.position;
     path.last.normal = vertex.surface.frame.z;
     path.last.all_lights = path.vertex == 0;
     path.last.total_importance = 0;
-    V3f sum(0, 0, 0);
-    if (light_count == 0 || strategy_ == DirectStrategy::scattering_only ||
+    if (lights.sampled_count() == 0 || strategy_ == DirectStrategy::scattering_only ||
         !vertex.bsdf.can_evaluate(Layers::all)) {
-        return sum;
+        return V3f(0, 0, 0);
     }
+    Arrivals arrivals(scene_.frame.structure(), vertex, path.ray.time, count);
     if (!path.last.all_lights) {
         if (const auto choice = lights.choose(vertex.position, path.last.normal, u.x)) {
             path.last.total_importance = choice->total;
-            sum = from_light(choice->light, choice->probability, V2f(choice->u, u.y), path, vertex,
-                             count);
+            seek(choice->light, choice->probability, V2f(choice->u, u.y), vertex, arrivals);
         }
-        return sum;
+        return arrivals.sum();
     }
-    path.last.environment_samples = environment_samples(lights, vertex);
+    seek_all(path, vertex, dimensions, arrivals);
+    return arrivals.sum();
+}
+
+void DirectLight::seek_all(Path& path, const ShadingVertex& vertex,
+                           const PathDimensions& dimensions, Arrivals& arrivals) const {
+    path.last.environment_samples = environment_samples(scene_.lights, vertex);
     std::array<V2f, 2> pair;
-    for (std::size_t light = 0; light < light_count; ++light) {
-        if (light % 2 == 0) {
-            pair = dimensions.light_pair(static_cast<std::uint32_t>(light / 2));
+    std::uint32_t asked = 0;  // points of pairs
+    for (std::size_t light = 0; light < scene_.lights.sampled_count(); ++light) {
+        if (samples_of(light) > 1) {
+            seek_block(light, dimensions.light_block(light), vertex, arrivals);
+            continue;
         }
-        const bool is_environment = lights.is_environment(light);
+        if (asked % 2 == 0) {
+            pair = dimensions.light_pair(asked / 2);
+        }
+        V2f u = pair[asked % 2];
+        asked += 1;
+        const bool is_environment = scene_.lights.is_environment(light);
         const int samples = is_environment ? vertex.glossy_samples : 1;
         const float expected = is_environment ? path.last.environment_samples : 1.0f;
         if (expected < 1) {
-            V2f& u_light = pair[light % 2];
-            if (u_light.x >= expected) {
+            if (u.x >= expected) {
                 continue;
             }
-            u_light.x = std::min(u_light.x / expected, kBelowOne);
+            u.x = std::min(u.x / expected, kBelowOne);
         }
         for (int k = 0; k < samples; ++k) {
-            sum += from_light(light, expected, lattice_point(pair[light % 2], k, samples), path,
-                              vertex, count);
+            seek(light, expected, lattice_point(u, k, samples), vertex, arrivals);
         }
     }
-    return sum;
 }
 
 // `expected`: how many directions towards this light the vertex takes, on average.
-V3f DirectLight::from_light(std::size_t light, float expected, const V2f& u, const Path& path,
-                            const ShadingVertex& vertex, RenderStatistics& count) const {
+void DirectLight::seek(std::size_t light, float expected, const V2f& u, const ShadingVertex& vertex,
+                       Arrivals& arrivals) const {
     const auto sample = scene_.lights.sample(light, vertex.position, u);
     if (!sample) {
-        return V3f(0, 0, 0);
+        return;
     }
     const float pdf = sample->pdf * expected;
     const V3f value = scattered(vertex, sample->direction, pdf);
-    if (is_dark(value)) {
-        return V3f(0, 0, 0);
+    if (!is_dark(value)) {
+        arrivals.add(sample->direction, sample->distance,
+                     value * scene_.lights.radiance(light, *sample) / pdf);
     }
-    count.shadow_rays += 1;
-    const Ray shadow{vertex.origin_towards(sample->direction), sample->direction, 0,
-                     sample->distance * kShadowReach, path.ray.time};
-    if (scene_.frame.structure().any_hit(shadow)) {
-        return V3f(0, 0, 0);
+}
+
+// A light of four samples. On diffuse surfaces, nearly all that there are, all in one go.
+void DirectLight::seek_block(std::size_t light, const std::array<V2f, 4>& u,
+                             const ShadingVertex& vertex, Arrivals& arrivals) const {
+    const auto& lamp = std::get<RectangleEmitter>(scene_.lights.area_light(light));
+    const bool is_base = vertex.splits && !vertex.bsdf.can_evaluate(Layers::coat);
+    const auto lobe = vertex.bsdf.only_diffuse(is_base ? Layers::base : Layers::all);
+    if (!lobe || strategy_ != DirectStrategy::both) {
+        for (const V2f& point : u) {
+            seek(light, LightBlock::kSize, point, vertex, arrivals);
+        }
+        return;
     }
-    return value * scene_.lights.radiance(light, *sample) / pdf;
+    const auto block = lamp.sample_block(vertex.position, u);
+    if (!block) {
+        return;
+    }
+    const V3f& normal = vertex.surface.frame.z;
+    const V3f& geometric = vertex.surface.geometric_normal;
+    std::array<float, LightBlock::kSize> share;
+    for (std::size_t k = 0; k < LightBlock::kSize; ++k) {
+        const float x = block->x[k];
+        const float y = block->y[k];
+        const float z = block->z[k];
+        const float cosine = normal.x * x + normal.y * y + normal.z * z;
+        const float side = geometric.x * x + geometric.y * y + geometric.z * z;
+        const float density = std::max(cosine, 0.0f) * kInversePi;
+        const float pdf = LightBlock::kSize * block->pdf[k];
+        const float ratio = lobe->probability * density / pdf;
+        const float value = density / (pdf * (1 + ratio * ratio));  // by the power heuristic
+        share[k] = side > 0 ? value : 0;
+    }
+    const V3f scattered = lobe->albedo * lamp.radiance();
+    for (std::size_t k = 0; k < LightBlock::kSize; ++k) {
+        if (share[k] > 0 && !is_dark(scattered)) {
+            arrivals.add(V3f(block->x[k], block->y[k], block->z[k]), block->distance[k],
+                         scattered * share[k]);
+        }
+    }
+}
+
+// How many directions a path's first vertex takes towards an area light: the penumbrae of lamps
+// would be most of the noise, and four shadow rays traced together cost little more than one.
+float DirectLight::samples_of(std::size_t light) const {
+    const std::size_t area_lights = scene_.lights.area_light_count();
+    const bool is_lamp = light < area_lights &&
+                         std::holds_alternative<RectangleEmitter>(scene_.lights.area_light(light));
+    return is_lamp && area_lights <= kFewLights ? LightBlock::kSize : 1.0f;
 }
 
 // Value of the BSDF, each part weighted against the scattering that would have found the light too.
@@ -129,7 +237,8 @@ float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float 
     if (last.is_delta || strategy_ == DirectStrategy::scattering_only) {
         return 1;
     }
-    float expected = light < scene_.lights.area_light_count() ? 1.0f : last.environment_samples;
+    float expected =
+        light < scene_.lights.area_light_count() ? samples_of(light) : last.environment_samples;
     if (!last.all_lights) {
         expected = last.total_importance > 0
                        ? scene_.lights.importance(light, last.position, last.normal) /

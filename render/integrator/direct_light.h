@@ -54,8 +54,14 @@ class DirectLight {
     [[nodiscard]] V3f environment(const Path& path) const;
 
   private:
-    [[nodiscard]] V3f from_light(std::size_t light, float expected, const V2f& u, const Path& path,
-                                 const ShadingVertex& vertex, RenderStatistics& count) const;
+    class Arrivals;
+    void seek(std::size_t light, float expected, const V2f& u, const ShadingVertex& vertex,
+              Arrivals& arrivals) const;
+    void seek_all(Path& path, const ShadingVertex& vertex, const PathDimensions& dimensions,
+                  Arrivals& arrivals) const;
+    void seek_block(std::size_t light, const std::array<V2f, 4>& u, const ShadingVertex& vertex,
+                    Arrivals& arrivals) const;
+    [[nodiscard]] float samples_of(std::size_t light) const;
     [[nodiscard]] V3f scattered(const ShadingVertex& vertex, const V3f& direction,
                                 float light_pdf) const;
     [[nodiscard]] float weight_of_meeting(const Path& path, std::size_t light,

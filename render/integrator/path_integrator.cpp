@@ -62,8 +62,13 @@ struct PathIntegrator::Work {
     }
 };
 
-PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& settings)
-    : scene_(scene), direct_(scene_, settings.strategy), caustics_(scene_), settings_(settings) {
+PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& settings,
+                               const LightReflections* reflections)
+    : scene_(scene),
+      direct_(scene_, settings.strategy),
+      caustics_(scene_),
+      reflections_(reflections),
+      settings_(settings) {
     CAROM_ASSERT(settings.split_vertices >= 0 && settings.split_vertices <= kMostSplits);
 }
 
@@ -73,6 +78,7 @@ RadianceSample PathIntegrator::sample(const Ray& camera_ray, float pixel_spread,
     Work work{PathDimensions(stream), index, count};
     Path path{camera_ray};
     path.spread = pixel_spread;
+    path.last.connects = reflections_ != nullptr;
     count.camera_rays += 1;
     follow(path, work);
     if (settings_.clamp > 0) {
@@ -100,9 +106,7 @@ void PathIntegrator::follow(Path path, Work& work) const {
             work.result.object = hit.object;
         }
         if (scene_.is_light(hit)) {
-            if (path.last.connected_ball >= 0 &&
-                caustics_.covers(static_cast<std::uint32_t>(path.last.connected_ball),
-                                 scene_.light_of(hit))) {
+            if (is_sought(path, hit)) {
                 return;
             }
             work.add(path.throughput * direct_.met(path, hit), path.vertex);
@@ -150,6 +154,16 @@ void PathIntegrator::follow(Path path, Work& work) const {
             return;
         }
     }
+}
+
+// Whether the light that the path has met by way of a ball is found by connection.
+bool PathIntegrator::is_sought(const Path& path, const Hit& hit) const {
+    if (path.last.connected_ball < 0) {
+        return false;
+    }
+    const auto ball = static_cast<std::uint32_t>(path.last.connected_ball);
+    const std::size_t light = scene_.light_of(hit);
+    return path.vertex == 1 ? reflections_->covers(ball, light) : caustics_.covers(ball, light);
 }
 
 // Roulette on long paths only: by then what is left of the path's weight says how much it matters.

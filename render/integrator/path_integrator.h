@@ -6,6 +6,7 @@
 #include "render/integrator/caustics.h"
 #include "render/integrator/direct_light.h"
 #include "render/integrator/integrator.h"
+#include "render/integrator/light_reflections.h"
 #include "render/integrator/path_state.h"
 #include "render/integrator/transport_scene.h"
 
@@ -28,7 +29,9 @@ struct PathSettings {
 /// Every light is sampled at the first vertex, one later. No roulette before the sixth vertex.
 class PathIntegrator final : public Integrator {
   public:
-    PathIntegrator(const TransportScene& scene, const PathSettings& settings);
+    /// `reflections`: what the camera sees in balls is left out if they cover it. Borrowed.
+    PathIntegrator(const TransportScene& scene, const PathSettings& settings,
+                   const LightReflections* reflections = nullptr);
 
     [[nodiscard]] RadianceSample sample(const Ray& camera_ray, float pixel_spread,
                                         const SampleStream& stream, const SampleIndex& index,
@@ -40,11 +43,13 @@ class PathIntegrator final : public Integrator {
     void follow(Path path, Work& work) const;
     [[nodiscard]] bool scatter(Path& path, const ShadingVertex& vertex, const V2f& u,
                                Work& work) const;
+    [[nodiscard]] bool is_sought(const Path& path, const Hit& hit) const;
     [[nodiscard]] bool survives(Path& path, const Work& work) const;
 
     TransportScene scene_;
     DirectLight direct_;
     Caustics caustics_;
+    const LightReflections* reflections_;
     PathSettings settings_;
 };
 

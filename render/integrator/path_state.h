@@ -18,7 +18,7 @@ struct LastScattering {
     V3f normal{0, 0, 1};    // shading normal, which lights were chosen with
     float pdf = 0;          // of the direction, times the number of directions taken, 1/sr
     bool is_delta = true;   // a mirror or the camera: lights cannot be sampled instead
-    bool connects = false;  // light by way of mirroring balls was sought there
+    bool connects = false;  // light by way of mirroring balls was sought there, or for the camera
     /// The ball that mirrored it there from a vertex that connects; none: -1.
     std::int64_t connected_ball = -1;
     bool all_lights = false;  // every light was sampled there, not one
@@ -75,16 +75,22 @@ class PathDimensions {
     [[nodiscard]] std::array<float, 4> caustic(const Path& path) const {
         return set(kCaustics + 2 * place(path) + 1);
     }
-    /// For lights 2 `pair` and 2 `pair` + 1 at the first vertex.
+    /// For two lights that take one sample at the first vertex.
     [[nodiscard]] std::array<V2f, 2> light_pair(std::uint32_t pair) const {
         const auto u = set(kLightPairs + pair);
         return {V2f(u[0], u[1]), V2f(u[2], u[3])};
+    }
+
+    /// For a light that takes four samples at the first vertex.
+    [[nodiscard]] std::array<V2f, 4> light_block(std::size_t light) const {
+        return stream_.square_block(kLightBlocks + static_cast<std::uint32_t>(light));
     }
 
   private:
     static constexpr std::uint32_t kVertices = 128;  // more than a path can have
     static constexpr std::uint32_t kLightPairs = 0x10000;
     static constexpr std::uint32_t kCaustics = 0x20000;
+    static constexpr std::uint32_t kLightBlocks = 0x30000;
 
     [[nodiscard]] static std::uint32_t place(const Path& path) {
         return path.branch * kVertices + static_cast<std::uint32_t>(path.vertex);

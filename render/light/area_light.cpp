@@ -42,7 +42,34 @@ std::optional<LightSample> RectangleEmitter::sample(const V3f& point, const V2f&
     }
     const float distance2 = way.length2();
     const float distance = std::sqrt(distance2);
-    return LightSample{way / distance, distance, distance2 * distance / (height * area_), {}};
+    return LightSample{way * (1 / distance), distance, distance2 * distance / (height * area_), {}};
+}
+
+std::optional<LightBlock> RectangleEmitter::sample_block(const V3f& point,
+                                                         const std::array<V2f, 4>& u) const {
+    const V3f way = centre_ - point;
+    const float height = -(way ^ normal_);
+    if (height <= 0) {
+        return std::nullopt;
+    }
+    const float scale = 1 / (height * area_);
+    LightBlock block;
+    for (std::size_t k = 0; k < LightBlock::kSize; ++k) {
+        const float a = 2 * u[k].x - 1;
+        const float b = 2 * u[k].y - 1;
+        const float x = way.x + a * edge_u_.x + b * edge_v_.x;
+        const float y = way.y + a * edge_u_.y + b * edge_v_.y;
+        const float z = way.z + a * edge_u_.z + b * edge_v_.z;
+        const float distance2 = x * x + y * y + z * z;
+        const float distance = std::sqrt(distance2);
+        const float inverse = 1 / distance;
+        block.x[k] = x * inverse;
+        block.y[k] = y * inverse;
+        block.z[k] = z * inverse;
+        block.distance[k] = distance;
+        block.pdf[k] = distance2 * distance * scale;
+    }
+    return block;
 }
 
 float RectangleEmitter::pdf(const V3f& /*point*/, const V3f& direction, float distance) const {

@@ -2,6 +2,7 @@
 // are chosen.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <variant>
 
@@ -17,6 +18,14 @@ struct LightSample {
     float distance = 0;  // m, infinite for the environment
     float pdf = 0;       // 1/sr of `direction`, > 0
     V2f place{0, 0};     // in the environment's picture
+};
+
+/// Four directions towards a light, an array for each number: loops over them become vectors.
+struct LightBlock {
+    static constexpr int kSize = 4;
+    std::array<float, kSize> x, y, z;   // unit, from the point
+    std::array<float, kSize> distance;  // m
+    std::array<float, kSize> pdf;       // 1/sr, > 0
 };
 
 /// A point that light may come from, chosen by area, for connections that bend on their way.
@@ -39,8 +48,13 @@ class RectangleEmitter {
 
     /// Empty where the point lies behind the light.
     [[nodiscard]] std::optional<LightSample> sample(const V3f& point, const V2f& u) const;
+    /// `sample` for four points of the unit square.
+    [[nodiscard]] std::optional<LightBlock> sample_block(const V3f& point,
+                                                         const std::array<V2f, 4>& u) const;
     /// Density of `sample` for a direction that reaches the light at `distance`.
     [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance) const;
+    /// On the side that shines.
+    [[nodiscard]] const V3f& radiance() const { return radiance_; }
     /// Towards `direction`, which points away from the light.
     [[nodiscard]] V3f emitted(const V3f& direction) const;
     [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;

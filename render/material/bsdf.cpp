@@ -1,6 +1,7 @@
 #include "render/material/bsdf.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/material/fresnel.h"
 #include "render/material/microfacet.h"
@@ -21,6 +22,10 @@ constexpr float kMostChoice = 0.8f;
 
 float largest(const V3f& c) {
     return std::max({c.x, c.y, c.z});
+}
+
+V3f unit(const V3f& v) {
+    return v * (1 / std::sqrt(v ^ v));
 }
 
 }  // namespace
@@ -250,7 +255,7 @@ std::optional<BsdfSample> Bsdf::sample_glass(Layers layers, const V2f& u, float 
 
 std::optional<BsdfSample> Bsdf::pass(const V3f& wi, const V3f& weight) const {
     BsdfSample sample;
-    sample.direction = surface_->frame.to_world(wi).normalized();
+    sample.direction = unit(surface_->frame.to_world(wi));
     if (wi.z >= 0 || (surface_->geometric_normal ^ sample.direction) >= 0) {
         return std::nullopt;
     }
@@ -261,7 +266,7 @@ std::optional<BsdfSample> Bsdf::pass(const V3f& wi, const V3f& weight) const {
 
 std::optional<BsdfSample> Bsdf::mirror(const V3f& weight) const {
     BsdfSample sample;
-    sample.direction = surface_->frame.to_world(V3f(-wo_.x, -wo_.y, wo_.z)).normalized();
+    sample.direction = unit(surface_->frame.to_world(V3f(-wo_.x, -wo_.y, wo_.z)));
     if ((surface_->geometric_normal ^ sample.direction) <= 0) {
         return std::nullopt;
     }
@@ -273,14 +278,18 @@ std::optional<BsdfSample> Bsdf::mirror(const V3f& weight) const {
 // `passes`: meant to go to the far side; other lobes only stray there.
 std::optional<BsdfSample> Bsdf::finish(Layers layers, const V3f& wi, bool passes) const {
     BsdfSample sample;
-    sample.direction = surface_->frame.to_world(wi).normalized();
+    sample.direction = unit(surface_->frame.to_world(wi));
     const float side = surface_->geometric_normal ^ sample.direction;
     if (passes ? wi.z >= 0 || side >= 0 : wi.z <= 0 || side <= 0) {
         return std::nullopt;
     }
-    const BsdfValue value = is_lambert(layers) ? lambert(layers, wi.z)
-                            : passes           ? evaluate_through(layers, wi)
-                                               : evaluate_local(layers, wi);
+    if (is_lambert(layers)) {
+        const float probability = 1.0f - coat_probability(layers);
+        sample.weight = diffuse_ * (1 / probability);
+        sample.pdf = probability * wi.z * kInversePi;
+        return sample;
+    }
+    const BsdfValue value = passes ? evaluate_through(layers, wi) : evaluate_local(layers, wi);
     if (value.pdf <= 0) {
         return std::nullopt;
     }

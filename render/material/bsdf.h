@@ -39,6 +39,18 @@ class Bsdf {
     /// Whether the surface has a coat that can be followed by itself.
     [[nodiscard]] bool has_coat() const { return coat_ > 0; }
 
+    /// A lobe of albedo / pi.
+    struct Diffuse {
+        V3f albedo;
+        float probability;  // of `sample` taking it
+    };
+    /// What the layers scatter if that is all they do beside mirroring; else nothing.
+    [[nodiscard]] std::optional<Diffuse> only_diffuse(Layers layers) const {
+        return is_lambert(layers)
+                   ? std::optional(Diffuse{diffuse_, 1.0f - coat_probability(layers)})
+                   : std::nullopt;
+    }
+
     /// Whether anything but mirrors is there, so that `evaluate` is not 0 everywhere.
     [[nodiscard]] bool can_evaluate(Layers layers) const;
 

@@ -20,6 +20,8 @@ class PixelFilterSampler {
     /// Offset from the pixel's centre, pixels; within half the width.
     [[nodiscard]] V2f sample(V2f u) const { return V2f(offset(u.x), offset(u.y)); }
 
+    [[nodiscard]] double width() const { return width_; }  // pixels
+
     /// Density of `sample` in one of the two directions, per pixel; 0 beyond half the width.
     [[nodiscard]] double pdf_1d(double offset_pixels) const;
 

@@ -42,6 +42,15 @@ std::array<float, 4> SampleStream::next_4d() {
     return detail::sobol_point(shuffled, set_hash);
 }
 
+std::array<V2f, 4> SampleStream::square_block(std::uint32_t set) const {
+    const std::uint32_t set_hash = detail::mix(pixel_hash_ ^ detail::mix(set));
+    const std::uint32_t shuffled =
+        detail::scramble_reversed(reversed_sample_, detail::mix(set_hash + 0x9e3779b9u));
+    // Index 4 i: whatever order shuffling would give the four, all are taken.
+    const std::array<float, 8> u = detail::sobol_block(shuffled >> 2, set_hash);
+    return {V2f(u[0], u[4]), V2f(u[1], u[5]), V2f(u[2], u[6]), V2f(u[3], u[7])};
+}
+
 float SampleStream::lone_number(std::uint32_t set) const {
     const std::uint32_t set_hash = detail::mix(pixel_hash_ ^ detail::mix(set));
     return detail::to_unit(detail::mix(set_hash ^ reversed_sample_));

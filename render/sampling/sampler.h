@@ -29,6 +29,10 @@ class SampleStream {
     /// The next four dimensions: one shuffled, scrambled four-dimensional Sobol point.
     [[nodiscard]] std::array<float, 4> next_4d();
 
+    /// Four points of the unit square for this one sample, of a set of their own: those of all
+    /// samples together are one low-discrepancy sequence of four times as many. Below 2^30 samples.
+    [[nodiscard]] std::array<V2f, 4> square_block(std::uint32_t set) const;
+
     /// One number of a set by itself, independent from sample to sample: for choices that hardly
     /// ever turn out one way, where even spreading buys nothing.
     [[nodiscard]] float lone_number(std::uint32_t set) const;

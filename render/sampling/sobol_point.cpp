@@ -14,8 +14,23 @@ constexpr SobolNibbleTables kSobol = make_sobol_tables();
 constexpr std::uint32_t kLaneSalts[4] = {0x3c6ef372u, 0xdaa66d2bu, 0x78dde6e4u, 0x1715609du};
 constexpr std::uint32_t kFifthSalt = 0xb54cda56u;
 
-using PointFunction = void(std::uint32_t reversed_index, std::uint32_t set_hash,
+// Both write floats in [0, 1): four coordinates; two coordinates of four points, the first ones
+// first.
+using WriteFunction = void(std::uint32_t reversed_index, std::uint32_t set_hash,
                            float* coordinates);
+struct SobolFunctions {
+    WriteFunction* point;
+    WriteFunction* block;
+};
+
+// The points of a block differ in the two lowest bits of their index, the highest when reversed.
+constexpr std::uint32_t block_share(int dimension, std::uint32_t k) {
+    const std::uint32_t reversed = (k & 1u) << 1 | k >> 1;
+    return kSobol.values[7][reversed << 2][dimension];
+}
+alignas(16) constexpr std::uint32_t kBlock[2][4] = {
+    {block_share(0, 0), block_share(0, 1), block_share(0, 2), block_share(0, 3)},
+    {block_share(1, 0), block_share(1, 1), block_share(1, 2), block_share(1, 3)}};
 }  // namespace carom::render::detail
 #endif
 
@@ -24,14 +39,31 @@ namespace carom::render::detail::HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
 
+inline std::uint32_t sobol(std::uint32_t reversed_index, int d) {
+    std::uint32_t x = 0;
+    for (int nibble = 0; nibble < 8; ++nibble) {
+        x ^= kSobol.values[nibble][(reversed_index >> (4 * nibble)) & 15u][d];
+    }
+    return x;
+}
+
+inline float scrambled(std::uint32_t x, std::uint32_t set_hash, int d) {
+    const std::uint32_t seed = mix(set_hash + kLaneSalts[d]);
+    return to_unit(reverse_bits(scramble_reversed(x, seed)));
+}
+
 inline void point(std::uint32_t reversed_index, std::uint32_t set_hash, float* coordinates) {
     for (int d = 0; d < 4; ++d) {
-        std::uint32_t x = 0;
-        for (int nibble = 0; nibble < 8; ++nibble) {
-            x ^= kSobol.values[nibble][(reversed_index >> (4 * nibble)) & 15u][d];
+        coordinates[d] = scrambled(sobol(reversed_index, d), set_hash, d);
+    }
+}
+
+inline void block(std::uint32_t reversed_index, std::uint32_t set_hash, float* coordinates) {
+    for (int d = 0; d < 2; ++d) {
+        for (int k = 0; k < 4; ++k) {
+            coordinates[4 * d + k] =
+                scrambled(sobol(reversed_index, d) ^ kBlock[d][k], set_hash, d);
         }
-        const std::uint32_t seed = mix(set_hash + kLaneSalts[d]);
-        coordinates[d] = to_unit(reverse_bits(scramble_reversed(x, seed)));
     }
 }
 
@@ -85,26 +117,48 @@ HWY_INLINE Four contribution(std::uint32_t reversed_index, int nibble) {
     return hn::Load(Tag(), kSobol.values[nibble][(reversed_index >> (4 * nibble)) & 15u]);
 }
 
-inline HWY_ATTR void point(std::uint32_t reversed_index, std::uint32_t set_hash,
-                           float* coordinates) {
-    const Tag d;
-    const hn::Rebind<float, Tag> df;
-    const hn::Rebind<std::int32_t, Tag> di;
+HWY_INLINE Four sobol4(std::uint32_t reversed_index) {
     const Four a = hn::Xor(contribution(reversed_index, 0), contribution(reversed_index, 1));
     const Four b = hn::Xor(contribution(reversed_index, 2), contribution(reversed_index, 3));
     const Four c = hn::Xor(contribution(reversed_index, 4), contribution(reversed_index, 5));
     const Four e = hn::Xor(contribution(reversed_index, 6), contribution(reversed_index, 7));
-    const Four sobol = hn::Xor(hn::Xor(a, b), hn::Xor(c, e));
-    const Four seeds = mix4(hn::Add(hn::Set(d, set_hash), hn::LoadU(d, kLaneSalts)));
-    const Four scrambled = reverse_bits4(scramble_reversed4(sobol, seeds));
+    return hn::Xor(hn::Xor(a, b), hn::Xor(c, e));
+}
+
+HWY_INLINE Four seeds4(std::uint32_t set_hash) {
+    const Tag d;
+    return mix4(hn::Add(hn::Set(d, set_hash), hn::LoadU(d, kLaneSalts)));
+}
+
+HWY_INLINE void write_scrambled4(Four x, Four seeds, float* coordinates) {
+    const hn::Rebind<float, Tag> df;
+    const hn::Rebind<std::int32_t, Tag> di;
+    const Four scrambled = reverse_bits4(scramble_reversed4(x, seeds));
     const auto value = hn::ConvertTo(df, hn::BitCast(di, hn::ShiftRight<8>(scrambled)));
     hn::StoreU(hn::Mul(value, hn::Set(df, 0x1p-24f)), df, coordinates);
 }
 
+inline HWY_ATTR void point(std::uint32_t reversed_index, std::uint32_t set_hash,
+                           float* coordinates) {
+    write_scrambled4(sobol4(reversed_index), seeds4(set_hash), coordinates);
+}
+
+inline HWY_ATTR void block(std::uint32_t reversed_index, std::uint32_t set_hash,
+                           float* coordinates) {
+    const Tag d;
+    const Four base = sobol4(reversed_index);
+    const Four seeds = seeds4(set_hash);
+    write_scrambled4(hn::Xor(hn::Broadcast<0>(base), hn::Load(d, kBlock[0])),
+                     hn::Broadcast<0>(seeds), coordinates);
+    write_scrambled4(hn::Xor(hn::Broadcast<1>(base), hn::Load(d, kBlock[1])),
+                     hn::Broadcast<1>(seeds), coordinates + 4);
+}
+
 #endif
 
-inline PointFunction* point_function() {
-    return point;
+inline const SobolFunctions& functions_of_target() {
+    static constexpr SobolFunctions kFunctions = {point, block};
+    return kFunctions;
 }
 
 }  // namespace carom::render::detail::HWY_NAMESPACE
@@ -114,12 +168,26 @@ HWY_AFTER_NAMESPACE();
 
 namespace carom::render::detail {
 
-HWY_EXPORT(point_function);
+HWY_EXPORT(functions_of_target);
+
+namespace {
+
+const SobolFunctions& best() {
+    static const SobolFunctions& functions = HWY_DYNAMIC_DISPATCH(functions_of_target)();
+    return functions;
+}
+
+}  // namespace
 
 std::array<float, 4> sobol_point(std::uint32_t reversed_index, std::uint32_t set_hash) {
-    static PointFunction* const best = HWY_DYNAMIC_DISPATCH(point_function)();
     std::array<float, 4> coordinates;
-    best(reversed_index, set_hash, coordinates.data());
+    best().point(reversed_index, set_hash, coordinates.data());
+    return coordinates;
+}
+
+std::array<float, 8> sobol_block(std::uint32_t reversed_index, std::uint32_t set_hash) {
+    std::array<float, 8> coordinates;
+    best().block(reversed_index, set_hash, coordinates.data());
     return coordinates;
 }
 

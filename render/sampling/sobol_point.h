@@ -41,6 +41,11 @@ namespace carom::render::detail {
 [[nodiscard]] std::array<float, 4> sobol_point(std::uint32_t reversed_index,
                                                std::uint32_t set_hash);
 
+/// Four points that follow each other, scrambled alike: of the first one, whose index is a multiple
+/// of 4, the bit-reversed index is given. Their first coordinates, then their second ones.
+[[nodiscard]] std::array<float, 8> sobol_block(std::uint32_t reversed_index,
+                                               std::uint32_t set_hash);
+
 /// The fifth dimension of the same point.
 [[nodiscard]] float sobol_fifth(std::uint32_t reversed_index, std::uint32_t set_hash);
 

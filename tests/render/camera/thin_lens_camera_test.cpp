@@ -303,5 +303,54 @@ TEST(ThinLensCamera, UnusableStates_AreRefused) {
     EXPECT_EQ(message(state), "camera: a value is not a finite number");
 }
 
+TEST(ThinLensCamera, Arrival_UndoesRay) {
+    CameraState open = some_camera();
+    CameraState close = open;
+    close.position += Vec3(0.1, 0.05, 0);
+    close.roll = 0.1;
+    test::TestRandom random(21);
+    for (const double lens_radius : {0.0, 0.02}) {
+        open.lens_radius = lens_radius;
+        close.lens_radius = lens_radius;
+        const ThinLensCamera camera(open, close, kWidth, kHeight, 0.3, PixelFilter::box, 1);
+        for (int i = 0; i < 1'000; ++i) {
+            const CameraSample sample = random_sample(random);
+            const int x = i % kWidth;
+            const int y = (7 * i) % kHeight;
+            const Ray ray = camera.ray(x, y, sample);
+            const ThinLensCamera::Aperture aperture = camera.aperture(sample);
+            EXPECT_EQ(aperture.time, ray.time);
+            EXPECT_EQ(aperture.position, ray.origin);
+            const auto arrival = camera.arrival(aperture, ray.direction);
+            ASSERT_TRUE(arrival);
+            EXPECT_NEAR(arrival->place.x, static_cast<float>(x) + sample.pixel.x, 2e-3f);
+            EXPECT_NEAR(arrival->place.y, static_cast<float>(y) + sample.pixel.y, 2e-3f);
+            EXPECT_FALSE(camera.arrival(aperture, -ray.direction));
+        }
+    }
+}
+
+TEST(ThinLensCamera, PixelSolidAngle_IsThatBetweenItsCorners) {
+    CameraState state = some_camera();
+    state.lens_radius = 0.05;
+    const ThinLensCamera camera = still(state);
+    CameraSample sample = centre();
+    sample.lens = V2f(0.9f, 0.2f);
+    const ThinLensCamera::Aperture aperture = camera.aperture(sample);
+    for (const int x : {0, 320, 639}) {
+        // Of three neighbouring pixels along each side, so that float has digits left.
+        const auto toward = [&](int dx, int dy) {
+            return camera.ray(x + dx, 40 + dy, sample).direction;
+        };
+        const V3f middle = toward(0, 0);
+        const V3f across = (toward(3, 0) - toward(-3, 0)) / 6;
+        const V3f down = (toward(0, 3) - toward(0, -3)) / 6;
+        const double solid_angle = static_cast<double>(across.cross(down).length());
+        EXPECT_NEAR(static_cast<double>(camera.arrival(aperture, middle)->pixel_solid_angle),
+                    solid_angle, 1e-3 * solid_angle)
+            << x;
+    }
+}
+
 }  // namespace
 }  // namespace carom::render

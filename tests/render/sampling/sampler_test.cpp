@@ -256,5 +256,25 @@ TEST(SampleStream, SmoothIntegrand_ErrorFallsFasterThanByChance) {
     EXPECT_GT(error(64) / error(1024), 20);
 }
 
+TEST(SampleStream, SquareBlocks_AreOneSequenceOfFourTimesAsMany) {
+    for (const int samples : {1, 4, 16, 64}) {
+        std::vector<Point> points;
+        for (int i = 0; i < samples; ++i) {
+            const SampleStream stream(3, 5, 7, static_cast<std::uint32_t>(i));
+            for (const V2f& u : stream.square_block(9)) {
+                points.push_back({u.x, u.y});
+            }
+        }
+        // Every way to divide the square into as many boxes as there are points.
+        int bits = 0;
+        while (1 << bits < 4 * samples) {
+            ++bits;
+        }
+        for (int across = 0; across <= bits; ++across) {
+            EXPECT_EQ(fullest_box(points, {across, bits - across}), 1) << samples << ' ' << across;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace carom::render

@@ -1,0 +1,114 @@
+#include "render/integrator/light_reflections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom::render {
+namespace {
+
+// Larger images are found well enough by every pixel's own samples.
+constexpr float kLargestImage = 256.0f;  // pixels
+
+constexpr int kProbes = 64;
+
+// Splats per sample of a pixel: for every pixel that the image may touch, within bounds.
+constexpr double kPerPixel = 4;
+constexpr double kFewest = 64;
+constexpr double kMost = 1024;
+
+// Numbers apart from those of all pixels.
+constexpr std::uint32_t kRow = 0xffffffffu;
+
+struct Extent {
+    V2f low{std::numeric_limits<float>::max()};
+    V2f high{std::numeric_limits<float>::lowest()};
+
+    void add(const V2f& p) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    [[nodiscard]] double area() const {
+        return static_cast<double>(high.x - low.x + 1) * static_cast<double>(high.y - low.y + 1);
+    }
+};
+
+}  // namespace
+
+LightReflections::LightReflections(const TransportScene& scene, const ThinLensCamera& camera)
+    : scene_(scene), camera_(camera) {
+    for (const MirrorBall& ball : mirror_balls(scene)) {
+        for (std::size_t light = 0; light < scene.lights.area_light_count(); ++light) {
+            const float travel = 0.5f * ball.centres.size().length();
+            const V3f middle = ball.centres.center();
+            const auto can_sample = [&](const auto& emitter) {
+                return emitter.can_sample_area((emitter.centre() - middle).length() - travel,
+                                               ball.radius);
+            };
+            if (std::visit(can_sample, scene.lights.area_light(light))) {
+                consider(ball, light);
+            }
+        }
+    }
+}
+
+// Tries a few choices: how large the image is, and over how many pixels it is smeared.
+void LightReflections::consider(const MirrorBall& ball, std::size_t light) {
+    RenderStatistics ignored;
+    Extent extent;
+    float area = 0;
+    int found = 0;
+    for (int i = 0; i < kProbes; ++i) {
+        const SampleStream stream(0, 0, kRow, static_cast<std::uint32_t>(i));
+        if (const auto there = landing(ball, light, stream.camera_sample(), ignored)) {
+            extent.add(there->place);
+            area += there->area;
+            found += 1;
+        }
+    }
+    if (found > 0 && area < kLargestImage * static_cast<float>(found)) {
+        pairs_.push_back({ball, light, std::clamp(kPerPixel * extent.area(), kFewest, kMost)});
+    }
+}
+
+bool LightReflections::covers(std::uint32_t object, std::size_t light) const {
+    return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+        return pair.ball.object == object && pair.light == light;
+    });
+}
+
+std::vector<Splat> LightReflections::splats(std::size_t index, double samples, std::uint64_t seed,
+                                            RenderStatistics& count) const {
+    const Pair& pair = pairs_[index];
+    const auto number = static_cast<std::uint32_t>(std::ceil(samples * pair.size));
+    const float share = 1.0f / static_cast<float>(number);
+    std::vector<Splat> result;
+    for (std::uint32_t i = 0; i < number; ++i) {
+        const SampleStream stream(seed, static_cast<std::uint32_t>(index), kRow, i);
+        if (const auto there = landing(pair.ball, pair.light, stream.camera_sample(), count)) {
+            result.push_back({there->place, there->flux * share});
+        }
+    }
+    return result;
+}
+
+std::optional<LightReflections::Landing> LightReflections::landing(const MirrorBall& ball,
+                                                                   std::size_t light,
+                                                                   const CameraSample& sample,
+                                                                   RenderStatistics& count) const {
+    // What places a camera ray in its pixel places the light's point here.
+    const ThinLensCamera::Aperture aperture = camera_.aperture(sample);
+    const auto mirrored =
+        mirrored_light(scene_, ball, light, aperture.position, aperture.time, sample.pixel);
+    if (!mirrored) {
+        return std::nullopt;
+    }
+    const auto seen = camera_.arrival(aperture, mirrored->direction);
+    if (!seen || is_blocked(scene_, *mirrored, aperture.position, aperture.time, count)) {
+        return std::nullopt;
+    }
+    const float area = mirrored->solid_angle / seen->pixel_solid_angle;
+    return Landing{seen->place, mirrored->radiance * area, area};
+}
+
+}  // namespace carom::render

@@ -1,0 +1,92 @@
+#include "render/integrator/light_reflections.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/render/integrator/integrator_scene.h"
+
+namespace carom::render {
+namespace {
+
+using test::Estimate;
+using test::SceneBuilder;
+
+constexpr int kSize = 16;
+
+/// Two smooth balls, a bulb and a small lamp that are mirrored in both, a third ball in the way of
+/// some of it.
+SceneBuilder balls_before_lights() {
+    SceneBuilder builder;
+    StandardMaterial phenolic;
+    phenolic.base = Vec3(0.02, 0.02, 0.02);
+    phenolic.coat = {1, 1.8, 0};
+    StandardMaterial chalk;
+    chalk.base = Vec3(0.1, 0.1, 0.1);
+    builder.material("phenolic", phenolic).material("chalk", chalk);
+    builder.sphere("a", 0.3, Vec3(-0.4, 0, 0.3), "phenolic");
+    builder.sphere("b", 0.2, Vec3(0.35, 0.2, 0.2), "phenolic");
+    builder.sphere("c", 0.1, Vec3(0.12, -0.3, 0.3), "chalk");
+    builder.bulb(Vec3(-1.2, -1.8, 1.5), 0.25, 60).lamp(Vec3(0.4, -0.9, 2), 0.3, 0.2, 40);
+    return builder;
+}
+
+/// A lens that smears the images over the picture.
+CameraState camera() {
+    CameraState state = test::camera(Vec3(0, -2.6, 0.9), Vec3(0, 0.1, 0.25), 0.5);
+    state.lens_radius = 0.06;
+    state.focus_distance = 1.6;
+    return state;
+}
+
+/// Mean luminance of the picture, the images of lights in balls by splats or by chance.
+Estimate seen(const PreparedScene& prepared, bool splats, int runs, int samples) {
+    const auto& data = prepared.data();
+    const FrameScene frame(data.geometry, {}, 0, 0);
+    const TransportScene scene{frame, data.materials, data.lights, data.object_count};
+    const ThinLensCamera lens(camera(), camera(), kSize, kSize, 0, PixelFilter::box, 1);
+    const LightReflections reflections(scene, lens);
+    PathSettings path;
+    path.max_bounces = 1;
+    const PathIntegrator integrator(scene, path, splats ? &reflections : nullptr);
+    EXPECT_EQ(reflections.pair_count(), 4u);
+    std::vector<double> means;
+    for (int run = 0; run < runs; ++run) {
+        const auto seed = static_cast<std::uint64_t>(run);
+        RenderStatistics count;
+        double sum = 0;
+        for (int i = 0; i < kSize * kSize * samples; ++i) {
+            const int x = i % kSize;
+            const int y = i / kSize % kSize;
+            const int sample = i / (kSize * kSize);
+            const SampleStream stream(seed, static_cast<std::uint32_t>(x),
+                                      static_cast<std::uint32_t>(y),
+                                      static_cast<std::uint32_t>(sample));
+            const auto result =
+                integrator.sample(lens.ray(x, y, stream.camera_sample()),
+                                  lens.frame_at(0).pixel_size, stream, {x, y, sample}, count);
+            sum += static_cast<double>(luminance(result.radiance)) / samples;
+        }
+        for (std::size_t pair = 0; splats && pair < reflections.pair_count(); ++pair) {
+            for (const Splat& splat : reflections.splats(pair, samples, seed, count)) {
+                const bool inside = splat.place.x >= 0 && splat.place.x < kSize &&
+                                    splat.place.y >= 0 && splat.place.y < kSize;
+                sum += inside ? static_cast<double>(luminance(splat.flux)) : 0;
+            }
+        }
+        means.push_back(sum / (kSize * kSize));
+    }
+    return test::estimate_of(means);
+}
+
+TEST(LightReflections, SoughtOrFoundByChance_HaveTheSameMean) {
+    const PreparedScene prepared(balls_before_lights().scene,
+                                 test::small_settings(kSize, kSize, 16));
+    const Estimate sought = seen(prepared, true, 24, 16);
+    const Estimate by_chance = seen(prepared, false, 48, 256);
+    EXPECT_NEAR(sought.mean, by_chance.mean, 4 * std::hypot(sought.error, by_chance.error));
+    EXPECT_LT(by_chance.error, 0.01 * by_chance.mean);
+    // With a thirty-second of the samples.
+    EXPECT_LT(sought.error, by_chance.error);
+}
+
+}  // namespace
+}  // namespace carom::render
