@@ -41,6 +41,9 @@ struct Path {
 /// `u` (Cranley and Patterson 1976, "Randomization of number theoretic methods for multiple
 /// integration").
 [[nodiscard]] inline V2f lattice_point(const V2f& u, int k, int n) {
+    if (n == 1) {
+        return u;
+    }
     const float x = u.x + static_cast<float>(k) / static_cast<float>(n);
     const float y = u.y + static_cast<float>(k) * 0.618034f;
     return {x - std::floor(x), y - std::floor(y)};

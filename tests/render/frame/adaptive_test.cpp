@@ -121,7 +121,7 @@ TEST(AdaptiveSampling, MeanIsThatOfManySamples) {
 
 TEST(AdaptiveSampling, ReachesItsTargetWithFewerSamplesThanEvenOnes) {
     Spots scene;
-    RenderSettings settings = plan_settings(48, 32, 0.02);
+    RenderSettings settings = plan_settings(48, 32, 0.005);
     settings.max_samples = 4096;
     const PreparedScene prepared(scene.builder.scene, settings);
     const auto render = [&](int seed, const RenderSettings& with) {
@@ -144,7 +144,7 @@ TEST(AdaptiveSampling, ReachesItsTargetWithFewerSamplesThanEvenOnes) {
         return std::sqrt(4 * sum / static_cast<double>(film.rgba.size()));
     };
     const Film film = render(1, settings);
-    EXPECT_LT(error_of(film), 0.022);
+    EXPECT_LT(error_of(film), 0.0055);
     RenderSettings even = settings;
     even.noise = 0;
     even.samples = static_cast<int>(film.statistics.camera_rays / (48 * 32));
