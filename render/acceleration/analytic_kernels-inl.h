@@ -429,13 +429,12 @@ inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const Ray& ray, Candi
     nearest.reduce(d, best);
 }
 
-inline HWY_ATTR bool any(const AnalyticBlocks& blocks, const Ray& ray) {
+/// Whether the ray meets any shape but a plain sphere.
+inline HWY_ATTR bool meets_other(const AnalyticBlocks& blocks, const Ray& ray,
+                                 const RayLanes<WideTag>& lanes) {
     const WideTag d;
-    const RayLanes<WideTag> lanes = broadcast(d, ray);
     const hn::Vec<WideTag> t_max = hn::Set(d, ray.t_max);
-    return scan_any(d, lanes, t_max, blocks.moving_spheres, MovingSphereTest()) ||
-           scan_any(d, lanes, t_max, blocks.still_spheres, StillSphereTest()) ||
-           scan_any(d, lanes, t_max, blocks.boxes,
+    return scan_any(d, lanes, t_max, blocks.boxes,
                     AlignedBoxTest<WideTag>(d, lanes, ray.direction)) ||
            scan_any(d, lanes, t_max, blocks.mapped_boxes, MappedBoxTest()) ||
            scan_any(d, lanes, t_max, blocks.mapped_balls, MappedBallTest()) ||
@@ -444,6 +443,15 @@ inline HWY_ATTR bool any(const AnalyticBlocks& blocks, const Ray& ray) {
            scan_any(d, lanes, t_max, blocks.disks, DiskTest()) ||
            scan_any(d, lanes, t_max, blocks.frustums, FrustumTest()) ||
            scan_any(d, lanes, t_max, blocks.planes, PlaneTest());
+}
+
+inline HWY_ATTR bool any(const AnalyticBlocks& blocks, const Ray& ray) {
+    const WideTag d;
+    const RayLanes<WideTag> lanes = broadcast(d, ray);
+    const hn::Vec<WideTag> t_max = hn::Set(d, ray.t_max);
+    return scan_any(d, lanes, t_max, blocks.moving_spheres, MovingSphereTest()) ||
+           scan_any(d, lanes, t_max, blocks.still_spheres, StillSphereTest()) ||
+           meets_other(blocks, ray, lanes);
 }
 
 /// A ray of a fan in every lane.
@@ -492,14 +500,7 @@ inline HWY_ATTR FanMask any_of_fan(const AnalyticBlocks& blocks, const RayFan& f
     open = past_spheres(blocks.still_spheres, StillSphereTest(), fan, open);
     open = without_blocked(open, [&](int i) HWY_ATTR {
         const Ray ray = fan.ray(i);
-        const RayLanes<WideTag> lanes = broadcast(d, ray);
-        const hn::Vec<WideTag> t_max = hn::Set(d, ray.t_max);
-        return scan_any(d, lanes, t_max, blocks.boxes,
-                        AlignedBoxTest<WideTag>(d, lanes, ray.direction)) ||
-               scan_any(d, lanes, t_max, blocks.mapped_boxes, MappedBoxTest()) ||
-               scan_any(d, lanes, t_max, blocks.mapped_balls, MappedBallTest()) ||
-               scan_any(d, lanes, t_max, blocks.rectangles, RectangleTest()) ||
-               scan_any(d, lanes, t_max, blocks.planes, PlaneTest());
+        return meets_other(blocks, ray, broadcast(d, ray));
     });
     return asked & ~open;
 }

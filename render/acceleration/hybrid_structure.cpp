@@ -97,7 +97,7 @@ FanMask HybridStructure::any_hits(const RayFan& fan) const {
         }
     }
     const FanMask open = traceable & ~hits;
-    return triangles_ && open != 0 ? hits | triangles_->any_hits(safe, open) : hits;
+    return meshes_ && open != 0 ? hits | meshes_->any_hits(safe, open) : hits;
 }
 
 }  // namespace carom::render
