@@ -101,6 +101,7 @@ class SceneHasher {
         hasher_.add(material.transmission).add(material.ior);
         hasher_.add(material.transmission_colour).add(material.transmission_depth);
         hasher_.add(material.coat.weight).add(material.coat.ior).add(material.coat.roughness);
+        hasher_.add(material.emission);
     }
 
     void add(const render::PhongMaterial& material) {
@@ -109,7 +110,7 @@ class SceneHasher {
         hasher_.add(material.specular).add(material.shininess);
         hasher_.add(material.reflectance).add(material.reflectance_spread);
         hasher_.add(material.transmittance).add(material.transmittance_spread);
-        hasher_.add(material.index);
+        hasher_.add(material.index).add(material.emission);
     }
 
     void add(const Vec3& colour) { hasher_.add(colour); }

@@ -97,12 +97,6 @@ std::vector<std::string> problems_of(const FrameInput& frame) {
 void check_integrator(const RenderSettings& settings, const std::vector<Material>& materials,
                       std::size_t lights) {
     if (settings.integrator == IntegratorKind::path) {
-        const bool has_phong = std::any_of(materials.begin(), materials.end(),
-                                           [](const Material& m) { return m.is_phong(); });
-        if (has_phong) {
-            throw Error(
-                "the scene has a phong material, which only the distributed integrator can render");
-        }
         return;
     }
     const bool reflects = std::any_of(materials.begin(), materials.end(), [](const Material& m) {

@@ -4,7 +4,9 @@
 #include <iterator>
 #include <set>
 #include <string>
+#include <utility>
 
+#include "render/frame_scene/still_triangles.h"
 #include "sim/timeline/error.h"
 
 namespace carom::render {
@@ -55,11 +57,33 @@ SceneNames names_of(const SceneDescription& scene) {
     return names;
 }
 
+/// All lights, those that are objects included.
+LightSet make_lights(const SceneDescription& scene, const StaticGeometry& geometry,
+                     const std::vector<Material>& materials) {
+    LightSet lights(scene.lights);
+    for (std::uint32_t object = 0; object < scene.objects.size(); ++object) {
+        const Material& material = materials[geometry.material_of_object(object)];
+        if (material.is_emissive()) {
+            lights.add(object,
+                       EmissiveSurface(still_triangles(geometry, object), material.emission()));
+        }
+    }
+    return lights;
+}
+
+PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettings& settings) {
+    StaticGeometry geometry(scene, settings);
+    std::vector<Material> materials = make_materials(scene);
+    LightSet lights = make_lights(scene, geometry, materials);
+    return new PreparedScene::Data{std::move(geometry), std::move(materials), std::move(lights),
+                                   static_cast<std::uint32_t>(scene.objects.size()),
+                                   names_of(scene)};
+}
+
 }  // namespace
 
 PreparedScene::PreparedScene(const SceneDescription& scene, const RenderSettings& settings)
-    : data_(new Data{StaticGeometry(scene, settings), make_materials(scene), LightSet(scene.lights),
-                     static_cast<std::uint32_t>(scene.objects.size()), names_of(scene)}) {}
+    : data_(make_data(scene, settings)) {}
 
 PreparedScene::~PreparedScene() = default;
 PreparedScene::PreparedScene(PreparedScene&&) noexcept = default;

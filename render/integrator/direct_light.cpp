@@ -232,13 +232,14 @@ V3f DirectLight::scattered(const ShadingVertex& vertex, const V3f& direction,
     return sum;
 }
 
-float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float distance) const {
+float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float distance,
+                                     float cosine) const {
     const LastScattering& last = path.last;
     if (last.is_delta || strategy_ == DirectStrategy::scattering_only) {
         return 1;
     }
     float expected =
-        light < scene_.lights.area_light_count() ? samples_of(light) : last.environment_samples;
+        scene_.lights.is_environment(light) ? last.environment_samples : samples_of(light);
     if (!last.all_lights) {
         expected = last.total_importance > 0
                        ? scene_.lights.importance(light, last.position, last.normal) /
@@ -246,7 +247,7 @@ float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float 
                        : 0.0f;
     }
     const float light_pdf =
-        expected * scene_.lights.pdf(light, last.position, path.ray.direction, distance);
+        expected * scene_.lights.pdf(light, last.position, path.ray.direction, distance, cosine);
     if (strategy_ == DirectStrategy::lights_only) {
         return light_pdf > 0 ? 0.0f : 1.0f;
     }
@@ -257,6 +258,12 @@ V3f DirectLight::met(const Path& path, const Hit& hit) const {
     const std::size_t light = scene_.light_of(hit);
     const V3f radiance = scene_.lights.emitted(light, -path.ray.direction);
     return is_dark(radiance) ? radiance : radiance * weight_of_meeting(path, light, hit.t);
+}
+
+V3f DirectLight::met_object(const Path& path, const Hit& hit, const V3f& radiance,
+                            float cosine) const {
+    const auto light = scene_.lights.emissive_light(hit.object);
+    return light ? radiance * weight_of_meeting(path, *light, hit.t, cosine) : radiance;
 }
 
 V3f DirectLight::environment(const Path& path) const {

@@ -50,6 +50,11 @@ class DirectLight {
     /// Radiance, weighted against having been sampled, of the area light that the path's ray met.
     [[nodiscard]] V3f met(const Path& path, const Hit& hit) const;
 
+    /// The same of an object that shines by its material: `radiance` towards the path, at an angle
+    /// with this `cosine` to its front's normal.
+    [[nodiscard]] V3f met_object(const Path& path, const Hit& hit, const V3f& radiance,
+                                 float cosine) const;
+
     /// The same of the environment, for a ray that met nothing.
     [[nodiscard]] V3f environment(const Path& path) const;
 
@@ -64,8 +69,8 @@ class DirectLight {
     [[nodiscard]] float samples_of(std::size_t light) const;
     [[nodiscard]] V3f scattered(const ShadingVertex& vertex, const V3f& direction,
                                 float light_pdf) const;
-    [[nodiscard]] float weight_of_meeting(const Path& path, std::size_t light,
-                                          float distance) const;
+    [[nodiscard]] float weight_of_meeting(const Path& path, std::size_t light, float distance,
+                                          float cosine = 0) const;
 
     TransportScene scene_;
     DirectStrategy strategy_;

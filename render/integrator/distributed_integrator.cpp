@@ -134,7 +134,8 @@ V3f DistributedIntegrator::trace(const TreeRay& from, Work& work) const {
     }
     const Vertex vertex{from, point, surface, material.phong(), wo, width};
     const float ambient = static_cast<float>(settings_.ambient_coefficient);
-    V3f sum = vertex.model.ambient_colour(surface.base) * ambient + direct(vertex, work);
+    V3f sum = surface.emission + vertex.model.ambient_colour(surface.base) * ambient +
+              direct(vertex, work);
     if (from.generation < settings_.recursion_limit) {
         sum += sent_on(vertex, work);
     }

@@ -70,6 +70,8 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
       reflections_(reflections),
       settings_(settings) {
     CAROM_ASSERT(settings.split_vertices >= 0 && settings.split_vertices <= kMostSplits);
+    has_emission_ = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                [](const Material& material) { return material.is_emissive(); });
 }
 
 RadianceSample PathIntegrator::sample(const Ray& camera_ray, float pixel_spread,
@@ -114,6 +116,9 @@ void PathIntegrator::follow(Path path, Work& work) const {
                 work.result.normal = -path.ray.direction;
             }
             return;
+        }
+        if (has_emission_) {
+            add_emission(path, hit, work);
         }
         if (path.vertex > settings_.max_bounces || !survives(path, work)) {
             return;
@@ -164,6 +169,16 @@ bool PathIntegrator::is_sought(const Path& path, const Hit& hit) const {
     const auto ball = static_cast<std::uint32_t>(path.last.connected_ball);
     const std::size_t light = scene_.light_of(hit);
     return path.vertex == 1 ? reflections_->covers(ball, light) : caustics_.covers(ball, light);
+}
+
+void PathIntegrator::add_emission(const Path& path, const Hit& hit, Work& work) const {
+    const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
+    const float cosine = -(point.geometric_normal ^ path.ray.direction);
+    const Material& material = scene_.materials[point.material];
+    if (cosine > 0 && material.is_emissive()) {
+        work.add(path.throughput * direct_.met_object(path, hit, material.emission(), cosine),
+                 path.vertex);
+    }
 }
 
 // Roulette on long paths only: by then what is left of the path's weight says how much it matters.

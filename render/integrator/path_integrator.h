@@ -41,6 +41,7 @@ class PathIntegrator final : public Integrator {
     struct Work;
 
     void follow(Path path, Work& work) const;
+    void add_emission(const Path& path, const Hit& hit, Work& work) const;
     [[nodiscard]] bool scatter(Path& path, const ShadingVertex& vertex, const V2f& u,
                                Work& work) const;
     [[nodiscard]] bool is_sought(const Path& path, const Hit& hit) const;
@@ -51,6 +52,7 @@ class PathIntegrator final : public Integrator {
     Caustics caustics_;
     const LightReflections* reflections_;
     PathSettings settings_;
+    bool has_emission_ = false;  // some object shines by its material
 };
 
 }  // namespace carom::render

@@ -105,7 +105,21 @@ LightSet::LightSet(const std::vector<LightDescription>& lights) {
     }
 }
 
+void LightSet::add(std::uint32_t object, EmissiveSurface surface) {
+    if (surface.is_dark()) {
+        return;
+    }
+    if (object >= light_of_object_.size()) {
+        light_of_object_.resize(object + 1);
+    }
+    light_of_object_[object] = sampled_count();
+    emissive_.push_back(std::move(surface));
+}
+
 float LightSet::importance(std::size_t light, const V3f& point, const V3f& normal) const {
+    if (light >= first_emissive()) {
+        return emissive_[light - first_emissive()].importance(point, normal);
+    }
     if (is_delta(light)) {
         return delta_lights_[light - first_delta()].importance(point, normal);
     }
@@ -146,6 +160,9 @@ std::optional<LightSet::Choice> LightSet::choose(const V3f& point, const V3f& no
 
 std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point,
                                             const V2f& u) const {
+    if (light >= first_emissive()) {
+        return emissive_[light - first_emissive()].sample(point, u);
+    }
     if (is_delta(light)) {
         return delta_lights_[light - first_delta()].sample(point);
     }
@@ -157,6 +174,9 @@ std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point,
 }
 
 V3f LightSet::radiance(std::size_t light, const LightSample& sample) const {
+    if (light >= first_emissive()) {
+        return emissive_[light - first_emissive()].radiance();
+    }
     if (is_delta(light)) {
         return delta_lights_[light - first_delta()].radiance(sample);
     }
@@ -164,8 +184,11 @@ V3f LightSet::radiance(std::size_t light, const LightSample& sample) const {
                                  : emitted(light, -sample.direction);
 }
 
-float LightSet::pdf(std::size_t light, const V3f& point, const V3f& direction,
-                    float distance) const {
+float LightSet::pdf(std::size_t light, const V3f& point, const V3f& direction, float distance,
+                    float cosine) const {
+    if (light >= first_emissive()) {
+        return emissive_[light - first_emissive()].pdf(distance, cosine);
+    }
     if (is_environment(light)) {
         return environment_.pdf(direction);
     }

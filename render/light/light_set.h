@@ -2,20 +2,22 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "render/geometry/ray.h"
 #include "render/light/area_light.h"
 #include "render/light/delta_light.h"
+#include "render/light/emissive_surface.h"
 #include "render/light/environment.h"
 #include "render/scene/scene_description.h"
 
 namespace carom::render {
 
 /// Lights that can be sampled are numbered from 0: area lights in the order of the description,
-/// then the environment if it is sampled, then those without a surface. Immutable; shared by all
-/// threads.
+/// then the environment if it is sampled, then those without a surface, then
+/// objects that shine by their material. Immutable; shared by all threads.
 class LightSet {
   public:
     LightSet() = default;
@@ -25,13 +27,24 @@ class LightSet {
     /// radiance that is negative or not finite.
     explicit LightSet(const std::vector<LightDescription>& lights);
 
+    /// The object's material shines: from now on it is sampled, too. For the time before the set is
+    /// shared.
+    void add(std::uint32_t object, EmissiveSurface surface);
+
+    /// The number of the light that an object is; none if it is not sampled.
+    [[nodiscard]] std::optional<std::size_t> emissive_light(std::uint32_t object) const {
+        return object < light_of_object_.size() ? light_of_object_[object] : std::nullopt;
+    }
+
     [[nodiscard]] std::size_t area_light_count() const { return area_lights_.size(); }
-    [[nodiscard]] std::size_t sampled_count() const { return first_delta() + delta_lights_.size(); }
+    [[nodiscard]] std::size_t sampled_count() const { return first_emissive() + emissive_.size(); }
     [[nodiscard]] bool is_environment(std::size_t light) const {
         return light == area_lights_.size() && environment_.is_sampled();
     }
     /// Whether it has no surface: one direction leads to it from any point.
-    [[nodiscard]] bool is_delta(std::size_t light) const { return light >= first_delta(); }
+    [[nodiscard]] bool is_delta(std::size_t light) const {
+        return light >= first_delta() && light < first_emissive();
+    }
 
     /// Estimate of the unoccluded light that reaches a surface at `point`: what lights are chosen
     /// by. 0 only where nothing arrives.
@@ -54,11 +67,11 @@ class LightSet {
     /// Radiance that arrives along a sample of that light if nothing is in the way.
     [[nodiscard]] V3f radiance(std::size_t light, const LightSample& sample) const;
 
-    /// Of an area light or the environment: density of `sample` (1/sr, given that light) for a
-    /// direction from `point` that reaches it
-    /// after `distance`.
+    /// Of any light but one without a surface: density of `sample` (1/sr, given that light) for a
+    /// direction from `point` that reaches it after `distance`; an object at an angle with this
+    /// `cosine` to its front's normal.
     [[nodiscard]] float pdf(std::size_t light, const V3f& point, const V3f& direction,
-                            float distance) const;
+                            float distance, float cosine = 0) const;
 
     /// Radiance of an area light towards the unit `direction`, away from it.
     [[nodiscard]] V3f emitted(std::size_t light, const V3f& direction) const;
@@ -72,10 +85,15 @@ class LightSet {
     [[nodiscard]] std::size_t first_delta() const {
         return area_lights_.size() + (environment_.is_sampled() ? 1 : 0);
     }
+    [[nodiscard]] std::size_t first_emissive() const {
+        return first_delta() + delta_lights_.size();
+    }
 
     std::vector<AreaLight> area_lights_;
     Environment environment_;
     std::vector<DeltaLight> delta_lights_;
+    std::vector<EmissiveSurface> emissive_;
+    std::vector<std::optional<std::size_t>> light_of_object_;
 };
 
 }  // namespace carom::render

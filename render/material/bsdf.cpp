@@ -33,6 +33,10 @@ V3f unit(const V3f& v) {
 Bsdf::Bsdf(const Surface& surface, const V3f& wo)
     : surface_(&surface), wo_(surface.frame.from_world(wo)) {
     wo_.z = std::max(wo_.z, kLeastCosine);
+    if (surface.phong != nullptr) {
+        phong_.emplace(*surface.phong, surface.base, surface.from_behind, wo_.normalized());
+        return;
+    }
     const LayerConstants& layers = *surface.layers;
     if (layers.coat_weight > 0 && !surface.is_inside) {
         const float reflected = layers.coat_alpha > 0 ? layers.coat_albedo.at(wo_.z)
@@ -108,6 +112,9 @@ V3f Bsdf::facet_reflectance(float cosine) const {
 }
 
 bool Bsdf::can_evaluate(Layers layers) const {
+    if (phong_) {
+        return layers != Layers::coat && phong_->can_evaluate();
+    }
     const bool coat = layers != Layers::base && has_rough_coat_;
     const bool facets = facets_ > 0 && surface_->layers->alpha > 0;
     const bool glass = glass_ > 0 && surface_->layers->glass->alpha > 0;
@@ -117,6 +124,9 @@ bool Bsdf::can_evaluate(Layers layers) const {
 }
 
 bool Bsdf::is_broad() const {
+    if (phong_) {
+        return phong_->is_broad();
+    }
     constexpr float kBroad = 0.09f;  // of a facet distribution's width
     const LayerConstants& layers = *surface_->layers;
     const bool narrow_coat = has_rough_coat_ && layers.coat_alpha < kBroad;
@@ -191,7 +201,44 @@ BsdfValue Bsdf::evaluate_through(Layers layers, const V3f& wi) const {
             (1.0f - coat_probability(layers)) * choose_glass_ * glass.pdf};
 }
 
+// A direction counts only if it is on the same side of the surface and of the shading normal's.
+BsdfValue Bsdf::evaluate_phong(const V3f& wi) const {
+    const V3f local = surface_->frame.from_world(wi);
+    if ((local.z > 0) != ((surface_->geometric_normal ^ wi) > 0)) {
+        return {};
+    }
+    const PhongLobes::Value value = phong_->evaluate(local);
+    return {value.value, value.pdf};
+}
+
+std::optional<BsdfSample> Bsdf::sample_phong(const V2f& u) const {
+    const auto chosen = phong_->sample(u);
+    if (!chosen) {
+        return std::nullopt;
+    }
+    BsdfSample sample;
+    sample.direction = surface_->frame.to_world(chosen->direction).normalized();
+    if ((chosen->direction.z > 0) != ((surface_->geometric_normal ^ sample.direction) > 0)) {
+        return std::nullopt;
+    }
+    if (chosen->is_delta) {
+        sample.weight = chosen->weight;
+        sample.is_delta = true;
+        return sample;
+    }
+    const PhongLobes::Value value = phong_->evaluate(chosen->direction);
+    if (value.pdf <= 0) {
+        return std::nullopt;
+    }
+    sample.weight = value.value / value.pdf;
+    sample.pdf = value.pdf;
+    return sample;
+}
+
 std::optional<BsdfSample> Bsdf::sample(Layers layers, const V2f& u) const {
+    if (phong_) {
+        return layers == Layers::coat ? std::nullopt : sample_phong(u);
+    }
     const float coat_share = coat_probability(layers);
     if (coat_share <= 0) {
         return sample_base(layers, u, 1);

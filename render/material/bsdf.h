@@ -7,6 +7,7 @@
 
 #include "render/geometry/ray.h"
 #include "render/material/material.h"
+#include "render/material/phong_lobes.h"
 #include "render/sampling/warp.h"
 
 namespace carom::render {
@@ -58,10 +59,13 @@ class Bsdf {
     [[nodiscard]] bool is_broad() const;
 
     /// Whether light from behind the surface passes through it.
-    [[nodiscard]] bool transmits() const { return glass_ > 0; }
+    [[nodiscard]] bool transmits() const { return glass_ > 0 || (phong_ && phong_->transmits()); }
 
     /// Value and density for light from `wi`; both 0 below the surface, unless it transmits.
     [[nodiscard]] BsdfValue evaluate(Layers layers, const V3f& wi) const {
+        if (phong_) {
+            return layers == Layers::coat ? BsdfValue{} : evaluate_phong(wi);
+        }
         if ((surface_->geometric_normal ^ wi) <= 0) {
             return glass_ > 0 ? evaluate_through(layers, surface_->frame.from_world(wi))
                               : BsdfValue{};
@@ -89,6 +93,8 @@ class Bsdf {
         const float density = std::max(cosine, 0.0f) * kInversePi;
         return {diffuse_ * density, (1.0f - coat_probability(layers)) * density};
     }
+    [[nodiscard]] BsdfValue evaluate_phong(const V3f& wi) const;
+    [[nodiscard]] std::optional<BsdfSample> sample_phong(const V2f& u) const;
     [[nodiscard]] BsdfValue evaluate_coat(const V3f& wi) const;
     [[nodiscard]] BsdfValue evaluate_base(const V3f& wi) const;
     [[nodiscard]] BsdfValue evaluate_through(Layers layers, const V3f& wi) const;
@@ -124,6 +130,7 @@ class Bsdf {
     float choose_diffuse_ = 0;
     bool is_diffuse_ = false;  // the base has no other lobe
     bool has_rough_coat_ = false;
+    std::optional<PhongLobes> phong_;  // instead of all these
 };
 
 }  // namespace carom::render

@@ -54,10 +54,14 @@ Material::Material(const StandardMaterial& description, ImageCache& images)
     : texture_(description.base, images),
       layers_(make_layers(description)),
       phong_(phong_model(description)),
+      emission_(description.emission),
       bump_(texture_.has_relief() ? share(description.bump) : 0.0f) {}
 
 Material::Material(const PhongMaterial& description, ImageCache& images)
-    : texture_(description.diffuse, images), phong_(phong_model(description)), is_phong_(true) {}
+    : texture_(description.diffuse, images),
+      phong_(phong_model(description)),
+      is_phong_(true),
+      emission_(description.emission) {}
 
 Surface Material::resolve(const SurfacePoint& point, const V3f& wo, float footprint) const {
     Surface surface;
@@ -78,6 +82,9 @@ Surface Material::resolve(const SurfacePoint& point, const V3f& wo, float footpr
     surface.frame = OrthonormalBasis::around(normal);
     surface.layers = &layers_;
     surface.is_inside = from_behind && layers_.glass != nullptr;
+    surface.phong = is_phong_ ? &phong_ : nullptr;
+    surface.from_behind = from_behind;
+    surface.emission = from_behind ? V3f(0, 0, 0) : emission_;
     return surface;
 }
 

@@ -43,6 +43,9 @@ struct Surface {
     V3f base;                // albedo, or reflectance of the metal
     const LayerConstants* layers = nullptr;
     bool is_inside = false;  // the viewer is within the glass that this is the surface of
+    const PhongModel* phong = nullptr;  // of a phong surface: instead of the layers
+    V3f emission{0, 0, 0};              // towards the viewer, W/(m^2 sr)
+    bool from_behind = false;           // the viewer is behind the surface's own front
 };
 
 /// Immutable; shared by all threads.
@@ -50,7 +53,6 @@ class Material {
   public:
     /// Throws Error if a texture's file is missing.
     Material(const StandardMaterial& description, ImageCache& images);
-    /// For the distributed integrator alone: to the layered model it is a diffuse surface.
     Material(const PhongMaterial& description, ImageCache& images);
 
     /// The surface at `point` as seen from the unit direction `wo` (away from the surface);
@@ -62,8 +64,9 @@ class Material {
 
     /// What the distributed integrator shades with.
     [[nodiscard]] const PhongModel& phong() const { return phong_; }
-    /// Whether it was described as a phong surface, which the path integrator cannot shade.
-    [[nodiscard]] bool is_phong() const { return is_phong_; }
+    /// Radiance of the surface's front, W/(m^2 sr).
+    [[nodiscard]] const V3f& emission() const { return emission_; }
+    [[nodiscard]] bool is_emissive() const { return emission_ != V3f(0, 0, 0); }
 
     /// Whether it mirrors by a smooth coat, everywhere along the geometric normal, and by nothing
     /// else.
@@ -78,6 +81,7 @@ class Material {
     LayerConstants layers_;
     PhongModel phong_;
     bool is_phong_ = false;
+    V3f emission_{0, 0, 0};
     float bump_ = 0;
 };
 

@@ -74,13 +74,15 @@ struct StandardMaterial {
     Vec3 sheen_colour{1, 1, 1};
     double bump = 0;  // strength of the texture's own relief, [0, 1] (cloth)
     Coat coat;
+    Vec3 emission{0, 0, 0};  // radiance of its front, W/(m^2 sr)
 };
 
-/// The surface of the `distributed` integrator: the terms of Phong 1975, "Illumination for computer
+/// The classic surface: the terms of Phong 1975, "Illumination for computer
 /// generated pictures", and the rays that Whitted 1980 ("An improved illumination model for shaded
 /// display") sends on, spread as in Cook, Porter and Carpenter 1984 ("Distributed ray tracing").
-/// Nothing makes it keep energy: that diffuse, specular, reflectance and transmittance add up to at
-/// most 1 is left to whoever writes it.
+/// In the `distributed` integrator nothing makes it keep energy: that diffuse, specular,
+/// reflectance and transmittance add up to at most 1 is left to whoever writes it. `path` shades it
+/// in the form of PhongLobes, which does.
 struct PhongMaterial {
     std::optional<Vec3> ambient;  // colour under the ambient light; none: that of `diffuse`
     ColourSource diffuse = Vec3{0.8, 0.8, 0.8};
@@ -91,6 +93,7 @@ struct PhongMaterial {
     Vec3 transmittance{0, 0, 0};      // share of what is seen through the surface
     double transmittance_spread = 0;  // standard deviation from the refracted direction, rad
     double index = 1.5;               // of refraction, of the inside over the outside, [0.1, 10]
+    Vec3 emission{0, 0, 0};           // radiance of its front, W/(m^2 sr)
 };
 
 inline constexpr double kWidestPhongSpread = 1.5;  // rad

@@ -73,21 +73,6 @@ bool is_black(const Vec3& colour) {
     return colour == Vec3(0, 0, 0);
 }
 
-void check_phong(Builder& builder) {
-    for (const render::MaterialDescription& material : builder.shot.scene.materials) {
-        if (!material.phong) {
-            continue;
-        }
-        // A ball's own material is made from that of the look.
-        const std::string name = material.name.rfind("ball/", 0) == 0 ? "ball" : material.name;
-        builder.reader.error(builder.place_of({"materials", name}),
-                             "material '" + name +
-                                 "' is a phong surface, which only the distributed integrator can "
-                                 "render: write render: {integrator: distributed}");
-        return;
-    }
-}
-
 void check_ray_tree(Builder& builder) {
     bool reflects = false;
     bool refracts = false;
@@ -116,9 +101,7 @@ void check_ray_tree(Builder& builder) {
 void build_look(Builder& builder) {
     add_used_materials(builder);
     add_lights(builder);
-    if (builder.file.render.settings.integrator == render::IntegratorKind::path) {
-        check_phong(builder);
-    } else {
+    if (builder.file.render.settings.integrator == render::IntegratorKind::distributed) {
         check_ray_tree(builder);
     }
 }

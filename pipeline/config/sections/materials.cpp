@@ -9,6 +9,8 @@ using render::MaterialDescription;
 using render::PhongMaterial;
 using render::StandardMaterial;
 
+constexpr double kBrightest = 1e9;
+
 const MapSpec<render::Coat>& coat_spec() {
     static const MapSpec<render::Coat> spec = [] {
         MapSpec<render::Coat> s("coat", "A clear layer on top.", {1.0, 1.5, 0.0});
@@ -136,6 +138,8 @@ const MapSpec<StandardMaterial>& standard_spec() {
         s.key("sheen_colour", &StandardMaterial::sheen_colour, colour(between(0, 1)), "its colour");
         s.key("bump", &StandardMaterial::bump, number(between(0, 1)),
               "strength of the texture's own relief");
+        s.key("emission", &StandardMaterial::emission, colour(between(0, kBrightest)),
+              "radiance of its front in W/(m^2 sr): the surface is a light");
         s.key("coat", &StandardMaterial::coat, record(coat_spec()), "a clear layer on top");
         return s;
     }();
@@ -144,7 +148,8 @@ const MapSpec<StandardMaterial>& standard_spec() {
 
 const MapSpec<PhongMaterial>& phong_spec() {
     static const MapSpec<PhongMaterial> spec = [] {
-        MapSpec<PhongMaterial> s("phong", "The classic surface, for the distributed integrator.");
+        MapSpec<PhongMaterial> s(
+            "phong", "The classic surface. `path` scales its shares down to a sum of 1.");
         const auto share = colour(between(0, 1));
         const auto spread = angle(between(0, render::kWidestPhongSpread));
         s.key("ambient", &PhongMaterial::ambient, share,
@@ -162,6 +167,8 @@ const MapSpec<PhongMaterial>& phong_spec() {
               "standard deviation of refraction rays from the refracted direction");
         s.key("index", &PhongMaterial::index, number(between(0.1, 10)),
               "of refraction, of the inside over the outside");
+        s.key("emission", &PhongMaterial::emission, colour(between(0, kBrightest)),
+              "radiance of its front in W/(m^2 sr): the surface is a light");
         return s;
     }();
     return spec;
@@ -183,7 +190,7 @@ const MapSpec<MaterialDescription>& material_spec() {
             [](MaterialDescription& material, PhongMaterial value) {
                 material.phong = std::move(value);
             },
-            "the classic surface, for `integrator: distributed`");
+            "the classic surface");
         s.exactly_one_of({"standard", "phong"});
         return s;
     }();

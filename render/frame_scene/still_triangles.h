@@ -1,0 +1,18 @@
+// What stands still and has flat faces, as triangles: for lights.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "render/frame_scene/static_geometry.h"
+#include "render/geometry/ray.h"
+
+namespace carom::render {
+
+/// In world axes, corners counter-clockwise seen from the front. Empty for what follows a track and
+/// for round and infinite shapes.
+[[nodiscard]] std::vector<std::array<V3f, 3>> still_triangles(const StaticGeometry& geometry,
+                                                              std::uint32_t object);
+
+}  // namespace carom::render

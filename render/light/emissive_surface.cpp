@@ -1,0 +1,83 @@
+#include "render/light/emissive_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/sampling/reuse.h"
+
+namespace carom::render {
+namespace {
+
+constexpr float kLeastCosine = 0.1f;  // as in area_light.cpp: what the horizon cuts is still chosen
+
+float area_of(const EmissiveSurface::Triangle& t) {
+    return 0.5f * (t[1] - t[0]).cross(t[2] - t[0]).length();
+}
+
+}  // namespace
+
+EmissiveSurface::EmissiveSurface(const std::vector<Triangle>& triangles, const V3f& radiance)
+    : radiance_(radiance) {
+    Imath::Box3f bounds;
+    double sum = 0;
+    std::vector<double> up_to;
+    for (const Triangle& triangle : triangles) {
+        const float area = area_of(triangle);
+        if (!(area > 0)) {
+            continue;
+        }
+        sum += static_cast<double>(area);
+        triangles_.push_back(triangle);
+        up_to.push_back(sum);
+        for (const V3f& corner : triangle) {
+            bounds.extendBy(corner);
+        }
+    }
+    if (triangles_.empty()) {
+        return;
+    }
+    for (const double area : up_to) {
+        area_up_to_.push_back(static_cast<float>(area / sum));
+    }
+    area_up_to_.back() = 1;
+    area_ = static_cast<float>(sum);
+    centre_ = bounds.center();
+    reach_ = 0.5f * bounds.size().length();
+}
+
+std::optional<LightSample> EmissiveSurface::sample(const V3f& point, const V2f& u) const {
+    const auto found = std::upper_bound(area_up_to_.begin(), area_up_to_.end() - 1, u.x);
+    const auto index = static_cast<std::size_t>(found - area_up_to_.begin());
+    const float before = index > 0 ? area_up_to_[index - 1] : 0.0f;
+    const float share = area_up_to_[index] - before;
+    const float rest = share > 0 ? std::clamp((u.x - before) / share, 0.0f, 0x1.fffffep-1f) : 0.5f;
+    // Evenly over the triangle (Turk 1990, "Generating random points in triangles").
+    const float root = std::sqrt(rest);
+    const Triangle& t = triangles_[index];
+    const V3f place = t[0] * (1 - root) + t[1] * (root * (1 - u.y)) + t[2] * (root * u.y);
+    const V3f way = place - point;
+    const float distance = way.length();
+    const V3f normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+    if (!(distance > 1e-9f)) {
+        return std::nullopt;
+    }
+    const float cosine = -(way ^ normal) / distance;
+    if (cosine <= 0) {
+        return std::nullopt;
+    }
+    return LightSample{way / distance, distance, pdf(distance, cosine), {}};
+}
+
+float EmissiveSurface::importance(const V3f& point, const V3f& normal) const {
+    const V3f way = centre_ - point;
+    const float distance2 = std::max(way.length2(), 1e-12f);
+    const float distance = std::sqrt(distance2);
+    const float cosine = (way ^ normal) / distance;
+    // Some of it is above the horizon, or all of it is below.
+    const float seen = distance > reach_ && cosine + reach_ / distance <= 0
+                           ? 0.0f
+                           : std::max(cosine, kLeastCosine);
+    return luminance(radiance_) * area_ * 0.5f * seen / std::max(distance2, reach_ * reach_);
+}
+
+}  // namespace carom::render

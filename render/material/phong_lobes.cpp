@@ -1,0 +1,148 @@
+#include "render/material/phong_lobes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/geometry/orthonormal_basis.h"
+#include "render/geometry/trigonometry.h"
+#include "render/sampling/reuse.h"
+#include "render/sampling/warp.h"
+
+namespace carom::render {
+namespace {
+
+constexpr float kSharpest = 1e6f;   // exponent beyond which a lobe is one direction
+constexpr float kBroadest = 32.0f;  // exponent up to which a lobe is wide
+
+float largest(const V3f& c) {
+    return std::max({c.x, c.y, c.z});
+}
+
+float exponent_of(float spread) {
+    const float exponent = spread > 0 ? 2 / (spread * spread) : kSharpest;
+    return exponent < kSharpest ? exponent : -1.0f;
+}
+
+/// Where light that goes out to the unit `wo` comes from on the other side (Snell); empty at total
+/// reflection. `index`: of that side over this.
+std::optional<V3f> refracted(const V3f& wo, float index) {
+    const float sine2 = (1 - wo.z * wo.z) / (index * index);
+    if (sine2 >= 1) {
+        return std::nullopt;
+    }
+    return V3f(-wo.x / index, -wo.y / index, -std::sqrt(1 - sine2));
+}
+
+}  // namespace
+
+float PhongLobes::Lobe::density(const V3f& wi) const {
+    const float cosine = axis ^ wi;
+    return cosine > 0 ? (exponent + 1) * (0.5f * kInversePi) * std::pow(cosine, exponent) : 0.0f;
+}
+
+V3f PhongLobes::Lobe::sampled(const V2f& u) const {
+    const float cosine = std::pow(1 - u.x, 1 / (exponent + 1));
+    const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
+    const SinCos azimuth = sin_cos_turn(u.y);
+    return OrthonormalBasis::around(axis)
+        .to_world(V3f(sine * azimuth.cosine, sine * azimuth.sine, cosine))
+        .normalized();
+}
+
+PhongLobes::PhongLobes(const PhongModel& model, const V3f& base, bool from_behind, const V3f& wo)
+    : diffuse_(model.diffuse_colour(base)) {
+    const V3f mirror(-wo.x, -wo.y, wo.z);
+    highlight_ = {model.specular, mirror, model.shininess, 0};
+    mirrored_ = {model.reflectance_colour(base), mirror, exponent_of(model.reflectance_spread), 0};
+    if (largest(model.transmittance) > 0) {
+        const auto beyond = refracted(wo, from_behind ? 1 / model.index : model.index);
+        if (beyond) {
+            through_ = {model.transmittance, *beyond, exponent_of(model.transmittance_spread), 0};
+        } else {
+            mirrored_.share += model.transmittance;
+        }
+    }
+    const float total = largest(diffuse_ + highlight_.share + mirrored_.share + through_.share);
+    if (total > 1) {
+        diffuse_ /= total;
+        for (Lobe* lobe : {&highlight_, &mirrored_, &through_}) {
+            lobe->share /= total;
+        }
+    }
+    const float sum = largest(diffuse_) + largest(highlight_.share) + largest(mirrored_.share) +
+                      largest(through_.share);
+    if (sum > 0) {
+        diffuse_probability_ = largest(diffuse_) / sum;
+        for (Lobe* lobe : {&highlight_, &mirrored_, &through_}) {
+            lobe->probability = largest(lobe->share) / sum;
+        }
+    }
+}
+
+PhongLobes::Value PhongLobes::evaluate(const V3f& wi) const {
+    Value result;
+    const auto add = [&](const Lobe& lobe, float scale) {
+        if (lobe.probability > 0 && !lobe.is_delta()) {
+            const float density = lobe.density(wi);
+            result.value += lobe.share * (density * scale);
+            result.pdf += lobe.probability * density;
+        }
+    };
+    if (wi.z > 0) {
+        const float cosine = wi.z * kInversePi;
+        result.value = diffuse_ * cosine;
+        result.pdf = diffuse_probability_ * cosine;
+        // The highlight's density is (n + 1) / (2 pi), its value (n + 2) / (2 pi) times the cosine.
+        add(highlight_, (highlight_.exponent + 2) / (highlight_.exponent + 1) * wi.z);
+        add(mirrored_, 1);
+    } else {
+        add(through_, 1);
+    }
+    return result;
+}
+
+std::optional<PhongLobes::Sample> PhongLobes::sample(const V2f& u) const {
+    V2f square = u;
+    float left = 1;  // probability of the lobes not yet passed over
+    for (const Lobe* lobe : {&through_, &mirrored_, &highlight_}) {
+        if (lobe->probability <= 0) {
+            continue;
+        }
+        const float share = std::min(1.0f, lobe->probability / left);
+        const bool is_taken = square.x < share || share == 1;
+        if (share < 1) {
+            square.x = stretched(square.x, share);
+        }
+        left -= lobe->probability;
+        if (!is_taken) {
+            continue;
+        }
+        if (lobe->is_delta()) {
+            return Sample{lobe->axis, lobe->share / lobe->probability, true};
+        }
+        const V3f direction = lobe->sampled(square);
+        if ((direction.z > 0) != (lobe != &through_)) {
+            return std::nullopt;  // strayed to the wrong side
+        }
+        return Sample{direction, {}, false};
+    }
+    if (diffuse_probability_ <= 0) {
+        return std::nullopt;
+    }
+    return Sample{sample_cosine_hemisphere(square), {}, false};
+}
+
+bool PhongLobes::can_evaluate() const {
+    const auto spreads = [](const Lobe& lobe) { return lobe.probability > 0 && !lobe.is_delta(); };
+    return diffuse_probability_ > 0 || spreads(highlight_) || spreads(mirrored_) ||
+           spreads(through_);
+}
+
+bool PhongLobes::is_broad() const {
+    const auto is_wide = [](const Lobe& lobe) {
+        return lobe.probability <= 0 || lobe.is_delta() || lobe.exponent <= kBroadest;
+    };
+    return can_evaluate() && is_wide(highlight_) && is_wide(mirrored_) && is_wide(through_);
+}
+
+}  // namespace carom::render

@@ -1,0 +1,158 @@
+// Objects that shine by their material, against lights of the same form; phong surfaces in both
+// integrators.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/render/integrator/distributed_scene.h"
+#include "tests/render/integrator/integrator_scene.h"
+
+namespace carom::render {
+namespace {
+
+using test::DistributedScene;
+using test::Estimate;
+using test::SceneBuilder;
+using test::whitted;
+
+/// A ball on a floor, without any light.
+SceneBuilder unlit() {
+    SceneBuilder builder;
+    builder.diffuse("white", 0.6).object("floor", PlaneShape{}, Vec3(0), "white");
+    StandardMaterial lacquer;
+    lacquer.base = Vec3(0.5, 0.2, 0.1);
+    lacquer.coat = {1, 1.5, 0.3};
+    builder.material("lacquer", lacquer).sphere("ball", 0.3, Vec3(0.2, 0, 0.3), "lacquer");
+    StandardMaterial glow;
+    glow.base = Vec3(0, 0, 0);
+    glow.emission = Vec3(4, 4, 4);
+    builder.material("glow", glow);
+    return builder;
+}
+
+/// 0.8 by 0.6, facing down.
+const ParallelogramShape kPanel{{-0.4, 0.3, 0}, {0.8, 0, 0}, {0, -0.6, 0}};
+
+Estimate seen(const SceneBuilder& builder, DirectStrategy strategy, int bounces) {
+    PathSettings path;
+    path.strategy = strategy;
+    path.max_bounces = bounces;
+    return test::picture_luminance(
+        builder.scene, test::camera(Vec3(0, -2.2, 0.9), Vec3(0, 0, 0.3), 0.7), path, 16, 16);
+}
+
+TEST(Emission, ARectangleThatShines_IsALamp) {
+    const SceneBuilder panel = unlit().object("panel", kPanel, Vec3(0, 0, 1.3), "glow");
+    const SceneBuilder lamp = unlit().lamp(Vec3(0, 0, 1.3), 0.4, 0.3, 4);
+    for (const int bounces : {0, 2}) {
+        const Estimate as_object = seen(panel, DirectStrategy::both, bounces);
+        const Estimate as_light = seen(lamp, DirectStrategy::both, bounces);
+        // Seen from behind the panel is black and the lamp is not there; the camera sees neither.
+        EXPECT_NEAR(as_object.mean, as_light.mean, 4 * std::hypot(as_object.error, as_light.error))
+            << bounces;
+        EXPECT_LT(as_object.error, 0.01 * as_object.mean);
+    }
+}
+
+TEST(Emission, EveryStrategy_HasTheSameMean) {
+    SceneBuilder builder = unlit().object("panel", kPanel, Vec3(0, 0, 1.3), "glow");
+    builder.object("cube", BoxShape{{0.2, 0.2, 0.2}}, Vec3(-0.5, 0, 0.15), "glow");
+    builder.environment(0.02).lamp(Vec3(1, 0, 1.2), 0.2, 0.2, 3);
+    for (const int bounces : {0, 2}) {
+        const Estimate both = seen(builder, DirectStrategy::both, bounces);
+        const Estimate lights = seen(builder, DirectStrategy::lights_only, bounces);
+        const Estimate scattering = seen(builder, DirectStrategy::scattering_only, bounces);
+        EXPECT_NEAR(lights.mean, both.mean, 4 * std::hypot(lights.error, both.error)) << bounces;
+        EXPECT_NEAR(scattering.mean, both.mean, 4 * std::hypot(scattering.error, both.error))
+            << bounces;
+        EXPECT_LT(both.error, scattering.error);
+    }
+}
+
+// Round things are found by scattered rays alone: the same light with more noise.
+TEST(Emission, ABallThatShines_IsABulb) {
+    const SceneBuilder ball = unlit().sphere("glowing", 0.3, Vec3(-0.6, 0.2, 0.9), "glow");
+    const SceneBuilder bulb = unlit().bulb(Vec3(-0.6, 0.2, 0.9), 0.3, 4);
+    const Estimate as_object = seen(ball, DirectStrategy::both, 1);
+    const Estimate as_light = seen(bulb, DirectStrategy::both, 1);
+    EXPECT_NEAR(as_object.mean, as_light.mean, 4 * std::hypot(as_object.error, as_light.error));
+}
+
+TEST(Emission, InTheDistributedIntegrator_LightsTheFloorAndIsSeen) {
+    const SceneBuilder panel = unlit().object("panel", kPanel, Vec3(2, 0, 1.3), "glow");
+    const SceneBuilder lamp = unlit().lamp(Vec3(2, 0, 1.3), 0.4, 0.3, 4);
+    DistributedSettings settings = whitted(0);
+    settings.shadow_samples = 64;
+    const auto floor = [&](const SceneBuilder& builder) {
+        return DistributedScene(builder.scene).mean(settings, Vec3(2, -2, 1), Vec3(0, 2, -1), 16);
+    };
+    const double by_lamp = floor(lamp);
+    EXPECT_GT(by_lamp, 0.05);
+    EXPECT_NEAR(floor(panel), by_lamp, 0.02 * by_lamp);
+    const auto up = DistributedScene(panel.scene).trace(settings, Vec3(2, 0, 1), Vec3(0, 0, 1));
+    EXPECT_EQ(up.sample.radiance.y, 4);
+    const auto down = DistributedScene(panel.scene).trace(settings, Vec3(2, 0, 2), Vec3(0, 0, -1));
+    EXPECT_EQ(down.sample.radiance.y, 0);  // its back
+}
+
+// A matt phong surface is a diffuse one, and the path integrator takes it.
+TEST(PhongByPaths, MattSurface_IsADiffuseOne) {
+    const auto floor = [](bool as_phong) {
+        SceneBuilder builder;
+        PhongMaterial phong;
+        phong.diffuse = Vec3(0.6, 0.6, 0.6);
+        phong.ambient = Vec3(1, 1, 1);  // without meaning here
+        if (as_phong) {
+            builder.phong("floor", phong);
+        } else {
+            builder.diffuse("floor", 0.6);
+        }
+        builder.object("floor", PlaneShape{}, Vec3(0), "floor");
+        builder.sphere("ball", 0.3, Vec3(0, 0, 0.3), "floor").lamp(Vec3(0, 0, 1.5), 0.4, 0.4, 5);
+        return seen(builder, DirectStrategy::both, 3);
+    };
+    const Estimate phong = floor(true);
+    const Estimate diffuse = floor(false);
+    EXPECT_NEAR(phong.mean, diffuse.mean, 4 * std::hypot(phong.error, diffuse.error));
+}
+
+TEST(PhongByPaths, EveryStrategy_HasTheSameMean) {
+    SceneBuilder builder;
+    PhongMaterial phong;
+    phong.diffuse = Vec3(0.4, 0.4, 0.4);
+    phong.specular = Vec3(0.4, 0.4, 0.4);
+    phong.shininess = 15;
+    phong.reflectance = Vec3(0.2, 0.2, 0.2);
+    phong.reflectance_spread = 0.3;
+    builder.phong("phong", phong).object("floor", PlaneShape{}, Vec3(0), "phong");
+    builder.sphere("ball", 0.3, Vec3(0, 0, 0.3), "phong").lamp(Vec3(0, 0, 1.2), 0.5, 0.5, 5);
+    const Estimate both = seen(builder, DirectStrategy::both, 2);
+    const Estimate lights = seen(builder, DirectStrategy::lights_only, 2);
+    const Estimate scattering = seen(builder, DirectStrategy::scattering_only, 2);
+    EXPECT_NEAR(lights.mean, both.mean, 4 * std::hypot(lights.error, both.error));
+    EXPECT_NEAR(scattering.mean, both.mean, 4 * std::hypot(scattering.error, both.error));
+}
+
+// Under an even sky a surface that keeps all light and is seen through or mirrored cannot be seen.
+TEST(PhongByPaths, GlassThatAbsorbsNothing_CannotBeSeen) {
+    for (const double spread : {0.0, 0.05}) {
+        SceneBuilder builder;
+        PhongMaterial glass;
+        glass.diffuse = Vec3(0, 0, 0);
+        glass.reflectance = Vec3(0.3, 0.3, 0.3);
+        glass.transmittance = Vec3(0.7, 0.7, 0.7);
+        glass.reflectance_spread = spread;
+        builder.phong("glass", glass).sphere("ball", 0.5, Vec3(0, 0, 0.3), "glass");
+        builder.environment(1);
+        PathSettings path;
+        path.max_bounces = 40;
+        const Estimate mean = test::picture_luminance(
+            builder.scene, test::camera(Vec3(0, -3, 0.3), Vec3(0, 0, 0.3), 0.15), path, 16, 16);
+        // A spread lobe loses what falls below the surface: at the rim alone.
+        EXPECT_NEAR(mean.mean, 1, 4 * mean.error + (spread > 0 ? 0.02 : 1e-4)) << spread;
+        EXPECT_LE(mean.mean, 1 + 4 * mean.error + 1e-4) << spread;
+    }
+}
+
+}  // namespace
+}  // namespace carom::render

@@ -1,0 +1,111 @@
+#include "render/light/emissive_surface.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "render/light/light_set.h"
+#include "tests/render/direction_density.h"
+
+namespace carom::render {
+namespace {
+
+/// Two triangles of a rectangle that faces down, and a third of another size beside it.
+std::vector<EmissiveSurface::Triangle> triangles() {
+    const V3f a(-0.4f, -0.3f, 1);
+    const V3f b(-0.4f, 0.3f, 1);
+    const V3f c(0.4f, 0.3f, 1);
+    const V3f d(0.4f, -0.3f, 1);
+    return {{a, b, c}, {a, c, d}, {c, V3f(0.9f, 0.3f, 0.6f), V3f(0.9f, -0.3f, 0.6f)}};
+}
+
+double area(const EmissiveSurface::Triangle& t) {
+    return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).length();
+}
+
+TEST(EmissiveSurface, ARectangleOfTriangles_IsSampledLikeTheLamp) {
+    auto flat = triangles();
+    flat.pop_back();
+    const EmissiveSurface surface(flat, V3f(3, 4, 5));
+    RectangleLight lamp;
+    lamp.centre = Vec3(0, 0, 1);
+    lamp.edge_u = Vec3(0.4, 0, 0);
+    lamp.edge_v = Vec3(0, 0.3, 0);
+    const RectangleEmitter emitter(lamp);
+    const V3f point(0.2f, -0.6f, 0.1f);
+    test::TestRandom random(11);
+    double left = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const auto sample = surface.sample(point, V2f(random.unit(), random.unit()));
+        ASSERT_TRUE(sample);
+        const V3f place = point + sample->direction * sample->distance;
+        ASSERT_NEAR(place.z, 1, 1e-5);
+        ASSERT_LE(std::abs(place.x), 0.4001);
+        ASSERT_LE(std::abs(place.y), 0.3001);
+        left += place.x < -0.2f ? 1 : 0;
+        const float expected = emitter.pdf(point, sample->direction, sample->distance);
+        ASSERT_NEAR(sample->pdf, expected, 1e-4f * expected);
+    }
+    EXPECT_NEAR(left / 20'000, 0.25, 0.015);
+}
+
+// The shares of places by triangle are those of their areas, and even within each.
+TEST(EmissiveSurface, Places_AreEvenByArea) {
+    const auto all = triangles();
+    const EmissiveSurface surface(all, V3f(1, 1, 1));
+    double total = 0;
+    for (const auto& t : all) {
+        total += area(t);
+    }
+    const V3f point(0.3f, 0, -2);
+    test::TestRandom random(13);
+    std::vector<double> observed(8, 0.0);
+    std::vector<double> expected(8, 0.0);
+    constexpr int kSamples = 100'000;
+    for (int i = 0; i < kSamples; ++i) {
+        const auto sample = surface.sample(point, V2f(random.unit(), random.unit()));
+        ASSERT_TRUE(sample);
+        const V3f place = point + sample->direction * sample->distance;
+        if (place.x <= 0.4f) {
+            const int column = std::min(3, static_cast<int>((place.x + 0.4f) / 0.2f));
+            observed[static_cast<std::size_t>(column)] += 1;
+        } else {
+            const int column = std::min(3, static_cast<int>((place.x - 0.4f) / 0.125f));
+            observed[static_cast<std::size_t>(4 + column)] += 1;
+        }
+    }
+    const double flat = area(all[0]) + area(all[1]);
+    for (std::size_t i = 0; i < 4; ++i) {
+        expected[i] = kSamples * flat / total / 4;
+        // A triangle with its tip at c: the share grows with the square of the way.
+        expected[4 + i] = kSamples * (total - flat) / total *
+                          (std::pow((static_cast<double>(i) + 1) / 4, 2) - std::pow(i / 4.0, 2));
+    }
+    EXPECT_GT(test::chi_square_p_value(observed, expected), 0.001);
+}
+
+TEST(EmissiveSurface, FromBehind_NothingArrives) {
+    const EmissiveSurface surface(triangles(), V3f(1, 1, 1));
+    test::TestRandom random(17);
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_FALSE(surface.sample(V3f(0, 0, 5), V2f(random.unit(), random.unit())));
+    }
+    EXPECT_EQ(surface.pdf(1, -0.5f), 0);
+}
+
+TEST(EmissiveSurface, WithoutArea_IsDark) {
+    EXPECT_TRUE(EmissiveSurface({}, V3f(1, 1, 1)).is_dark());
+    const V3f p(1, 2, 3);
+    EXPECT_TRUE(EmissiveSurface({{p, p, p}}, V3f(1, 1, 1)).is_dark());
+    LightSet lights;
+    lights.add(3, EmissiveSurface({}, V3f(1, 1, 1)));
+    EXPECT_EQ(lights.sampled_count(), 0U);
+    lights.add(5, EmissiveSurface(triangles(), V3f(1, 1, 1)));
+    EXPECT_EQ(lights.emissive_light(5), std::optional<std::size_t>(0));
+    EXPECT_FALSE(lights.emissive_light(3));
+    EXPECT_FALSE(lights.emissive_light(99));
+    EXPECT_FALSE(lights.is_delta(0));
+}
+
+}  // namespace
+}  // namespace carom::render
