@@ -98,10 +98,23 @@ void tell_rays(const Shot& shot, const render::RenderStatistics& count, Console&
     if (shot.render.integrator != render::IntegratorKind::distributed || count.camera_rays == 0) {
         return;
     }
-    for (const std::string& line :
-         render::describe_rays(count, shot.render, sampled_lights(shot))) {
-        console.info(line);
+    const std::size_t lights = sampled_lights(shot);
+    std::string text;
+    for (const std::string& line : render::describe_rays(count, shot.render, lights)) {
+        text += "carom: " + line + "\n";
     }
+    const render::RayFormulas formulas = render::ray_formulas(count, shot.render, lights);
+    JsonMembers members;
+    const auto add = [&members](const char* name, std::uint64_t rays) {
+        members.add(name, static_cast<std::int64_t>(rays));
+    };
+    add("camera", count.camera_rays);
+    add("reflection", count.reflection_rays);
+    add("refraction", count.refraction_rays);
+    add("shadow", count.shadow_rays);
+    add("needless_shadow", count.needless_shadow_rays);
+    members.add("if_all_reflect_and_refract", formulas.full).add("classic", formulas.classic);
+    console.event("rays", members, text, false);
 }
 
 std::string numbered_extension(std::int64_t frame) {
@@ -155,8 +168,9 @@ void run_frame(const FrameCommand& command, CommandContext& context) {
         input.shot, bake, frame, options, talk_about_job(context.console, 1), context.stop);
     context.console.end_progress();
     tell_rays(input.shot, film.statistics, context.console);
-    write_picture(film, view, path,
-                  pipeline::exported_frame_metadata(input.shot, bake.timeline, frame));
+    write_picture(
+        film, view, path,
+        pipeline::exported_frame_metadata(input.shot, bake.timeline, frame, film.statistics));
     print_path(path);
 }
 

@@ -41,19 +41,38 @@ std::map<std::string, std::string> render_metadata(const Shot& shot) {
     return metadata;
 }
 
+/// Rays of the frame by kind; none are known of a frame that was stored before.
+void add_rays(const render::RenderStatistics& counts, render::ImageMetadata& metadata) {
+    if (counts.camera_rays == 0) {
+        return;
+    }
+    metadata["rays_camera"] = std::to_string(counts.camera_rays);
+    metadata["rays_scattered"] = std::to_string(counts.scattered_rays);
+    metadata["rays_shadow"] = std::to_string(counts.shadow_rays);
+    if (metadata["integrator"] == "distributed") {
+        metadata["rays_reflection"] = std::to_string(counts.reflection_rays);
+        metadata["rays_refraction"] = std::to_string(counts.refraction_rays);
+        metadata["rays_shadow_needless"] = std::to_string(counts.needless_shadow_rays);
+    }
+}
+
 }  // namespace
 
-render::ImageMetadata stored_frame_metadata(const Shot& shot) {
+render::ImageMetadata stored_frame_metadata(const Shot& shot,
+                                            const render::RenderStatistics& counts) {
     render::ImageMetadata metadata = render_metadata(shot);
+    add_rays(counts, metadata);
     // OpenImageIO writes the time of writing otherwise, and the same frame would be other bytes.
     metadata["DateTime"] = "1970:01:01 00:00:00";
     return metadata;
 }
 
 render::ImageMetadata exported_frame_metadata(const Shot& shot, const sim::Timeline& timeline,
-                                              std::int64_t frame) {
+                                              std::int64_t frame,
+                                              const render::RenderStatistics& counts) {
     const PlannedFrame planned = plan_frame(frame, shot.cameras, shot.timing, timeline);
     render::ImageMetadata metadata = render_metadata(shot);
+    add_rays(counts, metadata);
     metadata["shot"] = shot.name;
     metadata["camera"] = planned.rig;
     metadata["frame"] = std::to_string(frame);

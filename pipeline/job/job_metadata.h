@@ -10,13 +10,15 @@
 
 namespace carom::pipeline {
 
-/// Of a stored frame: only what belongs to its key, since many films may share it.
-[[nodiscard]] render::ImageMetadata stored_frame_metadata(const Shot& shot);
+/// Of a stored frame: only what belongs to its key, since many films may share it. With the
+/// rays by kind, if there are any.
+[[nodiscard]] render::ImageMetadata stored_frame_metadata(
+    const Shot& shot, const render::RenderStatistics& counts = {});
 
 /// Of a frame written for its own sake: with the shot, its number, camera and times.
-[[nodiscard]] render::ImageMetadata exported_frame_metadata(const Shot& shot,
-                                                            const sim::Timeline& timeline,
-                                                            std::int64_t frame);
+[[nodiscard]] render::ImageMetadata exported_frame_metadata(
+    const Shot& shot, const sim::Timeline& timeline, std::int64_t frame,
+    const render::RenderStatistics& counts = {});
 
 /// Of a video: the shot's name and the settings that a viewer may ask about.
 [[nodiscard]] std::map<std::string, std::string> video_metadata(const Shot& shot);

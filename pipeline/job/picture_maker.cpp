@@ -25,7 +25,7 @@ MadePicture PictureMaker::make(const FilmPlan::Picture& picture, const WorkConte
     FrameInputs inputs = source_.inputs(picture.frames.front());
     inputs.frame.seed = picture.key.low;
     const render::Film film = render_(inputs, context);
-    store_.write(picture.key, film, stored_frame_metadata(source_.shot()));
+    store_.write(picture.key, film, stored_frame_metadata(source_.shot(), film.statistics));
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     return {PictureOrigin::rendered, elapsed.count(), film.statistics};
 }

@@ -28,13 +28,19 @@ double rays_by_classic_formula(const DistributedSettings& settings, std::size_t 
     return static_cast<double>(settings.blur_samples) * settings.lens_samples * sum;
 }
 
+RayFormulas ray_formulas(const RenderStatistics& count, const RenderSettings& settings,
+                         std::size_t lights) {
+    const DistributedSettings& distributed = settings.distributed;
+    const double camera_rays = static_cast<double>(count.camera_rays);
+    const double pixels = camera_rays / camera_samples(distributed);
+    return {camera_rays * rays_per_camera_ray(distributed, lights),
+            pixels * rays_by_classic_formula(distributed, lights)};
+}
+
 std::vector<std::string> describe_rays(const RenderStatistics& count,
                                        const RenderSettings& settings, std::size_t lights) {
     const DistributedSettings& distributed = settings.distributed;
-    const double camera_rays = static_cast<double>(count.camera_rays);
-    const double full = camera_rays * rays_per_camera_ray(distributed, lights);
-    const double pixels = camera_rays / camera_samples(distributed);
-    const double classic = pixels * rays_by_classic_formula(distributed, lights);
+    const auto [full, classic] = ray_formulas(count, settings, lights);
     const std::uint64_t total = count.camera_rays + count.scattered_rays + count.shadow_rays;
     const int limit = distributed.recursion_limit;
     return {

@@ -16,6 +16,14 @@ namespace carom::render {
 [[nodiscard]] double rays_by_classic_formula(const DistributedSettings& settings,
                                              std::size_t lights);
 
+/// Rays foretold for as many camera rays as were counted, in any number of frames.
+struct RayFormulas {
+    double full = 0;     // if every surface reflected and refracted
+    double classic = 0;  // by the classic formula
+};
+[[nodiscard]] RayFormulas ray_formulas(const RenderStatistics& count,
+                                       const RenderSettings& settings, std::size_t lights);
+
 /// What was counted, in any number of frames, beside both formulas: lines of text that say why they
 /// differ.
 [[nodiscard]] std::vector<std::string> describe_rays(const RenderStatistics& count,
