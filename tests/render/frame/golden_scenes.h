@@ -1,0 +1,22 @@
+// Ten and one small scenes, each for something that a picture can get wrong.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/frame/frame.h"
+#include "sim/timeline/track.h"
+
+namespace carom::test {
+
+struct GoldenScene {
+    std::string name;
+    render::SceneDescription scene;
+    render::RenderSettings settings;
+    render::FrameInput frame;
+    std::vector<sim::Track> tracks{};
+};
+
+[[nodiscard]] std::vector<GoldenScene> golden_scenes();
+
+}  // namespace carom::test

@@ -1,0 +1,139 @@
+// Noisy pictures against stored means and variances: a Z-test for each pixel, together a chi-square
+// test (Subr and Arvo 2007, "Statistical hypothesis testing for assessing Monte Carlo estimators").
+//
+// CAROM_WRITE_GOLDEN=1 writes the references anew, which only a change that is meant to change
+// pictures may ask for.
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "render/film/image_file.h"
+#include "tests/render/frame/golden_scenes.h"
+#include "tests/render/statistics.h"
+
+namespace carom::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kReferenceRuns = 256;
+constexpr int kRuns = 16;
+constexpr std::uint64_t kReferenceSeed = 1'000'000;  // far from those of the test
+
+const fs::path kFolder = fs::path(CAROM_SOURCE_DIR) / "tests/render/golden";
+
+/// Luminance of every pixel: mean over runs, and the variance of one run.
+struct Picture {
+    std::vector<double> mean, variance;
+};
+
+Picture picture_of(const test::GoldenScene& golden, int runs, std::uint64_t first_seed) {
+    const PreparedScene prepared(golden.scene, golden.settings);
+    std::vector<double> sum;
+    std::vector<double> squares;
+    for (int run = 0; run < runs; ++run) {
+        FrameInput frame = golden.frame;
+        frame.seed = first_seed + static_cast<std::uint64_t>(run);
+        const Film film = render_frame(prepared, golden.tracks, frame, golden.settings);
+        const std::size_t pixels = film.rgba.size() / 4;
+        sum.resize(pixels);
+        squares.resize(pixels);
+        for (std::size_t i = 0; i < pixels; ++i) {
+            const float* c = &film.rgba[4 * i];
+            const double y = 0.2126 * static_cast<double>(c[0]) +
+                             0.7152 * static_cast<double>(c[1]) +
+                             0.0722 * static_cast<double>(c[2]);
+            sum[i] += y;
+            squares[i] += y * y;
+        }
+    }
+    Picture picture;
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+        const double mean = sum[i] / runs;
+        picture.mean.push_back(mean);
+        picture.variance.push_back(std::max(0.0, squares[i] / runs - mean * mean) * runs /
+                                   (runs - 1));
+    }
+    return picture;
+}
+
+void write(const Picture& picture, const fs::path& path) {
+    std::ofstream file(path);
+    file.precision(7);
+    for (std::size_t i = 0; i < picture.mean.size(); ++i) {
+        file << picture.mean[i] << ' ' << picture.variance[i] << '\n';
+    }
+}
+
+Picture read(const fs::path& path) {
+    std::ifstream file(path);
+    Picture picture;
+    double mean = 0;
+    double variance = 0;
+    while (file >> mean >> variance) {
+        picture.mean.push_back(mean);
+        picture.variance.push_back(variance);
+    }
+    return picture;
+}
+
+/// For whoever looks for what went wrong.
+void save(const test::GoldenScene& golden, const std::string& what,
+          const std::vector<double>& values) {
+    Film film;
+    film.width = golden.settings.width;
+    film.height = golden.settings.height;
+    for (const double value : values) {
+        const auto v = static_cast<float>(value);
+        film.rgba.insert(film.rgba.end(), {v, v, v, 1});
+    }
+    const fs::path folder = fs::path(CAROM_BINARY_DIR) / "golden";
+    fs::create_directories(folder);
+    write_exr(film, (folder / (golden.name + "_" + what + ".exr")).string());
+}
+
+class GoldenPicture : public testing::TestWithParam<test::GoldenScene> {};
+
+TEST_P(GoldenPicture, Pixels_HaveTheStoredMeans) {
+    const test::GoldenScene& golden = GetParam();
+    const fs::path path = kFolder / (golden.name + ".txt");
+    if (std::getenv("CAROM_WRITE_GOLDEN") != nullptr) {
+        write(picture_of(golden, kReferenceRuns, kReferenceSeed), path);
+    }
+    const Picture reference = read(path);
+    const Picture found = picture_of(golden, kRuns, 1);
+    ASSERT_EQ(reference.mean.size(), found.mean.size()) << path;
+    double sum = 0;
+    std::vector<double> z_values;
+    for (std::size_t i = 0; i < found.mean.size(); ++i) {
+        const double difference = found.mean[i] - reference.mean[i];
+        // The larger of the two: a rare bright sample is in one of them alone.
+        const double variance = std::max(reference.variance[i], found.variance[i]) *
+                                (1.0 / kRuns + 1.0 / kReferenceRuns);
+        const double rounding = 2e-6 * (1 + std::abs(reference.mean[i]));
+        const double z = difference / std::sqrt(variance + rounding * rounding);
+        z_values.push_back(z);
+        sum += z * z;
+    }
+    const auto pixels = static_cast<double>(z_values.size());
+    const double p = test::chi_square_tail(sum, pixels);
+    EXPECT_GT(p, 1e-4) << golden.name << ": mean square of z " << sum / pixels << " over "
+                       << z_values.size() << " pixels";
+    for (const double z : z_values) {
+        EXPECT_LT(std::abs(z), 5) << golden.name;
+    }
+    if (HasFailure()) {
+        save(golden, "found", found.mean);
+        save(golden, "reference", reference.mean);
+        save(golden, "z", z_values);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GoldenPicture, testing::ValuesIn(test::golden_scenes()),
+                         [](const auto& instance) { return instance.param.name; });
+
+}  // namespace
+}  // namespace carom::render
