@@ -172,6 +172,13 @@ TEST_F(FilmCommands, FrameByTheDistributedIntegrator_TellsItsRaysWhenTheyAreTrac
     const RunResult second = run(command);
     EXPECT_EQ(second.exit_code, 0) << second.err;
     EXPECT_THAT(second.err, ::testing::Not(HasSubstr("rays: ")));  // taken from the cache
+    std::vector<std::string> for_machines = command;
+    for_machines.insert(for_machines.end(),
+                        {"--set", "render.distributed.blur_samples=2", "--log", "json"});
+    const RunResult json = run(for_machines);
+    EXPECT_EQ(json.exit_code, 0) << json.err;
+    EXPECT_THAT(json.err, HasSubstr("\"camera\":36864"));
+    EXPECT_THAT(json.err, HasSubstr("\"classic\":"));
 }
 
 TEST_F(FilmCommands, FrameByTime_IsTheOneShownThen) {

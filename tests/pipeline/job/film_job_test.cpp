@@ -86,6 +86,16 @@ TEST(JobMetadata, ExportedFrame_NamesShotFrameTimesAndClamp) {
     EXPECT_EQ(stored_frame_metadata(shot).count("frame"), 0u);
     EXPECT_EQ(stored_frame_metadata(shot).at("DateTime"), "1970:01:01 00:00:00");
     EXPECT_EQ(video_metadata(shot).at("title"), "tiny");
+    EXPECT_EQ(stored_frame_metadata(shot).count("rays_camera"), 0u);  // none are known
+    render::RenderStatistics counts;
+    counts.camera_rays = 7;
+    counts.shadow_rays = 9;
+    counts.reflection_rays = 3;
+    EXPECT_EQ(stored_frame_metadata(shot, counts).at("rays_camera"), "7");
+    EXPECT_EQ(stored_frame_metadata(shot, counts).count("rays_reflection"), 0u);  // path
+    shot.render.integrator = render::IntegratorKind::distributed;
+    EXPECT_EQ(stored_frame_metadata(shot, counts).at("rays_reflection"), "3");
+    EXPECT_EQ(stored_frame_metadata(shot, counts).at("rays_shadow"), "9");
     shot.render.clamp = 0;
     EXPECT_EQ(video_metadata(shot).at("clamp"), "off");
 }
