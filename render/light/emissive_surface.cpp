@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/sampling/reuse.h"
+#include <Imath/ImathBox.h>
 
 namespace carom::render {
 namespace {

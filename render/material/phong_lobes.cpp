@@ -124,12 +124,12 @@ std::optional<PhongLobes::Sample> PhongLobes::sample(const V2f& u) const {
         if ((direction.z > 0) != (lobe != &through_)) {
             return std::nullopt;  // strayed to the wrong side
         }
-        return Sample{direction, {}, false};
+        return Sample{direction, V3f(0, 0, 0), false};
     }
     if (diffuse_probability_ <= 0) {
         return std::nullopt;
     }
-    return Sample{sample_cosine_hemisphere(square), {}, false};
+    return Sample{sample_cosine_hemisphere(square), V3f(0, 0, 0), false};
 }
 
 bool PhongLobes::can_evaluate() const {
