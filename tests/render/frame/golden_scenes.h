@@ -1,6 +1,7 @@
 // Ten and one small scenes, each for something that a picture can get wrong.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,10 @@ struct GoldenScene {
 };
 
 [[nodiscard]] std::vector<GoldenScene> golden_scenes();
+
+/// Its name, where GoogleTest shows a parameter.
+inline void PrintTo(const GoldenScene& scene, std::ostream* out) {
+    *out << scene.name;
+}
 
 }  // namespace carom::test
