@@ -88,6 +88,7 @@ struct ObjectSection {
     Vec3 centre{0, 0, 0};  // of mass, from the origin in the object's axes (hulls)
     Quat rotate;
     Vec3 scale{1, 1, 1};
+    std::optional<double> smooth;           // rad, of a mesh
     std::optional<std::vector<Vec3>> axes;  // three, instead of `rotate` and `scale`
     std::optional<std::string> material;    // of the look
     std::optional<ObjectPhysics> physics;

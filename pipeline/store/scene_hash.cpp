@@ -76,6 +76,7 @@ class SceneHasher {
 
     void add(const render::MeshShape& mesh) {
         add_file(mesh.file);
+        hasher_.add(mesh.smooth_angle);
         hasher_.add(std::uint64_t{mesh.vertices.size()});
         for (const Vec3& vertex : mesh.vertices) {
             hasher_.add(vertex);
@@ -117,7 +118,8 @@ class SceneHasher {
 
     void add(const render::ImageTexture& texture) {
         add_file(texture.file);
-        hasher_.add(texture.scale).add(texture.is_linear);
+        hasher_.add(texture.scale).add(texture.is_linear).add(texture.size.has_value());
+        hasher_.add(texture.size.value_or(Vec2(0, 0))).add(texture.offset).add(texture.rotation);
     }
 
     void add(const render::BallTexture& ball) {

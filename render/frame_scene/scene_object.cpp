@@ -4,7 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "render/geometry/obj_file.h"
+#include "render/geometry/mesh_file.h"
+#include "render/geometry/smooth_normals.h"
 #include "sim/timeline/error.h"
 
 namespace carom::render {
@@ -193,11 +194,15 @@ const MeshShape& loaded(const MeshShape& shape, MeshFiles& files) {
     }
     const auto known = files.find(shape.file);
     return known != files.end() ? known->second
-                                : files.emplace(shape.file, read_obj(shape.file)).first->second;
+                                : files.emplace(shape.file, read_mesh(shape.file)).first->second;
 }
 
 void set_mesh(SceneObject& object, const MeshShape& shape, const Mat44& map, MeshFiles& files) {
-    object.mesh = std::make_shared<TriangleMesh>(make_mesh(loaded(shape, files), map, object.name));
+    TriangleMesh mesh = make_mesh(loaded(shape, files), map, object.name);
+    if (shape.smooth_angle > 0) {
+        smooth_normals(mesh, shape.smooth_angle);
+    }
+    object.mesh = std::make_shared<TriangleMesh>(std::move(mesh));
     object.reach = 0;
     for (const V3f& vertex : object.mesh->vertices) {
         object.reach = std::max(object.reach, vertex.length());
@@ -224,7 +229,7 @@ SceneObject make_object(const ObjectDescription& description, std::uint32_t mate
         std::visit(ObjectFromUnit{description.name}, description.shape) * world_from_object;
     const double offset = object.is_tracked() ? length_of_translation(world_from_unit) : 0;
     const Vec3 scale = axis_scales(world_from_object);
-    object.half_size = object.kind == ShapeKind::plane ? V3f(1) : V3f(axis_scales(world_from_unit));
+    object.half_size = V3f(axis_scales(world_from_unit));
     object.is_round = object.kind == ShapeKind::ball && equal_scales(scale) && offset == 0 &&
                       has_right_angles(world_from_object);
     object.is_upright_box = object.kind == ShapeKind::box && is_upright(world_from_object);

@@ -32,7 +32,7 @@ struct SceneObject {
     bool is_round = false;        // a ball that is a sphere
     bool is_upright_box = false;  // a box whose axes are those of the world, in their order
     bool is_one_sided = false;    // a rectangle light
-    V3f half_size{1, 1, 1};       // m, scaled; a ball's radii, 1 for planes and meshes
+    V3f half_size{1, 1, 1};       // m: lengths of the unit shape's axes, so a ball's radii
     float reach = 1;              // as far from the body's origin the surface is at most, m
     UnitFrame frame;              // of analytic shapes
     Affine metres_from_world;     // object axes in metres, scaled; with a track: from the body's

@@ -14,6 +14,8 @@ namespace {
 /// for those of the next ray.
 constexpr float kOffsetShare = 0x1p-19f;
 
+constexpr float kTurn = 6.2831853f;  // rad
+
 float offset_at(const V3f& position, float reach) {
     const float size = std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
     return kOffsetShare * (size + reach);
@@ -27,6 +29,11 @@ V2f longitude_latitude(const V3f& p) {
     const float turns = std::atan2(p.y, p.x) * (0.5f * kInversePi);
     const float sine = std::clamp(p.z / p.length(), -1.f, 1.f);
     return V2f(turns < 0 ? turns + 1 : turns, 0.5f + std::asin(sine) * kInversePi);
+}
+
+void set_uv_metres(SurfacePoint& point, const V2f& metres) {
+    point.uv_metres = metres;
+    point.uv_per_metre = 1 / std::sqrt(metres.x * metres.y);
 }
 
 void fill_ball(SurfacePoint& point, const SceneObject& object, const RigidMotion* motion,
@@ -43,6 +50,7 @@ void fill_ball(SurfacePoint& point, const SceneObject& object, const RigidMotion
             motion != nullptr ? rotate_back(motion->world_from_body(ray.time), arm) : arm);
         point.uv = longitude_latitude(point.object_position);
         point.uv_per_metre = 0.5f * kInversePi / object.half_size.x;
+        point.uv_metres = V2f(kTurn, 0.5f * kTurn) * object.half_size.x;
     }
 }
 
@@ -51,11 +59,14 @@ struct UnitPoint {
     V3f position;
     V3f normal;
     V2f uv;
+    V2f uv_spans;  // lengths over which u and v grow by 1, along these axes of the unit shape
+    int u_axis = 0;
+    int v_axis = 1;
 };
 
 UnitPoint on_unit_ball(const V3f& origin, const V3f& direction, float t) {
     const V3f n = unit(origin + t * direction);
-    return {n, n, longitude_latitude(n)};
+    return {n, n, longitude_latitude(n), V2f(kTurn, 0.5f * kTurn), 0, 2};
 }
 
 /// Where the ray meets the box |p| <= half_size at distance t: the place, moved onto the face, and
@@ -107,6 +118,8 @@ void fill_upright_box(SurfacePoint& point, const SceneObject& object, const Ray&
     if (object.has_texture) {
         point.object_position = face.position;
         point.uv = across_face(face, object.half_size);
+        set_uv_metres(point, V2f(2 * object.half_size[(face.axis + 1) % 3],
+                                 2 * object.half_size[(face.axis + 2) % 3]));
     }
 }
 
@@ -114,25 +127,26 @@ UnitPoint on_unit_box(const V3f& origin, const V3f& direction, float t) {
     const FacePoint face = on_box(origin, direction, t, V3f(1));
     V3f normal(0, 0, 0);
     normal[face.axis] = face.side;
-    return {face.position, normal, across_face(face, V3f(1))};
+    return {face.position,      normal, across_face(face, V3f(1)), V2f(2), (face.axis + 1) % 3,
+            (face.axis + 2) % 3};
 }
 
 UnitPoint on_unit_plane(const V3f& origin, const V3f& direction, float t, bool bounded) {
     V3f p = origin + t * direction;
     p.z = 0;
     if (!bounded) {
-        return {p, V3f(0, 0, 1), V2f(p.x, p.y)};
+        return {p, V3f(0, 0, 1), V2f(p.x, p.y), V2f(1)};
     }
     p.x = std::clamp(p.x, -1.f, 1.f);
     p.y = std::clamp(p.y, -1.f, 1.f);
-    return {p, V3f(0, 0, 1), 0.5f * (V2f(p.x, p.y) + V2f(1))};
+    return {p, V3f(0, 0, 1), 0.5f * (V2f(p.x, p.y) + V2f(1)), V2f(2)};
 }
 
 UnitPoint on_unit_triangle(const V3f& origin, const V3f& direction, float t) {
     const V3f p = origin + t * direction;
     const float x = std::clamp(p.x, 0.f, 1.f);
     const float y = std::clamp(p.y, 0.f, 1.f - x);
-    return {V3f(x, y, 0), V3f(0, 0, 1), V2f(x, y)};
+    return {V3f(x, y, 0), V3f(0, 0, 1), V2f(x, y), V2f(1)};
 }
 
 V2f across_disk(const V3f& p) {
@@ -142,7 +156,7 @@ V2f across_disk(const V3f& p) {
 UnitPoint on_unit_disk(const V3f& origin, const V3f& direction, float t) {
     const V3f p = origin + t * direction;
     const V3f on_plane = V3f(p.x, p.y, 0) / std::max(1.f, std::sqrt(p.x * p.x + p.y * p.y));
-    return {on_plane, V3f(0, 0, 1), across_disk(on_plane)};
+    return {on_plane, V3f(0, 0, 1), across_disk(on_plane), V2f(2)};
 }
 
 /// Of the faces that the ray meets, the one whose distance is nearest to t.
@@ -167,14 +181,18 @@ UnitPoint on_unit_frustum(const Profile& profile, const V3f& origin, const V3f& 
         const float radius = profile.middle + profile.slope * end;
         const float inwards = from_axis > radius ? radius / from_axis : 1.f;
         p = V3f(inwards * p.x, inwards * p.y, end);
-        return {p, V3f(0, 0, end), across_disk(p)};
+        return {p, V3f(0, 0, end), across_disk(p), V2f(2)};
     }
     p.z = std::clamp(p.z, -1.f, 1.f);
     const float radius = profile.middle + profile.slope * p.z;
     const V2f out = from_axis > 0 ? V2f(p.x, p.y) / from_axis : V2f(1, 0);
     const float turns = std::atan2(out.y, out.x) * (0.5f * kInversePi);
-    return {V3f(radius * out.x, radius * out.y, p.z), V3f(out.x, out.y, -profile.slope),
-            V2f(turns < 0 ? turns + 1 : turns, 0.5f * (p.z + 1))};
+    return {V3f(radius * out.x, radius * out.y, p.z),
+            V3f(out.x, out.y, -profile.slope),
+            V2f(turns < 0 ? turns + 1 : turns, 0.5f * (p.z + 1)),
+            V2f(kTurn, 2),
+            0,
+            2};
 }
 
 UnitPoint on_unit_shape(const SceneObject& object, const V3f& origin, const V3f& direction,
@@ -216,6 +234,8 @@ void fill_analytic(SurfacePoint& point, const SceneObject& object, const RigidMo
         point.object_position =
             object.metres_from_world.point(object.frame.world_from_unit.point(on_shape.position));
         point.uv = on_shape.uv;
+        set_uv_metres(point, V2f(object.half_size[on_shape.u_axis] * on_shape.uv_spans.x,
+                                 object.half_size[on_shape.v_axis] * on_shape.uv_spans.y));
     }
 }
 
@@ -258,6 +278,7 @@ void fill_mesh(SurfacePoint& point, const SceneObject& object, const RigidMotion
             point.uv = uv_a + hit.u * uv_b + hit.v * uv_c;
             const float area = edge_b.cross(edge_c).length();
             point.uv_per_metre = area > 0 ? std::sqrt(std::abs(uv_b.cross(uv_c)) / area) : 0.f;
+            point.uv_metres = V2f(point.uv_per_metre > 0 ? 1 / point.uv_per_metre : 0.f);
         }
     }
 }

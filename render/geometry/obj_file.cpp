@@ -3,13 +3,13 @@
 #define TINYOBJLOADER_USE_DOUBLE  // as libtinyobjloader_double was built
 #include <algorithm>
 #include <cstddef>
-#include <fstream>
 #include <sstream>
 #include <string_view>
 #include <unordered_map>
 
 #include <tiny_obj_loader.h>
 
+#include "render/geometry/file_text.h"
 #include "render/geometry/polygon.h"
 #include "render/geometry/triangle_mesh.h"
 #include "sim/timeline/error.h"
@@ -17,30 +17,11 @@
 namespace carom::render {
 namespace {
 
-constexpr std::streamoff kMaxFileBytes = 2'000'000'000;
 constexpr std::size_t kMaxLineBytes = 65'536;
 constexpr int kMaxCorners = 1'024;  // of one face
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
     throw Error("'" + path + "': " + what);
-}
-
-std::string read_text(const std::string& path) {
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    if (!file) {
-        refuse(path, "the mesh cannot be opened");
-    }
-    const std::streamoff size = file.tellg();
-    if (size < 0 || size > kMaxFileBytes) {
-        refuse(path, "the mesh is larger than 2 GB or not a file");
-    }
-    std::string text(static_cast<std::size_t>(size), '\0');
-    file.seekg(0);
-    file.read(text.data(), size);
-    if (!file) {
-        refuse(path, "the mesh cannot be read to its end");
-    }
-    return text;
 }
 
 bool has_digits(std::string_view text, int at_least) {
@@ -223,7 +204,7 @@ tinyobj::callback_t callbacks() {
 }  // namespace
 
 MeshShape read_obj(const std::string& path) {
-    std::string text = read_text(path);
+    std::string text = read_mesh_text(path);
     check_lines(text, path);
     std::istringstream stream(std::move(text));
     MeshBuilder builder(path);

@@ -68,11 +68,14 @@ struct SurfacePoint {
     /// In the object's own axes at the ray's time, m, scaled as the object is. This and `uv` are
     /// filled in only where the object's material has a texture.
     V3f object_position{0, 0, 0};
-    /// Meshes: their own, or the barycentric weights; spheres: longitude from +x over +y and
-    /// latitude from -z to +z; boxes and rectangles: across the face; planes: metres. Otherwise in
-    /// [0, 1].
+    /// Meshes: their own, or the barycentric weights; triangles: the weights of the second and
+    /// third corner; spheres: longitude from +x over +y and latitude from -z to +z; boxes,
+    /// rectangles and parallelograms: across the face; disks: across the square around; cylinders
+    /// and cones: longitude and height from the bottom, their ends as disks; planes: x and y.
+    /// Otherwise in [0, 1].
     V2f uv{0, 0};
     float uv_per_metre = 0;  // how fast uv runs over the surface, 1/m; 0: not known
+    V2f uv_metres{0, 0};     // lengths over which u and v grow by 1 (spheres: at the equator), m
     float offset = 0;        // how far to step off the surface to be safe from hitting it again, m
     std::uint32_t object = kNoObject;
     std::uint32_t material = 0;  // index in the scene's materials; kNoMaterial for lights

@@ -64,9 +64,12 @@ struct ConeShape {
     double height = 1;
 };
 
-/// Given in the scene itself (the table's surfaces) or read from an OBJ file.
+/// Given in the scene itself (the table's surfaces) or read from an OBJ or PLY file.
 struct MeshShape {
     std::string file;  // absolute path; empty: the arrays below
+    /// Up to which angle between triangles, rad, an edge is made smooth: normals are made anew. 0:
+    /// those that there are.
+    double smooth_angle = 0;
     std::vector<Vec3> vertices;
     std::vector<Vec3> normals;  // per vertex or empty
     std::vector<Vec2> uv;       // per vertex or empty

@@ -81,7 +81,10 @@ Texture::Source Texture::make_source(const ColourSource& source, ImageCache& ima
         Overloaded{
             [](const Vec3& colour) -> Source { return V3f(colour); },
             [&](const ImageTexture& image) -> Source {
-                return Image{images.file(image.file, image.is_linear), V2f(image.scale)};
+                const Vec2 repeats = image.size ? Vec2(1, 1) / *image.size : image.scale;
+                const Vec2 turn(std::cos(image.rotation), std::sin(image.rotation));
+                return Image{images.file(image.file, image.is_linear), V2f(repeats),
+                             image.size.has_value(), V2f(image.offset), V2f(turn)};
             },
             [&](const BallTexture& ball) -> Source {
                 return BallPaint(ball, ball.number > 0 ? images.number(ball.number) : nullptr);
@@ -96,9 +99,12 @@ Texture::Source Texture::make_source(const ColourSource& source, ImageCache& ima
 }
 
 V3f Texture::Image::colour(const SurfacePoint& point, float footprint) const {
-    const float repeats = std::max(std::abs(scale.x), std::abs(scale.y));
-    return pyramid->lookup(point.uv.x * scale.x, (1.0f - point.uv.y) * scale.y,
-                           footprint * point.uv_per_metre * repeats, Wrap::repeat, Wrap::repeat);
+    const V2f at = by_size ? point.uv * point.uv_metres : point.uv;
+    const V2f turned(turn.x * at.x + turn.y * at.y, turn.x * at.y - turn.y * at.x);
+    const V2f place = turned * repeats - offset;
+    const float most = std::max(std::abs(repeats.x), std::abs(repeats.y));
+    const float width = footprint * most * (by_size ? 1 : point.uv_per_metre);
+    return pyramid->lookup(place.x, 1.0f - place.y, width, Wrap::repeat, Wrap::repeat);
 }
 
 V3f Texture::colour(const SurfacePoint& point, float footprint) const {

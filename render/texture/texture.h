@@ -53,7 +53,10 @@ class Texture {
   private:
     struct Image {
         std::shared_ptr<const ImagePyramid> pyramid;
-        V2f scale;
+        V2f repeats;  // along u and v; `by_size`: in a metre
+        bool by_size;
+        V2f offset;
+        V2f turn;  // cosine and sine
 
         [[nodiscard]] V3f colour(const SurfacePoint& point, float footprint) const;
     };

@@ -4,7 +4,7 @@
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/text.h"
 #include "pipeline/shot/solid_mesh.h"
-#include "render/geometry/obj_file.h"
+#include "render/geometry/mesh_file.h"
 #include "sim/shape/mass_properties.h"
 #include "sim/timeline/error.h"
 
@@ -95,8 +95,8 @@ std::optional<sim::TriangleMesh> still_mesh(const render::Shape& shape) {
     return std::nullopt;
 }
 
-sim::TriangleMesh read_mesh(const std::string& file, const Vec3& scale) {
-    const render::MeshShape mesh = render::read_obj(file);
+sim::TriangleMesh scaled_mesh(const std::string& file, const Vec3& scale) {
+    const render::MeshShape mesh = render::read_mesh(file);
     sim::TriangleMesh result;
     for (const Vec3& vertex : mesh.vertices) {
         result.vertices.push_back(vertex * scale);
@@ -128,7 +128,7 @@ std::optional<sim::BodyShape> body_shape(const Named<ObjectSection>& object, Bui
     }
     const auto& mesh = std::get<render::MeshShape>(shape);
     try {
-        return read_mesh(mesh.file, object.value.scale);
+        return scaled_mesh(mesh.file, object.value.scale);
     } catch (const Error& failure) {
         builder.reader.error(object.value.shape_place, failure.what());
         return std::nullopt;

@@ -28,8 +28,16 @@ const MapSpec<render::ImageTexture>& image_spec() {
         s.key("file", &render::ImageTexture::file, file(), "the picture").required();
         s.key("scale", &render::ImageTexture::scale, vector2(Dimension::none, above_up_to(0, 1e4)),
               "repeats along u and v");
+        s.key("size", &render::ImageTexture::size, vector2(Dimension::length, above_up_to(0, 1e4)),
+              "instead of `scale`: its width and height on flat shapes, cylinders and, around the "
+              "equator, spheres");
+        s.key("offset", &render::ImageTexture::offset, vector2(Dimension::none),
+              "by which it is moved along u and v, in its own widths and heights");
+        s.key("rotate", &render::ImageTexture::rotation, angle(),
+              "counter-clockwise about the corner where u and v are 0");
         s.key("is_linear", &render::ImageTexture::is_linear, boolean(),
               "its values are linear, not sRGB-encoded");
+        s.at_most_one_of({"scale", "size"});
         return s;
     }();
     return spec;

@@ -216,7 +216,7 @@ void add_shapes(MapSpec<ObjectSection>& s) {
             mesh.file = path;
             return mesh;
         },
-        "an OBJ file");
+        "an OBJ or PLY file");
     add_flat_shapes(s);
     add_shape(
         s, "cone", record(cone_spec()), [](const render::ConeShape& cone) { return cone; },
@@ -250,6 +250,19 @@ void check_transform(Reader& reader, const Node& node, ObjectSection& object) {
                                          : "give " + reader.label() + " its size instead"));
         }
     }
+}
+
+void check_smooth(Reader& reader, const Node& node, ObjectSection& object) {
+    if (!object.smooth || !object.shape) {
+        return;
+    }
+    if (auto* mesh = std::get_if<render::MeshShape>(&*object.shape);
+        mesh != nullptr && !mesh->file.empty()) {
+        mesh->smooth_angle = *object.smooth;
+        return;
+    }
+    reader.error(node.find("smooth")->key_place,
+                 "'smooth' is for a mesh from a file, which " + reader.label() + " is not");
 }
 
 void note_shape_place(Reader& reader, const Node& node, ObjectSection& object) {
@@ -306,6 +319,8 @@ const MapSpec<ObjectSection>& object_spec() {
         s.key("axes", &ObjectSection::axes, list_of(vector3(Dimension::none), 3, 3),
               "instead of `rotate` and `scale`: where its x, y and z axes go, of any length and at "
               "any angles");
+        s.key("smooth", &ObjectSection::smooth, angle(between(0, 3.141592653589793)),
+              "of a mesh: edges up to this angle between triangles look round");
         s.key("material", &ObjectSection::material, name_of(ReferenceKind::material),
               "of the look; without it a plain grey");
         s.set(
@@ -318,6 +333,7 @@ const MapSpec<ObjectSection>& object_spec() {
         s.at_most_one_of({"scale", "axes"});
         s.check(note_shape_place);
         s.check(check_transform);
+        s.check(check_smooth);
         return s;
     }();
     return spec;

@@ -183,6 +183,13 @@ TEST(Materials, Textures_FillEveryField) {
             .base);
     EXPECT_THAT(image.file, EndsWith("/tests/pipeline/config/files/picture.png"));
     EXPECT_EQ(image.scale, Vec2(2, 3));
+    const auto placed = std::get<render::ImageTexture>(
+        read_material("{base: {image: {file: files/picture.png, size: [20 cm, 30 cm], offset: "
+                      "[0.5, 0], rotate: 180 deg}}}")
+            .base);
+    EXPECT_EQ(placed.size, Vec2(0.2, 0.3));
+    EXPECT_EQ(placed.offset, Vec2(0.5, 0));
+    EXPECT_NEAR(placed.rotation, 3.14159265358979, 1e-12);
     EXPECT_TRUE(image.is_linear);
     const auto cloth = std::get<render::ClothTexture>(
         read_material("{base: {cloth: {colour: [0, 0.1, 0.3], thread: 1 mm, variation: 0}}}").base);
@@ -340,6 +347,14 @@ TEST(Objects, EveryShape_HasItsMeasures) {
     EXPECT_EQ(std::get<render::CylinderShape>(object(shot, "can").shape).height, 0.1);
     EXPECT_EQ(std::get<render::ConeShape>(object(shot, "hat").shape).top_radius, 0);
     EXPECT_EQ(std::get<render::ConeShape>(object(shot, "cup").shape).top_radius, 0.04);
+}
+
+TEST(Objects, Smooth_IsAnAngleOfAMesh) {
+    const Shot shot = load_sections(
+        "objects:\n"
+        "  statue: {mesh: files/triangle.obj, smooth: 180 deg, at: [0, 0, 1]}\n");
+    EXPECT_NEAR(std::get<render::MeshShape>(object(shot, "statue").shape).smooth_angle,
+                3.14159265358979, 1e-12);
 }
 
 TEST(Objects, ScaleThenRotateThenAt) {

@@ -66,7 +66,9 @@ void write_shape(Writer& out, const render::Shape& shape) {
 struct ColourWriter {
     Writer& out;
     void operator()(const Vec3& colour) const { out.line(colour); }
-    void operator()(const render::ImageTexture& t) const { out.line(t.file, t.scale, t.is_linear); }
+    void operator()(const render::ImageTexture& t) const {
+        out.line(t.file, t.scale, t.is_linear, t.size.value_or(Vec2(0, 0)), t.offset, t.rotation);
+    }
     void operator()(const render::BallTexture& t) const {
         out.line(t.colour, t.white, t.striped, t.number, t.disc_radius, t.spots);
     }

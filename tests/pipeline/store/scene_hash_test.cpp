@@ -40,6 +40,8 @@ TEST(SceneHash, Shapes_AllCount) {
     moved.vertices[0].z = 1e-9;
     flipped.triangles = {{0, 2, 1}};
     smooth.normals.assign(3, {0, 0, 1});
+    render::MeshShape smoothed = mesh;
+    smoothed.smooth_angle = 0.5;
     mapped.uv.assign(3, {0, 1});
     expect_all_different({hash_of(render::SphereShape{1}),
                           hash_of(render::SphereShape{2}),
@@ -53,6 +55,7 @@ TEST(SceneHash, Shapes_AllCount) {
                           hash_of(flipped),
                           hash_of(smooth),
                           hash_of(mapped),
+                          hash_of(smoothed),
                           hash_of(render::TriangleShape{}),
                           hash_of(render::TriangleShape{{Vec3(0), {1, 0, 0}, {0, 2, 0}}}),
                           hash_of(render::ParallelogramShape{}),

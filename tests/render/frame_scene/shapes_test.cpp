@@ -371,6 +371,33 @@ TEST(Shapes, TrackedObjects_AreMappedBeforeTheyMove) {
     }
 }
 
+TEST(Shapes, UvMetres_AreTheLengthsThatUvCross) {
+    const auto metres = [](const Shape& shape, const Vec3& from, const Vec3& to) {
+        const SurfacePoint point = look(shape, from, to);
+        EXPECT_NEAR(
+            point.uv_per_metre * point.uv_per_metre * (point.uv_metres.x * point.uv_metres.y), 1,
+            1e-5);
+        return point.uv_metres;
+    };
+    const Vec3 above(0.1, 0.2, 9);
+    const Vec3 below(0.1, 0.2, -9);
+    const auto expect = [](const V2f& found, const V2f& expected) {
+        EXPECT_NEAR((found - expected).length(), 0, 1e-5) << found;
+    };
+    expect(metres(RectangleShape{Vec2(3, 2)}, above, below), V2f(3, 2));
+    expect(metres(PlaneShape{}, above, below), V2f(1, 1));
+    expect(metres(DiskShape{0.5}, above, below), V2f(1, 1));
+    expect(metres(TriangleShape{{Vec3(0), Vec3(3, 0, 0), Vec3(0, 2, 0)}}, above, below), V2f(3, 2));
+    expect(metres(ParallelogramShape{Vec3(0), Vec3(3, 0, 0), Vec3(0, 2, 0)}, above, below),
+           V2f(3, 2));
+    expect(metres(BoxShape{Vec3(3, 2, 5)}, above, below), V2f(3, 2));
+    const float turn = static_cast<float>(2 * kPi);
+    expect(metres(CylinderShape{0.5, 3}, above, below), V2f(1, 1));
+    expect(metres(CylinderShape{0.5, 3}, Vec3(9, 0, 0), Vec3(0)), V2f(0.5f * turn, 3));
+    const SurfacePoint on_ball = look(SphereShape{2}, Vec3(9, 0, 0), Vec3(0));
+    expect(on_ball.uv_metres, V2f(2 * turn, turn));
+}
+
 TEST(Shapes, WithoutArea_AreRefused) {
     const auto message = [](const Shape& shape) -> std::string {
         SceneBuilder builder;

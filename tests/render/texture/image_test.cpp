@@ -1,5 +1,6 @@
 #include "render/texture/image.h"
 
+#include <cmath>
 #include <filesystem>
 
 #include <OpenImageIO/imageio.h>
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "render/texture/number_mask.h"
+#include "render/texture/texture.h"
 #include "sim/timeline/error.h"
 
 namespace carom::render {
@@ -116,6 +118,63 @@ TEST(MipPyramid, OddSizes_ShrinkToOneTexel) {
     const CoverageMask mask(5, 3, std::vector<std::uint8_t>(15, 51));
     EXPECT_EQ(mask.level_count(), 4u);
     EXPECT_NEAR(mask.lookup(0.9f, 0.1f, 2, Wrap::clamp, Wrap::clamp), 0.2f, 1e-6f);
+}
+
+/// Two by two: red and green above blue and white; a surface that uv crosses in 4 m by 2 m.
+class PlacedImage : public ::testing::Test {
+  protected:
+    PlacedImage() {
+        file_.write<float>(2, 2, 3, OIIO::TypeDesc::FLOAT, {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1});
+        image_.file = file_.path();
+    }
+
+    V3f at(float u, float v) {
+        SurfacePoint point;
+        point.uv = V2f(u, v);
+        point.uv_metres = V2f(4, 2);
+        point.uv_per_metre = 1 / std::sqrt(8.f);
+        return Texture(image_, images_).colour(point, 0);
+    }
+
+    const V3f kRed{1, 0, 0}, kGreen{0, 1, 0}, kBlue{0, 0, 1}, kWhite{1, 1, 1};
+    TemporaryFile file_{".exr"};
+    ImageTexture image_;
+    ImageCache images_;
+};
+
+TEST_F(PlacedImage, ByItself_FillsTheSurfaceUpright) {
+    EXPECT_EQ(at(0.25f, 0.25f), kBlue);
+    EXPECT_EQ(at(0.75f, 0.25f), kWhite);
+    EXPECT_EQ(at(0.25f, 0.75f), kRed);
+    EXPECT_EQ(at(0.75f, 0.75f), kGreen);
+}
+
+TEST_F(PlacedImage, Scale_RepeatsFromTheLowerLeft) {
+    image_.scale = Vec2(2, 0.5);
+    EXPECT_EQ(at(0.125f, 0.5f), kBlue);
+    EXPECT_EQ(at(0.375f, 0.5f), kWhite);
+    EXPECT_EQ(at(0.625f, 0.5f), kBlue);
+}
+
+TEST_F(PlacedImage, Size_IsInMetresOfTheSurface) {
+    image_.size = Vec2(1, 4);
+    EXPECT_EQ(at(0.25f / 4, 0.5f), kBlue);  // a quarter metre in; 1 m up of 4 m
+    EXPECT_EQ(at(0.75f / 4, 0.5f), kWhite);
+    EXPECT_EQ(at(1.25f / 4, 0.5f), kBlue);
+}
+
+TEST_F(PlacedImage, Offset_MovesThePicture) {
+    image_.offset = Vec2(0.5, 0);
+    EXPECT_EQ(at(0.75f, 0.25f), kBlue);
+    EXPECT_EQ(at(0.25f, 0.25f), kWhite);
+}
+
+TEST_F(PlacedImage, Rotation_TurnsItCounterClockwise) {
+    image_.rotation = std::acos(-1.0) / 2;
+    // What was right of the corner is above it now.
+    const V3f above = at(-0.25f, 0.75f);
+    EXPECT_NEAR((above - kWhite).length(), 0, 1e-5);
+    EXPECT_NEAR((at(-0.75f, 0.25f) - kRed).length(), 0, 1e-5);
 }
 
 }  // namespace

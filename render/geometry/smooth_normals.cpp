@@ -1,0 +1,138 @@
+#include "render/geometry/smooth_normals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace carom::render {
+namespace {
+
+/// The same number for all vertices at the same place, from 0 without gaps.
+std::vector<std::uint32_t> number_places(const std::vector<V3f>& vertices) {
+    std::vector<std::uint32_t> order(vertices.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto key = [&](std::uint32_t i) {
+        return std::tie(vertices[i].x, vertices[i].y, vertices[i].z);
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    std::vector<std::uint32_t> place(vertices.size());
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        count += i > 0 && key(order[i - 1]) != key(order[i]) ? 1 : 0;
+        place[order[i]] = count;
+    }
+    return place;
+}
+
+struct Corner {
+    V3f normal{0, 0, 0};  // of its triangle, unit
+    float angle = 0;      // rad
+};
+
+std::vector<Corner> make_corners(const TriangleMesh& mesh) {
+    std::vector<Corner> corners;
+    corners.reserve(3 * mesh.triangles.size());
+    for (const auto& triangle : mesh.triangles) {
+        std::array<V3f, 3> p;
+        for (std::size_t k = 0; k < 3; ++k) {
+            p[k] = mesh.vertices[triangle[k]];
+        }
+        const V3f normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const V3f to_next = p[(k + 1) % 3] - p[k];
+            const V3f to_last = p[(k + 2) % 3] - p[k];
+            const float angle = std::atan2(to_next.cross(to_last).length(), to_next.dot(to_last));
+            corners.push_back({normal, angle});
+        }
+    }
+    return corners;
+}
+
+/// Corners by the place where they are: those of place i from first[i] to first[i + 1].
+struct CornersByPlace {
+    std::vector<std::uint32_t> first;
+    std::vector<std::uint32_t> corners;
+};
+
+CornersByPlace sort_corners(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place) {
+    CornersByPlace result;
+    result.first.assign(mesh.vertices.size() + 1, 0);
+    for (const auto& triangle : mesh.triangles) {
+        for (const std::uint32_t vertex : triangle) {
+            ++result.first[place[vertex] + 1];
+        }
+    }
+    std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
+    result.corners.resize(3 * mesh.triangles.size());
+    std::vector<std::uint32_t> next = result.first;
+    for (std::uint32_t corner = 0; corner < result.corners.size(); ++corner) {
+        result.corners[next[place[mesh.triangles[corner / 3][corner % 3]]]++] = corner;
+    }
+    return result;
+}
+
+/// Vertices of the new mesh: one per old vertex and normal.
+class Splitter {
+  public:
+    explicit Splitter(const TriangleMesh& mesh)
+        : mesh_(mesh), newest_(mesh.vertices.size(), kNone) {}
+
+    std::uint32_t vertex(std::uint32_t old, const V3f& normal) {
+        for (std::uint32_t i = newest_[old]; i != kNone; i = older_[i]) {
+            if (split.normals[i] == normal) {
+                return i;
+            }
+        }
+        const auto index = static_cast<std::uint32_t>(split.vertices.size());
+        split.vertices.push_back(mesh_.vertices[old]);
+        split.normals.push_back(normal);
+        if (!mesh_.uv.empty()) {
+            split.uv.push_back(mesh_.uv[old]);
+        }
+        older_.push_back(newest_[old]);
+        newest_[old] = index;
+        return index;
+    }
+
+    TriangleMesh split;
+
+  private:
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+    const TriangleMesh& mesh_;
+    std::vector<std::uint32_t> newest_;  // by old vertex: the last one made of it
+    std::vector<std::uint32_t> older_;   // by new vertex: the one made before of the same old one
+};
+
+}  // namespace
+
+void smooth_normals(TriangleMesh& mesh, double crease) {
+    const std::vector<std::uint32_t> place = number_places(mesh.vertices);
+    const std::vector<Corner> corners = make_corners(mesh);
+    const CornersByPlace around = sort_corners(mesh, place);
+    const float least_cosine = static_cast<float>(std::cos(crease));
+    Splitter splitter(mesh);
+    for (std::uint32_t corner = 0; corner < corners.size(); ++corner) {
+        const std::uint32_t old = mesh.triangles[corner / 3][corner % 3];
+        V3f sum(0, 0, 0);
+        for (std::uint32_t i = around.first[place[old]]; i < around.first[place[old] + 1]; ++i) {
+            const Corner& other = corners[around.corners[i]];
+            if (around.corners[i] / 3 == corner / 3 ||
+                other.normal.dot(corners[corner].normal) >= least_cosine) {
+                sum += other.angle * other.normal;
+            }
+        }
+        if (corner % 3 == 0) {
+            splitter.split.triangles.emplace_back();
+        }
+        splitter.split.triangles.back()[corner % 3] = splitter.vertex(old, sum.normalized());
+    }
+    mesh = std::move(splitter.split);
+}
+
+}  // namespace carom::render

@@ -1,0 +1,178 @@
+#include "render/geometry/ply_file.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "render/geometry/mesh_file.h"
+#include "sim/timeline/error.h"
+#include "tests/render/statistics.h"
+
+namespace carom::render {
+namespace {
+
+class PlyFile : public testing::Test {
+  protected:
+    MeshShape read(const std::string& text) {
+        path_ = testing::TempDir() + "carom_ply_" +
+                testing::UnitTest::GetInstance()->current_test_info()->name() + ".ply";
+        std::ofstream(path_, std::ios::binary) << text;
+        return read_mesh(path_);
+    }
+
+    /// Without the path.
+    std::string message(const std::string& text) {
+        try {
+            static_cast<void>(read(text));
+        } catch (const Error& error) {
+            const std::string what = error.what();
+            return what.substr(what.find("': ") + 3);
+        }
+        return "no error";
+    }
+
+    void TearDown() override { std::remove(path_.c_str()); }
+
+  private:
+    std::string path_;
+};
+
+constexpr const char* kSquareHeader =
+    "ply\nformat ascii 1.0\ncomment a square\nelement vertex 4\nproperty float x\nproperty float "
+    "y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+
+std::string square(const std::string& faces) {
+    return std::string(kSquareHeader) + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n" + faces;
+}
+
+TEST_F(PlyFile, Text_PolygonsAreCut) {
+    const MeshShape mesh = read(square("4 0 1 2 3\n"));
+    EXPECT_EQ(mesh.vertices.size(), 4u);
+    EXPECT_EQ(mesh.vertices[2], Vec3(1, 1, 0));
+    EXPECT_EQ(mesh.triangles.size(), 2u);
+    EXPECT_TRUE(mesh.normals.empty());
+    EXPECT_TRUE(mesh.uv.empty());
+}
+
+/// A triangle with normals, uv, a colour to pass over and an element behind its faces.
+std::string binary_triangle(bool big_endian) {
+    std::string text =
+        std::string("ply\r\nformat ") +
+        (big_endian ? "binary_big_endian" : "binary_little_endian") +
+        " 1.0\r\nelement vertex 3\r\nproperty double x\r\nproperty float y\r\nproperty float z\r\n"
+        "property uchar red\r\nproperty float nx\r\nproperty float ny\r\nproperty float nz\r\n"
+        "property float s\r\nproperty float t\r\nelement face 1\r\nproperty uchar flags\r\n"
+        "property list uint8 uint16 vertex_index\r\nelement edge 1\r\nproperty int a\r\n"
+        "end_header\r\n";
+    const auto put = [&](auto value) {
+        char bytes[sizeof value];
+        std::memcpy(bytes, &value, sizeof value);
+        for (std::size_t i = 0; i < sizeof value; ++i) {
+            text.push_back(bytes[big_endian ? sizeof value - 1 - i : i]);
+        }
+    };
+    for (int i = 0; i < 3; ++i) {
+        put(0.25 * i);
+        put(i == 1 ? 2.f : 0.f);
+        put(-1.5f);
+        put(std::uint8_t{200});
+        put(0.f);
+        put(0.f);
+        put(1.f);
+        put(0.5f * static_cast<float>(i));
+        put(0.75f);
+    }
+    put(std::uint8_t{1});
+    put(std::uint8_t{3});
+    for (const int corner : {2, 1, 0}) {
+        put(static_cast<std::uint16_t>(corner));
+    }
+    put(std::int32_t{7});
+    return text;
+}
+
+TEST_F(PlyFile, BinaryOfEitherOrder_HasNormalsAndUv) {
+    for (const bool big_endian : {false, true}) {
+        const MeshShape mesh = read(binary_triangle(big_endian));
+        ASSERT_EQ(mesh.vertices.size(), 3u);
+        EXPECT_EQ(mesh.vertices[2], Vec3(0.5, 0, -1.5));
+        EXPECT_EQ(mesh.vertices[1], Vec3(0.25, 2, -1.5));
+        ASSERT_EQ(mesh.normals.size(), 3u);
+        EXPECT_EQ(mesh.normals[0], Vec3(0, 0, 1));
+        ASSERT_EQ(mesh.uv.size(), 3u);
+        EXPECT_EQ(mesh.uv[2], Vec2(1, 0.75));
+        ASSERT_EQ(mesh.triangles.size(), 1u);
+        EXPECT_EQ(mesh.triangles[0], (std::array<std::uint32_t, 3>{2, 1, 0}));
+    }
+}
+
+TEST_F(PlyFile, FacesBeforeVertices_AreRead) {
+    const MeshShape mesh = read(
+        "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
+        "element vertex 3\nproperty float z\nproperty float y\nproperty float x\nend_header\n"
+        "3 0 1 2\n1 2 3\n+4 5 6\n7 8 9e0");
+    EXPECT_EQ(mesh.vertices[0], Vec3(3, 2, 1));
+    EXPECT_EQ(mesh.vertices[2], Vec3(9, 8, 7));
+}
+
+TEST_F(PlyFile, Wrong_IsRefusedInWords) {
+    EXPECT_EQ(message("ply\nformat ascii 1.0\n"), "the header of the PLY file does not end");
+    EXPECT_EQ(message("ply\nformat ebcdic 1.0\n"), "line 2: an unknown format");
+    EXPECT_EQ(message("ply\nformat ascii 1.0\nelement vertex many\n"),
+              "line 3: an element needs a count");
+    EXPECT_EQ(message("ply\nformat ascii 1.0\nelement vertex 3\nproperty quad x\n"),
+              "line 4: a property of an unknown type");
+    EXPECT_EQ(message("ply\nformat ascii 1.0\nelement vertex 3\nproperty float\n"),
+              "line 4: a property needs a type and a name");
+    EXPECT_EQ(message("ply\nhello\n"), "line 2: not a line of a PLY header");
+    EXPECT_EQ(message(square("")), "the file ends before its last number");
+    EXPECT_EQ(message(square("4 0 1 2 4\n")), "a face refers to vertex 4 of 4");
+    EXPECT_EQ(message(square("4 0 1 2 -1\n")), "a face has a corner that is no vertex");
+    EXPECT_EQ(message(square("4 0 1 2 0.5\n")), "a face has a corner that is no vertex");
+    EXPECT_EQ(message(square("2 0 1\n")), "a face of 2 corners (3 to 1024 are possible)");
+    EXPECT_EQ(message(square("-4 0 1\n")), "a list has an impossible length");
+    EXPECT_EQ(message(square("4 0 one 2 3\n")), "'one' is not a number");
+}
+
+TEST_F(PlyFile, CountsBeyondTheFile_AreRefusedBeforeMemoryIsTaken) {
+    std::string huge(kSquareHeader);
+    huge.replace(huge.find("vertex 4"), 8, "vertex 60000000");
+    EXPECT_EQ(message(huge + "0 0 0\n"),
+              "60000000 of 'vertex' are announced, more than the file has room for");
+    EXPECT_EQ(message("ply\nformat ascii 1.0\nelement nothing 18446744073709551615\nend_header\n"),
+              "18446744073709551615 of 'nothing' are announced, more than the file has room for");
+}
+
+TEST_F(PlyFile, WithoutPlaces_OrFaces_IsRefused) {
+    EXPECT_EQ(message("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n"),
+              "its vertices have no x, y and z");
+    EXPECT_EQ(message("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
+                      "y\nproperty float z\nend_header\n1 2 3\n"),
+              "there is no face in it");
+}
+
+TEST_F(PlyFile, RandomDamage_IsReadOrRefused) {
+    test::TestRandom random(1);
+    for (const std::string& whole :
+         {square("4 0 1 2 3\n"), binary_triangle(false), binary_triangle(true)}) {
+        int refused = 0;
+        for (int i = 0; i < 1500; ++i) {
+            std::string text = whole;
+            for (int k = 0; k < 1 + i % 4; ++k) {
+                text[random.next() % text.size()] = static_cast<char>(random.next() & 255);
+            }
+            if (i % 5 == 0) {
+                text.resize(random.next() % text.size());
+            }
+            refused += message(text) == "no error" ? 0 : 1;
+        }
+        EXPECT_GT(refused, 500);
+    }
+}
+
+}  // namespace
+}  // namespace carom::render

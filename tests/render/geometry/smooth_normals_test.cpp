@@ -1,0 +1,56 @@
+#include "render/geometry/smooth_normals.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/render/frame_scene/scene_helpers.h"
+
+namespace carom::render {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+
+TriangleMesh cube() {
+    return make_mesh(test::cube_mesh(), Mat44(), "cube");
+}
+
+TEST(SmoothNormals, CubeWithSharpEdges_HasTwentyFourVertices) {
+    TriangleMesh mesh = cube();
+    smooth_normals(mesh, 30 * kDegree);
+    EXPECT_EQ(mesh.vertices.size(), 24u);
+    ASSERT_EQ(mesh.triangles.size(), 12u);
+    for (const auto& triangle : mesh.triangles) {
+        const V3f& a = mesh.vertices[triangle[0]];
+        const V3f normal =
+            (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a).normalized();
+        for (const std::uint32_t corner : triangle) {
+            EXPECT_NEAR((mesh.normals[corner] - normal).length(), 0, 1e-6);
+        }
+    }
+}
+
+TEST(SmoothNormals, RoundCube_EveryNormalPointsAwayFromTheCentre) {
+    // Weighted by angles, whichever way the squares are cut.
+    TriangleMesh mesh = cube();
+    smooth_normals(mesh, 100 * kDegree);
+    EXPECT_EQ(mesh.vertices.size(), 8u);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        EXPECT_NEAR((mesh.normals[i] - mesh.vertices[i].normalized()).length(), 0, 1e-6);
+    }
+}
+
+TEST(SmoothNormals, VerticesAtTheSamePlace_CountAsOne) {
+    TriangleMesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.2f}, {1, 0, 0}, {0, 0, 0}, {0, -1, 0.2f}};
+    mesh.uv.assign(6, V2f(0.5f, 0.5f));
+    mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+    smooth_normals(mesh, 60 * kDegree);
+    EXPECT_EQ(mesh.vertices.size(), 6u);
+    EXPECT_EQ(mesh.uv.size(), 6u);
+    EXPECT_NEAR((mesh.normals[mesh.triangles[0][0]] - V3f(0, 0, 1)).length(), 0, 1e-6);
+    EXPECT_EQ(mesh.normals[mesh.triangles[0][0]], mesh.normals[mesh.triangles[1][1]]);
+}
+
+}  // namespace
+}  // namespace carom::render
