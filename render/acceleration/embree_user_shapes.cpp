@@ -1,7 +1,6 @@
 #include "render/acceleration/embree_user_shapes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "render/acceleration/moving_shape.h"
@@ -10,79 +9,7 @@
 namespace carom::render {
 namespace {
 
-using Box = Imath::Box3f;
 using Kind = UserShape::Kind;
-
-/// Room for the rounding of Embree's own box tests.
-Box widened(const Box& box) {
-    Box result = box;
-    for (int axis = 0; axis < 3; ++axis) {
-        const float size = std::max({std::abs(box.min[axis]), std::abs(box.max[axis]), 1e-3f});
-        result.min[axis] -= 1e-5f * size;
-        result.max[axis] += 1e-5f * size;
-    }
-    return result;
-}
-
-V3f derivative(const PathPiece& path, float time) {
-    const float d = time - path.start;
-    return path.c[1] + d * (2.f * path.c[2] + 3.f * d * path.c[3]);
-}
-
-/// Bounds of a ball along its path, from the control points of the path's Bézier form: the curve
-/// lies in their hull. A path in force throughout gets boxes that move with it.
-MovingBounds sphere_bounds(const SphereStretch& sphere) {
-    const float from = std::max(sphere.start, 0.f);
-    const float to = std::max(from, std::min(sphere.end, 1.f));
-    const float third = (to - from) / 3;
-    const V3f p0 = sphere.path.position(from);
-    const V3f p3 = sphere.path.position(to);
-    const std::array<V3f, 4> control = {p0, p0 + third * derivative(sphere.path, from),
-                                        p3 - third * derivative(sphere.path, to), p3};
-    const V3f radius(sphere.radius);
-    const bool always = from <= 0 && to >= 1;
-    if (!always) {
-        Box box;
-        for (const V3f& p : control) {
-            box.extendBy(p - radius);
-            box.extendBy(p + radius);
-        }
-        return {widened(box), widened(box)};
-    }
-    Box deviation;
-    for (int k = 0; k < 4; ++k) {
-        deviation.extendBy(control[k] - (p0 + (static_cast<float>(k) / 3) * (p3 - p0)));
-    }
-    return {widened({p0 + deviation.min - radius, p0 + deviation.max + radius}),
-            widened({p3 + deviation.min - radius, p3 + deviation.max + radius})};
-}
-
-MovingBounds still(const Box& box) {
-    return {widened(box), widened(box)};
-}
-
-/// Of the unit cube: what the margins of intersect.h add to a shape, and more.
-constexpr double kUnitWidening = 1.00005;
-
-/// World bounds of the unit cube (flat: of its slice z = 0) under the map's inverse.
-MovingBounds mapped_bounds(const MappedShape& shape, bool flat) {
-    Mat44 unit_from_world;
-    for (int row = 0; row < 3; ++row) {
-        for (int axis = 0; axis < 3; ++axis) {
-            unit_from_world[row][axis] =
-                static_cast<double>(shape.unit_from_world.linear[row][axis]);
-        }
-        unit_from_world[3][row] = static_cast<double>(shape.unit_from_world.translation[row]);
-    }
-    const Mat44 world_from_unit = unit_from_world.inverse();
-    Box box;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 p((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1,
-                     flat ? 0 : ((corner & 4) ? 1 : -1));
-        box.extendBy(V3f((kUnitWidening * p) * world_from_unit));
-    }
-    return still(box);
-}
 
 /// Pairs each shape with its lane; the blocks hold the same shapes in the same (stable) order.
 template <class Block, class Shape, class Bounds>
@@ -146,7 +73,7 @@ bool hit_shape(const UserShapes& all, const UserShape& shape, const Ray& ray, Hi
 void bounds_callback(const RTCBoundsFunctionArguments* args) {
     const auto& all = *static_cast<const UserShapes*>(args->geometryUserPtr);
     const MovingBounds& bounds = all.shapes[args->primID].bounds;
-    const Box& box = args->timeStep == 0 ? bounds.open : bounds.close;
+    const Imath::Box3f& box = args->timeStep == 0 ? bounds.open : bounds.close;
     *args->bounds_o = {box.min.x, box.min.y, box.min.z, 0, box.max.x, box.max.y, box.max.z, 0};
 }
 
@@ -203,13 +130,13 @@ UserShapes make_user_shapes(const ShapeSet& shapes) {
     for (const SphereStretch& sphere : shapes.spheres) {
         (sphere.is_still() ? still_spheres : moving_spheres).push_back(sphere);
     }
-    add(all.shapes, Kind::still_sphere, all.blocks.still_spheres, still_spheres, sphere_bounds);
-    add(all.shapes, Kind::moving_sphere, all.blocks.moving_spheres, moving_spheres, sphere_bounds);
-    add(all.shapes, Kind::box, all.blocks.boxes, shapes.boxes, [](const AlignedBox& box) {
-        return still({box.low, box.high});
-    });
-    const auto solid = [](const MappedShape& shape) { return mapped_bounds(shape, false); };
-    const auto flat = [](const MappedShape& shape) { return mapped_bounds(shape, true); };
+    const auto round = [](const SphereStretch& sphere) { return bounds_of(sphere); };
+    add(all.shapes, Kind::still_sphere, all.blocks.still_spheres, still_spheres, round);
+    add(all.shapes, Kind::moving_sphere, all.blocks.moving_spheres, moving_spheres, round);
+    add(all.shapes, Kind::box, all.blocks.boxes, shapes.boxes,
+        [](const AlignedBox& box) { return bounds_of(box); });
+    const auto solid = [](const MappedShape& shape) { return bounds_of(shape, false); };
+    const auto flat = [](const MappedShape& shape) { return bounds_of(shape, true); };
     add(all.shapes, Kind::mapped_ball, all.blocks.mapped_balls, shapes.mapped_balls, solid);
     add(all.shapes, Kind::mapped_box, all.blocks.mapped_boxes, shapes.mapped_boxes, solid);
     add(all.shapes, Kind::rectangle, all.blocks.rectangles, shapes.rectangles, flat);
@@ -219,7 +146,7 @@ UserShapes make_user_shapes(const ShapeSet& shapes) {
     for (std::uint32_t i = 0; i < shapes.moving.size(); ++i) {
         const MovingShape& shape = shapes.moving[i];
         if (shape.kind != MovingShape::Kind::plane) {
-            all.shapes.push_back({Kind::moving, i, shape.object, still(shape.bounds)});
+            all.shapes.push_back({Kind::moving, i, shape.object, bounds_of(shape)});
         }
     }
     return all;

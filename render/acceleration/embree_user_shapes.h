@@ -5,6 +5,7 @@
 
 #include "render/acceleration/analytic_kernels.h"
 #include "render/acceleration/embree_handles.h"
+#include "render/acceleration/shape_bounds.h"
 #include "render/acceleration/shapes.h"
 
 namespace carom::render {
@@ -14,11 +15,6 @@ struct QueryContext {
     RTCIntersectContext embree;
     const Ray* ray = nullptr;          // safe
     Candidate nearest{-1, kNoObject};  // the last hit of a user shape
-};
-
-/// A box at the shutter's opening and closing; Embree interpolates between.
-struct MovingBounds {
-    Imath::Box3f open, close;
 };
 
 /// One primitive: where it is in the blocks, and its bounds.

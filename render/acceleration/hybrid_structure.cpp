@@ -1,7 +1,8 @@
 #include "render/acceleration/hybrid_structure.h"
 
 #include <algorithm>
-#include <bit>
+#include <cmath>
+#include <iterator>
 
 #include "render/acceleration/moving_shape.h"
 #include "render/acceleration/safe_ray.h"
@@ -15,13 +16,28 @@ float just_beyond(float t) {
     return std::nextafter(t, kInfinity);
 }
 
+/// What no tree can hold.
+ShapeSet infinite_planes(const ShapeSet& shapes) {
+    ShapeSet planes;
+    planes.planes = shapes.planes;
+    std::copy_if(shapes.moving.begin(), shapes.moving.end(), std::back_inserter(planes.moving),
+                 [](const MovingShape& shape) { return shape.kind == MovingShape::Kind::plane; });
+    return planes;
+}
+
 }  // namespace
 
-HybridStructure::HybridStructure(const ShapeSet& shapes)
-    : kernels_(best_kernels()),
-      blocks_(make_blocks(shapes)),
-      moving_(shapes.moving),
-      meshes_(shapes.meshes) {
+HybridStructure::HybridStructure(const ShapeSet& shapes, std::size_t tree_threshold)
+    : kernels_(best_kernels()), tree_kernels_(best_tree_kernels()), meshes_(shapes.meshes) {
+    if (count_bounded(shapes) >= tree_threshold) {
+        tree_ = make_analytic_tree(shapes);
+        const ShapeSet planes = infinite_planes(shapes);
+        blocks_ = make_blocks(planes);
+        moving_ = planes.moving;
+    } else {
+        blocks_ = make_blocks(shapes);
+        moving_ = shapes.moving;
+    }
     std::stable_sort(
         moving_.begin(), moving_.end(),
         [](const MovingShape& a, const MovingShape& b) { return a.object < b.object; });
@@ -32,10 +48,14 @@ bool HybridStructure::closest_hit(const Ray& ray, Hit& hit) const {
         return false;
     }
     Ray remaining = made_safe(ray);
-    Candidate analytic{remaining.t_max, kNoObject};
-    kernels_.closest(blocks_, remaining, analytic);
     Hit best;
     best.t = remaining.t_max;
+    if (tree_) {
+        tree_kernels_.closest(*tree_, remaining, best);
+        remaining.t_max = best.object != kNoObject ? just_beyond(best.t) : best.t;
+    }
+    Candidate analytic{remaining.t_max, kNoObject};
+    kernels_.closest(blocks_, remaining, analytic);
     const auto accept = [&](const Hit& other) {
         const bool is_tie = other.t == best.t && other.object < best.object;
         if (best.object == kNoObject || other.t < best.t || is_tie) {
@@ -68,6 +88,9 @@ bool HybridStructure::any_hit(const Ray& ray) const {
         return false;
     }
     const Ray safe = made_safe(ray);
+    if (tree_ && tree_kernels_.any(*tree_, safe)) {
+        return true;
+    }
     if (kernels_.any(blocks_, safe)) {
         return true;
     }

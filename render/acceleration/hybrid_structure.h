@@ -1,20 +1,27 @@
-// Analytic shapes in the lanes of vectors, meshes in Embree.
+// Analytic shapes in the lanes of vectors, many of them under a tree, meshes in Embree.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "render/acceleration/acceleration_structure.h"
 #include "render/acceleration/analytic_kernels.h"
+#include "render/acceleration/analytic_tree_kernels.h"
 #include "render/acceleration/shapes.h"
 
 namespace carom::render {
 
+/// From how many analytic shapes on a tree is faster than testing all (docs/performance.md).
+inline constexpr std::size_t kTreeThreshold = 64;
+
 /// The default. The handful of balls and boxes of a billiard shot is tested by brute force, eight
-/// at a time, which no hierarchy beats; time grows in proportion to their number. Only then are
-/// triangles asked, within the distance found.
+/// at a time, which no hierarchy beats; from `tree_threshold` shapes on all but infinite planes go
+/// into a tree instead, which gives the same hits. Only then are triangles asked, within the
+/// distance found.
 class HybridStructure final : public AccelerationStructure {
   public:
-    explicit HybridStructure(const ShapeSet& shapes);
+    explicit HybridStructure(const ShapeSet& shapes, std::size_t tree_threshold = kTreeThreshold);
 
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const override;
     [[nodiscard]] bool any_hit(const Ray& ray) const override;
@@ -22,8 +29,10 @@ class HybridStructure final : public AccelerationStructure {
 
   private:
     const AnalyticKernels& kernels_;
-    AnalyticBlocks blocks_;
-    std::vector<MovingShape> moving_;  // in order of object
+    const AnalyticTreeKernels& tree_kernels_;
+    std::optional<AnalyticTree> tree_;
+    AnalyticBlocks blocks_;            // what is not in the tree
+    std::vector<MovingShape> moving_;  // the same, in order of object
     std::shared_ptr<const TriangleScene> meshes_;
 };
 

@@ -1,0 +1,192 @@
+#include "render/acceleration/analytic_tree_kernels.h"
+
+#include "render/acceleration/moving_shape.h"
+#include "render/geometry/intersect.h"
+
+// As in analytic_kernels.cpp.
+#define HWY_DISABLED_TARGETS (HWY_AVX3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/acceleration/analytic_tree_kernels.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once per instruction set
+// Must follow foreach_target.h.
+#include <hwy/highway.h>
+
+#include "render/acceleration/analytic_kernels-inl.h"
+#include "render/acceleration/wide_traversal-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
+
+/// Asks for the nearest hit.
+struct ClosestInBlock {
+    Hit* best;
+
+    template <class D, class Block, class Test>
+    HWY_INLINE bool operator()(D d, const RayLanes<D>& ray, const Block& block,
+                               const Test& test) const {
+        BestLanes<D> nearest{hn::Set(d, best->t),
+                             hn::Set(Int<D>(), static_cast<std::int32_t>(best->object))};
+        bool offered = false;
+        for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
+            hn::Vec<D> t = nearest.t;
+            const hn::Mask<D> valid = test(d, ray, block, lane, t);
+            if (!hn::AllFalse(d, hn::And(valid, hn::Le(t, nearest.t)))) {
+                nearest.offer(d, valid, t, block.object, lane);
+                offered = true;
+            }
+        }
+        if (offered) {
+            Candidate candidate{best->t, best->object};
+            nearest.reduce(d, candidate);
+            if (candidate.t < best->t || candidate.object != best->object) {
+                *best = {candidate.t, candidate.object, 0, 0, 0};
+            }
+        }
+        return false;
+    }
+
+    bool operator()(const MovingShape& shape, const Ray& ray) const {
+        Ray remaining = ray;
+        const bool may_tie = best->object != kNoObject && shape.object < best->object;
+        remaining.t_max = may_tie ? std::nextafter(best->t, kInfinity) : best->t;
+        Hit hit;
+        if (intersect_moving(shape, remaining, hit)) {
+            *best = hit;
+        }
+        return false;
+    }
+};
+
+/// Asks whether there is one.
+struct AnyInBlock {
+    float t_max;
+
+    template <class D, class Block, class Test>
+    HWY_INLINE bool operator()(D d, const RayLanes<D>& ray, const Block& block,
+                               const Test& test) const {
+        for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
+            hn::Vec<D> t = hn::Set(d, t_max);
+            const hn::Mask<D> valid = test(d, ray, block, lane, t);
+            if (!hn::AllFalse(d, hn::And(valid, hn::Lt(t, hn::Set(d, t_max))))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    bool operator()(const MovingShape& shape, const Ray& ray) const {
+        return occluded_by_moving(shape, ray);
+    }
+};
+
+template <class D, class Query>
+struct VisitLeaf {
+    const AnalyticTree& tree;
+    const Ray& ray;
+    RayLanes<D> lanes;
+    AlignedBoxTest<D> box_test;
+    Query query;
+
+    HWY_INLINE VisitLeaf(D d, const AnalyticTree& tree_of, const Ray& of, const Query& asked)
+        : tree(tree_of),
+          ray(of),
+          lanes(broadcast(d, of)),
+          box_test(d, lanes, of.direction),
+          query(asked) {}
+
+    /// Whether the query is answered.
+    HWY_INLINE bool operator()(std::uint32_t leaf) const {
+        const std::uint32_t end = tree.first_part[leaf + 1];
+        for (std::uint32_t i = tree.first_part[leaf]; i < end; ++i) {
+            if (ask(tree.parts[i])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+  private:
+    HWY_INLINE bool ask(const TreePart& part) const {
+        const D d;
+        const AnalyticBlocks& blocks = tree.blocks;
+        const std::uint32_t i = part.index;
+        switch (part.kind) {
+            case TreePart::Kind::still_spheres:
+                return query(d, lanes, blocks.still_spheres[i], StillSphereTest());
+            case TreePart::Kind::moving_spheres:
+                return query(d, lanes, blocks.moving_spheres[i], MovingSphereTest());
+            case TreePart::Kind::boxes:
+                return query(d, lanes, blocks.boxes[i], box_test);
+            case TreePart::Kind::mapped_balls:
+                return query(d, lanes, blocks.mapped_balls[i], MappedBallTest());
+            case TreePart::Kind::mapped_boxes:
+                return query(d, lanes, blocks.mapped_boxes[i], MappedBoxTest());
+            case TreePart::Kind::rectangles:
+                return query(d, lanes, blocks.rectangles[i], RectangleTest());
+            case TreePart::Kind::triangles:
+                return query(d, lanes, blocks.triangles[i], TriangleTest());
+            case TreePart::Kind::disks:
+                return query(d, lanes, blocks.disks[i], DiskTest());
+            case TreePart::Kind::frustums:
+                return query(d, lanes, blocks.frustums[i], FrustumTest());
+            case TreePart::Kind::moving_shape:
+                return query(tree.moving[i], ray);
+        }
+        return false;
+    }
+};
+
+template <class Query>
+HWY_ATTR void ask_tree(const AnalyticTree& tree, const Ray& ray, const float& limit,
+                       const Query& query, bool& answered) {
+    const WideTag d;
+    const VisitLeaf<WideTag, Query> leaf(d, tree, ray, query);
+    const auto visit = [&](std::uint32_t index) HWY_ATTR {
+        answered = leaf(index);
+        return answered;
+    };
+    if (tree.tree.travels.empty()) {
+        traverse<false>(d, tree.tree, ray, limit, visit);
+    } else {
+        traverse<true>(d, tree.tree, ray, limit, visit);
+    }
+}
+
+inline HWY_ATTR void closest_in_tree(const AnalyticTree& tree, const Ray& ray, Hit& best) {
+    if (tree.tree.nodes.empty()) {
+        return;
+    }
+    bool answered = false;
+    ask_tree(tree, ray, best.t, ClosestInBlock{&best}, answered);
+}
+
+inline HWY_ATTR bool any_in_tree(const AnalyticTree& tree, const Ray& ray) {
+    if (tree.tree.nodes.empty()) {
+        return false;
+    }
+    bool answered = false;
+    ask_tree(tree, ray, ray.t_max, AnyInBlock{ray.t_max}, answered);
+    return answered;
+}
+
+inline const AnalyticTreeKernels& tree_kernels_of_target() {
+    static const AnalyticTreeKernels kKernels = {closest_in_tree, any_in_tree};
+    return kKernels;
+}
+
+}  // namespace carom::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace carom::render {
+
+HWY_EXPORT(tree_kernels_of_target);
+
+const AnalyticTreeKernels& best_tree_kernels() {
+    return HWY_DYNAMIC_DISPATCH(tree_kernels_of_target)();
+}
+
+}  // namespace carom::render
+
+#endif

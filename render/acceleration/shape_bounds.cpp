@@ -1,0 +1,103 @@
+#include "render/acceleration/shape_bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace carom::render {
+namespace {
+
+using Box = Imath::Box3f;
+
+/// Room for the rounding of box tests, Embree's own among them.
+Box widened(const Box& box) {
+    Box result = box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float size = std::max({std::abs(box.min[axis]), std::abs(box.max[axis]), 1e-3f});
+        result.min[axis] -= 1e-5f * size;
+        result.max[axis] += 1e-5f * size;
+    }
+    return result;
+}
+
+V3f derivative(const PathPiece& path, float time) {
+    const float d = time - path.start;
+    return path.c[1] + d * (2.f * path.c[2] + 3.f * d * path.c[3]);
+}
+
+/// Stretches in force for less than this part of the shutter get a box that does not move: carrying
+/// their motion on to the shutter's ends would magnify rounding.
+constexpr float kShortest = 1e-3f;
+
+/// Of the unit cube: what the margins of intersect.h add to a shape, and more.
+constexpr double kUnitWidening = 1.00005;
+
+MovingBounds still(const Box& box) {
+    return {widened(box), widened(box)};
+}
+
+}  // namespace
+
+/// From the control points of the path's Bezier form, whose hull the curve lies in: a box around
+/// how far they are off the chord is carried along the chord. Beyond the stretch's own time, where
+/// it does not count, the box goes on as it went.
+MovingBounds bounds_of(const SphereStretch& sphere) {
+    const float from = std::max(sphere.start, 0.f);
+    const float to = std::max(from, std::min(sphere.end, 1.f));
+    const float third = (to - from) / 3;
+    const V3f p0 = sphere.path.position(from);
+    const V3f p3 = sphere.path.position(to);
+    const std::array<V3f, 4> control = {p0, p0 + third * derivative(sphere.path, from),
+                                        p3 - third * derivative(sphere.path, to), p3};
+    const V3f radius(sphere.radius);
+    if (to - from < kShortest) {
+        Box box;
+        for (const V3f& p : control) {
+            box.extendBy(p - radius);
+            box.extendBy(p + radius);
+        }
+        return still(box);
+    }
+    Box deviation;
+    for (int k = 0; k < 4; ++k) {
+        deviation.extendBy(control[static_cast<std::size_t>(k)] -
+                           (p0 + (static_cast<float>(k) / 3) * (p3 - p0)));
+    }
+    const V3f velocity = (p3 - p0) * (1 / (to - from));
+    const V3f at_open = p0 - from * velocity;
+    const V3f at_close = p3 + (1 - to) * velocity;
+    // Where the chord ends far away rounding there must not narrow the box here.
+    const V3f slack = V3f(4e-7f * ((at_open - p0).length() + (at_close - p3).length())) + radius;
+    return {widened({at_open + deviation.min - slack, at_open + deviation.max + slack}),
+            widened({at_close + deviation.min - slack, at_close + deviation.max + slack})};
+}
+
+MovingBounds bounds_of(const AlignedBox& box) {
+    return still({box.low, box.high});
+}
+
+MovingBounds bounds_of(const MovingShape& shape) {
+    return still(shape.bounds);
+}
+
+/// The unit cube (flat: its slice z = 0) under the map's inverse.
+MovingBounds bounds_of(const MappedShape& shape, bool flat) {
+    Mat44 unit_from_world;
+    for (int row = 0; row < 3; ++row) {
+        for (int axis = 0; axis < 3; ++axis) {
+            unit_from_world[row][axis] =
+                static_cast<double>(shape.unit_from_world.linear[row][axis]);
+        }
+        unit_from_world[3][row] = static_cast<double>(shape.unit_from_world.translation[row]);
+    }
+    const Mat44 world_from_unit = unit_from_world.inverse();
+    Box box;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 p((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1,
+                     flat ? 0 : ((corner & 4) ? 1 : -1));
+        box.extendBy(V3f((kUnitWidening * p) * world_from_unit));
+    }
+    return still(box);
+}
+
+}  // namespace carom::render

@@ -1,0 +1,29 @@
+// Boxes around shapes while the shutter is open.
+#pragma once
+
+#include <Imath/ImathBox.h>
+
+#include "render/acceleration/shapes.h"
+
+namespace carom::render {
+
+/// A box that moves and grows evenly from the shutter's opening, time 0, to its closing, time 1.
+struct MovingBounds {
+    Imath::Box3f open, close;
+
+    void extend(const MovingBounds& other) {
+        open.extendBy(other.open);
+        close.extendBy(other.close);
+    }
+};
+
+/// All hold the shape at every time at which it is in force, with room for the rounding of the
+/// kernels and of box tests.
+[[nodiscard]] MovingBounds bounds_of(const SphereStretch& sphere);
+[[nodiscard]] MovingBounds bounds_of(const AlignedBox& box);
+/// Of a unit ball, box or frustum; `flat`: of a unit rectangle, triangle or disk.
+[[nodiscard]] MovingBounds bounds_of(const MappedShape& shape, bool flat);
+/// Not of planes.
+[[nodiscard]] MovingBounds bounds_of(const MovingShape& shape);
+
+}  // namespace carom::render

@@ -1,0 +1,274 @@
+#include "render/acceleration/wide_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "sim/timeline/assert.h"
+
+namespace carom::render {
+namespace {
+
+using Box = Imath::Box3f;
+
+constexpr int kBins = 16;
+constexpr std::uint32_t kLargestLeaf = kBlockLanes;
+constexpr float kNodeCost = 0.6f;      // of one child's box, in tests of a full leaf; measured
+constexpr int kDepthOfHeuristic = 40;  // below, items are halved: 2^32 of them end at depth 72
+
+float half_area(const Box& box) {
+    const V3f size = box.max - box.min;
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+float vectors(std::uint32_t count) {
+    return static_cast<float>((count + kBlockLanes - 1) / kBlockLanes);
+}
+
+/// A node of the binary tree that is made first.
+struct BinaryNode {
+    MovingBounds bounds;
+    float area = 0;                      // at the middle of the shutter
+    std::uint32_t first = 0, count = 0;  // items
+    std::uint32_t left = 0, right = 0;   // 0: a leaf
+    [[nodiscard]] bool is_leaf() const { return left == 0; }
+};
+
+struct Split {
+    int axis = 0;
+    int bin = 0;  // items of this bin and above go right
+    float cost = 0;
+};
+
+struct Bin {
+    Box box;
+    std::uint32_t count = 0;
+};
+
+/// From place along an axis to bin.
+struct BinMap {
+    float low, scale;
+
+    BinMap(float from, float to) : low(from), scale(static_cast<float>(kBins) / (to - from)) {}
+    [[nodiscard]] int operator()(float place) const {
+        return std::clamp(static_cast<int>((place - low) * scale), 0, kBins - 1);
+    }
+};
+
+class BinaryBuilder {
+  public:
+    explicit BinaryBuilder(std::span<const MovingBounds> items) : items_(items) {
+        order.resize(items.size());
+        std::iota(order.begin(), order.end(), 0u);
+        middles_.reserve(items.size());
+        for (const MovingBounds& item : items) {
+            middles_.emplace_back(0.5f * (item.open.min + item.close.min),
+                                  0.5f * (item.open.max + item.close.max));
+        }
+        nodes.reserve(items.size() / 2 + 1);
+        build(0, static_cast<std::uint32_t>(items.size()), 0);
+    }
+
+    std::vector<BinaryNode> nodes;
+    std::vector<std::uint32_t> order;
+
+  private:
+    [[nodiscard]] V3f centre(std::uint32_t item) const {
+        return 0.5f * (middles_[item].min + middles_[item].max);
+    }
+
+    std::uint32_t build(std::uint32_t first, std::uint32_t count, int depth) {
+        const auto index = static_cast<std::uint32_t>(nodes.size());
+        nodes.emplace_back();
+        BinaryNode node;
+        node.first = first;
+        node.count = count;
+        Box middle;
+        Box centres;
+        for (std::uint32_t i = first; i < first + count; ++i) {
+            node.bounds.extend(items_[order[i]]);
+            middle.extendBy(middles_[order[i]]);
+            centres.extendBy(centre(order[i]));
+        }
+        node.area = half_area(middle);
+        const std::uint32_t middle_item = split(node, centres, depth);
+        if (middle_item != first) {
+            node.left = build(first, middle_item - first, depth + 1);
+            node.right = build(middle_item, first + count - middle_item, depth + 1);
+        }
+        nodes[index] = node;
+        return index;
+    }
+
+    /// Where the right half begins after items were sorted into halves; `first` for a leaf.
+    std::uint32_t split(const BinaryNode& node, const Box& centres, int depth) {
+        const std::uint32_t end = node.first + node.count;
+        if (node.count <= 1) {
+            return node.first;
+        }
+        const std::optional<Split> best =
+            depth < kDepthOfHeuristic ? best_split(node, centres) : std::nullopt;
+        const bool fits = node.count <= kLargestLeaf;
+        if (fits && (!best || best->cost >= node.area)) {
+            return node.first;
+        }
+        if (!best) {
+            return node.first + node.count / 2;
+        }
+        const BinMap bin_of(centres.min[best->axis], centres.max[best->axis]);
+        const auto right = std::stable_partition(
+            order.begin() + node.first, order.begin() + end,
+            [&](std::uint32_t item) { return bin_of(centre(item)[best->axis]) < best->bin; });
+        return static_cast<std::uint32_t>(right - order.begin());
+    }
+
+    /// Its cost is in tests of full leaves times area; nothing if all centres are in one place.
+    [[nodiscard]] std::optional<Split> best_split(const BinaryNode& node,
+                                                  const Box& centres) const {
+        std::optional<Split> best;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(centres.max[axis] > centres.min[axis])) {
+                continue;
+            }
+            std::array<Bin, kBins> bins;
+            const BinMap bin_of(centres.min[axis], centres.max[axis]);
+            for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+                Bin& bin = bins[static_cast<std::size_t>(bin_of(centre(order[i])[axis]))];
+                bin.box.extendBy(middles_[order[i]]);
+                ++bin.count;
+            }
+            offer_splits(bins, node, axis, best);
+        }
+        return best;
+    }
+
+    static void offer_splits(const std::array<Bin, kBins>& bins, const BinaryNode& node, int axis,
+                             std::optional<Split>& best) {
+        std::array<float, kBins> right_cost{};
+        Box box;
+        std::uint32_t count = 0;
+        for (std::size_t i = kBins - 1; i > 0; --i) {
+            box.extendBy(bins[i].box);
+            count += bins[i].count;
+            right_cost[i] = count > 0 ? half_area(box) * vectors(count) : 0;
+        }
+        box.makeEmpty();
+        count = 0;
+        for (std::size_t i = 1; i < kBins; ++i) {
+            box.extendBy(bins[i - 1].box);
+            count += bins[i - 1].count;
+            if (count == 0 || count == node.count) {
+                continue;
+            }
+            const float cost =
+                kNodeCost * node.area + half_area(box) * vectors(count) + right_cost[i];
+            if (!best || cost < best->cost) {
+                best = Split{axis, static_cast<int>(i), cost};
+            }
+        }
+    }
+
+    std::span<const MovingBounds> items_;
+    std::vector<Box> middles_;
+};
+
+/// Takes up to eight binary nodes at a time into one wide one.
+class Collapser {
+  public:
+    explicit Collapser(const std::vector<BinaryNode>& binary) : binary_(binary) {
+        if (binary_.front().is_leaf()) {
+            const std::uint32_t root = add_node();
+            put(root, 0, binary_.front());
+            tree.nodes[root].children[0] = add_leaf(binary_.front());
+            return;
+        }
+        collapse(0, 0);
+    }
+
+    WideTree tree;
+
+  private:
+    std::uint32_t add_node() {
+        WideNode node;
+        for (auto& axis : node.planes) {
+            std::fill_n(axis[0].values, kBlockLanes, kInfinity);
+            std::fill_n(axis[1].values, kBlockLanes, -kInfinity);
+        }
+        tree.nodes.push_back(node);
+        tree.travels.emplace_back();
+        return static_cast<std::uint32_t>(tree.nodes.size() - 1);
+    }
+
+    std::int32_t add_leaf(const BinaryNode& node) {
+        tree.leaves.push_back({node.first, node.count});
+        return -static_cast<std::int32_t>(tree.leaves.size());
+    }
+
+    void put(std::uint32_t index, int lane, const BinaryNode& child) {
+        const Box& open = child.bounds.open;
+        const Box& close = child.bounds.close;
+        for (int axis = 0; axis < 3; ++axis) {
+            tree.nodes[index].planes[axis][0].values[lane] = open.min[axis];
+            tree.nodes[index].planes[axis][1].values[lane] = open.max[axis];
+            tree.travels[index].planes[axis][0].values[lane] = close.min[axis] - open.min[axis];
+            tree.travels[index].planes[axis][1].values[lane] = close.max[axis] - open.max[axis];
+        }
+    }
+
+    /// The child with the largest area is opened until there are eight or only leaves.
+    std::int32_t collapse(std::uint32_t root, int depth) {
+        CAROM_ASSERT(depth < kWideTreeDepth);
+        std::vector<std::uint32_t> children{binary_[root].left, binary_[root].right};
+        while (children.size() < kBlockLanes) {
+            auto largest = children.end();
+            for (auto child = children.begin(); child != children.end(); ++child) {
+                if (!binary_[*child].is_leaf() &&
+                    (largest == children.end() || binary_[*child].area > binary_[*largest].area)) {
+                    largest = child;
+                }
+            }
+            if (largest == children.end()) {
+                break;
+            }
+            const BinaryNode& opened = binary_[*largest];
+            *largest = opened.left;
+            children.push_back(opened.right);
+        }
+        const std::uint32_t index = add_node();
+        for (std::size_t i = 0; i < children.size(); ++i) {
+            const BinaryNode& child = binary_[children[i]];
+            put(index, static_cast<int>(i), child);
+            const std::int32_t below =
+                child.is_leaf() ? add_leaf(child) : collapse(children[i], depth + 1);
+            tree.nodes[index].children[i] = below;
+        }
+        return static_cast<std::int32_t>(index);
+    }
+
+    const std::vector<BinaryNode>& binary_;
+};
+
+bool moves(const MovingBounds& item) {
+    return item.open != item.close;
+}
+
+}  // namespace
+
+WideTree build_wide_tree(std::span<const MovingBounds> items) {
+    if (items.empty()) {
+        return {};
+    }
+    CAROM_ASSERT(items.size() < (std::size_t{1} << 31));
+    BinaryBuilder binary(items);
+    WideTree tree = std::move(Collapser(binary.nodes).tree);
+    tree.order = std::move(binary.order);
+    if (std::none_of(items.begin(), items.end(), moves)) {
+        tree.travels.clear();
+        tree.travels.shrink_to_fit();
+    }
+    return tree;
+}
+
+}  // namespace carom::render
