@@ -111,12 +111,12 @@ AnalyticTree make_analytic_tree(const ShapeSet& shapes) {
     return result;
 }
 
-std::size_t count_bounded(const ShapeSet& shapes) {
+std::size_t loop_cost(const ShapeSet& shapes) {
     const auto planes = std::count_if(shapes.moving.begin(), shapes.moving.end(), is_plane);
+    const std::size_t turning = shapes.moving.size() - static_cast<std::size_t>(planes);
     return shapes.spheres.size() + shapes.boxes.size() + shapes.mapped_balls.size() +
            shapes.mapped_boxes.size() + shapes.rectangles.size() + shapes.triangles.size() +
-           shapes.disks.size() + shapes.frustums.size() + shapes.moving.size() -
-           static_cast<std::size_t>(planes);
+           shapes.disks.size() + shapes.frustums.size() + kBlockLanes * turning;
 }
 
 }  // namespace carom::render

@@ -29,7 +29,7 @@ ShapeSet infinite_planes(const ShapeSet& shapes) {
 
 HybridStructure::HybridStructure(const ShapeSet& shapes, std::size_t tree_threshold)
     : kernels_(best_kernels()), tree_kernels_(best_tree_kernels()), meshes_(shapes.meshes) {
-    if (count_bounded(shapes) >= tree_threshold) {
+    if (loop_cost(shapes) >= tree_threshold) {
         tree_ = make_analytic_tree(shapes);
         const ShapeSet planes = infinite_planes(shapes);
         blocks_ = make_blocks(planes);

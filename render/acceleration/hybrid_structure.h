@@ -12,12 +12,12 @@
 
 namespace carom::render {
 
-/// From how many analytic shapes on a tree is faster than testing all (docs/performance.md).
-inline constexpr std::size_t kTreeThreshold = 64;
+/// From which loop_cost on a tree is faster than testing all (docs/performance.md).
+inline constexpr std::size_t kTreeThreshold = 256;
 
 /// The default. The handful of balls and boxes of a billiard shot is tested by brute force, eight
-/// at a time, which no hierarchy beats; from `tree_threshold` shapes on all but infinite planes go
-/// into a tree instead, which gives the same hits. Only then are triangles asked, within the
+/// at a time, which no hierarchy beats; from a cost of `tree_threshold` on all but infinite planes
+/// go into a tree instead, which gives the same hits. Only then are triangles asked, within the
 /// distance found.
 class HybridStructure final : public AccelerationStructure {
   public:

@@ -15,7 +15,7 @@ using Box = Imath::Box3f;
 
 constexpr int kBins = 16;
 constexpr std::uint32_t kLargestLeaf = kBlockLanes;
-constexpr float kNodeCost = 0.6f;      // of one child's box, in tests of a full leaf; measured
+constexpr float kNodeCost = 1.5f;      // of one child's box, in tests of a full leaf; measured
 constexpr int kDepthOfHeuristic = 40;  // below, items are halved: 2^32 of them end at depth 72
 
 float half_area(const Box& box) {

@@ -1,6 +1,8 @@
 #include "render/frame_scene/frame_scene.h"
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -21,11 +23,22 @@ struct FrameScene::Data {
 
 namespace {
 
-const sim::Track& find_track(std::span<const sim::Track> tracks, const SceneObject& object) {
+using TracksByName = std::unordered_map<std::string_view, const sim::Track*>;
+
+/// Of several with the same name the first counts.
+TracksByName by_name(std::span<const sim::Track> tracks) {
+    TracksByName result;
+    result.reserve(tracks.size());
     for (const sim::Track& track : tracks) {
-        if (track.name() == object.track) {
-            return track;
-        }
+        result.try_emplace(track.name(), &track);
+    }
+    return result;
+}
+
+const sim::Track& find_track(const TracksByName& tracks, const SceneObject& object) {
+    const auto found = tracks.find(object.track);
+    if (found != tracks.end()) {
+        return *found->second;
     }
     throw Error("object '" + object.name + "' follows the track '" + object.track +
                 "', which the timeline does not have");
@@ -100,10 +113,11 @@ FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Trac
     data_->geometry = &shared;
     data_->motions.resize(shared.objects.size());
     ShapeSet shapes = shared.still;
+    const TracksByName track_of = by_name(tracks);
     for (std::uint32_t i = 0; i < shared.objects.size(); ++i) {
         const SceneObject& object = shared.objects[i];
         if (object.is_tracked()) {
-            data_->motions[i] = std::make_shared<const RigidMotion>(find_track(tracks, object),
+            data_->motions[i] = std::make_shared<const RigidMotion>(find_track(track_of, object),
                                                                     scene_open, scene_close);
             add_moving(shapes, shared, i, data_->motions[i]);
         }

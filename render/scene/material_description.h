@@ -12,12 +12,12 @@ namespace carom::render {
 
 /// An image file, looked up by uv (SurfacePoint::uv), its lower left corner at uv (0, 0).
 struct ImageTexture {
-    std::string file;          // absolute path
-    Vec2 scale{1, 1};          // repeats along u and v
-    bool is_linear = false;    // false: sRGB-encoded colour
-    std::optional<Vec2> size;  // instead of `scale`: width and height of the picture, m
-    Vec2 offset{0, 0};         // by which it is moved along u and v, in its widths and heights
-    double rotation = 0;       // about uv (0, 0), rad, counter-clockwise
+    std::string file;            // absolute path
+    Vec2 scale{1, 1};            // repeats along u and v
+    bool is_linear = false;      // false: sRGB-encoded colour
+    std::optional<Vec2> size{};  // instead of `scale`: width and height of the picture, m
+    Vec2 offset{0, 0};           // by which it is moved along u and v, in its widths and heights
+    double rotation = 0;         // about uv (0, 0), rad, counter-clockwise
 };
 
 /// A billiard ball, painted in object axes: solid or striped, a number in a white disc on both

@@ -16,8 +16,11 @@ using test::TestRandom;
 
 struct Structures {
     explicit Structures(const RandomScene& scene)
-        : hybrid(scene.shapes), embree(scene.device, scene.shapes, scene.still_meshes) {}
+        : hybrid(scene.shapes),
+          tree(scene.shapes, 0),
+          embree(scene.device, scene.shapes, scene.still_meshes) {}
     HybridStructure hybrid;
+    HybridStructure tree;
     EmbreeStructure embree;
 };
 
@@ -42,6 +45,10 @@ void expect_same_hits(const RandomScene& scene, int rays, std::uint64_t seed) {
             ++hits;
         }
         ASSERT_EQ(structures.hybrid.any_hit(ray), found) << "ray " << i;
+        Hit c;
+        ASSERT_EQ(structures.tree.closest_hit(ray, c), found) << "ray " << i;
+        ASSERT_TRUE(c.object == a.object && c.t == a.t && c.primitive == a.primitive) << i;
+        ASSERT_EQ(structures.tree.any_hit(ray), found) << "ray " << i;
         ASSERT_EQ(structures.embree.any_hit(ray), found) << "ray " << i;
     }
     EXPECT_GT(hits, rays / 3);
@@ -295,6 +302,8 @@ TEST(Structures, BadRays_MissInsteadOfAborting) {
         EXPECT_FALSE(structures.hybrid.closest_hit(r, hit));
         EXPECT_FALSE(structures.embree.closest_hit(r, hit));
         EXPECT_FALSE(structures.hybrid.any_hit(r));
+        EXPECT_FALSE(structures.tree.closest_hit(r, hit));
+        EXPECT_FALSE(structures.tree.any_hit(r));
         EXPECT_FALSE(structures.embree.any_hit(r));
     }
 }
