@@ -110,12 +110,15 @@ FanMask HybridStructure::any_hits(const RayFan& fan) const {
         traceable |= is_traceable(fan.ray(i)) ? FanMask{1} << i : 0;
     }
     FanMask hits = kernels_.any_of_fan(blocks_, safe, traceable);
-    for (int i = 0; i < fan.count && !moving_.empty(); ++i) {
+    const auto meets_one_by_one = [&](const Ray& ray) {
+        return (tree_ && tree_kernels_.any(*tree_, ray)) ||
+               std::any_of(moving_.begin(), moving_.end(), [&](const MovingShape& shape) {
+                   return occluded_by_moving(shape, ray);
+               });
+    };
+    for (int i = 0; i < fan.count && (tree_ || !moving_.empty()); ++i) {
         const FanMask bit = FanMask{1} << i;
-        const auto blocks = [&](const MovingShape& shape) {
-            return occluded_by_moving(shape, safe.ray(i));
-        };
-        if ((traceable & ~hits & bit) != 0 && std::any_of(moving_.begin(), moving_.end(), blocks)) {
+        if ((traceable & ~hits & bit) != 0 && meets_one_by_one(safe.ray(i))) {
             hits |= bit;
         }
     }

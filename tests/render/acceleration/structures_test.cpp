@@ -101,6 +101,7 @@ TEST(Structures, Fans_AreAnsweredAsTheirRays) {
     scene.add_moving(random, 6);
     scene.add_still(random, 3);
     EXPECT_EQ(differing_in_fans(Structures(scene).hybrid, 12), 0);
+    EXPECT_EQ(differing_in_fans(HybridStructure(scene.shapes, 0), 12), 0);  // under a tree
     EXPECT_EQ(differing_in_fans(Structures(scene).embree, 12), 0);
     // Embree's own packets round otherwise at the edges of triangles.
     scene.add_still_meshes(random, 2);
