@@ -9,25 +9,18 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <OpenImageIO/imageio.h>
 
 #include "bench/peer_scene.h"
+#include "bench/picture.h"
 
 namespace carom::bench {
 namespace {
-
-using Picture = std::vector<float>;  // RGB
 
 struct Run {
     Picture picture;
     double cpu_seconds = 0;
     double rays = 0;
     double camera_rays = 0;
-};
-
-struct Error {
-    double trimmed = 0;
-    double all = 0;
 };
 
 double cpu_now() {
@@ -52,77 +45,42 @@ Run render_once(const PeerScene& scene, const render::PreparedScene& prepared, i
     return run;
 }
 
-/// Mean over pixels and channels of (x - reference)^2 / (reference^2 + 0.01).
-Error relative_error(const Picture& x, const Picture& reference) {
-    std::vector<double> pixels;
-    for (std::size_t i = 0; i < x.size(); i += 3) {
-        double sum = 0;
-        for (std::size_t c = i; c < i + 3; ++c) {
-            const double f = static_cast<double>(reference[c]);
-            const double d = static_cast<double>(x[c]) - f;
-            sum += d * d / (f * f + 0.01) / 3;
-        }
-        pixels.push_back(sum);
+std::vector<Picture> pictures_of(const std::vector<Run>& runs) {
+    std::vector<Picture> pictures;
+    for (const Run& run : runs) {
+        pictures.push_back(run.picture);
     }
-    std::sort(pixels.begin(), pixels.end());
-    const std::size_t kept = pixels.size() - pixels.size() / 1000;
-    Error error;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        error.all += pixels[i];
-        error.trimmed += i < kept ? pixels[i] : 0;
-    }
-    error.all /= static_cast<double>(pixels.size());
-    error.trimmed /= static_cast<double>(kept);
-    return error;
+    return pictures;
 }
 
-Picture mean_of(const std::vector<Run>& runs, std::size_t except) {
-    Picture mean(runs[0].picture.size(), 0.0f);
-    const float share = 1.0f / static_cast<float>(runs.size() - (except < runs.size() ? 1 : 0));
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        for (std::size_t i = 0; k != except && i < mean.size(); ++i) {
-            mean[i] += share * runs[k].picture[i];
-        }
+std::vector<Picture> read_pictures(const std::vector<std::string>& paths) {
+    std::vector<Picture> pictures;
+    for (const std::string& path : paths) {
+        pictures.push_back(read_picture(path));
     }
-    return mean;
+    return pictures;
 }
 
-Picture read_picture(const std::string& path) {
-    const auto file = OIIO::ImageInput::open(path);
-    if (!file) {
-        throw std::runtime_error("cannot read '" + path + "'");
+/// What another renderer made of the scene: its error by itself, and block by block beside ours.
+void report_other(const std::vector<Picture>& ours, const std::vector<Picture>& other,
+                  const PeerScene& scene) {
+    constexpr int kBlock = 8;
+    constexpr double kShare = 0.01;
+    constexpr double kErrors = 3;
+    double trimmed = 0;
+    double all = 0;
+    for (const Error& error : errors_of(other, "")) {
+        trimmed += error.trimmed / static_cast<double>(other.size());
+        all += error.all / static_cast<double>(other.size());
     }
-    const OIIO::ImageSpec& spec = file->spec();
-    Picture picture(3 * static_cast<std::size_t>(spec.width) *
-                    static_cast<std::size_t>(spec.height));
-    file->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, picture.data());
-    return picture;
-}
-
-void write_picture(const std::string& path, const Picture& picture, const PeerScene& scene) {
-    const auto file = OIIO::ImageOutput::create(path);
-    const OIIO::ImageSpec spec(scene.settings.width, scene.settings.height, 3,
-                               OIIO::TypeDesc::FLOAT);
-    if (!file || !file->open(path, spec) ||
-        !file->write_image(OIIO::TypeDesc::FLOAT, picture.data()) || !file->close()) {
-        throw std::runtime_error("cannot write '" + path + "'");
-    }
-}
-
-/// Error of every run, against the reference or else, with its expected noise subtracted, against
-/// the mean of the other runs.
-std::vector<Error> errors_of(const std::vector<Run>& runs, const std::string& reference) {
-    std::vector<Error> errors;
-    const Picture known = reference.empty() ? Picture() : read_picture(reference);
-    const double others = static_cast<double>(runs.size()) - 1;
-    const double own_share = known.empty() ? others / (others + 1) : 1;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        Error error = relative_error(runs[k].picture, known.empty() ? mean_of(runs, k) : known);
-        error.all *= own_share;
-        error.trimmed *= own_share;
-        errors.push_back(error);
-    }
-    return errors;
+    std::printf("%zu other pictures: relMSE %.3e trimmed / %.3e all\n", other.size(), trimmed, all);
+    const BlockComparison c =
+        compare_blocks(ours, other, scene.settings.width, kBlock, kShare, kErrors);
+    std::printf(
+        "blocks of %d x %d: %d, of which %d differ by more than %.0f %% and %.0f standard "
+        "errors; worst %.2f %% at (%d, %d); means differ by %.3f %%\n",
+        kBlock, kBlock, c.blocks, c.beyond, 100 * kShare, kErrors, 100 * c.worst, c.worst_x,
+        c.worst_y, 100 * c.mean_difference);
 }
 
 void report(const std::vector<Run>& runs, const std::vector<Error>& errors) {
@@ -168,6 +126,9 @@ int run(int argc, char** argv) {
     app.add_option("--first-seed", first_seed)->capture_default_str();
     app.add_option("--reference", reference, "EXR; without it runs are compared with each other");
     app.add_option("--mean", output, "write the mean of all runs to this EXR");
+    std::vector<std::string> others;
+    app.add_option("--others", others,
+                   "EXRs of the scene by another renderer: their error, and 8 x 8 block means");
     CLI11_PARSE(app, argc, argv);
     PeerScene scene = read_peer_scene(scene_path);
     scene.settings.samples = samples;
@@ -179,10 +140,13 @@ int run(int argc, char** argv) {
         runs.push_back(render_once(scene, prepared, first_seed + seed));
     }
     if (!output.empty()) {
-        write_picture(output, mean_of(runs, runs.size()), scene);
+        write_picture(output, mean_of(pictures_of(runs), runs.size()), scene.settings.width);
     }
     if (seeds > 1 || !reference.empty()) {
-        report(runs, errors_of(runs, reference));
+        report(runs, errors_of(pictures_of(runs), reference));
+    }
+    if (!others.empty()) {
+        report_other(pictures_of(runs), read_pictures(others), scene);
     }
     return 0;
 }

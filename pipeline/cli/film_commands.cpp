@@ -168,9 +168,8 @@ void run_frame(const FrameCommand& command, CommandContext& context) {
         input.shot, bake, frame, options, talk_about_job(context.console, 1), context.stop);
     context.console.end_progress();
     tell_rays(input.shot, film.statistics, context.console);
-    write_picture(
-        film, view, path,
-        pipeline::exported_frame_metadata(input.shot, bake.timeline, frame, film.statistics));
+    write_picture(film, view, path,
+                  pipeline::exported_frame_metadata(input.shot, bake.timeline, frame, film));
     print_path(path);
 }
 

@@ -68,11 +68,15 @@ render::ImageMetadata stored_frame_metadata(const Shot& shot,
 }
 
 render::ImageMetadata exported_frame_metadata(const Shot& shot, const sim::Timeline& timeline,
-                                              std::int64_t frame,
-                                              const render::RenderStatistics& counts) {
+                                              std::int64_t frame, const render::Film& film) {
     const PlannedFrame planned = plan_frame(frame, shot.cameras, shot.timing, timeline);
     render::ImageMetadata metadata = render_metadata(shot);
-    add_rays(counts, metadata);
+    add_rays(film.statistics, metadata);
+    for (const auto& [key, value] : film.notes) {
+        if (key.rfind(render::kRaysPrefix, 0) == 0) {
+            metadata[key] = value;
+        }
+    }
     metadata["shot"] = shot.name;
     metadata["camera"] = planned.rig;
     metadata["frame"] = std::to_string(frame);

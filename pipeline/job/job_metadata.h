@@ -15,10 +15,12 @@ namespace carom::pipeline {
 [[nodiscard]] render::ImageMetadata stored_frame_metadata(
     const Shot& shot, const render::RenderStatistics& counts = {});
 
-/// Of a frame written for its own sake: with the shot, its number, camera and times.
-[[nodiscard]] render::ImageMetadata exported_frame_metadata(
-    const Shot& shot, const sim::Timeline& timeline, std::int64_t frame,
-    const render::RenderStatistics& counts = {});
+/// Of a frame written for its own sake: with the shot, its number, camera and times, and the rays
+/// that made `film`, now or when it was stored.
+[[nodiscard]] render::ImageMetadata exported_frame_metadata(const Shot& shot,
+                                                            const sim::Timeline& timeline,
+                                                            std::int64_t frame,
+                                                            const render::Film& film = {});
 
 /// Of a video: the shot's name and the settings that a viewer may ask about.
 [[nodiscard]] std::map<std::string, std::string> video_metadata(const Shot& shot);

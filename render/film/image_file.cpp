@@ -114,7 +114,7 @@ Film::Notes notes_in(const OIIO::ImageSpec& spec) {
     Film::Notes notes;
     for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
         const std::string name = attribute.name().string();
-        if (name.rfind("cryptomatte/", 0) == 0) {
+        if (name.rfind("cryptomatte/", 0) == 0 || name.rfind(kRaysPrefix, 0) == 0) {
             notes[name] = attribute.get_string(0);
         }
     }

@@ -8,6 +8,9 @@
 
 namespace carom::render {
 
+/// Keys of ray counts in a frame's metadata begin so; read_exr brings them back as notes.
+inline constexpr const char* kRaysPrefix = "rays_";
+
 using ImageMetadata = std::map<std::string, std::string>;
 
 /// Half-float RGBA (clamped to +-65504; Inf and NaN are an Error naming the pixel) and the film's

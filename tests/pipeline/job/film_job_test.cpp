@@ -96,8 +96,14 @@ TEST(JobMetadata, ExportedFrame_NamesShotFrameTimesAndClamp) {
     shot.render.integrator = render::IntegratorKind::distributed;
     EXPECT_EQ(stored_frame_metadata(shot, counts).at("rays_reflection"), "3");
     EXPECT_EQ(stored_frame_metadata(shot, counts).at("rays_shadow"), "9");
+    shot.render.integrator = render::IntegratorKind::path;
     shot.render.clamp = 0;
     EXPECT_EQ(video_metadata(shot).at("clamp"), "off");
+    render::Film stored;
+    stored.notes["rays_camera"] = "11";
+    EXPECT_EQ(
+        exported_frame_metadata(shot, carom::testing::tiny_timeline(), 6, stored).at("rays_camera"),
+        "11");
 }
 
 }  // namespace
