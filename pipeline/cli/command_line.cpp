@@ -80,8 +80,10 @@ void add_render(CLI::App& app, Targets& targets) {
     CLI::App& command = *app.add_subcommand("render", "simulate, render and encode a shot");
     RenderCommand& render = targets.render;
     add_input(command, render.input, "SHOT|BAKE", "a shot, or a bake to film as it is");
-    add_output(command, render.output,
-               "the film: .mp4, .mov or .mkv (else the shot's name in the current folder)");
+    add_output(
+        command, render.output,
+        "the film: .mp4, .mov, .mkv, .webm, or pictures: shot.####.exr (else the shot's name "
+        "in the current folder)");
     command
         .add_option("--frames", render.frames,
                     "only these, counted from 0: 0-47, every second one 0-47x2, several 0-9,20")

@@ -8,12 +8,13 @@
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/job_talk.h"
 #include "pipeline/cli/output_file.h"
-#include "pipeline/cli/picture_file.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/cli/time_text.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/job_metadata.h"
+#include "pipeline/video/picture_kind.h"
+#include "pipeline/video/picture_writer.h"
 #include "pipeline/video/video_format.h"
 #include "pipeline/video/view_transform.h"
 #include "render/integrator/distributed_ray_counts.h"
@@ -117,6 +118,13 @@ void tell_rays(const Shot& shot, const render::RenderStatistics& count, Console&
     console.event("rays", members, text, false);
 }
 
+void check_picture_path(const std::string& path) {
+    if (!pipeline::is_picture_path(path)) {
+        throw InputError("cannot tell what picture to write from '" + path + "'; there are " +
+                         pipeline::list_pictures());
+    }
+}
+
 std::string numbered_extension(std::int64_t frame) {
     std::string digits = std::to_string(frame);
     digits.insert(0, 4 - std::min<std::size_t>(4, digits.size()), '0');
@@ -128,8 +136,8 @@ std::string numbered_extension(std::int64_t frame) {
 void run_render(const RenderCommand& command, CommandContext& context) {
     const auto begin = std::chrono::steady_clock::now();
     ShotInput input = read_shot_input(command.input, context.console);
-    const std::string path = output_or_default(
-        command.output, command.input.path, pipeline::default_extension(input.shot.output.codec));
+    const std::string path = output_or_default(command.output, command.input.path,
+                                               pipeline::default_extension(input.shot.output));
     check_film(input.shot, path);
 
     FilmJobOptions options;
@@ -168,8 +176,9 @@ void run_frame(const FrameCommand& command, CommandContext& context) {
         input.shot, bake, frame, options, talk_about_job(context.console, 1), context.stop);
     context.console.end_progress();
     tell_rays(input.shot, film.statistics, context.console);
-    write_picture(film, view, path,
-                  pipeline::exported_frame_metadata(input.shot, bake.timeline, frame, film));
+    pipeline::write_picture(
+        film, view, path,
+        pipeline::exported_frame_metadata(input.shot, bake.timeline, frame, film));
     print_path(path);
 }
 

@@ -29,7 +29,7 @@ sim::Timeline timeline_of(const InputOptions& input, const CacheOptions& cache,
 void run_check(const CheckCommand& command, CommandContext& context) {
     const ShotInput input = read_shot_input(command.input, context.console);
     const pipeline::Shot& shot = input.shot;
-    const std::string film = shot.name + pipeline::default_extension(shot.output.codec);
+    const std::string film = shot.name + pipeline::default_extension(shot.output);
     const std::string problem = pipeline::check_video_format(
         {shot.render.width, shot.render.height, shot.timing.fps}, shot.output, film);
     if (!problem.empty()) {

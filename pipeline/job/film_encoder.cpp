@@ -2,9 +2,7 @@
 
 #include <optional>
 
-#include "pipeline/job/job_metadata.h"
-#include "pipeline/video/video_writer.h"
-#include "pipeline/video/view_transform.h"
+#include "pipeline/job/film_sink.h"
 #include "sim/timeline/error.h"
 
 namespace carom::pipeline {
@@ -25,29 +23,28 @@ render::Film read_picture(std::size_t picture, const FilmPlan& plan, const Frame
 
 }  // namespace
 
-void encode_film(const Shot& shot, const FilmPlan& plan, const FrameStore& store,
+void encode_film(const FilmSource& source, const FilmPlan& plan, const FrameStore& store,
                  PictureBoard& board, const std::string& path, ObserverGate& observer,
                  const std::stop_token& stop) {
-    VideoWriter writer(path, {shot.render.width, shot.render.height, shot.timing.fps}, shot.output,
-                       video_metadata(shot));
-    const DisplayView view(shot.output);
+    const std::unique_ptr<FilmSink> sink = make_film_sink(source, plan, path);
     std::optional<std::size_t> shown;
-    std::vector<std::uint16_t> display;
+    render::Film film;
     const std::size_t frames = plan.picture_of.size();
     for (std::size_t i = 0; i < frames; ++i) {
         const std::size_t picture = plan.picture_of[i];
-        if (shown != picture) {
-            display = view.to_16(read_picture(picture, plan, store, board, stop));
+        const bool same_as_before = shown == picture;
+        if (!same_as_before) {
+            film = read_picture(picture, plan, store, board, stop);
             shown = picture;
         }
         if (stop.stop_requested()) {
             throw Stopped();
         }
-        writer.write(display);
+        sink->add(plan.frames[i], film, same_as_before);
         // The last step is the trailer's.
         observer.encode_progress(static_cast<double>(i + 1) / static_cast<double>(frames + 1));
     }
-    writer.finish();
+    sink->finish();
     observer.encode_progress(1);
 }
 

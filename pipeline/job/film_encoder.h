@@ -12,8 +12,9 @@
 namespace carom::pipeline {
 
 /// Takes the film's frames in order as soon as the board announces them, always as the store holds
-/// them. The video at `path` appears whole or not at all. Throws Error, Stopped.
-void encode_film(const Shot& shot, const FilmPlan& plan, const FrameStore& store,
+/// them. A video at `path` appears whole or not at all, as does each picture of a sequence. Throws
+/// Error, Stopped.
+void encode_film(const FilmSource& source, const FilmPlan& plan, const FrameStore& store,
                  PictureBoard& board, const std::string& path, ObserverGate& observer,
                  const std::stop_token& stop);
 

@@ -28,7 +28,7 @@ struct JobObserver {
 };
 
 struct FilmJobOptions {
-    std::string output;        // path of the video
+    std::string output;        // path of the video, or of an image sequence
     FrameRange frames;         // empty: all
     std::string cache_folder;  // of bakes and frames; empty: default_cache_folder()
     int threads = 0;           // 0: as many as there are processors

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "pipeline/camera/frame_plan.h"
+#include "pipeline/job/exported_frame.h"
 #include "pipeline/job/film_encoder.h"
 #include "pipeline/job/picture_supply.h"
 #include "pipeline/store/cache_folder.h"
@@ -84,7 +85,7 @@ FilmJobResult make_film_with(const RenderFunction& render, const Shot& shot,
     PictureMaker maker(source, store, render);
     PictureSupply supply(plan, maker, board, gate);
     EncoderThread encoder(board, job_stop, [&] {
-        encode_film(shot, plan, store, board, options.output, gate, job_stop.get_token());
+        encode_film(source, plan, store, board, options.output, gate, job_stop.get_token());
     });
     std::exception_ptr failure;
     try {
@@ -115,8 +116,9 @@ render::Film make_frame_with(const RenderFunction& render, const Shot& shot,
         PictureSupply supply(plan, maker, board, gate);
         supply.run(stop);
         if (std::optional<render::Film> film = store.read(plan.pictures[0].key)) {
-            film->statistics = supply.counts();
-            return std::move(*film);
+            render::Film exported = exported_frame(*film, source, frame);
+            exported.statistics = supply.counts();
+            return exported;
         }
     }
     throw Error("frame " + std::to_string(frame) +

@@ -23,6 +23,7 @@ Hash128 FilmSource::key(const FrameInputs& inputs) const {
 FilmPlan plan_film(const FilmSource& source, const std::vector<std::int64_t>& frames,
                    const std::stop_token& stop) {
     FilmPlan plan;
+    plan.frames = frames;
     std::map<Hash128, std::size_t> known;
     for (const std::int64_t frame : frames) {
         if (stop.stop_requested()) {

@@ -18,6 +18,7 @@ class FilmSource {
     FilmSource(const Shot& shot, const sim::Timeline& timeline);
 
     [[nodiscard]] const Shot& shot() const { return shot_; }
+    [[nodiscard]] const sim::Timeline& timeline() const { return timeline_; }
 
     /// What the picture of a frame is rendered from, and its key.
     [[nodiscard]] FrameInputs inputs(std::int64_t frame) const;
@@ -35,6 +36,7 @@ struct FilmPlan {
         Hash128 key;
         std::vector<std::int64_t> frames;  // that show it, ascending
     };
+    std::vector<std::int64_t> frames;     // their numbers, ascending
     std::vector<Picture> pictures;        // in order of first use
     std::vector<std::size_t> picture_of;  // for each frame of the film
 };

@@ -93,7 +93,8 @@ render::ImageMetadata exported_frame_metadata(const Shot& shot, const sim::Timel
 
 std::map<std::string, std::string> video_metadata(const Shot& shot) {
     std::map<std::string, std::string> metadata = render_metadata(shot);
-    metadata["title"] = shot.name;
+    metadata["title"] = shot.output.title.empty() ? shot.name : shot.output.title;
+    metadata["shot"] = shot.name;
     return metadata;
 }
 

@@ -4,16 +4,26 @@
 #include <cctype>
 #include <filesystem>
 
-#include "pipeline/video/video_format.h"
+#include "pipeline/video/codec_info.h"
 
 namespace carom::pipeline {
 
 namespace {
 
+constexpr unsigned bits(std::initializer_list<Codec> codecs) {
+    unsigned all = 0;
+    for (const Codec codec : codecs) {
+        all |= 1U << static_cast<unsigned>(codec);
+    }
+    return all;
+}
+
 constexpr std::array kContainers{
-    Container{".mp4", "mp4", true, false},
-    Container{".mov", "mov", true, false},
-    Container{".mkv", "matroska", true, true},
+    Container{".mp4", "mp4", bits({Codec::h264, Codec::hevc, Codec::av1, Codec::vp9})},
+    Container{".mov", "mov", bits({Codec::h264, Codec::hevc, Codec::prores})},
+    Container{".mkv", "matroska",
+              bits({Codec::h264, Codec::hevc, Codec::av1, Codec::vp9, Codec::prores, Codec::ffv1})},
+    Container{".webm", "webm", bits({Codec::vp9, Codec::av1})},
 };
 
 }  // namespace
@@ -37,11 +47,11 @@ const Container* find_container(const std::string& path) {
 
 std::string list_containers() {
     std::string text;
-    for (const Codec codec : {Codec::h264, Codec::ffv1}) {
-        text += (text.empty() ? "" : "; ") + to_string(codec) + ":";
+    for (const CodecInfo& codec : codecs()) {
+        text += (text.empty() ? "" : "; ") + std::string(codec.name) + ":";
         const char* separator = " ";
         for (const Container& container : kContainers) {
-            if (container.holds(codec)) {
+            if (container.holds(codec.codec)) {
                 text += separator + std::string(container.extension);
                 separator = ", ";
             }

@@ -1,6 +1,7 @@
 // Which containers there are, and what each of them may hold.
 #pragma once
 
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,11 +13,10 @@ namespace carom::pipeline {
 struct Container {
     std::string_view extension;  // ".mp4"
     std::string_view muxer;      // libavformat's name of it
-    bool holds_h264 = false;
-    bool holds_ffv1 = false;
+    unsigned codecs = 0;         // a bit for each
 
-    [[nodiscard]] bool holds(Codec codec) const {
-        return codec == Codec::h264 ? holds_h264 : holds_ffv1;
+    [[nodiscard]] constexpr bool holds(Codec codec) const {
+        return (codecs >> static_cast<unsigned>(codec) & 1U) != 0;
     }
 };
 
@@ -25,7 +25,7 @@ struct Container {
 /// The container that the path's extension names (in any case), or nullptr.
 [[nodiscard]] const Container* find_container(const std::string& path);
 
-/// "h264: .mp4, .mov, .mkv; ffv1: .mkv"
+/// "h264: .mp4, .mov, .mkv; ...; ffv1: .mkv"
 [[nodiscard]] std::string list_containers();
 
 }  // namespace carom::pipeline

@@ -1,6 +1,7 @@
 // How the finished frames become a file.
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace carom::pipeline {
@@ -8,7 +9,7 @@ namespace carom::pipeline {
 /// ocio: by the OpenColorIO configuration that the environment variable OCIO names; raw: the
 /// numbers are shown as they are, for light that was computed in a display's own values.
 enum class ViewTransform { srgb, filmic, agx, ocio, raw };
-enum class Codec { h264, ffv1 };
+enum class Codec { h264, hevc, av1, vp9, prores, ffv1 };
 
 /// Names out of an OpenColorIO configuration; empty: its defaults (render/film/ocio_view.h).
 struct OcioSettings {
@@ -23,15 +24,26 @@ struct GlowSettings {
     double radius = 0.04;  // of the widest part of the glow, in picture heights, (0, 1]
 };
 
+/// A film for displays of high dynamic range: PQ on BT.2020 primaries (see hdr_view.h).
+struct Hdr10Settings {
+    double peak = 1000;  // cd/m^2 of the brightest white that is ever sent, [400, 10000]
+    double white = 203;  // cd/m^2 of scene light 1, (0, peak]; ITU-R BT.2408's diffuse white
+};
+
 struct OutputSettings {
-    Codec codec = Codec::h264;
-    double crf = 18;                // [0, 51]
-    std::string preset = "medium";  // of the encoder
-    int threads = 2;                // of the encoder; x264's output depends on it
+    std::optional<Codec> codec;      // none: as the file's extension says (codec_for)
+    std::optional<double> crf;       // none: the codec's own (codec_info.h)
+    std::optional<double> bit_rate;  // bit/s, instead of a crf
+    std::optional<int> bits;         // 8 or 10 per channel; none: the codec's own
+    std::string preset = "medium";   // of the encoder; those without presets map it to their own
+    int threads = 2;                 // of the encoder; x264's output depends on it
     ViewTransform view = ViewTransform::filmic;
     OcioSettings ocio;    // with that view only
     double exposure = 0;  // stops
     GlowSettings glow;    // on the linear film, before the view
+    std::optional<Hdr10Settings> hdr10;
+    std::string title;             // empty: the shot's name
+    std::optional<double> poster;  // video time (s) of the frame that stands for the film
 };
 
 }  // namespace carom::pipeline

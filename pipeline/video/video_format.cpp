@@ -1,19 +1,21 @@
 #include "pipeline/video/video_format.h"
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <filesystem>
-#include <string_view>
+#include <string>
 
+#include "pipeline/video/codec_info.h"
 #include "pipeline/video/container.h"
+#include "pipeline/video/encoder_presets.h"
+#include "pipeline/video/image_sequence.h"
 
 namespace carom::pipeline {
 
 namespace {
 
 // H.264 level 6.2 ends at 139264 macroblocks and 16864 pixels a side (ITU-T H.264, table A-1 and
-// A.3.1 h); MP4's track header holds 16 bits a side.
+// A.3.1 h), and the highest levels of HEVC, VP9 and AV1 at as many pixels; MP4's track header holds
+// 16 bits a side.
 constexpr int kLargestSide = 16384;
 constexpr std::int64_t kMostMacroblocks = 139264;
 constexpr int kSmallestSide = 16;
@@ -25,20 +27,11 @@ constexpr double kFastestRate = 1000;
 
 constexpr int kMostThreads = 64;
 
-constexpr std::array<std::string_view, 10> kPresets{"ultrafast", "superfast", "veryfast", "faster",
-                                                    "fast",      "medium",    "slow",     "slower",
-                                                    "veryslow",  "placebo"};
+constexpr double kLeastBitRate = 1e4;
+constexpr double kMostBitRate = 1e9;
 
 std::string size_text(std::int64_t width, std::int64_t height) {
     return std::to_string(width) + "x" + std::to_string(height);
-}
-
-/// The even numbers next to `side`: itself, or both neighbours of an odd one.
-int even_below(int side) {
-    return side - side % 2;
-}
-int even_above(int side) {
-    return side + side % 2;
 }
 
 std::string check_size(const VideoFormat& format, Codec codec) {
@@ -50,17 +43,18 @@ std::string check_size(const VideoFormat& format, Codec codec) {
         return "a film of " + size + " pixels cannot be written: each side must be from " +
                std::to_string(kSmallestSide) + " to " + std::to_string(kLargestSide);
     }
-    if (codec != Codec::h264) {
-        return {};
-    }
-    if (width % 2 != 0 || height % 2 != 0) {
-        return "h264 with 4:2:0 colour needs even sizes, not " + size + "; the nearest are " +
-               size_text(even_below(width), even_below(height)) + " and " +
-               size_text(even_above(width), even_above(height));
+    const CodecInfo& limits = info(codec);
+    const int even_width = limits.halves_width ? width % 2 : 0;
+    const int even_height = limits.halves_height ? height % 2 : 0;
+    if (even_width != 0 || even_height != 0) {
+        return to_string(codec) + " with " + (limits.halves_height ? "4:2:0" : "4:2:2") +
+               " colour needs even " + (limits.halves_height ? "sizes" : "widths") + ", not " +
+               size + "; the nearest are " + size_text(width - even_width, height - even_height) +
+               " and " + size_text(width + even_width, height + even_height);
     }
     const std::int64_t macroblocks = std::int64_t{(width + 15) / 16} * ((height + 15) / 16);
-    if (macroblocks > kMostMacroblocks) {
-        return "h264 cannot hold pictures of " + size +
+    if (limits.has_levels && macroblocks > kMostMacroblocks) {
+        return to_string(codec) + " cannot hold pictures of " + size +
                " pixels (its highest level ends at 35.6 million); use codec ffv1 or a smaller size";
     }
     return {};
@@ -76,18 +70,58 @@ std::string check_rate(const Rational& fps) {
     return {};
 }
 
-std::string check_encoder(const OutputSettings& output) {
-    if (!(output.crf >= 0 && output.crf <= 51)) {
-        return "crf must be from 0 (lossless) to 51 (worst)";
+std::string check_quality(const OutputSettings& output, Codec codec) {
+    const CodecInfo& codec_info = info(codec);
+    if (codec_info.worst_crf <= 0) {
+        return {};  // has one quality of its own; what other codecs were told does not matter
     }
+    if (output.crf && output.bit_rate) {
+        return "crf and bit_rate exclude each other: the one fixes the quality, the other the size";
+    }
+    if (output.crf && !(*output.crf >= 0 && *output.crf <= codec_info.worst_crf)) {
+        return "crf must be from 0 (" + std::string(codec == Codec::hevc ? "best" : "lossless") +
+               ") to " + std::to_string(static_cast<int>(codec_info.worst_crf)) + " (worst)";
+    }
+    if (output.bit_rate &&
+        !(*output.bit_rate >= kLeastBitRate && *output.bit_rate <= kMostBitRate)) {
+        return "bit_rate must be from 10 kbit/s to 1 Gbit/s";
+    }
+    return {};
+}
+
+std::string check_bits(const OutputSettings& output, Codec codec) {
+    if (output.bits && !info(codec).has_choice_of_bits && *output.bits != info(codec).bits) {
+        return to_string(codec) + " always has " + std::to_string(info(codec).bits) +
+               " bits per channel; leave out 'bits'";
+    }
+    if (output.bits && *output.bits != 8 && *output.bits != 10) {
+        return "bits must be 8 or 10, not " + std::to_string(*output.bits);
+    }
+    if (!output.hdr10) {
+        return {};
+    }
+    if (codec != Codec::hevc) {
+        return "hdr10 is for codec hevc, not " + to_string(codec);
+    }
+    if (output.bits == 8) {
+        return "hdr10 has 10 bits per channel, not 8";
+    }
+    if (!(output.hdr10->peak >= 400 && output.hdr10->peak <= 10000 && output.hdr10->white > 0 &&
+          output.hdr10->white <= output.hdr10->peak)) {
+        return "hdr10 needs a peak from 400 to 10000 cd/m^2 and a white above 0 and up to the peak";
+    }
+    return {};
+}
+
+std::string check_encoder(const OutputSettings& output) {
     if (output.threads < 1 || output.threads > kMostThreads) {
         return "the encoder's threads must be from 1 to " + std::to_string(kMostThreads) +
                ", not " + std::to_string(output.threads);
     }
-    if (std::find(kPresets.begin(), kPresets.end(), output.preset) == kPresets.end()) {
+    if (find_preset(output.preset) == nullptr) {
         std::string text = "unknown encoder preset '" + output.preset + "'; there are ";
-        for (std::size_t i = 0; i < kPresets.size(); ++i) {
-            text += (i == 0 ? "" : ", ") + std::string(kPresets[i]);
+        for (const EncoderPreset& preset : kEncoderPresets) {
+            text += (&preset == kEncoderPresets.data() ? "" : ", ") + std::string(preset.name);
         }
         return text;
     }
@@ -113,25 +147,22 @@ std::string check_path(Codec codec, const std::string& path) {
 
 std::string check_video_format(const VideoFormat& format, const OutputSettings& output,
                                const std::string& path) {
-    std::string problem = check_path(output.codec, path);
-    if (problem.empty()) {
-        problem = check_size(format, output.codec);
+    if (is_image_sequence(path)) {
+        return check_image_sequence(path);
     }
-    if (problem.empty()) {
-        problem = check_rate(format.fps);
+    const Codec codec = codec_for(output, path);
+    for (const std::string& problem :
+         {check_path(codec, path), check_size(format, codec), check_rate(format.fps),
+          check_quality(output, codec), check_bits(output, codec), check_encoder(output)}) {
+        if (!problem.empty()) {
+            return problem;
+        }
     }
-    if (problem.empty()) {
-        problem = check_encoder(output);
-    }
-    return problem;
+    return {};
 }
 
-std::string default_extension(Codec codec) {
-    return codec == Codec::h264 ? ".mp4" : ".mkv";
-}
-
-std::string to_string(Codec codec) {
-    return codec == Codec::h264 ? "h264" : "ffv1";
+std::string default_extension(const OutputSettings& output) {
+    return std::string(info(codec_for(output, ".mp4")).extension);
 }
 
 }  // namespace carom::pipeline

@@ -9,20 +9,18 @@
 namespace carom::pipeline {
 
 struct VideoFormat {
-    int width = 0;  // pixels; even for h264 (check_video_format says so)
+    int width = 0;  // pixels; even where colour is subsampled (check_video_format says so)
     int height = 0;
     Rational fps{24};
 };
 
 /// Empty, or a sentence that says what the codec cannot take and what to do about it. Needs no
-/// encoder: a shot is checked with it long before its film is written.
+/// encoder: a shot is checked with it long before its film is written. A path that is an image
+/// sequence's (image_sequence.h) is checked as one.
 [[nodiscard]] std::string check_video_format(const VideoFormat& format,
                                              const OutputSettings& output, const std::string& path);
 
-/// The extension that a codec's files have unless told otherwise, with its dot: ".mp4".
-[[nodiscard]] std::string default_extension(Codec codec);
-
-/// "h264", "ffv1".
-[[nodiscard]] std::string to_string(Codec codec);
+/// The extension that a film of these settings has unless told otherwise, with its dot: ".mp4".
+[[nodiscard]] std::string default_extension(const OutputSettings& output);
 
 }  // namespace carom::pipeline

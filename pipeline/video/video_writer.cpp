@@ -2,11 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstring>
+#include <optional>
 #include <string_view>
+
+extern "C" {
+#include <libavutil/mastering_display_metadata.h>
+}
 
 #include "pipeline/video/container.h"
 #include "pipeline/video/encoder.h"
 #include "pipeline/video/pending_file.h"
+#include "pipeline/video/poster.h"
 #include "sim/timeline/assert.h"
 #include "sim/timeline/error.h"
 
@@ -49,6 +57,7 @@ struct VideoWriter::State {
           const std::map<std::string, std::string>& metadata);
 
     void open_container(const std::map<std::string, std::string>& metadata);
+    void describe_stream();
     void write_header();
     /// Hands a picture (or nullptr: the end) to the encoder and writes every packet that comes out.
     void encode(const AVFrame* picture);
@@ -62,7 +71,9 @@ struct VideoWriter::State {
     AvPtr<AVCodecContext> encoder;
     AvPtr<AVFrame> frame;
     AvPtr<AVPacket> packet;
-    AVStream* stream = nullptr;  // the container's
+    AVStream* stream = nullptr;  // the container's, as is the next
+    AVStream* poster = nullptr;  // or none
+    std::optional<Hdr10Settings> hdr10;
     std::int64_t frames_written = 0;
 };
 
@@ -73,6 +84,12 @@ VideoWriter::State::State(const std::string& path, const VideoFormat& video_form
     open_container(metadata);
     encoder =
         open_encoder(format, output, (container->oformat->flags & AVFMT_GLOBALHEADER) != 0, path);
+    hdr10 = output.hdr10;
+    describe_stream();
+    if (output.poster && std::string_view(container->oformat->name) == "mp4") {
+        poster = check_allocated(avformat_new_stream(container.get(), nullptr), path);
+        describe_poster(*poster, format.width, format.height);
+    }
     write_header();
 
     frame.reset(check_allocated(av_frame_alloc(), path));
@@ -80,6 +97,10 @@ VideoWriter::State::State(const std::string& path, const VideoFormat& video_form
     frame->format = encoder->pix_fmt;
     frame->width = format.width;
     frame->height = format.height;
+    frame->colorspace = encoder->colorspace;
+    frame->color_range = encoder->color_range;
+    frame->color_primaries = encoder->color_primaries;
+    frame->color_trc = encoder->color_trc;
     check_av(av_frame_get_buffer(frame.get(), 0), "making room for a frame", path);
 }
 
@@ -99,7 +120,37 @@ void VideoWriter::State::open_container(const std::map<std::string, std::string>
              "opening the file", path());
 }
 
-void VideoWriter::State::write_header() {
+template <class T>
+T& side_data(AVStream& stream, AVPacketSideDataType type, std::size_t size,
+             const std::string& path) {
+    void* data = check_allocated(av_stream_new_side_data(&stream, type, size), path);
+    return *static_cast<T*>(data);
+}
+
+/// What x265 writes into the stream (encoder_options.h), for the container's own boxes.
+void describe_hdr10(AVStream& stream, const Hdr10Settings& settings, const std::string& path) {
+    const auto chroma = [](int steps) { return AVRational{steps, 50000}; };
+    auto& display = side_data<AVMasteringDisplayMetadata>(
+        stream, AV_PKT_DATA_MASTERING_DISPLAY_METADATA, sizeof(AVMasteringDisplayMetadata), path);
+    display = {};
+    const int primaries[3][2] = {{34000, 16000}, {13250, 34500}, {7500, 3000}};
+    for (int i = 0; i < 3; ++i) {
+        display.display_primaries[i][0] = chroma(primaries[i][0]);
+        display.display_primaries[i][1] = chroma(primaries[i][1]);
+    }
+    display.white_point[0] = chroma(15635);
+    display.white_point[1] = chroma(16450);
+    display.min_luminance = AVRational{50, 10000};
+    display.max_luminance = av_d2q(std::round(settings.peak), 10000);
+    display.has_primaries = 1;
+    display.has_luminance = 1;
+    auto& light = side_data<AVContentLightMetadata>(stream, AV_PKT_DATA_CONTENT_LIGHT_LEVEL,
+                                                    sizeof(AVContentLightMetadata), path);
+    light = {};
+    light.MaxCLL = static_cast<unsigned>(std::llround(settings.peak));
+}
+
+void VideoWriter::State::describe_stream() {
     stream = check_allocated(avformat_new_stream(container.get(), nullptr), path());
     stream->time_base = encoder->time_base;
     stream->avg_frame_rate = encoder->framerate;
@@ -107,6 +158,16 @@ void VideoWriter::State::write_header() {
     stream->sample_aspect_ratio = encoder->sample_aspect_ratio;
     check_av(avcodec_parameters_from_context(stream->codecpar, encoder.get()),
              "describing the stream", path());
+    const std::string_view muxer = container->oformat->name;
+    if (encoder->codec_id == AV_CODEC_ID_HEVC && (muxer == "mp4" || muxer == "mov")) {
+        stream->codecpar->codec_tag = MKTAG('h', 'v', 'c', '1');  // Apple's players take no hev1
+    }
+    if (hdr10) {
+        describe_hdr10(*stream, *hdr10, path());
+    }
+}
+
+void VideoWriter::State::write_header() {
     AVDictionary* options = nullptr;
     const std::string_view muxer = container->oformat->name;
     if (muxer == "mp4" || muxer == "mov") {
@@ -128,7 +189,8 @@ void VideoWriter::State::encode(const AVFrame* picture) {
         packet->stream_index = stream->index;
         packet->duration = 1;  // one frame, in the encoder's time base
         av_packet_rescale_ts(packet.get(), encoder->time_base, stream->time_base);
-        check_av(av_interleaved_write_frame(container.get(), packet.get()), "writing", path());
+        // There is nothing to interleave: a poster has no time.
+        check_av(av_write_frame(container.get(), packet.get()), "writing", path());
     }
 }
 
@@ -163,6 +225,20 @@ void VideoWriter::write(std::span<const std::uint16_t> rgb) {
     fill_frame(*state.frame, rgb);
     state.frame->pts = state.frames_written++;
     state.encode(state.frame.get());
+}
+
+bool VideoWriter::has_poster() const {
+    CAROM_ASSERT(state_ != nullptr);
+    return state_->poster != nullptr;
+}
+
+void VideoWriter::set_poster(std::span<const std::uint8_t> rgb) {
+    CAROM_ASSERT(has_poster());
+    State& state = *state_;
+    const AvPtr<AVPacket> jpeg =
+        encode_poster(rgb, state.format.width, state.format.height, state.path());
+    jpeg->stream_index = state.poster->index;
+    check_av(av_write_frame(state.container.get(), jpeg.get()), "writing the poster", state.path());
 }
 
 void VideoWriter::finish() {

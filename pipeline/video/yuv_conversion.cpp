@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "pipeline/video/dither.h"
 #include "sim/timeline/assert.h"
@@ -10,38 +11,47 @@ namespace carom::pipeline {
 
 namespace {
 
-// BT.709-6, item 3.2: E'Y = 0.2126 E'R + 0.7152 E'G + 0.0722 E'B, here times 10000.
-constexpr std::int64_t kRed = 2126;
-constexpr std::int64_t kGreen = 7152;
-constexpr std::int64_t kBlue = 722;
-constexpr std::int64_t kLumaSum = kRed + kGreen + kBlue;
-static_assert(kLumaSum == 10000);
+// Weights of E'R, E'G and E'B in E'Y, and the divisors of E'B - E'Y and E'R - E'Y; all times 10000.
+struct Bt709 {  // BT.709-6, items 3.2 and 3.3
+    static constexpr std::int64_t red = 2126, green = 7152, blue = 722;
+    static constexpr std::int64_t blue_difference = 18556, red_difference = 15748;
+};
+struct Bt2020 {  // BT.2020-2, table 4, non-constant luminance
+    static constexpr std::int64_t red = 2627, green = 6780, blue = 593;
+    static constexpr std::int64_t blue_difference = 18814, red_difference = 14746;
+};
+constexpr std::int64_t kLumaSum = 10000;
+static_assert(Bt709::red + Bt709::green + Bt709::blue == kLumaSum);
+static_assert(Bt2020::red + Bt2020::green + Bt2020::blue == kLumaSum);
 
 constexpr std::int64_t kWhite = 65535;  // of the input
 
-// Item 3.5 for 8 bits: D'Y = 219 E'Y + 16, D'C = 224 E'C + 128, with (item 3.3)
-// E'CB = (E'B - E'Y) / 1.8556 and E'CR = (E'R - E'Y) / 1.5748.
+// BT.709-6, item 3.5: D'Y = (219 E'Y + 16) 2^(n - 8), D'C = (224 E'C + 128) 2^(n - 8).
 constexpr std::int64_t kLumaDivisor = kLumaSum * kWhite;
 constexpr std::int64_t kFilterSum = 8;  // of the subsampling filter: (1 2 1) by (1 1)
-constexpr std::int64_t kBlueDifferenceDivisor = kFilterSum * 18556 * kWhite;
-constexpr std::int64_t kRedDifferenceDivisor = kFilterSum * 15748 * kWhite;
 
 /// offset + numerator / divisor, the part below 1 rounded up if it exceeds the place's threshold.
-template <std::int64_t divisor>
-std::uint8_t quantised(std::int64_t offset, std::int64_t numerator, std::uint32_t threshold) {
+template <class Code, std::int64_t divisor>
+Code quantised(std::int64_t offset, std::int64_t numerator, std::uint32_t threshold) {
     const std::int64_t carry = static_cast<std::int64_t>(threshold) * divisor >> 16;
-    return static_cast<std::uint8_t>((offset * divisor + numerator + carry) / divisor);
+    return static_cast<Code>((offset * divisor + numerator + carry) / divisor);
 }
 
+template <class Matrix>
 std::int64_t luma_sum(std::int64_t red, std::int64_t green, std::int64_t blue) {
-    return kRed * red + kGreen * green + kBlue * blue;
+    return Matrix::red * red + Matrix::green * green + Matrix::blue * blue;
 }
 
-void convert_luma_row(const std::uint16_t* rgb, int width, int row, std::uint8_t* luma) {
+/// One of 2^(n - 8), by which the codes of n bits are finer than those of 8.
+template <class Code>
+constexpr std::int64_t kFiner = std::is_same_v<Code, std::uint8_t> ? 1 : 4;
+
+template <class Matrix, class Code>
+void convert_luma_row(const std::uint16_t* rgb, int width, int row, Code* luma) {
     for (int x = 0; x < width; ++x) {
-        const std::int64_t sum = luma_sum(rgb[3 * x], rgb[3 * x + 1], rgb[3 * x + 2]);
-        luma[x] = quantised<kLumaDivisor>(
-            16, 219 * sum,
+        const std::int64_t sum = luma_sum<Matrix>(rgb[3 * x], rgb[3 * x + 1], rgb[3 * x + 2]);
+        luma[x] = quantised<Code, kLumaDivisor>(
+            16 * kFiner<Code>, 219 * kFiner<Code> * sum,
             dither_threshold(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(row)));
     }
 }
@@ -61,37 +71,59 @@ std::array<std::int64_t, 3> filtered(const std::uint16_t* upper, const std::uint
     return sum;
 }
 
+template <class Matrix, class Code>
 void convert_colour_row(const std::uint16_t* upper, const std::uint16_t* lower, int width, int row,
-                        std::uint8_t* blue_difference, std::uint8_t* red_difference) {
+                        Code* blue_difference, Code* red_difference) {
+    constexpr std::int64_t blue_divisor = kFilterSum * Matrix::blue_difference * kWhite;
+    constexpr std::int64_t red_divisor = kFilterSum * Matrix::red_difference * kWhite;
+    constexpr std::int64_t finer = kFiner<Code>;
     for (int column = 0; column < width / 2; ++column) {
         const auto [red, green, blue] = filtered(upper, lower, width, 2 * column);
-        const std::int64_t luma = luma_sum(red, green, blue);
+        const std::int64_t luma = luma_sum<Matrix>(red, green, blue);
         const std::uint32_t threshold =
             dither_threshold(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
-        blue_difference[column] =
-            quantised<kBlueDifferenceDivisor>(128, 224 * (kLumaSum * blue - luma), threshold);
-        red_difference[column] =
-            quantised<kRedDifferenceDivisor>(128, 224 * (kLumaSum * red - luma), threshold);
+        blue_difference[column] = quantised<Code, blue_divisor>(
+            128 * finer, 224 * finer * (kLumaSum * blue - luma), threshold);
+        red_difference[column] = quantised<Code, red_divisor>(
+            128 * finer, 224 * finer * (kLumaSum * red - luma), threshold);
+    }
+}
+
+template <class Matrix, class Code>
+void convert(std::span<const std::uint16_t> rgb, int width, int height, bool halve_height,
+             const YuvPlanes<Code>& planes) {
+    CAROM_ASSERT(width % 2 == 0 && (height % 2 == 0 || !halve_height));
+    CAROM_ASSERT(rgb.size() == std::size_t{3} * static_cast<std::size_t>(width) *
+                                   static_cast<std::size_t>(height));
+    const std::ptrdiff_t stride = std::ptrdiff_t{3} * width;
+    const auto row_of = [](const PlaneView<Code>& plane, int row) {
+        return plane.data + row * plane.stride;
+    };
+    for (int row = 0; row < height; ++row) {
+        convert_luma_row<Matrix>(rgb.data() + row * stride, width, row, row_of(planes.luma, row));
+    }
+    const int step = halve_height ? 2 : 1;
+    for (int row = 0; row < height / step; ++row) {
+        const std::uint16_t* upper = rgb.data() + step * row * stride;
+        convert_colour_row<Matrix>(upper, upper + (step - 1) * stride, width, row,
+                                   row_of(planes.blue_difference, row),
+                                   row_of(planes.red_difference, row));
     }
 }
 
 }  // namespace
 
 void convert_to_yuv420(std::span<const std::uint16_t> rgb, int width, int height,
-                       PlaneView<std::uint8_t> luma, PlaneView<std::uint8_t> blue_difference,
-                       PlaneView<std::uint8_t> red_difference) {
-    CAROM_ASSERT(width % 2 == 0 && height % 2 == 0);
-    CAROM_ASSERT(rgb.size() == std::size_t{3} * static_cast<std::size_t>(width) *
-                                   static_cast<std::size_t>(height));
-    const std::ptrdiff_t stride = std::ptrdiff_t{3} * width;
-    for (int row = 0; row < height; ++row) {
-        convert_luma_row(rgb.data() + row * stride, width, row, luma.data + row * luma.stride);
-    }
-    for (int row = 0; row < height / 2; ++row) {
-        const std::uint16_t* upper = rgb.data() + 2 * row * stride;
-        convert_colour_row(upper, upper + stride, width, row,
-                           blue_difference.data + row * blue_difference.stride,
-                           red_difference.data + row * red_difference.stride);
+                       const YuvPlanes<std::uint8_t>& planes) {
+    convert<Bt709>(rgb, width, height, true, planes);
+}
+
+void convert_to_yuv10(std::span<const std::uint16_t> rgb, int width, int height, YuvCoding coding,
+                      const YuvPlanes<std::uint16_t>& planes) {
+    if (coding.bt2020) {
+        convert<Bt2020>(rgb, width, height, coding.halve_height, planes);
+    } else {
+        convert<Bt709>(rgb, width, height, coding.halve_height, planes);
     }
 }
 

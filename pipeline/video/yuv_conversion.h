@@ -14,6 +14,11 @@ struct PlaneView {
     std::ptrdiff_t stride = 0;
 };
 
+template <class T>
+struct YuvPlanes {
+    PlaneView<T> luma, blue_difference, red_difference;
+};
+
 /// 8-bit Y'CbCr of ITU-R BT.709-6 (items 3.2 to 3.5) in limited range, colour subsampled 4:2:0
 /// with the siting that H.264 assumes unless told otherwise (ITU-T H.264, E.2.1,
 /// chroma_sample_loc_type 0): level with the even columns, halfway between two rows.
@@ -22,8 +27,16 @@ struct PlaneView {
 /// processor. Codes between two whole ones are dithered by the pixel's place (dither.h), so every
 /// code is within 1 of the exact value, and exact values stay.
 void convert_to_yuv420(std::span<const std::uint16_t> rgb, int width, int height,
-                       PlaneView<std::uint8_t> luma, PlaneView<std::uint8_t> blue_difference,
-                       PlaneView<std::uint8_t> red_difference);
+                       const YuvPlanes<std::uint8_t>& planes);
+
+struct YuvCoding {
+    bool bt2020 = false;       // BT.2020's matrix (non-constant luminance) instead of BT.709's
+    bool halve_height = true;  // 4:2:0; otherwise 4:2:2, on the same columns
+};
+
+/// The same in 10 bits, [64, 940] and [64, 960], in the low bits of each code.
+void convert_to_yuv10(std::span<const std::uint16_t> rgb, int width, int height, YuvCoding coding,
+                      const YuvPlanes<std::uint16_t>& planes);
 
 /// The three channels, unchanged, each in a plane.
 void split_channels(std::span<const std::uint16_t> rgb, int width, int height,

@@ -83,6 +83,19 @@ Rational exposure_of(const ShutterSection& shutter, const Rational& fps) {
     }
 }
 
+void check_output(Builder& builder) {
+    const Shot& shot = builder.shot;
+    const std::string film = "film" + default_extension(shot.output);
+    const std::string problem = check_video_format(
+        {shot.render.width, shot.render.height, shot.timing.fps}, shot.output, film);
+    if (problem.empty()) {
+        return;
+    }
+    const bool is_its_size = check_video_format({1280, 720, 24}, shot.output, film).empty();
+    builder.reader.error(
+        is_its_size ? builder.place_of({"render", "size"}) : builder.place_of({"output"}), problem);
+}
+
 }  // namespace
 
 void build_film(Builder& builder) {
@@ -95,12 +108,7 @@ void build_film(Builder& builder) {
     shot.timing.shutter.clock = render.shutter.clock;
     shot.timing.shutter.position = render.shutter.position;
     shot.timing.shutter.switch_ratio = render.shutter.switch_ratio;
-    const std::string problem =
-        check_video_format({shot.render.width, shot.render.height, shot.timing.fps}, shot.output,
-                           "film" + default_extension(shot.output.codec));
-    if (!problem.empty()) {
-        builder.reader.error(builder.place_of({"render", "size"}), problem);
-    }
+    check_output(builder);
     add_cameras(builder);
     if (builder.reader.has_error()) {
         return;

@@ -212,31 +212,6 @@ std::vector<std::pair<std::string, std::string>> aov_names() {
     return names;
 }
 
-const MapSpec<OcioSettings>& ocio_spec() {
-    static const MapSpec<OcioSettings> spec = [] {
-        MapSpec<OcioSettings> s("ocio", "Names out of an OpenColorIO configuration.");
-        s.key("display", &OcioSettings::display, text("a name"),
-              "without it the configuration's default");
-        s.key("view", &OcioSettings::view, text("a name"), "without it the display's default");
-        s.key("colour_space", &OcioSettings::colour_space, text("a name"),
-              "linear Rec.709, which films are in; without it the role scene_linear");
-        return s;
-    }();
-    return spec;
-}
-
-const MapSpec<GlowSettings>& glow_spec() {
-    static const MapSpec<GlowSettings> spec = [] {
-        MapSpec<GlowSettings> s("glow", "Light that lens and eye scatter around bright points.");
-        s.key("strength", &GlowSettings::strength, number(between(0, 1)),
-              "share of all light that is scattered: 0.05 is a little haze");
-        s.key("radius", &GlowSettings::radius, number(above_up_to(0, 1)),
-              "of the widest part, in picture heights");
-        return s;
-    }();
-    return spec;
-}
-
 }  // namespace
 
 const MapSpec<RenderSection>& render_spec() {
@@ -271,45 +246,6 @@ const MapSpec<RenderSection>& render_spec() {
                                  std::to_string(r.settings.samples) + " is not");
             }
         });
-        return s;
-    }();
-    return spec;
-}
-
-const MapSpec<OutputSettings>& output_spec() {
-    static const MapSpec<OutputSettings> spec = [] {
-        MapSpec<OutputSettings> s("output", "How the frames become a film.");
-        s.key("codec", &OutputSettings::codec,
-              choice<Codec>({{"h264", Codec::h264}, {"ffv1", Codec::ffv1}}), "of the video");
-        s.key("crf", &OutputSettings::crf, number(between(0, 51)),
-              "quality of h264: less is better and larger, 18 looks lossless");
-        std::vector<std::pair<std::string, std::string>> presets;
-        for (const char* name : {"ultrafast", "superfast", "veryfast", "faster", "fast", "medium",
-                                 "slow", "slower", "veryslow", "placebo"}) {
-            presets.emplace_back(name, name);
-        }
-        s.key("preset", &OutputSettings::preset, choice<std::string>(presets),
-              "how hard h264 is compressed");
-        s.key("threads", &OutputSettings::threads, integer(1, 64),
-              "of the encoder; the file's bytes depend on it");
-        s.key("view", &OutputSettings::view,
-              choice<ViewTransform>({{"srgb", ViewTransform::srgb},
-                                     {"filmic", ViewTransform::filmic},
-                                     {"agx", ViewTransform::agx},
-                                     {"ocio", ViewTransform::ocio},
-                                     {"raw", ViewTransform::raw}}),
-              "from scene light to what a display shows; `ocio`: by the OpenColorIO configuration "
-              "that the environment variable OCIO names; `raw`: the numbers as they are");
-        s.key("ocio", &OutputSettings::ocio, record(ocio_spec()), "what of it, with `view: ocio`");
-        s.key("glow", &OutputSettings::glow, record(glow_spec()),
-              "light that lens and eye scatter around bright points");
-        s.check([](Reader& reader, const Node& node, OutputSettings& output) {
-            const Entry* ocio = node.find("ocio");
-            if (ocio != nullptr && output.view != ViewTransform::ocio) {
-                reader.error(ocio->value.place, "'ocio' goes with 'view: ocio' only");
-            }
-        });
-        s.key("exposure", &OutputSettings::exposure, number(between(-32, 32)), "in stops");
         return s;
     }();
     return spec;

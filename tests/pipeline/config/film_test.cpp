@@ -174,6 +174,24 @@ TEST(Output, Settings_FillEveryField) {
     EXPECT_EQ(o.exposure, -1.5);
 }
 
+TEST(Output, FilmsOfOtherKinds_AreRead) {
+    const OutputSettings o =
+        load_sections(
+            "output: {codec: hevc, bit_rate: 8 Mbit/s, hdr10: {peak: 600}, poster: 500 ms, "
+            "title: 'The break'}\n")
+            .output;
+    EXPECT_EQ(o.codec, Codec::hevc);
+    EXPECT_EQ(o.bit_rate, 8e6);
+    ASSERT_TRUE(o.hdr10.has_value());
+    EXPECT_EQ(o.hdr10->peak, 600);
+    EXPECT_EQ(o.hdr10->white, 203);
+    EXPECT_EQ(o.poster, 0.5);
+    EXPECT_EQ(o.title, "The break");
+    EXPECT_EQ(load_sections("output: {bit_rate: 500kbit/s}\n").output.bit_rate, 5e5);
+    EXPECT_EQ(load_sections("output: {bit_rate: 8e6}\n").output.bit_rate, 8e6);
+    EXPECT_FALSE(load_sections("output: {exposure: 1}\n").output.codec.has_value());
+}
+
 TEST(Output, OddSizes_AreForFfv1) {
     EXPECT_EQ(load_sections("render: {size: [641, 361]}\noutput: {codec: ffv1}\n").render.width,
               641);

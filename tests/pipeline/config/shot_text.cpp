@@ -177,7 +177,11 @@ std::string shot_text(const Shot& shot) {
         out.line(aov);
     }
     const OutputSettings& o = shot.output;
-    out.line("output", o.codec, o.crf, o.preset, o.threads, o.view, o.exposure);
+    out.line("output", o.preset, o.threads, o.view, o.exposure);
+    const Hdr10Settings hdr10 = o.hdr10.value_or(Hdr10Settings{0, 0});
+    out.line("output", static_cast<int>(o.codec.value_or(Codec{-1})), o.crf.value_or(-1),
+             o.bit_rate.value_or(-1), o.bits.value_or(-1), hdr10.peak, hdr10.white,
+             o.poster.value_or(-1), o.title);
     return out.text();
 }
 

@@ -3,6 +3,7 @@
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
+#include <libavutil/mastering_display_metadata.h>
 #include <libavutil/pixdesc.h>
 #include <libswscale/swscale.h>
 }
@@ -59,7 +60,8 @@ std::vector<std::uint16_t> to_rgb(const AVFrame& frame) {
         frame.height, AV_PIX_FMT_RGB48LE, SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT,
         nullptr, nullptr, nullptr));
     require(scaler != nullptr, "no scaler");
-    const int* matrix = sws_getCoefficients(SWS_CS_ITU709);
+    const int* matrix = sws_getCoefficients(
+        frame.colorspace == AVCOL_SPC_BT2020_NCL ? SWS_CS_BT2020 : SWS_CS_ITU709);
     sws_setColorspaceDetails(scaler.get(), matrix, frame.color_range == AVCOL_RANGE_JPEG ? 1 : 0,
                              matrix, 1, 0, 1 << 16, 1 << 16);
     std::vector<std::uint16_t> rgb(static_cast<std::size_t>(frame.width) *
@@ -88,6 +90,19 @@ void describe(const AVStream& stream, DecodedVideo& video) {
     video.time_base_numerator = stream.time_base.num;
     video.time_base_denominator = stream.time_base.den;
     video.start_time = stream.start_time;
+    for (unsigned tag = parameters.codec_tag; tag != 0; tag >>= 8U) {
+        video.tag += static_cast<char>(tag & 255U);
+    }
+    const void* display =
+        av_stream_get_side_data(&stream, AV_PKT_DATA_MASTERING_DISPLAY_METADATA, nullptr);
+    if (display != nullptr) {
+        video.peak = av_q2d(static_cast<const AVMasteringDisplayMetadata*>(display)->max_luminance);
+    }
+    const void* light = av_stream_get_side_data(&stream, AV_PKT_DATA_CONTENT_LIGHT_LEVEL, nullptr);
+    if (light != nullptr) {
+        video.max_light =
+            static_cast<int>(static_cast<const AVContentLightMetadata*>(light)->MaxCLL);
+    }
 }
 
 void receive(AVCodecContext& decoder, AVFrame& frame, DecodedVideo& video) {
@@ -106,9 +121,14 @@ DecodedVideo decode_video(const std::string& path) {
             "cannot open the video");
     const Ptr<AVFormatContext> container(opened);
     require(avformat_find_stream_info(container.get(), nullptr) >= 0, "no stream information");
-    require(container->nb_streams == 1, "not one stream");
-
     DecodedVideo video;
+    require(container->nb_streams == 1 || container->nb_streams == 2, "not one stream");
+    if (container->nb_streams == 2) {
+        const AVStream& poster = *container->streams[1];
+        require((poster.disposition & AV_DISPOSITION_ATTACHED_PIC) != 0, "a second stream");
+        const AVPacket& jpeg = poster.attached_pic;
+        video.poster.assign(jpeg.data, jpeg.data + jpeg.size);
+    }
     const AVStream& stream = *container->streams[0];
     describe(stream, video);
     video.duration = static_cast<double>(container->duration) / AV_TIME_BASE;
@@ -125,6 +145,10 @@ DecodedVideo decode_video(const std::string& path) {
     const Ptr<AVPacket> packet(av_packet_alloc());
     const Ptr<AVFrame> frame(av_frame_alloc());
     while (av_read_frame(container.get(), packet.get()) == 0) {
+        if (packet->stream_index != 0) {
+            av_packet_unref(packet.get());
+            continue;
+        }
         require(avcodec_send_packet(decoder.get(), packet.get()) == 0, "cannot decode");
         av_packet_unref(packet.get());
         receive(*decoder, *frame, video);

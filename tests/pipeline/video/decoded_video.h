@@ -27,6 +27,10 @@ struct DecodedVideo {
     int time_base_numerator = 0, time_base_denominator = 0;  // of the stream
     std::int64_t start_time = 0;                             // of the stream
     double duration = 0;                                     // of the container, s
+    std::string tag;                                         // the container's name of the codec
+    double peak = 0;                                         // of the mastering display, cd/m^2
+    int max_light = 0;                                       // MaxCLL, cd/m^2
+    std::vector<std::uint8_t> poster;                        // the picture attached: a JPEG
     std::map<std::string, std::string> metadata;
     std::vector<DecodedFrame> frames;  // in order of presentation
 };

@@ -2,8 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/video/codec_info.h"
+#include "pipeline/video/image_sequence.h"
+
 namespace carom::pipeline {
 namespace {
+
+constexpr const char* kAll =
+    "h264: .mp4, .mov, .mkv; hevc: .mp4, .mov, .mkv; av1: .mp4, .mkv, .webm; "
+    "vp9: .mp4, .mkv, .webm; prores: .mov, .mkv; ffv1: .mkv";
 
 std::string check(int width, int height, const std::string& path, Codec codec = Codec::h264) {
     OutputSettings output;
@@ -37,16 +44,16 @@ TEST(CheckVideoFormat, TooSmallOrLarge_NamesTheLimits) {
 
 TEST(CheckVideoFormat, UnknownExtension_ListsWhatThereIs) {
     EXPECT_EQ(check(640, 360, "break.avi"),
-              "cannot tell what film to write from 'break.avi'; there are h264: .mp4, .mov, .mkv; "
-              "ffv1: .mkv");
+              std::string("cannot tell what film to write from 'break.avi'; there are ") + kAll);
     EXPECT_EQ(check(640, 360, "break"),
-              "cannot tell what film to write from 'break', which has no extension; there are "
-              "h264: .mp4, .mov, .mkv; ffv1: .mkv");
+              std::string("cannot tell what film to write from 'break', which has no extension; "
+                          "there are ") +
+                  kAll);
 }
 
 TEST(CheckVideoFormat, CodecInForeignContainer_ListsWhatThereIs) {
     EXPECT_EQ(check(640, 360, "break.mp4", Codec::ffv1),
-              ".mp4 files cannot hold ffv1; there are h264: .mp4, .mov, .mkv; ffv1: .mkv");
+              std::string(".mp4 files cannot hold ffv1; there are ") + kAll);
 }
 
 TEST(CheckVideoFormat, BadEncoderSettings_AreNamed) {
@@ -63,6 +70,76 @@ TEST(CheckVideoFormat, BadEncoderSettings_AreNamed) {
     output.threads = 0;
     EXPECT_EQ(check_video_format({640, 360}, output, "a.mp4"),
               "the encoder's threads must be from 1 to 64, not 0");
+}
+
+TEST(CheckVideoFormat, CodecNotNamed_FollowsTheExtension) {
+    EXPECT_EQ(check_video_format({640, 360}, {}, "a.webm"), "");
+    EXPECT_EQ(codec_for({}, "a.webm"), Codec::vp9);
+    EXPECT_EQ(codec_for({}, "a.mkv"), Codec::h264);
+    OutputSettings hdr;
+    hdr.hdr10.emplace();
+    EXPECT_EQ(codec_for(hdr, "a.mp4"), Codec::hevc);
+    EXPECT_EQ(default_extension({}), ".mp4");
+}
+
+TEST(CheckVideoFormat, SettingsThatExcludeEachOther_AreNamed) {
+    const auto check = [](const std::string& path, auto change) {
+        OutputSettings output;
+        change(output);
+        return check_video_format({640, 360}, output, path);
+    };
+    EXPECT_EQ(check("a.mp4",
+                    [](OutputSettings& o) {
+                        o.crf = 18;
+                        o.bit_rate = 1e6;
+                    }),
+              "crf and bit_rate exclude each other: the one fixes the quality, the other the size");
+    EXPECT_EQ(check("a.mp4", [](OutputSettings& o) { o.bit_rate = 10; }),
+              "bit_rate must be from 10 kbit/s to 1 Gbit/s");
+    EXPECT_EQ(check("a.webm", [](OutputSettings& o) { o.crf = 64; }),
+              "crf must be from 0 (lossless) to 63 (worst)");
+    EXPECT_EQ(check("a.mp4", [](OutputSettings& o) { o.bits = 9; }), "bits must be 8 or 10, not 9");
+    const auto prores = [](OutputSettings& o) { o.codec = Codec::prores; };
+    EXPECT_EQ(check("a.mov", prores), "");
+    EXPECT_EQ(check("a.mov",
+                    [&](OutputSettings& o) {
+                        prores(o);
+                        o.crf = 10;
+                    }),
+              "")
+        << "what the shot told another codec";
+    EXPECT_EQ(check("a.mov",
+                    [&](OutputSettings& o) {
+                        prores(o);
+                        o.bits = 8;
+                    }),
+              "prores always has 10 bits per channel; leave out 'bits'");
+    EXPECT_EQ(check("a.mp4",
+                    [](OutputSettings& o) {
+                        o.hdr10.emplace();
+                        o.codec = Codec::h264;
+                    }),
+              "hdr10 is for codec hevc, not h264");
+    EXPECT_EQ(check("a.mp4",
+                    [](OutputSettings& o) {
+                        o.hdr10.emplace();
+                        o.bits = 8;
+                    }),
+              "hdr10 has 10 bits per channel, not 8");
+}
+
+TEST(ImageSequence, Pattern_TakesTheNumberInPlaceOfItsMarks) {
+    EXPECT_TRUE(is_image_sequence("out/shot.####.exr"));
+    EXPECT_FALSE(is_image_sequence("take#2/shot.mp4"));
+    EXPECT_EQ(path_in_sequence("out/shot.####.exr", 12), "out/shot.0012.exr");
+    EXPECT_EQ(path_in_sequence("shot#.png", 123), "shot123.png");
+    EXPECT_EQ(path_in_sequence("##", 7), "07");
+    EXPECT_EQ(check(641, 361, "out/shot.####.exr"), "") << "pictures may have any size";
+    EXPECT_EQ(check(640, 360, "a#b#.png"),
+              "'a#b#.png' has '#' in two places; the frame's number goes to one");
+    EXPECT_EQ(check(640, 360, "a.##.mp4"),
+              "cannot tell what pictures to write to 'a.##.mp4'; there are .exr, .png, .jpg, .bmp "
+              "and .tga");
 }
 
 TEST(CheckVideoFormat, RateOutOfRange_IsRefused) {

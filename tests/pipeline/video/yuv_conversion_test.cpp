@@ -19,8 +19,9 @@ Planes convert(const std::vector<std::uint16_t>& rgb, int width, int height) {
     const auto pixels = static_cast<std::size_t>(width * height);
     Planes planes{width, height, std::vector<std::uint8_t>(pixels),
                   std::vector<std::uint8_t>(pixels / 4), std::vector<std::uint8_t>(pixels / 4)};
-    convert_to_yuv420(rgb, width, height, {planes.y.data(), width}, {planes.cb.data(), width / 2},
-                      {planes.cr.data(), width / 2});
+    convert_to_yuv420(
+        rgb, width, height,
+        {{planes.y.data(), width}, {planes.cb.data(), width / 2}, {planes.cr.data(), width / 2}});
     return planes;
 }
 
@@ -58,6 +59,33 @@ TEST(YuvConversion, UniformColours_AreWithinOneCodeOfTheClosedForm) {
         expect_all_within_1(planes.y, exact[0]);
         expect_all_within_1(planes.cb, exact[1]);
         expect_all_within_1(planes.cr, exact[2]);
+    }
+}
+
+TEST(YuvConversion, TenBits_AreWithinOneCodeOfTheClosedFormOfBothMatrices) {
+    struct Matrix {
+        bool bt2020;
+        double red, green, blue, blue_divisor, red_divisor;
+    };
+    for (const Matrix& m : {Matrix{false, 0.2126, 0.7152, 0.0722, 1.8556, 1.5748},
+                            Matrix{true, 0.2627, 0.6780, 0.0593, 1.8814, 1.4746}}) {
+        for (const bool halve_height : {true, false}) {
+            const std::array<std::uint16_t, 3> colour{51000, 12345, 30000};
+            const int rows = halve_height ? 2 : 4;
+            std::vector<std::uint16_t> y(24), cb(static_cast<std::size_t>(3 * rows)), cr(cb);
+            convert_to_yuv10(filled(6, 4, colour), 6, 4, {m.bt2020, halve_height},
+                             {{y.data(), 6}, {cb.data(), 3}, {cr.data(), 3}});
+            const double r = colour[0] / 65535.0, g = colour[1] / 65535.0, b = colour[2] / 65535.0;
+            const double luma = m.red * r + m.green * g + m.blue * b;
+            const auto expect_near = [](const std::vector<std::uint16_t>& codes, double exact) {
+                for (const std::uint16_t code : codes) {
+                    EXPECT_LT(std::abs(code - exact), 1.0);
+                }
+            };
+            expect_near(y, 876 * luma + 64);
+            expect_near(cb, 896 * (b - luma) / m.blue_divisor + 512);
+            expect_near(cr, 896 * (r - luma) / m.red_divisor + 512);
+        }
     }
 }
 

@@ -1,0 +1,139 @@
+// How frames become a film.
+#include "pipeline/config/sections/sections.h"
+#include "pipeline/config/text.h"
+#include "pipeline/config/value_types.h"
+#include "pipeline/video/codec_info.h"
+#include "pipeline/video/encoder_presets.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+/// "8 Mbit/s", "500 kbit/s", or a plain number of bits per second.
+ValueType<double> bit_rate() {
+    ValueType<double> type;
+    type.info.kind = TypeInfo::Kind::text;
+    type.info.noun = "a bit rate";
+    type.read = [](Reader& reader, const Node& node) -> std::optional<double> {
+        std::string text = node.is_scalar() ? node.text : std::string();
+        double factor = 1;
+        for (const auto& [unit, value] :
+             {std::pair<std::string_view, double>{"Mbit/s", 1e6}, {"kbit/s", 1e3}, {"bit/s", 1}}) {
+            if (text.ends_with(unit)) {
+                text.resize(text.size() - unit.size());
+                factor = value;
+                break;
+            }
+        }
+        while (text.ends_with(' ')) {
+            text.pop_back();
+        }
+        const auto number = parse_quantity(text);
+        const auto* quantity = std::get_if<Quantity>(&number);
+        if (quantity == nullptr || quantity->has_unit) {
+            reader.wrong_type(node, "a bit rate such as 8 Mbit/s, 500 kbit/s or 8e6");
+            return std::nullopt;
+        }
+        return factor * quantity->value;
+    };
+    return type;
+}
+
+const MapSpec<Hdr10Settings>& hdr10_spec() {
+    static const MapSpec<Hdr10Settings> spec = [] {
+        MapSpec<Hdr10Settings> s("hdr10",
+                                 "A film for displays of high dynamic range: PQ, BT.2020.");
+        s.key("peak", &Hdr10Settings::peak, number(between(400, 10000)),
+              "cd/m^2 of the brightest white; highlights are compressed to stay below it");
+        s.key("white", &Hdr10Settings::white, number(above_up_to(0, 10000)),
+              "cd/m^2 of scene light 1");
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<OcioSettings>& ocio_spec() {
+    static const MapSpec<OcioSettings> spec = [] {
+        MapSpec<OcioSettings> s("ocio", "Names out of an OpenColorIO configuration.");
+        s.key("display", &OcioSettings::display, text("a name"),
+              "without it the configuration's default");
+        s.key("view", &OcioSettings::view, text("a name"), "without it the display's default");
+        s.key("colour_space", &OcioSettings::colour_space, text("a name"),
+              "linear Rec.709, which films are in; without it the role scene_linear");
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<GlowSettings>& glow_spec() {
+    static const MapSpec<GlowSettings> spec = [] {
+        MapSpec<GlowSettings> s("glow", "Light that lens and eye scatter around bright points.");
+        s.key("strength", &GlowSettings::strength, number(between(0, 1)),
+              "share of all light that is scattered: 0.05 is a little haze");
+        s.key("radius", &GlowSettings::radius, number(above_up_to(0, 1)),
+              "of the widest part, in picture heights");
+        return s;
+    }();
+    return spec;
+}
+
+}  // namespace
+
+const MapSpec<OutputSettings>& output_spec() {
+    static const MapSpec<OutputSettings> spec = [] {
+        MapSpec<OutputSettings> s("output", "How the frames become a film.");
+        std::vector<std::pair<std::string, Codec>> names;
+        for (const CodecInfo& codec : codecs()) {
+            names.emplace_back(codec.name, codec.codec);
+        }
+        s.key("codec", &OutputSettings::codec, choice<Codec>(names),
+              "of the video; without it what the file's extension says: vp9 for .webm, else h264 "
+              "(hevc with `hdr10`)");
+        s.key("crf", &OutputSettings::crf, number(between(0, 63)),
+              "quality: less is better and larger. Up to 51 for h264 (18 unless told otherwise: "
+              "looks lossless) and hevc (20), 63 for av1 and vp9 (24)");
+        s.key("bit_rate", &OutputSettings::bit_rate, bit_rate(),
+              "the mean, instead of a crf: 8 Mbit/s, 500 kbit/s, 8e6");
+        s.key("bits", &OutputSettings::bits, integer(8, 10),
+              "per channel, 8 or 10; 8 unless told otherwise, 10 with `hdr10`. prores always has "
+              "10, ffv1 16");
+        std::vector<std::pair<std::string, std::string>> presets;
+        for (const EncoderPreset& preset : kEncoderPresets) {
+            presets.emplace_back(preset.name, preset.name);
+        }
+        s.key("preset", &OutputSettings::preset, choice<std::string>(presets),
+              "how hard the encoder tries to make it small");
+        s.key("threads", &OutputSettings::threads, integer(1, 64),
+              "of the encoder; the file's bytes depend on it");
+        s.key("view", &OutputSettings::view,
+              choice<ViewTransform>({{"srgb", ViewTransform::srgb},
+                                     {"filmic", ViewTransform::filmic},
+                                     {"agx", ViewTransform::agx},
+                                     {"ocio", ViewTransform::ocio},
+                                     {"raw", ViewTransform::raw}}),
+              "from scene light to what a display shows; `ocio`: by the OpenColorIO configuration "
+              "that the environment variable OCIO names; `raw`: the numbers as they are");
+        s.key("ocio", &OutputSettings::ocio, record(ocio_spec()), "what of it, with `view: ocio`");
+        s.key("glow", &OutputSettings::glow, record(glow_spec()),
+              "light that lens and eye scatter around bright points");
+        s.check([](Reader& reader, const Node& node, OutputSettings& output) {
+            const Entry* ocio = node.find("ocio");
+            if (ocio != nullptr && output.view != ViewTransform::ocio) {
+                reader.error(ocio->value.place, "'ocio' goes with 'view: ocio' only");
+            }
+        });
+        s.key("hdr10", &OutputSettings::hdr10, record(hdr10_spec()),
+              "for displays of high dynamic range, instead of the view: 10-bit hevc");
+        s.key("title", &OutputSettings::title, text("a title"),
+              "in the file's metadata; else the shot's name");
+        s.key("poster", &OutputSettings::poster, time(at_least(0)),
+              "video time of the frame that stands for the film: inside an .mp4, as "
+              "NAME-poster.jpg beside others");
+        s.at_most_one_of({"crf", "bit_rate"});
+        s.key("exposure", &OutputSettings::exposure, number(between(-32, 32)), "in stops");
+        return s;
+    }();
+    return spec;
+}
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,105 @@
+#include "pipeline/job/film_sink.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "pipeline/job/exported_frame.h"
+#include "pipeline/job/job_metadata.h"
+#include "pipeline/video/hdr_view.h"
+#include "pipeline/video/image_sequence.h"
+#include "pipeline/video/picture_writer.h"
+#include "pipeline/video/video_writer.h"
+#include "pipeline/video/view_transform.h"
+
+namespace carom::pipeline {
+namespace {
+
+/// The frame that the poster shows: the one that stands on the screen then, or the next that the
+/// film has, or its last.
+std::optional<std::int64_t> poster_frame(const Shot& shot, const FilmPlan& plan) {
+    if (!shot.output.poster) {
+        return std::nullopt;
+    }
+    const auto wanted =
+        static_cast<std::int64_t>(std::floor(*shot.output.poster * shot.timing.fps.to_double()));
+    const auto found = std::lower_bound(plan.frames.begin(), plan.frames.end(), wanted);
+    return found == plan.frames.end() ? plan.frames.back() : *found;
+}
+
+class VideoSink : public FilmSink {
+  public:
+    VideoSink(const FilmSource& source, const FilmPlan& plan, const std::string& path)
+        : shot_(source.shot()),
+          path_(path),
+          view_(shot_.output),
+          poster_(poster_frame(shot_, plan)),
+          writer_(path, {shot_.render.width, shot_.render.height, shot_.timing.fps}, shot_.output,
+                  video_metadata(shot_)) {}
+
+    void add(std::int64_t frame, const render::Film& picture, bool same_as_before) override {
+        if (!same_as_before) {
+            display_ = shot_.output.hdr10 ? to_hdr10(picture, shot_.output) : view_.to_16(picture);
+        }
+        writer_.write(display_);
+        if (frame != poster_) {
+            return;
+        }
+        if (writer_.has_poster()) {
+            writer_.set_poster(view_.to_8(picture));
+        } else {
+            poster_picture_ = picture;
+        }
+    }
+
+    void finish() override {
+        writer_.finish();
+        if (poster_picture_) {
+            const std::filesystem::path path(path_);
+            const std::string name = path.stem().string() + "-poster.jpg";
+            write_picture(*poster_picture_, view_, (path.parent_path() / name).string(), {});
+        }
+    }
+
+  private:
+    const Shot& shot_;
+    std::string path_;
+    DisplayView view_;
+    std::optional<std::int64_t> poster_;
+    std::optional<render::Film> poster_picture_;  // for a file beside the video
+    std::vector<std::uint16_t> display_;
+    VideoWriter writer_;
+};
+
+class SequenceSink : public FilmSink {
+  public:
+    SequenceSink(const FilmSource& source, std::string pattern)
+        : source_(source), pattern_(std::move(pattern)), view_(source.shot().output) {}
+
+    void add(std::int64_t frame, const render::Film& picture, bool /*same_as_before*/) override {
+        const render::Film exported = exported_frame(picture, source_, frame);
+        write_picture(exported, view_, path_in_sequence(pattern_, frame),
+                      exported_frame_metadata(source_.shot(), source_.timeline(), frame, exported));
+    }
+
+    void finish() override {}
+
+  private:
+    const FilmSource& source_;
+    std::string pattern_;
+    DisplayView view_;
+};
+
+}  // namespace
+
+std::unique_ptr<FilmSink> make_film_sink(const FilmSource& source, const FilmPlan& plan,
+                                         const std::string& path) {
+    if (is_image_sequence(path)) {
+        return std::make_unique<SequenceSink>(source, path);
+    }
+    return std::make_unique<VideoSink>(source, plan, path);
+}
+
+}  // namespace carom::pipeline

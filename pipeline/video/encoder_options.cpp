@@ -1,0 +1,180 @@
+#include "pipeline/video/encoder_options.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "pipeline/video/codec_info.h"
+#include "pipeline/video/encoder_presets.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+// A key frame at least every two seconds, for scrubbing; costs a still picture about 3 % of size.
+constexpr double kSecondsBetweenKeyFrames = 2;
+
+// FFV1 splits pictures into slices that are coded by themselves. Fixed, so that the bytes do not
+// follow the number of threads.
+constexpr int kFfv1Slices = 4;
+
+constexpr int kProresHq = 3;  // prores_ks's number of the profile 422 HQ
+
+void set_option(AVCodecContext& context, const char* name, const std::string& value,
+                const std::string& path) {
+    check_av(av_opt_set(context.priv_data, name, value.c_str(), 0), name, path);
+}
+
+void set_option(AVCodecContext& context, const char* name, double value, const std::string& path) {
+    check_av(av_opt_set_double(context.priv_data, name, value, 0), name, path);
+}
+
+void set_common(AVCodecContext& context, const VideoFormat& format, const OutputSettings& output) {
+    const AVRational rate{static_cast<int>(format.fps.numerator()),
+                          static_cast<int>(format.fps.denominator())};
+    context.width = format.width;
+    context.height = format.height;
+    context.sample_aspect_ratio = AVRational{1, 1};
+    context.time_base = av_inv_q(rate);
+    context.framerate = rate;
+    context.thread_count = output.threads;
+    context.flags |= AV_CODEC_FLAG_BITEXACT;  // no version of ours in the stream
+    const double gop = kSecondsBetweenKeyFrames * format.fps.to_double();
+    context.gop_size = static_cast<int>(std::clamp(std::round(gop), 1.0, 1000.0));
+}
+
+/// The transfer characteristic is tagged as BT.709's, though the signal was encoded with sRGB's
+/// curve: video players give the code values of a BT.709 film to the screen as they are, so that
+/// the film looks as its frames do in an image viewer, whereas the tag iec61966-2-1 makes some of
+/// them convert to another curve and some hosts refuse the file.
+void set_colour(AVCodecContext& context, const OutputSettings& output) {
+    context.color_primaries = output.hdr10 ? AVCOL_PRI_BT2020 : AVCOL_PRI_BT709;
+    context.color_trc = output.hdr10 ? AVCOL_TRC_SMPTE2084 : AVCOL_TRC_BT709;
+    context.colorspace = output.hdr10 ? AVCOL_SPC_BT2020_NCL : AVCOL_SPC_BT709;
+    context.color_range = AVCOL_RANGE_MPEG;
+    context.chroma_sample_location = AVCHROMA_LOC_LEFT;  // as yuv_conversion.h places it
+}
+
+/// Quality, or size. `crf` is an option of the encoder's own.
+void set_quality(AVCodecContext& context, Codec codec, const OutputSettings& output,
+                 const std::string& path) {
+    if (output.bit_rate) {
+        context.bit_rate = static_cast<std::int64_t>(std::llround(*output.bit_rate));
+        return;
+    }
+    set_option(context, "crf", output.crf.value_or(info(codec).crf), path);
+}
+
+void set_h264(AVCodecContext& context, const OutputSettings& output, const std::string& path) {
+    const bool ten_bits = bits_of(output, Codec::h264) == 10;
+    context.pix_fmt = ten_bits ? AV_PIX_FMT_YUV420P10 : AV_PIX_FMT_YUV420P;
+    set_option(context, "preset", output.preset, path);
+    // These profiles cannot be lossless: x264 wants High 4:4:4 Predictive for crf 0.
+    if (output.bit_rate || output.crf.value_or(info(Codec::h264).crf) > 0) {
+        set_option(context, "profile", ten_bits ? "high10" : "high", path);
+    }
+    // With its AVX-512 code x264 0.164 decides by memory that nobody wrote (at 192 x 108 and
+    // 960 x 540 among others): the same frames give other bytes from run to run. Its AVX2 code does
+    // not, and gives every machine the same film.
+    if (__builtin_cpu_supports("avx2") != 0) {
+        set_option(context, "x264-params", "asm=avx2", path);
+    }
+}
+
+/// x265 counts its threads in two ways: those of the pool do not change the bytes, frames that are
+/// coded at the same time do. It would print, and name its version and settings in the stream.
+void set_hevc(AVCodecContext& context, const OutputSettings& output, const std::string& path) {
+    const bool ten_bits = bits_of(output, Codec::hevc) == 10;
+    context.pix_fmt = ten_bits ? AV_PIX_FMT_YUV420P10 : AV_PIX_FMT_YUV420P;
+    set_option(context, "preset", output.preset, path);
+    set_option(context, "profile", ten_bits ? "main10" : "main", path);
+    std::string parameters = "log-level=none:info=0:pools=" + std::to_string(output.threads) +
+                             ":frame-threads=" + std::to_string(std::min(output.threads, 16));
+    if (std::min(context.width, context.height) < 64) {
+        parameters += ":ctu=16:max-tu-size=16";  // a picture must hold one block
+    }
+    if (output.hdr10) {
+        parameters += ":" + x265_hdr10(*output.hdr10);
+    }
+    set_option(context, "x265-params", parameters, path);
+}
+
+void set_av1(AVCodecContext& context, const OutputSettings& output, const std::string& path) {
+    const bool ten_bits = bits_of(output, Codec::av1) == 10;
+    context.pix_fmt = ten_bits ? AV_PIX_FMT_YUV420P10 : AV_PIX_FMT_YUV420P;
+    set_option(context, "cpu-used", presets_of(output.preset).av1, path);
+    set_option(context, "row-mt", 1, path);
+}
+
+void set_vp9(AVCodecContext& context, const OutputSettings& output, const std::string& path) {
+    const bool ten_bits = bits_of(output, Codec::vp9) == 10;
+    context.pix_fmt = ten_bits ? AV_PIX_FMT_YUV420P10 : AV_PIX_FMT_YUV420P;
+    context.profile = ten_bits ? FF_PROFILE_VP9_2 : FF_PROFILE_VP9_0;
+    set_option(context, "deadline", "good", path);
+    set_option(context, "cpu-used", presets_of(output.preset).vp9, path);
+    set_option(context, "row-mt", 1, path);
+}
+
+void set_prores(AVCodecContext& context, const std::string& path) {
+    context.pix_fmt = AV_PIX_FMT_YUV422P10;
+    context.gop_size = 1;
+    set_option(context, "profile", kProresHq, path);
+    set_option(context, "vendor", "apl0", path);  // some editors take no other
+}
+
+/// The 16-bit RGB that the view transform made, without loss: an archive or an intermediate.
+void set_ffv1(AVCodecContext& context, const std::string& path) {
+    context.pix_fmt = AV_PIX_FMT_GBRP16;
+    context.color_trc = AVCOL_TRC_IEC61966_2_1;
+    context.colorspace = AVCOL_SPC_RGB;
+    context.color_range = AVCOL_RANGE_JPEG;
+    context.chroma_sample_location = AVCHROMA_LOC_UNSPECIFIED;
+    context.gop_size = 1;  // every frame stands alone
+    context.level = 3;
+    context.slices = kFfv1Slices;
+    set_option(context, "slicecrc", "1", path);
+}
+
+}  // namespace
+
+void set_encoder_options(AVCodecContext& context, Codec codec, const VideoFormat& format,
+                         const OutputSettings& output, const std::string& path) {
+    set_common(context, format, output);
+    set_colour(context, output);
+    if (info(codec).worst_crf > 0) {
+        set_quality(context, codec, output, path);
+    }
+    switch (codec) {
+        case Codec::h264:
+            set_h264(context, output, path);
+            break;
+        case Codec::hevc:
+            set_hevc(context, output, path);
+            break;
+        case Codec::av1:
+            set_av1(context, output, path);
+            break;
+        case Codec::vp9:
+            set_vp9(context, output, path);
+            break;
+        case Codec::prores:
+            set_prores(context, path);
+            break;
+        case Codec::ffv1:
+            set_ffv1(context, path);
+            break;
+    }
+}
+
+/// SMPTE ST 2086 in steps of 0.00002 and 0.0001 cd/m^2: a display with P3 primaries and D65 white
+/// that goes from 0.005 cd/m^2 to the peak. The brightest light of the film is known (no pixel
+/// exceeds the peak), its mean light is not before its last frame: 0 (CTA-861.3, P.1).
+std::string x265_hdr10(const Hdr10Settings& settings) {
+    const auto peak = std::llround(settings.peak);
+    return "hdr10=1:hdr10-opt=1:master-display=G(13250,34500)B(7500,3000)R(34000,16000)"
+           "WP(15635,16450)L(" +
+           std::to_string(peak * 10000) + ",50):max-cll=" + std::to_string(peak) + ",0";
+}
+
+}  // namespace carom::pipeline

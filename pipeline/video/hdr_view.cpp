@@ -1,0 +1,101 @@
+#include "pipeline/video/hdr_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "pipeline/video/glow.h"
+#include "sim/timeline/assert.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+constexpr double kPqPeak = 10000;  // cd/m^2
+
+/// pq_encode times 65535 as a table that is even in the fourth root of light, over which the curve
+/// is smooth, interpolated linearly: within 1/20 of a 10-bit step everywhere.
+class PqTable {
+  public:
+    PqTable() {
+        for (std::size_t i = 0; i < table_.size(); ++i) {
+            const double root = static_cast<double>(i) / kSteps;
+            table_[i] = static_cast<float>(65535 * pq_encode(kPqPeak * root * root * root * root));
+        }
+    }
+
+    /// `light` in [0, 10000].
+    [[nodiscard]] std::uint16_t operator()(float light) const {
+        const float at = std::sqrt(std::sqrt(light / static_cast<float>(kPqPeak))) * kSteps;
+        const auto index = std::min(static_cast<std::size_t>(at), table_.size() - 2);
+        const float share = at - static_cast<float>(index);
+        return static_cast<std::uint16_t>(table_[index] +
+                                          share * (table_[index + 1] - table_[index]) + 0.5F);
+    }
+
+  private:
+    static constexpr int kSteps = 16384;
+    std::array<float, kSteps + 1> table_{};
+};
+
+using Colour = std::array<float, 3>;
+
+/// ITU-R BT.2087-0, section 2, M2.
+Colour to_bt2020(const Colour& c) {
+    return {0.6274F * c[0] + 0.3293F * c[1] + 0.0433F * c[2],
+            0.0691F * c[0] + 0.9195F * c[1] + 0.0114F * c[2],
+            0.0164F * c[0] + 0.0880F * c[1] + 0.8956F * c[2]};
+}
+
+/// What a display gives for a pixel, cd/m^2.
+Colour shown(const float* rgba, float gain, double peak) {
+    constexpr float kBrightest = 1e8F;  // keeps the arithmetic finite
+    Colour light{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const float value = rgba[i] * gain;
+        light[i] = value > 0 ? std::min(value, kBrightest) : 0.0F;  // NaN is not > 0
+    }
+    const float largest = std::max({light[0], light[1], light[2]});
+    if (largest > 0.5 * peak) {
+        const auto scale = static_cast<float>(below_peak(largest, peak) / largest);
+        for (float& channel : light) {
+            channel *= scale;
+        }
+    }
+    return to_bt2020(light);
+}
+
+}  // namespace
+
+double pq_encode(double light) {
+    constexpr double m1 = 2610.0 / 16384, m2 = 2523.0 / 4096 * 128;
+    constexpr double c1 = 3424.0 / 4096, c2 = 2413.0 / 4096 * 32, c3 = 2392.0 / 4096 * 32;
+    const double power = std::pow(std::clamp(light / kPqPeak, 0.0, 1.0), m1);
+    return std::pow((c1 + c2 * power) / (1 + c3 * power), m2);
+}
+
+double below_peak(double light, double peak) {
+    const double knee = 0.5 * peak;
+    return light <= knee ? light : peak - knee * std::exp(-(light - knee) / knee);
+}
+
+std::vector<std::uint16_t> to_hdr10(const render::Film& film, const OutputSettings& output) {
+    static const PqTable pq;
+    CAROM_ASSERT(output.hdr10.has_value());
+    const Hdr10Settings& settings = *output.hdr10;
+    const bool glows = output.glow.strength > 0;
+    const render::Film glowing = glows ? with_glow(film, output.glow) : render::Film{};
+    const std::vector<float>& rgba = glows ? glowing.rgba : film.rgba;
+    const auto gain = static_cast<float>(std::exp2(output.exposure) * settings.white);
+    std::vector<std::uint16_t> signal;
+    signal.reserve(rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        for (const float channel : shown(rgba.data() + i, gain, settings.peak)) {
+            signal.push_back(pq(std::min(channel, static_cast<float>(settings.peak))));
+        }
+    }
+    return signal;
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,48 @@
+#include "pipeline/video/image_sequence.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "pipeline/video/picture_kind.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string stem_of(const std::string& path) {
+    return fs::path(path).stem().string();
+}
+
+}  // namespace
+
+bool is_image_sequence(const std::string& path) {
+    return stem_of(path).find('#') != std::string::npos;
+}
+
+std::string check_image_sequence(const std::string& path) {
+    const std::string stem = stem_of(path);
+    const std::size_t end = stem.find_first_not_of('#', stem.find('#'));
+    if (end != std::string::npos && stem.find('#', end) != std::string::npos) {
+        return "'" + path + "' has '#' in two places; the frame's number goes to one";
+    }
+    if (!is_picture_path(path)) {
+        return "cannot tell what pictures to write to '" + path + "'; there are " + list_pictures();
+    }
+    return {};
+}
+
+std::string path_in_sequence(const std::string& pattern, std::int64_t frame) {
+    std::string name = fs::path(pattern).filename().string();
+    const std::size_t first = name.find('#');
+    const std::size_t end = std::min(name.find_first_not_of('#', first), name.size());
+    std::string digits = std::to_string(frame);
+    if (digits.size() < end - first) {
+        digits.insert(0, end - first - digits.size(), '0');
+    }
+    name.replace(first, end - first, digits);
+    return (fs::path(pattern).parent_path() / name).string();
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,38 @@
+#include "pipeline/video/picture_writer.h"
+
+#include "pipeline/video/pending_file.h"
+#include "pipeline/video/picture_kind.h"
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+/// An error about the temporary file is one about the target.
+std::string with_target(std::string message, const PendingFile& file) {
+    const std::size_t at = message.find(file.temporary_path());
+    if (at != std::string::npos) {
+        message.replace(at, file.temporary_path().size(), file.target());
+    }
+    return message;
+}
+
+}  // namespace
+
+void write_picture(const render::Film& film, const DisplayView& view, const std::string& path,
+                   const render::ImageMetadata& metadata) {
+    PendingFile file(path);
+    try {
+        if (is_linear_picture(path)) {
+            render::write_exr(film, file.temporary_path(), metadata);
+        } else {
+            render::write_display_image(view.to_8(film), film.width, film.height,
+                                        file.temporary_path(), metadata);
+        }
+    } catch (const Error& error) {
+        throw Error(with_target(error.what(), file));
+    }
+    file.commit();
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,17 @@
+// One picture as a file.
+#pragma once
+
+#include <string>
+
+#include "pipeline/video/view_transform.h"
+#include "render/film/film.h"
+#include "render/film/image_file.h"
+
+namespace carom::pipeline {
+
+/// In the format that the extension names (picture_kind.h): .exr as it was computed, others through
+/// the view. The file appears whole or not at all. Throws Error naming `path`.
+void write_picture(const render::Film& film, const DisplayView& view, const std::string& path,
+                   const render::ImageMetadata& metadata);
+
+}  // namespace carom::pipeline
