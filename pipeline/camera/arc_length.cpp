@@ -8,7 +8,6 @@
 namespace carom::pipeline {
 namespace {
 
-constexpr int kFirstPieces = 8;
 constexpr int kDeepest = 20;  // halvings of one of the first pieces
 
 struct Node {
@@ -24,7 +23,7 @@ constexpr std::array<Node, 5> kNodes{{{0, 0.568888888888888889},
                                       {-0.906179845938663993, 0.236926885056189088},
                                       {0.906179845938663993, 0.236926885056189088}}};
 
-double speed(const BezierCurve& curve, double parameter) {
+double speed(const Curve& curve, double parameter) {
     return curve.derivative({parameter, 1 - parameter}).length();
 }
 
@@ -58,16 +57,16 @@ Vec3 position_from_start(const BezierCurve& curve, Progress share) {
 
 }  // namespace
 
-ArcLengthTable::ArcLengthTable(const BezierCurve& curve) : curve_(curve) {
-    std::array<double, kFirstPieces> first{};
+ArcLengthTable::ArcLengthTable(const Curve& curve, int first_pieces) : curve_(curve) {
+    std::vector<double> first(static_cast<std::size_t>(first_pieces));
     double estimate = 0;
-    for (int i = 0; i < kFirstPieces; ++i) {
-        first[i] = length_between(double(i) / kFirstPieces, double(i + 1) / kFirstPieces);
+    for (int i = 0; i < first_pieces; ++i) {
+        first[i] = length_between(double(i) / first_pieces, double(i + 1) / first_pieces);
         estimate += first[i];
     }
-    const double tolerance = kEvenPaceError / 10 * estimate / kFirstPieces;
-    for (int i = 0; i < kFirstPieces; ++i) {
-        divide(double(i) / kFirstPieces, double(i + 1) / kFirstPieces, first[i], tolerance, 0);
+    const double tolerance = kEvenPaceError / 10 * estimate / first_pieces;
+    for (int i = 0; i < first_pieces; ++i) {
+        divide(double(i) / first_pieces, double(i + 1) / first_pieces, first[i], tolerance, 0);
     }
 }
 
@@ -129,6 +128,22 @@ Vec3 even_pace_position(const BezierCurve& curve, Progress share) {
         share.left < share.done || (share.left == share.done && reads_smaller_backwards(curve));
     return from_end ? position_from_start(curve.reversed(), share.reversed())
                     : position_from_start(curve, share);
+}
+
+Vec3 even_pace_along(const Curve& curve, Progress share, int first_pieces) {
+    const ArcLengthTable table(curve, first_pieces);
+    const auto straight_on = [&](Progress end, double distance) {
+        const Vec3 slope = curve.derivative(end);
+        return curve.position(end) + slope.normalized() * distance;  // of a zero vector: zero
+    };
+    if (share.done < 0) {
+        return straight_on({0, 1}, share.done * table.length());
+    }
+    if (share.left < 0) {
+        return straight_on({1, 0}, -share.left * table.length());
+    }
+    const double parameter = table.parameter_at(share.done * table.length());
+    return curve.position({parameter, 1 - parameter});
 }
 
 }  // namespace carom::pipeline

@@ -1,4 +1,4 @@
-// Moving along a Bezier curve at an even pace.
+// Moving along a curve at an even pace.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,9 @@ inline constexpr double kEvenPaceError = 1e-9;
 /// A curve's parameter by the length travelled from its start.
 class ArcLengthTable {
   public:
-    explicit ArcLengthTable(const BezierCurve& curve);
+    /// `first_pieces`: how many stretches are looked at for detail of their own; a curve made of
+    /// several parts needs some in each.
+    explicit ArcLengthTable(const Curve& curve, int first_pieces = 8);
 
     [[nodiscard]] double length() const { return length_; }  // m
 
@@ -33,7 +35,7 @@ class ArcLengthTable {
     [[nodiscard]] double length_between(double start, double end) const;
     void divide(double start, double end, double length, double tolerance, int depth);
 
-    const BezierCurve& curve_;
+    const Curve& curve_;
     std::vector<Piece> pieces_;
     double length_ = 0;
 };
@@ -41,5 +43,8 @@ class ArcLengthTable {
 /// The point at `share.done` of the curve's length; beyond the ends straight on at the same pace.
 /// The reversed curve at the reversed share gives the same bits.
 [[nodiscard]] Vec3 even_pace_position(const BezierCurve& curve, Progress share);
+
+/// The same for any curve, always measured from its start.
+[[nodiscard]] Vec3 even_pace_along(const Curve& curve, Progress share, int first_pieces);
 
 }  // namespace carom::pipeline

@@ -1,9 +1,15 @@
 #include "pipeline/camera/camera_path.h"
 
+#include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "pipeline/camera/arc_length.h"
 #include "pipeline/camera/bezier.h"
+#include "pipeline/camera/easing.h"
+#include "pipeline/camera/ellipse.h"
+#include "pipeline/camera/path_fit.h"
+#include "pipeline/camera/spline.h"
 #include "sim/timeline/error.h"
 
 namespace carom::pipeline {
@@ -16,20 +22,68 @@ Vec3 place_of(const ControlPoint& point, const sim::Timeline& timeline) {
     return find_track(timeline, point.of).sample(point.at).position + point.offset;
 }
 
-Vec3 position_on(const BezierPath& path, const RigInstant& instant, const sim::Timeline& timeline) {
-    std::vector<Vec3> points;
-    points.reserve(path.points.size());
-    for (const ControlPoint& point : path.points) {
-        points.push_back(place_of(point, timeline));
+std::vector<Vec3> places_of(const std::vector<ControlPoint>& points,
+                            const sim::Timeline& timeline) {
+    std::vector<Vec3> places;
+    places.reserve(points.size());
+    for (const ControlPoint& point : points) {
+        places.push_back(place_of(point, timeline));
     }
-    const BezierCurve curve(std::move(points));
-    return path.even_pace ? even_pace_position(curve, instant.progress)
-                          : curve.position(instant.progress);
+    return places;
+}
+
+Vec3 position_on(const BezierPath& path, const RigInstant& instant, const sim::Timeline& timeline) {
+    const BezierCurve curve(places_of(path.points, timeline));
+    const Progress progress = ease(instant.progress, path.easing);
+    return path.even_pace ? even_pace_position(curve, progress) : curve.position(progress);
+}
+
+bool comes_first(const Vec3& a, const Vec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
+// Always computed in the same direction, so that the points backwards give the same bits.
+Vec3 position_on(const SplinePath& path, const RigInstant& instant, const sim::Timeline& timeline) {
+    std::vector<Vec3> points = places_of(path.points, timeline);
+    Progress progress = ease(instant.progress, path.easing);
+    if (std::lexicographical_compare(points.rbegin(), points.rend(), points.begin(), points.end(),
+                                     comes_first)) {
+        std::reverse(points.begin(), points.end());
+        progress = progress.reversed();
+    }
+    const SplineCurve curve(points);
+    const int pieces = std::max(1, 2 * curve.segments());
+    return path.even_pace ? even_pace_along(curve, progress, pieces) : curve.position(progress);
+}
+
+Vec3 position_on(const AlongPath& path, const RigInstant& instant, const sim::Timeline& timeline) {
+    return position_on(fitted(path, timeline), instant, timeline);
 }
 
 Vec3 position_on(const FollowPath& path, const RigInstant& instant, const sim::Timeline& timeline) {
-    return mean_position(find_track(timeline, path.object), instant.scene_time, path.smoothing) +
+    return mean_position(find_track(timeline, path.object), instant.scene_time + path.look_ahead,
+                         path.smoothing) +
            path.offset;
+}
+
+Vec3 position_on(const OrbitPath& path, const RigInstant& instant, const sim::Timeline& timeline) {
+    const auto* point = std::get_if<ControlPoint>(&path.around);
+    const Vec3 centre = point != nullptr
+                            ? place_of(*point, timeline)
+                            : position_on(std::get<FollowPath>(path.around), instant, timeline);
+    Progress progress = ease(instant.progress, path.easing);
+    double start = path.start_angle;
+    double end = path.end_angle;
+    if (end < start) {  // computed in the same direction either way
+        std::swap(start, end);
+        progress = progress.reversed();
+    }
+    const EllipseCurve curve(path.turn.rotateVector({path.radii.x, 0, 0}),
+                             path.turn.rotateVector({0, path.radii.y, 0}), start, end);
+    const bool is_circle = path.radii.x == path.radii.y;  // even as it is
+    constexpr int pieces = 16;
+    return centre + (path.even_pace && !is_circle ? even_pace_along(curve, progress, pieces)
+                                                  : curve.position(progress));
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 
 namespace carom::pipeline {
 
-/// Beyond the ends the easing continues with its end slope: 1 for linear, 0 for smooth.
-[[nodiscard]] Progress ease(Progress progress, Easing easing);
+/// Beyond the ends the easing continues with its end slope: 1 for linear, 0 for smooth, that of the
+/// curve for Bezier (0 where it is upright). A Bezier easing may leave [0, 1] on its way.
+[[nodiscard]] Progress ease(Progress progress, const Easing& easing);
 
 }  // namespace carom::pipeline

@@ -3,12 +3,6 @@
 namespace carom::pipeline {
 namespace {
 
-// Seconds of scene time per second of video time.
-WideRational speed_of(const CameraRig& rig) {
-    return (WideRational(rig.time_map.scene_end) - WideRational(rig.time_map.scene_start)) /
-           (WideRational(rig.video_end) - WideRational(rig.video_start));
-}
-
 // When the shutter opens, in units of the exposure after the frame's own time.
 WideRational opening(ShutterPosition position) {
     switch (position) {
@@ -28,11 +22,6 @@ WideRational frame_time(std::int64_t number, const FilmTiming& timing) {
     return WideRational(number, 1) / WideRational(timing.fps);
 }
 
-WideRational scene_time_at(const CameraRig& rig, const WideRational& video_time) {
-    return WideRational(rig.time_map.scene_start) +
-           (video_time - WideRational(rig.video_start)) * speed_of(rig);
-}
-
 Exposure expose(const CameraRig& rig, std::int64_t number, const FilmTiming& timing) {
     const WideRational duration(timing.shutter.exposure);
     const WideRational open = opening(timing.shutter.position) * duration;
@@ -46,7 +35,7 @@ Exposure expose(const CameraRig& rig, std::int64_t number, const FilmTiming& tim
         exposure.scene_open = scene_time_at(rig, exposure.video_open);
         exposure.scene_close = scene_time_at(rig, exposure.video_close);
     } else {
-        const WideRational direction(speed_of(rig).sign(), 1);
+        const WideRational direction(speed_at(rig, exposure.video_time).sign(), 1);
         exposure.scene_open = exposure.scene_time + direction * open;
         exposure.scene_close = exposure.scene_time + direction * close;
     }
@@ -55,8 +44,10 @@ Exposure expose(const CameraRig& rig, std::int64_t number, const FilmTiming& tim
 
 Progress progress_at(const CameraRig& rig, const WideRational& video_time) {
     const WideRational duration = WideRational(rig.video_end) - WideRational(rig.video_start);
-    return {((video_time - WideRational(rig.video_start)) / duration).to_double(),
-            ((WideRational(rig.video_end) - video_time) / duration).to_double()};
+    const WideRational share = (video_time - WideRational(rig.video_start)) / duration;
+    const WideRational start(rig.way_start);
+    const WideRational done = start + (WideRational(rig.way_end) - start) * share;
+    return {done.to_double(), (WideRational(1, 1) - done).to_double()};
 }
 
 }  // namespace carom::pipeline

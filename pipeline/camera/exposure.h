@@ -6,6 +6,7 @@
 
 #include "pipeline/camera/camera_rig.h"
 #include "pipeline/camera/progress.h"
+#include "pipeline/camera/time_map.h"
 #include "pipeline/camera/wide_rational.h"
 
 namespace carom::pipeline {
@@ -28,12 +29,9 @@ struct Exposure {
 /// Exact: frame `number` is at number / fps.
 [[nodiscard]] WideRational frame_time(std::int64_t number, const FilmTiming& timing);
 
-/// The map continues beyond the rig's ends.
-[[nodiscard]] WideRational scene_time_at(const CameraRig& rig, const WideRational& video_time);
-
 [[nodiscard]] Exposure expose(const CameraRig& rig, std::int64_t number, const FilmTiming& timing);
 
-/// The share of the rig that is over at `video_time`.
+/// How much of its way the rig has behind it at `video_time`.
 [[nodiscard]] Progress progress_at(const CameraRig& rig, const WideRational& video_time);
 
 }  // namespace carom::pipeline

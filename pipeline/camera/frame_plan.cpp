@@ -10,16 +10,55 @@
 namespace carom::pipeline {
 namespace {
 
-const CameraRig& rig_at(std::span<const CameraRig> rigs, const WideRational& video_time,
-                        std::int64_t number) {
+struct SeenRig {
+    const CameraRig* rig = nullptr;
+    double weight = 1;
+};
+
+bool films(const CameraRig& rig, const WideRational& video_time) {
+    return (video_time - WideRational(rig.video_start)).sign() >= 0 &&
+           (WideRational(rig.video_end) - video_time).sign() > 0;
+}
+
+/// How much of the picture a rig that is fading in has.
+WideRational faded_in(const CameraRig& rig, const WideRational& video_time) {
+    const WideRational since = video_time - WideRational(rig.video_start);
+    const bool is_fading = (WideRational(rig.fade) - since).sign() > 0;
+    return is_fading ? since / WideRational(rig.fade) : WideRational(1, 1);
+}
+
+/// The rigs that film, the one that is seen most first.
+std::vector<SeenRig> rigs_at(std::span<const CameraRig> rigs, const WideRational& video_time,
+                             std::int64_t number) {
+    const CameraRig* latest = nullptr;
+    const CameraRig* before = nullptr;  // the one that it takes over from
     for (const CameraRig& rig : rigs) {
-        if ((video_time - WideRational(rig.video_start)).sign() >= 0 &&
-            (WideRational(rig.video_end) - video_time).sign() > 0) {
-            return rig;
+        if (!films(rig, video_time)) {
+            continue;
+        }
+        const bool is_later = latest == nullptr || latest->video_start < rig.video_start;
+        if (is_later) {
+            before = latest;
+            latest = &rig;
+        } else {
+            before = &rig;
         }
     }
-    throw Error("no camera films frame " + std::to_string(number) + " at " +
-                std::to_string(video_time.to_double()) + " s of the film");
+    if (latest == nullptr) {
+        throw Error("no camera films frame " + std::to_string(number) + " at " +
+                    std::to_string(video_time.to_double()) + " s of the film");
+    }
+    const double weight = faded_in(*latest, video_time).to_double();
+    if (before == nullptr || weight == 1) {
+        return {{latest, 1}};
+    }
+    if (weight == 0) {
+        return {{before, 1}};
+    }
+    if (weight < 0.5) {
+        return {{before, 1 - weight}, {latest, weight}};
+    }
+    return {{latest, weight}, {before, 1 - weight}};
 }
 
 PlannedFrame plan(std::int64_t number, const CameraRig& rig, const FilmTiming& timing,
@@ -36,6 +75,11 @@ PlannedFrame plan(std::int64_t number, const CameraRig& rig, const FilmTiming& t
         camera_state(rig, {progress_at(rig, exposure.video_open), frame.scene_open}, timeline);
     frame.camera_close =
         camera_state(rig, {progress_at(rig, exposure.video_close), frame.scene_close}, timeline);
+    // A lens has one number of blades while the shutter is open.
+    const int blades = blades_at(rig, progress_at(rig, exposure.video_time));
+    frame.camera_open.blades = blades;
+    frame.camera_close.blades = blades;
+    frame.speed = speed_at(rig, exposure.video_time).to_double();
     if (frame.scene_close < frame.scene_open) {
         std::swap(frame.scene_open, frame.scene_close);
         std::swap(frame.camera_open, frame.camera_close);
@@ -55,16 +99,25 @@ std::int64_t frame_count(std::span<const CameraRig> rigs, const FilmTiming& timi
     return count;
 }
 
+std::vector<PlannedFrame> plan_mixed_frame(std::int64_t number, std::span<const CameraRig> rigs,
+                                           const FilmTiming& timing,
+                                           const sim::Timeline& timeline) {
+    std::vector<PlannedFrame> frames;
+    for (const SeenRig& seen : rigs_at(rigs, frame_time(number, timing), number)) {
+        try {
+            frames.push_back(plan(number, *seen.rig, timing, timeline));
+            frames.back().weight = seen.weight;
+        } catch (const Error& error) {
+            throw Error("camera '" + seen.rig->name + "', frame " + std::to_string(number) + ": " +
+                        error.what());
+        }
+    }
+    return frames;
+}
+
 PlannedFrame plan_frame(std::int64_t number, std::span<const CameraRig> rigs,
                         const FilmTiming& timing, const sim::Timeline& timeline) {
-    const WideRational time = frame_time(number, timing);
-    const CameraRig& rig = rig_at(rigs, time, number);
-    try {
-        return plan(number, rig, timing, timeline);
-    } catch (const Error& error) {
-        throw Error("camera '" + rig.name + "', frame " + std::to_string(number) + ": " +
-                    error.what());
-    }
+    return plan_mixed_frame(number, rigs, timing, timeline).front();
 }
 
 }  // namespace carom::pipeline

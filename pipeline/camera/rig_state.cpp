@@ -10,8 +10,14 @@
 namespace carom::pipeline {
 namespace {
 
-double eased(const Eased<double>& value, Progress progress) {
+template <class T>
+T eased(const Eased<T>& value, Progress progress) {
     return mix(value.start, value.end, ease(progress, value.easing));
+}
+
+double field_of_view(const CameraRig& rig, Progress progress) {
+    return rig.focal_length ? fov_of_lens(eased(*rig.focal_length, progress), rig.sensor_height)
+                            : eased(rig.vertical_fov, progress);
 }
 
 // Distance along the optical axis, so that the plane of focus contains the point.
@@ -34,14 +40,16 @@ double focus_distance(const Focus& focus, const render::CameraState& camera, dou
 
 // Two f-numbers are mixed as such, anything else by radius. Continued beyond the rig's end a
 // closing aperture stays closed.
-double eased_lens_radius(const Eased<Aperture>& aperture, Progress progress, double fov) {
+double eased_lens_radius(const CameraRig& rig, Progress progress, double fov) {
+    const Eased<Aperture>& aperture = rig.aperture;
+    const double sensor = rig.sensor_height;
     const Progress eased_progress = ease(progress, aperture.easing);
     if (aperture.start.is_f_number && aperture.end.is_f_number) {
         const double number = mix(aperture.start.value, aperture.end.value, eased_progress);
-        return lens_radius({number, true}, fov);
+        return lens_radius({number, true}, fov, sensor);
     }
-    return std::max(
-        0.0, mix(lens_radius(aperture.start, fov), lens_radius(aperture.end, fov), eased_progress));
+    return std::max(0.0, mix(lens_radius(aperture.start, fov, sensor),
+                             lens_radius(aperture.end, fov, sensor), eased_progress));
 }
 
 void check_makes_a_picture(const render::CameraState& camera) {
@@ -62,14 +70,24 @@ void check_makes_a_picture(const render::CameraState& camera) {
 
 }  // namespace
 
-double lens_radius(const Aperture& aperture, double vertical_fov) {
+double fov_of_lens(double focal_length, double sensor_height) {
+    return 2 * std::atan(sensor_height / 2 / focal_length);
+}
+
+int blades_at(const CameraRig& rig, Progress progress) {
+    return static_cast<int>(
+        std::lround(mix(static_cast<double>(rig.blades.start), static_cast<double>(rig.blades.end),
+                        ease(progress, rig.blades.easing))));
+}
+
+double lens_radius(const Aperture& aperture, double vertical_fov, double sensor_height) {
     if (!aperture.is_f_number) {
         return aperture.value;
     }
     if (!(aperture.value > 0)) {
         throw Error("the f-number is not above 0");
     }
-    const double focal_length = kSensorHeight / 2 / std::tan(vertical_fov / 2);
+    const double focal_length = sensor_height / 2 / std::tan(vertical_fov / 2);
     return focal_length / (2 * aperture.value);
 }
 
@@ -78,9 +96,9 @@ render::CameraState camera_state(const CameraRig& rig, const RigInstant& instant
     render::CameraState camera;
     camera.position = path_position(rig.position, instant, timeline);
     camera.target = path_position(rig.target, instant, timeline);
-    camera.up = rig.up;
+    camera.up = eased(rig.up, instant.progress);
     camera.roll = eased(rig.roll, instant.progress);
-    camera.vertical_fov = eased(rig.vertical_fov, instant.progress);
+    camera.vertical_fov = field_of_view(rig, instant.progress);
     check_makes_a_picture(camera);
     camera.focus_distance =
         mix(focus_distance(rig.focus.start, camera, instant.scene_time, timeline),
@@ -89,8 +107,8 @@ render::CameraState camera_state(const CameraRig& rig, const RigInstant& instant
     if (!(camera.focus_distance > 0)) {
         throw Error("the focus distance is not above 0");
     }
-    camera.lens_radius = eased_lens_radius(rig.aperture, instant.progress, camera.vertical_fov);
-    camera.blades = rig.blades;
+    camera.lens_radius = eased_lens_radius(rig, instant.progress, camera.vertical_fov);
+    camera.blades = blades_at(rig, instant.progress);
     camera.blade_rotation = rig.blade_rotation;
     return camera;
 }

@@ -8,12 +8,16 @@
 
 namespace carom::pipeline {
 
-/// Height of the film that f-numbers refer to, m (full frame).
-inline constexpr double kSensorHeight = 0.024;
+/// Vertical, rad: 2 atan(sensor height / (2 focal length)), focused at infinity.
+[[nodiscard]] double fov_of_lens(double focal_length, double sensor_height);
+
+/// The whole number of blades nearest to what the easing says.
+[[nodiscard]] int blades_at(const CameraRig& rig, Progress progress);
 
 /// Radius of the lens opening, m: focal length / (2 N), focal length = sensor height / (2 tan(fov /
 /// 2)).
-[[nodiscard]] double lens_radius(const Aperture& aperture, double vertical_fov);
+[[nodiscard]] double lens_radius(const Aperture& aperture, double vertical_fov,
+                                 double sensor_height = 0.024);
 
 /// Throws Error, without the rig's name, if the values make no picture.
 [[nodiscard]] render::CameraState camera_state(const CameraRig& rig, const RigInstant& instant,

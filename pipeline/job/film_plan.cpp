@@ -3,16 +3,20 @@
 #include <map>
 
 #include "pipeline/camera/frame_plan.h"
+#include "pipeline/camera/path_fit.h"
 #include "pipeline/store/frame_key.h"
 #include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 
 FilmSource::FilmSource(const Shot& shot, const sim::Timeline& timeline)
-    : shot_(shot), timeline_(timeline), scene_hash_(hash_scene(shot.scene)) {}
+    : shot_(shot),
+      timeline_(timeline),
+      cameras_(with_fitted_paths(shot.cameras, timeline)),
+      scene_hash_(hash_scene(shot.scene)) {}
 
 FrameInputs FilmSource::inputs(std::int64_t frame) const {
-    const PlannedFrame planned = plan_frame(frame, shot_.cameras, shot_.timing, timeline_);
+    const PlannedFrame planned = plan_frame(frame, cameras_, shot_.timing, timeline_);
     return frame_inputs(planned, shot_.timing.shutter, shot_.scene, timeline_);
 }
 

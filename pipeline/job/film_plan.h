@@ -27,6 +27,7 @@ class FilmSource {
   private:
     const Shot& shot_;
     const sim::Timeline& timeline_;
+    std::vector<CameraRig> cameras_;  // the shot's, with what has to be fitted fitted
     Hash128 scene_hash_;
 };
 

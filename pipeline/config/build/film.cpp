@@ -2,6 +2,7 @@
 #include <set>
 
 #include "pipeline/camera/frame_plan.h"
+#include "pipeline/camera/time_map.h"
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/text.h"
 #include "pipeline/config/units.h"
@@ -38,21 +39,30 @@ void add_cameras(Builder& builder) {
     }
 }
 
-/// Gaps and overlaps, each at the later of the cameras that its sentence names.
+/// The place of what a camera says of its stretch of the film.
+Place place_of_stretch(const Builder& builder, std::size_t index) {
+    const Entry* cameras = builder.root.find("cameras");
+    if (cameras != nullptr && index < cameras->value.items.size()) {
+        if (const Entry* video = cameras->value.items[index].find("video")) {
+            return video->value.place;
+        }
+    }
+    return place_of_camera(builder, index);
+}
+
+/// Gaps and overlaps, at the later of two cameras and with the place of the other.
 void check_sequence(Builder& builder) {
     const Shot& shot = builder.shot;
-    for (const std::string& problem : find_problems(shot.cameras, shot.timing)) {
-        Place place = builder.file.cameras_place;
-        const CameraRig* latest = nullptr;
-        for (std::size_t i = 0; i < shot.cameras.size(); ++i) {
-            const CameraRig& rig = shot.cameras[i];
-            const bool is_named = problem.find("'" + rig.name + "'") != std::string::npos;
-            if (is_named && (latest == nullptr || latest->video_start < rig.video_start)) {
-                latest = &rig;
-                place = place_of_camera(builder, i);
-            }
+    for (const RigProblem& problem : find_problems(shot.cameras, shot.timing)) {
+        const Place place =
+            problem.rig ? place_of_stretch(builder, *problem.rig) : builder.file.cameras_place;
+        std::string message = problem.message;
+        if (problem.other) {
+            const Place other = place_of_stretch(builder, *problem.other);
+            message += " (" + quote(shot.cameras[*problem.other].name) + " is at " +
+                       builder.reader.sources().to_string(other) + ")";
         }
-        builder.reader.warning(place, problem);
+        builder.reader.error(place, message);
     }
 }
 
@@ -60,8 +70,7 @@ void check_sequence(Builder& builder) {
 void check_scene_times(Builder& builder) {
     const double duration = builder.shot.world.duration;
     for (std::size_t i = 0; i < builder.shot.cameras.size(); ++i) {
-        const TimeMap& map = builder.shot.cameras[i].time_map;
-        const double last = std::max(map.scene_start.to_double(), map.scene_end.to_double());
+        const double last = latest_scene_time(builder.shot.cameras[i]);
         if (last > duration) {
             builder.reader.warning(place_of_camera(builder, i),
                                    "camera " + quote(builder.shot.cameras[i].name) +
@@ -118,7 +127,9 @@ void build_film(Builder& builder) {
                                "the shot has no camera: it can be baked, but not filmed");
     } else {
         check_sequence(builder);
-        check_scene_times(builder);
+        if (!builder.reader.has_error()) {
+            check_scene_times(builder);
+        }
     }
 }
 

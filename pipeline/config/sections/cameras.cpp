@@ -1,5 +1,4 @@
-#include <memory>
-
+#include "pipeline/config/sections/camera_values.h"
 #include "pipeline/config/sections/sections.h"
 
 namespace carom::pipeline::config {
@@ -8,122 +7,6 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kLongest = 3600;  // s
-
-const MapSpec<ControlPoint>& control_point_spec() {
-    static const MapSpec<ControlPoint> spec = [] {
-        MapSpec<ControlPoint> s("control point", "An object's place at a scene time.");
-        s.key("of", &ControlPoint::of, name_of(ReferenceKind::body), "the ball or object")
-            .required();
-        s.key("at", &ControlPoint::at, time(between(0, kLongest)), "scene time").required();
-        s.key("offset", &ControlPoint::offset, vector3(Dimension::length),
-              "added to the place, world axes");
-        return s;
-    }();
-    return spec;
-}
-
-ControlPoint fixed_point(const Vec3& point) {
-    ControlPoint result;
-    result.offset = point;
-    return result;
-}
-
-ValueType<ControlPoint> control_point() {
-    const auto fixed = convert<ControlPoint>(vector3(Dimension::length), fixed_point);
-    return any_of<ControlPoint>({{is_list, fixed}, {is_map, record(control_point_spec())}});
-}
-
-/// What a path's map says.
-struct PathKeys {
-    std::optional<std::vector<ControlPoint>> bezier;
-    bool even_pace = false;
-    std::optional<std::string> follow;
-    Vec3 offset{0, 0, 0};
-    double smoothing = 0;
-};
-
-void check_path(Reader& reader, const Node& node, PathKeys& /*keys*/) {
-    const auto refuse = [&](const char* key, const char* needed) {
-        if (node.find(key) != nullptr && node.find(needed) == nullptr) {
-            reader.error(node.find(key)->key_place,
-                         std::string("'") + key + "' has no meaning without '" + needed + "'");
-        }
-    };
-    refuse("pace", "bezier");
-    refuse("offset", "follow");
-    refuse("smoothing", "follow");
-}
-
-const MapSpec<PathKeys>& path_spec() {
-    static const MapSpec<PathKeys> spec = [] {
-        MapSpec<PathKeys> s("path", "Where a camera or its target goes.");
-        s.key("bezier", &PathKeys::bezier, list_of(control_point(), 1, 64),
-              "control points of a Bezier curve: points, or {of, at, offset}");
-        s.key("pace", &PathKeys::even_pace, choice<bool>({{"time", false}, {"even", true}}),
-              "`even`: at constant speed along the curve");
-        s.key("follow", &PathKeys::follow, name_of(ReferenceKind::body),
-              "stay with a ball or object instead");
-        s.key("offset", &PathKeys::offset, vector3(Dimension::length),
-              "from the followed object, world axes");
-        s.key("smoothing", &PathKeys::smoothing, time(between(0, 60)),
-              "width of the window that its path is averaged over");
-        s.exactly_one_of({"bezier", "follow"});
-        s.check(check_path);
-        return s;
-    }();
-    return spec;
-}
-
-CameraPath to_path(const PathKeys& keys) {
-    if (keys.follow) {
-        return FollowPath{*keys.follow, keys.offset, keys.smoothing};
-    }
-    return BezierPath{keys.bezier.value_or(std::vector<ControlPoint>{ControlPoint{}}),
-                      keys.even_pace};
-}
-
-/// A map, or one fixed point.
-ValueType<CameraPath> path() {
-    const auto fixed =
-        convert<CameraPath>(vector3(Dimension::length), [](const Vec3& point) -> CameraPath {
-            return BezierPath{{fixed_point(point)}, false};
-        });
-    return any_of<CameraPath>(
-        {{is_map, convert<CameraPath>(record(path_spec()), to_path)}, {is_list, fixed}});
-}
-
-/// One value, [start, end], or {from, to, easing}.
-template <class V>
-ValueType<Eased<V>> eased(const std::string& key, ValueType<V> single) {
-    const auto spec = std::make_shared<MapSpec<Eased<V>>>(
-        "changing " + key, "A value that changes over the camera's stretch of the film.");
-    spec->key("from", &Eased<V>::start, single, "at the start").required();
-    spec->key("to", &Eased<V>::end, single, "at the end").required();
-    spec->key("easing", &Eased<V>::easing,
-              choice<Easing>({{"linear", Easing::linear}, {"smooth", Easing::smooth}}),
-              "`smooth` starts and ends gently");
-    const auto constant = convert<Eased<V>>(single, [](const V& value) {
-        return Eased<V>{value, value, Easing::linear};
-    });
-    const auto pair = convert<Eased<V>>(list_of(single, 2, 2), [](const std::vector<V>& values) {
-        return Eased<V>{values[0], values[1], Easing::linear};
-    });
-    ValueType<Eased<V>> map;
-    map.info.kind = TypeInfo::Kind::map;
-    map.info.map = &spec->info();
-    map.read = [spec](Reader& reader, const Node& node) -> std::optional<Eased<V>> {
-        Eased<V> value;
-        spec->read(reader, node, value);
-        return value;
-    };
-    ValueType<Eased<V>> result =
-        any_of<Eased<V>>({{is_scalar, constant}, {is_list, pair}, {is_map, map}});
-    result.info.noun = "changing";
-    result.show = [single](const Eased<V>& value) {
-        return single.show ? single.show(value.start) : std::string();
-    };
-    return result;
-}
 
 ValueType<Focus> focus() {
     const auto distance = convert<Focus>(length(above_up_to(0, 1e6)), [](double value) {
@@ -171,13 +54,78 @@ ValueType<Stretch> stretch() {
                             });
 }
 
-/// Two scene times, or one at which time stands still.
-ValueType<Stretch> scene_stretch() {
+ValueType<TimeMap> straight_map() {
+    return convert<TimeMap>(stretch(), [](const Stretch& ends) {
+        return TimeMap{ends.start, ends.end};
+    });
+}
+
+/// A film time and a speed.
+ValueType<SpeedKey> speed_key() {
+    const ValueType<Rational> time = exact(Dimension::time, between(0, kLongest));
+    const ValueType<Rational> speed = exact(Dimension::none, between(-1000, 1000));
+    ValueType<SpeedKey> result;
+    result.info.kind = TypeInfo::Kind::list;
+    TypeInfo either;
+    either.kind = TypeInfo::Kind::any_of;
+    either.elements = {time.info, speed.info};
+    result.info.elements = {either};
+    result.info.fewest = result.info.most = 2;
+    const TypeInfo type = result.info;
+    result.read = [type, time, speed](Reader& reader, const Node& node) -> std::optional<SpeedKey> {
+        if (!check_list(reader, node, type)) {
+            return std::nullopt;
+        }
+        std::optional<Rational> at;
+        std::optional<Rational> value;
+        {
+            const Reader::Scope scope(reader, std::size_t{0}, node.items[0].place);
+            at = time.read(reader, node.items[0]);
+        }
+        {
+            const Reader::Scope scope(reader, std::size_t{1}, node.items[1].place);
+            value = speed.read(reader, node.items[1]);
+        }
+        return at && value ? std::optional(SpeedKey{*at, *value}) : std::nullopt;
+    };
+    return result;
+}
+
+void check_ramp(Reader& reader, const Node& node, TimeMap& map) {
+    for (std::size_t i = 1; i < map.speeds.size(); ++i) {
+        if (!(map.speeds[i - 1].video_time < map.speeds[i].video_time)) {
+            reader.error(node.find("speeds")->value.items[i].place,
+                         "the times of 'speeds' must ascend");
+        }
+    }
+}
+
+const MapSpec<TimeMap>& ramp_spec() {
+    static const MapSpec<TimeMap> spec = [] {
+        MapSpec<TimeMap> s("speeds", "A stretch of scene time shown at changing speed.");
+        s.key("from", &TimeMap::scene_start, exact(Dimension::time, between(0, kLongest)),
+              "scene time at the camera's start")
+            .required();
+        s.key("speeds", &TimeMap::speeds, list_of(speed_key(), 1, 256),
+              "[film time, scene seconds per second of film]: 1 is as it was, 0 stands still, "
+              "negative is backwards")
+            .required();
+        s.key("easing", &TimeMap::gentle, choice<bool>({{"linear", false}, {"smooth", true}}),
+              "how the speed gets from one to the next");
+        s.check(check_ramp);
+        return s;
+    }();
+    return spec;
+}
+
+/// Two scene times, one at which time stands still, or speeds.
+ValueType<TimeMap> time_map() {
     const auto freeze =
-        convert<Stretch>(exact(Dimension::time, between(0, kLongest)), [](const Rational& t) {
-            return Stretch{t, t};
+        convert<TimeMap>(exact(Dimension::time, between(0, kLongest)), [](const Rational& t) {
+            return TimeMap{t, t};
         });
-    return any_of<Stretch>({{is_list, stretch()}, {is_scalar, freeze}});
+    return any_of<TimeMap>(
+        {{is_list, straight_map()}, {is_scalar, freeze}, {is_map, record(ramp_spec())}});
 }
 
 void add_time(MapSpec<CameraRig>& s) {
@@ -190,19 +138,21 @@ void add_time(MapSpec<CameraRig>& s) {
          },
          "its stretch of the film: start and end in video time")
         .required();
-    s.set(
-         "scene", scene_stretch(),
-         [](CameraRig& rig, const Stretch& value) {
-             rig.time_map = {value.start, value.end};
-         },
-         "scene times shown at its start and end; the second before the first is reverse; one "
-         "time is a freeze")
+    s.key("scene", &CameraRig::time_map, time_map(),
+          "scene times shown at its start and end; the second before the first is reverse; one "
+          "time is a freeze; speeds at film times are a ramp")
         .required();
+    s.key("fade", &CameraRig::fade, exact(Dimension::time, between(0, kLongest)),
+          "it is faded in over its first seconds; the camera before ends when these are over");
 }
 
 void add_lens(MapSpec<CameraRig>& s) {
     s.key("fov", &CameraRig::vertical_fov, eased("fov", angle(inside(0, kPi))),
           "vertical field of view: one value, [start, end] or {from, to, easing}");
+    s.key("focal_length", &CameraRig::focal_length, eased("focal_length", length(inside(0, 10))),
+          "instead of `fov`; like fov");
+    s.key("sensor", &CameraRig::sensor_height, length(inside(0, 10)),
+          "height of the picture in the camera, for `focal_length` and `f_number`");
     s.key("focus", &CameraRig::focus, eased("focus", focus()),
           "a distance, `auto` (the target) or a ball or object; like fov");
     s.key("aperture", &CameraRig::aperture, eased("aperture", lens_radius()),
@@ -210,10 +160,12 @@ void add_lens(MapSpec<CameraRig>& s) {
     s.set(
         "f_number", eased("f_number", f_number()),
         [](CameraRig& rig, const Eased<Aperture>& value) { rig.aperture = value; },
-        "instead of `aperture`: focal length / (2 radius) on a sensor 24 mm high");
-    s.key("blades", &CameraRig::blades, integer(0, 64), "of the iris: 0 (round) or at least 3");
+        "instead of `aperture`: focal length / (2 radius)");
+    s.key("blades", &CameraRig::blades, eased("blades", integer(0, 64)),
+          "of the iris: 0 (round) or at least 3; like fov, in whole numbers");
     s.key("blade_rotation", &CameraRig::blade_rotation, angle(), "turn of the iris");
     s.at_most_one_of({"aperture", "f_number"});
+    s.at_most_one_of({"fov", "focal_length"});
 }
 
 void check_camera(Reader& reader, const Node& node, CameraRig& rig) {
@@ -223,10 +175,14 @@ void check_camera(Reader& reader, const Node& node, CameraRig& rig) {
                          "'video' must end after it starts in " + reader.label());
         }
     }
-    if (rig.blades == 1 || rig.blades == 2) {
+    const auto is_iris = [](int blades) { return blades == 0 || blades >= 3; };
+    if (!is_iris(rig.blades.start) || !is_iris(rig.blades.end)) {
         reader.error(node.find("blades")->value.place, "'blades' must be 0 (round) or at least 3");
+    } else if ((rig.blades.start == 0) != (rig.blades.end == 0)) {
+        reader.error(node.find("blades")->value.place,
+                     "'blades' cannot go from a round iris to one of blades");
     }
-    if (rig.up.length() < 1e-9) {
+    if (rig.up.start.length() < 1e-9 || rig.up.end.length() < 1e-9) {
         reader.error(node.find("up")->value.place, "'up' must have a length");
     }
 }
@@ -237,13 +193,14 @@ const MapSpec<CameraRig>& camera_spec() {
     static const MapSpec<CameraRig> spec = [] {
         MapSpec<CameraRig> s("camera", "A camera's way over a stretch of the film.");
         add_time(s);
-        s.key("position", &CameraRig::position, path(), "where it stands: a point or a path")
+        s.key("position", &CameraRig::position, camera_path(), "where it stands: a point or a path")
             .required();
-        s.key("target", &CameraRig::target, path(), "what it looks at: a point or a path")
+        s.key("target", &CameraRig::target, camera_path(), "what it looks at: a point or a path")
             .required();
         add_lens(s);
         s.key("roll", &CameraRig::roll, eased("roll", angle()), "turn about its axis; like fov");
-        s.key("up", &CameraRig::up, vector3(Dimension::none), "which way is up in the picture");
+        s.key("up", &CameraRig::up, eased("up", vector3(Dimension::none)),
+              "which way is up in the picture; like fov");
         s.check(check_camera);
         return s;
     }();

@@ -234,7 +234,7 @@ TEST(FramePlan, CameraWithoutAPicture_IsAnErrorWithItsName) {
     expect_error(rig, 3,
                  "camera 'a', frame 3: the camera's position and target are the same point");
     rig = make_rig(0, 2);
-    rig.up = {0, -4, 1};
+    rig.up = {{0, -4, 1}, {0, -4, 1}};
     expect_error(rig, 3, "camera 'a', frame 3: the camera looks straight along its up direction");
     rig = make_rig(0, 2);
     rig.target = FollowPath{"queue", {0, 0, 0}, 0};

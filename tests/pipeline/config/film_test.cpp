@@ -1,4 +1,6 @@
 // The sections that make the film: cameras, render, output.
+#include <numbers>
+
 #include <gmock/gmock.h>
 
 #include "tests/pipeline/config/load.h"
@@ -62,6 +64,86 @@ TEST(Cameras, Paths_HaveThreeForms) {
     EXPECT_EQ(point.points[0].offset, Vec3(0, -2, 1));
 }
 
+TEST(Cameras, Along_IsAStretchOfAnObjectsOwnPath) {
+    const auto path = std::get<AlongPath>(
+        read_camera("scene: 0 s, target: [0, 0, 0], position: {along: cue, from: 2 s, to: 0.5 s, "
+                    "offset: [0, -1, 0.3], pace: even, easing: smooth}")
+            .position);
+    EXPECT_EQ(path.object, "cue");
+    EXPECT_EQ(path.from, 2);
+    EXPECT_EQ(path.to, 0.5);
+    EXPECT_EQ(path.offset, Vec3(0, -1, 0.3));
+    EXPECT_TRUE(path.even_pace);
+    EXPECT_EQ(path.easing, Easing::smooth);
+}
+
+TEST(Cameras, Spline_TakesPointsLikeBezier) {
+    const auto path = std::get<SplinePath>(
+        read_camera("scene: 0 s, target: [0, 0, 0], position: {spline: [[0, 1, 2], {of: one, at: 1 "
+                    "s}], easing: [0.1, 0.2, 0.3, 0.4]}")
+            .position);
+    ASSERT_EQ(path.points.size(), 2U);
+    EXPECT_EQ(path.points[1].of, "one");
+    EXPECT_EQ(path.easing, (Easing{Easing::Kind::bezier, 0.1, 0.2, 0.3, 0.4}));
+}
+
+TEST(Cameras, Orbit_GoesRoundAPlaceOrAnObject) {
+    const CameraRig rig = read_camera(
+        "scene: 0 s, position: {orbit: cue, radius: 1 m, offset: [0, 0, 30 cm], smoothing: 0.2 s, "
+        "look_ahead: 0.1 s, angles: [90 deg, -90 deg], turn: [0, 10 deg, 0]}, "
+        "target: {orbit: {of: one, at: 1 s}, radius: [2, 1], offset: [0, 1, 0], pace: even}");
+    const auto& moving = std::get<OrbitPath>(rig.position);
+    const auto& follow = std::get<FollowPath>(moving.around);
+    EXPECT_EQ(follow.object, "cue");
+    EXPECT_EQ(follow.offset, Vec3(0, 0, 0.3));
+    EXPECT_EQ(follow.smoothing, 0.2);
+    EXPECT_EQ(follow.look_ahead, 0.1);
+    EXPECT_EQ(moving.radii, Vec2(1, 1));
+    EXPECT_DOUBLE_EQ(moving.end_angle, -std::numbers::pi / 2);
+    EXPECT_LT(moving.turn.rotateVector({1, 0, 0}).z, -0.1);
+    const auto& fixed = std::get<OrbitPath>(rig.target);
+    EXPECT_EQ(std::get<ControlPoint>(fixed.around).of, "one");
+    EXPECT_EQ(std::get<ControlPoint>(fixed.around).offset, Vec3(0, 1, 0));
+    EXPECT_EQ(fixed.radii, Vec2(2, 1));
+    EXPECT_TRUE(fixed.even_pace);
+}
+
+TEST(Cameras, SpeedsAndFade_AreExact) {
+    const Shot shot = load_sections(
+        kBalls +
+        "cameras:\n"
+        "  - {video: [0, 2 s], " +
+        kStill +
+        "}\n"
+        "  - {video: [1.5 s, 4 s], fade: 500 ms, position: [0, -2, 1], target: [0, 0, 0],\n"
+        "     scene: {from: 1/3 s, speeds: [[2 s, 1], [3 s, 1/8]], easing: smooth}}\n");
+    ASSERT_EQ(shot.cameras.size(), 2U);
+    const CameraRig& rig = shot.cameras[1];
+    EXPECT_EQ(rig.fade, Rational(1, 2));
+    EXPECT_EQ(rig.time_map.scene_start, Rational(1, 3));
+    ASSERT_EQ(rig.time_map.speeds.size(), 2U);
+    EXPECT_EQ(rig.time_map.speeds[1].video_time, Rational(3));
+    EXPECT_EQ(rig.time_map.speeds[1].speed, Rational(1, 8));
+    EXPECT_TRUE(rig.time_map.gentle);
+}
+
+TEST(Cameras, FocalLengthAndSensor_StandForTheFieldOfView) {
+    const CameraRig rig = read_camera(
+        kStill + ", focal_length: {from: 35 mm, to: 85 mm, easing: smooth}, sensor: 15.6 mm");
+    ASSERT_TRUE(rig.focal_length);
+    EXPECT_EQ(rig.focal_length->end, 0.085);
+    EXPECT_EQ(rig.sensor_height, 0.0156);
+}
+
+TEST(Cameras, SkyVector_IsOneOrTwo) {
+    EXPECT_EQ(read_camera(kStill + ", up: [1, 0, 1]").up.end, Vec3(1, 0, 1));
+    const CameraRig pair = read_camera(kStill + ", up: [[0, 0, 1], [0, 1, 1]], blades: [5, 8]");
+    EXPECT_EQ(pair.up.start, Vec3(0, 0, 1));
+    EXPECT_EQ(pair.up.end, Vec3(0, 1, 1));
+    EXPECT_EQ(pair.blades.end, 8);
+    EXPECT_EQ(read_camera(kStill + ", up: {from: [0, 0, 1], to: [1, 1, 1]}").up.end, Vec3(1, 1, 1));
+}
+
 TEST(Cameras, ChangingValues_HaveThreeForms) {
     EXPECT_EQ(read_camera(kStill + ", fov: 1 rad").vertical_fov.end, 1);
     const CameraRig pair = read_camera(kStill + ", fov: [1 rad, 0.5 rad]");
@@ -85,7 +167,7 @@ TEST(Cameras, Aperture_IsARadiusOrAnFNumber) {
     const CameraRig radius = read_camera(kStill + ", aperture: 8 mm, blades: 5");
     EXPECT_EQ(radius.aperture.start.value, 0.008);
     EXPECT_FALSE(radius.aperture.start.is_f_number);
-    EXPECT_EQ(radius.blades, 5);
+    EXPECT_EQ(radius.blades.start, 5);
     const CameraRig f_number = read_camera(kStill + ", f_number: [2.8, 4]");
     EXPECT_EQ(f_number.aperture.end.value, 4);
     EXPECT_TRUE(f_number.aperture.end.is_f_number);

@@ -29,6 +29,10 @@ class Writer {
             out_ << value;
         }
     }
+    void put(const Easing& value) {
+        out_ << static_cast<int>(value.kind) << ' ' << value.x1 << ' ' << value.y1 << ' '
+             << value.x2 << ' ' << value.y2;
+    }
     void put(const Rational& value) { out_ << value.to_string(); }
     template <class T>
     void put(const std::optional<T>& value) {
@@ -107,14 +111,30 @@ struct LightWriter {
 struct PathWriter {
     Writer& out;
     void operator()(const BezierPath& path) const {
-        out.line("bezier", path.even_pace);
+        out.line("bezier", path.even_pace, path.easing);
         for (const ControlPoint& point : path.points) {
-            out.line(point.offset, point.of, point.at);
+            (*this)(point);
         }
     }
-    void operator()(const FollowPath& path) const {
-        out.line("follow", path.object, path.offset, path.smoothing);
+    void operator()(const SplinePath& path) const {
+        out.line("spline", path.even_pace, path.easing);
+        for (const ControlPoint& point : path.points) {
+            (*this)(point);
+        }
     }
+    void operator()(const AlongPath& path) const {
+        out.line("along", path.object, path.from, path.to, path.offset, path.even_pace,
+                 path.easing);
+    }
+    void operator()(const FollowPath& path) const {
+        out.line("follow", path.object, path.offset, path.smoothing, path.look_ahead);
+    }
+    void operator()(const OrbitPath& path) const {
+        out.line("orbit", path.radii.x, path.radii.y, path.start_angle, path.end_angle, path.turn.r,
+                 path.turn.v, path.even_pace, path.easing);
+        std::visit(*this, path.around);
+    }
+    void operator()(const ControlPoint& point) const { out.line(point.offset, point.of, point.at); }
 };
 
 void write_scene(Writer& out, const render::SceneDescription& scene) {
@@ -142,16 +162,25 @@ void write_scene(Writer& out, const render::SceneDescription& scene) {
 }
 
 void write_camera(Writer& out, const CameraRig& rig) {
-    out.line("camera", rig.name, rig.video_start, rig.video_end, rig.time_map.scene_start,
-             rig.time_map.scene_end);
+    out.line("camera", rig.name, rig.video_start, rig.video_end, rig.fade, rig.time_map.scene_start,
+             rig.time_map.scene_end, rig.time_map.gentle);
+    for (const SpeedKey& key : rig.time_map.speeds) {
+        out.line(key.video_time, key.speed);
+    }
     std::visit(PathWriter{out}, rig.position);
     std::visit(PathWriter{out}, rig.target);
     out.line(rig.vertical_fov.start, rig.vertical_fov.end, rig.vertical_fov.easing);
+    if (rig.focal_length) {
+        out.line(rig.focal_length->start, rig.focal_length->end, rig.focal_length->easing);
+    }
+    out.line(rig.sensor_height);
     out.line(rig.focus.start.distance, rig.focus.start.object, rig.focus.end.distance,
              rig.focus.end.object, rig.focus.easing);
     out.line(rig.aperture.start.value, rig.aperture.start.is_f_number, rig.aperture.end.value,
              rig.aperture.easing);
-    out.line(rig.roll.start, rig.roll.end, rig.up, rig.blades, rig.blade_rotation);
+    out.line(rig.roll.start, rig.roll.end, rig.roll.easing);
+    out.line(rig.up.start, rig.up.end, rig.up.easing);
+    out.line(rig.blades.start, rig.blades.end, rig.blades.easing, rig.blade_rotation);
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ TEST(ImportSample, Cameras_BecomeRigs) {
 TEST(ImportSample, SkyVectors_EndUpright) {
     const CameraRig rig = sample().cameras[1];
     const Vec3 forward = (bezier_point(rig.target, 0) - bezier_point(rig.position, 0)).normalized();
-    const Vec3 level = forward.cross(rig.up).normalized();
+    const Vec3 level = forward.cross(rig.up.start).normalized();
     const Vec3 upright = level.cross(forward);
     // The camera's own up, as thin_lens_camera.cpp turns it.
     const Vec3 up = upright * std::cos(rig.roll.end) - level * std::sin(rig.roll.end);

@@ -1,0 +1,215 @@
+#include "pipeline/camera/path_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "pipeline/camera/bezier.h"
+#include "pipeline/camera/camera_path.h"
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+namespace {
+
+constexpr int kSamples = 400;
+constexpr std::array kDegrees{1, 2, 3, 4, 6, 8, 11, 15, 20, 25, kHighestFitDegree};
+
+struct Sample {
+    Progress share;
+    Vec3 place;
+};
+
+// Denser towards the ends, as Chebyshev's nodes are: a polynomial fitted there does not swing.
+std::vector<Sample> sample_path(const sim::Track& track, double from, double to) {
+    std::vector<Sample> samples;
+    for (int i = 0; i < kSamples; ++i) {
+        const double angle = std::numbers::pi * i / (kSamples - 1);
+        const Progress share{(1 - std::cos(angle)) / 2, (1 + std::cos(angle)) / 2};
+        samples.push_back({share, track.sample(from + (to - from) * share.done).position});
+    }
+    return samples;
+}
+
+// Where the error is looked for: between the fitted instants, too, and at every key of the track,
+// where the path may have a corner.
+std::vector<Sample> check_path(const sim::Track& track, double from, double to) {
+    std::vector<double> shares;
+    for (int i = 0; i <= 2 * kSamples; ++i) {
+        shares.push_back(double(i) / (2 * kSamples));
+    }
+    for (const sim::PathStretch& stretch : track.stretches(from, to)) {
+        shares.push_back((stretch.start - from) / (to - from));
+    }
+    std::vector<Sample> samples;
+    for (const double share : shares) {
+        samples.push_back({{share, 1 - share}, track.sample(from + (to - from) * share).position});
+    }
+    return samples;
+}
+
+// Bernstein's polynomials of one degree at one parameter, by their recursion: sums of products of
+// numbers that are not negative, hence sound at any degree.
+std::vector<double> bernstein(int degree, Progress share) {
+    std::vector<double> values(static_cast<std::size_t>(degree) + 1, 0);
+    values[0] = 1;
+    for (int d = 1; d <= degree; ++d) {
+        for (int i = d; i > 0; --i) {
+            values[i] = values[i] * share.left + values[i - 1] * share.done;
+        }
+        values[0] *= share.left;
+    }
+    return values;
+}
+
+// A matrix by columns, with the right-hand side beside it.
+struct Equations {
+    std::vector<std::vector<double>> columns;
+    std::vector<Vec3> right;
+};
+
+// Least squares by Householder's reflections (Golub and Van Loan, "Matrix Computations", 4th ed.
+// 2013, section 5.3): Bernstein's polynomials are nearly dependent at high degree, and the normal
+// equations would square that.
+std::vector<Vec3> solve(Equations equations) {
+    auto& columns = equations.columns;
+    auto& right = equations.right;
+    const std::size_t rows = right.size();
+    std::vector<double> diagonal(columns.size());
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        std::vector<double>& mirror = columns[k];  // becomes the reflection's normal from row k on
+        double length = 0;
+        for (std::size_t i = k; i < rows; ++i) {
+            length += mirror[i] * mirror[i];
+        }
+        length = std::sqrt(length);
+        diagonal[k] = mirror[k] > 0 ? -length : length;
+        mirror[k] -= diagonal[k];
+        double square = 0;
+        for (std::size_t i = k; i < rows; ++i) {
+            square += mirror[i] * mirror[i];
+        }
+        for (std::size_t j = k + 1; j < columns.size(); ++j) {
+            double dot = 0;
+            for (std::size_t i = k; i < rows; ++i) {
+                dot += mirror[i] * columns[j][i];
+            }
+            for (std::size_t i = k; i < rows; ++i) {
+                columns[j][i] -= 2 * dot / square * mirror[i];
+            }
+        }
+        Vec3 dot(0, 0, 0);
+        for (std::size_t i = k; i < rows; ++i) {
+            dot += right[i] * mirror[i];
+        }
+        for (std::size_t i = k; i < rows; ++i) {
+            right[i] -= dot * (2 / square * mirror[i]);
+        }
+    }
+    std::vector<Vec3> solution(columns.size());
+    for (std::size_t k = columns.size(); k-- > 0;) {
+        Vec3 rest = right[k];
+        for (std::size_t j = k + 1; j < columns.size(); ++j) {
+            rest -= solution[j] * columns[j][k];
+        }
+        solution[k] = rest / diagonal[k];
+    }
+    return solution;
+}
+
+PathFit fit_degree(const std::vector<Sample>& samples, const std::vector<Sample>& checks,
+                   int degree) {
+    const Vec3 first = samples.front().place;
+    const Vec3 last = samples.back().place;
+    Equations equations;
+    equations.columns.assign(static_cast<std::size_t>(degree) - 1,
+                             std::vector<double>(samples.size()));
+    for (std::size_t row = 0; row < samples.size(); ++row) {
+        const std::vector<double> values = bernstein(degree, samples[row].share);
+        for (std::size_t i = 0; i < equations.columns.size(); ++i) {
+            equations.columns[i][row] = values[i + 1];
+        }
+        equations.right.push_back(samples[row].place - first * values.front() -
+                                  last * values.back());
+    }
+    PathFit fit;
+    fit.points = solve(std::move(equations));
+    fit.points.insert(fit.points.begin(), first);
+    fit.points.push_back(last);
+    const BezierCurve curve(fit.points);
+    for (const Sample& sample : checks) {
+        fit.error = std::max(fit.error, (curve.position(sample.share) - sample.place).length());
+    }
+    return fit;
+}
+
+void replace_along(CameraPath& path, const CameraRig& rig, const sim::Timeline& timeline,
+                   bool is_target, std::vector<FittedPath>* list) {
+    const auto* along = std::get_if<AlongPath>(&path);
+    if (along == nullptr) {
+        return;
+    }
+    PathFit fit;
+    BezierPath bezier;
+    try {
+        bezier = fitted(*along, timeline, &fit);
+    } catch (const Error& error) {
+        throw Error("camera '" + rig.name + "': " + error.what());
+    }
+    if (list != nullptr) {
+        list->push_back({rig.name, along->object, is_target,
+                         static_cast<int>(fit.points.size()) - 1, fit.error});
+    }
+    path = std::move(bezier);
+}
+
+}  // namespace
+
+PathFit fit_path(const sim::Track& track, double from, double to) {
+    if (from == to) {
+        return {{track.sample(from).position}, 0};
+    }
+    const std::vector<Sample> samples = sample_path(track, std::min(from, to), std::max(from, to));
+    const std::vector<Sample> checks = check_path(track, std::min(from, to), std::max(from, to));
+    PathFit best;
+    for (const int degree : kDegrees) {
+        PathFit fit = fit_degree(samples, checks, degree);
+        if (best.points.empty() || fit.error < best.error) {
+            best = std::move(fit);
+        }
+        if (best.error <= kFitError) {
+            break;
+        }
+    }
+    if (to < from) {
+        std::reverse(best.points.begin(), best.points.end());
+    }
+    return best;
+}
+
+BezierPath fitted(const AlongPath& path, const sim::Timeline& timeline, PathFit* fit) {
+    PathFit made = fit_path(find_track(timeline, path.object), path.from, path.to);
+    BezierPath bezier;
+    bezier.even_pace = path.even_pace;
+    bezier.easing = path.easing;
+    for (const Vec3& point : made.points) {
+        bezier.points.push_back({point + path.offset, "", 0});
+    }
+    if (fit != nullptr) {
+        *fit = std::move(made);
+    }
+    return bezier;
+}
+
+std::vector<CameraRig> with_fitted_paths(std::span<const CameraRig> rigs,
+                                         const sim::Timeline& timeline,
+                                         std::vector<FittedPath>* fitted) {
+    std::vector<CameraRig> result(rigs.begin(), rigs.end());
+    for (CameraRig& rig : result) {
+        replace_along(rig.position, rig, timeline, false, fitted);
+        replace_along(rig.target, rig, timeline, true, fitted);
+    }
+    return result;
+}
+
+}  // namespace carom::pipeline

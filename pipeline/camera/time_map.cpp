@@ -1,0 +1,134 @@
+#include "pipeline/camera/time_map.h"
+
+#include <algorithm>
+
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+namespace {
+
+double to_double(const WideRational& value) {
+    return value.to_double();
+}
+double to_double(double value) {
+    return value;
+}
+
+template <class Number>
+Number number(const Rational& value);
+template <>
+WideRational number(const Rational& value) {
+    return value;
+}
+template <>
+double number(const Rational& value) {
+    return value.to_double();
+}
+
+template <class Number>
+Number whole(std::int64_t value) {
+    return number<Number>(Rational(value));
+}
+
+// The share of a change of speed that has happened at the share x of its time, ...
+template <class Number>
+Number changed(const Number& x, bool gentle) {
+    return gentle ? x * x * (whole<Number>(3) - whole<Number>(2) * x) : x;
+}
+
+// ... and its integral from 0 to x. Over the whole of it both are 1/2.
+template <class Number>
+Number integral(const Number& x, bool gentle) {
+    const Number half = number<Number>(Rational(1, 2));
+    return gentle ? x * x * x * (whole<Number>(1) - half * x) : half * x * x;
+}
+
+// Scene seconds that pass from the first key to `time`.
+template <class Number>
+Number passed(const TimeMap& map, const Number& time) {
+    const auto at = [&](std::size_t i) { return number<Number>(map.speeds[i].video_time); };
+    const auto speed = [&](std::size_t i) { return number<Number>(map.speeds[i].speed); };
+    Number sum = whole<Number>(0);
+    if (to_double(time - at(0)) <= 0) {
+        return speed(0) * (time - at(0));
+    }
+    for (std::size_t i = 0; i + 1 < map.speeds.size(); ++i) {
+        const Number length = at(i + 1) - at(i);
+        const Number change = speed(i + 1) - speed(i);
+        if (to_double(time - at(i + 1)) < 0) {
+            const Number x = (time - at(i)) / length;
+            return sum + length * (speed(i) * x + change * integral(x, map.gentle));
+        }
+        sum = sum + length * (speed(i) + number<Number>(Rational(1, 2)) * change);
+    }
+    const std::size_t last = map.speeds.size() - 1;
+    return sum + speed(last) * (time - at(last));
+}
+
+WideRational straight_speed(const CameraRig& rig) {
+    return (WideRational(rig.time_map.scene_end) - WideRational(rig.time_map.scene_start)) /
+           (WideRational(rig.video_end) - WideRational(rig.video_start));
+}
+
+WideRational ramp_speed(const TimeMap& map, const WideRational& time) {
+    const auto& keys = map.speeds;
+    const auto next = std::find_if(keys.begin(), keys.end(), [&](const SpeedKey& key) {
+        return (WideRational(key.video_time) - time).sign() > 0;
+    });
+    if (next == keys.begin()) {
+        return keys.front().speed;
+    }
+    const SpeedKey& before = *(next - 1);
+    if (next == keys.end()) {
+        return before.speed;
+    }
+    const WideRational x = (time - WideRational(before.video_time)) /
+                           (WideRational(next->video_time) - WideRational(before.video_time));
+    return WideRational(before.speed) +
+           (WideRational(next->speed) - WideRational(before.speed)) * changed(x, map.gentle);
+}
+
+}  // namespace
+
+WideRational scene_time_at(const CameraRig& rig, const WideRational& video_time) {
+    const TimeMap& map = rig.time_map;
+    if (map.speeds.empty()) {
+        return WideRational(map.scene_start) +
+               (video_time - WideRational(rig.video_start)) * straight_speed(rig);
+    }
+    try {
+        return WideRational(map.scene_start) + passed(map, video_time) -
+               passed(map, WideRational(rig.video_start));
+    } catch (const Error&) {  // too many digits
+        return Rational::nearest(map.scene_start.to_double() + passed(map, video_time.to_double()) -
+                                 passed(map, rig.video_start.to_double()));
+    }
+}
+
+WideRational speed_at(const CameraRig& rig, const WideRational& video_time) {
+    if (rig.time_map.speeds.empty()) {
+        return straight_speed(rig);
+    }
+    try {
+        return ramp_speed(rig.time_map, video_time);
+    } catch (const Error&) {
+        // Which way and how fast: the difference of two instants is close enough.
+        constexpr double h = 1e-6;
+        const double time = video_time.to_double();
+        return Rational::nearest((passed(rig.time_map, time + h) - passed(rig.time_map, time - h)) /
+                                 (2 * h));
+    }
+}
+
+double latest_scene_time(const CameraRig& rig) {
+    const auto at = [&](const Rational& time) { return scene_time_at(rig, time).to_double(); };
+    double latest = std::max(at(rig.video_start), at(rig.video_end));
+    for (const SpeedKey& key : rig.time_map.speeds) {
+        if (rig.video_start < key.video_time && key.video_time < rig.video_end) {
+            latest = std::max(latest, at(key.video_time));
+        }
+    }
+    return latest;
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,20 @@
+// Which scene time a rig shows at a time of the film, exactly.
+#pragma once
+
+#include "pipeline/camera/camera_rig.h"
+#include "pipeline/camera/wide_rational.h"
+
+namespace carom::pipeline {
+
+/// Exact, beyond the rig's ends, too: a straight map goes on, and so do the first and the last
+/// speed. Only where a ramp of speeds would need terms of more than 127 bits (its smooth step takes
+/// fourth powers) it is the nearest fraction within 1e-12.
+[[nodiscard]] WideRational scene_time_at(const CameraRig& rig, const WideRational& video_time);
+
+/// Seconds of scene time per second of film at that instant; negative in reverse.
+[[nodiscard]] WideRational speed_at(const CameraRig& rig, const WideRational& video_time);
+
+/// The largest of the scene times at the rig's ends and its speed keys, s.
+[[nodiscard]] double latest_scene_time(const CameraRig& rig);
+
+}  // namespace carom::pipeline

@@ -1,0 +1,240 @@
+#include "pipeline/config/sections/camera_values.h"
+
+#include "pipeline/config/sections/sections.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+constexpr double kLongest = 3600;    // s
+constexpr double kMostRounds = 100;  // of an orbit
+constexpr double kTurn = 6.283185307179586;
+
+const MapSpec<ControlPoint>& control_point_spec() {
+    static const MapSpec<ControlPoint> spec = [] {
+        MapSpec<ControlPoint> s("control point", "An object's place at a scene time.");
+        s.key("of", &ControlPoint::of, name_of(ReferenceKind::body), "the ball or object")
+            .required();
+        s.key("at", &ControlPoint::at, time(between(0, kLongest)), "scene time").required();
+        s.key("offset", &ControlPoint::offset, vector3(Dimension::length),
+              "added to the place, world axes");
+        return s;
+    }();
+    return spec;
+}
+
+ControlPoint fixed_point(const Vec3& point) {
+    ControlPoint result;
+    result.offset = point;
+    return result;
+}
+
+ValueType<ControlPoint> control_point() {
+    const auto fixed = convert<ControlPoint>(vector3(Dimension::length), fixed_point);
+    return any_of<ControlPoint>({{is_list, fixed}, {is_map, record(control_point_spec())}});
+}
+
+using Centre = std::variant<ControlPoint, FollowPath>;
+
+/// The middle of an orbit: a place, or an object that it goes along with.
+ValueType<Centre> centre() {
+    const auto place =
+        convert<Centre>(control_point(), [](const ControlPoint& point) -> Centre { return point; });
+    const auto object =
+        convert<Centre>(name_of(ReferenceKind::body), [](std::string name) -> Centre {
+            FollowPath follow;
+            follow.object = std::move(name);
+            return follow;
+        });
+    return any_of<Centre>({{is_scalar, object}, {is_list, place}, {is_map, place}});
+}
+
+/// One radius, or two along x and y.
+ValueType<Vec2> radii() {
+    const auto one =
+        convert<Vec2>(length(above_up_to(0, 1000)), [](double r) { return Vec2(r, r); });
+    return any_of<Vec2>(
+        {{is_scalar, one}, {is_list, vector2(Dimension::length, above_up_to(0, 1000))}});
+}
+
+struct Angles {
+    double start = 0;
+    double end = kTurn;
+};
+
+ValueType<Angles> angles() {
+    return convert<Angles>(list_of(angle(between(-kMostRounds * kTurn, kMostRounds * kTurn)), 2, 2),
+                           [](const std::vector<double>& ends) {
+                               return Angles{ends[0], ends[1]};
+                           });
+}
+
+/// What a path's map says.
+struct PathKeys {
+    std::optional<std::vector<ControlPoint>> bezier;
+    std::optional<std::vector<ControlPoint>> spline;
+    std::optional<std::string> along;
+    std::optional<std::string> follow;
+    std::optional<Centre> orbit;
+    bool even_pace = false;
+    Easing easing;
+    double from = 0;
+    double to = 0;
+    Vec2 radii{1, 1};
+    Angles angles;
+    Quat turn;
+    Vec3 offset{0, 0, 0};
+    double smoothing = 0;
+    double look_ahead = 0;
+};
+
+/// `key` stands beside one of `needed`, which is then required if `is_required`.
+struct Company {
+    const char* key;
+    std::vector<const char*> needed;
+    bool is_required = false;
+};
+
+const std::vector<Company>& companies() {
+    static const std::vector<Company> all{
+        {"pace", {"bezier", "spline", "along", "orbit"}, false},
+        {"easing", {"bezier", "spline", "along", "orbit"}, false},
+        {"from", {"along"}, true},
+        {"to", {"along"}, true},
+        {"radius", {"orbit"}, true},
+        {"angles", {"orbit"}, false},
+        {"turn", {"orbit"}, false},
+        {"offset", {"follow", "along", "orbit"}, false},
+        {"smoothing", {"follow", "orbit"}, false},
+        {"look_ahead", {"follow", "orbit"}, false},
+    };
+    return all;
+}
+
+void check_path(Reader& reader, const Node& node, PathKeys& /*keys*/) {
+    for (const Company& company : companies()) {
+        const Entry* entry = node.find(company.key);
+        const Entry* partner = nullptr;
+        std::string list;
+        for (const char* needed : company.needed) {
+            partner = partner != nullptr ? partner : node.find(needed);
+            const bool is_last = needed == company.needed.back();
+            list += (list.empty() ? "'" : is_last ? " or '" : ", '") + std::string(needed) + "'";
+        }
+        if (entry != nullptr && partner == nullptr) {
+            reader.error(entry->key_place,
+                         std::string("'") + company.key + "' has no meaning without " + list);
+        }
+        if (entry == nullptr && partner != nullptr && company.is_required) {
+            reader.error(partner->key_place,
+                         std::string("'") + partner->key + "' needs the key '" + company.key + "'");
+        }
+    }
+}
+
+const MapSpec<PathKeys>& path_spec() {
+    static const MapSpec<PathKeys> spec = [] {
+        MapSpec<PathKeys> s("path", "Where a camera or its target goes.");
+        s.key("bezier", &PathKeys::bezier, list_of(control_point(), 1, 64),
+              "control points of a Bezier curve: points, or {of, at, offset}");
+        s.key("spline", &PathKeys::spline, list_of(control_point(), 1, 256),
+              "points that a smooth curve goes through, like those of `bezier`");
+        s.key("along", &PathKeys::along, name_of(ReferenceKind::body),
+              "a Bezier curve fitted to where this ball or object was from `from` to `to`");
+        s.key("follow", &PathKeys::follow, name_of(ReferenceKind::body),
+              "stay with a ball or object");
+        s.key(
+            "orbit", &PathKeys::orbit, centre(),
+            "circle or ellipse around a point, {of, at, offset}, or a ball or object as it moves");
+        s.key("pace", &PathKeys::even_pace, choice<bool>({{"time", false}, {"even", true}}),
+              "`even`: at constant speed along the curve");
+        s.key("easing", &PathKeys::easing, easing(), "of the way along the curve, as of values");
+        s.key("from", &PathKeys::from, time(between(0, kLongest)), "scene time, of `along`");
+        s.key("to", &PathKeys::to, time(between(0, kLongest)),
+              "scene time, of `along`; before `from`: backwards");
+        s.key("radius", &PathKeys::radii, radii(), "of the `orbit`: one, or two along x and y");
+        s.key("angles", &PathKeys::angles, angles(),
+              "of the `orbit`, start and end, from x towards y; else once round");
+        s.key("turn", &PathKeys::turn, rotation(),
+              "of the `orbit`'s plane: angles about x, y and z, or {axis, angle}");
+        s.key("offset", &PathKeys::offset, vector3(Dimension::length),
+              "from the object (`follow`, `along`) or the middle (`orbit`), world axes");
+        s.key("smoothing", &PathKeys::smoothing, time(between(0, 60)),
+              "width of the window that the followed path is averaged over");
+        s.key("look_ahead", &PathKeys::look_ahead, time(between(-60, 60)),
+              "scene time by which the place is ahead of the frame's");
+        s.exactly_one_of({"bezier", "spline", "along", "follow", "orbit"});
+        s.check(check_path);
+        return s;
+    }();
+    return spec;
+}
+
+CameraPath to_orbit(const PathKeys& keys) {
+    OrbitPath path;
+    path.around = *keys.orbit;
+    if (auto* follow = std::get_if<FollowPath>(&path.around)) {
+        *follow = {follow->object, keys.offset, keys.smoothing, keys.look_ahead};
+    } else {
+        std::get<ControlPoint>(path.around).offset += keys.offset;
+    }
+    path.radii = keys.radii;
+    path.start_angle = keys.angles.start;
+    path.end_angle = keys.angles.end;
+    path.turn = keys.turn;
+    path.even_pace = keys.even_pace;
+    path.easing = keys.easing;
+    return path;
+}
+
+CameraPath to_path(const PathKeys& keys) {
+    if (keys.follow) {
+        return FollowPath{*keys.follow, keys.offset, keys.smoothing, keys.look_ahead};
+    }
+    if (keys.along) {
+        return AlongPath{*keys.along, keys.from, keys.to, keys.offset, keys.even_pace, keys.easing};
+    }
+    if (keys.orbit) {
+        return to_orbit(keys);
+    }
+    if (keys.spline) {
+        return SplinePath{*keys.spline, keys.even_pace, keys.easing};
+    }
+    return BezierPath{keys.bezier.value_or(std::vector<ControlPoint>{ControlPoint{}}),
+                      keys.even_pace, keys.easing};
+}
+
+}  // namespace
+
+ValueType<Easing> easing() {
+    const auto word = choice<Easing>({{"linear", Easing::linear}, {"smooth", Easing::smooth}});
+    const auto curve_type = list_of(number(between(-10, 10)), 4, 4);
+    ValueType<Easing> curve;
+    curve.info = curve_type.info;
+    curve.read = [curve_type](Reader& reader, const Node& node) -> std::optional<Easing> {
+        const auto values = curve_type.read(reader, node);
+        if (!values) {
+            return std::nullopt;
+        }
+        for (const std::size_t i : {0, 2}) {
+            if ((*values)[i] < 0 || (*values)[i] > 1) {
+                reader.error(node.items[i].place, "an easing's x1 and x2 must be between 0 and 1");
+                return std::nullopt;
+            }
+        }
+        const auto& v = *values;
+        return Easing{Easing::Kind::bezier, v[0], v[1], v[2], v[3]};
+    };
+    return any_of<Easing>({{is_scalar, word}, {is_list, curve}});
+}
+
+ValueType<CameraPath> camera_path() {
+    const auto fixed =
+        convert<CameraPath>(vector3(Dimension::length), [](const Vec3& point) -> CameraPath {
+            return BezierPath{{fixed_point(point)}, false, {}};
+        });
+    return any_of<CameraPath>(
+        {{is_map, convert<CameraPath>(record(path_spec()), to_path)}, {is_list, fixed}});
+}
+
+}  // namespace carom::pipeline::config

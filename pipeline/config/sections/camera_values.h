@@ -1,0 +1,58 @@
+// The types of a camera's values: paths, easings, and values that change.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "pipeline/camera/camera_rig.h"
+#include "pipeline/config/value_types.h"
+
+namespace carom::pipeline::config {
+
+/// A word, or the four numbers of a cubic Bezier curve.
+[[nodiscard]] ValueType<Easing> easing();
+
+/// A map that says what path, or one fixed point.
+[[nodiscard]] ValueType<CameraPath> camera_path();
+
+/// One value, [start, end], or {from, to, easing}. A value that is itself a list is told from the
+/// pair by what is in it.
+template <class V>
+ValueType<Eased<V>> eased(const std::string& key, ValueType<V> single) {
+    const auto spec = std::make_shared<MapSpec<Eased<V>>>(
+        "changing " + key, "A value that changes over the camera's stretch of the film.");
+    spec->key("from", &Eased<V>::start, single, "at the start").required();
+    spec->key("to", &Eased<V>::end, single, "at the end").required();
+    spec->key("easing", &Eased<V>::easing, easing(),
+              "`smooth` starts and ends gently; [x1, y1, x2, y2] are the inner points of a cubic "
+              "Bezier curve from (0, 0) to (1, 1), value over time");
+    const auto constant = convert<Eased<V>>(single, [](const V& value) {
+        return Eased<V>{value, value, Easing::linear};
+    });
+    const auto pair = convert<Eased<V>>(list_of(single, 2, 2), [](const std::vector<V>& values) {
+        return Eased<V>{values[0], values[1], Easing::linear};
+    });
+    ValueType<Eased<V>> map;
+    map.info.kind = TypeInfo::Kind::map;
+    map.info.map = &spec->info();
+    map.read = [spec](Reader& reader, const Node& node) -> std::optional<Eased<V>> {
+        Eased<V> value;
+        spec->read(reader, node, value);
+        return value;
+    };
+    const bool is_list_itself = single.info.kind == TypeInfo::Kind::list;
+    const auto is_single = [is_list_itself](const Node& node) {
+        return is_list_itself
+                   ? node.is_sequence() && !node.items.empty() && !node.items.front().is_sequence()
+                   : node.is_scalar();
+    };
+    ValueType<Eased<V>> result =
+        any_of<Eased<V>>({{is_single, constant}, {is_list, pair}, {is_map, map}});
+    result.info.noun = "changing";
+    result.show = [single](const Eased<V>& value) {
+        return single.show ? single.show(value.start) : std::string();
+    };
+    return result;
+}
+
+}  // namespace carom::pipeline::config
