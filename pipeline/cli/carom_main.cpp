@@ -34,6 +34,7 @@ int become_film_program(char** arguments) {
 
 bool needs_renderer(const Command& command) {
     return std::holds_alternative<RenderCommand>(command) ||
+           std::holds_alternative<RetimeCommand>(command) ||
            std::holds_alternative<FrameCommand>(command);
 }
 
@@ -45,6 +46,7 @@ void run(const Command& command, CommandContext& context) {
                    [&](const ReportCommand& report) { run_report(report, context); },
                    [&](const ImportCommand& import_) { run_import(import_, context); },
                    [](const RenderCommand&) {},  // never here: needs_renderer
+                   [](const RetimeCommand&) {},
                    [](const FrameCommand&) {},
                },
                command);

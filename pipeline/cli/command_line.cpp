@@ -33,6 +33,7 @@ struct Targets {
     TalkOptions talk;
     std::string log = "text";
     RenderCommand render;
+    RetimeCommand retime;
     BakeCommand bake;
     FrameCommand frame;
     CheckCommand check;
@@ -50,6 +51,13 @@ void add_input(CLI::App& app, InputOptions& input, const char* name, const char*
         ->allow_extra_args(false);
     app.add_option("--quality", input.quality, "a preset: draft, preview or final")
         ->option_text("NAME");
+}
+
+void add_camera_file(CLI::App& app, InputOptions& input) {
+    app.add_option("--camera", input.camera_file,
+                   "a file whose 'cameras' film instead of the shot's; it may change 'render', "
+                   "'output', 'lights' and 'materials', too")
+        ->option_text("FILE");
 }
 
 void add_talk(CLI::App& app, Targets& targets) {
@@ -80,6 +88,7 @@ void add_render(CLI::App& app, Targets& targets) {
     CLI::App& command = *app.add_subcommand("render", "simulate, render and encode a shot");
     RenderCommand& render = targets.render;
     add_input(command, render.input, "SHOT|BAKE", "a shot, or a bake to film as it is");
+    add_camera_file(command, render.input);
     add_output(
         command, render.output,
         "the film: .mp4, .mov, .mkv, .webm, or pictures: shot.####.exr (else the shot's name "
@@ -96,6 +105,49 @@ void add_render(CLI::App& app, Targets& targets) {
                    "when it is repeated, and a film that changes in part renders only that part.");
 }
 
+void add_retime_times(CLI::App& command, RetimeCommand& retime) {
+    command
+        .add_option("--speed", retime.speed,
+                    "seconds of the scene per second of film: 0.125 or 1/8 (else as it was)")
+        ->option_text("RATIO");
+    command.add_option("--from", retime.from, "scene time to begin with (else all is shown)")
+        ->option_text("TIME");
+    command.add_option("--to", retime.to, "scene time to end with")->option_text("TIME");
+    command.add_flag("--reverse", retime.reverse, "backwards");
+    command
+        .add_option("--ramp", retime.ramp,
+                    "changing speed: film times and speeds, 0s:1,1s:1/8,3s:1/8,4s:1; the last "
+                    "time is the film's length")
+        ->option_text("T:V,...");
+    command.add_option("--easing", retime.easing, "of the ramp: smooth (the default) or linear")
+        ->option_text("NAME")
+        ->check(CLI::IsMember({"smooth", "linear"}));
+    command.add_option("--rig", retime.rig, "show only what this camera of the shot films")
+        ->option_text("NAME");
+}
+
+void add_retime(CLI::App& app, Targets& targets) {
+    CLI::App& command =
+        *app.add_subcommand("retime", "film a shot again: slower, backwards, a part of it");
+    RetimeCommand& retime = targets.retime;
+    RenderCommand& render = retime.render;
+    add_input(command, render.input, "SHOT|BAKE", "a shot, or a bake to film as it is");
+    add_retime_times(command, retime);
+    add_camera_file(command, render.input);
+    add_output(command, render.output,
+               "the film (else the shot's name and _retimed in the current folder)");
+    command.add_option("--frames", render.frames, "only these frames of the new film, from 0")
+        ->option_text("RANGE");
+    add_threads(command, render.threads);
+    add_cache(command, render.cache);
+    add_talk(command, targets);
+    command.footer(
+        example("  carom retime break.yaml --speed 1/8 --from 1.2s --to 2s -o slow.mp4\n"
+                "  carom retime break.bake --reverse -o back.mp4\n") +
+        "\nThe cameras go the ways that they went in the film. A shot whose bake was kept is not\n"
+        "simulated again, and frames that the film had are not rendered again.");
+}
+
 void add_bake(CLI::App& app, Targets& targets) {
     CLI::App& command = *app.add_subcommand("bake", "simulate a shot, without a picture");
     add_input(command, targets.bake.input, "SHOT", "a shot");
@@ -109,6 +161,7 @@ void add_frame(CLI::App& app, Targets& targets) {
     CLI::App& command = *app.add_subcommand("frame", "render one frame of a shot");
     FrameCommand& frame = targets.frame;
     add_input(command, frame.input, "SHOT|BAKE", "a shot, or a bake to film as it is");
+    add_camera_file(command, frame.input);
     CLI::Option* number =
         command.add_option("--frame", frame.frame, "its number, counted from 0 (the default)")
             ->option_text("N")
@@ -128,6 +181,7 @@ void add_frame(CLI::App& app, Targets& targets) {
 void add_check(CLI::App& app, Targets& targets) {
     CLI::App& command = *app.add_subcommand("check", "say everything that is wrong with a shot");
     add_input(command, targets.check.input, "SHOT|BAKE", "a shot or a bake");
+    add_camera_file(command, targets.check.input);
     add_talk(command, targets);
     command.footer(example("  carom check break.yaml") +
                    "\nExit code 0 if it can be rendered, warnings or not, 2 if not.");
@@ -203,6 +257,9 @@ Command chosen_command(const CLI::App& app, Targets& targets) {
     if (name == "render") {
         return std::move(targets.render);
     }
+    if (name == "retime") {
+        return std::move(targets.retime);
+    }
     if (name == "bake") {
         return std::move(targets.bake);
     }
@@ -268,6 +325,7 @@ std::variant<CommandLine, NothingToRun> parse_command_line(
     app.require_subcommand(1);
     app.footer(kLastLines);
     add_render(app, targets);
+    add_retime(app, targets);
     add_bake(app, targets);
     add_frame(app, targets);
     add_check(app, targets);

@@ -20,6 +20,7 @@ struct InputOptions {
     std::string path;
     std::vector<std::string> overrides;  // "render.samples=64"
     std::string quality;                 // "draft", "preview", "final"; empty: the shot's own
+    std::string camera_file;             // whose cameras film instead; empty: the shot's own
 };
 
 struct CacheOptions {
@@ -32,6 +33,18 @@ struct RenderCommand {
     std::string output;  // empty: the shot's name in the current folder
     std::string frames;  // "0-47x2"; empty: all
     int threads = 0;     // 0: as many as there are processors
+};
+
+/// The film of an existing shot at another speed. Texts as they were typed.
+struct RetimeCommand {
+    RenderCommand render;
+    std::string speed;  // "0.125", "1/8"
+    std::string from;   // scene times
+    std::string to;
+    std::string ramp;    // "0s:1, 1s:1/8"
+    std::string easing;  // of the ramp: "smooth", "linear"
+    std::string rig;     // a camera's name
+    bool reverse = false;
 };
 
 struct BakeCommand {
@@ -76,8 +89,8 @@ struct ImportCommand {
     double force_time = 0.05;  // s
 };
 
-using Command = std::variant<RenderCommand, BakeCommand, FrameCommand, CheckCommand, ExportCommand,
-                             ReportCommand, ImportCommand>;
+using Command = std::variant<RenderCommand, RetimeCommand, BakeCommand, FrameCommand, CheckCommand,
+                             ExportCommand, ReportCommand, ImportCommand>;
 
 struct CommandLine {
     TalkOptions talk;

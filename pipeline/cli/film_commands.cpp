@@ -1,10 +1,13 @@
 #include "pipeline/cli/film_commands.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 
 #include "pipeline/camera/frame_plan.h"
+#include "pipeline/camera/path_fit.h"
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/job_talk.h"
 #include "pipeline/cli/output_file.h"
@@ -27,8 +30,23 @@ using pipeline::FilmJobOptions;
 using pipeline::Shot;
 
 /// The bake that the input is or carries; otherwise the kept one, or a new one.
-sim::Bake bake_of(ShotInput& input, const CacheOptions& cache, CommandContext& context) {
-    return input.bake ? std::move(*input.bake) : bake_of(input.shot, cache, context);
+sim::Bake bake_of(ShotInput& input, const InputOptions& options, const CacheOptions& cache,
+                  CommandContext& context) {
+    return input.bake ? std::move(*input.bake) : bake_of(input.shot, options.path, cache, context);
+}
+
+/// How true the ways along objects are to what these did.
+void tell_fitted_paths(const Shot& shot, const sim::Timeline& timeline, Console& console) {
+    std::vector<pipeline::FittedPath> fitted;
+    (void)pipeline::with_fitted_paths(shot.cameras, timeline, &fitted);
+    for (const pipeline::FittedPath& path : fitted) {
+        std::array<char, 32> millimetres{};
+        std::snprintf(millimetres.data(), millimetres.size(), "%.2g", path.error * 1000);
+        console.info("camera '" + path.rig + "': the " + (path.is_target ? "target" : "position") +
+                     " along '" + path.object + "' is a Bezier curve of degree " +
+                     std::to_string(path.degree) + ", at most " + millimetres.data() +
+                     " mm from it");
+    }
 }
 
 pipeline::FrameRange frame_range(const std::string& text) {
@@ -138,6 +156,11 @@ void run_render(const RenderCommand& command, CommandContext& context) {
     ShotInput input = read_shot_input(command.input, context.console);
     const std::string path = output_or_default(command.output, command.input.path,
                                                pipeline::default_extension(input.shot.output));
+    film_shot(std::move(input), path, command, begin, context);
+}
+
+void film_shot(ShotInput input, const std::string& path, const RenderCommand& command,
+               std::chrono::steady_clock::time_point begin, CommandContext& context) {
     check_film(input.shot, path);
 
     FilmJobOptions options;
@@ -147,7 +170,8 @@ void run_render(const RenderCommand& command, CommandContext& context) {
     options.threads = command.threads;
     const std::int64_t frames = job_frames(input.shot, options.frames, command.frames);
 
-    const sim::Bake bake = bake_of(input, command.cache, context);
+    const sim::Bake bake = bake_of(input, command.input, command.cache, context);
+    tell_fitted_paths(input.shot, bake.timeline, context.console);
     const pipeline::FilmJobResult result = pipeline::make_film(
         input.shot, bake, options, talk_about_job(context.console, frames), context.stop);
     context.console.end_progress();
@@ -171,7 +195,7 @@ void run_frame(const FrameCommand& command, CommandContext& context) {
     FilmJobOptions options;
     options.cache_folder = command.cache.folder;
     options.threads = command.threads;
-    const sim::Bake bake = bake_of(input, command.cache, context);
+    const sim::Bake bake = bake_of(input, command.input, command.cache, context);
     const render::Film film = pipeline::make_frame(
         input.shot, bake, frame, options, talk_about_job(context.console, 1), context.stop);
     context.console.end_progress();

@@ -4,6 +4,7 @@
 #include "pipeline/cli/command_line.h"
 #include "pipeline/cli/film_commands.h"
 #include "pipeline/cli/overload.h"
+#include "pipeline/cli/retime_command.h"
 
 namespace {
 
@@ -13,6 +14,7 @@ void run(const Command& command, CommandContext& context) {
     std::visit(
         Overload{
             [&](const RenderCommand& render) { run_render(render, context); },
+            [&](const RetimeCommand& retime) { run_retime(retime, context); },
             [&](const FrameCommand& frame) { run_frame(frame, context); },
             [](const auto&) { throw InputError("this program only renders; call carom instead"); },
         },

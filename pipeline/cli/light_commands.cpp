@@ -21,7 +21,8 @@ sim::Timeline timeline_of(const InputOptions& input, const CacheOptions& cache,
     if (is_bake_file(input.path)) {
         return read_bake_input(input.path).timeline;
     }
-    return bake_of(read_shot_input(input, context.console).shot, cache, context).timeline;
+    return bake_of(read_shot_input(input, context.console).shot, input.path, cache, context)
+        .timeline;
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ void run_bake(const BakeCommand& command, CommandContext& context) {
     const std::string path = output_or_default(command.output, command.input.path, ".bake");
     check_output_folder(path);
     const ShotInput input = read_shot_input(command.input, context.console);
-    const sim::Bake bake = bake_of(input.shot, command.cache, context);
+    const sim::Bake bake = bake_of(input.shot, command.input.path, command.cache, context);
     sim::write_bake(bake, path);
     context.console.info(std::to_string(bake.timeline.tracks.size()) + " objects, " +
                          std::to_string(bake.timeline.events.size()) + " events");

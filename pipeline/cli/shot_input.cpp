@@ -40,8 +40,8 @@ std::string text_of(const pipeline::Problem& problem, const Console& console) {
 /// The shot that a bake carries, under the options given. They may change the look but not what
 /// was simulated.
 pipeline::LoadResult load_carried_shot(const sim::Bake& bake, const InputOptions& input) {
-    pipeline::LoadResult changed =
-        pipeline::load_shot_text(bake.shot_text, input.path, input.overrides, input.quality);
+    pipeline::LoadResult changed = pipeline::load_shot_text(
+        bake.shot_text, input.path, input.overrides, input.quality, input.camera_file);
     const bool may_differ = !input.overrides.empty() || !input.quality.empty();
     if (changed.shot && may_differ) {
         const pipeline::LoadResult plain = pipeline::load_shot_text(bake.shot_text, input.path);
@@ -82,7 +82,7 @@ ShotInput read_shot_input(const InputOptions& input, Console& console) {
         result.bake = read_bake_input(input.path);
         loaded = load_carried_shot(*result.bake, input);
     } else {
-        loaded = pipeline::load_shot(input.path, input.overrides, input.quality);
+        loaded = pipeline::load_shot(input.path, input.overrides, input.quality, input.camera_file);
     }
     report_problems(loaded.problems, console);
     if (!loaded.shot) {

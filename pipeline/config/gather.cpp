@@ -37,6 +37,9 @@ class Gatherer {
     std::optional<Node> read_preset(const std::string& name, const Place& place,
                                     std::vector<OpenFile>& trail);
 
+    /// The camera file `path`, given by the option at `place`.
+    std::optional<Node> read_camera_file(const std::string& path, const Place& place);
+
     [[nodiscard]] bool is_whole() const { return is_whole_; }
 
   private:
@@ -222,6 +225,39 @@ std::optional<Node> Gatherer::read_preset(const std::string& name, const Place& 
     return preset;
 }
 
+/// Takes away what a camera file must not say, with a problem for each.
+void keep_cameras_and_look(Node& tree, ProblemList& problems) {
+    static const std::vector<std::string> allowed{"cameras", "render", "output", "lights",
+                                                  "materials"};
+    std::erase_if(tree.entries, [&](const Entry& entry) {
+        const bool is_wrong = std::find(allowed.begin(), allowed.end(), entry.key) == allowed.end();
+        if (is_wrong) {
+            problems.error(entry.key_place, quote(entry.key) +
+                                                " cannot stand in a camera file, "
+                                                "only " +
+                                                join(allowed, "and"));
+        }
+        return is_wrong;
+    });
+    if (tree.find("cameras") == nullptr) {
+        problems.error(tree.place, "a camera file needs the key 'cameras'");
+    }
+}
+
+std::optional<Node> Gatherer::read_camera_file(const std::string& path, const Place& place) {
+    std::vector<OpenFile> trail{{"--camera", path}};  // not the shot's: it is not included by it
+    std::error_code code;
+    const fs::path canonical = fs::canonical(path, code);
+    std::optional<Node> tree = read_file(code ? path : canonical.string(), path, place, trail);
+    if (tree) {
+        take_entry(*tree, "carom");
+        keep_cameras_and_look(*tree, problems_);
+    } else {
+        is_whole_ = false;
+    }
+    return tree;
+}
+
 }  // namespace
 
 Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folders,
@@ -241,6 +277,13 @@ Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folder
         const Place place = sources.place_at(source, 0, options.quality.size());
         if (std::optional<Node> preset = gatherer.read_preset(options.quality, place, trail)) {
             merge(*root, std::move(*preset));
+        }
+    }
+    if (!options.camera_file.empty()) {
+        const int source = sources.add({"--camera", root_folder, options.camera_file});
+        const Place place = sources.place_at(source, 0, options.camera_file.size());
+        if (std::optional<Node> cameras = gatherer.read_camera_file(options.camera_file, place)) {
+            merge(*root, std::move(*cameras));
         }
     }
     for (const std::string& override_text : options.overrides) {

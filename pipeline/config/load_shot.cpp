@@ -65,13 +65,15 @@ std::optional<Shot> read_shot(const Gathered& gathered, const std::string& name,
 }  // namespace
 
 LoadResult load_shot_text(const std::string& text, const std::string& origin,
-                          const std::vector<std::string>& overrides, const std::string& quality) {
+                          const std::vector<std::string>& overrides, const std::string& quality,
+                          const std::string& camera_file) {
     SourceSet sources;
     ProblemList problems(sources);
     LoadResult result;
     const ConfigFolders folders = standard_config_folders();
     const int source = sources.add({origin, absolute_folder(origin), text});
-    const Gathered gathered = gather(sources, source, folders, {overrides, quality}, problems);
+    const Gathered gathered =
+        gather(sources, source, folders, {overrides, quality, camera_file}, problems);
     if (gathered.root) {
         Reader reader(sources, folders, problems);
         result.shot = read_shot(gathered, fs::path(origin).stem().string(), reader);
@@ -84,7 +86,7 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
 }
 
 LoadResult load_shot(const std::string& path, const std::vector<std::string>& overrides,
-                     const std::string& quality) {
+                     const std::string& quality, const std::string& camera_file) {
     std::string text;
     if (!read_text_file(path, YamlLimits{}.bytes, text)) {
         Problem problem;
@@ -92,7 +94,7 @@ LoadResult load_shot(const std::string& path, const std::vector<std::string>& ov
         problem.message = "the file " + text;
         return {std::nullopt, {problem}};
     }
-    return load_shot_text(text, path, overrides, quality);
+    return load_shot_text(text, path, overrides, quality, camera_file);
 }
 
 }  // namespace carom::pipeline

@@ -32,7 +32,8 @@ TEST(CommandLine, Help_StartsWithThreeRealCommands) {
 }
 
 TEST(CommandLine, EveryCommandsHelp_HasAnExampleThatParses) {
-    for (const std::string name : {"render", "bake", "frame", "check", "export", "report"}) {
+    for (const std::string name :
+         {"render", "retime", "bake", "frame", "check", "export", "report"}) {
         const NothingToRun help = refused({name, "--help"});
         EXPECT_EQ(help.exit_code, 0);
         const std::size_t at = help.out.find("Example:\n  carom ");
@@ -63,6 +64,25 @@ TEST(CommandLine, Render_TakesItsOptions) {
     EXPECT_THAT(command.input.overrides, ElementsAre("render.samples=4", "output.crf=20"));
     EXPECT_EQ(command.threads, 3);
     EXPECT_EQ(command.cache.folder, "/c");
+}
+
+TEST(CommandLine, Retime_TakesItsOptions) {
+    const auto command = parsed<RetimeCommand>(
+        {"retime", "a.bake", "--speed", "1/8", "--from", "1.2s", "--to", "2 s", "--reverse",
+         "--rig", "slow", "--camera", "c.yaml", "-o", "b.mp4", "--threads", "2"});
+    EXPECT_EQ(command.render.input.path, "a.bake");
+    EXPECT_EQ(command.render.input.camera_file, "c.yaml");
+    EXPECT_EQ(command.render.output, "b.mp4");
+    EXPECT_EQ(command.render.threads, 2);
+    EXPECT_EQ(command.speed, "1/8");
+    EXPECT_EQ(command.from, "1.2s");
+    EXPECT_EQ(command.to, "2 s");
+    EXPECT_TRUE(command.reverse);
+    EXPECT_EQ(command.rig, "slow");
+    const auto ramp =
+        parsed<RetimeCommand>({"retime", "a.bake", "--ramp", "0s:1, 1s:1/8", "--easing", "linear"});
+    EXPECT_EQ(ramp.ramp, "0s:1, 1s:1/8");
+    EXPECT_EQ(ramp.easing, "linear");
 }
 
 TEST(CommandLine, SetBeforeTheShot_DoesNotSwallowIt) {

@@ -49,7 +49,7 @@ TEST_F(FilmCommands, Render_WritesTheFilmAndPrintsItsPath) {
     const RunResult result = run({"render", "tiny.yaml"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out, "tiny.mp4\n");
-    EXPECT_THAT(result.err, HasSubstr("carom: simulated the shot\n"));
+    EXPECT_THAT(result.err, HasSubstr("carom: simulated the shot: there was no bake of it\n"));
     EXPECT_THAT(result.err, HasSubstr("carom: 6 frames, 6 of them rendered now, in "));
     EXPECT_THAT(results(), ElementsAre("tiny.mp4"));
     const auto video = decode_video(path("tiny.mp4"));

@@ -1,0 +1,87 @@
+#include "pipeline/cli/bake_reason.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
+
+#include "pipeline/config/changed_keys.h"
+#include "pipeline/store/cache_folder.h"
+#include "sim/bake.h"
+#include "sim/timeline/atomic_file.h"
+#include "sim/timeline/error.h"
+
+namespace carom::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string record_path(const std::string& shot_path, const std::string& cache_folder) {
+    std::error_code code;
+    const fs::path canonical = fs::canonical(shot_path, code);
+    const std::string name = code ? shot_path : canonical.string();
+    const std::string cache =
+        cache_folder.empty() ? pipeline::default_cache_folder() : cache_folder;
+    return cache + "/shots/" + hash_bytes(std::as_bytes(std::span(name))).to_string() + ".yaml";
+}
+
+/// "a, b, c and 4 more"
+std::string shortened(const std::vector<std::string>& keys) {
+    constexpr std::size_t most = 4;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(most, keys.size()); ++i) {
+        text += (i == 0 ? "" : ", ") + keys[i];
+    }
+    return keys.size() > most ? text + " and " + std::to_string(keys.size() - most) + " more"
+                              : text;
+}
+
+}  // namespace
+
+BakeReason::BakeReason(const pipeline::Shot& shot, const std::string& shot_path,
+                       const std::string& cache_folder)
+    : shot_(shot),
+      path_(record_path(shot_path, cache_folder)),
+      hash_(sim::physics_hash(shot.world).to_string()) {
+    std::ifstream record(path_, std::ios::binary);
+    std::string mark;
+    if (std::getline(record, mark) && mark.starts_with("# physics ")) {
+        last_hash_ = mark.substr(std::string("# physics ").size());
+        last_text_.assign(std::istreambuf_iterator<char>(record), {});
+    }
+}
+
+std::string BakeReason::text(bool baked) const {
+    if (!baked) {
+        return last_hash_ == hash_
+                   ? "the physics is unchanged: using the bake that was kept"
+                   : "this physics was simulated before: using the bake that was kept";
+    }
+    if (last_hash_.empty()) {
+        return "simulated the shot: there was no bake of it";
+    }
+    if (last_hash_ == hash_) {
+        return "simulated the shot again: its bake was not there any more";
+    }
+    const std::vector<std::string> keys =
+        pipeline::changed_physics_keys(last_text_, shot_.resolved_text);
+    return keys.empty()
+               ? "simulated the shot again: a file that its physics needs or carom itself "
+                 "has changed"
+               : "simulated the shot again: its physics has changed (" + shortened(keys) + ")";
+}
+
+void BakeReason::remember() const {
+    const std::string text = "# physics " + hash_ + "\n" + shot_.resolved_text;
+    std::error_code ignored;
+    fs::create_directories(fs::path(path_).parent_path(), ignored);
+    try {
+        write_file_atomically(path_, std::as_bytes(std::span<const char>(text)));
+    } catch (const Error&) {  // that the cache cannot be written was said of the bake
+        return;
+    }
+}
+
+}  // namespace carom::cli

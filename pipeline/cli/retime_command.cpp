@@ -1,0 +1,114 @@
+#include "pipeline/cli/retime_command.h"
+
+#include <chrono>
+#include <string_view>
+#include <utility>
+
+#include "pipeline/camera/retime.h"
+#include "pipeline/cli/film_commands.h"
+#include "pipeline/cli/output_file.h"
+#include "pipeline/cli/shot_input.h"
+#include "pipeline/config/value_types.h"
+#include "pipeline/video/video_format.h"
+
+namespace carom::cli {
+
+namespace {
+
+namespace config = pipeline::config;
+using pipeline::Rational;
+
+/// The exact value of what an option was given: a plain number, or one with a unit of `exponents`.
+Rational value_of(std::string_view text, const config::Exponents& exponents,
+                  const std::string& expected) {
+    const auto parsed = config::parse_quantity(text);
+    const auto* quantity = std::get_if<config::Quantity>(&parsed);
+    constexpr double largest = 1e6;
+    if (quantity == nullptr || (quantity->has_unit && !(quantity->exponents == exponents)) ||
+        !(quantity->value >= -largest && quantity->value <= largest)) {
+        throw InputError("'" + std::string(text) + "' is not " + expected);
+    }
+    return config::to_rational(*quantity);
+}
+
+Rational time_of(std::string_view text) {
+    return value_of(text, {0, 0, 1, 0}, "a time; write 1.25s or 500ms");
+}
+
+Rational speed_of(std::string_view text) {
+    return value_of(text, {}, "a speed; write 0.125 or 1/8");
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && text.front() == ' ') {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && text.back() == ' ') {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+/// "0s:1, 1s:1/8"
+std::vector<pipeline::SpeedKey> ramp_of(std::string_view text) {
+    std::vector<pipeline::SpeedKey> ramp;
+    while (!text.empty()) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        const std::string_view key = trimmed(text.substr(0, comma));
+        const std::size_t colon = key.find(':');
+        if (colon == std::string_view::npos) {
+            throw InputError("'" + std::string(key) +
+                             "' in --ramp is not a film time and a speed; write 1s:1/8");
+        }
+        ramp.push_back(
+            {time_of(trimmed(key.substr(0, colon))), speed_of(trimmed(key.substr(colon + 1)))});
+        text.remove_prefix(std::min(comma + 1, text.size()));
+    }
+    return ramp;
+}
+
+pipeline::RetimeOptions options_of(const RetimeCommand& command) {
+    pipeline::RetimeOptions options;
+    if (!command.speed.empty()) {
+        options.speed = speed_of(command.speed);
+    }
+    if (!command.from.empty()) {
+        options.from = time_of(command.from);
+    }
+    if (!command.to.empty()) {
+        options.to = time_of(command.to);
+    }
+    options.ramp = ramp_of(command.ramp);
+    options.gentle = command.easing != "linear";
+    options.reverse = command.reverse;
+    options.rig = command.rig;
+    if (!command.easing.empty() && options.ramp.empty()) {
+        throw InputError("--easing has no meaning without --ramp");
+    }
+    const bool changes = options.speed || options.from || options.to || options.reverse ||
+                         !options.ramp.empty() || !options.rig.empty();
+    if (!changes) {
+        throw InputError(
+            "nothing is to be changed; give --speed, --from, --to, --reverse, --ramp or --rig");
+    }
+    return options;
+}
+
+}  // namespace
+
+void run_retime(const RetimeCommand& command, CommandContext& context) {
+    const auto begin = std::chrono::steady_clock::now();
+    const pipeline::RetimeOptions options = options_of(command);
+    ShotInput input = read_shot_input(command.render.input, context.console);
+    try {
+        input.shot.cameras = pipeline::retimed(input.shot.cameras, options);
+    } catch (const Error& error) {
+        throw InputError(error.what());
+    }
+    const std::string path =
+        output_or_default(command.render.output, command.render.input.path,
+                          "_retimed" + pipeline::default_extension(input.shot.output));
+    film_shot(std::move(input), path, command.render, begin, context);
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,97 @@
+#include "pipeline/config/changed_keys.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "pipeline/config/parse_yaml.h"
+
+namespace carom::pipeline {
+
+using namespace config;
+
+namespace {
+
+constexpr std::array<std::string_view, 8> kSections{"simulation", "physics", "ball_set", "table",
+                                                    "rack",       "balls",   "objects",  "events"};
+
+// What balls and objects say of their look.
+constexpr std::array<std::string_view, 3> kLook{"look", "material", "smooth"};
+
+Node parse(const std::string& text) {
+    SourceSet sources;
+    ProblemList problems(sources);
+    const int source = sources.add({"shot", ".", text});
+    return parse_yaml(sources, source, problems).value_or(Node{});
+}
+
+void compare(const Node& before, const Node& after, const std::string& path,
+             std::vector<std::string>& changed);
+
+void compare_maps(const Node& before, const Node& after, const std::string& path,
+                  std::vector<std::string>& changed) {
+    const Node nothing;
+    const auto child = [&](const std::string& key) {
+        return path.empty() ? key : path + "." + key;
+    };
+    for (const Entry& entry : after.entries) {
+        const Entry* old = before.find(entry.key);
+        compare(old != nullptr ? old->value : nothing, entry.value, child(entry.key), changed);
+    }
+    for (const Entry& entry : before.entries) {
+        if (after.find(entry.key) == nullptr) {
+            changed.push_back(child(entry.key));
+        }
+    }
+}
+
+void compare(const Node& before, const Node& after, const std::string& path,
+             std::vector<std::string>& changed) {
+    if (before.is_map() && after.is_map()) {
+        compare_maps(before, after, path, changed);
+    } else if (before.is_sequence() && after.is_sequence() &&
+               before.items.size() == after.items.size()) {
+        for (std::size_t i = 0; i < after.items.size(); ++i) {
+            compare(before.items[i], after.items[i], path + "[" + std::to_string(i) + "]", changed);
+        }
+    } else if (before.kind != after.kind || before.text != after.text ||
+               before.items.size() != after.items.size()) {
+        changed.push_back(path);
+    }
+}
+
+/// A ball's or object's look is no physics.
+void drop_look(Node& root) {
+    for (const std::string_view section : {"balls", "objects"}) {
+        Entry* entries = root.find(section);
+        if (entries == nullptr) {
+            continue;
+        }
+        for (Entry& thing : entries->value.entries) {
+            std::erase_if(thing.value.entries, [](const Entry& entry) {
+                return std::find(kLook.begin(), kLook.end(), entry.key) != kLook.end();
+            });
+        }
+    }
+}
+
+/// The sections that make the physics.
+Node physics_of(const std::string& text) {
+    Node root = parse(text);
+    std::erase_if(root.entries, [](const Entry& entry) {
+        return std::find(kSections.begin(), kSections.end(), entry.key) == kSections.end();
+    });
+    drop_look(root);
+    return root;
+}
+
+}  // namespace
+
+std::vector<std::string> changed_physics_keys(const std::string& before, const std::string& after) {
+    std::vector<std::string> changed;
+    compare_maps(physics_of(before), physics_of(after), "", changed);
+    return changed;
+}
+
+}  // namespace carom::pipeline

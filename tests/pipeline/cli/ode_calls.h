@@ -1,0 +1,15 @@
+// How often the program under test has called ODE.
+#pragma once
+
+namespace carom::testing {
+
+struct OdeCalls {
+    int starts = 0;  // dInitODE2
+    int worlds = 0;  // dWorldCreate
+    int steps = 0;   // dWorldStep and dWorldQuickStep
+};
+
+/// Since the process began.
+[[nodiscard]] OdeCalls ode_calls();
+
+}  // namespace carom::testing

@@ -1,0 +1,108 @@
+// A file whose cameras film a shot instead of its own.
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "tests/pipeline/config/load.h"
+
+namespace carom::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CameraFile : public testing::Test {
+  protected:
+    CameraFile()
+        : folder_(fs::temp_directory_path() / ("carom_camera_file_" + std::to_string(getpid()))) {
+        fs::create_directories(folder_ / "parts");
+        write("shot.yaml",
+              "carom: 1\nballs: {cue: {at: [0, 0]}}\nlights: {lamp: {sphere: 1 cm, radiance: 9}}\n"
+              "render: {samples: 8, fps: 30}\n" +
+                  kCamera);
+    }
+    ~CameraFile() override { fs::remove_all(folder_); }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name) << text;
+    }
+    LoadResult load_with(const std::string& text, const std::vector<std::string>& overrides = {}) {
+        write("other.yaml", text);
+        return load_shot((folder_ / "shot.yaml").string(), overrides, "",
+                         (folder_ / "other.yaml").string());
+    }
+    std::string problems_with(const std::string& text) {
+        std::string all;
+        for (const Problem& problem : load_with(text).problems) {
+            all += std::to_string(problem.place.line) + ": " + problem.message + "\n";
+        }
+        return all;
+    }
+
+    fs::path folder_;
+};
+
+const std::string kOther =
+    "cameras:\n"
+    "  - {name: b, video: [0 s, 1 s], scene: 1 s, position: [9, 9, 9], target: {follow: cue}}\n"
+    "  - {name: c, video: [1 s, 2 s], scene: 1 s, position: [9, 9, 9], target: [0, 0, 0]}\n";
+
+TEST_F(CameraFile, ItsCameras_ReplaceAllOfTheShots) {
+    const LoadResult result = load_with("carom: 1\n" + kOther + "render: {samples: 2}\n");
+    EXPECT_EQ(all_problems(result), "");
+    ASSERT_TRUE(result.shot);
+    ASSERT_EQ(result.shot->cameras.size(), 2U);
+    EXPECT_EQ(result.shot->cameras[0].name, "b");
+    EXPECT_EQ(result.shot->render.samples, 2);
+    EXPECT_EQ(result.shot->timing.fps, Rational(30));  // of the shot still
+    EXPECT_EQ(result.shot->name, "shot");
+}
+
+TEST_F(CameraFile, LightsAndMaterials_AreLaidOverTheShots) {
+    const LoadResult result =
+        load_with(kOther +
+                  "lights: {lamp: {at: [0, 0, 3]}, sky: {environment: 0.5}}\n"
+                  "materials: {gold: {standard: {metal: 1}}}\noutput: {crf: 30}\n");
+    EXPECT_EQ(all_problems(result), "");
+    ASSERT_TRUE(result.shot);
+    EXPECT_EQ(result.shot->scene.lights.size(), 2U);
+    EXPECT_EQ(result.shot->output.crf, 30);
+}
+
+TEST_F(CameraFile, Override_IsStrongerStill) {
+    const LoadResult result =
+        load_with(kOther + "render: {samples: 2}\n", {"render.samples=3", "cameras[1].name=d"});
+    ASSERT_TRUE(result.shot) << all_problems(result);
+    EXPECT_EQ(result.shot->render.samples, 3);
+    EXPECT_EQ(result.shot->cameras[1].name, "d");
+}
+
+TEST_F(CameraFile, ItsIncludes_AreBesideIt) {
+    write("parts/wide.yaml", kOther);
+    const LoadResult result = load_with("include: parts/wide.yaml\n");
+    EXPECT_EQ(all_problems(result), "");
+    ASSERT_TRUE(result.shot);
+    EXPECT_EQ(result.shot->cameras.size(), 2U);
+}
+
+TEST_F(CameraFile, Physics_CannotStandInIt) {
+    EXPECT_EQ(problems_with(kOther + "physics: {gravity: 1.6}\n"),
+              "4: 'physics' cannot stand in a camera file, only cameras, render, output, lights "
+              "and materials\n");
+    EXPECT_EQ(problems_with("render: {samples: 2}\n"),
+              "1: a camera file needs the key 'cameras'\n");
+    EXPECT_EQ(problems_with(kOther + "render: {sample: 2}\n"),
+              "4: unknown key 'sample' in 'render' (did you mean 'samples'?)\n");
+}
+
+TEST_F(CameraFile, ThatIsNotThere_IsAProblem) {
+    const LoadResult result = load_shot((folder_ / "shot.yaml").string(), {}, "", "nowhere.yaml");
+    EXPECT_FALSE(result.shot);
+    ASSERT_EQ(result.problems.size(), 1U);
+    EXPECT_EQ(result.problems[0].message, "file 'nowhere.yaml' does not exist");
+    EXPECT_EQ(result.problems[0].place.file, "--camera");
+}
+
+}  // namespace
+}  // namespace carom::pipeline
