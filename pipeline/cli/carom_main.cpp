@@ -9,6 +9,7 @@
 
 #include <unistd.h>
 
+#include "pipeline/cli/cache_command.h"
 #include "pipeline/cli/command_line.h"
 #include "pipeline/cli/light_commands.h"
 #include "pipeline/cli/overload.h"
@@ -35,7 +36,8 @@ int become_film_program(char** arguments) {
 bool needs_renderer(const Command& command) {
     return std::holds_alternative<RenderCommand>(command) ||
            std::holds_alternative<RetimeCommand>(command) ||
-           std::holds_alternative<FrameCommand>(command);
+           std::holds_alternative<FrameCommand>(command) ||
+           std::holds_alternative<MuxCommand>(command);
 }
 
 void run(const Command& command, CommandContext& context) {
@@ -45,9 +47,11 @@ void run(const Command& command, CommandContext& context) {
                    [&](const ExportCommand& export_) { run_export(export_, context); },
                    [&](const ReportCommand& report) { run_report(report, context); },
                    [&](const ImportCommand& import_) { run_import(import_, context); },
+                   [&](const CacheCommand& cache) { run_cache(cache, context); },
                    [](const RenderCommand&) {},  // never here: needs_renderer
                    [](const RetimeCommand&) {},
                    [](const FrameCommand&) {},
+                   [](const MuxCommand&) {},
                },
                command);
 }

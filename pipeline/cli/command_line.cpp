@@ -40,6 +40,8 @@ struct Targets {
     ExportCommand export_;
     ReportCommand report;
     ImportCommand import_;
+    MuxCommand mux;
+    CacheCommand cache;
 };
 
 void add_input(CLI::App& app, InputOptions& input, const char* name, const char* what) {
@@ -74,6 +76,19 @@ void add_cache(CLI::App& app, CacheOptions& cache) {
         ->option_text("FOLDER");
 }
 
+void add_cache_size(CLI::App& app, CacheOptions& cache) {
+    app.add_option("--cache-size", cache.size,
+                   "how large it may grow: 500 MB, 20 GB, none (else $CAROM_CACHE_SIZE, 20 GB); "
+                   "what was used longest ago goes first")
+        ->option_text("SIZE");
+}
+
+void add_frames(CLI::App& app, std::string& frames) {
+    app.add_option("--frames", frames,
+                   "only these, counted from 0: 0-47, every second one 0-47x2, several 0-9,20")
+        ->option_text("RANGE");
+}
+
 void add_threads(CLI::App& app, int& threads) {
     app.add_option("--threads", threads, "for rendering; 0: one per processor")
         ->option_text("N")
@@ -93,12 +108,17 @@ void add_render(CLI::App& app, Targets& targets) {
         command, render.output,
         "the film: .mp4, .mov, .mkv, .webm, or pictures: shot.####.exr (else the shot's name "
         "in the current folder)");
+    add_frames(command, render.frames);
     command
-        .add_option("--frames", render.frames,
-                    "only these, counted from 0: 0-47, every second one 0-47x2, several 0-9,20")
-        ->option_text("RANGE");
+        .add_option("--chunk", render.chunk,
+                    "one of several machines' share of them, 2/8: renders and keeps its frames, "
+                    "writes no film; 'carom mux' does when all are there")
+        ->option_text("K/N");
+    command.add_flag("--dry-run", render.dry_run,
+                     "only say which frames are there and which would be rendered");
     add_threads(command, render.threads);
     add_cache(command, render.cache);
+    add_cache_size(command, render.cache);
     add_talk(command, targets);
     command.footer(example("  carom render break.yaml --quality draft -o try.mp4\n") +
                    "\nFinished frames are kept: a run that was interrupted goes on where it was\n"
@@ -140,6 +160,7 @@ void add_retime(CLI::App& app, Targets& targets) {
         ->option_text("RANGE");
     add_threads(command, render.threads);
     add_cache(command, render.cache);
+    add_cache_size(command, render.cache);
     add_talk(command, targets);
     command.footer(
         example("  carom retime break.yaml --speed 1/8 --from 1.2s --to 2s -o slow.mp4\n"
@@ -252,6 +273,55 @@ void add_import(CLI::App& app, Targets& targets) {
         "'render --quality draft' is the format's preview, 'frame --frame N' one frame.");
 }
 
+void add_mux(CLI::App& app, Targets& targets) {
+    CLI::App& command = *app.add_subcommand("mux", "write a film from frames that are stored");
+    MuxCommand& mux = targets.mux;
+    add_input(command, mux.input, "SHOT|BAKE", "a shot, or a bake to film as it is");
+    add_camera_file(command, mux.input);
+    add_output(
+        command, mux.output,
+        "the film: .mp4, .mov, .mkv, .webm, or pictures: shot.####.exr (else the shot's name "
+        "in the current folder)");
+    add_frames(command, mux.frames);
+    add_cache(command, mux.cache);
+    add_talk(command, targets);
+    command.footer(example("  carom render break.yaml --chunk 1/2 && carom render break.yaml "
+                           "--chunk 2/2\n  carom mux break.yaml -o break.mp4") +
+                   "\nRenders nothing: frames that are missing are named, with exit code 1.");
+}
+
+void add_cache_actions(CLI::App& app, Targets& targets) {
+    CLI::App& command = *app.add_subcommand("cache", "bakes and finished frames that are kept");
+    command.require_subcommand(1);
+    CacheCommand& cache = targets.cache;
+    const auto add = [&](const char* name, const char* what, CacheCommand::Action action) {
+        CLI::App& sub = *command.add_subcommand(name, what);
+        sub.callback([&cache, action] { cache.action = action; });
+        add_cache(sub, cache.cache);
+        add_talk(sub, targets);
+        return &sub;
+    };
+    CLI::App& list = *add("list", "how many there are, how large, when they were last used",
+                          CacheCommand::Action::list);
+    list.add_flag("--json", cache.json, "one JSON object per file");
+    CLI::App& prune = *add("prune", "remove what was used longest ago until the rest fits",
+                           CacheCommand::Action::prune);
+    add_cache_size(prune, cache.cache);
+    prune
+        .add_option("--unused-for", cache.unused_for,
+                    "remove all that was not used for so long: 30d, 12h")
+        ->option_text("TIME");
+    CLI::Option* all = prune.add_flag("--all", cache.all, "remove everything");
+    prune.get_option("--unused-for")->excludes(all);
+    prune.add_flag("--dry-run", cache.dry_run, "only say what would go");
+    CLI::App& verify =
+        *add("verify", "read every file and remove damaged ones", CacheCommand::Action::verify);
+    verify.add_flag("--keep", cache.keep, "only name them");
+    command.footer(example("  carom cache prune --cache-size '5 GB'") +
+                   "\nWhatever goes is simulated and rendered again when it is needed.\n"
+                   "verify: exit code 1 if a file was damaged.");
+}
+
 Command chosen_command(const CLI::App& app, Targets& targets) {
     const std::string name = app.get_subcommands().front()->get_name();
     if (name == "render") {
@@ -271,6 +341,12 @@ Command chosen_command(const CLI::App& app, Targets& targets) {
     }
     if (name == "report") {
         return std::move(targets.report);
+    }
+    if (name == "mux") {
+        return std::move(targets.mux);
+    }
+    if (name == "cache") {
+        return std::move(targets.cache);
     }
     if (name == "import") {
         return std::move(targets.import_);
@@ -332,6 +408,8 @@ std::variant<CommandLine, NothingToRun> parse_command_line(
     add_export(app, targets);
     add_report(app, targets);
     add_import(app, targets);
+    add_mux(app, targets);
+    add_cache_actions(app, targets);
     try {
         // CLI11 takes its arguments from the back.
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

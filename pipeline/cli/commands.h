@@ -25,6 +25,7 @@ struct InputOptions {
 
 struct CacheOptions {
     std::string folder;  // empty: the usual one
+    std::string size;    // its limit, "20 GB"; empty: the usual one
 };
 
 struct RenderCommand {
@@ -32,7 +33,28 @@ struct RenderCommand {
     CacheOptions cache;
     std::string output;  // empty: the shot's name in the current folder
     std::string frames;  // "0-47x2"; empty: all
+    std::string chunk;   // "2/8" of these: frames alone, no film; empty: a film
     int threads = 0;     // 0: as many as there are processors
+    bool dry_run = false;
+};
+
+struct MuxCommand {
+    InputOptions input;
+    CacheOptions cache;
+    std::string output;
+    std::string frames;
+};
+
+/// What is in the cache, and what of it goes.
+struct CacheCommand {
+    enum class Action { list, prune, verify };
+    Action action = Action::list;
+    CacheOptions cache;
+    bool json = false;       // list
+    std::string unused_for;  // prune: "30 d"; empty: whatever its age
+    bool all = false;        // prune
+    bool dry_run = false;    // prune
+    bool keep = false;       // verify: damaged files are only named
 };
 
 /// The film of an existing shot at another speed. Texts as they were typed.
@@ -90,7 +112,7 @@ struct ImportCommand {
 };
 
 using Command = std::variant<RenderCommand, RetimeCommand, BakeCommand, FrameCommand, CheckCommand,
-                             ExportCommand, ReportCommand, ImportCommand>;
+                             ExportCommand, ReportCommand, ImportCommand, MuxCommand, CacheCommand>;
 
 struct CommandLine {
     TalkOptions talk;

@@ -8,17 +8,18 @@
 
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
-#include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/film_input.h"
 #include "pipeline/cli/job_talk.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/cli/time_text.h"
 #include "pipeline/job/film_job.h"
+#include "pipeline/job/film_status.h"
 #include "pipeline/job/job_metadata.h"
+#include "pipeline/video/image_sequence.h"
 #include "pipeline/video/picture_kind.h"
 #include "pipeline/video/picture_writer.h"
-#include "pipeline/video/video_format.h"
 #include "pipeline/video/view_transform.h"
 #include "render/integrator/distributed_ray_counts.h"
 
@@ -28,12 +29,6 @@ namespace {
 
 using pipeline::FilmJobOptions;
 using pipeline::Shot;
-
-/// The bake that the input is or carries; otherwise the kept one, or a new one.
-sim::Bake bake_of(ShotInput& input, const InputOptions& options, const CacheOptions& cache,
-                  CommandContext& context) {
-    return input.bake ? std::move(*input.bake) : bake_of(input.shot, options.path, cache, context);
-}
 
 /// How true the ways along objects are to what these did.
 void tell_fitted_paths(const Shot& shot, const sim::Timeline& timeline, Console& console) {
@@ -47,45 +42,6 @@ void tell_fitted_paths(const Shot& shot, const sim::Timeline& timeline, Console&
                      std::to_string(path.degree) + ", at most " + millimetres.data() +
                      " mm from it");
     }
-}
-
-pipeline::FrameRange frame_range(const std::string& text) {
-    try {
-        return text.empty() ? pipeline::FrameRange{} : pipeline::parse_frame_range(text);
-    } catch (const Error& error) {
-        throw InputError(error.what());
-    }
-}
-
-/// How many frames the whole film has. Throws InputError if it has none.
-std::int64_t film_frames(const Shot& shot) {
-    const std::int64_t frames = pipeline::frame_count(shot.cameras, shot.timing);
-    if (frames == 0) {
-        throw InputError("'" + shot.name + "' has no frames: no camera films it");
-    }
-    return frames;
-}
-
-/// How many of them the job takes. Throws InputError if there are none.
-std::int64_t job_frames(const Shot& shot, const pipeline::FrameRange& range,
-                        const std::string& text) {
-    const std::int64_t all = film_frames(shot);
-    const auto frames = static_cast<std::int64_t>(range.frames(all).size());
-    if (frames == 0) {
-        throw InputError("none of the film's frames, 0 to " + std::to_string(all - 1) +
-                         ", is in --frames " + text);
-    }
-    return frames;
-}
-
-void check_film(const Shot& shot, const std::string& path) {
-    const std::string problem = pipeline::check_video_format(
-        {shot.render.width, shot.render.height, shot.timing.fps}, shot.output, path);
-    if (!problem.empty()) {
-        throw InputError(problem);
-    }
-    check_output_folder(path);
-    static_cast<void>(pipeline::DisplayView(shot.output));  // before rendering: it may fail
 }
 
 std::int64_t chosen_frame(const FrameCommand& command, const Shot& shot) {
@@ -136,6 +92,24 @@ void tell_rays(const Shot& shot, const render::RenderStatistics& count, Console&
     console.event("rays", members, text, false);
 }
 
+/// What --dry-run prints: whole stretches of frames, in order.
+void tell_status(const pipeline::FilmStatus& status) {
+    std::string text;
+    if (!status.stored.empty()) {
+        text += "there: " + pipeline::frames_text(status.stored) + "\n";
+    }
+    if (!status.missing.empty()) {
+        text += "to render: " + pipeline::frames_text(status.missing) + "\n";
+    }
+    text += std::to_string(status.frames.size()) + " frames, " +
+            std::to_string(status.stored.size()) + " there, " +
+            std::to_string(status.missing.size()) + " to render";
+    if (status.pictures != std::ssize(status.missing)) {
+        text += ", which show " + std::to_string(status.pictures) + " pictures";
+    }
+    print_text(text + "\n");
+}
+
 void check_picture_path(const std::string& path) {
     if (!pipeline::is_picture_path(path)) {
         throw InputError("cannot tell what picture to write from '" + path + "'; there are " +
@@ -154,24 +128,35 @@ std::string numbered_extension(std::int64_t frame) {
 void run_render(const RenderCommand& command, CommandContext& context) {
     const auto begin = std::chrono::steady_clock::now();
     ShotInput input = read_shot_input(command.input, context.console);
-    const std::string path = output_or_default(command.output, command.input.path,
-                                               pipeline::default_extension(input.shot.output));
+    const bool makes_film = command.chunk.empty() || !command.output.empty();
+    const std::string path = makes_film ? film_path(command.output, command.input, input.shot) : "";
     film_shot(std::move(input), path, command, begin, context);
 }
 
 void film_shot(ShotInput input, const std::string& path, const RenderCommand& command,
                std::chrono::steady_clock::time_point begin, CommandContext& context) {
-    check_film(input.shot, path);
-
-    FilmJobOptions options;
+    const bool makes_film = !path.empty();
+    if (!command.chunk.empty() && makes_film && !pipeline::is_image_sequence(path)) {
+        throw InputError("a chunk is no film: leave out -o and let 'carom mux' write '" + path +
+                         "' when all chunks are there, or write pictures (shot.####.exr)");
+    }
+    if (makes_film) {
+        check_film(input.shot, path);
+    }
+    FilmJobOptions options = job_options(command.cache, command.frames, command.chunk);
     options.output = path;
-    options.frames = frame_range(command.frames);
-    options.cache_folder = command.cache.folder;
     options.threads = command.threads;
-    const std::int64_t frames = job_frames(input.shot, options.frames, command.frames);
-
+    const std::int64_t frames = count_job_frames(input.shot, options, command.frames);
+    if (frames == 0) {
+        context.console.info("chunk " + command.chunk + " has no frames");
+        return;
+    }
     const sim::Bake bake = bake_of(input, command.input, command.cache, context);
     tell_fitted_paths(input.shot, bake.timeline, context.console);
+    if (command.dry_run) {
+        tell_status(pipeline::film_status(input.shot, bake, options, context.stop));
+        return;
+    }
     const pipeline::FilmJobResult result = pipeline::make_film(
         input.shot, bake, options, talk_about_job(context.console, frames), context.stop);
     context.console.end_progress();
@@ -180,6 +165,23 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
                          std::to_string(result.rendered) + " of them rendered now, in " +
                          duration_text(elapsed.count()));
     tell_rays(input.shot, result.counts, context.console);
+    if (makes_film) {
+        print_path(path);
+    }
+}
+
+void run_mux(const MuxCommand& command, CommandContext& context) {
+    ShotInput input = read_shot_input(command.input, context.console);
+    const std::string path = film_path(command.output, command.input, input.shot);
+    check_film(input.shot, path);
+    FilmJobOptions options = job_options(command.cache, command.frames, {});
+    options.output = path;
+    const std::int64_t frames = count_job_frames(input.shot, options, command.frames);
+    const sim::Bake bake = bake_of(input, command.input, command.cache, context);
+    const pipeline::FilmJobResult result = pipeline::mux_film(
+        input.shot, bake, options, talk_about_job(context.console, frames), context.stop);
+    context.console.end_progress();
+    context.console.info(std::to_string(result.frames) + " frames");
     print_path(path);
 }
 
@@ -192,8 +194,7 @@ void run_frame(const FrameCommand& command, CommandContext& context) {
     check_output_folder(path);
     const pipeline::DisplayView view(input.shot.output);  // before rendering: it may fail
 
-    FilmJobOptions options;
-    options.cache_folder = command.cache.folder;
+    FilmJobOptions options = job_options(command.cache, {}, {});
     options.threads = command.threads;
     const sim::Bake bake = bake_of(input, command.input, command.cache, context);
     const render::Film film = pipeline::make_frame(

@@ -15,6 +15,7 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
                std::chrono::steady_clock::time_point begin, CommandContext& context);
 
 void run_render(const RenderCommand& command, CommandContext& context);
+void run_mux(const MuxCommand& command, CommandContext& context);
 void run_frame(const FrameCommand& command, CommandContext& context);
 
 }  // namespace carom::cli

@@ -15,6 +15,7 @@ void run(const Command& command, CommandContext& context) {
         Overload{
             [&](const RenderCommand& render) { run_render(render, context); },
             [&](const RetimeCommand& retime) { run_retime(retime, context); },
+            [&](const MuxCommand& mux) { run_mux(mux, context); },
             [&](const FrameCommand& frame) { run_frame(frame, context); },
             [](const auto&) { throw InputError("this program only renders; call carom instead"); },
         },

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "pipeline/job/film_job.h"
+#include "pipeline/store/cache_entry.h"
 #include "pipeline/store/cache_folder.h"
 #include "sim/bake.h"
 #include "sim/timeline/atomic_file.h"
@@ -35,6 +36,7 @@ std::optional<sim::Bake> read_kept(const std::string& path, const Hash128& physi
     try {
         sim::Bake bake = sim::read_bake(path);
         if (bake.physics_hash == physics_hash) {
+            mark_used(path);
             std::ifstream warnings(warnings_path(path));
             for (std::string line; std::getline(warnings, line);) {
                 warn(observer, line);

@@ -11,6 +11,7 @@
 
 #include "pipeline/job/frame_range.h"
 #include "pipeline/shot/shot.h"
+#include "pipeline/store/cache_care.h"
 #include "render/film/film.h"
 #include "sim/timeline/bake_file.h"
 
@@ -28,10 +29,13 @@ struct JobObserver {
 };
 
 struct FilmJobOptions {
-    std::string output;        // path of the video, or of an image sequence
+    std::string output;        // path of the video, or of an image sequence; empty: frames are
+                               // rendered and stored, nothing else
     FrameRange frames;         // empty: all
+    FrameChunk chunk;          // of these
     std::string cache_folder;  // of bakes and frames; empty: default_cache_folder()
-    int threads = 0;           // 0: as many as there are processors
+    std::uint64_t cache_limit = kNoLimit;  // bytes; what was used longest ago goes first
+    int threads = 0;                       // 0: as many as there are processors
 };
 
 struct FilmJobResult {

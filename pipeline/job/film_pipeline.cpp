@@ -3,20 +3,15 @@
 #include <exception>
 #include <thread>
 
-#include "pipeline/camera/frame_plan.h"
+#include "pipeline/job/cache_keeper.h"
 #include "pipeline/job/exported_frame.h"
 #include "pipeline/job/film_encoder.h"
+#include "pipeline/job/job_frames.h"
 #include "pipeline/job/picture_supply.h"
-#include "pipeline/store/cache_folder.h"
 #include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {
-
-std::string frames_folder(const FilmJobOptions& options) {
-    const std::string& cache = options.cache_folder;
-    return (cache.empty() ? default_cache_folder() : cache) + "/frames";
-}
 
 FrameStore open_store(const FilmJobOptions& options, ObserverGate& observer) {
     FrameStore store(frames_folder(options));
@@ -25,6 +20,29 @@ FrameStore open_store(const FilmJobOptions& options, ObserverGate& observer) {
                          "' cannot be locked; a second process would render the same frames again");
     }
     return store;
+}
+
+void mark_used(const FilmPlan& plan, const FrameStore& store) {
+    for (const FilmPlan::Picture& picture : plan.pictures) {
+        store.mark_used(picture.key);
+    }
+}
+
+// In the encoder's place when nothing is to be encoded: sees to it that the frames which were there
+// are whole.
+void await_pictures(const FilmPlan& plan, const FrameStore& store, PictureBoard& board,
+                    const std::stop_token& stop) {
+    for (std::size_t i = 0; i < plan.pictures.size();) {
+        if (!board.wait_until_ready(i, stop) || stop.stop_requested()) {
+            throw Stopped();
+        }
+        if (store.holds_whole(plan.pictures[i].key)) {
+            ++i;
+        } else {
+            store.discard(plan.pictures[i].key);
+            board.request_again(i);
+        }
+    }
 }
 
 // The encoder on a thread of its own. Whichever side fails stops the other.
@@ -69,22 +87,25 @@ class EncoderThread {
 FilmJobResult make_film_with(const RenderFunction& render, const Shot& shot,
                              const sim::Timeline& timeline, const FilmJobOptions& options,
                              const JobObserver& observer, const std::stop_token& stop) {
-    const std::int64_t count = frame_count(shot.cameras, shot.timing);
-    const std::vector<std::int64_t> frames = options.frames.frames(count);
-    if (frames.empty()) {
-        throw Error("none of the film's " + std::to_string(count) + " frames is asked for");
-    }
+    const std::vector<std::int64_t> frames = job_frames(shot, options);
     ObserverGate gate(observer);
     const FrameStore store = open_store(options, gate);
     const FilmSource source(shot, timeline);
     const FilmPlan plan = plan_film(source, frames, stop);
+    CacheKeeper keeper(cache_of(options), options.cache_limit, gate);
+    mark_used(plan, store);
+    keeper.prune();
 
     std::stop_source job_stop;
     const std::stop_callback pass_on(stop, [&job_stop] { job_stop.request_stop(); });
     PictureBoard board(plan.pictures.size());
     PictureMaker maker(source, store, render);
-    PictureSupply supply(plan, maker, board, gate);
+    PictureSupply supply(plan, maker, board, gate, &keeper);
     EncoderThread encoder(board, job_stop, [&] {
+        if (options.output.empty()) {
+            await_pictures(plan, store, board, job_stop.get_token());
+            return;
+        }
         encode_film(source, plan, store, board, options.output, gate, job_stop.get_token());
     });
     std::exception_ptr failure;
@@ -98,6 +119,7 @@ FilmJobResult make_film_with(const RenderFunction& render, const Shot& shot,
     if (!encoder.is_complete()) {
         failure ? std::rethrow_exception(failure) : throw Stopped();
     }
+    keeper.prune();
     return {static_cast<std::int64_t>(frames.size()), supply.rendered(), supply.counts()};
 }
 
@@ -109,6 +131,9 @@ render::Film make_frame_with(const RenderFunction& render, const Shot& shot,
     const FrameStore store = open_store(options, gate);
     const FilmSource source(shot, timeline);
     const FilmPlan plan = plan_film(source, {frame}, stop);
+    mark_used(plan, store);
+    CacheKeeper keeper(cache_of(options), options.cache_limit, gate);
+    keeper.prune();
     PictureBoard board(1);
     board.reader_done();
     PictureMaker maker(source, store, render);

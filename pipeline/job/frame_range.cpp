@@ -96,4 +96,43 @@ FrameRange parse_frame_range(std::string_view text) {
     }
 }
 
+std::vector<std::int64_t> FrameChunk::part_of(const std::vector<std::int64_t>& frames) const {
+    const std::ptrdiff_t count = std::ssize(frames);
+    const std::ptrdiff_t shorter = count / of, longer_ones = count % of;
+    const auto begin_of = [&](std::int64_t chunk) {  // counted from 0
+        return frames.begin() + chunk * shorter + std::min(chunk, longer_ones);
+    };
+    return {begin_of(number - 1), begin_of(number)};
+}
+
+FrameChunk parse_frame_chunk(std::string_view text) {
+    std::string_view rest = trimmed(text);
+    FrameChunk chunk;
+    if (!take_number(rest, chunk.number) || !take(rest, '/') || !take_number(rest, chunk.of) ||
+        !rest.empty()) {
+        throw Error("cannot read the chunk '" + std::string(text) +
+                    "'; write its number and how many there are (2/8)");
+    }
+    if (chunk.of < 1 || chunk.number < 1 || chunk.number > chunk.of) {
+        throw Error("there is no chunk '" + std::string(text) + "'; they count from 1/N to N/N");
+    }
+    return chunk;
+}
+
+std::string frames_text(const std::vector<std::int64_t>& frames) {
+    std::string text;
+    for (std::size_t i = 0; i < frames.size();) {
+        std::size_t last = i;
+        while (last + 1 < frames.size() && frames[last + 1] == frames[last] + 1) {
+            ++last;
+        }
+        text += (text.empty() ? "" : ", ") + std::to_string(frames[i]);
+        if (last > i) {
+            text += "-" + std::to_string(frames[last]);
+        }
+        i = last + 1;
+    }
+    return text;
+}
+
 }  // namespace carom::pipeline

@@ -24,4 +24,19 @@ struct FrameRange {
 /// Throws Error with a sentence that quotes the part it cannot read.
 [[nodiscard]] FrameRange parse_frame_range(std::string_view text);
 
+/// One of several machines' share of a film: stretches of it that differ by at most one frame in
+/// length, so that neighbours, which may show the same, stay together.
+struct FrameChunk {
+    std::int64_t number = 1;  // [1, of]
+    std::int64_t of = 1;
+
+    [[nodiscard]] std::vector<std::int64_t> part_of(const std::vector<std::int64_t>& frames) const;
+};
+
+/// "2/8". Throws Error with a sentence that quotes the text.
+[[nodiscard]] FrameChunk parse_frame_chunk(std::string_view text);
+
+/// "0-11, 14, 20-23" of ascending numbers.
+[[nodiscard]] std::string frames_text(const std::vector<std::int64_t>& frames);
+
 }  // namespace carom::pipeline

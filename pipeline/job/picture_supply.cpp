@@ -51,6 +51,9 @@ bool PictureSupply::try_make(std::size_t picture, const std::stop_token& stop) {
     counts_ += made.counts;
     report(picture, made);
     board_.mark_ready(picture);
+    if (keeper_ != nullptr && made.origin == PictureOrigin::rendered) {
+        keeper_->picture_stored();
+    }
     return true;
 }
 

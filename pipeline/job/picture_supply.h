@@ -5,6 +5,7 @@
 #include <deque>
 #include <vector>
 
+#include "pipeline/job/cache_keeper.h"
 #include "pipeline/job/film_plan.h"
 #include "pipeline/job/observer_gate.h"
 #include "pipeline/job/picture_board.h"
@@ -16,12 +17,14 @@ namespace carom::pipeline {
 /// for later; one that the encoder cannot read is made again at once. Refers to its arguments.
 class PictureSupply {
   public:
+    /// `keeper`, if there is one, hears of every picture that is stored.
     PictureSupply(const FilmPlan& plan, PictureMaker& maker, PictureBoard& board,
-                  ObserverGate& observer)
+                  ObserverGate& observer, CacheKeeper* keeper = nullptr)
         : plan_(plan),
           maker_(maker),
           board_(board),
           observer_(observer),
+          keeper_(keeper),
           is_reported_(plan.pictures.size(), false),
           repairs_(plan.pictures.size(), 0) {}
 
@@ -43,6 +46,7 @@ class PictureSupply {
     PictureMaker& maker_;
     PictureBoard& board_;
     ObserverGate& observer_;
+    CacheKeeper* keeper_;
     std::deque<std::size_t> held_;  // by other processes
     std::vector<bool> is_reported_;
     std::vector<int> repairs_;

@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 
+#include "pipeline/store/cache_entry.h"
 #include "pipeline/store/file_descriptor.h"
 #include "pipeline/store/lock_file.h"
 #include "pipeline/store/seal.h"
@@ -90,6 +91,18 @@ std::string FrameStore::path_of(const Hash128& key) const {
 
 bool FrameStore::contains(const Hash128& key) const {
     return ::access(path_of(key).c_str(), F_OK) == 0;
+}
+
+bool FrameStore::holds_whole(const Hash128& key) const {
+    return check_seal(path_of(key), key) == SealState::whole;
+}
+
+void FrameStore::discard(const Hash128& key) const {
+    ::unlink(path_of(key).c_str());
+}
+
+void FrameStore::mark_used(const Hash128& key) const {
+    pipeline::mark_used(path_of(key));
 }
 
 std::optional<render::Film> FrameStore::read(const Hash128& key) const {

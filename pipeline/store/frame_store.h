@@ -44,6 +44,16 @@ class FrameStore {
     /// Whether a file stands under the key (it may still turn out to be damaged).
     [[nodiscard]] bool contains(const Hash128& key) const;
 
+    /// Whether the file under the key is whole, read to its end but not decoded. Throws Error if
+    /// the folder cannot be read.
+    [[nodiscard]] bool holds_whole(const Hash128& key) const;
+
+    /// Removes the frame, if it is there: its file is damaged.
+    void discard(const Hash128& key) const;
+
+    /// Notes that the frame, if it is there, is used now: it will be among the last to be pruned.
+    void mark_used(const Hash128& key) const;
+
     /// The frame, or nothing if there is none. A damaged file is removed and counts as none. Throws
     /// Error if the folder cannot be read.
     [[nodiscard]] std::optional<render::Film> read(const Hash128& key) const;

@@ -57,5 +57,35 @@ TEST(FrameRange, Unreadable_IsAnErrorThatQuotesThePart) {
     EXPECT_EQ(error_of("0-9x0"), "the frames '0-9x0' have a step of 0; it must be at least 1");
 }
 
+TEST(FrameChunk, Chunks_CoverEveryFrameOnceAndDifferByOneAtMost) {
+    for (const std::int64_t count : {1, 5, 12, 13}) {
+        const std::vector<std::int64_t> all = FrameRange{}.frames(count);
+        for (const std::int64_t of : {1, 2, 5, 12, 20}) {
+            std::vector<std::int64_t> joined;
+            for (std::int64_t number = 1; number <= of; ++number) {
+                const std::vector<std::int64_t> part = FrameChunk{number, of}.part_of(all);
+                EXPECT_GE(std::ssize(part), count / of);
+                EXPECT_LE(std::ssize(part), (count + of - 1) / of);
+                joined.insert(joined.end(), part.begin(), part.end());
+            }
+            EXPECT_EQ(joined, all);
+        }
+    }
+}
+
+TEST(FrameChunk, Texts_AreReadOrQuoted) {
+    EXPECT_EQ(parse_frame_chunk("2/8").number, 2);
+    EXPECT_EQ(parse_frame_chunk(" 8/8 ").of, 8);
+    for (const char* wrong : {"", "2", "0/8", "9/8", "2/0", "-1/3", "1/3x", "a/b", "1/"}) {
+        EXPECT_THROW((void)parse_frame_chunk(wrong), Error) << wrong;
+    }
+}
+
+TEST(FramesText, Stretches_AreJoined) {
+    EXPECT_EQ(frames_text({}), "");
+    EXPECT_EQ(frames_text({4}), "4");
+    EXPECT_EQ(frames_text({0, 1, 2, 5, 7, 8}), "0-2, 5, 7-8");
+}
+
 }  // namespace
 }  // namespace carom::pipeline

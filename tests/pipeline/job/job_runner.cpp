@@ -1,31 +1,42 @@
-// Makes the tiny shot's film: what a test kills. Arguments: cache folder, video, and a log that
-// gets a line with the seed of every picture when its rendering begins.
-#include <chrono>
-#include <string>
-#include <thread>
+// run_logged_job as a program: cache folder, video, log. Given a fourth argument it runs where the
+// file system has no locks: flock fails with ENOLCK. Exit code 1 if it fails.
+#include <cerrno>
+#include <cstddef>
+#include <cstdio>
+#include <exception>
 
-#include <fcntl.h>
-#include <unistd.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
 
-#include "pipeline/job/film_pipeline.h"
-#include "tests/pipeline/job/tiny_shot.h"
+#include "tests/pipeline/job/logged_job.h"
 
-int main(int, char** arguments) {
-    using namespace carom;
-    const int log = ::open(arguments[3], O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
-    const pipeline::Shot shot = testing::tiny_shot();
-    const auto render = [&](const pipeline::FrameInputs& inputs, const WorkContext&) {
-        const std::string line = std::to_string(inputs.frame.seed) + "\n";
-        if (::write(log, line.data(), line.size()) < 0) {
-            ::_exit(2);
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(8));
-        return testing::fake_picture(shot, inputs);
+namespace {
+
+bool forbid_flock() {
+    sock_filter program[] = {
+        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_flock, 0, 1),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOLCK),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
     };
-    pipeline::FilmJobOptions options;
-    options.cache_folder = arguments[1];
-    options.output = arguments[2];
-    (void)pipeline::make_film_with(render, shot, testing::tiny_timeline(), options, {}, {});
-    ::close(log);
+    const sock_fprog filter{4, program};
+    return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+           ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    if (count > 4 && !forbid_flock()) {
+        return 77;
+    }
+    try {
+        carom::testing::run_logged_job(arguments[1], arguments[2], arguments[3]);
+    } catch (const std::exception& error) {
+        std::puts(error.what());
+        return 1;
+    }
     return 0;
 }

@@ -1,12 +1,18 @@
 // A job that is killed again and again, and two jobs in two processes.
 #include <chrono>
 #include <filesystem>
+#include <random>
 #include <set>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 #include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include "tests/pipeline/job/logged_job.h"
 #include "tests/pipeline/store/child_process.h"
 #include "tests/pipeline/video/scratch_folder.h"
 
@@ -58,39 +64,101 @@ void kill_after_lines(ChildProcess& job, const std::string& log, std::size_t lin
     job.kill();
 }
 
-TEST(KilledJob, Resumed_GivesTheSameFilmAndRendersNoFinishedFrameAgain) {
-    const ScratchFolder folder;
-    ChildProcess calm(job(folder.path("calm"), folder.path("calm.mkv"), folder.path("log")));
-    ASSERT_EQ(calm.wait(), 0);
-    ASSERT_EQ(lines_of(folder.path("log")).size(), kPictures);
+/// A cache, a video and how often its frames were rendered, from nothing to the whole film.
+struct Life {
+    std::string cache, video;
+    int kills = 0;
+    int renderings = 0;
+};
 
-    const std::string cache = folder.path("cache"), video = folder.path("film.mkv");
-    int kills = 0, renderings = 0, late_rounds = 0, status = -1;
-    for (int round = 0; status != 0 && round < 40; ++round) {
-        const std::set<std::string> before = finished(cache);
+/// The job in a process forked from this one, which has its libraries already (loading them takes
+/// ten times as long as the job). There must be no other threads here; it has a test program of its
+/// own.
+class ForkedJob {
+  public:
+    ForkedJob(const std::string& cache, const std::string& video, const std::string& log)
+        : process_(::fork()) {
+        if (process_ == 0) {
+            int code = 0;
+            try {
+                carom::testing::run_logged_job(cache, video, log);
+            } catch (...) {
+                code = 1;
+            }
+            ::_exit(code);
+        }
+    }
+    ~ForkedJob() { (void)wait(); }
+    ForkedJob(const ForkedJob&) = delete;
+    ForkedJob& operator=(const ForkedJob&) = delete;
+
+    void kill() const { ::kill(process_, SIGKILL); }
+    int wait() {
+        if (process_ > 0) {
+            ::waitpid(std::exchange(process_, -1), &status_, 0);
+        }
+        return status_;
+    }
+
+  private:
+    pid_t process_ = -1;
+    int status_ = -1;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+TEST(KilledJob, FiftyRandomMoments_LoseNothingButTheFrameInFlight) {
+    constexpr int kKills = 50;
+    const ScratchFolder folder;
+    const auto begin = std::chrono::steady_clock::now();
+    ForkedJob calm(folder.path("calm"), folder.path("calm.mkv"), folder.path("log"));
+    ASSERT_EQ(calm.wait(), 0);
+    const double duration = seconds_since(begin);
+    ASSERT_EQ(lines_of(folder.path("log")).size(), kPictures);
+    const std::string film = read_text(folder.path("calm.mkv"));
+
+    const unsigned seed = std::random_device()();
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> moment(0, duration);
+    const auto new_life = [&](int number) {
+        const std::string name = std::to_string(number);
+        return Life{folder.path("cache" + name), folder.path("film" + name + ".mkv")};
+    };
+    Life life = new_life(0);
+    int kills = 0, lives = 1;
+    for (int round = 0; kills < kKills || life.kills > 0; ++round) {
+        ASSERT_LT(round, 4 * kKills) << "never came to its end";
+        const std::set<std::string> before = finished(life.cache);
         const std::string log = folder.path("log" + std::to_string(round));
-        ChildProcess child(job(cache, video, log));
-        if (before.size() < kPictures) {
-            // At any moment from the beginning of a rendering to the middle of the next.
-            kill_after_lines(child, log, 1u + round % 2, std::chrono::milliseconds(5 * round % 13));
-        } else if (++late_rounds <= 3) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(120 * late_rounds));
+        ForkedJob child(life.cache, life.video, log);
+        if (kills < kKills) {
+            std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
             child.kill();
         }
-        status = child.wait();
-        kills += status != 0;
-        for (const std::string& seed : lines_of(log)) {
-            EXPECT_EQ(before.count(seed), 0u) << "a finished frame was rendered again";
-            ++renderings;
+        const int status = child.wait();
+        for (const std::string& frame : lines_of(log)) {
+            EXPECT_EQ(before.count(frame), 0u) << "a finished frame was rendered again";
+            ++life.renderings;
         }
-        EXPECT_EQ(fs::exists(video), status == 0) << "a video that is not whole";
+        if (fs::exists(life.video)) {  // it may be there although its job was killed a moment later
+            ASSERT_EQ(read_text(life.video), film) << "seed " << seed << ", round " << round;
+        }
+        life.kills += status != 0;
+        kills += status != 0;
+        if (status == 0) {
+            EXPECT_TRUE(fs::exists(life.video));
+            EXPECT_LE(life.renderings, static_cast<int>(kPictures) + life.kills);
+            EXPECT_TRUE(fs::is_empty(life.cache + "/frames/locks"));
+            EXPECT_TRUE(fs::is_empty(life.cache + "/frames/partial"));
+            life = new_life(lives++);
+        }
     }
-    ASSERT_EQ(status, 0) << "never came to its end";
-    EXPECT_GE(kills, 3);
-    EXPECT_LE(renderings, static_cast<int>(kPictures) + kills);
-    EXPECT_EQ(read_text(video), read_text(folder.path("calm.mkv")));
-    EXPECT_TRUE(fs::is_empty(cache + "/frames/locks"));
-    EXPECT_TRUE(fs::is_empty(cache + "/frames/partial"));
+    EXPECT_EQ(kills, kKills);
+    for (const std::string& name : folder.names()) {
+        EXPECT_FALSE(name.starts_with(".")) << name << " was left beside the videos";
+    }
 }
 
 TEST(KilledJob, TwoProcesses_ShareTheWork) {
@@ -117,6 +185,28 @@ TEST(KilledJob, PartnerKilled_LeavesItsFrameToTheOther) {
     EXPECT_GE(lines_of(log).size(), kPictures);
     EXPECT_LE(lines_of(log).size(), kPictures + 1);
     EXPECT_FALSE(read_text(folder.path("b.mkv")).empty());
+}
+
+TEST(KilledJob, WithoutLocks_BothSaySoAndGoOnUnshared) {
+    const ScratchFolder folder;
+    const std::string cache = folder.path("cache");
+    const auto unshared = [&](const std::string& name) {
+        std::vector<std::string> command =
+            job(cache, folder.path(name + ".mkv"), folder.path(name));
+        command.emplace_back("without flock");
+        return command;
+    };
+    ChildProcess first(unshared("a")), second(unshared("b"));
+    ASSERT_EQ(first.wait(), 0);
+    ASSERT_EQ(second.wait(), 0);
+    for (const std::string name : {"a", "b"}) {
+        EXPECT_THAT(read_text(folder.path(name + ".warnings")),
+                    ::testing::HasSubstr("cannot be locked; a second process would render the same "
+                                         "frames again"));
+    }
+    EXPECT_GE(lines_of(folder.path("a")).size() + lines_of(folder.path("b")).size(), kPictures);
+    EXPECT_FALSE(read_text(folder.path("a.mkv")).empty());
+    EXPECT_EQ(read_text(folder.path("a.mkv")), read_text(folder.path("b.mkv")));
 }
 
 }  // namespace

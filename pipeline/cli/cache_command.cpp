@@ -1,0 +1,173 @@
+#include "pipeline/cli/cache_command.h"
+
+#include <array>
+#include <cstdlib>
+#include <ctime>
+#include <optional>
+
+#include "pipeline/cli/terminal/json_text.h"
+#include "pipeline/store/cache_care.h"
+#include "pipeline/store/cache_folder.h"
+
+namespace carom::cli {
+
+namespace {
+
+using pipeline::CacheEntry;
+using Clock = std::chrono::system_clock;
+
+std::string folder_of(const CacheOptions& cache) {
+    return cache.folder.empty() ? pipeline::default_cache_folder() : cache.folder;
+}
+
+std::uint64_t limit_of(const CacheOptions& cache) {
+    try {
+        return pipeline::cache_size_limit(cache.size);
+    } catch (const Error& error) {
+        throw InputError(error.what());
+    }
+}
+
+std::string counted(std::uint64_t count, const char* noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// As the reader's clock shows it.
+std::string date_text(Clock::time_point time) {
+    const std::time_t seconds = Clock::to_time_t(time);
+    std::tm local{};
+    ::localtime_r(&seconds, &local);
+    std::array<char, 32> text{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local);
+    return text.data();
+}
+
+/// "30d", "12 h", "90 min", "20 s".
+Clock::duration age_from_text(const std::string& text) {
+    char* end = nullptr;
+    const bool starts_well = !text.empty() && text.front() >= '0' && text.front() <= '9';
+    const double value = starts_well ? std::strtod(text.c_str(), &end) : 0;
+    std::string unit = starts_well ? end : "";
+    unit.erase(0, unit.find_first_not_of(' ') == std::string::npos ? unit.size()
+                                                                   : unit.find_first_not_of(' '));
+    const double seconds = unit == "d"     ? 86400
+                           : unit == "h"   ? 3600
+                           : unit == "min" ? 60
+                           : unit == "s"   ? 1
+                                           : 0;
+    if (seconds == 0 || value * seconds > 1e9) {
+        throw InputError("'" + text + "' is not a time; write it as 30d, 12h, 90min or 20s");
+    }
+    return std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(value * seconds));
+}
+
+struct Total {
+    std::uint64_t count = 0;
+    std::uint64_t bytes = 0;
+    std::optional<Clock::time_point> oldest, newest;  // of use
+};
+
+Total total_of(const std::vector<CacheEntry>& entries, CacheEntry::Kind kind) {
+    Total total;
+    for (const CacheEntry& entry : entries) {
+        if (entry.kind == kind) {
+            ++total.count;
+            total.bytes += entry.bytes;
+            total.oldest = total.oldest.value_or(entry.last_used);
+            total.newest = entry.last_used;
+        }
+    }
+    return total;
+}
+
+std::string total_text(const std::vector<CacheEntry>& entries, CacheEntry::Kind kind,
+                       const char* noun) {
+    const Total total = total_of(entries, kind);
+    std::string text = counted(total.count, noun) + ", " + pipeline::size_text(total.bytes);
+    if (total.count > 0) {
+        text += ", used between " + date_text(*total.oldest) + " and " + date_text(*total.newest);
+    }
+    return text + "\n";
+}
+
+const char* name_of(CacheEntry::Kind kind) {
+    return kind == CacheEntry::Kind::frame ? "frame" : "bake";
+}
+
+std::string entry_json(const CacheEntry& entry) {
+    JsonMembers members;
+    members.add("kind", name_of(entry.kind))
+        .add("path", entry.path)
+        .add("bytes", static_cast<std::int64_t>(entry.bytes))
+        .add("last_used",
+             std::chrono::duration<double>(entry.last_used.time_since_epoch()).count());
+    return members.object() + "\n";
+}
+
+void list(const CacheCommand& command) {
+    const std::string folder = folder_of(command.cache);
+    const std::vector<CacheEntry> entries = pipeline::list_cache(folder);
+    std::string text;
+    if (command.json) {
+        for (const CacheEntry& entry : entries) {
+            text += entry_json(entry);
+        }
+    } else {
+        text = folder + ": limit " + pipeline::size_text(limit_of(command.cache)) + "\n" +
+               total_text(entries, CacheEntry::Kind::frame, "frame") +
+               total_text(entries, CacheEntry::Kind::bake, "bake");
+    }
+    print_text(text);
+}
+
+void prune(const CacheCommand& command, CommandContext& context) {
+    pipeline::PruneOptions options;
+    options.limit = command.all ? 0 : limit_of(command.cache);
+    if (!command.unused_for.empty()) {
+        options.remove_before = Clock::now() - age_from_text(command.unused_for);
+    }
+    options.dry_run = command.dry_run;
+    const std::string folder = folder_of(command.cache);
+    const pipeline::PruneResult result = pipeline::prune_cache(folder, options);
+    context.console.info(
+        std::string(command.dry_run ? "would remove " : "removed ") +
+        counted(result.removed, "file") + " (" + pipeline::size_text(result.removed_bytes) + "); " +
+        counted(result.kept, "file") + " (" + pipeline::size_text(result.kept_bytes) + ") " +
+        (result.kept == 1 ? "stays" : "stay") + " in '" + folder + "'");
+}
+
+void verify(const CacheCommand& command, CommandContext& context) {
+    const std::string folder = folder_of(command.cache);
+    const pipeline::VerifyResult result = pipeline::verify_cache(folder, {}, context.stop);
+    for (const CacheEntry& entry : result.damaged) {
+        print_path(entry.path);
+        if (!command.keep && !pipeline::remove_entry(entry)) {
+            context.console.warning("'" + entry.path + "' cannot be removed");
+        }
+    }
+    if (!result.damaged.empty()) {
+        throw Error(counted(result.damaged.size(), "damaged file") + " of " +
+                    std::to_string(result.checked) + " in '" + folder + "'" +
+                    (command.keep ? "" : ", removed: they will be made again when needed"));
+    }
+    context.console.info(counted(result.checked, "file") + " in '" + folder + "', all whole");
+}
+
+}  // namespace
+
+void run_cache(const CacheCommand& command, CommandContext& context) {
+    switch (command.action) {
+        case CacheCommand::Action::list:
+            list(command);
+            break;
+        case CacheCommand::Action::prune:
+            prune(command, context);
+            break;
+        case CacheCommand::Action::verify:
+            verify(command, context);
+            break;
+    }
+}
+
+}  // namespace carom::cli

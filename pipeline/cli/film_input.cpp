@@ -1,0 +1,70 @@
+#include "pipeline/cli/film_input.h"
+
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/output_file.h"
+#include "pipeline/video/video_format.h"
+#include "pipeline/video/view_transform.h"
+
+namespace carom::cli {
+
+using pipeline::FilmJobOptions;
+using pipeline::Shot;
+
+sim::Bake bake_of(ShotInput& input, const InputOptions& options, const CacheOptions& cache,
+                  CommandContext& context) {
+    return input.bake ? std::move(*input.bake) : bake_of(input.shot, options.path, cache, context);
+}
+
+FilmJobOptions job_options(const CacheOptions& cache, const std::string& frames,
+                           const std::string& chunk) {
+    FilmJobOptions options;
+    options.cache_folder = cache.folder;
+    try {
+        options.cache_limit = pipeline::cache_size_limit(cache.size);
+        if (!frames.empty()) {
+            options.frames = pipeline::parse_frame_range(frames);
+        }
+        if (!chunk.empty()) {
+            options.chunk = pipeline::parse_frame_chunk(chunk);
+        }
+    } catch (const Error& error) {
+        throw InputError(error.what());
+    }
+    return options;
+}
+
+std::int64_t film_frames(const Shot& shot) {
+    const std::int64_t frames = pipeline::frame_count(shot.cameras, shot.timing);
+    if (frames == 0) {
+        throw InputError("'" + shot.name + "' has no frames: no camera films it");
+    }
+    return frames;
+}
+
+std::int64_t count_job_frames(const Shot& shot, const FilmJobOptions& options,
+                              const std::string& text) {
+    const std::int64_t all = film_frames(shot);
+    const std::vector<std::int64_t> frames = options.frames.frames(all);
+    if (frames.empty()) {
+        throw InputError("none of the film's frames, 0 to " + std::to_string(all - 1) +
+                         ", is in --frames " + text);
+    }
+    return std::ssize(options.chunk.part_of(frames));
+}
+
+std::string film_path(const std::string& given, const InputOptions& input, const Shot& shot) {
+    return output_or_default(given, input.path, pipeline::default_extension(shot.output));
+}
+
+void check_film(const Shot& shot, const std::string& path) {
+    const std::string problem = pipeline::check_video_format(
+        {shot.render.width, shot.render.height, shot.timing.fps}, shot.output, path);
+    if (!problem.empty()) {
+        throw InputError(problem);
+    }
+    check_output_folder(path);
+    static_cast<void>(pipeline::DisplayView(shot.output));  // before rendering: it may fail
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,38 @@
+// What commands that film a shot make of their options.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "pipeline/cli/run_program.h"
+#include "pipeline/cli/shot_input.h"
+#include "pipeline/job/film_job.h"
+
+namespace carom::cli {
+
+/// The bake that the input is or carries; otherwise the kept one, or a new one.
+[[nodiscard]] sim::Bake bake_of(ShotInput& input, const InputOptions& options,
+                                const CacheOptions& cache, CommandContext& context);
+
+/// Folder and limit of the cache, frames and chunk. Throws InputError for what cannot be read.
+[[nodiscard]] pipeline::FilmJobOptions job_options(const CacheOptions& cache,
+                                                   const std::string& frames,
+                                                   const std::string& chunk);
+
+/// How many frames the whole film has. Throws InputError if it has none.
+[[nodiscard]] std::int64_t film_frames(const pipeline::Shot& shot);
+
+/// How many of them the job takes: 0 if its chunk has none. Throws InputError if its range has
+/// none; `text` is how it was written.
+[[nodiscard]] std::int64_t count_job_frames(const pipeline::Shot& shot,
+                                            const pipeline::FilmJobOptions& options,
+                                            const std::string& text);
+
+/// `given`, or the shot's name with the extension that its output settings have.
+[[nodiscard]] std::string film_path(const std::string& given, const InputOptions& input,
+                                    const pipeline::Shot& shot);
+
+/// Throws InputError for a film that cannot be written there; before the work.
+void check_film(const pipeline::Shot& shot, const std::string& path);
+
+}  // namespace carom::cli

@@ -1,0 +1,52 @@
+#include "pipeline/job/film_status.h"
+
+#include "pipeline/job/film_pipeline.h"
+#include "pipeline/job/film_plan.h"
+#include "pipeline/job/job_frames.h"
+#include "pipeline/store/frame_store.h"
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+namespace {
+
+FilmStatus status_of(const FilmPlan& plan, const FrameStore& store, const std::stop_token& stop) {
+    FilmStatus status;
+    status.frames = plan.frames;
+    std::vector<bool> is_there;
+    for (const FilmPlan::Picture& picture : plan.pictures) {
+        if (stop.stop_requested()) {
+            throw Stopped();
+        }
+        is_there.push_back(store.holds_whole(picture.key));
+        status.pictures += is_there.back() ? 0 : 1;
+    }
+    for (std::size_t i = 0; i < plan.frames.size(); ++i) {
+        (is_there[plan.picture_of[i]] ? status.stored : status.missing).push_back(plan.frames[i]);
+    }
+    return status;
+}
+
+}  // namespace
+
+FilmStatus film_status(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
+                       const std::stop_token& stop) {
+    const FilmSource source(shot, bake.timeline);
+    const FilmPlan plan = plan_film(source, job_frames(shot, options), stop);
+    return status_of(plan, FrameStore(frames_folder(options)), stop);
+}
+
+FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
+                       const JobObserver& observer, const std::stop_token& stop) {
+    const FilmStatus status = film_status(shot, bake, options, stop);
+    if (!status.missing.empty()) {
+        throw Error(std::to_string(status.missing.size()) + " of " +
+                    std::to_string(status.frames.size()) +
+                    " frames are not in the cache: " + frames_text(status.missing));
+    }
+    const auto refuse = [](const FrameInputs&, const WorkContext&) -> render::Film {
+        throw Error("a frame vanished from the cache while the film was being written");
+    };
+    return make_film_with(refuse, shot, bake.timeline, options, observer, stop);
+}
+
+}  // namespace carom::pipeline

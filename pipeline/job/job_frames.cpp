@@ -1,0 +1,26 @@
+#include "pipeline/job/job_frames.h"
+
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/store/cache_folder.h"
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+
+std::vector<std::int64_t> job_frames(const Shot& shot, const FilmJobOptions& options) {
+    const std::int64_t count = frame_count(shot.cameras, shot.timing);
+    std::vector<std::int64_t> frames = options.chunk.part_of(options.frames.frames(count));
+    if (frames.empty()) {
+        throw Error("none of the film's " + std::to_string(count) + " frames is asked for");
+    }
+    return frames;
+}
+
+std::string cache_of(const FilmJobOptions& options) {
+    return options.cache_folder.empty() ? default_cache_folder() : options.cache_folder;
+}
+
+std::string frames_folder(const FilmJobOptions& options) {
+    return cache_of(options) + "/frames";
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,37 @@
+#include "tests/pipeline/job/logged_job.h"
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "pipeline/job/film_pipeline.h"
+#include "tests/pipeline/job/tiny_shot.h"
+
+namespace carom::testing {
+
+void run_logged_job(const std::string& cache, const std::string& video, const std::string& log) {
+    const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+    const pipeline::Shot shot = tiny_shot();
+    const auto render = [&](const pipeline::FrameInputs& inputs, const WorkContext&) {
+        const std::string line = std::to_string(inputs.frame.seed) + "\n";
+        if (::write(file, line.data(), line.size()) < 0) {
+            ::_exit(2);
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(8));
+        return fake_picture(shot, inputs);
+    };
+    pipeline::FilmJobOptions options;
+    options.cache_folder = cache;
+    options.output = video;
+    pipeline::JobObserver observer;
+    observer.on_warning = [&](const std::string& text) {
+        std::ofstream(log + ".warnings", std::ios::app) << text << '\n';
+    };
+    (void)pipeline::make_film_with(render, shot, tiny_timeline(), options, observer, {});
+    ::close(file);
+}
+
+}  // namespace carom::testing

@@ -1,0 +1,172 @@
+#include "pipeline/store/cache_care.h"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include "pipeline/store/frame_store.h"
+#include "pipeline/store/seal.h"
+#include "sim/timeline/bake_file.h"
+#include "sim/timeline/error.h"
+#include "tests/pipeline/video/scratch_folder.h"
+
+namespace carom::pipeline {
+namespace {
+
+using carom::testing::read_text;
+using carom::testing::ScratchFolder;
+using carom::testing::write_text;
+using std::chrono::hours;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using Clock = std::chrono::system_clock;
+
+namespace fs = std::filesystem;
+
+/// A cache with sealed files; ages are hours since their last use.
+struct Cache {
+    ScratchFolder folder;
+
+    [[nodiscard]] std::string path() const { return folder.path(); }
+
+    std::string add_frame(std::uint64_t number, int age, std::size_t bytes = 1000) const {
+        const Hash128 key{number, 7};
+        const std::string name = key.to_string();
+        const std::string parent = path() + "/frames/" + name.substr(0, 2);
+        fs::create_directories(parent);
+        const std::string file = parent + "/" + name + ".exr";
+        write_text(file, std::string(bytes - 40, 'x'));
+        seal_file(file, key);
+        set_age(file, age);
+        return file;
+    }
+    std::string add_bake(int age) const {
+        fs::create_directories(path() + "/bakes");
+        sim::Bake bake;
+        bake.physics_hash = {3, 4};
+        const std::string file = path() + "/bakes/" + bake.physics_hash.to_string() + ".bake";
+        sim::write_bake(bake, file);
+        write_text(file + ".warnings", "a warning\n");
+        set_age(file, age);
+        return file;
+    }
+    static void set_age(const std::string& file, int age) {
+        fs::last_write_time(file, fs::file_time_type::clock::now() - hours(age));
+    }
+};
+
+TEST(ListCache, Entries_ComeFromTheOneUsedLongestAgo) {
+    const Cache cache;
+    const std::string young = cache.add_frame(1, 1), old = cache.add_frame(2, 9);
+    const std::string bake = cache.add_bake(5);
+    write_text(cache.path() + "/frames/notes.exr", "not ours");
+    std::vector<std::string> paths;
+    for (const CacheEntry& entry : list_cache(cache.path())) {
+        paths.push_back(entry.path);
+    }
+    EXPECT_THAT(paths, ElementsAre(old, bake, young));
+    EXPECT_EQ(list_cache(cache.path())[0].bytes, 1000U);
+    EXPECT_THAT(list_cache(cache.path() + "/nowhere"), IsEmpty());
+}
+
+TEST(PruneCache, Limit_RemovesWhatWasUsedLongestAgo) {
+    const Cache cache;
+    const std::string a = cache.add_frame(1, 1), b = cache.add_frame(2, 3),
+                      c = cache.add_frame(3, 2);
+    PruneOptions options;
+    options.limit = 2000;
+    options.dry_run = true;
+    EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);
+    EXPECT_TRUE(fs::exists(b)) << "only asked";
+    options.dry_run = false;
+    const PruneResult result = prune_cache(cache.path(), options);
+    EXPECT_EQ(result.removed, 1U);
+    EXPECT_EQ(result.removed_bytes, 1000U);
+    EXPECT_EQ(result.kept_bytes, 2000U);
+    EXPECT_TRUE(fs::exists(a) && !fs::exists(b) && fs::exists(c));
+    EXPECT_EQ(prune_cache(cache.path(), options).removed, 0U);
+}
+
+TEST(PruneCache, FileInUse_StaysWhateverTheLimit) {
+    const Cache cache;
+    const std::string old = cache.add_frame(1, 5), used = cache.add_frame(2, 5);
+    mark_used(used);
+    PruneOptions options;
+    options.limit = 0;
+    options.keep_since = Clock::now() - hours(1);
+    EXPECT_EQ(prune_cache(cache.path(), options).kept, 1U);
+    EXPECT_TRUE(fs::exists(used) && !fs::exists(old));
+}
+
+TEST(PruneCache, Age_RemovesWhatFitsToo) {
+    const Cache cache;
+    const std::string old = cache.add_frame(1, 50), young = cache.add_frame(2, 2);
+    PruneOptions options;
+    options.remove_before = Clock::now() - hours(24);
+    EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);
+    EXPECT_TRUE(!fs::exists(old) && fs::exists(young));
+}
+
+TEST(PruneCache, Bake_GoesWithItsWarnings) {
+    const Cache cache;
+    const std::string bake = cache.add_bake(1);
+    PruneOptions options;
+    options.limit = 0;
+    EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);
+    EXPECT_TRUE(fs::is_empty(cache.path() + "/bakes"));
+}
+
+TEST(VerifyCache, DamagedFiles_AreNamed) {
+    const Cache cache;
+    (void)cache.add_frame(1, 1);
+    const std::string frame = cache.add_frame(2, 2), bake = cache.add_bake(3);
+    EXPECT_THAT(verify_cache(cache.path(), {}, {}).damaged, IsEmpty());
+    for (const std::string& path : {frame, bake}) {
+        std::string bytes = read_text(path);
+        bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 4);
+        write_text(path, bytes);
+    }
+    double share = 0;
+    const VerifyResult result = verify_cache(cache.path(), [&](double now) { share = now; }, {});
+    EXPECT_EQ(result.checked, 3U);
+    EXPECT_EQ(result.damaged.size(), 2U);
+    EXPECT_EQ(share, 1);
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW((void)verify_cache(cache.path(), {}, stop.get_token()), Stopped);
+}
+
+TEST(CacheSize, Texts_AreRead) {
+    EXPECT_EQ(parse_cache_size("20 GB"), 20'000'000'000U);
+    EXPECT_EQ(parse_cache_size(" 1.5MB "), 1'500'000U);
+    EXPECT_EQ(parse_cache_size("0"), 0U);
+    EXPECT_EQ(parse_cache_size("none"), kNoLimit);
+    for (const char* wrong : {"", "20", "GB", "-1 GB", "1e3 MB", "1.2.3 GB", "20 gigs", "9e99 TB",
+                              "999999999999999999 TB", "0x1 GB", "inf GB"}) {
+        try {
+            (void)parse_cache_size(wrong);
+            ADD_FAILURE() << wrong;
+        } catch (const Error& error) {
+            EXPECT_THAT(error.what(), HasSubstr("'" + std::string(wrong) + "' is not a size"));
+        }
+    }
+    EXPECT_EQ(size_text(20'000'000'000U), "20 GB");
+    EXPECT_EQ(size_text(999'900), "1 MB");
+    EXPECT_EQ(size_text(1234), "1.23 kB");
+    EXPECT_EQ(size_text(12), "12 B");
+    EXPECT_EQ(size_text(0), "0 B");
+    EXPECT_EQ(size_text(kNoLimit), "no limit");
+}
+
+TEST(CacheSize, Environment_DecidesUnlessTold) {
+    ::setenv("CAROM_CACHE_SIZE", "3 MB", 1);
+    EXPECT_EQ(cache_size_limit(""), 3'000'000U);
+    EXPECT_EQ(cache_size_limit("1 kB"), 1000U);
+    ::unsetenv("CAROM_CACHE_SIZE");
+    EXPECT_EQ(cache_size_limit(""), 20'000'000'000U);
+}
+
+}  // namespace
+}  // namespace carom::pipeline
