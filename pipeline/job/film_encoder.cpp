@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "pipeline/job/film_sink.h"
 #include "sim/timeline/error.h"
 
 namespace carom::pipeline {
@@ -23,10 +22,8 @@ render::Film read_picture(std::size_t picture, const FilmPlan& plan, const Frame
 
 }  // namespace
 
-void encode_film(const FilmSource& source, const FilmPlan& plan, const FrameStore& store,
-                 PictureBoard& board, const std::string& path, ObserverGate& observer,
-                 const std::stop_token& stop) {
-    const std::unique_ptr<FilmSink> sink = make_film_sink(source, plan, path);
+void encode_film(FilmSink& sink, const FilmPlan& plan, const FrameStore& store, PictureBoard& board,
+                 ObserverGate& observer, const std::stop_token& stop) {
     std::optional<std::size_t> shown;
     render::Film film;
     const std::size_t frames = plan.picture_of.size();
@@ -40,11 +37,11 @@ void encode_film(const FilmSource& source, const FilmPlan& plan, const FrameStor
         if (stop.stop_requested()) {
             throw Stopped();
         }
-        sink->add(plan.frames[i], film, same_as_before);
+        sink.add(plan.frames[i], film, same_as_before);
         // The last step is the trailer's.
         observer.encode_progress(static_cast<double>(i + 1) / static_cast<double>(frames + 1));
     }
-    sink->finish();
+    sink.finish();
     observer.encode_progress(1);
 }
 

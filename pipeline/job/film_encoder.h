@@ -2,9 +2,9 @@
 #pragma once
 
 #include <stop_token>
-#include <string>
 
 #include "pipeline/job/film_plan.h"
+#include "pipeline/job/film_sink.h"
 #include "pipeline/job/observer_gate.h"
 #include "pipeline/job/picture_board.h"
 #include "pipeline/store/frame_store.h"
@@ -12,10 +12,8 @@
 namespace carom::pipeline {
 
 /// Takes the film's frames in order as soon as the board announces them, always as the store holds
-/// them. A video at `path` appears whole or not at all, as does each picture of a sequence. Throws
-/// Error, Stopped.
-void encode_film(const FilmSource& source, const FilmPlan& plan, const FrameStore& store,
-                 PictureBoard& board, const std::string& path, ObserverGate& observer,
-                 const std::stop_token& stop);
+/// them, to the sink and finishes it. Throws Error, Stopped.
+void encode_film(FilmSink& sink, const FilmPlan& plan, const FrameStore& store, PictureBoard& board,
+                 ObserverGate& observer, const std::stop_token& stop);
 
 }  // namespace carom::pipeline

@@ -1,6 +1,7 @@
 #include "pipeline/job/film_pipeline.h"
 
 #include <exception>
+#include <memory>
 #include <thread>
 
 #include "pipeline/job/cache_keeper.h"
@@ -96,17 +97,20 @@ FilmJobResult make_film_with(const RenderFunction& render, const Shot& shot,
     mark_used(plan, store);
     keeper.prune();
 
+    // A film that cannot be written is heard of before anything is rendered.
+    const std::unique_ptr<FilmSink> sink =
+        options.output.empty() ? nullptr : make_film_sink(source, plan, options.output);
     std::stop_source job_stop;
     const std::stop_callback pass_on(stop, [&job_stop] { job_stop.request_stop(); });
     PictureBoard board(plan.pictures.size());
     PictureMaker maker(source, store, render);
     PictureSupply supply(plan, maker, board, gate, &keeper);
     EncoderThread encoder(board, job_stop, [&] {
-        if (options.output.empty()) {
+        if (!sink) {
             await_pictures(plan, store, board, job_stop.get_token());
             return;
         }
-        encode_film(source, plan, store, board, options.output, gate, job_stop.get_token());
+        encode_film(*sink, plan, store, board, gate, job_stop.get_token());
     });
     std::exception_ptr failure;
     try {

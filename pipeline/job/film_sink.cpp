@@ -10,6 +10,7 @@
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/video/hdr_view.h"
 #include "pipeline/video/image_sequence.h"
+#include "pipeline/video/pending_file.h"
 #include "pipeline/video/picture_writer.h"
 #include "pipeline/video/video_writer.h"
 #include "pipeline/video/view_transform.h"
@@ -75,8 +76,11 @@ class VideoSink : public FilmSink {
 
 class SequenceSink : public FilmSink {
   public:
-    SequenceSink(const FilmSource& source, std::string pattern)
-        : source_(source), pattern_(std::move(pattern)), view_(source.shot().output) {}
+    SequenceSink(const FilmSource& source, const FilmPlan& plan, std::string pattern)
+        : source_(source), pattern_(std::move(pattern)), view_(source.shot().output) {
+        // Gone again at once: only to hear whether the folder can be written.
+        const PendingFile probe(path_in_sequence(pattern_, plan.frames.front()));
+    }
 
     void add(std::int64_t frame, const render::Film& picture, bool /*same_as_before*/) override {
         const render::Film exported = exported_frame(picture, source_, frame);
@@ -97,7 +101,7 @@ class SequenceSink : public FilmSink {
 std::unique_ptr<FilmSink> make_film_sink(const FilmSource& source, const FilmPlan& plan,
                                          const std::string& path) {
     if (is_image_sequence(path)) {
-        return std::make_unique<SequenceSink>(source, path);
+        return std::make_unique<SequenceSink>(source, plan, path);
     }
     return std::make_unique<VideoSink>(source, plan, path);
 }

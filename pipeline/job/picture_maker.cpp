@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "pipeline/job/frame_grace.h"
 #include "pipeline/job/job_metadata.h"
 #include "sim/timeline/error.h"
 
@@ -24,9 +25,19 @@ MadePicture PictureMaker::make(const FilmPlan::Picture& picture, const WorkConte
     const auto begin = std::chrono::steady_clock::now();
     FrameInputs inputs = source_.inputs(picture.frames.front());
     inputs.frame.seed = picture.key.low;
-    const render::Film film = render_(inputs, context);
+    FrameGrace grace(context.stop, expected_seconds_);
+    WorkContext frame_context;
+    frame_context.stop = grace.token();
+    frame_context.progress = [&](double share) {
+        grace.progress(share);
+        if (context.progress) {
+            context.progress(share);
+        }
+    };
+    const render::Film film = render_(inputs, frame_context);
     store_.write(picture.key, film, stored_frame_metadata(source_.shot(), film.statistics));
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    expected_seconds_ = elapsed.count();  // of the next one
     return {PictureOrigin::rendered, elapsed.count(), film.statistics};
 }
 

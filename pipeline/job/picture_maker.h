@@ -31,14 +31,15 @@ class PictureMaker {
     PictureMaker(const FilmSource& source, const FrameStore& store, RenderFunction render)
         : source_(source), store_(store), render_(std::move(render)) {}
 
-    /// Sees to it that the store has the picture, unless another process is about to. Throws Error,
-    /// Stopped.
+    /// Sees to it that the store has the picture, unless another process is about to. When stopped,
+    /// a picture that needs less than two seconds more is finished. Throws Error, Stopped.
     MadePicture make(const FilmPlan::Picture& picture, const WorkContext& context);
 
   private:
     const FilmSource& source_;
     const FrameStore& store_;
     RenderFunction render_;
+    double expected_seconds_ = 0;
 };
 
 }  // namespace carom::pipeline

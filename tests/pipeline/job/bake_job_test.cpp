@@ -118,6 +118,26 @@ TEST(BakeJob, DamagedBake_IsReplaced) {
     }
 }
 
+TEST(BakeJob, BitsFlippedInAHundredPlaces_NeverGiveAWrongTimeline) {
+    const ScratchFolder cache;
+    const Shot shot = make_shot();
+    const Baking first = run(shot, cache.path());
+    const std::string path = bake_path(shot, cache.path());
+    const std::string whole = read_text(path);
+    std::uint64_t random = 20240607;
+    for (int flip = 0; flip < 100; ++flip) {
+        std::string damaged = whole;
+        random = random * 6364136223846793005U + 1442695040888963407U;
+        char& byte = damaged[(random >> 20U) % damaged.size()];
+        byte = static_cast<char>(byte ^ (1 << (random >> 60U) % 8));
+        write_text(path, damaged);
+        const Baking again = run(shot, cache.path());
+        ASSERT_TRUE(again.baked) << flip;
+        ASSERT_EQ(again.bake, first.bake) << flip;
+        ASSERT_EQ(read_text(path), whole) << flip;
+    }
+}
+
 TEST(BakeJob, BakeOfAnotherShot_IsNotBelieved) {
     const ScratchFolder cache;
     Shot shot = make_shot(), other = make_shot();

@@ -227,6 +227,7 @@ TEST(FilmPipeline, Stopped_LeavesNoVideoAndGoesOnLater) {
     const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext& context) {
         ++calls;
         if (calls == 4) {
+            context.progress(1e-9);  // it will take hours
             studio.stop.request_stop();
             EXPECT_TRUE(context.stop.stop_requested());
             throw Stopped();
@@ -238,6 +239,60 @@ TEST(FilmPipeline, Stopped_LeavesNoVideoAndGoesOnLater) {
     studio.stop = {};
     EXPECT_EQ(studio.film().rendered, kPictures - 3);
     EXPECT_EQ(studio.video(), plain.video());
+}
+
+TEST(FilmPipeline, StoppedShortlyBeforeAFramesEnd_KeepsTheFrame) {
+    Studio studio;
+    const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext& context) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        context.progress(0.5);  // 10 ms more
+        studio.stop.request_stop();
+        EXPECT_FALSE(context.stop.stop_requested());
+        return fake_picture(studio.shot, inputs);
+    };
+    EXPECT_THROW((void)studio.film(render, studio.options()), Stopped);
+    EXPECT_TRUE(studio.store().contains(studio.key(0)));
+    studio.stop = {};
+    EXPECT_EQ(studio.film().rendered, kPictures - 1);
+}
+
+TEST(FilmPipeline, FrameThatOutlivesItsGrace_IsStopped) {
+    Studio studio;
+    const auto begin = std::chrono::steady_clock::now();
+    const RenderFunction render = [&](const FrameInputs&,
+                                      const WorkContext& context) -> render::Film {
+        context.progress(0.999);  // but then it hangs
+        studio.stop.request_stop();
+        while (!context.stop.stop_requested() &&
+               std::chrono::steady_clock::now() - begin < std::chrono::seconds(60)) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        throw Stopped();
+    };
+    EXPECT_THROW((void)studio.film(render, studio.options()), Stopped);
+    EXPECT_FALSE(studio.store().contains(studio.key(0)));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+}
+
+TEST(FilmPipeline, BitsFlippedInAHundredPlaces_NeverGiveAWrongFilm) {
+    Studio studio;
+    (void)studio.film();
+    const std::string film = studio.video();
+    const FrameStore store = studio.store();
+    std::uint64_t random = 20240607;
+    int flips = 0;
+    for (int round = 0; flips < 100; ++round) {
+        for (std::int64_t frame = 0; frame < kPictures; ++frame, ++flips) {
+            const std::string path = store.path_of(studio.key(frame));
+            std::string bytes = read_text(path);
+            random = random * 6364136223846793005U + 1442695040888963407U;
+            char& byte = bytes[(random >> 20U) % bytes.size()];
+            byte = static_cast<char>(byte ^ (1 << (random >> 60U) % 8));
+            write_text(path, bytes);
+        }
+        EXPECT_EQ(studio.film().rendered, kPictures) << "round " << round;
+        ASSERT_EQ(studio.video(), film) << "round " << round;
+    }
 }
 
 TEST(FilmPipeline, RendererThatFails_IsHeardAndLeavesNoVideo) {

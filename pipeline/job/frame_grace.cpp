@@ -1,0 +1,44 @@
+#include "pipeline/job/frame_grace.h"
+
+#include <condition_variable>
+#include <mutex>
+
+namespace carom::pipeline {
+namespace {
+
+constexpr std::chrono::seconds kGrace{2};
+
+/// False if `done` came first.
+bool passed(std::chrono::seconds time, const std::stop_token& done) {
+    std::mutex mutex;
+    std::condition_variable_any never;
+    std::unique_lock lock(mutex);
+    never.wait_for(lock, done, time, [] { return false; });
+    return !done.stop_requested();
+}
+
+}  // namespace
+
+FrameGrace::FrameGrace(const std::stop_token& stop, double expected)
+    : expected_(expected), callback_(stop, [this] { job_stopped(); }) {}
+
+void FrameGrace::job_stopped() {
+    const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
+    const double share = share_;
+    const double whole = share > 0 ? elapsed / share : expected_;
+    if (whole <= 0 || whole - elapsed >= std::chrono::duration<double>(kGrace).count()) {
+        frame_stop_.request_stop();
+        return;
+    }
+    watchdog_ = std::jthread([this](const std::stop_token& frame_done) {
+        if (passed(kGrace, frame_done)) {
+            frame_stop_.request_stop();
+        }
+    });
+}
+
+void FrameGrace::progress(double share) {
+    share_ = share;
+}
+
+}  // namespace carom::pipeline

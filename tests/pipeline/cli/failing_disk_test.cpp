@@ -1,0 +1,108 @@
+// Disks that fill up and folders that cannot be written, run as a user runs them.
+#include <filesystem>
+
+#include "tests/pipeline/cli/end_to_end.h"
+#include "tests/pipeline/video/decoded_video.h"
+
+namespace carom::cli {
+namespace {
+
+using carom::testing::carom_program;
+using carom::testing::EndToEnd;
+using carom::testing::RunningProgram;
+using carom::testing::RunResult;
+using carom::testing::write_text;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class FailingDisk : public EndToEnd {
+  protected:
+    /// Runs a shell line with a file system of its own at `small`, which is gone afterwards.
+    /// Needs user namespaces, or to be root.
+    [[nodiscard]] RunResult run_with_small_disk(const std::string& mount_options,
+                                                const std::string& line) const {
+        std::filesystem::create_directories(path("small"));
+        const std::string script = "mount -t tmpfs -o " + mount_options + " tmpfs '" +
+                                   path("small") + "' || exit 77; CAROM='" + carom_program() +
+                                   "'; " + line;
+        RunningProgram program("/usr/bin/unshare", {"-U", "-r", "-m", "sh", "-c", script},
+                               options());
+        return program.wait();
+    }
+    static bool is_impossible_here(const RunResult& result) {
+        return result.exit_code == 77 || result.err.find("unshare: ") != std::string::npos;
+    }
+};
+
+TEST_F(FailingDisk, CacheOnAFullDisk_IsAnErrorAndTheFilmGoesOnWhenThereIsRoom) {
+    // 28 kB hold the bake and two or three of the six frames; then the disk grows.
+    const RunResult result =
+        run_with_small_disk("size=28k",
+                            "$CAROM render tiny.yaml --cache small -o film.mp4; echo first $?; "
+                            "ls *.mp4; mount -o remount,size=1m small; "
+                            "$CAROM render tiny.yaml --cache small -o film.mp4; echo second $?");
+    if (is_impossible_here(result)) {
+        GTEST_SKIP() << "no file system can be mounted here: " << result.err;
+    }
+    EXPECT_THAT(result.out, HasSubstr("first 1\n")) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("No space left on device"));
+    EXPECT_THAT(result.err, HasSubstr("ls: cannot access"));
+    EXPECT_THAT(result.out, HasSubstr("second 0\n"));
+    EXPECT_EQ(result.err.find("6 of them rendered now"), std::string::npos)
+        << "what fitted was kept: " << result.err;
+    ASSERT_EQ(run({"render", "tiny.yaml", "-o", "calm.mp4"}).exit_code, 0);
+    EXPECT_EQ(text_of("film.mp4"), text_of("calm.mp4"));
+}
+
+TEST_F(FailingDisk, FilmOnAFullDisk_IsAnErrorAndTheOldOneStays) {
+    const RunResult result = run_with_small_disk("size=8k",
+                                                 "echo old > small/film.mkv; "
+                                                 "$CAROM render tiny.yaml -o small/film.mkv "
+                                                 "--set output.codec=ffv1; echo done $?; "
+                                                 "cat small/film.mkv; ls -A small");
+    if (is_impossible_here(result)) {
+        GTEST_SKIP() << "no file system can be mounted here: " << result.err;
+    }
+    EXPECT_THAT(result.out, HasSubstr("done 1\nold\nfilm.mkv\n")) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("cannot write 'small/film.mkv'"));
+    EXPECT_THAT(result.err, HasSubstr("No space left on device"));
+}
+
+TEST_F(FailingDisk, ReadOnlyTarget_IsRefusedBeforeAnythingIsRendered) {
+    for (const std::string name : {"film.mp4", "film.##.exr"}) {
+        const RunResult result = run_with_small_disk(
+            "ro,size=1m", "$CAROM render tiny.yaml -o small/" + name + "; echo done $?");
+        if (is_impossible_here(result)) {
+            GTEST_SKIP() << "no file system can be mounted here: " << result.err;
+        }
+        EXPECT_THAT(result.out, HasSubstr("done 1\n")) << result.err;
+        EXPECT_THAT(result.err, HasSubstr("cannot write 'small/film."));
+        EXPECT_THAT(result.err, HasSubstr(": Read-only file system"));
+        EXPECT_EQ(stored_frames(), 0);
+    }
+}
+
+TEST_F(FailingDisk, ReadOnlyCache_IsAnErrorWithItsName) {
+    const RunResult result = run_with_small_disk(
+        "ro,size=1m", "$CAROM render tiny.yaml --cache small -o film.mp4; echo done $?");
+    if (is_impossible_here(result)) {
+        GTEST_SKIP() << "no file system can be mounted here: " << result.err;
+    }
+    EXPECT_THAT(result.out, HasSubstr("done 1\n")) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("small/frames': the folder cannot be made: Read-only file"));
+    EXPECT_FALSE(exists("film.mp4"));
+}
+
+TEST_F(FailingDisk, DamagedBakeFile_IsRefused) {
+    ASSERT_EQ(run({"bake", "tiny.yaml", "-o", "tiny.bake"}).exit_code, 0);
+    std::string bytes = text_of("tiny.bake");
+    bytes[bytes.size() / 3] = static_cast<char>(bytes[bytes.size() / 3] ^ 16);
+    write_text(path("tiny.bake"), bytes);
+    const RunResult result = run({"render", "tiny.bake", "-o", "film.mp4"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("tiny.bake"));
+    EXPECT_FALSE(exists("film.mp4"));
+}
+
+}  // namespace
+}  // namespace carom::cli
