@@ -17,6 +17,7 @@
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/film_status.h"
 #include "pipeline/job/job_metadata.h"
+#include "pipeline/job/overlay.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/picture_kind.h"
 #include "pipeline/video/picture_writer.h"
@@ -202,8 +203,10 @@ void run_frame(const FrameCommand& command, CommandContext& context) {
     context.console.end_progress();
     tell_rays(input.shot, film.statistics, context.console);
     pipeline::write_picture(
-        film, view, path,
-        pipeline::exported_frame_metadata(input.shot, bake.timeline, frame, film));
+        film, view, path, pipeline::exported_frame_metadata(input.shot, bake.timeline, frame, film),
+        pipeline::overlay_text(
+            input.shot.output.overlay,
+            pipeline::plan_frame(frame, input.shot.cameras, input.shot.timing, bake.timeline)));
     print_path(path);
 }
 

@@ -1,7 +1,9 @@
 #include "pipeline/job/film_encoder.h"
 
+#include <limits>
 #include <optional>
 
+#include "pipeline/job/mixed_film.h"
 #include "sim/timeline/error.h"
 
 namespace carom::pipeline {
@@ -24,15 +26,20 @@ render::Film read_picture(std::size_t picture, const FilmPlan& plan, const Frame
 
 void encode_film(FilmSink& sink, const FilmPlan& plan, const FrameStore& store, PictureBoard& board,
                  ObserverGate& observer, const std::stop_token& stop) {
-    std::optional<std::size_t> shown;
+    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+    std::size_t shown = none;  // the picture in `film`, if it is one as it is
     render::Film film;
     const std::size_t frames = plan.picture_of.size();
     for (std::size_t i = 0; i < frames; ++i) {
         const std::size_t picture = plan.picture_of[i];
-        const bool same_as_before = shown == picture;
+        const bool same_as_before = shown == picture && plan.blend_of(i) == nullptr;
         if (!same_as_before) {
             film = read_picture(picture, plan, store, board, stop);
             shown = picture;
+        }
+        if (const FilmPlan::Blend* blend = plan.blend_of(i)) {
+            mix_in(read_picture(blend->picture, plan, store, board, stop), blend->weight, film);
+            shown = none;
         }
         if (stop.stop_requested()) {
             throw Stopped();

@@ -8,6 +8,7 @@
 #include "pipeline/job/exported_frame.h"
 #include "pipeline/job/film_encoder.h"
 #include "pipeline/job/job_frames.h"
+#include "pipeline/job/mixed_film.h"
 #include "pipeline/job/picture_supply.h"
 #include "sim/timeline/error.h"
 
@@ -138,13 +139,21 @@ render::Film make_frame_with(const RenderFunction& render, const Shot& shot,
     mark_used(plan, store);
     CacheKeeper keeper(cache_of(options), options.cache_limit, gate);
     keeper.prune();
-    PictureBoard board(1);
+    PictureBoard board(plan.pictures.size());
     board.reader_done();
     PictureMaker maker(source, store, render);
     for (int attempt = 0; attempt < 2; ++attempt) {  // what was kept may be damaged, and is removed
         PictureSupply supply(plan, maker, board, gate);
         supply.run(stop);
         if (std::optional<render::Film> film = store.read(plan.pictures[0].key)) {
+            if (const FilmPlan::Blend* blend = plan.blend_of(0)) {
+                const std::optional<render::Film> other =
+                    store.read(plan.pictures[blend->picture].key);
+                if (!other) {
+                    continue;
+                }
+                mix_in(*other, blend->weight, *film);
+            }
             render::Film exported = exported_frame(*film, source, frame);
             exported.statistics = supply.counts();
             return exported;

@@ -1,8 +1,5 @@
 #include "pipeline/job/film_plan.h"
 
-#include <map>
-
-#include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/store/frame_key.h"
 #include "sim/timeline/error.h"
@@ -15,9 +12,12 @@ FilmSource::FilmSource(const Shot& shot, const sim::Timeline& timeline)
       cameras_(with_fitted_paths(shot.cameras, timeline)),
       scene_hash_(hash_scene(shot.scene)) {}
 
-FrameInputs FilmSource::inputs(std::int64_t frame) const {
-    const PlannedFrame planned = plan_frame(frame, cameras_, shot_.timing, timeline_);
-    return frame_inputs(planned, shot_.timing.shutter, shot_.scene, timeline_);
+std::vector<PlannedFrame> FilmSource::layers(std::int64_t frame) const {
+    return plan_mixed_frame(frame, cameras_, shot_.timing, timeline_);
+}
+
+FrameInputs FilmSource::inputs(const PlannedFrame& layer) const {
+    return frame_inputs(layer, shot_.timing.shutter, shot_.scene, timeline_);
 }
 
 Hash128 FilmSource::key(const FrameInputs& inputs) const {
@@ -33,13 +33,20 @@ FilmPlan plan_film(const FilmSource& source, const std::vector<std::int64_t>& fr
         if (stop.stop_requested()) {
             throw Stopped();
         }
-        const Hash128 key = source.key(source.inputs(frame));
-        const auto [place, is_new] = known.emplace(key, plan.pictures.size());
-        if (is_new) {
-            plan.pictures.push_back({key, {}});
+        const std::vector<PlannedFrame> layers = source.layers(frame);
+        for (std::size_t i = 0; i < layers.size(); ++i) {
+            const Hash128 key = source.key(source.inputs(layers[i]));
+            const auto [place, is_new] = known.emplace(key, plan.pictures.size());
+            if (is_new) {
+                plan.pictures.push_back({key, frame, i, {}});
+            }
+            if (i == 0) {
+                plan.pictures[place->second].frames.push_back(frame);
+                plan.picture_of.push_back(place->second);
+            } else {
+                plan.blends[plan.picture_of.size() - 1] = {place->second, layers[i].weight};
+            }
         }
-        plan.pictures[place->second].frames.push_back(frame);
-        plan.picture_of.push_back(place->second);
     }
     return plan;
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <stop_token>
 #include <vector>
 
+#include "pipeline/camera/frame_plan.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/store/frame_inputs.h"
 #include "sim/timeline/hash.h"
@@ -20,8 +22,14 @@ class FilmSource {
     [[nodiscard]] const Shot& shot() const { return shot_; }
     [[nodiscard]] const sim::Timeline& timeline() const { return timeline_; }
 
-    /// What the picture of a frame is rendered from, and its key.
-    [[nodiscard]] FrameInputs inputs(std::int64_t frame) const;
+    /// What is seen in a frame (plan_mixed_frame): two layers in a cross-fade, else one.
+    [[nodiscard]] std::vector<PlannedFrame> layers(std::int64_t frame) const;
+
+    /// What a layer's picture is rendered from, and its key.
+    [[nodiscard]] FrameInputs inputs(const PlannedFrame& layer) const;
+    [[nodiscard]] FrameInputs inputs(std::int64_t frame) const {  // of its first layer
+        return inputs(layers(frame).front());
+    }
     [[nodiscard]] Hash128 key(const FrameInputs& inputs) const;
 
   private:
@@ -35,11 +43,25 @@ class FilmSource {
 struct FilmPlan {
     struct Picture {
         Hash128 key;
-        std::vector<std::int64_t> frames;  // that show it, ascending
+        std::int64_t frame = 0;            // one whose layer number `layer` it is
+        std::size_t layer = 0;             // the first layer is the one that is seen most
+        std::vector<std::int64_t> frames;  // whose first layer it is, ascending
+    };
+    /// What is mixed into a frame in a cross-fade.
+    struct Blend {
+        std::size_t picture = 0;
+        double weight = 0;  // (0, 1/2]
     };
     std::vector<std::int64_t> frames;     // their numbers, ascending
     std::vector<Picture> pictures;        // in order of first use
-    std::vector<std::size_t> picture_of;  // for each frame of the film
+    std::vector<std::size_t> picture_of;  // for each frame of the film: its first layer
+    std::map<std::size_t, Blend> blends;  // by the frame's place in the film: its second layer
+
+    /// The second layer of the film's frame at that place, or nullptr.
+    [[nodiscard]] const Blend* blend_of(std::size_t place) const {
+        const auto found = blends.find(place);
+        return found == blends.end() ? nullptr : &found->second;
+    }
 };
 
 /// `frames` ascending. Throws Error, Stopped.

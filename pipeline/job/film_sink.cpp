@@ -8,6 +8,7 @@
 
 #include "pipeline/job/exported_frame.h"
 #include "pipeline/job/job_metadata.h"
+#include "pipeline/job/overlay.h"
 #include "pipeline/video/hdr_view.h"
 #include "pipeline/video/image_sequence.h"
 #include "pipeline/video/pending_file.h"
@@ -33,7 +34,8 @@ std::optional<std::int64_t> poster_frame(const Shot& shot, const FilmPlan& plan)
 class VideoSink : public FilmSink {
   public:
     VideoSink(const FilmSource& source, const FilmPlan& plan, const std::string& path)
-        : shot_(source.shot()),
+        : source_(source),
+          shot_(source.shot()),
           path_(path),
           view_(shot_.output),
           poster_(poster_frame(shot_, plan)),
@@ -44,7 +46,14 @@ class VideoSink : public FilmSink {
         if (!same_as_before) {
             display_ = shot_.output.hdr10 ? to_hdr10(picture, shot_.output) : view_.to_16(picture);
         }
-        writer_.write(display_);
+        if (shot_.output.overlay.show.empty()) {
+            writer_.write(display_);
+        } else {
+            written_ = display_;
+            render::draw_text(overlay_text(shot_.output.overlay, source_.layers(frame).front()),
+                              written_, shot_.render.width, shot_.render.height, white_);
+            writer_.write(written_);
+        }
         if (frame != poster_) {
             return;
         }
@@ -65,12 +74,22 @@ class VideoSink : public FilmSink {
     }
 
   private:
+    /// The signal of white letters: 1 of a display's signal, or paper white in HDR.
+    static std::uint16_t overlay_white(const OutputSettings& output) {
+        constexpr double largest = 65535;
+        return static_cast<std::uint16_t>(
+            std::lround(largest * (output.hdr10 ? pq_encode(output.hdr10->white) : 1)));
+    }
+
+    const FilmSource& source_;
     const Shot& shot_;
     std::string path_;
     DisplayView view_;
     std::optional<std::int64_t> poster_;
     std::optional<render::Film> poster_picture_;  // for a file beside the video
     std::vector<std::uint16_t> display_;
+    std::vector<std::uint16_t> written_;  // with the overlay
+    std::uint16_t white_ = overlay_white(shot_.output);
     VideoWriter writer_;
 };
 
@@ -85,7 +104,8 @@ class SequenceSink : public FilmSink {
     void add(std::int64_t frame, const render::Film& picture, bool /*same_as_before*/) override {
         const render::Film exported = exported_frame(picture, source_, frame);
         write_picture(exported, view_, path_in_sequence(pattern_, frame),
-                      exported_frame_metadata(source_.shot(), source_.timeline(), frame, exported));
+                      exported_frame_metadata(source_.shot(), source_.timeline(), frame, exported),
+                      overlay_text(source_.shot().output.overlay, source_.layers(frame).front()));
     }
 
     void finish() override {}

@@ -21,7 +21,10 @@ FilmStatus status_of(const FilmPlan& plan, const FrameStore& store, const std::s
         status.pictures += is_there.back() ? 0 : 1;
     }
     for (std::size_t i = 0; i < plan.frames.size(); ++i) {
-        (is_there[plan.picture_of[i]] ? status.stored : status.missing).push_back(plan.frames[i]);
+        const FilmPlan::Blend* blend = plan.blend_of(i);
+        const bool is_whole =
+            is_there[plan.picture_of[i]] && (blend == nullptr || is_there[blend->picture]);
+        (is_whole ? status.stored : status.missing).push_back(plan.frames[i]);
     }
     return status;
 }

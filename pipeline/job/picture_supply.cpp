@@ -71,7 +71,7 @@ void PictureSupply::repair(std::size_t picture, const std::stop_token& stop) {
     const FilmPlan::Picture& broken = plan_.pictures[picture];
     ++repairs_[picture];
     if (repairs_[picture] > kMostRepairs) {
-        throw Error("frame " + std::to_string(broken.frames.front()) +
+        throw Error("frame " + std::to_string(broken.frame) +
                     " was rendered several times, but the cache never holds it whole");
     }
     if (!try_make(picture, stop)) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace carom::pipeline {
 
@@ -30,6 +31,16 @@ struct Hdr10Settings {
     double white = 203;  // cd/m^2 of scene light 1, (0, peak]; ITU-R BT.2408's diffuse white
 };
 
+/// What is written into the picture's corner.
+enum class OverlayItem { frame, scene_time, speed };
+enum class Corner { top_left, top_right, bottom_left, bottom_right };
+
+struct OverlaySettings {
+    std::vector<OverlayItem> show;  // a line each; none: nothing is written
+    Corner corner = Corner::bottom_left;
+    double size = 0.045;  // of a line, in picture heights, [0.01, 0.5]
+};
+
 struct OutputSettings {
     std::optional<Codec> codec;      // none: as the file's extension says (codec_for)
     std::optional<double> crf;       // none: the codec's own (codec_info.h)
@@ -38,9 +49,10 @@ struct OutputSettings {
     std::string preset = "medium";   // of the encoder; those without presets map it to their own
     int threads = 2;                 // of the encoder; x264's output depends on it
     ViewTransform view = ViewTransform::filmic;
-    OcioSettings ocio;    // with that view only
-    double exposure = 0;  // stops
-    GlowSettings glow;    // on the linear film, before the view
+    OcioSettings ocio;        // with that view only
+    double exposure = 0;      // stops
+    GlowSettings glow;        // on the linear film, before the view
+    OverlaySettings overlay;  // on what a display shows, after the view
     std::optional<Hdr10Settings> hdr10;
     std::string title;             // empty: the shot's name
     std::optional<double> poster;  // video time (s) of the frame that stands for the film

@@ -20,14 +20,16 @@ std::string with_target(std::string message, const PendingFile& file) {
 }  // namespace
 
 void write_picture(const render::Film& film, const DisplayView& view, const std::string& path,
-                   const render::ImageMetadata& metadata) {
+                   const render::ImageMetadata& metadata, const render::PictureText& text) {
     PendingFile file(path);
     try {
         if (is_linear_picture(path)) {
             render::write_exr(film, file.temporary_path(), metadata);
         } else {
-            render::write_display_image(view.to_8(film), film.width, film.height,
-                                        file.temporary_path(), metadata);
+            std::vector<std::uint8_t> display = view.to_8(film);
+            render::draw_text(text, display, film.width, film.height);
+            render::write_display_image(display, film.width, film.height, file.temporary_path(),
+                                        metadata);
         }
     } catch (const Error& error) {
         throw Error(with_target(error.what(), file));

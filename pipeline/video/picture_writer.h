@@ -6,12 +6,14 @@
 #include "pipeline/video/view_transform.h"
 #include "render/film/film.h"
 #include "render/film/image_file.h"
+#include "render/film/picture_text.h"
 
 namespace carom::pipeline {
 
 /// In the format that the extension names (picture_kind.h): .exr as it was computed, others through
-/// the view. The file appears whole or not at all. Throws Error naming `path`.
+/// the view and with `text` written over. The file appears whole or not at all. Throws Error naming
+/// `path`.
 void write_picture(const render::Film& film, const DisplayView& view, const std::string& path,
-                   const render::ImageMetadata& metadata);
+                   const render::ImageMetadata& metadata, const render::PictureText& text = {});
 
 }  // namespace carom::pipeline

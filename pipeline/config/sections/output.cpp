@@ -77,6 +77,39 @@ const MapSpec<GlowSettings>& glow_spec() {
     return spec;
 }
 
+ValueType<std::vector<OverlayItem>> overlay_items() {
+    return list_of(choice<OverlayItem>({{"frame", OverlayItem::frame},
+                                        {"scene_time", OverlayItem::scene_time},
+                                        {"speed", OverlayItem::speed}}),
+                   1, 3);
+}
+
+const MapSpec<OverlaySettings>& overlay_spec() {
+    static const MapSpec<OverlaySettings> spec = [] {
+        MapSpec<OverlaySettings> s("overlay", "What is written into the film.");
+        s.key("show", &OverlaySettings::show, overlay_items(), "a line each").required();
+        s.key("corner", &OverlaySettings::corner,
+              choice<Corner>({{"top_left", Corner::top_left},
+                              {"top_right", Corner::top_right},
+                              {"bottom_left", Corner::bottom_left},
+                              {"bottom_right", Corner::bottom_right}}),
+              "where");
+        s.key("size", &OverlaySettings::size, number(between(0.01, 0.5)),
+              "height of a line, in picture heights");
+        return s;
+    }();
+    return spec;
+}
+
+ValueType<OverlaySettings> overlay() {
+    const auto items = convert<OverlaySettings>(overlay_items(), [](std::vector<OverlayItem> show) {
+        OverlaySettings settings;
+        settings.show = std::move(show);
+        return settings;
+    });
+    return any_of<OverlaySettings>({{is_list, items}, {is_map, record(overlay_spec())}});
+}
+
 }  // namespace
 
 const MapSpec<OutputSettings>& output_spec() {
@@ -124,6 +157,9 @@ const MapSpec<OutputSettings>& output_spec() {
         });
         s.key("hdr10", &OutputSettings::hdr10, record(hdr10_spec()),
               "for displays of high dynamic range, instead of the view: 10-bit hevc");
+        s.key("overlay", &OutputSettings::overlay, overlay(),
+              "written into a corner of the film, a line each: `frame` (number), `scene_time`, "
+              "`speed`; or a map that says where and how large");
         s.key("title", &OutputSettings::title, text("a title"),
               "in the file's metadata; else the shot's name");
         s.key("poster", &OutputSettings::poster, time(at_least(0)),

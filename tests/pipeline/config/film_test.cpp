@@ -64,6 +64,20 @@ TEST(Cameras, Paths_HaveThreeForms) {
     EXPECT_EQ(point.points[0].offset, Vec3(0, -2, 1));
 }
 
+TEST(Output, Overlay_IsAListOrAMap) {
+    const OverlaySettings list =
+        load_sections("output: {overlay: [frame, speed]}\n").output.overlay;
+    EXPECT_THAT(list.show, testing::ElementsAre(OverlayItem::frame, OverlayItem::speed));
+    EXPECT_EQ(list.corner, Corner::bottom_left);
+    const OverlaySettings map =
+        load_sections("output: {overlay: {show: [scene_time], corner: top_right, size: 0.1}}\n")
+            .output.overlay;
+    EXPECT_THAT(map.show, testing::ElementsAre(OverlayItem::scene_time));
+    EXPECT_EQ(map.corner, Corner::top_right);
+    EXPECT_EQ(map.size, 0.1);
+    EXPECT_THAT(load_sections("").output.overlay.show, testing::IsEmpty());
+}
+
 TEST(Cameras, Along_IsAStretchOfAnObjectsOwnPath) {
     const auto path = std::get<AlongPath>(
         read_camera("scene: 0 s, target: [0, 0, 0], position: {along: cue, from: 2 s, to: 0.5 s, "

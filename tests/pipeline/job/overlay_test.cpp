@@ -1,0 +1,136 @@
+#include "pipeline/job/overlay.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+
+#include "pipeline/job/film_pipeline.h"
+#include "render/film/image_file.h"
+#include "tests/pipeline/job/tiny_shot.h"
+#include "tests/pipeline/video/scratch_folder.h"
+
+namespace carom::pipeline {
+namespace {
+
+using carom::testing::FakeRenderer;
+using carom::testing::read_text;
+using carom::testing::ScratchFolder;
+using carom::testing::tiny_shot;
+using carom::testing::tiny_timeline;
+using ::testing::ElementsAre;
+
+TEST(Overlay, Lines_TellFrameSceneTimeAndSpeed) {
+    OverlaySettings settings;
+    settings.show = {OverlayItem::speed, OverlayItem::frame, OverlayItem::scene_time};
+    settings.corner = Corner::top_right;
+    PlannedFrame frame;
+    frame.number = 42;
+    frame.scene_time = 1.2375;
+    frame.speed = -0.125;
+    const render::PictureText text = overlay_text(settings, frame);
+    EXPECT_THAT(text.lines, ElementsAre("speed  -0.1250x", "frame     42", "scene   1.2375 s"));
+    EXPECT_TRUE(text.at_top);
+    EXPECT_TRUE(text.at_right);
+    frame.speed = -0.0;
+    EXPECT_EQ(overlay_text(settings, frame).lines[0], "speed   0.0000x");
+}
+
+struct Extent {
+    int left = 1000, right = -1, top = 1000, bottom = -1;
+    int white = 0;
+};
+
+/// Where a grey picture of 200 x 100 is changed by three letters.
+Extent drawn(bool at_top, bool at_right) {
+    constexpr int width = 200;
+    constexpr int height = 100;
+    constexpr std::uint16_t grey = 20000;
+    std::vector<std::uint16_t> rgb(std::size_t{width} * height * 3, grey);
+    render::draw_text({{"HHH"}, at_top, at_right, 0.2}, rgb, width, height, 60000);
+    Extent extent;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const std::uint16_t* pixel = &rgb[(std::size_t{width} * y + x) * 3];
+            EXPECT_TRUE(pixel[0] == pixel[1] && pixel[1] == pixel[2]);
+            extent.white += pixel[0] == 60000 ? 1 : 0;
+            if (pixel[0] != grey) {
+                extent.left = std::min(extent.left, x);
+                extent.right = std::max(extent.right, x);
+                extent.top = std::min(extent.top, y);
+                extent.bottom = std::max(extent.bottom, y);
+            }
+        }
+    }
+    return extent;
+}
+
+TEST(PictureText, Corners_AreWhereTheySay) {
+    const Extent low = drawn(false, false);
+    EXPECT_GT(low.white, 30);
+    EXPECT_GT(low.left, 5);
+    EXPECT_LT(low.right, 60);
+    EXPECT_GT(low.top, 60);
+    EXPECT_LT(low.bottom, 95);
+    const Extent high = drawn(true, true);
+    EXPECT_EQ(high.white, low.white);
+    EXPECT_GT(high.left, 140);
+    EXPECT_LT(high.right, 195);
+    EXPECT_GT(high.top, 5);
+    EXPECT_LT(high.bottom, 40);
+}
+
+TEST(PictureText, WhatDoesNotFit_IsCutOff) {
+    std::vector<std::uint8_t> rgb(std::size_t{8} * 6 * 3, 10);
+    render::draw_text({{"a very long line", "and another", "and one more"}, false, true, 0.5}, rgb,
+                      8, 6);
+    render::draw_text({{}, false, false, 0.5}, rgb, 8, 6);
+    SUCCEED();
+}
+
+struct Job {
+    ScratchFolder folder;
+    Shot shot = tiny_shot();
+    FakeRenderer renderer{shot};
+
+    Job() {
+        shot.render.width = 128;
+        shot.render.height = 72;
+    }
+    FilmJobResult film(const std::string& name) {
+        FilmJobOptions options;
+        options.output = folder.path(name);
+        options.cache_folder = folder.path("cache");
+        return make_film_with(renderer.function(), shot, tiny_timeline(), options, {}, {});
+    }
+    [[nodiscard]] std::string bytes(const std::string& name) const {
+        return read_text(folder.path(name));
+    }
+};
+
+TEST(Overlay, InTheFilm_RendersNothingAgain) {
+    Job job;
+    EXPECT_GT(job.film("plain.mkv").rendered, 0);
+    job.shot.output.overlay.show = {OverlayItem::frame};
+    EXPECT_EQ(job.film("numbered.mkv").rendered, 0);
+    EXPECT_NE(job.bytes("plain.mkv"), job.bytes("numbered.mkv"));
+    job.shot.output.overlay.show.clear();
+    job.film("again.mkv");
+    EXPECT_EQ(job.bytes("plain.mkv"), job.bytes("again.mkv"));
+}
+
+TEST(Overlay, InPictures_IsInThoseOfADisplayOnly) {
+    Job job;
+    job.film("a.##.png");
+    job.film("a.##.exr");
+    job.shot.output.overlay.show = {OverlayItem::frame};
+    job.film("b.##.png");
+    job.film("b.##.exr");
+    EXPECT_NE(job.bytes("a.10.png"), job.bytes("b.10.png"));
+    EXPECT_EQ(job.bytes("a.10.exr"), job.bytes("b.10.exr"));
+    // The ball rests from frame 8 on: the same picture, but another number.
+    EXPECT_EQ(job.bytes("a.10.exr").size(), job.bytes("a.11.exr").size());
+    EXPECT_NE(job.bytes("b.10.png"), job.bytes("b.11.png"));
+}
+
+}  // namespace
+}  // namespace carom::pipeline
