@@ -89,6 +89,11 @@ void add_frames(CLI::App& app, std::string& frames) {
         ->option_text("RANGE");
 }
 
+void add_dry_run(CLI::App& app, bool& dry_run) {
+    app.add_flag("--dry-run", dry_run,
+                 "only say which frames are there and which would be rendered");
+}
+
 void add_threads(CLI::App& app, int& threads) {
     app.add_option("--threads", threads, "for rendering; 0: one per processor")
         ->option_text("N")
@@ -114,8 +119,7 @@ void add_render(CLI::App& app, Targets& targets) {
                     "one of several machines' share of them, 2/8: renders and keeps its frames, "
                     "writes no film; 'carom mux' does when all are there")
         ->option_text("K/N");
-    command.add_flag("--dry-run", render.dry_run,
-                     "only say which frames are there and which would be rendered");
+    add_dry_run(command, render.dry_run);
     add_threads(command, render.threads);
     add_cache(command, render.cache);
     add_cache_size(command, render.cache);
@@ -156,8 +160,8 @@ void add_retime(CLI::App& app, Targets& targets) {
     add_camera_file(command, render.input);
     add_output(command, render.output,
                "the film (else the shot's name and _retimed in the current folder)");
-    command.add_option("--frames", render.frames, "only these frames of the new film, from 0")
-        ->option_text("RANGE");
+    add_frames(command, render.frames);
+    add_dry_run(command, render.dry_run);
     add_threads(command, render.threads);
     add_cache(command, render.cache);
     add_cache_size(command, render.cache);
