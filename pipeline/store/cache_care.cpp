@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "pipeline/store/lock_file.h"
 #include "pipeline/store/seal.h"
 #include "sim/timeline/bake_file.h"
 #include "sim/timeline/error.h"
@@ -42,6 +43,10 @@ PruneResult prune_cache(const std::string& folder, const PruneOptions& options) 
             --result.kept;
             result.kept_bytes -= entry.bytes;
         }
+    }
+    if (!options.dry_run) {  // what killed processes left
+        remove_abandoned(folder + "/frames/locks");
+        remove_abandoned(folder + "/frames/partial");
     }
     return result;
 }

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
+#include <numeric>
 #include <thread>
 
 #include <gmock/gmock.h>
 
 #include "pipeline/job/film_plan.h"
+#include "pipeline/job/picture_supply.h"
 #include "pipeline/store/frame_store.h"
 #include "sim/timeline/error.h"
 #include "tests/pipeline/job/tiny_shot.h"
@@ -293,6 +295,26 @@ TEST(FilmPipeline, BitsFlippedInAHundredPlaces_NeverGiveAWrongFilm) {
         EXPECT_EQ(studio.film().rendered, kPictures) << "round " << round;
         ASSERT_EQ(studio.video(), film) << "round " << round;
     }
+}
+
+TEST(FilmPipeline, EncoderThatNeverReads_DoesNotHoldTheRenderingUp) {
+    Studio studio;
+    const FilmSource source(studio.shot, studio.timeline);
+    std::vector<std::int64_t> frames(kFrames);
+    std::iota(frames.begin(), frames.end(), 0);
+    const FilmPlan plan = plan_film(source, frames, {});
+    const FrameStore store = studio.store();
+    ObserverGate gate(studio.observer);
+    PictureBoard board(plan.pictures.size());
+    PictureMaker maker(source, store, studio.renderer.function());
+    PictureSupply supply(plan, maker, board, gate);
+    std::thread rendering([&] { supply.run({}); });
+    for (std::size_t i = 0; i < plan.pictures.size(); ++i) {
+        EXPECT_TRUE(board.wait_until_ready(i, {})) << "the last ones, too, before any was read";
+    }
+    board.reader_done();
+    rendering.join();
+    EXPECT_EQ(supply.rendered(), kPictures);
 }
 
 TEST(FilmPipeline, RendererThatFails_IsHeardAndLeavesNoVideo) {

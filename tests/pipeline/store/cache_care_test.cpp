@@ -118,6 +118,19 @@ TEST(PruneCache, Bake_GoesWithItsWarnings) {
     EXPECT_TRUE(fs::is_empty(cache.path() + "/bakes"));
 }
 
+TEST(PruneCache, LeftoversOfKilledProcesses_GoToo) {
+    const Cache cache;
+    fs::create_directories(cache.path() + "/frames/partial");
+    write_text(cache.path() + "/frames/partial/half", "a frame");
+    PruneOptions options;
+    options.dry_run = true;
+    (void)prune_cache(cache.path(), options);
+    EXPECT_FALSE(fs::is_empty(cache.path() + "/frames/partial"));
+    options.dry_run = false;
+    (void)prune_cache(cache.path(), options);
+    EXPECT_TRUE(fs::is_empty(cache.path() + "/frames/partial"));
+}
+
 TEST(VerifyCache, DamagedFiles_AreNamed) {
     const Cache cache;
     (void)cache.add_frame(1, 1);

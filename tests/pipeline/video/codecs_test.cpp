@@ -120,6 +120,29 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{Codec::vp9, 10, ".mp4", "yuv420p10le", "Profile 2", "vp09"},
                       Case{Codec::prores, 10, ".mov", "yuv422p10le", "HQ", "apch"}));
 
+TEST(Codecs, EveryContainer_HoldsWhatItSaysItDoes) {
+    const ScratchFolder folder;
+    int films = 0;
+    for (const Container& container : containers()) {
+        for (const CodecInfo& codec : codecs()) {
+            if (!container.holds(codec.codec)) {
+                continue;
+            }
+            for (const int bits : {8, 10}) {
+                const std::string extension(container.extension);
+                Film film = film_of({codec.codec, bits, extension, "", "", ""});
+                film.frames = 3;
+                const DecodedVideo video = decode_video(film.write(folder));
+                EXPECT_EQ(video.codec, codec.name) << extension;
+                EXPECT_EQ(video.frames.size(), 3U) << extension;
+                EXPECT_EQ(video.metadata.count("title"), 1U) << extension;
+                ++films;
+            }
+        }
+    }
+    EXPECT_EQ(films, 2 * (4 + 3 + 6 + 2));
+}
+
 TEST(Codecs, TenBits_AreMoreThanEight) {
     // A slow gradient keeps more levels, before any dithering.
     const ScratchFolder folder;
