@@ -26,40 +26,6 @@ Rational magnitude(const Rational& value) {
     return value < Rational(0) ? Rational(0) - value : value;
 }
 
-// A ramp of gentle changes ends where it ends: the nearest fraction if that has too many digits.
-Rational scene_at(const CameraRig& rig, const Rational& video_time) {
-    const WideRational time = scene_time_at(rig, video_time);
-    try {
-        return time.narrow();
-    } catch (const Error&) {
-        return Rational::nearest(time.to_double());
-    }
-}
-
-/// The scene times that a rig shows, whichever way.
-struct Shown {
-    Rational first;
-    Rational last;
-
-    [[nodiscard]] bool is_frozen() const { return first == last; }
-};
-
-Shown shown_by(const CameraRig& rig) {
-    Shown shown{scene_at(rig, rig.video_start), scene_at(rig, rig.video_start)};
-    const auto include = [&](const Rational& video_time) {
-        const Rational time = scene_at(rig, video_time);
-        shown.first = time < shown.first ? time : shown.first;
-        shown.last = shown.last < time ? time : shown.last;
-    };
-    include(rig.video_end);
-    for (const SpeedKey& key : rig.time_map.speeds) {
-        if (rig.video_start < key.video_time && key.video_time < rig.video_end) {
-            include(key.video_time);
-        }
-    }
-    return shown;
-}
-
 // The first film time at which a ramp shows `scene_time`, by steps and then by halving.
 Rational ramp_video_time(const CameraRig& rig, const Rational& scene_time) {
     constexpr int steps = 4096;
@@ -96,7 +62,7 @@ Rational way_at(const CameraRig& rig, const Rational& scene_time) {
     return rig.way_start + (rig.way_end - rig.way_start) * share;
 }
 
-Rational clamped(const Rational& value, const Shown& range) {
+Rational clamped(const Rational& value, const SceneStretch& range) {
     return value < range.first ? range.first : range.last < value ? range.last : value;
 }
 
@@ -114,7 +80,8 @@ CameraRig part_of(const CameraRig& rig, const Rational& first, const Rational& l
 }
 
 Rational mean_speed(const CameraRig& rig) {
-    return (scene_at(rig, rig.video_end) - scene_at(rig, rig.video_start)) / length_of(rig);
+    return (narrow_scene_time(rig, rig.video_end) - narrow_scene_time(rig, rig.video_start)) /
+           length_of(rig);
 }
 
 /// A whole rig at its own or another speed, starting at video time 0.
@@ -122,8 +89,8 @@ CameraRig whole(const CameraRig& rig, const std::optional<Rational>& speed) {
     CameraRig result = rig;
     result.video_start = 0;
     result.video_end = length_of(rig);
-    const Rational first = scene_at(rig, rig.video_start);
-    const Rational last = scene_at(rig, rig.video_end);
+    const Rational first = narrow_scene_time(rig, rig.video_start);
+    const Rational last = narrow_scene_time(rig, rig.video_end);
     if (speed && first != last) {
         result.time_map = {first, last};
         result.video_end = magnitude(last - first) / *speed;
@@ -139,7 +106,7 @@ CameraRig whole(const CameraRig& rig, const std::optional<Rational>& speed) {
 CameraRig backwards(const CameraRig& rig) {
     CameraRig result = rig;
     std::swap(result.way_start, result.way_end);
-    result.time_map.scene_start = scene_at(rig, rig.video_end);
+    result.time_map.scene_start = narrow_scene_time(rig, rig.video_end);
     result.time_map.scene_end = rig.time_map.scene_start;
     std::reverse(result.time_map.speeds.begin(), result.time_map.speeds.end());
     for (SpeedKey& key : result.time_map.speeds) {
@@ -192,7 +159,7 @@ std::vector<CameraRig> chosen(std::span<const CameraRig> rigs, const std::string
 [[noreturn]] void throw_not_shown(const std::vector<CameraRig>& rigs, const Rational& time) {
     std::string list;
     for (const CameraRig& rig : rigs) {
-        const Shown shown = shown_by(rig);
+        const SceneStretch shown = shown_scene_times(rig);
         list += (list.empty() ? "" : ", ") + ("'" + rig.name + "' ") + seconds(shown.first) +
                 (shown.is_frozen() ? "" : " to " + seconds(shown.last));
     }
@@ -202,7 +169,7 @@ std::vector<CameraRig> chosen(std::span<const CameraRig> rigs, const std::string
 /// The first rig in which time passes on from `time`.
 const CameraRig& rig_showing(const std::vector<CameraRig>& rigs, const Rational& time) {
     for (const CameraRig& rig : rigs) {
-        const Shown shown = shown_by(rig);
+        const SceneStretch shown = shown_scene_times(rig);
         if (shown.first <= time && time < shown.last) {
             return rig;
         }
@@ -211,9 +178,9 @@ const CameraRig& rig_showing(const std::vector<CameraRig>& rigs, const Rational&
 }
 
 std::vector<CameraRig> parts(const std::vector<CameraRig>& rigs, const RetimeOptions& options) {
-    Shown all = shown_by(rigs.front());
+    SceneStretch all = shown_scene_times(rigs.front());
     for (const CameraRig& rig : rigs) {
-        const Shown shown = shown_by(rig);
+        const SceneStretch shown = shown_scene_times(rig);
         all.first = shown.first < all.first ? shown.first : all.first;
         all.last = all.last < shown.last ? shown.last : all.last;
     }
@@ -226,7 +193,7 @@ std::vector<CameraRig> parts(const std::vector<CameraRig>& rigs, const RetimeOpt
     std::vector<CameraRig> result;
     while (time < last) {
         const CameraRig& rig = rig_showing(rigs, time);
-        const Rational end = shown_by(rig).last;
+        const Rational end = shown_scene_times(rig).last;
         const Rational until = end < last ? end : last;
         result.push_back(
             part_of(rig, time, until, options.speed.value_or(magnitude(mean_speed(rig)))));
@@ -251,16 +218,16 @@ std::vector<CameraRig> all_of(const std::vector<CameraRig>& rigs, const RetimeOp
 }
 
 CameraRig ramped(const std::vector<CameraRig>& rigs, const RetimeOptions& options) {
-    const Rational start = options.from.value_or(shown_by(rigs.front()).first);
+    const Rational start = options.from.value_or(shown_scene_times(rigs.front()).first);
     const CameraRig& rig = rig_showing(rigs, start);
     CameraRig result = rig;
     result.video_start = 0;
     result.video_end = options.ramp.back().video_time;
     result.fade = 0;
     result.time_map = {start, start, options.ramp, options.gentle};
-    const Rational end = scene_at(result, result.video_end);
+    const Rational end = narrow_scene_time(result, result.video_end);
     result.way_start = way_at(rig, start);
-    result.way_end = way_at(rig, clamped(end, shown_by(rig)));
+    result.way_end = way_at(rig, clamped(end, shown_scene_times(rig)));
     return result;
 }
 

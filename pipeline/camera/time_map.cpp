@@ -120,15 +120,30 @@ WideRational speed_at(const CameraRig& rig, const WideRational& video_time) {
     }
 }
 
-double latest_scene_time(const CameraRig& rig) {
-    const auto at = [&](const Rational& time) { return scene_time_at(rig, time).to_double(); };
-    double latest = std::max(at(rig.video_start), at(rig.video_end));
+Rational narrow_scene_time(const CameraRig& rig, const Rational& video_time) {
+    const WideRational time = scene_time_at(rig, video_time);
+    try {
+        return time.narrow();
+    } catch (const Error&) {
+        return Rational::nearest(time.to_double());
+    }
+}
+
+SceneStretch shown_scene_times(const CameraRig& rig) {
+    const Rational start = narrow_scene_time(rig, rig.video_start);
+    SceneStretch shown{start, start};
+    const auto include = [&](const Rational& video_time) {
+        const Rational time = narrow_scene_time(rig, video_time);
+        shown.first = time < shown.first ? time : shown.first;
+        shown.last = shown.last < time ? time : shown.last;
+    };
+    include(rig.video_end);
     for (const SpeedKey& key : rig.time_map.speeds) {
         if (rig.video_start < key.video_time && key.video_time < rig.video_end) {
-            latest = std::max(latest, at(key.video_time));
+            include(key.video_time);
         }
     }
-    return latest;
+    return shown;
 }
 
 }  // namespace carom::pipeline

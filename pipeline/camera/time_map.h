@@ -14,7 +14,19 @@ namespace carom::pipeline {
 /// Seconds of scene time per second of film at that instant; negative in reverse.
 [[nodiscard]] WideRational speed_at(const CameraRig& rig, const WideRational& video_time);
 
-/// The largest of the scene times at the rig's ends and its speed keys, s.
-[[nodiscard]] double latest_scene_time(const CameraRig& rig);
+/// Scene times, first <= last, s.
+struct SceneStretch {
+    Rational first;
+    Rational last;
+
+    [[nodiscard]] bool is_frozen() const { return first == last; }
+};
+
+/// From the smallest to the largest of the scene times that the rig shows at its ends and at its
+/// speed keys between them; each the nearest fraction of 64 bits.
+[[nodiscard]] SceneStretch shown_scene_times(const CameraRig& rig);
+
+/// scene_time_at as a fraction of 64 bits, the nearest if the exact one has too many digits.
+[[nodiscard]] Rational narrow_scene_time(const CameraRig& rig, const Rational& video_time);
 
 }  // namespace carom::pipeline

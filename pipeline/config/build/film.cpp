@@ -70,7 +70,15 @@ void check_sequence(Builder& builder) {
 void check_scene_times(Builder& builder) {
     const double duration = builder.shot.world.duration;
     for (std::size_t i = 0; i < builder.shot.cameras.size(); ++i) {
-        const double last = latest_scene_time(builder.shot.cameras[i]);
+        const SceneStretch shown = shown_scene_times(builder.shot.cameras[i]);
+        const double first = shown.first.to_double();
+        const double last = shown.last.to_double();
+        if (first < 0) {
+            builder.reader.warning(place_of_camera(builder, i),
+                                   "camera " + quote(builder.shot.cameras[i].name) +
+                                       " shows scene time from " + show(first, Dimension::time) +
+                                       " on, but the simulation begins at 0 s");
+        }
         if (last > duration) {
             builder.reader.warning(place_of_camera(builder, i),
                                    "camera " + quote(builder.shot.cameras[i].name) +

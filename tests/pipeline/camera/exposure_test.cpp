@@ -94,6 +94,34 @@ TEST(Exposure, FirstFrame_OpensBeforeTheRigAlongItsOwnMap) {
     EXPECT_EQ(progress.left, 49.0 / 48);
 }
 
+TEST(Exposure, RigsEnds_AreCrossedInBothClocksAndDirections) {
+    // The shutter of the first frame opens before the rig, that of the last closes behind it.
+    for (const ShutterClock clock : {ShutterClock::video, ShutterClock::scene}) {
+        for (const bool reversed : {false, true}) {
+            FilmTiming timing = make_timing(24, Rational(1, 24));
+            timing.shutter.clock = clock;
+            const CameraRig rig = reversed ? make_rig(2, 3, 7, 5) : make_rig(2, 3, 5, 7);
+            const WideRational way(reversed ? -1 : 1, 1);
+            // Half an exposure is 1/48 s of film, 2/48 s of the map's scene time.
+            const WideRational half =
+                way * (clock == ShutterClock::video ? WideRational(1, 24) : WideRational(1, 48));
+            const Exposure first = expose(rig, 48, timing);
+            EXPECT_EQ(first.scene_open, WideRational(reversed ? 7 : 5, 1) - half);
+            EXPECT_EQ(first.scene_close, WideRational(reversed ? 7 : 5, 1) + half);
+            const Exposure last = expose(rig, 71, timing);
+            EXPECT_EQ(last.scene_time,
+                      WideRational(reversed ? 5 : 7, 1) - way * WideRational(1, 12));
+            EXPECT_EQ(last.scene_close, last.scene_time + half);
+            EXPECT_EQ(last.video_close, WideRational(3, 1) - WideRational(1, 48));
+            timing.shutter.position = ShutterPosition::start;
+            timing.shutter.exposure = {1, 12};
+            EXPECT_EQ(expose(rig, 71, timing).video_close,
+                      WideRational(3, 1) + WideRational(1, 24));
+            EXPECT_GT(progress_at(rig, expose(rig, 71, timing).video_close).done, 1);
+        }
+    }
+}
+
 TEST(Exposure, ManyDigits_AreKeptOrRefused) {
     const FilmTiming timing = make_timing({24000, 1001}, Rational(1001, 48000));
     const CameraRig rig =

@@ -121,12 +121,14 @@ TEST(SpeedRamp, TooManyDigits_AreRoundedNotRefused) {
     EXPECT_NEAR((after + before) / 2, exact, 1e-6);
 }
 
-TEST(SpeedRamp, LatestSceneTime_MayBeAtAKey) {
+TEST(SpeedRamp, ShownSceneTimes_ReachAsFarAsItsKeys) {
     CameraRig rig = ramp(false);
     rig.time_map.speeds = {{1, 1}, {2, 1}, {3, -1}, {6, -1}};
-    EXPECT_DOUBLE_EQ(latest_scene_time(rig), 1.3);
+    EXPECT_EQ(shown_scene_times(rig).last, Rational(13, 10));
+    EXPECT_EQ(shown_scene_times(rig).first, Rational(-17, 10));
     rig.time_map = {2, 1};
-    EXPECT_DOUBLE_EQ(latest_scene_time(rig), 2);
+    EXPECT_EQ(shown_scene_times(rig).first, Rational(1));
+    EXPECT_EQ(shown_scene_times(rig).last, Rational(2));
 }
 
 TEST(SpeedRamp, PlannedFrame_TellsItsSpeed) {
