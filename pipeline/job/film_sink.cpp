@@ -76,9 +76,9 @@ class VideoSink : public FilmSink {
   private:
     /// The signal of white letters: 1 of a display's signal, or paper white in HDR.
     static std::uint16_t overlay_white(const OutputSettings& output) {
-        constexpr double largest = 65535;
+        constexpr double kLargest = 65535;
         return static_cast<std::uint16_t>(
-            std::lround(largest * (output.hdr10 ? pq_encode(output.hdr10->white) : 1)));
+            std::lround(kLargest * (output.hdr10 ? pq_encode(output.hdr10->white) : 1)));
     }
 
     const FilmSource& source_;

@@ -81,7 +81,11 @@ std::uint64_t cache_size_limit(const std::string& given) {
     }
     const char* environment = std::getenv("CAROM_CACHE_SIZE");
     if (environment != nullptr && *environment != '\0') {
-        return parse_cache_size(environment);
+        try {
+            return parse_cache_size(environment);
+        } catch (const Error& error) {
+            throw Error(std::string("CAROM_CACHE_SIZE: ") + error.what());
+        }
     }
     return kUsualLimit;
 }

@@ -69,10 +69,10 @@ Colour shown(const float* rgba, float gain, double peak) {
 }  // namespace
 
 double pq_encode(double light) {
-    constexpr double m1 = 2610.0 / 16384, m2 = 2523.0 / 4096 * 128;
-    constexpr double c1 = 3424.0 / 4096, c2 = 2413.0 / 4096 * 32, c3 = 2392.0 / 4096 * 32;
-    const double power = std::pow(std::clamp(light / kPqPeak, 0.0, 1.0), m1);
-    return std::pow((c1 + c2 * power) / (1 + c3 * power), m2);
+    constexpr double kM1 = 2610.0 / 16384, kM2 = 2523.0 / 4096 * 128;
+    constexpr double kC1 = 3424.0 / 4096, kC2 = 2413.0 / 4096 * 32, kC3 = 2392.0 / 4096 * 32;
+    const double power = std::pow(std::clamp(light / kPqPeak, 0.0, 1.0), kM1);
+    return std::pow((kC1 + kC2 * power) / (1 + kC3 * power), kM2);
 }
 
 double below_peak(double light, double peak) {

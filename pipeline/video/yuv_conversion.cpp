@@ -13,16 +13,16 @@ namespace {
 
 // Weights of E'R, E'G and E'B in E'Y, and the divisors of E'B - E'Y and E'R - E'Y; all times 10000.
 struct Bt709 {  // BT.709-6, items 3.2 and 3.3
-    static constexpr std::int64_t red = 2126, green = 7152, blue = 722;
-    static constexpr std::int64_t blue_difference = 18556, red_difference = 15748;
+    static constexpr std::int64_t kRed = 2126, kGreen = 7152, kBlue = 722;
+    static constexpr std::int64_t kBlueDifference = 18556, kRedDifference = 15748;
 };
 struct Bt2020 {  // BT.2020-2, table 4, non-constant luminance
-    static constexpr std::int64_t red = 2627, green = 6780, blue = 593;
-    static constexpr std::int64_t blue_difference = 18814, red_difference = 14746;
+    static constexpr std::int64_t kRed = 2627, kGreen = 6780, kBlue = 593;
+    static constexpr std::int64_t kBlueDifference = 18814, kRedDifference = 14746;
 };
 constexpr std::int64_t kLumaSum = 10000;
-static_assert(Bt709::red + Bt709::green + Bt709::blue == kLumaSum);
-static_assert(Bt2020::red + Bt2020::green + Bt2020::blue == kLumaSum);
+static_assert(Bt709::kRed + Bt709::kGreen + Bt709::kBlue == kLumaSum);
+static_assert(Bt2020::kRed + Bt2020::kGreen + Bt2020::kBlue == kLumaSum);
 
 constexpr std::int64_t kWhite = 65535;  // of the input
 
@@ -39,7 +39,7 @@ Code quantised(std::int64_t offset, std::int64_t numerator, std::uint32_t thresh
 
 template <class Matrix>
 std::int64_t luma_sum(std::int64_t red, std::int64_t green, std::int64_t blue) {
-    return Matrix::red * red + Matrix::green * green + Matrix::blue * blue;
+    return Matrix::kRed * red + Matrix::kGreen * green + Matrix::kBlue * blue;
 }
 
 /// One of 2^(n - 8), by which the codes of n bits are finer than those of 8.
@@ -74,18 +74,17 @@ std::array<std::int64_t, 3> filtered(const std::uint16_t* upper, const std::uint
 template <class Matrix, class Code>
 void convert_colour_row(const std::uint16_t* upper, const std::uint16_t* lower, int width, int row,
                         Code* blue_difference, Code* red_difference) {
-    constexpr std::int64_t blue_divisor = kFilterSum * Matrix::blue_difference * kWhite;
-    constexpr std::int64_t red_divisor = kFilterSum * Matrix::red_difference * kWhite;
-    constexpr std::int64_t finer = kFiner<Code>;
+    constexpr std::int64_t kBlueDivisor = kFilterSum * Matrix::kBlueDifference * kWhite;
+    constexpr std::int64_t kRedDivisor = kFilterSum * Matrix::kRedDifference * kWhite;
     for (int column = 0; column < width / 2; ++column) {
         const auto [red, green, blue] = filtered(upper, lower, width, 2 * column);
         const std::int64_t luma = luma_sum<Matrix>(red, green, blue);
         const std::uint32_t threshold =
             dither_threshold(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
-        blue_difference[column] = quantised<Code, blue_divisor>(
-            128 * finer, 224 * finer * (kLumaSum * blue - luma), threshold);
-        red_difference[column] = quantised<Code, red_divisor>(
-            128 * finer, 224 * finer * (kLumaSum * red - luma), threshold);
+        blue_difference[column] = quantised<Code, kBlueDivisor>(
+            128 * kFiner<Code>, 224 * kFiner<Code> * (kLumaSum * blue - luma), threshold);
+        red_difference[column] = quantised<Code, kRedDivisor>(
+            128 * kFiner<Code>, 224 * kFiner<Code> * (kLumaSum * red - luma), threshold);
     }
 }
 
@@ -104,7 +103,7 @@ void convert(std::span<const std::uint16_t> rgb, int width, int height, bool hal
     }
     const int step = halve_height ? 2 : 1;
     for (int row = 0; row < height / step; ++row) {
-        const std::uint16_t* upper = rgb.data() + step * row * stride;
+        const std::uint16_t* upper = rgb.data() + std::ptrdiff_t{step} * row * stride;
         convert_colour_row<Matrix>(upper, upper + (step - 1) * stride, width, row,
                                    row_of(planes.blue_difference, row),
                                    row_of(planes.red_difference, row));

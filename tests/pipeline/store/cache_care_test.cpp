@@ -177,6 +177,13 @@ TEST(CacheSize, Environment_DecidesUnlessTold) {
     ::setenv("CAROM_CACHE_SIZE", "3 MB", 1);
     EXPECT_EQ(cache_size_limit(""), 3'000'000U);
     EXPECT_EQ(cache_size_limit("1 kB"), 1000U);
+    ::setenv("CAROM_CACHE_SIZE", "lots", 1);
+    try {
+        (void)cache_size_limit("");
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("CAROM_CACHE_SIZE: 'lots' is not a size"));
+    }
     ::unsetenv("CAROM_CACHE_SIZE");
     EXPECT_EQ(cache_size_limit(""), 20'000'000'000U);
 }
