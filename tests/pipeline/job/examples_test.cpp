@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/camera/path_fit.h"
 #include "pipeline/config/load_shot.h"
 #include "sim/bake.h"
 #include "sim/timeline/energy.h"
@@ -50,10 +52,32 @@ Nearest nearest(const sim::Timeline& timeline, const std::string& a, const std::
     return best;
 }
 
+/// Every frame of the example's film can be planned, with the bake of `baked`.
+void expect_films(const std::string& name, const Shot& baked, const sim::Timeline& timeline) {
+    const Shot shot = example(name);
+    EXPECT_EQ(sim::physics_hash(shot.world), sim::physics_hash(baked.world)) << name;
+    const std::vector<CameraRig> rigs = with_fitted_paths(shot.cameras, timeline);
+    const std::int64_t frames = frame_count(rigs, shot.timing);
+    EXPECT_GT(frames, 0);
+    for (std::int64_t n = 0; n < frames; ++n) {
+        EXPECT_NO_THROW((void)plan_mixed_frame(n, rigs, shot.timing, timeline)) << name << " " << n;
+    }
+}
+
+TEST(NineBallBreak, IsFilmedAgainInSlowMotion) {
+    const Shot shot = example("nine_ball_break");
+    const sim::Timeline timeline = sim::bake(shot.world).timeline;
+    expect_films("nine_ball_break", shot, timeline);
+    expect_films("slow_motion", shot, timeline);
+}
+
 TEST(JumpShot, ClearsTheEightAndPotsTheNine) {
-    const sim::BakeResult result = sim::bake(example("jump_shot").world);
+    const Shot shot = example("jump_shot");
+    const sim::BakeResult result = sim::bake(shot.world);
     EXPECT_TRUE(result.warnings.empty());
     const sim::Timeline& timeline = result.timeline;
+    expect_films("jump_shot", shot, timeline);
+    expect_films("bullet_time", shot, timeline);
     EXPECT_EQ(find(timeline, EventKind::impact, "cue", "eight"), nullptr);
     const Nearest over = nearest(timeline, "cue", "eight");
     EXPECT_GT(over.gap, 0.005);
@@ -93,9 +117,12 @@ TEST(Masse, CurvesRoundTheEightAndPotsTheThree) {
 }
 
 TEST(DominoRun, FallsToItsEndAndPotsTheNine) {
-    const sim::BakeResult result = sim::bake(example("domino_run").world);
+    const Shot shot = example("domino_run");
+    const sim::BakeResult result = sim::bake(shot.world);
     EXPECT_TRUE(result.warnings.empty());
     const sim::Timeline& timeline = result.timeline;
+    expect_films("domino_run", shot, timeline);
+    expect_films("reverse", shot, timeline);
     constexpr int kTiles = 32;
     const auto tile = [](int i) { return (i < 10 ? "d0" : "d") + std::to_string(i); };
     const Event* before = find(timeline, EventKind::impact, "cue", tile(1));
