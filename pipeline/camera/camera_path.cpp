@@ -81,8 +81,8 @@ Vec3 position_on(const OrbitPath& path, const RigInstant& instant, const sim::Ti
     const EllipseCurve curve(path.turn.rotateVector({path.radii.x, 0, 0}),
                              path.turn.rotateVector({0, path.radii.y, 0}), start, end);
     const bool is_circle = path.radii.x == path.radii.y;  // even as it is
-    constexpr int pieces = 16;
-    return centre + (path.even_pace && !is_circle ? even_pace_along(curve, progress, pieces)
+    constexpr int kPieces = 16;
+    return centre + (path.even_pace && !is_circle ? even_pace_along(curve, progress, kPieces)
                                                   : curve.position(progress));
 }
 

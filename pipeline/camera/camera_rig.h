@@ -23,16 +23,17 @@ struct ControlPoint {
 /// the cubic Bezier curve (0, 0), (x1, y1), (x2, y2), (1, 1) of value over time, x1 and x2 in [0,
 /// 1].
 struct Easing {
-    enum class Kind { linear, smooth, bezier };
-    Kind kind = Kind::linear;
+    enum Kind { linear, smooth, bezier };
+    Kind kind = linear;
     double x1 = 0, y1 = 0, x2 = 1, y2 = 1;  // bezier only
 
+    /// So that `Easing::smooth` is an easing.
+    constexpr Easing(Kind without_points = linear) : kind(without_points) {}
+    constexpr Easing(double ax, double ay, double bx, double by)
+        : kind(bezier), x1(ax), y1(ay), x2(bx), y2(by) {}
+
     bool operator==(const Easing&) const = default;
-    static const Easing linear;
-    static const Easing smooth;
 };
-inline constexpr Easing Easing::linear{};
-inline constexpr Easing Easing::smooth{Easing::Kind::smooth};
 
 /// A Bezier curve of any degree >= 0 (one point: a fixed place).
 struct BezierPath {

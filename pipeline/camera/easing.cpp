@@ -51,10 +51,10 @@ Progress ease_bezier(Progress progress, const Easing& easing) {
 }  // namespace
 
 Progress ease(Progress progress, const Easing& easing) {
-    if (easing.kind == Easing::Kind::linear) {
+    if (easing.kind == Easing::linear) {
         return progress;
     }
-    if (easing.kind == Easing::Kind::bezier) {
+    if (easing.kind == Easing::bezier) {
         return ease_bezier(progress, easing);
     }
     if (progress.done <= 0) {

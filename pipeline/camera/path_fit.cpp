@@ -23,6 +23,7 @@ struct Sample {
 // Denser towards the ends, as Chebyshev's nodes are: a polynomial fitted there does not swing.
 std::vector<Sample> sample_path(const sim::Track& track, double from, double to) {
     std::vector<Sample> samples;
+    samples.reserve(kSamples);
     for (int i = 0; i < kSamples; ++i) {
         const double angle = std::numbers::pi * i / (kSamples - 1);
         const Progress share{(1 - std::cos(angle)) / 2, (1 + std::cos(angle)) / 2};

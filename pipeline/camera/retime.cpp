@@ -28,14 +28,14 @@ Rational magnitude(const Rational& value) {
 
 // The first film time at which a ramp shows `scene_time`, by steps and then by halving.
 Rational ramp_video_time(const CameraRig& rig, const Rational& scene_time) {
-    constexpr int steps = 4096;
+    constexpr int kSteps = 4096;
     const double wanted = scene_time.to_double();
-    const Rational step = length_of(rig) / Rational(steps);
+    const Rational step = length_of(rig) / Rational(kSteps);
     const auto ahead = [&](const Rational& time) {
         return scene_time_at(rig, time).to_double() - wanted;
     };
     Rational low = rig.video_start;
-    for (int i = 1; i <= steps; ++i) {
+    for (int i = 1; i <= kSteps; ++i) {
         Rational high = rig.video_start + step * Rational(i);
         const double before = ahead(low);
         if (before == 0) {

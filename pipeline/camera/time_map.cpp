@@ -113,10 +113,11 @@ WideRational speed_at(const CameraRig& rig, const WideRational& video_time) {
         return ramp_speed(rig.time_map, video_time);
     } catch (const Error&) {
         // Which way and how fast: the difference of two instants is close enough.
-        constexpr double h = 1e-6;
+        constexpr double kStep = 1e-6;
         const double time = video_time.to_double();
-        return Rational::nearest((passed(rig.time_map, time + h) - passed(rig.time_map, time - h)) /
-                                 (2 * h));
+        return Rational::nearest(
+            (passed(rig.time_map, time + kStep) - passed(rig.time_map, time - kStep)) /
+            (2 * kStep));
     }
 }
 

@@ -29,13 +29,13 @@ std::string record_path(const std::string& shot_path, const std::string& cache_f
 
 /// "a, b, c and 4 more"
 std::string shortened(const std::vector<std::string>& keys) {
-    constexpr std::size_t most = 4;
+    constexpr std::size_t kMost = 4;
     std::string text;
-    for (std::size_t i = 0; i < std::min(most, keys.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(kMost, keys.size()); ++i) {
         text += (i == 0 ? "" : ", ") + keys[i];
     }
-    return keys.size() > most ? text + " and " + std::to_string(keys.size() - most) + " more"
-                              : text;
+    return keys.size() > kMost ? text + " and " + std::to_string(keys.size() - kMost) + " more"
+                               : text;
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ Rational value_of(std::string_view text, const config::Exponents& exponents,
                   const std::string& expected) {
     const auto parsed = config::parse_quantity(text);
     const auto* quantity = std::get_if<config::Quantity>(&parsed);
-    constexpr double largest = 1e6;
+    constexpr double kLargest = 1e6;
     if (quantity == nullptr || (quantity->has_unit && !(quantity->exponents == exponents)) ||
-        !(quantity->value >= -largest && quantity->value <= largest)) {
+        !(quantity->value >= -kLargest && quantity->value <= kLargest)) {
         throw InputError("'" + std::string(text) + "' is not " + expected);
     }
     return config::to_rational(*quantity);

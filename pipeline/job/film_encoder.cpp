@@ -26,8 +26,8 @@ render::Film read_picture(std::size_t picture, const FilmPlan& plan, const Frame
 
 void encode_film(FilmSink& sink, const FilmPlan& plan, const FrameStore& store, PictureBoard& board,
                  ObserverGate& observer, const std::stop_token& stop) {
-    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-    std::size_t shown = none;  // the picture in `film`, if it is one as it is
+    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    std::size_t shown = kNone;  // the picture in `film`, if it is one as it is
     render::Film film;
     const std::size_t frames = plan.picture_of.size();
     for (std::size_t i = 0; i < frames; ++i) {
@@ -39,7 +39,7 @@ void encode_film(FilmSink& sink, const FilmPlan& plan, const FrameStore& store, 
         }
         if (const FilmPlan::Blend* blend = plan.blend_of(i)) {
             mix_in(read_picture(blend->picture, plan, store, board, stop), blend->weight, film);
-            shown = none;
+            shown = kNone;
         }
         if (stop.stop_requested()) {
             throw Stopped();

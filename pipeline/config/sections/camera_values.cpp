@@ -223,7 +223,7 @@ ValueType<Easing> easing() {
             }
         }
         const auto& v = *values;
-        return Easing{Easing::Kind::bezier, v[0], v[1], v[2], v[3]};
+        return Easing(v[0], v[1], v[2], v[3]);
     };
     return any_of<Easing>({{is_scalar, word}, {is_list, curve}});
 }

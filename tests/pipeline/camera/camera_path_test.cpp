@@ -115,19 +115,19 @@ TEST(Paths, Backwards_GiveTheSameBits) {
 
 TEST(Easing, Bezier_IsTheCurveOfItsPoints) {
     // x(s) = s for x1 = 1/3, x2 = 2/3: y is the cubic of 0, y1, y2, 1 itself.
-    const Easing curve{Easing::Kind::bezier, 1.0 / 3, 0.9, 2.0 / 3, -0.4};
+    const Easing curve(1.0 / 3, 0.9, 2.0 / 3, -0.4);
     for (double t = 0; t <= 1; t += 1.0 / 16) {
         const double r = 1 - t;
         EXPECT_NEAR(ease({t, r}, curve).done, 3 * r * r * t * 0.9 - 3 * r * t * t * 0.4 + t * t * t,
                     1e-15);
     }
     // Symmetric about its middle, steep there, level at the ends.
-    const Easing gentle{Easing::Kind::bezier, 0.5, 0, 0.5, 1};
+    const Easing gentle(0.5, 0, 0.5, 1);
     EXPECT_NEAR(ease({0.5, 0.5}, gentle).done, 0.5, 1e-15);
     EXPECT_NEAR(ease({0.2, 0.8}, gentle).done, 1 - ease({0.8, 0.2}, gentle).done, 1e-15);
     EXPECT_EQ(ease({-0.1, 1.1}, gentle).done, 0);
     // Beyond the ends it goes on with the slope it has there.
-    const Easing quick{Easing::Kind::bezier, 0.25, 0.5, 0.5, 1};
+    const Easing quick(0.25, 0.5, 0.5, 1);
     EXPECT_DOUBLE_EQ(ease({-0.1, 1.1}, quick).done, -0.2);
     EXPECT_DOUBLE_EQ(ease({1.1, -0.1}, quick).done, 1);
     EXPECT_NEAR(ease({1e-9, 1 - 1e-9}, quick).done, 2e-9, 1e-15);

@@ -98,7 +98,7 @@ TEST(Cameras, Spline_TakesPointsLikeBezier) {
             .position);
     ASSERT_EQ(path.points.size(), 2U);
     EXPECT_EQ(path.points[1].of, "one");
-    EXPECT_EQ(path.easing, (Easing{Easing::Kind::bezier, 0.1, 0.2, 0.3, 0.4}));
+    EXPECT_EQ(path.easing, (Easing(0.1, 0.2, 0.3, 0.4)));
 }
 
 TEST(Cameras, Orbit_GoesRoundAPlaceOrAnObject) {
