@@ -26,7 +26,8 @@ struct PixelSums {
     /// How many samples met which object; empty unless they are counted.
     std::vector<ObjectCount> objects;
 
-    void add(const RadianceSample& sample) {
+    /// `group`: of the sample, or -1.
+    void add(const RadianceSample& sample, int group = -1) {
         radiance += Vec3(sample.radiance);
         normal += Vec3(sample.normal);
         albedo += Vec3(sample.albedo);
@@ -34,6 +35,9 @@ struct PixelSums {
         const double y = static_cast<double>(render::luminance(sample.radiance));
         luminance += y;
         luminance2 += y * y;
+        if (group >= 0) {
+            groups[static_cast<std::size_t>(group)] += static_cast<float>(y);
+        }
     }
 
     void count_object(std::uint32_t object) {

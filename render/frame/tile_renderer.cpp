@@ -5,13 +5,15 @@
 
 #include "render/integrator/distributed_integrator.h"
 #include "render/integrator/path_integrator.h"
+#include "render/integrator/wave/wave_integrator.h"
 #include "render/sampling/sampler.h"
 
 namespace carom::render {
 namespace {
 
-// Samples between looks whether to stop; one of the distributed integrator is a tree of rays.
-constexpr int kPathSamplesBetweenStops = 256;
+// Samples that are traced together, between looks whether to stop; one of the distributed
+// integrator is a tree of rays.
+constexpr std::size_t kPathSamplesAtOnce = 2 * kWaveSamples;
 
 PathSettings path_settings(const RenderSettings& settings) {
     PathSettings path;
@@ -26,7 +28,11 @@ std::unique_ptr<const Integrator> make_integrator(const RenderSettings& settings
     if (settings.integrator == IntegratorKind::distributed) {
         return std::make_unique<DistributedIntegrator>(scene, settings.distributed);
     }
-    return std::make_unique<PathIntegrator>(scene, path_settings(settings), reflections);
+    const PathSettings path = path_settings(settings);
+    if (WaveIntegrator::can_do(scene, path)) {
+        return std::make_unique<WaveIntegrator>(scene, path, reflections);
+    }
+    return std::make_unique<PathIntegrator>(scene, path, reflections);
 }
 
 /// Of `count`, whether the settings switch the effect off.
@@ -62,8 +68,7 @@ TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& fra
       samples_(settings.integrator == IntegratorKind::distributed
                    ? camera_samples(settings.distributed)
                    : settings.samples),
-      samples_between_stops_(
-          settings.integrator == IntegratorKind::distributed ? 1 : kPathSamplesBetweenStops),
+      samples_at_once_(settings.integrator == IntegratorKind::distributed ? 1 : kPathSamplesAtOnce),
       is_centred_(is_off(settings, &DistributedSettings::pixel_samples)),
       is_instantaneous_(is_off(settings, &DistributedSettings::blur_samples)),
       film_(film),
@@ -87,41 +92,48 @@ void TileRenderer::for_each_pixel(int tile, const std::stop_token& stop, const P
 
 RenderStatistics TileRenderer::render(int tile, const std::stop_token& stop) {
     RenderStatistics count;
-    for_each_pixel(tile, stop, [&](int x, int y) {
-        PixelSums sums;
-        add_samples(x, y, 0, samples_, sums, stop, count);
-        write(x, y, sums, samples_);
-    });
+    SampleQueue queue = make_queue(stop, count);
+    std::vector<PixelSums> sums(kTileSize * kTileSize);
+    std::size_t next = 0;
+    for_each_pixel(tile, stop, [&](int x, int y) { ask(x, y, 0, samples_, sums[next++], queue); });
+    queue.flush();
+    next = 0;
+    for_each_pixel(tile, stop, [&](int x, int y) { write(x, y, sums[next++], samples_); });
     return count;
 }
 
 RenderStatistics TileRenderer::begin(int tile, std::vector<PixelSums>& pilot,
                                      const std::stop_token& stop) {
     RenderStatistics count;
+    SampleQueue queue = make_queue(stop, count);
+    const int share = settings_.samples / PixelSums::kGroups;
     for_each_pixel(tile, stop, [&](int x, int y) {
-        PixelSums& sums = pilot[index(x, y)];
-        double before = 0;
         for (int group = 0; group < PixelSums::kGroups; ++group) {
-            const int share = settings_.samples / PixelSums::kGroups;
-            add_samples(x, y, group * share, (group + 1) * share, sums, stop, count);
-            sums.groups[static_cast<std::size_t>(group)] =
-                static_cast<float>(sums.luminance - before);
-            before = sums.luminance;
+            ask(x, y, group * share, (group + 1) * share, pilot[index(x, y)], queue, group);
         }
     });
+    queue.flush();
     return count;
 }
 
 RenderStatistics TileRenderer::finish(int tile, const std::vector<PixelSums>& pilot,
                                       const std::vector<int>& plan, const std::stop_token& stop) {
     RenderStatistics count;
+    SampleQueue queue = make_queue(stop, count);
+    std::vector<PixelSums> sums(kTileSize * kTileSize);
+    std::size_t next = 0;
     for_each_pixel(tile, stop, [&](int x, int y) {
-        PixelSums sums = pilot[index(x, y)];
-        const int samples = plan[index(x, y)];
-        add_samples(x, y, settings_.samples, samples, sums, stop, count);
-        write(x, y, sums, samples);
+        sums[next] = pilot[index(x, y)];
+        ask(x, y, settings_.samples, plan[index(x, y)], sums[next++], queue);
     });
+    queue.flush();
+    next = 0;
+    for_each_pixel(tile, stop, [&](int x, int y) { write(x, y, sums[next++], plan[index(x, y)]); });
     return count;
+}
+
+SampleQueue TileRenderer::make_queue(const std::stop_token& stop, RenderStatistics& count) const {
+    return {*integrator_, pixel_spread_, samples_at_once_, aovs_.needs_objects(), stop, count};
 }
 
 Ray TileRenderer::camera_ray(int x, int y, const SampleStream& stream) const {
@@ -135,23 +147,14 @@ Ray TileRenderer::camera_ray(int x, int y, const SampleStream& stream) const {
     return camera_.ray(x, y, sample);
 }
 
-void TileRenderer::add_samples(int x, int y, int from, int to, PixelSums& sums,
-                               const std::stop_token& stop, RenderStatistics& count) const {
+// Samples `from` to `to` of a pixel.
+void TileRenderer::ask(int x, int y, int from, int to, PixelSums& sums, SampleQueue& queue,
+                       int group) const {
     for (int sample = from; sample < to; ++sample) {
-        if (sample % samples_between_stops_ == samples_between_stops_ - 1 &&
-            stop.stop_requested()) {
-            return;
-        }
         const SampleStream stream(seed_, static_cast<std::uint32_t>(x),
                                   static_cast<std::uint32_t>(y),
                                   static_cast<std::uint32_t>(sample));
-        const Ray ray = camera_ray(x, y, stream);
-        const RadianceSample result =
-            integrator_->sample(ray, pixel_spread_, stream, {x, y, sample}, count);
-        sums.add(result);
-        if (aovs_.needs_objects()) {
-            sums.count_object(result.object);
-        }
+        queue.ask({camera_ray(x, y, stream), stream, {x, y, sample}}, sums, group);
     }
 }
 

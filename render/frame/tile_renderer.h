@@ -11,6 +11,7 @@
 #include "render/frame/aov_planes.h"
 #include "render/frame/frame.h"
 #include "render/frame/pixel_sums.h"
+#include "render/frame/sample_queue.h"
 #include "render/integrator/integrator.h"
 #include "render/integrator/light_reflections.h"
 #include "render/integrator/transport_scene.h"
@@ -53,8 +54,10 @@ class TileRenderer {
     [[nodiscard]] Ray camera_ray(int x, int y, const SampleStream& stream) const;
     template <class Pixel>
     void for_each_pixel(int tile, const std::stop_token& stop, const Pixel& pixel) const;
-    void add_samples(int x, int y, int from, int to, PixelSums& sums, const std::stop_token& stop,
-                     RenderStatistics& count) const;
+    [[nodiscard]] SampleQueue make_queue(const std::stop_token& stop,
+                                         RenderStatistics& count) const;
+    void ask(int x, int y, int from, int to, PixelSums& sums, SampleQueue& queue,
+             int group = -1) const;
     void write(int x, int y, const PixelSums& sums, int samples);
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(settings_.width) +
@@ -68,7 +71,7 @@ class TileRenderer {
     std::unique_ptr<const LightReflections> reflections_;  // for paths only
     std::unique_ptr<const Integrator> integrator_;
     int samples_;  // per pixel
-    int samples_between_stops_;
+    std::size_t samples_at_once_;
     bool is_centred_;        // every ray through the pixel's centre
     bool is_instantaneous_;  // every ray in the middle of the shutter
     Film& film_;

@@ -5,11 +5,6 @@
 #include "render/sampling/reuse.h"
 
 namespace carom::render {
-namespace {
-
-constexpr int kVertices = 2;  // of a path that connect
-
-}  // namespace
 
 Caustics::Caustics(const TransportScene& scene)
     : scene_(scene), light_count_(scene.lights.area_light_count()) {
@@ -49,7 +44,8 @@ void Caustics::add(const MirrorBall& ball) {
 }
 
 bool Caustics::connects(const Path& path, const ShadingVertex& vertex) const {
-    return !balls_.empty() && path.vertex < kVertices && vertex.bsdf.is_broad();
+    return !balls_.empty() && path.vertex < PathDimensions::kConnectingVertices &&
+           vertex.bsdf.is_broad();
 }
 
 // The share of all directions that the ball fills, about (a quarter of the squared ratio of radius

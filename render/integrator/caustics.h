@@ -35,13 +35,17 @@ class Caustics {
                pairs_[static_cast<std::size_t>(index_[object]) * light_count_ + light] > 0;
     }
 
-  private:
     /// What balls are chosen by, an array for each number: for vectors.
     struct Places {
         std::vector<float> x, y, z;  // the middle of the places that the centre takes
         std::vector<float> reach;    // from there to the farthest point
         std::vector<float> radius2;
     };
+    [[nodiscard]] const Places& places() const { return places_; }
+    /// By object: its index in `places`, or -1; objects beyond the end have none.
+    [[nodiscard]] const std::vector<int>& place_of_object() const { return index_; }
+
+  private:
     [[nodiscard]] float weight(std::size_t ball, const V3f& position, const V3f& normal) const;
     [[nodiscard]] float total_weight(const ShadingVertex& vertex, std::size_t own) const;
     [[nodiscard]] V3f through(std::size_t ball, const Path& path, const ShadingVertex& vertex,

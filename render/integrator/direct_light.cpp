@@ -19,9 +19,6 @@ constexpr float kBelowOne = 0x1.fffffep-1f;
 constexpr float kAlwaysAbove = 0.125f;
 constexpr float kRarest = 0.125f;
 
-// With more area lights than these each is sampled once: together they are smooth enough.
-constexpr std::size_t kFewLights = 4;
-
 /// How many directions towards the environment a path's first vertex takes, on average.
 float environment_samples(const LightSet& lights, const ShadingVertex& vertex) {
     const std::size_t environment = lights.area_light_count();
@@ -203,8 +200,7 @@ void DirectLight::seek_block(std::size_t light, const std::array<V2f, 4>& u,
     }
 }
 
-// How many directions a path's first vertex takes towards an area light: the penumbrae of lamps
-// would be most of the noise, and four shadow rays traced together cost little more than one.
+// How many directions a path's first vertex takes towards an area light.
 float DirectLight::samples_of(std::size_t light) const {
     const std::size_t area_lights = scene_.lights.area_light_count();
     const bool is_lamp = light < area_lights &&

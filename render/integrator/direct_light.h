@@ -11,6 +11,11 @@ namespace carom::render {
 /// without a surface are only found by sampling them.
 enum class DirectStrategy { both, lights_only, scattering_only };
 
+/// With more area lights than these each is sampled once at a path's first vertex, together they
+/// are smooth enough; else rectangles are four times: their penumbrae would be most of the noise,
+/// and four shadow rays traced together cost little more than one.
+inline constexpr std::size_t kFewLights = 4;
+
 /// Share of a sample's contribution, made with density `pdf`, when another strategy makes the same
 /// with `other`: the power heuristic with exponent 2 (Veach 1997, section 9.2.4).
 [[nodiscard]] inline float power_heuristic(float pdf, float other) {

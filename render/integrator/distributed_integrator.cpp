@@ -17,8 +17,6 @@ namespace {
 constexpr float kShadowReach = 1.0f - 2e-4f;
 
 // The pixel's cone after a bounce, for textures. A mirror may be curved.
-constexpr float kMirrorSpread = 4.0f;
-constexpr float kWidestSpread = 0.5f;
 constexpr float kLeastCosine = 0.05f;
 
 // Every ray of the tree draws its numbers from sets of its own, found by its way there.

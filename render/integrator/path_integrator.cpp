@@ -17,11 +17,6 @@ constexpr std::uint32_t kBranchesOfOneCoat = 1u << (kMostSplits + 1);
 constexpr int kRouletteVertex = 5;
 constexpr float kLeastSurvival = 0.2f;
 
-// The pixel's cone after a bounce: a lobe of density p is about 1 / sqrt(p) wide; of that a quarter
-// (several samples share it). A mirror may be curved: balls widen what is seen in them.
-constexpr float kLobeShare = 0.25f;
-constexpr float kWidestSpread = 0.5f;
-constexpr float kMirrorSpread = 4.0f;
 constexpr float kLeastCosine = 0.05f;
 
 float largest(const V3f& c) {
@@ -33,8 +28,10 @@ bool is_valid(const V3f& c) {
     return valid(c.x) && valid(c.y) && valid(c.z);
 }
 
+}  // namespace
+
 // A wrong radiance stops the program where it is born, if expensive checks are on.
-void validate([[maybe_unused]] const V3f& radiance, [[maybe_unused]] const SampleIndex& index) {
+void PathWork::validate([[maybe_unused]] const V3f& radiance) const {
 #ifdef CAROM_VALIDATION
     if (!is_valid(radiance)) {
         std::fprintf(stderr, "radiance (%g, %g, %g) in sample %d of pixel (%d, %d)\n",
@@ -44,23 +41,6 @@ void validate([[maybe_unused]] const V3f& radiance, [[maybe_unused]] const Sampl
     }
 #endif
 }
-
-}  // namespace
-
-/// What one camera sample gathers.
-struct PathIntegrator::Work {
-    PathDimensions dimensions;
-    SampleIndex index;
-    RenderStatistics& count;
-    RadianceSample result{};
-    V3f direct{0, 0, 0};  // light seen, or scattered once
-    V3f indirect{0, 0, 0};
-
-    void add(const V3f& radiance, int scatterings) {
-        validate(radiance, index);
-        (scatterings <= 1 ? direct : indirect) += radiance;
-    }
-};
 
 PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& settings,
                                const LightReflections* reflections)
@@ -77,12 +57,16 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
 RadianceSample PathIntegrator::sample(const Ray& camera_ray, float pixel_spread,
                                       const SampleStream& stream, const SampleIndex& index,
                                       RenderStatistics& count) const {
-    Work work{PathDimensions(stream), index, count};
+    PathWork work{PathDimensions(stream), index, count};
     Path path{camera_ray};
     path.spread = pixel_spread;
     path.last.connects = reflections_ != nullptr;
     count.camera_rays += 1;
     follow(path, work);
+    return total(work);
+}
+
+RadianceSample PathIntegrator::total(PathWork& work) const {
     if (settings_.clamp > 0) {
         const float brightest = largest(work.indirect);
         if (brightest > settings_.clamp) {
@@ -96,69 +80,105 @@ RadianceSample PathIntegrator::sample(const Ray& camera_ray, float pixel_spread,
     return work.result;
 }
 
-void PathIntegrator::follow(Path path, Work& work) const {
-    for (;;) {
-        Hit hit;
-        if (!scene_.frame.structure().closest_hit(path.ray, hit)) {
-            work.add(path.throughput * direct_.environment(path), path.vertex);
-            return;
-        }
-        if (path.vertex == 0) {
-            work.result.coverage = 1;
-            work.result.object = hit.object;
-        }
-        if (scene_.is_light(hit)) {
-            if (is_sought(path, hit)) {
-                return;
-            }
-            work.add(path.throughput * direct_.met(path, hit), path.vertex);
-            if (path.vertex == 0) {
-                work.result.normal = -path.ray.direction;
-            }
-            return;
-        }
-        if (has_emission_) {
-            add_emission(path, hit, work);
-        }
-        if (path.vertex > settings_.max_bounces || !survives(path, work)) {
-            return;
-        }
-        const V3f wo = -path.ray.direction;
-        const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
-        path.width += path.spread * hit.t;
-        const float cosine = std::max(std::abs(point.geometric_normal ^ wo), kLeastCosine);
-        const Surface surface =
-            scene_.materials[point.material].resolve(point, wo, path.width / std::sqrt(cosine));
-        if (surface.is_inside) {
-            path.throughput *= surface.layers->glass->left_after(hit.t);
-        }
-        if (path.vertex == 0) {
-            work.result.normal = surface.frame.z;
-            work.result.albedo = surface.base;
-        }
-        const Bsdf bsdf(surface, wo);
-        const bool splits = path.vertex < settings_.split_vertices && bsdf.has_coat();
-        const bool shows_gloss = splits && path.vertex == 0 && bsdf.can_evaluate(Layers::coat);
-        const ShadingVertex vertex{
-            point.position, point.position + surface.geometric_normal * point.offset,
-            surface,        bsdf,
-            splits,         shows_gloss ? settings_.glossy_samples : 1};
-        const VertexNumbers u = work.dimensions.vertex(path);
-        const V3f direct = direct_.sampled(path, vertex, u.light, work.dimensions, work.count);
-        work.add(path.throughput * direct, path.vertex + 1);
-        const bool connects = settings_.caustics && path.vertex < settings_.max_bounces &&
-                              caustics_.connects(path, vertex);
-        if (connects) {
-            const V3f found =
-                caustics_.connected(path, vertex, hit.object, work.dimensions, work.count);
-            work.add(path.throughput * found, path.vertex + 2);
-        }
-        path.last.connected_ball = path.last.connects ? std::int64_t{hit.object} : -1;
-        path.last.connects = connects;
-        if (!scatter(path, vertex, u.scattering, work)) {
+void PathIntegrator::follow(Path path, PathWork& work) const {
+    Hit hit;
+    while (scene_.frame.structure().closest_hit(path.ray, hit)) {
+        if (!meet(path, hit, work)) {
             return;
         }
     }
+    miss(path, work);
+}
+
+void PathIntegrator::follow_from(Path path, const Hit& hit, PathWork& work) const {
+    if (meet(path, hit, work)) {
+        follow(path, work);
+    }
+}
+
+void PathIntegrator::miss(const Path& path, PathWork& work) const {
+    work.add(path.throughput * direct_.environment(path), path.vertex);
+}
+
+void PathIntegrator::meet_light(const Path& path, const Hit& hit, PathWork& work) const {
+    if (path.vertex == 0) {
+        work.result.coverage = 1;
+        work.result.object = hit.object;
+    }
+    if (is_sought(path, hit)) {
+        return;
+    }
+    work.add(path.throughput * direct_.met(path, hit), path.vertex);
+    if (path.vertex == 0) {
+        work.result.normal = -path.ray.direction;
+    }
+}
+
+// Whether the path goes on from what it has met, turned into its next direction.
+bool PathIntegrator::meet(Path& path, const Hit& hit, PathWork& work) const {
+    if (scene_.is_light(hit)) {
+        meet_light(path, hit, work);
+        return false;
+    }
+    if (path.vertex == 0) {
+        work.result.coverage = 1;
+        work.result.object = hit.object;
+    }
+    if (has_emission_) {
+        add_emission(path, hit, work);
+    }
+    if (path.vertex > settings_.max_bounces || !survives(path, work)) {
+        return false;
+    }
+    const V3f wo = -path.ray.direction;
+    const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
+    path.width += path.spread * hit.t;
+    const Surface surface = resolve(path, point);
+    if (surface.is_inside) {
+        path.throughput *= surface.layers->glass->left_after(hit.t);
+    }
+    if (path.vertex == 0) {
+        work.result.normal = surface.frame.z;
+        work.result.albedo = surface.base;
+    }
+    const Bsdf bsdf(surface, wo);
+    const bool splits = path.vertex < settings_.split_vertices && bsdf.has_coat();
+    const bool shows_gloss = splits && path.vertex == 0 && bsdf.can_evaluate(Layers::coat);
+    const ShadingVertex vertex{
+        point.position, point.position + surface.geometric_normal * point.offset,
+        surface,        bsdf,
+        splits,         shows_gloss ? settings_.glossy_samples : 1};
+    const VertexNumbers u = work.dimensions.vertex(path);
+    const V3f direct = direct_.sampled(path, vertex, u.light, work.dimensions, work.count);
+    work.add(path.throughput * direct, path.vertex + 1);
+    const bool connects = settings_.caustics && path.vertex < settings_.max_bounces &&
+                          caustics_.connects(path, vertex);
+    if (connects) {
+        const V3f found =
+            caustics_.connected(path, vertex, hit.object, work.dimensions, work.count);
+        work.add(path.throughput * found, path.vertex + 2);
+    }
+    path.last.connected_ball = path.last.connects ? std::int64_t{hit.object} : -1;
+    path.last.connects = connects;
+    return scatter(path, vertex, u.scattering, work);
+}
+
+// `path.width` is that at the point.
+Surface PathIntegrator::resolve(const Path& path, const SurfacePoint& point) const {
+    const V3f wo = -path.ray.direction;
+    const float cosine = std::max(std::abs(point.geometric_normal ^ wo), kLeastCosine);
+    return scene_.materials[point.material].resolve(point, wo, path.width / std::sqrt(cosine));
+}
+
+void PathIntegrator::seek_by_balls(Path path, const Hit& hit, PathWork& work) const {
+    const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
+    path.width += path.spread * hit.t;
+    const Surface surface = resolve(path, point);
+    const Bsdf bsdf(surface, -path.ray.direction);
+    const ShadingVertex vertex{
+        point.position, point.position + surface.geometric_normal * point.offset, surface, bsdf};
+    const V3f found = caustics_.connected(path, vertex, hit.object, work.dimensions, work.count);
+    work.add(path.throughput * found, path.vertex + 2);
 }
 
 // Whether the light that the path has met by way of a ball is found by connection.
@@ -171,7 +191,7 @@ bool PathIntegrator::is_sought(const Path& path, const Hit& hit) const {
     return path.vertex == 1 ? reflections_->covers(ball, light) : caustics_.covers(ball, light);
 }
 
-void PathIntegrator::add_emission(const Path& path, const Hit& hit, Work& work) const {
+void PathIntegrator::add_emission(const Path& path, const Hit& hit, PathWork& work) const {
     const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
     const float cosine = -(point.geometric_normal ^ path.ray.direction);
     const Material& material = scene_.materials[point.material];
@@ -182,7 +202,7 @@ void PathIntegrator::add_emission(const Path& path, const Hit& hit, Work& work) 
 }
 
 // Roulette on long paths only: by then what is left of the path's weight says how much it matters.
-bool PathIntegrator::survives(Path& path, const Work& work) const {
+bool PathIntegrator::survives(Path& path, const PathWork& work) const {
     if (path.vertex < kRouletteVertex) {
         return true;
     }
@@ -196,7 +216,7 @@ bool PathIntegrator::survives(Path& path, const Work& work) const {
 
 // Turns `path` into its next direction, after following its coat to the end; false if it ends here.
 bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, const V2f& u,
-                             Work& work) const {
+                             PathWork& work) const {
     const auto proceed = [&](Path& onward, Layers layers, const V2f& numbers, int samples = 1) {
         const auto sample = vertex.bsdf.sample(layers, numbers);
         if (!sample || largest(sample->weight) <= 0) {
@@ -221,7 +241,9 @@ bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, const V2f&
     if (!vertex.splits) {
         return proceed(path, Layers::all, u);
     }
-    const V3f numbers = work.dimensions.further(path);
+    // A smooth coat has no choice of direction.
+    const V3f numbers =
+        vertex.bsdf.can_evaluate(Layers::coat) ? work.dimensions.further(path) : V3f(0, 0, 0);
     for (int k = 0; k < vertex.glossy_samples; ++k) {
         Path coat = path;
         coat.branch = 2 * path.branch + kBranchesOfOneCoat * static_cast<std::uint32_t>(k);

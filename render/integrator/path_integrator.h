@@ -22,6 +22,24 @@ struct PathSettings {
     bool caustics = true;  // by connection; else by chance, with the same mean
 };
 
+/// What one camera sample gathers.
+struct PathWork {
+    PathDimensions dimensions;
+    SampleIndex index;
+    RenderStatistics& count;
+    RadianceSample result{};
+    V3f direct{0, 0, 0};  // light seen, or scattered once
+    V3f indirect{0, 0, 0};
+
+    void add(const V3f& radiance, int scatterings) {
+        validate(radiance);
+        (scatterings <= 1 ? direct : indirect) += radiance;
+    }
+
+  private:
+    void validate(const V3f& radiance) const;
+};
+
 /// Immutable; shared by all threads.
 ///
 /// At the first two vertices of a path the coat and what lies below it are both followed (Cook,
@@ -37,15 +55,31 @@ class PathIntegrator final : public Integrator {
                                         const SampleStream& stream, const SampleIndex& index,
                                         RenderStatistics& count) const override;
 
-  private:
-    struct Work;
+    // For an integrator that carries many paths and leaves some of what they meet to this one.
 
-    void follow(Path path, Work& work) const;
-    void add_emission(const Path& path, const Hit& hit, Work& work) const;
+    /// All that the path gathers from here on; `hit`: what it meets next, not yet dealt with.
+    void follow_from(Path path, const Hit& hit, PathWork& work) const;
+    /// What a path that meets nothing gathers.
+    void miss(const Path& path, PathWork& work) const;
+    /// What a path that meets an area light gathers there.
+    void meet_light(const Path& path, const Hit& hit, PathWork& work) const;
+    /// The surface at a point that the path meets; its width is that at the point.
+    [[nodiscard]] Surface resolve(const Path& path, const SurfacePoint& point) const;
+    /// Light by way of balls, scattered where the path meets `hit`.
+    void seek_by_balls(Path path, const Hit& hit, PathWork& work) const;
+    /// The sample that was gathered, indirect light clamped.
+    [[nodiscard]] RadianceSample total(PathWork& work) const;
+
+    [[nodiscard]] const Caustics& caustics() const { return caustics_; }
+
+  private:
+    void follow(Path path, PathWork& work) const;
+    [[nodiscard]] bool meet(Path& path, const Hit& hit, PathWork& work) const;
+    void add_emission(const Path& path, const Hit& hit, PathWork& work) const;
     [[nodiscard]] bool scatter(Path& path, const ShadingVertex& vertex, const V2f& u,
-                               Work& work) const;
+                               PathWork& work) const;
     [[nodiscard]] bool is_sought(const Path& path, const Hit& hit) const;
-    [[nodiscard]] bool survives(Path& path, const Work& work) const;
+    [[nodiscard]] bool survives(Path& path, const PathWork& work) const;
 
     TransportScene scene_;
     DirectLight direct_;

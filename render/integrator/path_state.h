@@ -10,6 +10,12 @@
 
 namespace carom::render {
 
+// The pixel's cone after a bounce: a lobe of density p is about 1 / sqrt(p) wide; of that a quarter
+// (several samples share it). A mirror may be curved: balls widen what is seen in them.
+inline constexpr float kLobeShare = 0.25f;
+inline constexpr float kWidestSpread = 0.5f;
+inline constexpr float kMirrorSpread = 4.0f;
+
 /// How the latest direction was chosen: what a light that it meets must know to weigh itself
 /// against having been sampled from there (Veach and Guibas 1995, "Optimally combining sampling
 /// techniques for Monte Carlo rendering").
@@ -89,12 +95,16 @@ class PathDimensions {
         return stream_.square_block(kLightBlocks + static_cast<std::uint32_t>(light));
     }
 
-  private:
+    // Where the sets of numbers lie: each vertex's, then those of a first vertex's lights.
     static constexpr std::uint32_t kVertices = 128;  // more than a path can have
     static constexpr std::uint32_t kLightPairs = 0x10000;
     static constexpr std::uint32_t kCaustics = 0x20000;
     static constexpr std::uint32_t kLightBlocks = 0x30000;
 
+    /// Vertices of a path that seek light by way of balls.
+    static constexpr int kConnectingVertices = 2;
+
+  private:
     [[nodiscard]] static std::uint32_t place(const Path& path) {
         return path.branch * kVertices + static_cast<std::uint32_t>(path.vertex);
     }

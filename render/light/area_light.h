@@ -61,6 +61,10 @@ class RectangleEmitter {
     /// Luminous power per steradian straight ahead: radiance times area.
     [[nodiscard]] float intensity() const { return luminance(radiance_) * area_; }
     [[nodiscard]] const V3f& centre() const { return centre_; }
+    // Halves of the sides.
+    [[nodiscard]] const V3f& edge_u() const { return edge_u_; }
+    [[nodiscard]] const V3f& edge_v() const { return edge_v_; }
+    [[nodiscard]] const V3f& normal() const { return normal_; }
 
     /// Any point of the rectangle, whoever receives.
     [[nodiscard]] EmitterPoint sample_area(const V3f& receiver, float reach, const V2f& u) const;
@@ -87,6 +91,8 @@ class SphereEmitter {
     [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
     [[nodiscard]] float intensity() const { return luminance(radiance_) * kPi * radius_ * radius_; }
     [[nodiscard]] const V3f& centre() const { return centre_; }
+    [[nodiscard]] const V3f& radiance() const { return radiance_; }
+    [[nodiscard]] float radius() const { return radius_; }
 
     /// A point of a disk across the light's middle, large enough that every ray from within `reach`
     /// of `receiver` that meets the light crosses it. `can_sample_area` must hold.

@@ -41,6 +41,10 @@ class SampleStream {
     /// gives every vertex sets of its own, so that samples stay comparable.
     void seek(std::uint32_t set) { set_ = set; }
 
+    // What the numbers depend on beside the set: for code that makes those of many samples at once.
+    [[nodiscard]] std::uint32_t pixel_hash() const { return pixel_hash_; }
+    [[nodiscard]] std::uint32_t reversed_sample() const { return reversed_sample_; }
+
   private:
     std::uint32_t pixel_hash_ = 0;
     std::uint32_t reversed_sample_ = 0;  // the sample's number, its lowest bit first

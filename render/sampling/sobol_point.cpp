@@ -7,13 +7,9 @@
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
-#ifndef CAROM_SOBOL_TABLES
-#define CAROM_SOBOL_TABLES
+#ifndef CAROM_SOBOL_FUNCTIONS
+#define CAROM_SOBOL_FUNCTIONS
 namespace carom::render::detail {
-constexpr SobolNibbleTables kSobol = make_sobol_tables();
-constexpr std::uint32_t kLaneSalts[4] = {0x3c6ef372u, 0xdaa66d2bu, 0x78dde6e4u, 0x1715609du};
-constexpr std::uint32_t kFifthSalt = 0xb54cda56u;
-
 // Both write floats in [0, 1): four coordinates; two coordinates of four points, the first ones
 // first.
 using WriteFunction = void(std::uint32_t reversed_index, std::uint32_t set_hash,
@@ -23,11 +19,6 @@ struct SobolFunctions {
     WriteFunction* block;
 };
 
-// The points of a block differ in the two lowest bits of their index, the highest when reversed.
-constexpr std::uint32_t block_share(int dimension, std::uint32_t k) {
-    const std::uint32_t reversed = (k & 1u) << 1 | k >> 1;
-    return kSobol.values[7][reversed << 2][dimension];
-}
 alignas(16) constexpr std::uint32_t kBlock[2][4] = {
     {block_share(0, 0), block_share(0, 1), block_share(0, 2), block_share(0, 3)},
     {block_share(1, 0), block_share(1, 1), block_share(1, 2), block_share(1, 3)}};

@@ -1,0 +1,202 @@
+// Lights as seen from the vertices of a wave: the formulas of light/area_light.cpp and
+// light/light_set.cpp. Included once per instruction set.
+#include <algorithm>
+#include <limits>
+
+#include "render/integrator/wave/wave_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
+
+/// A direction towards a light in every lane, and what comes from there.
+struct LightLanes {
+    V3 direction;
+    F distance;
+    F pdf;
+    V3 radiance;
+    M valid;
+};
+
+HWY_INLINE LightLanes sample_rectangle(const WaveLight& light, const V3& point, const V2& u) {
+    const F a = all(2.f) * u.x - all(1.f);
+    const F b = all(2.f) * u.y - all(1.f);
+    const V3 way = all(light.centre) + all(light.edge_u) * a + all(light.edge_v) * b - point;
+    const F height = hn::Neg(dot(way, all(light.normal)));
+    const F distance2 = dot(way, way);
+    const F distance = hn::Sqrt(distance2);
+    return {way * (all(1.f) / distance), distance,
+            distance2 * distance / (height * all(light.area)), all(light.radiance),
+            hn::Gt(height, all(0.f))};
+}
+
+HWY_INLINE LightLanes sample_sphere(const WaveLight& light, const V3& point, const V2& u) {
+    const V3 way = all(light.centre) - point;
+    const F radius = all(light.radius);
+    const F distance2 = dot(way, way);
+    const F distance = hn::Sqrt(distance2);
+    const F one_minus_cos = one_minus_cos_of_sphere(radius, distance);
+    const V3 local = sample_cone(u, one_minus_cos);
+    const F sine2 = local.x * local.x + local.y * local.y;
+    const F inside = hn::Sqrt(hn::Max(all(0.f), radius * radius - distance2 * sine2));
+    const Basis basis = basis_around(way * (all(1.f) / distance));
+    return {unit(basis.to_world(local)), hn::Max(all(0.f), distance * local.z - inside),
+            all(1.f) / (all(2 * kPi) * one_minus_cos), all(light.radiance),
+            hn::Gt(distance2, radius * radius)};
+}
+
+HWY_INLINE F surface_cosine(F cosine, F reach) {
+    constexpr float kLeastCosine = 0.1f;
+    return select(hn::Le(cosine + reach, all(0.f)), all(0.f), hn::Max(cosine, all(kLeastCosine)));
+}
+
+HWY_INLINE float luminance_of(const V3f& c) {
+    return luminance(c);
+}
+
+HWY_INLINE F importance_of_rectangle(const WaveLight& light, const V3& point, const V3& normal) {
+    const V3 way = all(light.centre) - point;
+    const F distance2 = hn::Max(dot(way, way), all(1e-12f));
+    const F distance = hn::Sqrt(distance2);
+    const F height = hn::Neg(dot(way, all(light.normal)));
+    const F cosine =
+        surface_cosine(dot(way, normal) / distance, all(light.half_diagonal) / distance);
+    const F value = all(luminance_of(light.radiance) * light.area) * cosine * (height / distance) /
+                    hn::Max(distance2, all(0.25f * light.area));
+    return select(hn::Gt(height, all(0.f)), value, all(0.f));
+}
+
+HWY_INLINE F importance_of_sphere(const WaveLight& light, const V3& point, const V3& normal) {
+    const V3 way = all(light.centre) - point;
+    const F distance = hn::Max(hn::Sqrt(dot(way, way)), all(1e-6f));
+    const F radius = all(light.radius);
+    const F solid_angle = all(2.0f * kPi) * one_minus_cos_of_sphere(radius, distance);
+    const F value = all(luminance_of(light.radiance)) * solid_angle *
+                    surface_cosine(dot(way, normal) / distance, radius / distance);
+    return select(hn::Gt(distance, radius), value, all(0.f));
+}
+
+/// Numbers of a group, one path at a time, for lights that have no vector code.
+struct LanesAtOnce {
+    alignas(64) float x[16], y[16], z[16];
+
+    HWY_INLINE explicit LanesAtOnce(const V3& v) {
+        hn::Store(v.x, FloatTag(), x);
+        hn::Store(v.y, FloatTag(), y);
+        hn::Store(v.z, FloatTag(), z);
+    }
+    LanesAtOnce() = default;
+    [[nodiscard]] V3f get(int i) const { return {x[i], y[i], z[i]}; }
+    void set(int i, const V3f& v) {
+        x[i] = v.x;
+        y[i] = v.y;
+        z[i] = v.z;
+    }
+    HWY_INLINE V3 lanes() const {
+        return {hn::Load(FloatTag(), x), hn::Load(FloatTag(), y), hn::Load(FloatTag(), z)};
+    }
+};
+
+inline HWY_ATTR F importance_one_by_one(const LightSet& lights, std::size_t light, const V3& point,
+                                        const V3& normal, M wanted) {
+    const LanesAtOnce points(point);
+    const LanesAtOnce normals(normal);
+    alignas(64) float values[16] = {};
+    alignas(64) float is_wanted[16];
+    hn::Store(select(wanted, all(1.f), all(0.f)), FloatTag(), is_wanted);
+    for (int i = 0; i < lane_count(); ++i) {
+        if (is_wanted[i] > 0) {
+            values[i] = lights.importance(light, points.get(i), normals.get(i));
+        }
+    }
+    return hn::Load(FloatTag(), values);
+}
+
+inline HWY_ATTR LightLanes sample_one_by_one(const LightSet& lights, std::size_t light,
+                                             const V3& point, const V2& u, M wanted) {
+    const LanesAtOnce points(point);
+    alignas(64) float u_x[16], u_y[16], is_wanted[16];
+    hn::Store(u.x, FloatTag(), u_x);
+    hn::Store(u.y, FloatTag(), u_y);
+    hn::Store(select(wanted, all(1.f), all(0.f)), FloatTag(), is_wanted);
+    LanesAtOnce directions, radiances;
+    alignas(64) float distances[16], pdfs[16], valid[16];
+    for (int i = 0; i < lane_count(); ++i) {
+        directions.set(i, V3f(0, 0, 1));
+        radiances.set(i, V3f(0, 0, 0));
+        distances[i] = pdfs[i] = 1;
+        valid[i] = 0;
+        if (is_wanted[i] <= 0) {
+            continue;
+        }
+        if (const auto sample = lights.sample(light, points.get(i), V2f(u_x[i], u_y[i]))) {
+            directions.set(i, sample->direction);
+            radiances.set(i, lights.radiance(light, *sample));
+            distances[i] = sample->distance;
+            pdfs[i] = sample->pdf;
+            valid[i] = 1;
+        }
+    }
+    return {directions.lanes(), hn::Load(FloatTag(), distances), hn::Load(FloatTag(), pdfs),
+            radiances.lanes(), hn::Gt(hn::Load(FloatTag(), valid), all(0.f))};
+}
+
+HWY_INLINE F importance(const WaveScene& scene, std::size_t light, const V3& point,
+                        const V3& normal, M wanted) {
+    switch (scene.light[light].kind) {
+        case WaveLight::Kind::rectangle:
+            return importance_of_rectangle(scene.light[light], point, normal);
+        case WaveLight::Kind::sphere:
+            return importance_of_sphere(scene.light[light], point, normal);
+        case WaveLight::Kind::other:
+            break;
+    }
+    return scene.light[light].is_environment
+               ? all(scene.environment_importance)
+               : importance_one_by_one(*scene.lights, light, point, normal, wanted);
+}
+
+HWY_INLINE LightLanes sample(const WaveScene& scene, std::size_t light, const V3& point,
+                             const V2& u, M wanted) {
+    switch (scene.light[light].kind) {
+        case WaveLight::Kind::rectangle:
+            return sample_rectangle(scene.light[light], point, u);
+        case WaveLight::Kind::sphere:
+            return sample_sphere(scene.light[light], point, u);
+        case WaveLight::Kind::other:
+            break;
+    }
+    return sample_one_by_one(*scene.lights, light, point, u, wanted);
+}
+
+/// One light in every lane, as LightSet's `choose`.
+struct ChoiceLanes {
+    I light;
+    F probability;
+    F total;  // 0: none
+    F u;
+};
+
+HWY_INLINE ChoiceLanes choose_light(const WaveScene& scene, const V3& point, const V3& normal, F u,
+                                    M wanted) {
+    const IntTag di;
+    ChoiceLanes choice{hn::Set(di, -1), all(0.f), all(0.f), u};
+    F chosen = all(0.f);
+    for (std::size_t light = 0; light < scene.light.size(); ++light) {
+        const F weight = importance(scene, light, point, normal, wanted);
+        const M counts = hn::Gt(weight, all(0.f));
+        choice.total = select(counts, choice.total + weight, choice.total);
+        const F share = weight / choice.total;
+        const M takes = hn::And(counts, hn::Lt(choice.u, share));
+        choice.light = hn::IfThenElse(hn::RebindMask(di, takes),
+                                      hn::Set(di, static_cast<std::int32_t>(light)), choice.light);
+        chosen = select(takes, weight, chosen);
+        choice.u =
+            select(hn::And(counts, hn::Lt(share, all(1.f))), stretched(choice.u, share), choice.u);
+    }
+    choice.probability = chosen / choice.total;
+    choice.total = select(hn::Gt(chosen, all(0.f)), choice.total, all(0.f));
+    return choice;
+}
+
+}  // namespace carom::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

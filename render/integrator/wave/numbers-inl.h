@@ -1,0 +1,119 @@
+// The random numbers of sampling/sampler.h, a path in every lane: the same bits. Included once per
+// instruction set.
+#include "render/sampling/sobol_point.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
+
+HWY_INLINE U mix_words(U x) {
+    x = hn::Xor(x, hn::ShiftRight<16>(x));
+    x = x * all_words(0x85ebca6bu);
+    x = hn::Xor(x, hn::ShiftRight<13>(x));
+    x = x * all_words(0xc2b2ae35u);
+    return hn::Xor(x, hn::ShiftRight<16>(x));
+}
+
+HWY_INLINE U scramble_reversed_words(U x, U seed) {
+    x = hn::Xor(x, x * all_words(0x3d20adeau));
+    x = x + seed;
+    x = x * hn::Or(hn::ShiftRight<16>(seed), all_words(1u));
+    x = hn::Xor(x, x * all_words(0x05526c56u));
+    return hn::Xor(x, x * all_words(0x53a22864u));
+}
+
+HWY_INLINE U reverse_bits_of_words(U x) {
+    const hn::Repartition<std::uint8_t, WordTag> bytes;
+    alignas(16) static constexpr std::uint8_t kNibbles[16] = {
+        0x0, 0x8, 0x4, 0xc, 0x2, 0xa, 0x6, 0xe, 0x1, 0x9, 0x5, 0xd, 0x3, 0xb, 0x7, 0xf};
+    alignas(16) static constexpr std::uint8_t kBytes[16] = {3,  2,  1, 0, 7,  6,  5,  4,
+                                                            11, 10, 9, 8, 15, 14, 13, 12};
+    const auto table = hn::LoadDup128(bytes, kNibbles);
+    const U low = hn::And(x, all_words(0x0f0f0f0fu));
+    const U high = hn::And(hn::ShiftRight<4>(x), all_words(0x0f0f0f0fu));
+    const WordTag d;
+    const U low_reversed = hn::BitCast(d, hn::TableLookupBytes(table, hn::BitCast(bytes, low)));
+    const U high_reversed = hn::BitCast(d, hn::TableLookupBytes(table, hn::BitCast(bytes, high)));
+    const U joined = hn::Or(hn::ShiftLeft<4>(low_reversed), high_reversed);
+    return hn::BitCast(
+        d, hn::TableLookupBytes(hn::BitCast(bytes, joined), hn::LoadDup128(bytes, kBytes)));
+}
+
+HWY_INLINE F to_unit_lanes(U x) {
+    const F value = hn::ConvertTo(FloatTag(), hn::BitCast(IntTag(), hn::ShiftRight<8>(x)));
+    return value * all(0x1p-24f);
+}
+
+/// The random numbers of a group of paths.
+class Numbers {
+  public:
+    HWY_INLINE Numbers(const SampleWave& samples, I slot)
+        : pixel_hash_(hn::BitCast(WordTag(), gather(samples.pixel_hash, slot))),
+          reversed_sample_(hn::BitCast(WordTag(), gather(samples.reversed_sample, slot))) {}
+
+    /// SampleStream's next_4d of the set.
+    HWY_INLINE void set(U set, F (&u)[4]) const {
+        const U hash = set_hash(set);
+        const U shuffled =
+            scramble_reversed_words(reversed_sample_, mix_words(hash + all_words(0x9e3779b9u)));
+        U coordinates[4];
+        sobol(shuffled, coordinates);
+        for (int d = 0; d < 4; ++d) {
+            u[d] = scrambled(coordinates[d], seed(hash, d));
+        }
+    }
+
+    /// Its square_block: the points' first coordinates, then their second ones.
+    HWY_INLINE void block(std::uint32_t set, F (&x)[4], F (&y)[4]) const {
+        const U hash = set_hash(all_words(set));
+        const U shuffled =
+            scramble_reversed_words(reversed_sample_, mix_words(hash + all_words(0x9e3779b9u)));
+        U coordinates[4];
+        sobol(hn::ShiftRight<2>(shuffled), coordinates);
+        const U seed_x = seed(hash, 0);
+        const U seed_y = seed(hash, 1);
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            x[k] = scrambled(hn::Xor(coordinates[0], all_words(detail::block_share(0, k))), seed_x);
+            y[k] = scrambled(hn::Xor(coordinates[1], all_words(detail::block_share(1, k))), seed_y);
+        }
+    }
+
+    /// Its lone_number.
+    HWY_INLINE F lone(U set) const {
+        return to_unit_lanes(mix_words(hn::Xor(set_hash(set), reversed_sample_)));
+    }
+
+  private:
+    HWY_INLINE U set_hash(U set) const { return mix_words(hn::Xor(pixel_hash_, mix_words(set))); }
+    static HWY_INLINE U seed(U hash, int dimension) {
+        return mix_words(hash + all_words(detail::kLaneSalts[dimension]));
+    }
+    static HWY_INLINE F scrambled(U x, U seed) {
+        return to_unit_lanes(reverse_bits_of_words(scramble_reversed_words(x, seed)));
+    }
+    /// A path at a time, but all four dimensions at once.
+    static HWY_INLINE void sobol(U reversed_index, U (&coordinates)[4]) {
+        const hn::CappedTag<std::uint32_t, 4> d4;
+        alignas(64) std::uint32_t index[16];
+        alignas(64) std::uint32_t points[16 * 4];
+        hn::Store(reversed_index, WordTag(), index);
+        for (int lane = 0; lane < lane_count(); ++lane) {
+            const std::uint32_t at = index[lane];
+            auto sum = hn::Load(d4, detail::kSobol.values[0][at & 15u]);
+            for (int nibble = 1; nibble < 8; ++nibble) {
+                sum = hn::Xor(
+                    sum, hn::Load(d4, detail::kSobol.values[nibble][(at >> (4 * nibble)) & 15u]));
+            }
+            hn::Store(sum, d4, points + 4 * lane);
+        }
+        const I places = hn::ShiftLeft<2>(hn::Iota(IntTag(), 0));
+        const auto* words = reinterpret_cast<const std::int32_t*>(points);
+        for (int k = 0; k < 4; ++k) {
+            coordinates[k] = hn::BitCast(WordTag(), hn::GatherIndex(IntTag(), words + k, places));
+        }
+    }
+
+    U pixel_hash_, reversed_sample_;
+};
+
+}  // namespace carom::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

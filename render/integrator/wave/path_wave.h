@@ -1,0 +1,116 @@
+// Many paths at once, an array for each number: what loops over vectors carry. Plain data.
+#pragma once
+
+#include <cstdint>
+
+#include "render/integrator/path_state.h"
+
+namespace carom::render {
+
+/// Camera samples that set out together; each may split twice.
+inline constexpr int kWaveSamples = 128;
+inline constexpr int kWavePaths = 4 * kWaveSamples;
+/// Vectors may read and write beyond the last path.
+inline constexpr int kWaveStorage = kWavePaths + 16;
+
+struct Floats {
+    alignas(64) float at[kWaveStorage];
+};
+struct Words {
+    alignas(64) std::int32_t at[kWaveStorage];
+};
+struct Floats3 {
+    Floats x, y, z;
+
+    [[nodiscard]] V3f get(int i) const { return {x.at[i], y.at[i], z.at[i]}; }
+    void set(int i, const V3f& v) {
+        x.at[i] = v.x;
+        y.at[i] = v.y;
+        z.at[i] = v.z;
+    }
+};
+
+/// The numbers of path_state.h's Path and LastScattering; all paths lead to the same `vertex`.
+struct PathWave {
+    int count = 0;
+    int vertex = 0;
+    Words slot;  // the camera sample that the path belongs to
+    Words branch;
+    Floats3 origin, direction;
+    Floats time;
+    Floats3 throughput;
+    Floats width, spread;
+    Floats3 last_position, last_normal;
+    Floats pdf;
+    Floats total_importance, environment_samples;
+    Words is_delta, connects;  // 1 or 0
+    Words connected_ball;
+
+    [[nodiscard]] Ray ray(int i) const {
+        return {origin.get(i), direction.get(i), 0, kInfinity, time.at[i]};
+    }
+    /// One path by itself, for what is done one at a time.
+    [[nodiscard]] Path path(int i) const {
+        Path path{ray(i)};
+        path.throughput = throughput.get(i);
+        path.last.position = last_position.get(i);
+        path.last.normal = last_normal.get(i);
+        path.last.pdf = pdf.at[i];
+        path.last.is_delta = is_delta.at[i] != 0;
+        path.last.connects = connects.at[i] != 0;
+        path.last.connected_ball = connected_ball.at[i];
+        path.last.all_lights = vertex == 1;
+        path.last.total_importance = total_importance.at[i];
+        path.last.environment_samples = environment_samples.at[i];
+        path.vertex = vertex;
+        path.branch = static_cast<std::uint32_t>(branch.at[i]);
+        path.width = width.at[i];
+        path.spread = spread.at[i];
+        return path;
+    }
+};
+
+/// What a wave has met: vertices whose surfaces are a diffuse base and, on some, a smooth coat.
+struct VertexWave {
+    int count = 0;
+    Words path;  // index in the PathWave
+    Words object;
+    Floats distance;  // along the path's ray, m
+    Floats3 position;
+    Floats3 geometric_normal, normal;  // on the viewer's side
+    Floats offset;                     // m
+    Floats3 base;
+    Floats coat_weight, coat_ior;
+};
+
+/// Shadow rays of a wave's vertices: of each vertex `rays` at most, the first ones of all
+/// vertices before the second ones.
+struct ShadowWave {
+    static constexpr int kMostRays = 16;  // of a first vertex
+    static constexpr int kStorage = kMostRays * (kWaveSamples + 16);
+    static_assert(kStorage >= kWaveStorage);
+
+    int stride = 0;  // from a ray of a vertex to its next one
+    int rays = 0;    // of each vertex
+    Floats3 origin;  // by vertex
+    alignas(64) float x[kStorage];
+    alignas(64) float y[kStorage];
+    alignas(64) float z[kStorage];
+    alignas(64) float reach[kStorage];  // m; 0: no ray
+    alignas(64) float red[kStorage];    // what arrives if nothing is in the way
+    alignas(64) float green[kStorage];
+    alignas(64) float blue[kStorage];
+};
+
+/// What the samples of a wave gather.
+struct SampleWave {
+    Words pixel_hash, reversed_sample;  // of their random numbers
+};
+
+/// Indices of vertices.
+struct VertexList {
+    int count = 0;
+    Words at;
+};
+
+}  // namespace carom::render

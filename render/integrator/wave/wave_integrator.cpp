@@ -1,0 +1,269 @@
+#include "render/integrator/wave/wave_integrator.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "sim/timeline/assert.h"
+
+namespace carom::render {
+namespace {
+
+// Deeper paths are rare, and roulette decides about them: they are followed one by one.
+constexpr int kLastVertex = 4;
+
+WaveLight known_light(const LightSet& lights, std::size_t index) {
+    WaveLight light;
+    light.is_environment = lights.is_environment(index);
+    if (index >= lights.area_light_count()) {
+        return light;
+    }
+    const AreaLight& area_light = lights.area_light(index);
+    if (const auto* rectangle = std::get_if<RectangleEmitter>(&area_light)) {
+        light.kind = WaveLight::Kind::rectangle;
+        light.centre = rectangle->centre();
+        light.edge_u = rectangle->edge_u();
+        light.edge_v = rectangle->edge_v();
+        light.normal = rectangle->normal();
+        light.radiance = rectangle->radiance();
+        light.area = 4.0f * light.edge_u.length() * light.edge_v.length();
+        light.half_diagonal = (light.edge_u + light.edge_v).length();
+        light.samples = lights.area_light_count() <= kFewLights ? LightBlock::kSize : 1;
+    } else {
+        const auto& sphere = std::get<SphereEmitter>(area_light);
+        light.kind = WaveLight::Kind::sphere;
+        light.centre = sphere.centre();
+        light.radiance = sphere.radiance();
+        light.radius = sphere.radius();
+    }
+    return light;
+}
+
+WaveScene known_scene(const TransportScene& scene, const PathSettings& settings,
+                      const Caustics& caustics) {
+    WaveScene known;
+    known.lights = &scene.lights;
+    for (std::size_t light = 0; light < scene.lights.sampled_count(); ++light) {
+        known.light.push_back(known_light(scene.lights, light));
+    }
+    known.environment_importance = scene.lights.environment().importance();
+    const Caustics::Places& places = caustics.places();
+    known.ball_x = places.x;
+    known.ball_y = places.y;
+    known.ball_z = places.z;
+    known.ball_reach = places.reach;
+    known.ball_radius2 = places.radius2;
+    known.ball_of_object = caustics.place_of_object();
+    known.ball_of_object.resize(
+        std::max<std::size_t>(known.ball_of_object.size(), scene.first_light_object + 1u), -1);
+    known.max_bounces = settings.max_bounces;
+    known.split_vertices = settings.split_vertices;
+    known.caustics = settings.caustics;
+    return known;
+}
+
+}  // namespace
+
+struct WaveIntegrator::Wave final : Integrator::Workspace {
+    // Zero, so that what lies beyond the last path is harmless.
+    PathWave of_even_vertices{}, of_odd_vertices{};
+    PathWave& paths() { return vertex % 2 == 0 ? of_even_vertices : of_odd_vertices; }
+    PathWave& next() { return vertex % 2 == 0 ? of_odd_vertices : of_even_vertices; }
+    int vertex = 0;
+    VertexWave vertices{};
+    ShadowWave shadows{};
+    SampleWave samples{};
+    VertexList near_balls{};
+    std::vector<Hit> hits = std::vector<Hit>(kWaveStorage);  // of vertices
+    std::vector<PathWork> works;                             // of samples
+};
+
+WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& settings,
+                               const LightReflections* reflections)
+    : scene_(scene),
+      one_(scene_, settings, reflections),
+      seeks_reflections_(reflections != nullptr),
+      max_bounces_(settings.max_bounces),
+      known_(known_scene(scene, settings, one_.caustics())) {
+    CAROM_ASSERT(can_do(scene, settings));
+    for (const Material& material : scene.materials) {
+        is_plain_.push_back(material.is_diffuse_or_smoothly_coated() ? 1 : 0);
+    }
+}
+
+bool WaveIntegrator::can_do(const TransportScene& scene, const PathSettings& settings) {
+    const std::size_t lights = scene.lights.sampled_count();
+    const std::size_t lamps =
+        scene.lights.area_light_count() <= kFewLights ? scene.lights.area_light_count() : 0;
+    return best_wave_step() != nullptr && settings.strategy == DirectStrategy::both &&
+           lights + 3 * lamps <= ShadowWave::kMostRays;
+}
+
+RadianceSample WaveIntegrator::sample(const Ray& camera_ray, float pixel_spread,
+                                      const SampleStream& stream, const SampleIndex& index,
+                                      RenderStatistics& count) const {
+    return one_.sample(camera_ray, pixel_spread, stream, index, count);
+}
+
+std::unique_ptr<Integrator::Workspace> WaveIntegrator::make_workspace() const {
+    return std::make_unique<Wave>();
+}
+
+void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spread,
+                             std::span<RadianceSample> results, Workspace* workspace,
+                             RenderStatistics& count) const {
+    Wave& wave = dynamic_cast<Wave&>(*workspace);
+    for (std::size_t from = 0; from < tasks.size(); from += kWaveSamples) {
+        const std::size_t size = std::min<std::size_t>(kWaveSamples, tasks.size() - from);
+        begin(tasks.subspan(from, size), pixel_spread, wave, count);
+        while (wave.paths().count > 0) {
+            meet(wave);
+            best_wave_step()({known_, wave.samples, wave.paths(), wave.vertices, wave.shadows,
+                              wave.near_balls, wave.next()});
+            count.scattered_rays += static_cast<std::uint64_t>(wave.next().count);
+            trace_shadows(wave, count);
+            for (int k = 0; k < wave.near_balls.count; ++k) {
+                const int vertex = wave.near_balls.at.at[k];
+                const int path = wave.vertices.path.at[vertex];
+                one_.seek_by_balls(wave.paths().path(path), wave.hits[vertex],
+                                   wave.works[wave.paths().slot.at[path]]);
+            }
+            wave.vertex += 1;
+        }
+        for (std::size_t i = 0; i < size; ++i) {
+            results[from + i] = one_.total(wave.works[i]);
+        }
+    }
+}
+
+void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread, Wave& wave,
+                           RenderStatistics& count) const {
+    wave.vertex = 0;
+    PathWave& paths = wave.paths();
+    paths.count = static_cast<int>(tasks.size());
+    paths.vertex = 0;
+    wave.works.clear();
+    for (int i = 0; i < paths.count; ++i) {
+        const CameraTask& task = tasks[i];
+        wave.works.push_back({PathDimensions(task.stream), task.index, count});
+        wave.samples.pixel_hash.at[i] = static_cast<std::int32_t>(task.stream.pixel_hash());
+        wave.samples.reversed_sample.at[i] =
+            static_cast<std::int32_t>(task.stream.reversed_sample());
+        paths.slot.at[i] = i;
+        paths.branch.at[i] = 1;
+        paths.origin.set(i, task.ray.origin);
+        paths.direction.set(i, task.ray.direction);
+        paths.time.at[i] = task.ray.time;
+        paths.throughput.set(i, V3f(1, 1, 1));
+        paths.width.at[i] = 0;
+        paths.spread.at[i] = pixel_spread;
+        paths.pdf.at[i] = 0;
+        paths.total_importance.at[i] = 0;
+        paths.environment_samples.at[i] = 1;
+        paths.is_delta.at[i] = 1;
+        paths.connects.at[i] = seeks_reflections_ ? 1 : 0;
+        paths.connected_ball.at[i] = -1;
+    }
+    count.camera_rays += tasks.size();
+}
+
+void WaveIntegrator::meet(Wave& wave) const {
+    wave.vertices.count = 0;
+    for (int i = 0; i < wave.paths().count; ++i) {
+        Hit hit;
+        if (scene_.frame.structure().closest_hit(wave.paths().ray(i), hit)) {
+            meet(i, hit, wave);
+        } else {
+            one_.miss(wave.paths().path(i), wave.works[wave.paths().slot.at[i]]);
+        }
+    }
+}
+
+void WaveIntegrator::meet(int index, const Hit& hit, Wave& wave) const {
+    PathWork& work = wave.works[wave.paths().slot.at[index]];
+    if (scene_.is_light(hit)) {
+        one_.meet_light(wave.paths().path(index), hit, work);
+        return;
+    }
+    const SurfacePoint point = scene_.frame.surface_at(wave.paths().ray(index), hit);
+    if (is_plain_[point.material] == 0 || wave.paths().vertex > kLastVertex) {
+        one_.follow_from(wave.paths().path(index), hit, work);
+        return;
+    }
+    if (wave.paths().vertex == 0) {
+        work.result.coverage = 1;
+        work.result.object = hit.object;
+    }
+    if (wave.paths().vertex <= max_bounces_) {
+        add_vertex(index, hit, point, wave);
+    }
+}
+
+void WaveIntegrator::add_vertex(int index, const Hit& hit, const SurfacePoint& point,
+                                Wave& wave) const {
+    Path path = wave.paths().path(index);
+    path.width += path.spread * hit.t;
+    const Surface surface = one_.resolve(path, point);
+    if (path.vertex == 0) {
+        PathWork& work = wave.works[wave.paths().slot.at[index]];
+        work.result.normal = surface.frame.z;
+        work.result.albedo = surface.base;
+    }
+    VertexWave& vertices = wave.vertices;
+    const int i = vertices.count++;
+    wave.hits[i] = hit;
+    vertices.path.at[i] = index;
+    vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
+    vertices.distance.at[i] = hit.t;
+    vertices.position.set(i, point.position);
+    vertices.geometric_normal.set(i, surface.geometric_normal);
+    vertices.normal.set(i, surface.frame.z);
+    vertices.offset.at[i] = point.offset;
+    vertices.base.set(i, surface.base);
+    vertices.coat_weight.at[i] = surface.layers->coat_weight;
+    vertices.coat_ior.at[i] = surface.layers->coat_ior;
+}
+
+void WaveIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
+    for (int vertex = 0; wave.shadows.rays > 0 && vertex < wave.vertices.count; ++vertex) {
+        trace_shadows_of(vertex, wave, count);
+    }
+}
+
+void WaveIntegrator::trace_shadows_of(int vertex, Wave& wave, RenderStatistics& count) const {
+    const ShadowWave& shadows = wave.shadows;
+    const int path = wave.vertices.path.at[vertex];
+    const AccelerationStructure& structure = scene_.frame.structure();
+    V3f sum(0, 0, 0);
+    RayFan fan;
+    std::array<int, RayFan::kMost> ray_of;
+    fan.origin = shadows.origin.get(vertex);
+    fan.time = wave.paths().time.at[path];
+    const auto trace = [&] {
+        const FanMask blocked = fan.count > 1 ? structure.any_hits(fan)
+                                : fan.count == 1 && structure.any_hit(fan.ray(0)) ? 1u
+                                                                                  : 0u;
+        for (int k = 0; k < fan.count; ++k) {
+            if ((blocked >> k & 1u) == 0) {
+                const int at = ray_of[static_cast<std::size_t>(k)];
+                sum += V3f(shadows.red[at], shadows.green[at], shadows.blue[at]);
+            }
+        }
+        count.shadow_rays += static_cast<std::uint64_t>(fan.count);
+        fan.count = 0;
+    };
+    for (int k = 0; k < shadows.rays; ++k) {
+        const int at = k * shadows.stride + vertex;
+        if (shadows.reach[at] <= 0) {
+            continue;
+        }
+        if (fan.count == RayFan::kMost) {
+            trace();
+        }
+        ray_of[static_cast<std::size_t>(fan.count)] = at;
+        fan.add(V3f(shadows.x[at], shadows.y[at], shadows.z[at]), shadows.reach[at]);
+    }
+    trace();
+    wave.works[wave.paths().slot.at[path]].add(sum, wave.paths().vertex + 1);
+}
+
+}  // namespace carom::render

@@ -1,0 +1,53 @@
+#include "render/integrator/wave/wave_kernels.h"
+
+// Only what has wide vectors; the rest follows one path at a time.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/integrator/wave/wave_kernels.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once per instruction set
+// Must follow foreach_target.h.
+#include <hwy/highway.h>
+
+#if HWY_TARGET != HWY_SCALAR
+#include "render/integrator/wave/lanes-inl.h"
+#include "render/integrator/wave/lights-inl.h"
+#include "render/integrator/wave/numbers-inl.h"
+#include "render/integrator/wave/wave_step-inl.h"
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
+
+inline WaveStepFunction* step_of_target() {
+#if HWY_TARGET == HWY_SCALAR
+    return nullptr;
+#else
+    return take_step;
+#endif
+}
+
+}  // namespace carom::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace carom::render {
+
+HWY_EXPORT(step_of_target);
+
+WaveStepFunction* best_wave_step() {
+    static WaveStepFunction* const step = HWY_DYNAMIC_DISPATCH(step_of_target)();
+    return step;
+}
+
+int WaveScene::first_rays() const {
+    int rays = 0;
+    for (const WaveLight& one : light) {
+        rays += one.samples;
+    }
+    return rays;
+}
+
+}  // namespace carom::render
+
+#endif

@@ -1,0 +1,312 @@
+// One step of a wave: at each vertex lights are sampled, light by way of balls is asked for, and
+// directions are chosen. What material/bsdf.cpp, integrator/direct_light.cpp and
+// integrator/path_integrator.cpp do for one path. Included once per instruction set.
+#include "render/integrator/path_state.h"
+#include "render/integrator/wave/wave_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
+
+/// Vertices in the lanes: surface, path, and what becomes of it.
+struct VertexLanes {
+    int first;  // of the vertices
+    M valid;
+    I path;
+    V3 position, geometric_normal, origin;
+    Basis frame;
+    V3 throughput;
+    F wo_z;
+    V3 wo;
+    F coat;
+    F coat_choice;
+    V3 diffuse;
+    M scatters;  // has a diffuse base
+    M splits;
+    U place;
+    F total_importance, environment_samples;
+};
+
+HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
+    constexpr float kLeastChoice = 0.3f;
+    constexpr float kMostChoice = 0.8f;
+    const VertexWave& in = step.vertices;
+    const FloatTag d;
+    const IntTag di;
+    VertexLanes v;
+    v.first = first;
+    v.valid = hn::FirstN(d, static_cast<std::size_t>(in.count - first));
+    v.path = load(in.path, first);
+    v.position = load(in.position, first);
+    v.geometric_normal = load(in.geometric_normal, first);
+    v.origin = v.position + v.geometric_normal * load(in.offset, first);
+    v.frame = basis_around(load(in.normal, first));
+    v.throughput = gather(step.paths.throughput, v.path);
+    v.wo = -gather(step.paths.direction, v.path);
+    v.wo_z = hn::Max(dot(v.wo, v.frame.z), all(1e-4f));
+    const F coat_weight = load(in.coat_weight, first);
+    v.coat = all(0.f);
+    if (!hn::AllFalse(d, hn::Gt(coat_weight, all(0.f)))) {
+        v.coat = coat_weight * fresnel_dielectric(v.wo_z, load(in.coat_ior, first));
+    }
+    v.diffuse = load(in.base, first) * (all(1.f) - v.coat);
+    const F base = largest(v.diffuse);
+    v.scatters = hn::And(v.valid, hn::Gt(base, all(0.f)));
+    const M is_coated = hn::Gt(v.coat, all(0.f));
+    const F share = hn::Min(hn::Max(v.coat / (v.coat + base), all(kLeastChoice)), all(kMostChoice));
+    v.coat_choice = select(is_coated, select(hn::Gt(base, all(0.f)), share, all(1.f)), all(0.f));
+    v.splits = step.paths.vertex < step.scene.split_vertices ? hn::And(v.valid, is_coated)
+                                                             : hn::MaskFromVec(all(0.f));
+    const I place =
+        hn::ShiftLeft<7>(gather(step.paths.branch, v.path)) + hn::Set(di, step.paths.vertex);
+    static_assert(PathDimensions::kVertices == 1u << 7);
+    v.place = hn::BitCast(WordTag(), place);
+    v.total_importance = all(0.f);
+    v.environment_samples = gather(step.paths.environment_samples, v.path);
+    return v;
+}
+
+/// Probability of a direction being sampled as the base's, beside the cosine over pi.
+HWY_INLINE F base_probability(const VertexLanes& v) {
+    return select(v.splits, all(1.f), all(1.f) - v.coat_choice);
+}
+
+/// Writes shadow rays as number `k` of their vertices. `expected`: how many directions towards the
+/// light each vertex takes.
+HWY_INLINE void seek(const WaveStep& step, const VertexLanes& v, const LightLanes& light,
+                     F expected, M wanted, int k) {
+    constexpr float kShadowReach = 1.0f - 2e-4f;
+    const F cosine = dot(v.frame.z, light.direction);
+    const F side = dot(v.geometric_normal, light.direction);
+    const F density = hn::Max(cosine, all(0.f)) * all(kInversePi);
+    const F pdf = light.pdf * expected;
+    const F weight = power_heuristic(pdf, base_probability(v) * density);
+    const M shines = hn::And(hn::And(wanted, light.valid),
+                             hn::And(hn::Gt(side, all(0.f)), hn::Gt(density, all(0.f))));
+    const V3 value = v.throughput * v.diffuse * light.radiance * (density * weight / pdf);
+    const M seen = hn::And(shines, hn::Gt(largest(value), all(0.f)));
+    ShadowWave& out = step.shadows;
+    const int at = k * out.stride + v.first;
+    const FloatTag d;
+    hn::StoreU(light.direction.x, d, out.x + at);
+    hn::StoreU(light.direction.y, d, out.y + at);
+    hn::StoreU(light.direction.z, d, out.z + at);
+    hn::StoreU(select(seen, light.distance * all(kShadowReach), all(0.f)), d, out.reach + at);
+    hn::StoreU(value.x, d, out.red + at);
+    hn::StoreU(value.y, d, out.green + at);
+    hn::StoreU(value.z, d, out.blue + at);
+}
+
+HWY_INLINE F environment_share(const WaveStep& step, const VertexLanes& v) {
+    constexpr float kAlwaysAbove = 0.125f;
+    constexpr float kRarest = 0.125f;
+    const bool has_environment =
+        std::any_of(step.scene.light.begin(), step.scene.light.end(),
+                    [](const WaveLight& light) { return light.is_environment; });
+    if (!has_environment) {
+        return all(1.f);
+    }
+    F total = all(0.f);
+    for (std::size_t light = 0; light < step.scene.light.size(); ++light) {
+        total = total + importance(step.scene, light, v.position, v.frame.z, v.scatters);
+    }
+    const F share = all(step.scene.environment_importance) / (all(kAlwaysAbove) * total);
+    return select(hn::Gt(total, all(0.f)), hn::Min(hn::Max(share, all(kRarest)), all(1.f)),
+                  all(1.f));
+}
+
+/// Every light, at a path's first vertex.
+HWY_INLINE void seek_all(const WaveStep& step, VertexLanes& v, const Numbers& numbers) {
+    v.environment_samples = environment_share(step, v);
+    F pair[4];
+    std::uint32_t asked = 0;
+    int k = 0;
+    for (std::size_t light = 0; light < step.scene.light.size(); ++light) {
+        const WaveLight& known = step.scene.light[light];
+        if (known.samples > 1) {
+            F x[4], y[4];
+            numbers.block(PathDimensions::kLightBlocks + static_cast<std::uint32_t>(light), x, y);
+            for (int j = 0; j < 4; ++j) {
+                const LightLanes found = sample_rectangle(known, v.position, {x[j], y[j]});
+                seek(step, v, found, all(4.f), v.scatters, k++);
+            }
+            continue;
+        }
+        if (asked % 2 == 0) {
+            numbers.set(all_words(PathDimensions::kLightPairs + asked / 2), pair);
+        }
+        V2 u{pair[2 * (asked % 2)], pair[2 * (asked % 2) + 1]};
+        asked += 1;
+        M wanted = v.scatters;
+        F expected = all(1.f);
+        if (known.is_environment) {
+            expected = v.environment_samples;
+            wanted = hn::And(wanted, hn::Or(hn::Ge(expected, all(1.f)), hn::Lt(u.x, expected)));
+            u.x = select(hn::Lt(expected, all(1.f)), hn::Min(u.x / expected, all(0x1.fffffep-1f)),
+                         u.x);
+        }
+        seek(step, v, sample(step.scene, light, v.position, u, wanted), expected, wanted, k++);
+    }
+}
+
+/// One light by importance, later.
+HWY_INLINE void seek_one(const WaveStep& step, VertexLanes& v, const V2& u) {
+    const FloatTag d;
+    const ChoiceLanes choice = choose_light(step.scene, v.position, v.frame.z, u.x, v.scatters);
+    v.total_importance = select(v.scatters, choice.total, all(0.f));
+    LightLanes found{v.frame.z, all(0.f), all(1.f), all(V3f(0, 0, 0)), hn::MaskFromVec(all(0.f))};
+    for (std::size_t light = 0; light < step.scene.light.size(); ++light) {
+        const M takes =
+            hn::And(v.scatters,
+                    is_equal(choice.light, hn::Set(IntTag(), static_cast<std::int32_t>(light))));
+        if (hn::AllFalse(d, takes)) {
+            continue;
+        }
+        const LightLanes one = sample(step.scene, light, v.position, {choice.u, u.y}, takes);
+        found.direction = select(takes, one.direction, found.direction);
+        found.distance = select(takes, one.distance, found.distance);
+        found.pdf = select(takes, one.pdf, found.pdf);
+        found.radiance = select(takes, one.radiance, found.radiance);
+        found.valid = hn::Or(found.valid, hn::And(takes, one.valid));
+    }
+    seek(step, v, found, choice.probability, v.scatters, 0);
+}
+
+/// Which vertices seek light by way of a ball this time: the decision of caustics.cpp.
+HWY_INLINE void ask_balls(const WaveStep& step, const VertexLanes& v, const Numbers& numbers) {
+    const WaveScene& scene = step.scene;
+    const I object = load(step.vertices.object, v.first);
+    const I own = hn::GatherIndex(IntTag(), scene.ball_of_object.data(), object);
+    F total = all(0.f);
+    for (std::size_t ball = 0; ball < scene.ball_x.size(); ++ball) {
+        const V3 way{all(scene.ball_x[ball]) - v.position.x, all(scene.ball_y[ball]) - v.position.y,
+                     all(scene.ball_z[ball]) - v.position.z};
+        const F height = dot(way, v.geometric_normal) + all(scene.ball_reach[ball]);
+        const F radius2 = all(scene.ball_radius2[ball]);
+        const F share = all(0.25f) * radius2 / hn::Max(dot(way, way), radius2);
+        const M is_own = is_equal(own, hn::Set(IntTag(), static_cast<std::int32_t>(ball)));
+        const M counts = hn::AndNot(is_own, hn::Gt(height, all(0.f)));
+        total = total + select(counts, share, all(0.f));
+    }
+    const F roulette = numbers.lone(all_words(PathDimensions::kCaustics) + v.place + v.place);
+    const M asks = hn::And(v.scatters, hn::Lt(roulette, total));
+    const I index = hn::Iota(IntTag(), v.first);
+    store_some(index, asks, step.near_balls.at, step.near_balls.count);
+    step.near_balls.count += static_cast<int>(hn::CountTrue(FloatTag(), asks));
+}
+
+struct Onward {
+    V3 direction;
+    V3 weight;
+    F pdf, spread;
+    I branch;
+    I is_delta, connects, ball;
+};
+
+HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const Onward& onward, F width,
+                        M goes) {
+    PathWave& next = step.next;
+    const int at = next.count;
+    store_some(gather(step.paths.slot, v.path), goes, next.slot, at);
+    store_some(onward.branch, goes, next.branch, at);
+    store_some(v.origin, goes, next.origin, at);
+    store_some(onward.direction, goes, next.direction, at);
+    store_some(gather(step.paths.time, v.path), goes, next.time, at);
+    store_some(v.throughput * onward.weight, goes, next.throughput, at);
+    store_some(width, goes, next.width, at);
+    store_some(onward.spread, goes, next.spread, at);
+    store_some(v.position, goes, next.last_position, at);
+    store_some(v.frame.z, goes, next.last_normal, at);
+    store_some(onward.pdf, goes, next.pdf, at);
+    store_some(v.total_importance, goes, next.total_importance, at);
+    store_some(v.environment_samples, goes, next.environment_samples, at);
+    store_some(onward.is_delta, goes, next.is_delta, at);
+    store_some(onward.connects, goes, next.connects, at);
+    store_some(onward.ball, goes, next.connected_ball, at);
+    next.count += static_cast<int>(hn::CountTrue(FloatTag(), goes));
+}
+
+HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const V2& u, bool connects) {
+    const FloatTag d;
+    const IntTag di;
+    const I zero = hn::Zero(di);
+    const I one = hn::Set(di, 1);
+    const F width = gather(step.paths.width, v.path) +
+                    gather(step.paths.spread, v.path) * load(step.vertices.distance, v.first);
+    const F spread = gather(step.paths.spread, v.path);
+    const I branch = gather(step.paths.branch, v.path);
+    const M by_chance = hn::AndNot(v.splits, v.valid);
+    const M takes_coat = hn::And(by_chance, hn::Lt(u.x, v.coat_choice));
+    const M splits = v.splits;
+    const I twice = hn::IfThenElse(hn::RebindMask(di, splits), branch + branch, branch);
+
+    const M coats = hn::And(hn::Or(splits, takes_coat), hn::Gt(v.coat, all(0.f)));
+    if (!hn::AllFalse(d, coats)) {
+        const F wo_x = dot(v.wo, v.frame.x);
+        const F wo_y = dot(v.wo, v.frame.y);
+        Onward mirrored;
+        mirrored.direction = unit(v.frame.to_world({hn::Neg(wo_x), hn::Neg(wo_y), v.wo_z}));
+        const F weight = v.coat / select(splits, all(1.f), v.coat_choice);
+        mirrored.weight = {weight, weight, weight};
+        mirrored.pdf = all(0.f);
+        mirrored.spread = hn::Min(spread * all(kMirrorSpread), all(kWidestSpread));
+        mirrored.branch = twice;
+        mirrored.is_delta = one;
+        mirrored.connects = zero;
+        const I object = load(step.vertices.object, v.first);
+        const M sought = is_equal(gather(step.paths.connects, v.path), one);
+        mirrored.ball = hn::IfThenElse(hn::RebindMask(di, sought), object, hn::Set(di, -1));
+        const F side = dot(v.geometric_normal, mirrored.direction);
+        proceed(step, v, mirrored, width, hn::And(coats, hn::Gt(side, all(0.f))));
+    }
+
+    const M bases = hn::AndNot(takes_coat, v.scatters);
+    const M stretches = hn::And(by_chance, hn::Gt(v.coat_choice, all(0.f)));
+    const F u_x = select(stretches, stretched(u.x, v.coat_choice), u.x);
+    const V3 wi = sample_cosine_hemisphere({u_x, u.y});
+    const F probability = base_probability(v);
+    Onward scattered;
+    scattered.direction = unit(v.frame.to_world(wi));
+    scattered.weight = v.diffuse * (all(1.f) / probability);
+    scattered.pdf = probability * wi.z * all(kInversePi);
+    const F lobe = hn::Min(all(kLobeShare) / hn::Sqrt(scattered.pdf), all(kWidestSpread));
+    scattered.spread = hn::Max(spread, lobe);
+    scattered.branch = hn::IfThenElse(hn::RebindMask(di, splits), branch + branch + one, branch);
+    scattered.is_delta = zero;
+    scattered.connects = hn::Set(di, connects ? 1 : 0);
+    scattered.ball = hn::Set(di, -1);
+    const F side = dot(v.geometric_normal, scattered.direction);
+    const M above = hn::And(hn::Gt(wi.z, all(0.f)), hn::Gt(side, all(0.f)));
+    proceed(step, v, scattered, width, hn::And(bases, above));
+}
+
+inline HWY_ATTR void take_step(const WaveStep& step) {
+    const VertexWave& vertices = step.vertices;
+    const int vertex = step.paths.vertex;
+    const bool has_lights = !step.scene.light.empty();
+    step.shadows.rays = !has_lights ? 0 : vertex == 0 ? step.scene.first_rays() : 1;
+    step.shadows.stride = vertex == 0 ? kWaveSamples + 16 : kWaveStorage;
+    step.near_balls.count = 0;
+    step.next.count = 0;
+    step.next.vertex = vertex + 1;
+    const bool connects = step.scene.caustics && vertex < PathDimensions::kConnectingVertices &&
+                          vertex < step.scene.max_bounces && !step.scene.ball_x.empty();
+    for (int first = 0; first < vertices.count; first += lane_count()) {
+        VertexLanes v = vertices_at(step, first);
+        const Numbers numbers(step.samples, gather(step.paths.slot, v.path));
+        F u[4];
+        numbers.set(v.place + v.place, u);
+        if (vertex == 0) {
+            seek_all(step, v, numbers);
+        } else if (has_lights) {
+            seek_one(step, v, {u[0], u[1]});
+        }
+        store(v.origin, step.shadows.origin, first);
+        if (connects) {
+            ask_balls(step, v, numbers);
+        }
+        scatter(step, v, {u[2], u[3]}, connects);
+    }
+}
+
+}  // namespace carom::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
