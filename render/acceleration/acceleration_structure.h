@@ -1,6 +1,7 @@
 // What every acceleration structure answers.
 #pragma once
 
+#include "render/acceleration/ray_batch.h"
 #include "render/geometry/ray.h"
 
 namespace carom::render {
@@ -26,6 +27,23 @@ class AccelerationStructure {
             hits |= any_hit(fan.ray(i)) ? FanMask{1} << i : 0;
         }
         return hits;
+    }
+
+    /// `closest_hit` of each ray, without bound; without a hit the object is kNoObject.
+    virtual void closest_hits(const RayBatch& rays, Hit* hits) const {
+        for (int i = 0; i < rays.count; ++i) {
+            hits[i] = Hit{};
+            static_cast<void>(closest_hit(rays.ray(i, kInfinity), hits[i]));
+        }
+    }
+
+    /// Sets reach[i] to 0 where ray i meets anything before it; 0 asks for nothing.
+    virtual void drop_blocked(const RayBatch& rays, float* reach) const {
+        for (int i = 0; i < rays.count; ++i) {
+            if (reach[i] > 0 && any_hit(rays.ray(i, reach[i]))) {
+                reach[i] = 0;
+            }
+        }
     }
 };
 

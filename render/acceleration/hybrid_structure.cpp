@@ -16,6 +16,20 @@ float just_beyond(float t) {
     return std::nextafter(t, kInfinity);
 }
 
+constexpr int kBatch = 64;   // rays
+constexpr int kBeyond = 16;  // numbers that kernels may touch beyond the last ray
+
+RayBatch part_of(const RayBatch& rays, int first) {
+    RayBatch part = rays;
+    part.count = std::min(kBatch, rays.count - first);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        part.origin[axis] += first;
+        part.direction[axis] += first;
+    }
+    part.time += first;
+    return part;
+}
+
 /// What no tree can hold.
 ShapeSet infinite_planes(const ShapeSet& shapes) {
     ShapeSet planes;
@@ -28,7 +42,10 @@ ShapeSet infinite_planes(const ShapeSet& shapes) {
 }  // namespace
 
 HybridStructure::HybridStructure(const ShapeSet& shapes, std::size_t tree_threshold)
-    : kernels_(best_kernels()), tree_kernels_(best_tree_kernels()), meshes_(shapes.meshes) {
+    : kernels_(best_kernels()),
+      batch_kernels_(best_batch_kernels()),
+      tree_kernels_(best_tree_kernels()),
+      meshes_(shapes.meshes) {
     if (loop_cost(shapes) >= tree_threshold) {
         tree_ = make_analytic_tree(shapes);
         const ShapeSet planes = infinite_planes(shapes);
@@ -56,6 +73,21 @@ bool HybridStructure::closest_hit(const Ray& ray, Hit& hit) const {
     }
     Candidate analytic{remaining.t_max, kNoObject};
     kernels_.closest(blocks_, remaining, analytic);
+    const bool is_tie = analytic.t == best.t && analytic.object < best.object;
+    if (analytic.object != kNoObject &&
+        (best.object == kNoObject || analytic.t < best.t || is_tie)) {
+        best = {analytic.t, analytic.object, 0, 0, 0};
+        remaining.t_max = just_beyond(best.t);
+    }
+    if (!find_among_others(remaining, best)) {
+        return false;
+    }
+    hit = best;
+    return true;
+}
+
+// Goes on where loops and tree have found `best`, or nothing yet; `remaining` ends just beyond it.
+bool HybridStructure::find_among_others(Ray remaining, Hit& best) const {
     const auto accept = [&](const Hit& other) {
         const bool is_tie = other.t == best.t && other.object < best.object;
         if (best.object == kNoObject || other.t < best.t || is_tie) {
@@ -63,9 +95,6 @@ bool HybridStructure::closest_hit(const Ray& ray, Hit& hit) const {
             remaining.t_max = just_beyond(best.t);
         }
     };
-    if (analytic.object != kNoObject) {
-        accept({analytic.t, analytic.object, 0, 0, 0});
-    }
     for (const MovingShape& shape : moving_) {
         Hit other;
         if (intersect_moving(shape, remaining, other)) {
@@ -76,11 +105,7 @@ bool HybridStructure::closest_hit(const Ray& ray, Hit& hit) const {
     if (meshes_ && meshes_->closest_hit(remaining, other)) {
         accept(other);
     }
-    if (best.object == kNoObject) {
-        return false;
-    }
-    hit = best;
-    return true;
+    return best.object != kNoObject;
 }
 
 bool HybridStructure::any_hit(const Ray& ray) const {
@@ -124,6 +149,54 @@ FanMask HybridStructure::any_hits(const RayFan& fan) const {
     }
     const FanMask open = traceable & ~hits;
     return meshes_ && open != 0 ? hits | meshes_->any_hits(safe, open) : hits;
+}
+
+void HybridStructure::closest_hits(const RayBatch& rays, Hit* hits) const {
+    if (tree_) {
+        AccelerationStructure::closest_hits(rays, hits);
+        return;
+    }
+    const bool has_others = !moving_.empty() || meshes_ != nullptr;
+    for (int first = 0; first < rays.count; first += kBatch) {
+        const RayBatch part = part_of(rays, first);
+        float t[kBatch + kBeyond];
+        std::int32_t object[kBatch + kBeyond];
+        std::fill(std::begin(t), std::end(t), kInfinity);
+        std::fill(std::begin(object), std::end(object), -1);
+        batch_kernels_.closest(blocks_, part, t, object);
+        for (int i = 0; i < part.count; ++i) {
+            Hit& hit = hits[first + i];
+            hit = {t[i], static_cast<std::uint32_t>(object[i]), 0, 0, 0};
+            const Ray ray = part.ray(i, just_beyond(t[i]));
+            if (has_others && is_traceable(ray)) {
+                static_cast<void>(find_among_others(ray, hit));
+            }
+        }
+    }
+}
+
+void HybridStructure::drop_blocked(const RayBatch& rays, float* reach) const {
+    if (tree_) {
+        AccelerationStructure::drop_blocked(rays, reach);
+        return;
+    }
+    batch_kernels_.block(blocks_, rays, reach);
+    if (moving_.empty() && !meshes_) {
+        return;
+    }
+    for (int i = 0; i < rays.count; ++i) {
+        if (reach[i] <= 0) {
+            continue;
+        }
+        const Ray ray = rays.ray(i, reach[i]);
+        const bool is_blocked =
+            is_traceable(ray) && (std::any_of(moving_.begin(), moving_.end(),
+                                              [&](const MovingShape& shape) {
+                                                  return occluded_by_moving(shape, ray);
+                                              }) ||
+                                  (meshes_ && meshes_->any_hit(ray)));
+        reach[i] = is_blocked ? 0 : reach[i];
+    }
 }
 
 }  // namespace carom::render

@@ -8,6 +8,7 @@
 #include "render/acceleration/acceleration_structure.h"
 #include "render/acceleration/analytic_kernels.h"
 #include "render/acceleration/analytic_tree_kernels.h"
+#include "render/acceleration/batch_kernels.h"
 #include "render/acceleration/shapes.h"
 
 namespace carom::render {
@@ -26,9 +27,14 @@ class HybridStructure final : public AccelerationStructure {
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const override;
     [[nodiscard]] bool any_hit(const Ray& ray) const override;
     [[nodiscard]] FanMask any_hits(const RayFan& fan) const override;
+    void closest_hits(const RayBatch& rays, Hit* hits) const override;
+    void drop_blocked(const RayBatch& rays, float* reach) const override;
 
   private:
+    [[nodiscard]] bool find_among_others(Ray remaining, Hit& best) const;
+
     const AnalyticKernels& kernels_;
+    const BatchKernels& batch_kernels_;
     const AnalyticTreeKernels& tree_kernels_;
     std::optional<AnalyticTree> tree_;
     AnalyticBlocks blocks_;            // what is not in the tree

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "render/acceleration/ray_batch.h"
 #include "render/integrator/path_state.h"
 
 namespace carom::render {
@@ -49,6 +50,12 @@ struct PathWave {
     [[nodiscard]] Ray ray(int i) const {
         return {origin.get(i), direction.get(i), 0, kInfinity, time.at[i]};
     }
+    [[nodiscard]] RayBatch rays() const {
+        return {count,
+                {origin.x.at, origin.y.at, origin.z.at},
+                {direction.x.at, direction.y.at, direction.z.at},
+                time.at};
+    }
     /// One path by itself, for what is done one at a time.
     [[nodiscard]] Path path(int i) const {
         Path path{ray(i)};
@@ -90,9 +97,12 @@ struct ShadowWave {
     static constexpr int kStorage = kMostRays * (kWaveSamples + 16);
     static_assert(kStorage >= kWaveStorage);
 
-    int stride = 0;  // from a ray of a vertex to its next one
+    int stride = 0;  // from a vertex's ray to its next one
     int rays = 0;    // of each vertex
+    int count = 0;   // of rays that were asked for
     Floats3 origin;  // by vertex
+    Floats time;     // by vertex
+    Floats3 sum;     // by vertex: all that arrives
     alignas(64) float x[kStorage];
     alignas(64) float y[kStorage];
     alignas(64) float z[kStorage];
@@ -100,6 +110,15 @@ struct ShadowWave {
     alignas(64) float red[kStorage];    // what arrives if nothing is in the way
     alignas(64) float green[kStorage];
     alignas(64) float blue[kStorage];
+
+    /// The `k`th rays of `vertices` vertices.
+    [[nodiscard]] RayBatch batch(int k, int vertices) const {
+        const int first = k * stride;
+        return {vertices,
+                {origin.x.at, origin.y.at, origin.z.at},
+                {x + first, y + first, z + first},
+                time.at};
+    }
 };
 
 /// What the samples of a wave gather.

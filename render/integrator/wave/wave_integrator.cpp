@@ -73,6 +73,7 @@ struct WaveIntegrator::Wave final : Integrator::Workspace {
     ShadowWave shadows{};
     SampleWave samples{};
     VertexList near_balls{};
+    std::vector<Hit> met = std::vector<Hit>(kWaveStorage);   // by paths
     std::vector<Hit> hits = std::vector<Hit>(kWaveStorage);  // of vertices
     std::vector<PathWork> works;                             // of samples
 };
@@ -83,6 +84,7 @@ WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& 
       one_(scene_, settings, reflections),
       seeks_reflections_(reflections != nullptr),
       max_bounces_(settings.max_bounces),
+      kernels_(best_wave_kernels()),
       known_(known_scene(scene, settings, one_.caustics())) {
     CAROM_ASSERT(can_do(scene, settings));
     for (const Material& material : scene.materials) {
@@ -94,7 +96,7 @@ bool WaveIntegrator::can_do(const TransportScene& scene, const PathSettings& set
     const std::size_t lights = scene.lights.sampled_count();
     const std::size_t lamps =
         scene.lights.area_light_count() <= kFewLights ? scene.lights.area_light_count() : 0;
-    return best_wave_step() != nullptr && settings.strategy == DirectStrategy::both &&
+    return best_wave_kernels() != nullptr && settings.strategy == DirectStrategy::both &&
            lights + 3 * lamps <= ShadowWave::kMostRays;
 }
 
@@ -117,8 +119,8 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
         begin(tasks.subspan(from, size), pixel_spread, wave, count);
         while (wave.paths().count > 0) {
             meet(wave);
-            best_wave_step()({known_, wave.samples, wave.paths(), wave.vertices, wave.shadows,
-                              wave.near_balls, wave.next()});
+            kernels_->take_step({known_, wave.samples, wave.paths(), wave.vertices, wave.shadows,
+                                 wave.near_balls, wave.next()});
             count.scattered_rays += static_cast<std::uint64_t>(wave.next().count);
             trace_shadows(wave, count);
             for (int k = 0; k < wave.near_balls.count; ++k) {
@@ -168,9 +170,10 @@ void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread
 
 void WaveIntegrator::meet(Wave& wave) const {
     wave.vertices.count = 0;
+    scene_.frame.structure().closest_hits(wave.paths().rays(), wave.met.data());
     for (int i = 0; i < wave.paths().count; ++i) {
-        Hit hit;
-        if (scene_.frame.structure().closest_hit(wave.paths().ray(i), hit)) {
+        const Hit& hit = wave.met[i];
+        if (hit.object != kNoObject) {
             meet(i, hit, wave);
         } else {
             one_.miss(wave.paths().path(i), wave.works[wave.paths().slot.at[i]]);
@@ -224,46 +227,18 @@ void WaveIntegrator::add_vertex(int index, const Hit& hit, const SurfacePoint& p
 }
 
 void WaveIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
-    for (int vertex = 0; wave.shadows.rays > 0 && vertex < wave.vertices.count; ++vertex) {
-        trace_shadows_of(vertex, wave, count);
-    }
-}
-
-void WaveIntegrator::trace_shadows_of(int vertex, Wave& wave, RenderStatistics& count) const {
-    const ShadowWave& shadows = wave.shadows;
-    const int path = wave.vertices.path.at[vertex];
-    const AccelerationStructure& structure = scene_.frame.structure();
-    V3f sum(0, 0, 0);
-    RayFan fan;
-    std::array<int, RayFan::kMost> ray_of;
-    fan.origin = shadows.origin.get(vertex);
-    fan.time = wave.paths().time.at[path];
-    const auto trace = [&] {
-        const FanMask blocked = fan.count > 1 ? structure.any_hits(fan)
-                                : fan.count == 1 && structure.any_hit(fan.ray(0)) ? 1u
-                                                                                  : 0u;
-        for (int k = 0; k < fan.count; ++k) {
-            if ((blocked >> k & 1u) == 0) {
-                const int at = ray_of[static_cast<std::size_t>(k)];
-                sum += V3f(shadows.red[at], shadows.green[at], shadows.blue[at]);
-            }
-        }
-        count.shadow_rays += static_cast<std::uint64_t>(fan.count);
-        fan.count = 0;
-    };
+    ShadowWave& shadows = wave.shadows;
+    const int vertices = wave.vertices.count;
+    count.shadow_rays += static_cast<std::uint64_t>(shadows.count);
     for (int k = 0; k < shadows.rays; ++k) {
-        const int at = k * shadows.stride + vertex;
-        if (shadows.reach[at] <= 0) {
-            continue;
-        }
-        if (fan.count == RayFan::kMost) {
-            trace();
-        }
-        ray_of[static_cast<std::size_t>(fan.count)] = at;
-        fan.add(V3f(shadows.x[at], shadows.y[at], shadows.z[at]), shadows.reach[at]);
+        scene_.frame.structure().drop_blocked(shadows.batch(k, vertices),
+                                              shadows.reach + k * shadows.stride);
     }
-    trace();
-    wave.works[wave.paths().slot.at[path]].add(sum, wave.paths().vertex + 1);
+    kernels_->sum_light(shadows, vertices);
+    for (int vertex = 0; vertex < vertices; ++vertex) {
+        const int path = wave.vertices.path.at[vertex];
+        wave.works[wave.paths().slot.at[path]].add(shadows.sum.get(vertex), wave.vertex + 1);
+    }
 }
 
 }  // namespace carom::render

@@ -43,12 +43,12 @@ class WaveIntegrator final : public Integrator {
     void meet(int index, const Hit& hit, Wave& wave) const;
     void add_vertex(int index, const Hit& hit, const SurfacePoint& point, Wave& wave) const;
     void trace_shadows(Wave& wave, RenderStatistics& count) const;
-    void trace_shadows_of(int vertex, Wave& wave, RenderStatistics& count) const;
 
     TransportScene scene_;
     PathIntegrator one_;  // for what is done one path at a time
     bool seeks_reflections_;
     int max_bounces_;
+    const WaveKernels* kernels_;
     WaveScene known_;
     std::vector<char> is_plain_;  // by material
 };

@@ -18,11 +18,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
-inline WaveStepFunction* step_of_target() {
+inline const WaveKernels* wave_kernels_of_target() {
 #if HWY_TARGET == HWY_SCALAR
     return nullptr;
 #else
-    return take_step;
+    static constexpr WaveKernels kKernels = {take_step, sum_light};
+    return &kKernels;
 #endif
 }
 
@@ -33,11 +34,11 @@ HWY_AFTER_NAMESPACE();
 
 namespace carom::render {
 
-HWY_EXPORT(step_of_target);
+HWY_EXPORT(wave_kernels_of_target);
 
-WaveStepFunction* best_wave_step() {
-    static WaveStepFunction* const step = HWY_DYNAMIC_DISPATCH(step_of_target)();
-    return step;
+const WaveKernels* best_wave_kernels() {
+    static const WaveKernels* const kernels = HWY_DYNAMIC_DISPATCH(wave_kernels_of_target)();
+    return kernels;
 }
 
 int WaveScene::first_rays() const {

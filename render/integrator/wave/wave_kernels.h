@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "render/integrator/wave/path_wave.h"
@@ -55,9 +54,14 @@ struct WaveStep {
     PathWave& next;          // paths from here on; appended to
 };
 
-using WaveStepFunction = void(const WaveStep& step);
+struct WaveKernels {
+    /// Fills `shadows`, `near_balls` and `next`.
+    void (*take_step)(const WaveStep& step);
+    /// Sums up for each of the first `vertices` vertices the rays that still reach their light.
+    void (*sum_light)(ShadowWave& shadows, int vertices);
+};
 
-/// Nothing where the processor has no vectors worth it.
-[[nodiscard]] WaveStepFunction* best_wave_step();
+/// Null where the processor has no vectors worth it.
+[[nodiscard]] const WaveKernels* best_wave_kernels();
 
 }  // namespace carom::render

@@ -94,6 +94,7 @@ HWY_INLINE void seek(const WaveStep& step, const VertexLanes& v, const LightLane
     hn::StoreU(value.x, d, out.red + at);
     hn::StoreU(value.y, d, out.green + at);
     hn::StoreU(value.z, d, out.blue + at);
+    out.count += static_cast<int>(hn::CountTrue(d, seen));
 }
 
 HWY_INLINE F environment_share(const WaveStep& step, const VertexLanes& v) {
@@ -285,6 +286,7 @@ inline HWY_ATTR void take_step(const WaveStep& step) {
     const bool has_lights = !step.scene.light.empty();
     step.shadows.rays = !has_lights ? 0 : vertex == 0 ? step.scene.first_rays() : 1;
     step.shadows.stride = vertex == 0 ? kWaveSamples + 16 : kWaveStorage;
+    step.shadows.count = 0;
     step.near_balls.count = 0;
     step.next.count = 0;
     step.next.vertex = vertex + 1;
@@ -301,10 +303,26 @@ inline HWY_ATTR void take_step(const WaveStep& step) {
             seek_one(step, v, {u[0], u[1]});
         }
         store(v.origin, step.shadows.origin, first);
+        store(gather(step.paths.time, v.path), step.shadows.time, first);
         if (connects) {
             ask_balls(step, v, numbers);
         }
         scatter(step, v, {u[2], u[3]}, connects);
+    }
+}
+
+inline HWY_ATTR void sum_light(ShadowWave& shadows, int vertices) {
+    const FloatTag d;
+    for (int first = 0; first < vertices; first += lane_count()) {
+        V3 sum = all(V3f(0, 0, 0));
+        for (int k = 0; k < shadows.rays; ++k) {
+            const int at = k * shadows.stride + first;
+            const M arrives = hn::Gt(hn::LoadU(d, shadows.reach + at), all(0.f));
+            const V3 light{hn::LoadU(d, shadows.red + at), hn::LoadU(d, shadows.green + at),
+                           hn::LoadU(d, shadows.blue + at)};
+            sum = sum + select(arrives, light, all(V3f(0, 0, 0)));
+        }
+        store(sum, shadows.sum, first);
     }
 }
 

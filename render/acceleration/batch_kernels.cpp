@@ -1,0 +1,133 @@
+#include "render/acceleration/batch_kernels.h"
+
+#include <cmath>
+
+#include "render/geometry/intersect.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/acceleration/batch_kernels.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once per instruction set
+// Must follow foreach_target.h.
+#include <hwy/highway.h>
+
+#include "render/acceleration/shape_tests-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
+
+using BatchTag = hn::CappedTag<float, 16>;
+
+HWY_INLINE RayLanes<BatchTag> rays_from(const RayBatch& rays, int first) {
+    const BatchTag d;
+    RayLanes<BatchTag> lanes;
+    for (int axis = 0; axis < 3; ++axis) {
+        lanes.origin[axis] = hn::LoadU(d, rays.origin[axis] + first);
+        lanes.direction[axis] = hn::LoadU(d, rays.direction[axis] + first);
+    }
+    lanes.t_min = hn::Zero(d);
+    lanes.time = hn::LoadU(d, rays.time + first);
+    return lanes;
+}
+
+/// Calls `query(block, shape, test)` for each shape, until one returns true.
+template <class Blocks, class Test, class Query>
+HWY_INLINE bool each_shape(const Blocks& blocks, const Test& test, const Query& query) {
+    for (const auto& block : blocks) {
+        for (int lane = 0; lane < kBlockLanes && block.object.values[lane] >= 0; ++lane) {
+            if (query(block, InAll{lane}, test)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+template <class Query>
+HWY_INLINE void all_shapes(const AnalyticBlocks& blocks, const RayLanes<BatchTag>& rays,
+                           const Query& query) {
+    if (each_shape(blocks.moving_spheres, MovingSphereTest(), query) ||
+        each_shape(blocks.still_spheres, StillSphereTest(), query) ||
+        each_shape(blocks.boxes, AlignedBoxRays<BatchTag>(BatchTag(), rays), query) ||
+        each_shape(blocks.mapped_boxes, MappedBoxTest(), query) ||
+        each_shape(blocks.mapped_balls, MappedBallTest(), query) ||
+        each_shape(blocks.rectangles, RectangleTest(), query) ||
+        each_shape(blocks.triangles, TriangleTest(), query) ||
+        each_shape(blocks.disks, DiskTest(), query) ||
+        each_shape(blocks.frustums, FrustumTest(), query)) {
+        return;
+    }
+    each_shape(blocks.planes, PlaneTest(), query);
+}
+
+inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const RayBatch& rays, float* t,
+                             std::int32_t* object) {
+    const BatchTag d;
+    const Int<BatchTag> di;
+    for (int first = 0; first < rays.count; first += static_cast<int>(hn::Lanes(d))) {
+        const RayLanes<BatchTag> lanes = rays_from(rays, first);
+        hn::Vec<BatchTag> nearest = hn::LoadU(d, t + first);
+        hn::Vec<Int<BatchTag>> best = hn::LoadU(di, object + first);
+        all_shapes(blocks, lanes, [&](const auto& block, InAll shape, const auto& test) HWY_ATTR {
+            hn::Vec<BatchTag> other_t = nearest;
+            const hn::Mask<BatchTag> valid = test(d, lanes, block, shape, other_t);
+            if (hn::AllFalse(d, hn::And(valid, hn::Le(other_t, nearest)))) {
+                return false;
+            }
+            const auto other = hn::Set(di, block.object.values[shape.lane]);
+            const hn::Mask<BatchTag> lower = hn::RebindMask(d, hn::Lt(other, best));
+            const hn::Mask<BatchTag> better =
+                hn::Or(hn::Lt(other_t, nearest), hn::And(hn::Eq(other_t, nearest), lower));
+            const hn::Mask<BatchTag> take = hn::And(valid, better);
+            nearest = hn::IfThenElse(take, other_t, nearest);
+            best = hn::IfThenElse(hn::RebindMask(di, take), other, best);
+            return false;
+        });
+        hn::StoreU(nearest, d, t + first);
+        hn::StoreU(best, di, object + first);
+    }
+}
+
+inline HWY_ATTR void block(const AnalyticBlocks& blocks, const RayBatch& rays, float* t) {
+    const BatchTag d;
+    const hn::Vec<BatchTag> zero = hn::Zero(d);
+    for (int first = 0; first < rays.count; first += static_cast<int>(hn::Lanes(d))) {
+        hn::Vec<BatchTag> reach = hn::LoadU(d, t + first);
+        if (hn::AllFalse(d, hn::Gt(reach, zero))) {
+            continue;
+        }
+        const RayLanes<BatchTag> lanes = rays_from(rays, first);
+        all_shapes(blocks, lanes, [&](const auto& shapes, InAll shape, const auto& test) HWY_ATTR {
+            hn::Vec<BatchTag> other_t = reach;
+            const hn::Mask<BatchTag> valid = test(d, lanes, shapes, shape, other_t);
+            const hn::Mask<BatchTag> blocked = hn::And(valid, hn::Lt(other_t, reach));
+            if (hn::AllFalse(d, blocked)) {
+                return false;
+            }
+            reach = hn::IfThenElse(blocked, zero, reach);
+            return hn::AllFalse(d, hn::Gt(reach, zero));
+        });
+        hn::StoreU(reach, d, t + first);
+    }
+}
+
+inline const BatchKernels& batch_kernels_of_target() {
+    static constexpr BatchKernels kKernels = {closest, block};
+    return kKernels;
+}
+
+}  // namespace carom::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace carom::render {
+
+HWY_EXPORT(batch_kernels_of_target);
+
+const BatchKernels& best_batch_kernels() {
+    return HWY_DYNAMIC_DISPATCH(batch_kernels_of_target)();
+}
+
+}  // namespace carom::render
+
+#endif

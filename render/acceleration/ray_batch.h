@@ -1,0 +1,25 @@
+// Rays of different origins and times side by side, an array for each number.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "render/geometry/ray.h"
+
+namespace carom::render {
+
+/// Borrowed arrays of `count` numbers; those that kernels read and write have room for 16 more,
+/// whatever they hold. Directions have unit length, times lie in [0, 1]; rays begin at 0.
+struct RayBatch {
+    int count = 0;
+    std::array<const float*, 3> origin{};
+    std::array<const float*, 3> direction{};
+    const float* time = nullptr;
+
+    [[nodiscard]] Ray ray(int i, float t_max) const {
+        return {V3f(origin[0][i], origin[1][i], origin[2][i]),
+                V3f(direction[0][i], direction[1][i], direction[2][i]), 0, t_max, time[i]};
+    }
+};
+
+}  // namespace carom::render

@@ -1,0 +1,391 @@
+// Rays against analytic shapes in the lanes of vectors: one ray against several shapes, or several
+// rays against one shape. Included once per instruction set.
+#include <cmath>
+
+#include "render/acceleration/analytic_blocks.h"
+#include "render/geometry/intersect.h"
+#include "render/geometry/ray.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class D>
+using Int = hn::RebindToSigned<D>;
+
+/// One ray in every lane.
+template <class D>
+struct RayLanes {
+    hn::Vec<D> origin[3];
+    hn::Vec<D> direction[3];
+    hn::Vec<D> t_min;
+    hn::Vec<D> time;
+};
+
+template <class D>
+HWY_INLINE RayLanes<D> broadcast(D d, const Ray& ray) {
+    return {{hn::Set(d, ray.origin.x), hn::Set(d, ray.origin.y), hn::Set(d, ray.origin.z)},
+            {hn::Set(d, ray.direction.x), hn::Set(d, ray.direction.y), hn::Set(d, ray.direction.z)},
+            hn::Set(d, ray.t_min),
+            hn::Set(d, ray.time)};
+}
+
+/// A number of each shape of a block from `lane` on, for one ray.
+template <class D>
+HWY_INLINE hn::Vec<D> load(D d, const Lanes& lanes, int lane) {
+    return hn::LoadU(d, lanes.values + lane);
+}
+
+/// One shape of a block, for a ray in every lane.
+struct InAll {
+    int lane;
+};
+template <class D>
+HWY_INLINE hn::Vec<D> load(D d, const Lanes& lanes, InAll shape) {
+    return hn::Set(d, lanes.values[shape.lane]);
+}
+
+template <class D>
+HWY_INLINE hn::Vec<D> dot(const hn::Vec<D> (&a)[3], const hn::Vec<D> (&b)[3]) {
+    return hn::MulAdd(a[0], b[0], hn::MulAdd(a[1], b[1], hn::Mul(a[2], b[2])));
+}
+
+/// The nearer of two distances (near <= far) beyond t_min.
+template <class D>
+HWY_INLINE hn::Vec<D> first_beyond(const RayLanes<D>& ray, hn::Vec<D> near, hn::Vec<D> far) {
+    return hn::IfThenElse(hn::Gt(near, ray.t_min), near, far);
+}
+
+/// A sphere whose centre lies at `offset` from the ray's origin; the direction has unit length.
+/// Discriminant from the distance between centre and line (Haines, Günther and Akenine-Möller 2019,
+/// "Precision improvements for ray/sphere intersection", section 7.3).
+template <class D>
+HWY_INLINE hn::Mask<D> hit_sphere(D d, const RayLanes<D>& ray, const hn::Vec<D> (&offset)[3],
+                                  hn::Vec<D> radius2, hn::Vec<D>& t) {
+    const hn::Vec<D> along = dot<D>(offset, ray.direction);
+    const hn::Vec<D> beside[3] = {hn::NegMulAdd(along, ray.direction[0], offset[0]),
+                                  hn::NegMulAdd(along, ray.direction[1], offset[1]),
+                                  hn::NegMulAdd(along, ray.direction[2], offset[2])};
+    const hn::Vec<D> discriminant = hn::Sub(radius2, dot<D>(beside, beside));
+    const hn::Mask<D> meets = hn::Ge(discriminant, hn::Zero(d));
+    if (hn::AllFalse(d, meets)) {
+        return meets;
+    }
+    const hn::Vec<D> half_chord = hn::Sqrt(hn::Max(discriminant, hn::Zero(d)));
+    t = first_beyond<D>(ray, hn::Sub(along, half_chord), hn::Add(along, half_chord));
+    return hn::And(meets, hn::Gt(t, ray.t_min));
+}
+
+struct StillSphereTest {
+    /// Where the spheres are, seen from the ray's origin; returns the squares of their radii.
+    template <class D, class At>
+    HWY_INLINE hn::Vec<D> place(D d, const RayLanes<D>& ray, const StillSphereBlock& block, At lane,
+                                hn::Vec<D> (&offset)[3]) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            offset[axis] = hn::Sub(load(d, block.centre[axis], lane), ray.origin[axis]);
+        }
+        return load(d, block.radius2, lane);
+    }
+
+    template <class D, class At>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const StillSphereBlock& block,
+                                      At lane, hn::Vec<D>& t) const {
+        hn::Vec<D> offset[3];
+        const hn::Vec<D> radius2 = place(d, ray, block, lane, offset);
+        return hit_sphere(d, ray, offset, radius2, t);
+    }
+};
+
+struct MovingSphereTest {
+    /// The same; spheres that are not in force at the ray's time get a radius that nothing meets.
+    template <class D, class At>
+    HWY_INLINE hn::Vec<D> place(D d, const RayLanes<D>& ray, const MovingSphereBlock& block,
+                                At lane, hn::Vec<D> (&offset)[3]) const {
+        const hn::Vec<D> elapsed = hn::Sub(ray.time, load(d, block.path_start, lane));
+        for (int axis = 0; axis < 3; ++axis) {
+            hn::Vec<D> centre = load(d, block.path[3][axis], lane);
+            centre = hn::MulAdd(centre, elapsed, load(d, block.path[2][axis], lane));
+            centre = hn::MulAdd(centre, elapsed, load(d, block.path[1][axis], lane));
+            centre = hn::MulAdd(centre, elapsed, load(d, block.path[0][axis], lane));
+            offset[axis] = hn::Sub(centre, ray.origin[axis]);
+        }
+        const hn::Mask<D> in_force = hn::And(hn::Ge(ray.time, load(d, block.start, lane)),
+                                             hn::Lt(ray.time, load(d, block.end, lane)));
+        return hn::IfThenElse(in_force, load(d, block.radius2, lane), hn::Set(d, -1.f));
+    }
+
+    template <class D, class At>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MovingSphereBlock& block,
+                                      At lane, hn::Vec<D>& t) const {
+        hn::Vec<D> offset[3];
+        const hn::Vec<D> radius2 = place(d, ray, block, lane, offset);
+        return hit_sphere(d, ray, offset, radius2, t);
+    }
+};
+
+/// 1 / x with a huge finite number in place of infinity, so that zero times it is zero.
+template <class D>
+HWY_INLINE hn::Vec<D> finite_reciprocals(D d, hn::Vec<D> x) {
+    const hn::Vec<D> size = hn::Max(hn::Abs(x), hn::Set(d, 1e-30f));
+    return hn::Div(hn::Set(d, 1.f), hn::CopySign(size, x));
+}
+
+/// Slabs of Kay and Kajiya 1986, from the distances to the near and far planes of each pair.
+template <class D>
+HWY_INLINE hn::Mask<D> hit_slabs(const RayLanes<D>& ray, const hn::Vec<D> (&near)[3],
+                                 const hn::Vec<D> (&far)[3], hn::Vec<D>& t) {
+    const hn::Vec<D> enter = hn::Max(hn::Max(near[0], near[1]), near[2]);
+    const hn::Vec<D> leave = hn::Min(hn::Min(far[0], far[1]), far[2]);
+    t = first_beyond<D>(ray, enter, leave);
+    return hn::And(hn::Le(enter, leave), hn::Gt(t, ray.t_min));
+}
+
+template <class D>
+struct AlignedBoxTest {
+    hn::Vec<D> inverse[3];
+    hn::Vec<D> origin_share[3];  // origin / direction
+    int near_side[3];            // which of the two planes the ray meets first
+
+    HWY_INLINE AlignedBoxTest(D d, const RayLanes<D>& ray, const V3f& direction)
+        : inverse{hn::Set(d, finite_reciprocal(direction.x)),
+                  hn::Set(d, finite_reciprocal(direction.y)),
+                  hn::Set(d, finite_reciprocal(direction.z))},
+          origin_share{hn::Mul(ray.origin[0], inverse[0]), hn::Mul(ray.origin[1], inverse[1]),
+                       hn::Mul(ray.origin[2], inverse[2])},
+          near_side{std::signbit(direction.x) ? 1 : 0, std::signbit(direction.y) ? 1 : 0,
+                    std::signbit(direction.z) ? 1 : 0} {}
+
+    HWY_INLINE hn::Vec<D> distance(D d, const Lanes& plane, int lane, int axis) const {
+        return hn::MulSub(load(d, plane, lane), inverse[axis], origin_share[axis]);
+    }
+
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const AlignedBoxBlock& block,
+                                      int lane, hn::Vec<D>& t) const {
+        const hn::Vec<D> near[3] = {distance(d, block.planes[0][near_side[0]], lane, 0),
+                                    distance(d, block.planes[1][near_side[1]], lane, 1),
+                                    distance(d, block.planes[2][near_side[2]], lane, 2)};
+        const hn::Vec<D> far[3] = {distance(d, block.planes[0][1 - near_side[0]], lane, 0),
+                                   distance(d, block.planes[1][1 - near_side[1]], lane, 1),
+                                   distance(d, block.planes[2][1 - near_side[2]], lane, 2)};
+        return hit_slabs(ray, near, far, t);
+    }
+};
+
+/// The same for rays that differ from lane to lane.
+template <class D>
+struct AlignedBoxRays {
+    hn::Vec<D> inverse[3];
+    hn::Vec<D> origin_share[3];
+
+    HWY_INLINE AlignedBoxRays(D d, const RayLanes<D>& ray)
+        : inverse{finite_reciprocals(d, ray.direction[0]), finite_reciprocals(d, ray.direction[1]),
+                  finite_reciprocals(d, ray.direction[2])},
+          origin_share{hn::Mul(ray.origin[0], inverse[0]), hn::Mul(ray.origin[1], inverse[1]),
+                       hn::Mul(ray.origin[2], inverse[2])} {}
+
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const AlignedBoxBlock& block,
+                                      InAll shape, hn::Vec<D>& t) const {
+        hn::Vec<D> near[3];
+        hn::Vec<D> far[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const hn::Vec<D> low = hn::MulSub(load(d, block.planes[axis][0], shape), inverse[axis],
+                                              origin_share[axis]);
+            const hn::Vec<D> high = hn::MulSub(load(d, block.planes[axis][1], shape), inverse[axis],
+                                               origin_share[axis]);
+            near[axis] = hn::Min(low, high);
+            far[axis] = hn::Max(low, high);
+        }
+        return hit_slabs(ray, near, far, t);
+    }
+};
+
+template <class D, class At>
+HWY_INLINE hn::Vec<D> mapped_coordinate(D d, const MappedBlock& block, At lane, int axis,
+                                        const hn::Vec<D> (&p)[3], hn::Vec<D> last) {
+    hn::Vec<D> sum = hn::MulAdd(p[0], load(d, block.map[0][axis], lane), last);
+    sum = hn::MulAdd(p[1], load(d, block.map[1][axis], lane), sum);
+    return hn::MulAdd(p[2], load(d, block.map[2][axis], lane), sum);
+}
+
+template <class D, class At>
+HWY_INLINE hn::Vec<D> mapped_origin(D d, const RayLanes<D>& ray, const MappedBlock& block, At lane,
+                                    int axis) {
+    return mapped_coordinate(d, block, lane, axis, ray.origin, load(d, block.map[3][axis], lane));
+}
+
+template <class D, class At>
+HWY_INLINE hn::Vec<D> mapped_direction(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                       At lane, int axis) {
+    return mapped_coordinate(d, block, lane, axis, ray.direction, hn::Zero(d));
+}
+
+struct MappedBallTest {
+    template <class D, class At>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                      At lane, hn::Vec<D>& t) const {
+        const hn::Vec<D> o[3] = {mapped_origin(d, ray, block, lane, 0),
+                                 mapped_origin(d, ray, block, lane, 1),
+                                 mapped_origin(d, ray, block, lane, 2)};
+        const hn::Vec<D> v[3] = {mapped_direction(d, ray, block, lane, 0),
+                                 mapped_direction(d, ray, block, lane, 1),
+                                 mapped_direction(d, ray, block, lane, 2)};
+        const hn::Vec<D> inverse_length2 = hn::Div(hn::Set(d, 1.f), dot<D>(v, v));
+        const hn::Vec<D> along = hn::Neg(hn::Mul(dot<D>(o, v), inverse_length2));
+        const hn::Vec<D> beside[3] = {hn::MulAdd(along, v[0], o[0]), hn::MulAdd(along, v[1], o[1]),
+                                      hn::MulAdd(along, v[2], o[2])};
+        const hn::Vec<D> discriminant = hn::Sub(hn::Set(d, 1.f), dot<D>(beside, beside));
+        const hn::Mask<D> meets = hn::Ge(discriminant, hn::Zero(d));
+        const hn::Vec<D> half_chord =
+            hn::Sqrt(hn::Mul(hn::Max(discriminant, hn::Zero(d)), inverse_length2));
+        t = first_beyond<D>(ray, hn::Sub(along, half_chord), hn::Add(along, half_chord));
+        return hn::And(meets, hn::Gt(t, ray.t_min));
+    }
+};
+
+struct MappedBoxTest {
+    template <class D, class At>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                      At lane, hn::Vec<D>& t) const {
+        hn::Vec<D> near[3];
+        hn::Vec<D> far[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const hn::Vec<D> origin = mapped_origin(d, ray, block, lane, axis);
+            const hn::Vec<D> inverse =
+                finite_reciprocals(d, mapped_direction(d, ray, block, lane, axis));
+            const hn::Vec<D> to_low = hn::Mul(hn::Sub(hn::Set(d, -1.f), origin), inverse);
+            const hn::Vec<D> to_high = hn::Mul(hn::Sub(hn::Set(d, 1.f), origin), inverse);
+            near[axis] = hn::Min(to_low, to_high);
+            far[axis] = hn::Max(to_low, to_high);
+        }
+        return hit_slabs(ray, near, far, t);
+    }
+};
+
+struct PlaneTest {
+    template <class D, class At>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                      At lane, hn::Vec<D>& t) const {
+        const hn::Vec<D> height = mapped_origin(d, ray, block, lane, 2);
+        const hn::Vec<D> slope = mapped_direction(d, ray, block, lane, 2);
+        t = hn::Neg(hn::Div(height, slope));
+        // Infinite and NaN distances of rays within the plane are misses.
+        return hn::And(hn::Gt(t, ray.t_min), hn::Lt(t, hn::Set(d, kInfinity)));
+    }
+};
+
+/// Where the ray meets the plane z = 0 of the unit shape in each lane.
+template <class D>
+struct PlanePoint {
+    hn::Vec<D> x, y, slope;
+};
+
+template <class D, class At>
+HWY_INLINE PlanePoint<D> meet_plane(D d, const RayLanes<D>& ray, const MappedBlock& block, At lane,
+                                    hn::Vec<D>& t) {
+    PlanePoint<D> point;
+    point.slope = mapped_direction(d, ray, block, lane, 2);
+    t = hn::Neg(hn::Div(mapped_origin(d, ray, block, lane, 2), point.slope));
+    point.x = hn::MulAdd(t, mapped_direction(d, ray, block, lane, 0),
+                         mapped_origin(d, ray, block, lane, 0));
+    point.y = hn::MulAdd(t, mapped_direction(d, ray, block, lane, 1),
+                         mapped_origin(d, ray, block, lane, 1));
+    return point;
+}
+
+struct RectangleTest {
+    template <class D, class At>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                      At lane, hn::Vec<D>& t) const {
+        const PlanePoint<D> at = meet_plane(d, ray, block, lane, t);
+        const hn::Vec<D> one = hn::Set(d, 1.f);
+        const hn::Mask<D> inside = hn::And(hn::Le(hn::Abs(at.x), one), hn::Le(hn::Abs(at.y), one));
+        // From behind (slope > 0) a one-sided rectangle is not there.
+        const hn::Mask<D> seen = hn::Or(hn::Lt(at.slope, hn::Zero(d)),
+                                        hn::Eq(load(d, block.one_sided, lane), hn::Zero(d)));
+        return hn::And(hn::And(inside, seen), hn::Gt(t, ray.t_min));
+    }
+};
+
+struct TriangleTest {
+    template <class D, class At>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                      At lane, hn::Vec<D>& t) const {
+        const PlanePoint<D> at = meet_plane(d, ray, block, lane, t);
+        const hn::Vec<D> low = hn::Set(d, -kTriangleMargin);
+        const hn::Vec<D> high = hn::Set(d, 1 + kTriangleMargin);
+        const hn::Mask<D> inside = hn::And(hn::And(hn::Ge(at.x, low), hn::Ge(at.y, low)),
+                                           hn::Le(hn::Add(at.x, at.y), high));
+        return hn::And(inside, hn::Gt(t, ray.t_min));
+    }
+};
+
+struct DiskTest {
+    template <class D, class At>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                      At lane, hn::Vec<D>& t) const {
+        const PlanePoint<D> at = meet_plane(d, ray, block, lane, t);
+        const hn::Vec<D> radius2 = hn::MulAdd(at.x, at.x, hn::Mul(at.y, at.y));
+        return hn::And(hn::Le(radius2, hn::Set(d, 1.f)), hn::Gt(t, ray.t_min));
+    }
+};
+
+/// As cross_frustum in intersect.h, with its reasons.
+struct FrustumTest {
+    template <class D, class At>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const FrustumBlock& block,
+                                      At lane, hn::Vec<D>& t) const {
+        const hn::Vec<D> v[3] = {mapped_direction(d, ray, block.mapped, lane, 0),
+                                 mapped_direction(d, ray, block.mapped, lane, 1),
+                                 mapped_direction(d, ray, block.mapped, lane, 2)};
+        hn::Vec<D> p[3] = {mapped_origin(d, ray, block.mapped, lane, 0),
+                           mapped_origin(d, ray, block.mapped, lane, 1),
+                           mapped_origin(d, ray, block.mapped, lane, 2)};
+        const hn::Vec<D> shift = hn::Neg(hn::Div(dot<D>(p, v), dot<D>(v, v)));
+        for (int axis = 0; axis < 3; ++axis) {
+            p[axis] = hn::MulAdd(shift, v[axis], p[axis]);
+        }
+        const hn::Vec<D> zero = hn::Zero(d);
+        const hn::Vec<D> one = hn::Set(d, 1.f);
+        const hn::Vec<D> middle = load(d, block.middle, lane);
+        const hn::Vec<D> slope = load(d, block.slope, lane);
+        const hn::Vec<D> radius = hn::MulAdd(slope, p[2], middle);
+        const hn::Vec<D> narrowing = hn::Mul(slope, v[2]);
+        const hn::Vec<D> a =
+            hn::NegMulAdd(narrowing, narrowing, hn::MulAdd(v[0], v[0], hn::Mul(v[1], v[1])));
+        const hn::Vec<D> b =
+            hn::NegMulAdd(narrowing, radius, hn::MulAdd(p[0], v[0], hn::Mul(p[1], v[1])));
+        const hn::Vec<D> c =
+            hn::NegMulAdd(radius, radius, hn::MulAdd(p[0], p[0], hn::Mul(p[1], p[1])));
+        const hn::Vec<D> discriminant = hn::NegMulAdd(a, c, hn::Mul(b, b));
+        const hn::Vec<D> root = hn::Sqrt(hn::Max(discriminant, zero));
+        const hn::Vec<D> q = hn::Neg(hn::Add(b, hn::CopySign(root, b)));
+        const hn::Mask<D> meets = hn::Ge(discriminant, zero);
+        const hn::Vec<D> margin = hn::Set(d, kFrustumMargin);
+        t = hn::Set(d, kInfinity);
+        const auto offer = [&](hn::Vec<D> u, hn::Mask<D> valid) HWY_ATTR {
+            const hn::Vec<D> at = hn::Add(shift, u);
+            const hn::Mask<D> take = hn::And(valid, hn::And(hn::Gt(at, ray.t_min), hn::Lt(at, t)));
+            t = hn::IfThenElse(take, at, t);
+        };
+        const auto offer_side = [&](hn::Vec<D> u) HWY_ATTR {
+            const hn::Vec<D> z = hn::Abs(hn::MulAdd(u, v[2], p[2]));
+            offer(u, hn::And(meets, hn::Le(z, hn::Add(one, margin))));
+        };
+        const auto offer_cap = [&](hn::Vec<D> end, hn::Vec<D> cap_radius) HWY_ATTR {
+            const hn::Vec<D> u = hn::Div(hn::Sub(end, p[2]), v[2]);
+            const hn::Vec<D> x = hn::MulAdd(u, v[0], p[0]);
+            const hn::Vec<D> y = hn::MulAdd(u, v[1], p[1]);
+            const hn::Vec<D> reach = hn::Add(cap_radius, margin);
+            offer(u, hn::Le(hn::MulAdd(x, x, hn::Mul(y, y)), hn::Mul(reach, reach)));
+        };
+        offer_side(hn::Div(q, a));
+        offer_side(hn::Div(c, q));
+        offer_cap(hn::Neg(one), hn::Sub(middle, slope));
+        offer_cap(one, hn::Add(middle, slope));
+        return hn::Lt(t, hn::Set(d, kInfinity));
+    }
+};
+
+}  // namespace carom::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
