@@ -172,4 +172,30 @@ V3f FrameScene::centre(std::uint32_t object, float time) const {
                              : data_->geometry->objects[object].frame.world_from_unit.translation;
 }
 
+std::optional<FrameScene::SimpleShape> FrameScene::simple_shape(std::uint32_t object) const {
+    const SceneObject& description = data_->geometry->objects[object];
+    const bool moves = data_->motions[object] != nullptr;
+    const bool is_box = description.is_upright_box && !moves;
+    if (description.has_texture || description.light.has_value() ||
+        !(description.is_round || is_box)) {
+        return std::nullopt;
+    }
+    SimpleShape shape;
+    shape.kind = is_box ? SimpleShape::Kind::upright_box : SimpleShape::Kind::ball;
+    shape.moves = moves;
+    shape.material = description.material;
+    shape.centre = description.frame.world_from_unit.translation;
+    shape.half_size = description.half_size;
+    shape.reach = description.reach;
+    return shape;
+}
+
+std::uint32_t FrameScene::material(std::uint32_t object) const {
+    return data_->geometry->objects[object].material;
+}
+
+std::size_t FrameScene::object_count() const {
+    return data_->motions.size();
+}
+
 }  // namespace carom::render

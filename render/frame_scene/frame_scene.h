@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,6 +49,21 @@ class FrameScene {
     /// All of them that have a material, in order of object.
     [[nodiscard]] std::vector<Ball> balls() const;
     [[nodiscard]] V3f centre(std::uint32_t object, float time) const;
+
+    /// An object whose surface needs little to be found.
+    struct SimpleShape {
+        enum class Kind { ball, upright_box };
+        Kind kind = Kind::ball;
+        bool moves = false;  // balls only: `centre` tells where to
+        std::uint32_t material = 0;
+        V3f centre;       // of still ones
+        V3f half_size;    // of a box; a ball's radius three times
+        float reach = 0;  // see surface_offset
+    };
+    /// Balls, and still boxes along the world's axes, unless they have a texture or are lights.
+    [[nodiscard]] std::optional<SimpleShape> simple_shape(std::uint32_t object) const;
+    [[nodiscard]] std::size_t object_count() const;
+    [[nodiscard]] std::uint32_t material(std::uint32_t object) const;
 
   private:
     struct Data;

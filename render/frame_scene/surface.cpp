@@ -9,11 +9,6 @@
 namespace carom::render {
 namespace {
 
-/// A surface point is known to within a few roundings of the coordinates it was computed from (ray
-/// origin transformed, distance, shape); 16 units in the last place leave room for all of them and
-/// for those of the next ray.
-constexpr float kOffsetShare = 0x1p-19f;
-
 constexpr float kTurn = 6.2831853f;  // rad
 
 float offset_at(const V3f& position, float reach) {

@@ -58,6 +58,11 @@ struct Hit {
     float u = 0, v = 0;                // meshes: weights of the triangle's second and third corner
 };
 
+/// How far off a surface rays start, of the coordinates' size. A surface point is known to within a
+/// few roundings of the coordinates it was computed from (ray origin transformed, distance, shape);
+/// 16 units in the last place leave room for all of them and for those of the next ray.
+inline constexpr float kOffsetShare = 0x1p-19f;
+
 inline constexpr std::uint32_t kNoMaterial = 0xffffffffu;
 
 /// What shading needs to know about a hit. All world axes unless named otherwise.

@@ -12,9 +12,6 @@ namespace {
 // Shadow rays end this share of the way before what they lead to.
 constexpr float kReach = 1.0f - 2e-4f;
 
-// As the surface points of surface.cpp: how far rays start off a surface, of the coordinates' size.
-constexpr float kOffsetShare = 0x1p-19f;
-
 }  // namespace
 
 std::vector<MirrorBall> mirror_balls(const TransportScene& scene) {

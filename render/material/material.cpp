@@ -63,6 +63,11 @@ Material::Material(const PhongMaterial& description, ImageCache& images)
       is_phong_(true),
       emission_(description.emission) {}
 
+std::optional<V3f> Material::constant_base() const {
+    const auto colour = texture_.constant();
+    return colour ? std::optional(limited(*colour)) : std::nullopt;
+}
+
 Surface Material::resolve(const SurfacePoint& point, const V3f& wo, float footprint) const {
     Surface surface;
     const bool from_behind = (point.geometric_normal ^ wo) < 0;

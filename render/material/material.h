@@ -1,6 +1,9 @@
 // A material ready for shading, and the surface that it resolves to at one point.
 #pragma once
 
+#include <memory>
+#include <optional>
+
 #include "render/geometry/orthonormal_basis.h"
 #include "render/geometry/ray.h"
 #include "render/material/albedo_table.h"
@@ -61,6 +64,9 @@ class Material {
     [[nodiscard]] Surface resolve(const SurfacePoint& point, const V3f& wo, float footprint) const;
 
     [[nodiscard]] const LayerConstants& layers() const { return layers_; }
+
+    /// Albedo or reflectance, if it is the same all over.
+    [[nodiscard]] std::optional<V3f> constant_base() const;
 
     /// What the distributed integrator shades with.
     [[nodiscard]] const PhongModel& phong() const { return phong_; }

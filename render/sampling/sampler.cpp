@@ -5,9 +5,6 @@
 namespace carom::render {
 namespace {
 
-/// Which point of a pixel the numbers belong to; the camera's stands outside the numbered sets.
-constexpr std::uint32_t kCameraSet = 0xffffffffu;
-
 /// Finaliser of SplitMix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number
 /// generators").
 std::uint64_t mix64(std::uint64_t z) {
@@ -28,7 +25,7 @@ SampleStream::SampleStream(std::uint64_t seed, std::uint32_t pixel_x, std::uint3
 
 CameraSample SampleStream::camera_sample() const {
     // The index itself is not shuffled: the sets of the bounces are, each in its own way.
-    const std::uint32_t set_hash = detail::mix(pixel_hash_ ^ detail::mix(kCameraSet));
+    const std::uint32_t set_hash = detail::mix(pixel_hash_ ^ detail::mix(detail::kCameraSet));
     const std::array<float, 4> point = detail::sobol_point(reversed_sample_, set_hash);
     const float fifth = detail::sobol_fifth(reversed_sample_, set_hash);
     return {V2f(point[0], point[1]), V2f(point[2], point[3]), fifth};

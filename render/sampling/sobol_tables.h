@@ -100,6 +100,9 @@ inline constexpr SobolNibbleTables kSobol = make_sobol_tables();
 inline constexpr std::uint32_t kLaneSalts[4] = {0x3c6ef372u, 0xdaa66d2bu, 0x78dde6e4u, 0x1715609du};
 inline constexpr std::uint32_t kFifthSalt = 0xb54cda56u;
 
+/// The set of a pixel that places its camera rays; it stands outside the numbered ones.
+inline constexpr std::uint32_t kCameraSet = 0xffffffffu;
+
 /// What point `k` of an aligned block of four adds to a coordinate of the first one: they differ in
 /// the two lowest bits of their index, the highest when reversed.
 constexpr std::uint32_t block_share(int dimension, std::uint32_t k) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -39,6 +40,12 @@ class Texture {
     /// Colour at `point`, averaged over about `footprint` (width of a pixel on the surface, m, 0:
     /// as sharp as can be). Each channel is >= 0, and <= 1 unless an image holds more.
     [[nodiscard]] V3f colour(const SurfacePoint& point, float footprint) const;
+
+    /// The colour, if it is the same everywhere.
+    [[nodiscard]] std::optional<V3f> constant() const {
+        const auto* colour = std::get_if<V3f>(&source_);
+        return colour != nullptr ? std::optional(*colour) : std::nullopt;
+    }
 
     struct Relief {
         V3f colour;

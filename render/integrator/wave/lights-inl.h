@@ -1,9 +1,17 @@
 // Lights as seen from the vertices of a wave: the formulas of light/area_light.cpp and
 // light/light_set.cpp. Included once per instruction set.
+#if defined(CAROM_WAVE_LIGHTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAROM_WAVE_LIGHTS_INL_H
+#undef CAROM_WAVE_LIGHTS_INL_H
+#else
+#define CAROM_WAVE_LIGHTS_INL_H
+#endif
+
 #include <algorithm>
 #include <limits>
 
 #include "render/integrator/wave/wave_kernels.h"
+#include "render/integrator/wave/wave_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
@@ -200,3 +208,5 @@ HWY_INLINE ChoiceLanes choose_light(const WaveScene& scene, const V3& point, con
 
 }  // namespace carom::render::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#endif  // once per instruction set

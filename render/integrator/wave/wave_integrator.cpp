@@ -38,6 +38,36 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
     return light;
 }
 
+/// How a wave finds the object's surface, and what that is made of.
+void add_object(const TransportScene& scene, std::uint32_t object, WaveObjects& objects) {
+    using Kind = WaveObjects::Kind;
+    const auto shape = scene.frame.simple_shape(object);
+    const Material* material = shape ? &scene.materials[shape->material] : nullptr;
+    const auto base = material != nullptr && material->is_diffuse_or_smoothly_coated()
+                          ? material->constant_base()
+                          : std::nullopt;
+    const bool is_box = shape && shape->kind == FrameScene::SimpleShape::Kind::upright_box;
+    const Kind kind = is_box                  ? Kind::box
+                      : shape && shape->moves ? Kind::moving_ball
+                                              : Kind::still_ball;
+    objects.kind.push_back(base ? kind : Kind::other);
+    const V3f centre = base ? shape->centre : V3f(0, 0, 0);
+    const V3f half = base ? shape->half_size : V3f(1, 1, 1);
+    const V3f colour = base.value_or(V3f(0, 0, 0));
+    objects.centre_x.push_back(centre.x);
+    objects.centre_y.push_back(centre.y);
+    objects.centre_z.push_back(centre.z);
+    objects.half_x.push_back(half.x);
+    objects.half_y.push_back(half.y);
+    objects.half_z.push_back(half.z);
+    objects.reach.push_back(base ? shape->reach : 0);
+    objects.red.push_back(colour.x);
+    objects.green.push_back(colour.y);
+    objects.blue.push_back(colour.z);
+    objects.coat_weight.push_back(base ? material->layers().coat_weight : 0);
+    objects.coat_ior.push_back(base ? material->layers().coat_ior : 1);
+}
+
 WaveScene known_scene(const TransportScene& scene, const PathSettings& settings,
                       const Caustics& caustics) {
     WaveScene known;
@@ -53,8 +83,10 @@ WaveScene known_scene(const TransportScene& scene, const PathSettings& settings,
     known.ball_reach = places.reach;
     known.ball_radius2 = places.radius2;
     known.ball_of_object = caustics.place_of_object();
-    known.ball_of_object.resize(
-        std::max<std::size_t>(known.ball_of_object.size(), scene.first_light_object + 1u), -1);
+    known.ball_of_object.resize(scene.frame.object_count(), -1);
+    for (std::uint32_t object = 0; object < scene.frame.object_count(); ++object) {
+        add_object(scene, object, known.objects);
+    }
     known.max_bounces = settings.max_bounces;
     known.split_vertices = settings.split_vertices;
     known.caustics = settings.caustics;
@@ -73,9 +105,9 @@ struct WaveIntegrator::Wave final : Integrator::Workspace {
     ShadowWave shadows{};
     SampleWave samples{};
     VertexList near_balls{};
-    std::vector<Hit> met = std::vector<Hit>(kWaveStorage);   // by paths
-    std::vector<Hit> hits = std::vector<Hit>(kWaveStorage);  // of vertices
-    std::vector<PathWork> works;                             // of samples
+    std::vector<Hit> met = std::vector<Hit>(kWaveStorage);  // by paths
+    VertexList on_boxes{}, on_others{};                     // indices of paths
+    std::vector<PathWork> works;                            // of samples
 };
 
 WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& settings,
@@ -87,8 +119,12 @@ WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& 
       kernels_(best_wave_kernels()),
       known_(known_scene(scene, settings, one_.caustics())) {
     CAROM_ASSERT(can_do(scene, settings));
-    for (const Material& material : scene.materials) {
-        is_plain_.push_back(material.is_diffuse_or_smoothly_coated() ? 1 : 0);
+    for (std::uint32_t object = 0; object < scene.first_light_object; ++object) {
+        const Material& material = scene.materials[scene.frame.material(object)];
+        is_plain_.push_back(material.is_diffuse_or_smoothly_coated());
+    }
+    if (!scene.lights.environment().is_sampled()) {
+        constant_sky_ = scene.lights.environment().radiance(V3f(0, 0, 1));
     }
 }
 
@@ -126,7 +162,7 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
             for (int k = 0; k < wave.near_balls.count; ++k) {
                 const int vertex = wave.near_balls.at.at[k];
                 const int path = wave.vertices.path.at[vertex];
-                one_.seek_by_balls(wave.paths().path(path), wave.hits[vertex],
+                one_.seek_by_balls(wave.paths().path(path), wave.met[path],
                                    wave.works[wave.paths().slot.at[path]]);
             }
             wave.vertex += 1;
@@ -168,53 +204,93 @@ void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread
     count.camera_rays += tasks.size();
 }
 
+// Sorts what the paths have met: vertices on balls, on boxes, on anything else that is plain; the
+// rest is dealt with at once.
 void WaveIntegrator::meet(Wave& wave) const {
+    const PathWave& paths = wave.paths();
+    scene_.frame.structure().closest_hits(paths.rays(), wave.met.data());
     wave.vertices.count = 0;
-    scene_.frame.structure().closest_hits(wave.paths().rays(), wave.met.data());
-    for (int i = 0; i < wave.paths().count; ++i) {
+    wave.on_boxes.count = 0;
+    wave.on_others.count = 0;
+    for (int i = 0; i < paths.count; ++i) {
         const Hit& hit = wave.met[i];
-        if (hit.object != kNoObject) {
-            meet(i, hit, wave);
+        PathWork& work = wave.works[paths.slot.at[i]];
+        if (hit.object == kNoObject) {
+            miss(i, wave, work);
+        } else if (scene_.is_light(hit)) {
+            one_.meet_light(paths.path(i), hit, work);
         } else {
-            one_.miss(wave.paths().path(i), wave.works[wave.paths().slot.at[i]]);
+            sort(i, hit, wave, work);
         }
     }
-}
-
-void WaveIntegrator::meet(int index, const Hit& hit, Wave& wave) const {
-    PathWork& work = wave.works[wave.paths().slot.at[index]];
-    if (scene_.is_light(hit)) {
-        one_.meet_light(wave.paths().path(index), hit, work);
-        return;
+    kernels_->find_surfaces(known_, paths, wave.vertices, false, 0, wave.vertices.count);
+    const int first_box = wave.vertices.count;
+    for (int k = 0; k < wave.on_boxes.count; ++k) {
+        add_vertex(wave.on_boxes.at.at[k], wave);
     }
-    const SurfacePoint point = scene_.frame.surface_at(wave.paths().ray(index), hit);
-    if (is_plain_[point.material] == 0 || wave.paths().vertex > kLastVertex) {
-        one_.follow_from(wave.paths().path(index), hit, work);
-        return;
+    kernels_->find_surfaces(known_, paths, wave.vertices, true, first_box, wave.vertices.count);
+    for (int k = 0; k < wave.on_others.count; ++k) {
+        add_other_vertex(wave.on_others.at.at[k], wave);
     }
-    if (wave.paths().vertex == 0) {
+    for (int i = 0; wave.vertex == 0 && i < wave.vertices.count; ++i) {
+        PathWork& work = wave.works[paths.slot.at[wave.vertices.path.at[i]]];
         work.result.coverage = 1;
-        work.result.object = hit.object;
-    }
-    if (wave.paths().vertex <= max_bounces_) {
-        add_vertex(index, hit, point, wave);
+        work.result.object = static_cast<std::uint32_t>(wave.vertices.object.at[i]);
+        work.result.normal = wave.vertices.normal.get(i);
+        work.result.albedo = wave.vertices.base.get(i);
     }
 }
 
-void WaveIntegrator::add_vertex(int index, const Hit& hit, const SurfacePoint& point,
-                                Wave& wave) const {
-    Path path = wave.paths().path(index);
-    path.width += path.spread * hit.t;
-    const Surface surface = one_.resolve(path, point);
-    if (path.vertex == 0) {
-        PathWork& work = wave.works[wave.paths().slot.at[index]];
-        work.result.normal = surface.frame.z;
-        work.result.albedo = surface.base;
+void WaveIntegrator::miss(int path, Wave& wave, PathWork& work) const {
+    const PathWave& paths = wave.paths();
+    if (constant_sky_) {
+        work.add(paths.throughput.get(path) * *constant_sky_, wave.vertex);
+    } else {
+        one_.miss(paths.path(path), work);
     }
+}
+
+void WaveIntegrator::sort(int path, const Hit& hit, Wave& wave, PathWork& work) const {
+    using Kind = WaveObjects::Kind;
+    const Kind kind = known_.objects.kind[hit.object];
+    if (wave.vertex > kLastVertex || (kind == Kind::other && !is_plain_[hit.object])) {
+        one_.follow_from(wave.paths().path(path), hit, work);
+    } else if (wave.vertex > max_bounces_) {
+        return;
+    } else if (kind == Kind::other) {
+        wave.on_others.at.at[wave.on_others.count++] = path;
+    } else if (kind == Kind::box) {
+        wave.on_boxes.at.at[wave.on_boxes.count++] = path;
+    } else {
+        add_vertex(path, wave);
+    }
+}
+
+// On a ball or a box: the rest is found later.
+void WaveIntegrator::add_vertex(int path, Wave& wave) const {
+    const Hit& hit = wave.met[path];
+    const WaveObjects& objects = known_.objects;
     VertexWave& vertices = wave.vertices;
     const int i = vertices.count++;
-    wave.hits[i] = hit;
-    vertices.path.at[i] = index;
+    vertices.path.at[i] = path;
+    vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
+    vertices.distance.at[i] = hit.t;
+    vertices.position.set(i, objects.kind[hit.object] == WaveObjects::Kind::moving_ball
+                                 ? scene_.frame.centre(hit.object, wave.paths().time.at[path])
+                                 : V3f(objects.centre_x[hit.object], objects.centre_y[hit.object],
+                                       objects.centre_z[hit.object]));
+}
+
+void WaveIntegrator::add_other_vertex(int path, Wave& wave) const {
+    const Hit& hit = wave.met[path];
+    const Path alone = wave.paths().path(path);
+    const SurfacePoint point = scene_.frame.surface_at(alone.ray, hit);
+    Path arrived = alone;
+    arrived.width += alone.spread * hit.t;
+    const Surface surface = one_.resolve(arrived, point);
+    VertexWave& vertices = wave.vertices;
+    const int i = vertices.count++;
+    vertices.path.at[i] = path;
     vertices.object.at[i] = static_cast<std::int32_t>(hit.object);
     vertices.distance.at[i] = hit.t;
     vertices.position.set(i, point.position);

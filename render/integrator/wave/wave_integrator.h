@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "render/integrator/path_integrator.h"
@@ -40,8 +41,10 @@ class WaveIntegrator final : public Integrator {
     void begin(std::span<const CameraTask> tasks, float pixel_spread, Wave& wave,
                RenderStatistics& count) const;
     void meet(Wave& wave) const;
-    void meet(int index, const Hit& hit, Wave& wave) const;
-    void add_vertex(int index, const Hit& hit, const SurfacePoint& point, Wave& wave) const;
+    void miss(int path, Wave& wave, PathWork& work) const;
+    void sort(int path, const Hit& hit, Wave& wave, PathWork& work) const;
+    void add_vertex(int path, Wave& wave) const;
+    void add_other_vertex(int path, Wave& wave) const;
     void trace_shadows(Wave& wave, RenderStatistics& count) const;
 
     TransportScene scene_;
@@ -50,7 +53,8 @@ class WaveIntegrator final : public Integrator {
     int max_bounces_;
     const WaveKernels* kernels_;
     WaveScene known_;
-    std::vector<char> is_plain_;  // by material
+    std::vector<bool> is_plain_;       // by object
+    std::optional<V3f> constant_sky_;  // nothing: it differs by direction
 };
 
 }  // namespace carom::render

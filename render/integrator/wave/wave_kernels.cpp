@@ -9,9 +9,7 @@
 #include <hwy/highway.h>
 
 #if HWY_TARGET != HWY_SCALAR
-#include "render/integrator/wave/lanes-inl.h"
-#include "render/integrator/wave/lights-inl.h"
-#include "render/integrator/wave/numbers-inl.h"
+#include "render/integrator/wave/surfaces-inl.h"
 #include "render/integrator/wave/wave_step-inl.h"
 #endif
 
@@ -22,7 +20,7 @@ inline const WaveKernels* wave_kernels_of_target() {
 #if HWY_TARGET == HWY_SCALAR
     return nullptr;
 #else
-    static constexpr WaveKernels kKernels = {take_step, sum_light};
+    static constexpr WaveKernels kKernels = {find_surfaces, take_step, sum_light};
     return &kKernels;
 #endif
 }

@@ -24,6 +24,18 @@ struct WaveLight {
     bool is_environment = false;
 };
 
+/// Objects by number, an array for each of their numbers.
+struct WaveObjects {
+    enum class Kind : std::uint8_t { other, moving_ball, still_ball, box };
+    std::vector<Kind> kind;
+    // Of all but others: shape and material.
+    std::vector<float> centre_x, centre_y, centre_z;
+    std::vector<float> half_x, half_y, half_z;
+    std::vector<float> reach;
+    std::vector<float> red, green, blue;
+    std::vector<float> coat_weight, coat_ior;
+};
+
 /// What the kernels need to know about a scene.
 struct WaveScene {
     const LightSet* lights = nullptr;
@@ -35,6 +47,7 @@ struct WaveScene {
     std::vector<float> ball_x, ball_y, ball_z, ball_reach, ball_radius2;
     std::vector<std::int32_t> ball_of_object;  // or -1
 
+    WaveObjects objects;
     int max_bounces = 0;
     int split_vertices = 0;
     bool caustics = false;
@@ -55,6 +68,10 @@ struct WaveStep {
 };
 
 struct WaveKernels {
+    /// Completes the vertices from `first` to before `last`, all on balls or all on boxes: of these
+    /// path, object, distance and `position`, the shape's middle, are known. Spoils later ones.
+    void (*find_surfaces)(const WaveScene& scene, const PathWave& paths, VertexWave& vertices,
+                          bool are_boxes, int first, int last);
     /// Fills `shadows`, `near_balls` and `next`.
     void (*take_step)(const WaveStep& step);
     /// Sums up for each of the first `vertices` vertices the rays that still reach their light.

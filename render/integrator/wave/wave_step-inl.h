@@ -2,7 +2,9 @@
 // directions are chosen. What material/bsdf.cpp, integrator/direct_light.cpp and
 // integrator/path_integrator.cpp do for one path. Included once per instruction set.
 #include "render/integrator/path_state.h"
+#include "render/integrator/wave/lights-inl.h"
 #include "render/integrator/wave/wave_kernels.h"
+#include "render/sampling/numbers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
@@ -294,7 +296,9 @@ inline HWY_ATTR void take_step(const WaveStep& step) {
                           vertex < step.scene.max_bounces && !step.scene.ball_x.empty();
     for (int first = 0; first < vertices.count; first += lane_count()) {
         VertexLanes v = vertices_at(step, first);
-        const Numbers numbers(step.samples, gather(step.paths.slot, v.path));
+        const I slot = gather(step.paths.slot, v.path);
+        const Numbers numbers(hn::BitCast(WordTag(), gather(step.samples.pixel_hash, slot)),
+                              hn::BitCast(WordTag(), gather(step.samples.reversed_sample, slot)));
         F u[4];
         numbers.set(v.place + v.place, u);
         if (vertex == 0) {

@@ -1,5 +1,13 @@
-// The random numbers of sampling/sampler.h, a path in every lane: the same bits. Included once per
+// The random numbers of sampler.h, a sample in every lane: the same bits. Included once per
 // instruction set.
+#if defined(CAROM_NUMBERS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAROM_NUMBERS_INL_H
+#undef CAROM_NUMBERS_INL_H
+#else
+#define CAROM_NUMBERS_INL_H
+#endif
+
+#include "render/sampling/lanes-inl.h"
 #include "render/sampling/sobol_point.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -46,9 +54,8 @@ HWY_INLINE F to_unit_lanes(U x) {
 /// The random numbers of a group of paths.
 class Numbers {
   public:
-    HWY_INLINE Numbers(const SampleWave& samples, I slot)
-        : pixel_hash_(hn::BitCast(WordTag(), gather(samples.pixel_hash, slot))),
-          reversed_sample_(hn::BitCast(WordTag(), gather(samples.reversed_sample, slot))) {}
+    HWY_INLINE Numbers(U pixel_hash, U reversed_sample)
+        : pixel_hash_(pixel_hash), reversed_sample_(reversed_sample) {}
 
     /// SampleStream's next_4d of the set.
     HWY_INLINE void set(U set, F (&u)[4]) const {
@@ -75,6 +82,26 @@ class Numbers {
             x[k] = scrambled(hn::Xor(coordinates[0], all_words(detail::block_share(0, k))), seed_x);
             y[k] = scrambled(hn::Xor(coordinates[1], all_words(detail::block_share(1, k))), seed_y);
         }
+    }
+
+    /// Its camera_sample: pixel, lens, time.
+    HWY_INLINE void camera(F (&u)[5]) const {
+        const U hash = set_hash(all_words(detail::kCameraSet));
+        U coordinates[4];
+        sobol(reversed_sample_, coordinates);
+        for (int d = 0; d < 4; ++d) {
+            u[d] = scrambled(coordinates[d], seed(hash, d));
+        }
+        U fifth = all_words(0);
+        for (int nibble = 0; nibble < 8; ++nibble) {
+            const U digit =
+                hn::And(hn::ShiftRightSame(reversed_sample_, 4 * nibble), all_words(15));
+            const auto* table = reinterpret_cast<const std::int32_t*>(detail::kSobol.fifth[nibble]);
+            fifth = hn::Xor(
+                fifth, hn::BitCast(WordTag(),
+                                   hn::GatherIndex(IntTag(), table, hn::BitCast(IntTag(), digit))));
+        }
+        u[4] = scrambled(fifth, mix_words(hash + all_words(detail::kFifthSalt)));
     }
 
     /// Its lone_number.
@@ -117,3 +144,5 @@ class Numbers {
 
 }  // namespace carom::render::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#endif  // once per instruction set

@@ -1,6 +1,15 @@
-// Floats, integers and triples in the lanes of a vector, and the maps that shading needs of them:
-// the formulas of sampling/warp.h, geometry/trigonometry.h, geometry/orthonormal_basis.h and
-// material/fresnel.h, with their references. Included once per instruction set.
+// Floats, integers and triples in the lanes of a vector, and the maps that sampling and shading
+// need of them: the formulas of warp.h, geometry/trigonometry.h and geometry/orthonormal_basis.h,
+// with their references. Included once per instruction set.
+#if defined(CAROM_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAROM_LANES_INL_H
+#undef CAROM_LANES_INL_H
+#else
+#define CAROM_LANES_INL_H
+#endif
+
+#include <cstdint>
+
 #include "render/geometry/ray.h"
 #include "render/geometry/trigonometry.h"
 
@@ -70,45 +79,6 @@ HWY_INLINE F largest(const V3& v) {
 }
 HWY_INLINE V3 select(M mask, const V3& yes, const V3& no) {
     return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
-}
-
-HWY_INLINE F load(const Floats& field, int i) {
-    return hn::LoadU(FloatTag(), field.at + i);
-}
-HWY_INLINE V3 load(const Floats3& field, int i) {
-    return {load(field.x, i), load(field.y, i), load(field.z, i)};
-}
-HWY_INLINE I load(const Words& field, int i) {
-    return hn::LoadU(IntTag(), field.at + i);
-}
-HWY_INLINE F gather(const Floats& field, I index) {
-    return hn::GatherIndex(FloatTag(), field.at, index);
-}
-HWY_INLINE V3 gather(const Floats3& field, I index) {
-    return {gather(field.x, index), gather(field.y, index), gather(field.z, index)};
-}
-HWY_INLINE I gather(const Words& field, I index) {
-    return hn::GatherIndex(IntTag(), field.at, index);
-}
-HWY_INLINE void store(F value, Floats& field, int i) {
-    hn::StoreU(value, FloatTag(), field.at + i);
-}
-HWY_INLINE void store(const V3& value, Floats3& field, int i) {
-    store(value.x, field.x, i);
-    store(value.y, field.y, i);
-    store(value.z, field.z, i);
-}
-/// Those lanes only, side by side.
-HWY_INLINE void store_some(F value, M mask, Floats& field, int i) {
-    hn::CompressStore(value, mask, FloatTag(), field.at + i);
-}
-HWY_INLINE void store_some(const V3& value, M mask, Floats3& field, int i) {
-    store_some(value.x, mask, field.x, i);
-    store_some(value.y, mask, field.y, i);
-    store_some(value.z, mask, field.z, i);
-}
-HWY_INLINE void store_some(I value, M mask, Words& field, int i) {
-    hn::CompressStore(value, hn::RebindMask(IntTag(), mask), IntTag(), field.at + i);
 }
 
 struct SinCosLanes {
@@ -192,25 +162,12 @@ HWY_INLINE Basis basis_around(const V3& z) {
             z};
 }
 
-HWY_INLINE F fresnel_dielectric(F cosine, F ior) {
-    const F cos_i = hn::Min(cosine, all(1.f));
-    const F sin2_t = (all(1.f) - cos_i * cos_i) / (ior * ior);
-    const F cos_t = hn::Sqrt(hn::Max(all(0.f), all(1.f) - sin2_t));
-    const F parallel = (ior * cos_i - cos_t) / (ior * cos_i + cos_t);
-    const F perpendicular = (cos_i - ior * cos_t) / (cos_i + ior * cos_t);
-    return all(0.5f) * (parallel * parallel + perpendicular * perpendicular);
-}
-
 HWY_INLINE F stretched(F u, F share) {
     const F v = select(hn::Lt(u, share), u / share, (u - share) / (all(1.f) - share));
     return hn::Min(v, all(0x1.fffffep-1f));
 }
 
-/// Share of a sample made with density `pdf` where scattering makes the same with `other`.
-HWY_INLINE F power_heuristic(F pdf, F other) {
-    const F ratio = other / pdf;
-    return all(1.f) / (all(1.f) + ratio * ratio);
-}
-
 }  // namespace carom::render::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#endif  // once per instruction set

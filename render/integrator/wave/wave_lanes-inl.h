@@ -1,0 +1,73 @@
+// The arrays of path_wave.h in lanes, and formulas of material/fresnel.h and
+// integrator/direct_light.h, with their references. Included once per instruction set.
+#if defined(CAROM_WAVE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAROM_WAVE_LANES_INL_H
+#undef CAROM_WAVE_LANES_INL_H
+#else
+#define CAROM_WAVE_LANES_INL_H
+#endif
+
+#include "render/integrator/wave/path_wave.h"
+#include "render/sampling/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
+
+HWY_INLINE F load(const Floats& field, int i) {
+    return hn::LoadU(FloatTag(), field.at + i);
+}
+HWY_INLINE V3 load(const Floats3& field, int i) {
+    return {load(field.x, i), load(field.y, i), load(field.z, i)};
+}
+HWY_INLINE I load(const Words& field, int i) {
+    return hn::LoadU(IntTag(), field.at + i);
+}
+HWY_INLINE F gather(const Floats& field, I index) {
+    return hn::GatherIndex(FloatTag(), field.at, index);
+}
+HWY_INLINE V3 gather(const Floats3& field, I index) {
+    return {gather(field.x, index), gather(field.y, index), gather(field.z, index)};
+}
+HWY_INLINE I gather(const Words& field, I index) {
+    return hn::GatherIndex(IntTag(), field.at, index);
+}
+HWY_INLINE void store(F value, Floats& field, int i) {
+    hn::StoreU(value, FloatTag(), field.at + i);
+}
+HWY_INLINE void store(const V3& value, Floats3& field, int i) {
+    store(value.x, field.x, i);
+    store(value.y, field.y, i);
+    store(value.z, field.z, i);
+}
+/// Those lanes only, side by side.
+HWY_INLINE void store_some(F value, M mask, Floats& field, int i) {
+    hn::CompressStore(value, mask, FloatTag(), field.at + i);
+}
+HWY_INLINE void store_some(const V3& value, M mask, Floats3& field, int i) {
+    store_some(value.x, mask, field.x, i);
+    store_some(value.y, mask, field.y, i);
+    store_some(value.z, mask, field.z, i);
+}
+HWY_INLINE void store_some(I value, M mask, Words& field, int i) {
+    hn::CompressStore(value, hn::RebindMask(IntTag(), mask), IntTag(), field.at + i);
+}
+
+HWY_INLINE F fresnel_dielectric(F cosine, F ior) {
+    const F cos_i = hn::Min(cosine, all(1.f));
+    const F sin2_t = (all(1.f) - cos_i * cos_i) / (ior * ior);
+    const F cos_t = hn::Sqrt(hn::Max(all(0.f), all(1.f) - sin2_t));
+    const F parallel = (ior * cos_i - cos_t) / (ior * cos_i + cos_t);
+    const F perpendicular = (cos_i - ior * cos_t) / (cos_i + ior * cos_t);
+    return all(0.5f) * (parallel * parallel + perpendicular * perpendicular);
+}
+
+/// Share of a sample made with density `pdf` where scattering makes the same with `other`.
+HWY_INLINE F power_heuristic(F pdf, F other) {
+    const F ratio = other / pdf;
+    return all(1.f) / (all(1.f) + ratio * ratio);
+}
+
+}  // namespace carom::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // once per instruction set
