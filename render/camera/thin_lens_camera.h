@@ -69,14 +69,6 @@ class ThinLensCamera {
     /// nothing behind the camera.
     [[nodiscard]] std::optional<V2f> project(const V3f& point, float time) const;
 
-    /// Solid angle (sr) of a pixel in the centre of the picture, at the shutter's opening.
-    [[nodiscard]] float pixel_solid_angle() const;
-
-  private:
-    [[nodiscard]] V3f on_lens(const CameraFrame& frame, const V2f& lens) const;
-    [[nodiscard]] Ray pinhole_ray(const CameraFrame& frame, const V2f& picture) const;
-    [[nodiscard]] Ray lens_ray(const CameraFrame& frame, const V2f& picture, const V2f& lens) const;
-
     /// A frame, and the values that change linearly where the frame's own do not.
     struct Moving {
         CameraFrame frame;
@@ -85,6 +77,23 @@ class ThinLensCamera {
         float roll = 0;
         float blade_rotation = 0;
     };
+    // What rays are made of, for code that makes many at once.
+    [[nodiscard]] const Moving& open() const { return open_; }
+    [[nodiscard]] const Moving& close() const { return close_; }
+    [[nodiscard]] V2f centre() const { return {half_width_, half_height_}; }  // pixels
+    [[nodiscard]] float switch_ratio() const { return switch_ratio_; }
+    [[nodiscard]] int blades() const { return blades_; }
+    [[nodiscard]] bool moves() const { return moves_; }
+    [[nodiscard]] bool has_lens() const { return has_lens_; }
+
+    /// Solid angle (sr) of a pixel in the centre of the picture, at the shutter's opening.
+    [[nodiscard]] float pixel_solid_angle() const;
+
+  private:
+    [[nodiscard]] V3f on_lens(const CameraFrame& frame, const V2f& lens) const;
+    [[nodiscard]] Ray pinhole_ray(const CameraFrame& frame, const V2f& picture) const;
+    [[nodiscard]] Ray lens_ray(const CameraFrame& frame, const V2f& picture, const V2f& lens) const;
+
     [[nodiscard]] static Moving make_moving(const CameraState& state, int height);
 
     Moving open_;

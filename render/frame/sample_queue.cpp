@@ -2,36 +2,48 @@
 
 #include <utility>
 
+#include "sim/timeline/assert.h"
+
 namespace carom::render {
 
-SampleQueue::SampleQueue(const Integrator& integrator, float pixel_spread, std::size_t size,
-                         bool counts_objects, std::stop_token stop, RenderStatistics& count)
-    : integrator_(integrator),
-      pixel_spread_(pixel_spread),
-      size_(size),
-      counts_objects_(counts_objects),
+SampleQueue::SampleQueue(const Setting& setting, std::stop_token stop, RenderStatistics& count)
+    : setting_(setting),
       stop_(std::move(stop)),
       count_(count),
-      workspace_(integrator.make_workspace()),
-      results_(size) {
-    tasks_.reserve(size);
-    pixels_.reserve(size);
+      workspace_(setting.integrator.make_workspace()),
+      batch_(std::make_unique<CameraBatch>()),
+      results_(setting.size) {
+    CAROM_ASSERT(setting.size <= CameraBatch::kMost);
+    tasks_.reserve(setting.size);
+    pixels_.reserve(setting.size);
 }
 
-void SampleQueue::ask(const CameraTask& task, PixelSums& sums, int group) {
-    tasks_.push_back(task);
+void SampleQueue::ask(const SampleStream& stream, const SampleIndex& index, PixelSums& sums,
+                      int group) {
+    const std::size_t i = tasks_.size();
+    batch_->x[i] = index.x;
+    batch_->y[i] = index.y;
+    batch_->pixel_hash[i] = static_cast<std::int32_t>(stream.pixel_hash());
+    batch_->reversed_sample[i] = static_cast<std::int32_t>(stream.reversed_sample());
+    tasks_.push_back({Ray{}, stream, index});
     pixels_.push_back({&sums, group});
-    if (tasks_.size() == size_) {
+    if (tasks_.size() == setting_.size) {
         flush();
     }
 }
 
 void SampleQueue::flush() {
     if (!stop_.stop_requested()) {
-        integrator_.samples(tasks_, pixel_spread_, results_, workspace_.get(), count_);
+        batch_->count = static_cast<int>(tasks_.size());
+        make_rays(setting_.camera, setting_.fixings, *batch_);
+        for (std::size_t i = 0; i < tasks_.size(); ++i) {
+            tasks_[i].ray = batch_->ray(static_cast<int>(i));
+        }
+        setting_.integrator.samples(tasks_, setting_.pixel_spread, results_, workspace_.get(),
+                                    count_);
         for (std::size_t i = 0; i < tasks_.size(); ++i) {
             pixels_[i].sums->add(results_[i], pixels_[i].group);
-            if (counts_objects_) {
+            if (setting_.counts_objects) {
                 pixels_[i].sums->count_object(results_[i].object);
             }
         }

@@ -5,6 +5,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "render/camera/camera_batch.h"
 #include "render/frame/pixel_sums.h"
 #include "render/integrator/integrator.h"
 
@@ -14,12 +15,19 @@ namespace carom::render {
 /// for.
 class SampleQueue {
   public:
-    /// `size`: how many wait at most. Everything is borrowed.
-    SampleQueue(const Integrator& integrator, float pixel_spread, std::size_t size,
-                bool counts_objects, std::stop_token stop, RenderStatistics& count);
+    /// Everything is borrowed.
+    struct Setting {
+        const Integrator& integrator;
+        const ThinLensCamera& camera;
+        CameraFixings fixings;
+        float pixel_spread;
+        std::size_t size;     // how many samples wait at most, up to CameraBatch::kMost
+        bool counts_objects;  // that samples have met
+    };
+    SampleQueue(const Setting& setting, std::stop_token stop, RenderStatistics& count);
 
     /// `sums` stays where it is until `flush`; `group`: of the pixel's sums, or -1.
-    void ask(const CameraTask& task, PixelSums& sums, int group = -1);
+    void ask(const SampleStream& stream, const SampleIndex& index, PixelSums& sums, int group = -1);
 
     /// Until all are done, or at once if a stop is requested: then sums are incomplete.
     void flush();
@@ -30,13 +38,11 @@ class SampleQueue {
         int group;
     };
 
-    const Integrator& integrator_;
-    float pixel_spread_;
-    std::size_t size_;
-    bool counts_objects_;
+    Setting setting_;
     std::stop_token stop_;
     RenderStatistics& count_;
     std::unique_ptr<Integrator::Workspace> workspace_;
+    std::unique_ptr<CameraBatch> batch_;
     std::vector<CameraTask> tasks_;
     std::vector<Pixel> pixels_;
     std::vector<RadianceSample> results_;

@@ -13,7 +13,7 @@ namespace {
 
 // Samples that are traced together, between looks whether to stop; one of the distributed
 // integrator is a tree of rays.
-constexpr std::size_t kPathSamplesAtOnce = 2 * kWaveSamples;
+constexpr std::size_t kPathSamplesAtOnce = CameraBatch::kMost;
 
 PathSettings path_settings(const RenderSettings& settings) {
     PathSettings path;
@@ -69,8 +69,8 @@ TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& fra
                    ? camera_samples(settings.distributed)
                    : settings.samples),
       samples_at_once_(settings.integrator == IntegratorKind::distributed ? 1 : kPathSamplesAtOnce),
-      is_centred_(is_off(settings, &DistributedSettings::pixel_samples)),
-      is_instantaneous_(is_off(settings, &DistributedSettings::blur_samples)),
+      fixings_{is_off(settings, &DistributedSettings::pixel_samples),
+               is_off(settings, &DistributedSettings::blur_samples)},
       film_(film),
       aovs_(aovs),
       tiles_x_(tiles_along(settings.width)),
@@ -133,28 +133,19 @@ RenderStatistics TileRenderer::finish(int tile, const std::vector<PixelSums>& pi
 }
 
 SampleQueue TileRenderer::make_queue(const std::stop_token& stop, RenderStatistics& count) const {
-    return {*integrator_, pixel_spread_, samples_at_once_, aovs_.needs_objects(), stop, count};
-}
-
-Ray TileRenderer::camera_ray(int x, int y, const SampleStream& stream) const {
-    CameraSample sample = stream.camera_sample();
-    if (is_centred_) {
-        sample.pixel = V2f(0.5f, 0.5f);
-    }
-    if (is_instantaneous_) {
-        sample.time = 0.5f;
-    }
-    return camera_.ray(x, y, sample);
+    return {
+        {*integrator_, camera_, fixings_, pixel_spread_, samples_at_once_, aovs_.needs_objects()},
+        stop,
+        count};
 }
 
 // Samples `from` to `to` of a pixel.
 void TileRenderer::ask(int x, int y, int from, int to, PixelSums& sums, SampleQueue& queue,
                        int group) const {
+    const SampleStream first(seed_, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                             0);
     for (int sample = from; sample < to; ++sample) {
-        const SampleStream stream(seed_, static_cast<std::uint32_t>(x),
-                                  static_cast<std::uint32_t>(y),
-                                  static_cast<std::uint32_t>(sample));
-        queue.ask({camera_ray(x, y, stream), stream, {x, y, sample}}, sums, group);
+        queue.ask(first.of_sample(static_cast<std::uint32_t>(sample)), {x, y, sample}, sums, group);
     }
 }
 

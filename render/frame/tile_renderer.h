@@ -51,7 +51,6 @@ class TileRenderer {
     void add(const std::vector<Splat>& splats);
 
   private:
-    [[nodiscard]] Ray camera_ray(int x, int y, const SampleStream& stream) const;
     template <class Pixel>
     void for_each_pixel(int tile, const std::stop_token& stop, const Pixel& pixel) const;
     [[nodiscard]] SampleQueue make_queue(const std::stop_token& stop,
@@ -72,8 +71,7 @@ class TileRenderer {
     std::unique_ptr<const Integrator> integrator_;
     int samples_;  // per pixel
     std::size_t samples_at_once_;
-    bool is_centred_;        // every ray through the pixel's centre
-    bool is_instantaneous_;  // every ray in the middle of the shutter
+    CameraFixings fixings_;
     Film& film_;
     AovPlanes& aovs_;
     int tiles_x_;

@@ -66,7 +66,7 @@ PixelFilterSampler::PixelFilterSampler(PixelFilter filter, double width)
         cells_.push_back(cell);
     }
     guide_.resize(kGuides);
-    std::uint16_t at = 0;
+    std::int32_t at = 0;
     for (int g = 0; g < kGuides; ++g) {
         while (cells_[at + 1].cdf <= static_cast<float>(g) / kGuides) {
             ++at;
@@ -79,7 +79,7 @@ float PixelFilterSampler::offset(float u) const {
     if (cells_.empty()) {
         return (u - 0.5f) * static_cast<float>(width_);
     }
-    std::size_t at = guide_[static_cast<std::size_t>(u * kGuides)];
+    auto at = static_cast<std::size_t>(guide_[static_cast<std::size_t>(u * kGuides)]);
     // Mostly one step or none, which is taken without a branch; only the tails have more.
     at += cells_[at + 1].cdf <= u ? 1 : 0;
     while (cells_[at + 1].cdf <= u) {

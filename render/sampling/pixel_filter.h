@@ -22,22 +22,26 @@ class PixelFilterSampler {
 
     [[nodiscard]] double width() const { return width_; }  // pixels
 
+    /// One cell of the tabulated distribution: offset = start + slope (u - cdf).
+    struct Cell {
+        float cdf, start, slope;
+    };
+    /// One after the other, one more at the end; none for the box.
+    [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
+    /// By u times their number: the cell where the search for u starts (Chen and Asau 1974).
+    [[nodiscard]] const std::vector<std::int32_t>& guide() const { return guide_; }
+
     /// Density of `sample` in one of the two directions, per pixel; 0 beyond half the width.
     [[nodiscard]] double pdf_1d(double offset_pixels) const;
 
   private:
     [[nodiscard]] float offset(float u) const;
 
-    /// One cell of the tabulated distribution: offset = start + slope (u - cdf).
-    struct Cell {
-        float cdf, start, slope;
-    };
-
     PixelFilter filter_;
     double width_;
     double norm_ = 1;
-    std::vector<Cell> cells_;           // equally wide, and one more at the end; empty for the box
-    std::vector<std::uint16_t> guide_;  // where the search for u starts (Chen and Asau 1974)
+    std::vector<Cell> cells_;  // equally wide
+    std::vector<std::int32_t> guide_;
 };
 
 /// The unnormalised profile at x in [-1/2, 1/2] of the width: 1 for the box; a Gaussian whose

@@ -23,11 +23,18 @@ SampleStream::SampleStream(std::uint64_t seed, std::uint32_t pixel_x, std::uint3
     pixel_hash_ = static_cast<std::uint32_t>(mix64(mix64(seed) ^ pixel) >> 32);
 }
 
-CameraSample SampleStream::camera_sample() const {
+SampleStream SampleStream::of_sample(std::uint32_t sample) const {
+    SampleStream other = *this;
+    other.reversed_sample_ = detail::reverse_bits(sample);
+    other.set_ = 0;
+    return other;
+}
+
+CameraSample camera_sample(std::uint32_t pixel_hash, std::uint32_t reversed_sample) {
     // The index itself is not shuffled: the sets of the bounces are, each in its own way.
-    const std::uint32_t set_hash = detail::mix(pixel_hash_ ^ detail::mix(detail::kCameraSet));
-    const std::array<float, 4> point = detail::sobol_point(reversed_sample_, set_hash);
-    const float fifth = detail::sobol_fifth(reversed_sample_, set_hash);
+    const std::uint32_t set_hash = detail::mix(pixel_hash ^ detail::mix(detail::kCameraSet));
+    const std::array<float, 4> point = detail::sobol_point(reversed_sample, set_hash);
+    const float fifth = detail::sobol_fifth(reversed_sample, set_hash);
     return {V2f(point[0], point[1]), V2f(point[2], point[3]), fifth};
 }
 

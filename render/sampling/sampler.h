@@ -17,6 +17,9 @@ struct CameraSample {
     float time = 0;
 };
 
+/// SampleStream's for a stream of which that is known.
+[[nodiscard]] CameraSample camera_sample(std::uint32_t pixel_hash, std::uint32_t reversed_sample);
+
 /// Hands out the dimensions of one sample of one pixel, in order. Cheap to copy; no shared state.
 class SampleStream {
   public:
@@ -24,7 +27,11 @@ class SampleStream {
                  std::uint32_t sample);
 
     /// Does not advance the stream.
-    [[nodiscard]] CameraSample camera_sample() const;
+    [[nodiscard]] CameraSample camera_sample() const {
+        return render::camera_sample(pixel_hash_, reversed_sample_);
+    }
+    /// The stream of another sample of the same pixel.
+    [[nodiscard]] SampleStream of_sample(std::uint32_t sample) const;
 
     /// The next four dimensions: one shuffled, scrambled four-dimensional Sobol point.
     [[nodiscard]] std::array<float, 4> next_4d();

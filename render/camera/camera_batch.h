@@ -1,0 +1,41 @@
+// Camera rays of many samples at once, in the lanes of vectors.
+#pragma once
+
+#include <cstdint>
+
+#include "render/camera/thin_lens_camera.h"
+
+namespace carom::render {
+
+/// Samples and their rays, an array for each number; vectors may touch what lies beyond the last.
+struct CameraBatch {
+    static constexpr int kMost = 256;
+    static constexpr int kStorage = kMost + 16;
+
+    int count = 0;
+    // Which sample: pixel, and what its random numbers depend on (sampler.h).
+    alignas(64) std::int32_t x[kStorage] = {};
+    alignas(64) std::int32_t y[kStorage] = {};
+    alignas(64) std::int32_t pixel_hash[kStorage] = {};
+    alignas(64) std::int32_t reversed_sample[kStorage] = {};
+    // Its ray.
+    alignas(64) float origin[3][kStorage] = {};
+    alignas(64) float direction[3][kStorage] = {};
+    alignas(64) float time[kStorage] = {};
+
+    [[nodiscard]] Ray ray(int i) const {
+        return {V3f(origin[0][i], origin[1][i], origin[2][i]),
+                V3f(direction[0][i], direction[1][i], direction[2][i]), 0, kInfinity, time[i]};
+    }
+};
+
+/// What is not sampled.
+struct CameraFixings {
+    bool centred = false;        // every ray through its pixel's centre
+    bool instantaneous = false;  // every ray in the middle of the shutter
+};
+
+/// The `ray` of the camera for each sample, as far as rounding goes.
+void make_rays(const ThinLensCamera& camera, const CameraFixings& fixings, CameraBatch& batch);
+
+}  // namespace carom::render
