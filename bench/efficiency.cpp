@@ -6,10 +6,12 @@
 #include <ctime>
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "bench/growth_scenes.h"
 #include "bench/peer_scene.h"
 #include "bench/picture.h"
 
@@ -110,6 +112,16 @@ void report(const std::vector<Run>& runs, const std::vector<Error>& errors) {
         lowest, highest, n * n / (trimmed * cpu), n * n / (all * cpu));
 }
 
+void add_mesh(PeerScene& scene, int triangles) {
+    constexpr double kRadius = 0.12;  // m
+    render::ObjectDescription mesh;
+    mesh.name = "mesh";
+    mesh.shape = bumpy_ball(triangles, kRadius);
+    mesh.world_from_object.setTranslation(Vec3(-0.3, 0.1, 1.2 * kRadius));
+    mesh.material = scene.scene.objects.front().material;
+    scene.scene.objects.push_back(std::move(mesh));
+}
+
 int run(int argc, char** argv) {
     CLI::App app("Efficiency of the renderer on a comparison scene");
     std::string scene_path;
@@ -126,12 +138,17 @@ int run(int argc, char** argv) {
     app.add_option("--first-seed", first_seed)->capture_default_str();
     app.add_option("--reference", reference, "EXR; without it runs are compared with each other");
     app.add_option("--mean", output, "write the mean of all runs to this EXR");
+    int triangles = 0;
+    app.add_option("--triangles", triangles, "adds a mesh of so many, a bumpy ball on the table");
     std::vector<std::string> others;
     app.add_option("--others", others,
                    "EXRs of the scene by another renderer: their error, and 8 x 8 block means");
     CLI11_PARSE(app, argc, argv);
     PeerScene scene = read_peer_scene(scene_path);
     scene.settings.samples = samples;
+    if (triangles > 0) {
+        add_mesh(scene, triangles);
+    }
     scene.settings.noise = noise;
     scene.settings.max_samples = 4096;
     const render::PreparedScene prepared(scene.scene, scene.settings);

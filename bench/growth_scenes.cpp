@@ -77,8 +77,7 @@ GrowthScene make_ball_cloud(int count) {
     return scene;
 }
 
-GrowthScene make_mesh(int count) {
-    GrowthScene scene = make_room();
+render::MeshShape bumpy_ball(int count, double radius) {
     const int rings = static_cast<int>(std::ceil(std::sqrt(count / 4.0)));
     const int sectors = 2 * rings;
     MeshShape mesh;
@@ -88,7 +87,7 @@ GrowthScene make_mesh(int count) {
             const double phi = 2 * kPi * s / sectors;
             const double bumps = std::sin(9 * theta) * std::cos(7 * phi) +
                                  0.3 * std::sin(61 * theta) * std::cos(53 * phi);
-            const double size = 0.85 * (1 + 0.12 * bumps);
+            const double size = radius * (1 + 0.12 * bumps);
             mesh.vertices.emplace_back(size * std::sin(theta) * std::cos(phi),
                                        size * std::sin(theta) * std::sin(phi),
                                        size * std::cos(theta));
@@ -103,7 +102,12 @@ GrowthScene make_mesh(int count) {
             mesh.triangles.push_back({at(r, s), at(r + 1, s + 1), at(r, s + 1)});
         }
     }
-    scene.builder.object("knot", std::move(mesh), Vec3(0, 0, 0), "grey");
+    return mesh;
+}
+
+GrowthScene make_mesh(int count) {
+    GrowthScene scene = make_room();
+    scene.builder.object("knot", bumpy_ball(count, 0.85), Vec3(0, 0, 0), "grey");
     scene.builder.sphere("ball", 0.2, Vec3(1, -1, -0.9), "grey");
     return scene;
 }

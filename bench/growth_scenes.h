@@ -20,7 +20,10 @@ struct GrowthScene {
 /// `count` balls that fill the same room whatever their number.
 [[nodiscard]] GrowthScene make_ball_cloud(int count);
 
-/// A mesh of at least `count` triangles, with a ball beside it.
+/// A mesh of at least `count` triangles around the origin.
+[[nodiscard]] render::MeshShape bumpy_ball(int count, double radius);
+
+/// The same of at least `count` triangles, with a ball beside it.
 [[nodiscard]] GrowthScene make_mesh(int count);
 
 /// Camera rays, every other one followed by one in a random direction from a random place: coherent

@@ -29,6 +29,16 @@ HWY_INLINE RayLanes<BatchTag> rays_from(const RayBatch& rays, int first) {
     return lanes;
 }
 
+/// Rays of finite numbers, as safe_ray.h has it: the others hit nothing.
+HWY_INLINE hn::Mask<BatchTag> finite_rays(const RayLanes<BatchTag>& rays) {
+    const BatchTag d;
+    hn::Vec<BatchTag> sum = rays.time;
+    for (int axis = 0; axis < 3; ++axis) {
+        sum = hn::Add(sum, hn::Add(rays.origin[axis], rays.direction[axis]));
+    }
+    return hn::Eq(hn::Mul(sum, hn::Zero(d)), hn::Zero(d));
+}
+
 /// Calls `query(block, shape, test)` for each shape, until one returns true.
 template <class Blocks, class Test, class Query>
 HWY_INLINE bool each_shape(const Blocks& blocks, const Test& test, const Query& query) {
@@ -65,7 +75,9 @@ inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const RayBatch& rays,
     const Int<BatchTag> di;
     for (int first = 0; first < rays.count; first += static_cast<int>(hn::Lanes(d))) {
         const RayLanes<BatchTag> lanes = rays_from(rays, first);
-        hn::Vec<BatchTag> nearest = hn::LoadU(d, t + first);
+        const hn::Mask<BatchTag> valid_rays = finite_rays(lanes);
+        const hn::Vec<BatchTag> before = hn::LoadU(d, t + first);
+        hn::Vec<BatchTag> nearest = hn::IfThenElseZero(valid_rays, before);
         hn::Vec<Int<BatchTag>> best = hn::LoadU(di, object + first);
         all_shapes(blocks, lanes, [&](const auto& block, InAll shape, const auto& test) HWY_ATTR {
             hn::Vec<BatchTag> other_t = nearest;
@@ -82,7 +94,7 @@ inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const RayBatch& rays,
             best = hn::IfThenElse(hn::RebindMask(di, take), other, best);
             return false;
         });
-        hn::StoreU(nearest, d, t + first);
+        hn::StoreU(hn::IfThenElse(valid_rays, nearest, before), d, t + first);
         hn::StoreU(best, di, object + first);
     }
 }
@@ -91,11 +103,13 @@ inline HWY_ATTR void block(const AnalyticBlocks& blocks, const RayBatch& rays, f
     const BatchTag d;
     const hn::Vec<BatchTag> zero = hn::Zero(d);
     for (int first = 0; first < rays.count; first += static_cast<int>(hn::Lanes(d))) {
-        hn::Vec<BatchTag> reach = hn::LoadU(d, t + first);
-        if (hn::AllFalse(d, hn::Gt(reach, zero))) {
+        const hn::Vec<BatchTag> before = hn::LoadU(d, t + first);
+        if (hn::AllFalse(d, hn::Gt(before, zero))) {
             continue;
         }
         const RayLanes<BatchTag> lanes = rays_from(rays, first);
+        const hn::Mask<BatchTag> valid_rays = finite_rays(lanes);
+        hn::Vec<BatchTag> reach = hn::IfThenElseZero(valid_rays, before);
         all_shapes(blocks, lanes, [&](const auto& shapes, InAll shape, const auto& test) HWY_ATTR {
             hn::Vec<BatchTag> other_t = reach;
             const hn::Mask<BatchTag> valid = test(d, lanes, shapes, shape, other_t);
@@ -106,7 +120,7 @@ inline HWY_ATTR void block(const AnalyticBlocks& blocks, const RayBatch& rays, f
             reach = hn::IfThenElse(blocked, zero, reach);
             return hn::AllFalse(d, hn::Gt(reach, zero));
         });
-        hn::StoreU(reach, d, t + first);
+        hn::StoreU(hn::IfThenElse(valid_rays, reach, before), d, t + first);
     }
 }
 

@@ -181,21 +181,17 @@ void HybridStructure::drop_blocked(const RayBatch& rays, float* reach) const {
         return;
     }
     batch_kernels_.block(blocks_, rays, reach);
-    if (moving_.empty() && !meshes_) {
-        return;
-    }
-    for (int i = 0; i < rays.count; ++i) {
-        if (reach[i] <= 0) {
-            continue;
-        }
+    for (int i = 0; i < rays.count && !moving_.empty(); ++i) {
         const Ray ray = rays.ray(i, reach[i]);
-        const bool is_blocked =
-            is_traceable(ray) && (std::any_of(moving_.begin(), moving_.end(),
-                                              [&](const MovingShape& shape) {
-                                                  return occluded_by_moving(shape, ray);
-                                              }) ||
-                                  (meshes_ && meshes_->any_hit(ray)));
-        reach[i] = is_blocked ? 0 : reach[i];
+        const auto blocks = [&](const MovingShape& shape) {
+            return occluded_by_moving(shape, ray);
+        };
+        if (is_traceable(ray) && std::any_of(moving_.begin(), moving_.end(), blocks)) {
+            reach[i] = 0;
+        }
+    }
+    if (meshes_) {
+        meshes_->drop_blocked(rays, reach);
     }
 }
 

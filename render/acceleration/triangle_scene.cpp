@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/acceleration/embree_handles.h"
+#include "render/acceleration/safe_ray.h"
 
 namespace carom::render {
 
@@ -83,6 +84,50 @@ FanMask TriangleScene::any_hits(const RayFan& fan, FanMask asked) const {
         hits |= valid[i] != 0 && query.tfar[i] < 0 ? FanMask{1} << i : 0;
     }
     return hits;
+}
+
+// Eight of the rays that are asked for at a time.
+void TriangleScene::drop_blocked(const RayBatch& rays, float* reach) const {
+    constexpr int kPacket = 8;
+    RTCRay8 query{};
+    alignas(32) int valid[kPacket];
+    int index[kPacket];
+    int count = 0;
+    const auto ask = [&] {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        for (int i = 0; i < kPacket; ++i) {
+            valid[i] = i < count ? -1 : 0;
+        }
+        rtcOccluded8(valid, data_->scene.get(), &context, &query);
+        for (int i = 0; i < count; ++i) {
+            reach[index[i]] = query.tfar[i] < 0 ? 0 : reach[index[i]];
+        }
+        count = 0;
+    };
+    for (int i = 0; i < rays.count; ++i) {
+        if (reach[i] <= 0 || !is_traceable(rays.ray(i, reach[i]))) {
+            continue;
+        }
+        index[count] = i;
+        query.org_x[count] = rays.origin[0][i];
+        query.org_y[count] = rays.origin[1][i];
+        query.org_z[count] = rays.origin[2][i];
+        query.dir_x[count] = rays.direction[0][i];
+        query.dir_y[count] = rays.direction[1][i];
+        query.dir_z[count] = rays.direction[2][i];
+        query.tnear[count] = 0;
+        query.tfar[count] = reach[i];
+        query.time[count] = rays.time[i];
+        query.mask[count] = ~0u;
+        count += 1;
+        if (count == kPacket) {
+            ask();
+        }
+    }
+    if (count > 0) {
+        ask();
+    }
 }
 
 std::shared_ptr<const EmbreeDevice> make_embree_device() {

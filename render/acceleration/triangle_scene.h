@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "render/acceleration/ray_batch.h"
 #include "render/geometry/ray.h"
 #include "render/geometry/triangle_mesh.h"
 
@@ -35,6 +36,9 @@ class TriangleScene {
     [[nodiscard]] bool any_hit(const Ray& ray) const;
     /// The rays `asked` for of a fan of safe rays for which `any_hit` is true.
     [[nodiscard]] FanMask any_hits(const RayFan& fan, FanMask asked) const;
+
+    /// As AccelerationStructure's, for safe rays.
+    void drop_blocked(const RayBatch& rays, float* reach) const;
 
     struct Data;
     [[nodiscard]] const Data& data() const { return *data_; }

@@ -1,5 +1,7 @@
 // The structures against one another and against plain loops over scalar code.
+#include <array>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -125,6 +127,96 @@ TEST(Structures, FansWithBadRays_HitNothing) {
     fan.add(V3f(0, 0, 1), 5);
     EXPECT_EQ(structures.hybrid.any_hits(fan), 0u);
     EXPECT_EQ(structures.hybrid.any_hits(RayFan{}), 0u);
+}
+
+/// Rays side by side that own their numbers.
+struct OwnedBatch {
+    explicit OwnedBatch(const std::vector<Ray>& rays) : count(static_cast<int>(rays.size())) {
+        for (std::vector<float>& numbers : values) {
+            numbers.resize(rays.size() + 16);
+        }
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                values[axis][i] = rays[i].origin[static_cast<int>(axis)];
+                values[3 + axis][i] = rays[i].direction[static_cast<int>(axis)];
+            }
+            values[6][i] = rays[i].time;
+            values[7][i] = rays[i].t_max;
+        }
+    }
+    [[nodiscard]] RayBatch rays() const {
+        return {count,
+                {values[0].data(), values[1].data(), values[2].data()},
+                {values[3].data(), values[4].data(), values[5].data()},
+                values[6].data()};
+    }
+    int count;
+    std::array<std::vector<float>, 8> values;  // origin, direction, time, t_max
+};
+
+/// Rays of a batch that are answered differently by themselves.
+int differing_in_batches(const AccelerationStructure& structure, int count, std::uint64_t seed) {
+    TestRandom random(seed);
+    std::vector<Ray> rays;
+    for (int i = 0; i < count; ++i) {
+        rays.push_back(test::random_ray_toward(random, 3, 2));
+        rays.back().t_max = i % 3 == 0 ? kInfinity : i % 7 == 0 ? 0 : random.between(0.1f, 4);
+    }
+    OwnedBatch batch(rays);
+    std::vector<Hit> hits(rays.size());
+    structure.closest_hits(batch.rays(), hits.data());
+    structure.drop_blocked(batch.rays(), batch.values[7].data());
+    int differing = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        Ray unbounded = rays[i];
+        unbounded.t_max = kInfinity;
+        Hit alone;
+        const bool found = structure.closest_hit(unbounded, alone);
+        EXPECT_EQ(found, hits[i].object != kNoObject);
+        const bool is_same = alone.object == hits[i].object &&
+                             alone.primitive == hits[i].primitive && alone.t == hits[i].t &&
+                             alone.u == hits[i].u && alone.v == hits[i].v;
+        const float expected = rays[i].t_max > 0 && structure.any_hit(rays[i]) ? 0 : rays[i].t_max;
+        differing += is_same && batch.values[7][i] == expected ? 0 : 1;
+    }
+    return differing;
+}
+
+TEST(Structures, Batches_AreAnsweredAsTheirRays) {
+    TestRandom random(21);
+    RandomScene scene;
+    scene.add_moving(random, 6);
+    scene.add_still(random, 3);
+    constexpr std::size_t kNeverATree = 100'000;
+    for (const int count : {1, 15, 16, 17, 64, 65, 20'000}) {
+        EXPECT_EQ(differing_in_batches(HybridStructure(scene.shapes, kNeverATree), count, 22), 0);
+    }
+    EXPECT_EQ(differing_in_batches(HybridStructure(scene.shapes, 0), 20'000, 23), 0);
+    EXPECT_EQ(differing_in_batches(Structures(scene).embree, 5'000, 24), 0);
+    // Embree's own packets round otherwise at the edges of triangles.
+    scene.add_still_meshes(random, 2);
+    EXPECT_LE(differing_in_batches(HybridStructure(scene.shapes, kNeverATree), 20'000, 25), 2);
+}
+
+TEST(Structures, BatchesWithBadRays_HitNothing) {
+    TestRandom random(14);
+    RandomScene scene;
+    scene.add_still(random, 9);
+    scene.add_still_meshes(random, 2);
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    std::vector<Ray> rays(3);
+    rays[0].direction = V3f(kNan, 0, 1);
+    rays[1].origin = V3f(0, kNan, 0);
+    rays[2].origin = V3f(0, 0, kInfinity);
+    OwnedBatch batch(rays);
+    std::vector<Hit> hits(rays.size());
+    const HybridStructure structure(scene.shapes, 100'000);
+    structure.closest_hits(batch.rays(), hits.data());
+    structure.drop_blocked(batch.rays(), batch.values[7].data());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        EXPECT_EQ(hits[i].object, kNoObject) << i;
+        EXPECT_EQ(batch.values[7][i], kInfinity) << i;
+    }
 }
 
 TEST(Structures, MoreSpheresThanLanes_SameHits) {

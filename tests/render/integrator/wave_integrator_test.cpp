@@ -1,0 +1,226 @@
+// Waves make the same estimate as paths one at a time, sample by sample.
+#include "render/integrator/wave/wave_integrator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/render/integrator/integrator_scene.h"
+
+namespace carom::test {
+namespace {
+
+using render::CameraTask;
+using render::RadianceSample;
+using render::StandardMaterial;
+
+constexpr int kSide = 24;  // pixels
+constexpr int kSamples = 4;
+constexpr double kShutter = 0.02;  // s
+
+struct WaveCase {
+    std::string name;
+    std::function<void(SceneBuilder&)> furnish;
+    render::PathSettings path{};
+};
+
+StandardMaterial coated(double roughness) {
+    StandardMaterial material;
+    material.base = Vec3(0.6, 0.1, 0.1);
+    material.coat = {1, 1.5, roughness};
+    return material;
+}
+
+/// A table with balls at rest and moving, one of them turned at an impact.
+void add_table(SceneBuilder& builder) {
+    builder.diffuse("cloth", 0.3).material("ball", coated(0));
+    builder.object("table", render::BoxShape{Vec3(2, 2, 0.2)}, Vec3(0, 0, -0.1), "cloth");
+    builder.object("rail", render::BoxShape{Vec3(0.2, 2, 0.3)}, Vec3(1, 0, 0), "cloth");
+    builder.sphere("still", 0.1, Vec3(0.2, 0.3, 0.1), "ball");
+    builder.sphere("resting", 0.1, Vec3(0, 0, 0), "ball", "resting");
+    builder.sphere("moving", 0.1, Vec3(0, 0, 0), "ball", "moving");
+}
+
+std::vector<sim::Track> table_tracks() {
+    return {resting_track("resting", Vec3(-0.3, 0.2, 0.1)),
+            straight_track("moving", Vec3(-0.1, -0.2, 0.1), Vec3(0.2, -0.1, 0.1), 0, kShutter)};
+}
+
+void add_lights(SceneBuilder& builder) {
+    builder.lamp(Vec3(0, 0, 1.5), 0.4, 0.2, 6).bulb(Vec3(-0.6, 0.5, 0.8), 0.04, 40);
+    builder.environment(0.2);
+}
+
+std::vector<WaveCase> wave_cases() {
+    const auto with_lights = [](const std::function<void(SceneBuilder&)>& more) {
+        return [more](SceneBuilder& builder) {
+            add_lights(builder);
+            more(builder);
+        };
+    };
+    std::vector<WaveCase> cases;
+    cases.push_back({"LampBulbAndSky", with_lights([](SceneBuilder&) {})});
+    cases.push_back({"NoLightAtAll", [](SceneBuilder&) {}});
+    cases.push_back({"ManyLamps", [](SceneBuilder& builder) {
+                         for (int i = 0; i < 6; ++i) {
+                             builder.lamp(Vec3(0.3 * i - 0.8, 0, 1 + 0.1 * i), 0.1, 0.3, 4);
+                         }
+                     }});
+    cases.push_back({"LightsWithoutSurface", with_lights([](SceneBuilder& builder) {
+                         render::PointLight point;
+                         point.position = Vec3(0.4, -0.4, 0.7);
+                         point.intensity = Vec3(0.4, 0.5, 0.6);
+                         builder.scene.lights.push_back({"point", point});
+                     })});
+    cases.push_back({"SkyWithSun", [](SceneBuilder& builder) {
+                         render::EnvironmentLight sky;
+                         sky.sky = render::Sky{};
+                         sky.radiance = Vec3(1e-5, 1e-5, 1e-5);
+                         builder.scene.lights.push_back({"sky", sky});
+                         builder.lamp(Vec3(0, 0, 1.5), 0.4, 0.2, 6);
+                     }});
+    cases.push_back({"OtherMaterials", with_lights([](SceneBuilder& builder) {
+                         StandardMaterial glass;
+                         glass.transmission = 1;
+                         StandardMaterial chrome;
+                         chrome.metal = 1;
+                         chrome.roughness = 0.2;
+                         StandardMaterial glowing;
+                         glowing.emission = Vec3(0.5, 0.4, 0.1);
+                         builder.material("glass", glass).material("chrome", chrome);
+                         builder.material("lacquer", coated(0.2)).material("glowing", glowing);
+                         builder.sphere("a", 0.12, Vec3(0.5, 0.1, 0.12), "glass");
+                         builder.sphere("b", 0.12, Vec3(-0.5, -0.3, 0.12), "chrome");
+                         builder.sphere("c", 0.12, Vec3(0.4, -0.4, 0.12), "lacquer");
+                         builder.sphere("d", 0.06, Vec3(-0.5, 0.5, 0.06), "glowing");
+                     })});
+    cases.push_back({"TurnedAndTextured", with_lights([](SceneBuilder& builder) {
+                         StandardMaterial painted = coated(0);
+                         painted.base = render::CheckerTexture{};
+                         builder.material("painted", painted);
+                         builder.object("tile", render::RectangleShape{Vec2(0.4, 0.4)},
+                                        Vec3(-0.4, -0.4, 0.02), "painted");
+                         builder.sphere("globe", 0.15, Vec3(0.3, -0.4, 0.15), "painted");
+                     })});
+    cases.push_back({"EightBounces", with_lights([](SceneBuilder&) {}), {.max_bounces = 8}});
+    cases.push_back({"DirectLightOnly", with_lights([](SceneBuilder&) {}), {.max_bounces = 0}});
+    cases.push_back({"NoSplit", with_lights([](SceneBuilder&) {}), {.split_vertices = 0}});
+    cases.push_back({"NoCaustics", with_lights([](SceneBuilder&) {}), {.caustics = false}});
+    cases.push_back({"Clamped", with_lights([](SceneBuilder&) {}), {.clamp = 0.2f}});
+    return cases;
+}
+
+class Waves : public testing::TestWithParam<WaveCase> {};
+
+TEST_P(Waves, Gather_WhatPathsGatherOneAtATime) {
+    SceneBuilder builder;
+    add_table(builder);
+    GetParam().furnish(builder);
+    const render::RenderSettings settings = small_settings(kSide, kSide, kSamples);
+    const render::PreparedScene prepared(builder.scene, settings);
+    const auto& data = prepared.data();
+    const std::vector<sim::Track> tracks = table_tracks();
+    const render::FrameScene frame(data.geometry, tracks, 0, kShutter);
+    const render::TransportScene scene{frame, data.materials, data.lights, data.object_count};
+    ASSERT_TRUE(render::WaveIntegrator::can_do(scene, GetParam().path));
+    const render::CameraState state = camera(Vec3(0.3, -1.6, 1.1), Vec3(0, 0, 0.05), 0.8);
+    const render::ThinLensCamera lens(state, state, kSide, kSide, 0, render::PixelFilter::box, 1);
+    const render::LightReflections reflections(scene, lens);
+    const render::PathIntegrator one(scene, GetParam().path, &reflections);
+    const render::WaveIntegrator many(scene, GetParam().path, &reflections);
+
+    std::vector<CameraTask> tasks;
+    for (int i = 0; i < kSide * kSide * kSamples; ++i) {
+        const int x = i / kSamples % kSide;
+        const int y = i / kSamples / kSide;
+        const render::SampleStream stream(3, static_cast<std::uint32_t>(x),
+                                          static_cast<std::uint32_t>(y),
+                                          static_cast<std::uint32_t>(i % kSamples));
+        tasks.push_back({lens.ray(x, y, stream.camera_sample()), stream, {x, y, i % kSamples}});
+    }
+    const float spread = lens.frame_at(0).pixel_size;
+    std::vector<RadianceSample> together(tasks.size());
+    render::RenderStatistics count_together;
+    const auto workspace = many.make_workspace();
+    many.samples(tasks, spread, together, workspace.get(), count_together);
+
+    render::RenderStatistics count_alone;
+    int different = 0;
+    double sum_alone = 0;
+    double sum_together = 0;
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+        const RadianceSample alone =
+            one.sample(tasks[i].ray, spread, tasks[i].stream, tasks[i].index, count_alone);
+        EXPECT_EQ(alone.object, together[i].object) << i;
+        EXPECT_EQ(alone.coverage, together[i].coverage) << i;
+        EXPECT_LT((alone.normal - together[i].normal).length(), 1e-4f) << i;
+        EXPECT_LT((alone.albedo - together[i].albedo).length(), 1e-5f) << i;
+        const float size = alone.radiance.length() + together[i].radiance.length();
+        different += (alone.radiance - together[i].radiance).length() > 1e-3f * size ? 1 : 0;
+        sum_alone += static_cast<double>(render::luminance(alone.radiance));
+        sum_together += static_cast<double>(render::luminance(together[i].radiance));
+    }
+    // Rounding turns a path aside only where it grazes an edge.
+    EXPECT_LE(different, static_cast<int>(tasks.size()) / 100);
+    EXPECT_NEAR(sum_together, sum_alone, 1e-3 * sum_alone);
+    EXPECT_EQ(count_together.camera_rays, count_alone.camera_rays);
+    const auto near = [](std::uint64_t a, std::uint64_t b) {
+        return std::abs(static_cast<double>(a) - static_cast<double>(b)) <=
+               1e-3 * static_cast<double>(b);
+    };
+    EXPECT_PRED2(near, count_together.scattered_rays, count_alone.scattered_rays);
+    EXPECT_PRED2(near, count_together.shadow_rays, count_alone.shadow_rays);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Waves, testing::ValuesIn(wave_cases()),
+                         [](const auto& tested) { return tested.param.name; });
+
+// A sample must not know what it was traced with: frames do not depend on tiles and chunks.
+TEST(WaveIntegrator, Samples_DoNotDependOnTheirCompany) {
+    SceneBuilder builder;
+    add_table(builder);
+    add_lights(builder);
+    const render::RenderSettings settings = small_settings(kSide, kSide, 1);
+    const render::PreparedScene prepared(builder.scene, settings);
+    const auto& data = prepared.data();
+    const std::vector<sim::Track> tracks = table_tracks();
+    const render::FrameScene frame(data.geometry, tracks, 0, kShutter);
+    const render::TransportScene scene{frame, data.materials, data.lights, data.object_count};
+    const render::CameraState state = camera(Vec3(0.3, -1.6, 1.1), Vec3(0, 0, 0.05), 0.8);
+    const render::ThinLensCamera lens(state, state, kSide, kSide, 0, render::PixelFilter::box, 1);
+    const render::WaveIntegrator many(scene, {});
+    std::vector<CameraTask> tasks;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const auto x = static_cast<std::uint32_t>(i % kSide);
+        const auto y = static_cast<std::uint32_t>(i / kSide);
+        const render::SampleStream stream(3, x, y, 0);
+        tasks.push_back({lens.ray(i % kSide, i / kSide, stream.camera_sample()),
+                         stream,
+                         {i % kSide, i / kSide, 0}});
+    }
+    const auto traced = [&](std::size_t at_once) {
+        std::vector<RadianceSample> results(tasks.size());
+        render::RenderStatistics count;
+        const auto workspace = many.make_workspace();
+        for (std::size_t from = 0; from < tasks.size(); from += at_once) {
+            const std::size_t size = std::min(at_once, tasks.size() - from);
+            many.samples(std::span(tasks).subspan(from, size), 0.001f,
+                         std::span(results).subspan(from, size), workspace.get(), count);
+        }
+        return results;
+    };
+    const std::vector<RadianceSample> whole = traced(tasks.size());
+    for (const std::size_t at_once : {1u, 7u, 100u}) {
+        const std::vector<RadianceSample> parts = traced(at_once);
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+            ASSERT_EQ(whole[i].radiance, parts[i].radiance) << at_once << " " << i;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace carom::test
