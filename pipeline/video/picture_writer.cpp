@@ -24,7 +24,10 @@ void write_picture(const render::Film& film, const DisplayView& view, const std:
     PendingFile file(path);
     try {
         if (is_linear_picture(path)) {
-            render::write_exr(film, file.temporary_path(), metadata);
+            // OpenImageIO writes the time of writing otherwise: the same frame, other bytes.
+            render::ImageMetadata dated = metadata;
+            dated.emplace("DateTime", "1970:01:01 00:00:00");
+            render::write_exr(film, file.temporary_path(), dated);
         } else {
             std::vector<std::uint8_t> display = view.to_8(film);
             render::draw_text(text, display, film.width, film.height);

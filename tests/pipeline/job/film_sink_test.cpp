@@ -55,6 +55,9 @@ TEST(ImageSequence, EveryFrame_IsAFileWithItsNumber) {
     std::sort(names.begin(), names.end());
     EXPECT_THAT(names, ElementsAre("cache", "shot.0002.exr", "shot.0006.exr", "shot.0010.exr"));
     EXPECT_NE(job.picture("shot.0002.exr").rgba, job.picture("shot.0006.exr").rgba);
+    // No time of writing: the same frame is the same file tomorrow.
+    EXPECT_NE(carom::testing::read_text(job.folder.path("shot.0002.exr")).find("1970:01:01"),
+              std::string::npos);
     EXPECT_EQ(job.film("view.#.png", "6").rendered, 0) << "the same pictures in another format";
     EXPECT_THAT(job.folder.names(), Contains("view.6.png"));
 }
