@@ -11,11 +11,16 @@
 #include "render/sampling/numbers-inl.h"
 #endif
 
-HWY_BEFORE_NAMESPACE();
-namespace carom::render::HWY_NAMESPACE {
-
+#ifndef CAROM_MAKE_RAYS
+#define CAROM_MAKE_RAYS
+namespace carom::render {
 using MakeRays = void(const ThinLensCamera& camera, const CameraFixings& fixings,
                       CameraBatch& batch);
+}  // namespace carom::render
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
 
@@ -213,7 +218,7 @@ void make_rays_one_by_one(const ThinLensCamera& camera, const CameraFixings& fix
 }  // namespace
 
 void make_rays(const ThinLensCamera& camera, const CameraFixings& fixings, CameraBatch& batch) {
-    static const auto in_lanes = HWY_DYNAMIC_DISPATCH(make_rays_of_target)();
+    MakeRays* const in_lanes = HWY_DYNAMIC_DISPATCH(make_rays_of_target)();
     (in_lanes != nullptr ? in_lanes : make_rays_one_by_one)(camera, fixings, batch);
 }
 

@@ -82,12 +82,11 @@ class Material {
                !layers_.glass;
     }
 
-    /// Whether a diffuse base is all there is, but for a smooth coat over it: no other lobe, no
-    /// glass, no light of its own.
-    [[nodiscard]] bool is_diffuse_or_smoothly_coated() const {
+    /// Whether a diffuse base is all there is, but for sheen and a smooth coat over it: no other
+    /// lobe, no glass, no light of its own.
+    [[nodiscard]] bool is_plain() const {
         return !is_phong_ && !is_emissive() && !layers_.glass && layers_.metal == 0 &&
-               layers_.specular == 0 && layers_.sheen == 0 &&
-               (layers_.coat_weight == 0 || layers_.coat_alpha == 0);
+               layers_.specular == 0 && (layers_.coat_weight == 0 || layers_.coat_alpha == 0);
     }
 
   private:

@@ -77,7 +77,8 @@ struct PathWave {
     }
 };
 
-/// What a wave has met: vertices whose surfaces are a diffuse base and, on some, a smooth coat.
+/// What a wave has met: vertices whose surfaces are a diffuse base, on some under the sheen of
+/// cloth, on some under a smooth coat.
 struct VertexWave {
     int count = 0;
     Words path;  // index in the PathWave
@@ -88,6 +89,8 @@ struct VertexWave {
     Floats offset;                     // m
     Floats3 base;
     Floats coat_weight, coat_ior;
+    Floats3 sheen;       // scale of sheen.h's lobe
+    Floats sheen_share;  // of the light that the sheen takes from the base
 };
 
 /// Shadow rays of a wave's vertices: of each vertex `rays` at most, the first ones of all

@@ -78,6 +78,8 @@ inline HWY_ATTR void find_surfaces(const WaveScene& scene, const PathWave& paths
               vertices.base, i);
         store(by_object(objects.coat_weight, object), vertices.coat_weight, i);
         store(by_object(objects.coat_ior, object), vertices.coat_ior, i);
+        store(all(V3f(0, 0, 0)), vertices.sheen, i);
+        store(all(0.f), vertices.sheen_share, i);
     }
 }
 

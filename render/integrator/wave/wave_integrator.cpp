@@ -11,6 +11,8 @@ namespace {
 // Deeper paths are rare, and roulette decides about them: they are followed one by one.
 constexpr int kLastVertex = 4;
 
+constexpr float kLeastCosine = 1e-4f;  // as in bsdf.cpp
+
 WaveLight known_light(const LightSet& lights, std::size_t index) {
     WaveLight light;
     light.is_environment = lights.is_environment(index);
@@ -43,9 +45,9 @@ void add_object(const TransportScene& scene, std::uint32_t object, WaveObjects& 
     using Kind = WaveObjects::Kind;
     const auto shape = scene.frame.simple_shape(object);
     const Material* material = shape ? &scene.materials[shape->material] : nullptr;
-    const auto base = material != nullptr && material->is_diffuse_or_smoothly_coated()
-                          ? material->constant_base()
-                          : std::nullopt;
+    const bool is_simple =
+        material != nullptr && material->is_plain() && material->layers().sheen == 0;
+    const auto base = is_simple ? material->constant_base() : std::nullopt;
     const bool is_box = shape && shape->kind == FrameScene::SimpleShape::Kind::upright_box;
     const Kind kind = is_box                  ? Kind::box
                       : shape && shape->moves ? Kind::moving_ball
@@ -121,7 +123,7 @@ WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& 
     CAROM_ASSERT(can_do(scene, settings));
     for (std::uint32_t object = 0; object < scene.first_light_object; ++object) {
         const Material& material = scene.materials[scene.frame.material(object)];
-        is_plain_.push_back(material.is_diffuse_or_smoothly_coated());
+        is_plain_.push_back(material.is_plain());
     }
     if (!scene.lights.environment().is_sampled()) {
         constant_sky_ = scene.lights.environment().radiance(V3f(0, 0, 1));
@@ -300,6 +302,13 @@ void WaveIntegrator::add_other_vertex(int path, Wave& wave) const {
     vertices.base.set(i, surface.base);
     vertices.coat_weight.at[i] = surface.layers->coat_weight;
     vertices.coat_ior.at[i] = surface.layers->coat_ior;
+    const float sheen = surface.layers->sheen;
+    const V3f& colour = surface.layers->sheen_colour;
+    const float height = std::max(-(surface.frame.z ^ alone.ray.direction), kLeastCosine);
+    vertices.sheen.set(i, colour * sheen);
+    vertices.sheen_share.at[i] = sheen > 0 ? sheen * surface.layers->sheen_albedo.at(height) *
+                                                 std::max({colour.x, colour.y, colour.z})
+                                           : 0;
 }
 
 void WaveIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {

@@ -35,8 +35,7 @@ namespace carom::render {
 HWY_EXPORT(wave_kernels_of_target);
 
 const WaveKernels* best_wave_kernels() {
-    static const WaveKernels* const kernels = HWY_DYNAMIC_DISPATCH(wave_kernels_of_target)();
-    return kernels;
+    return HWY_DYNAMIC_DISPATCH(wave_kernels_of_target)();
 }
 
 int WaveScene::first_rays() const {

@@ -22,7 +22,10 @@ struct VertexLanes {
     F coat;
     F coat_choice;
     V3 diffuse;
-    M scatters;  // has a diffuse base
+    bool has_sheen;  // some of them
+    V3 sheen;
+    F choose_sheen;  // probability of the base being sampled by it
+    M scatters;      // has a base that is not black
     M splits;
     U place;
     F total_importance, environment_samples;
@@ -50,8 +53,21 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
     if (!hn::AllFalse(d, hn::Gt(coat_weight, all(0.f)))) {
         v.coat = coat_weight * fresnel_dielectric(v.wo_z, load(in.coat_ior, first));
     }
-    v.diffuse = load(in.base, first) * (all(1.f) - v.coat);
-    const F base = largest(v.diffuse);
+    const F rest = all(1.f) - v.coat;
+    const F sheen_share = load(in.sheen_share, first);
+    v.has_sheen = !hn::AllFalse(d, hn::And(v.valid, hn::Gt(sheen_share, all(0.f))));
+    v.diffuse = load(in.base, first) * rest;
+    v.sheen = all(V3f(0, 0, 0));
+    v.choose_sheen = all(0.f);
+    F base = largest(v.diffuse);
+    if (v.has_sheen) {
+        v.diffuse = load(in.base, first) * (rest * (all(1.f) - hn::Min(all(1.f), sheen_share)));
+        v.sheen = load(in.sheen, first) * rest;
+        const F by_sheen = sheen_share * rest;
+        const F by_both = by_sheen + largest(v.diffuse);
+        v.choose_sheen = select(hn::Gt(by_both, all(0.f)), by_sheen / by_both, all(0.f));
+        base = largest(v.diffuse) + largest(v.sheen);
+    }
     v.scatters = hn::And(v.valid, hn::Gt(base, all(0.f)));
     const M is_coated = hn::Gt(v.coat, all(0.f));
     const F share = hn::Min(hn::Max(v.coat / (v.coat + base), all(kLeastChoice)), all(kMostChoice));
@@ -67,9 +83,37 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
     return v;
 }
 
-/// Probability of a direction being sampled as the base's, beside the cosine over pi.
+/// Probability of a direction being sampled as the base's.
 HWY_INLINE F base_probability(const VertexLanes& v) {
     return select(v.splits, all(1.f), all(1.f) - v.coat_choice);
+}
+
+/// The base's BSDF times the cosine of `wi`, in shares of the diffuse lobe's density and of the
+/// sheen's.
+struct BaseLanes {
+    F diffuse, sheen;
+    F pdf;  // of sampling the base
+};
+
+/// As Bsdf's evaluate_base and sheen.h, for `wi` at this cosine to the normal, above 0.
+HWY_INLINE BaseLanes base_towards(const VertexLanes& v, const V3& wi, F cosine) {
+    BaseLanes base{cosine * all(kInversePi), all(0.f), all(0.f)};
+    base.pdf = base.diffuse;
+    if (v.has_sheen) {
+        const V3 h = v.wo + wi;
+        const F height = v.wo_z + cosine;
+        const F sine2 = hn::Max(all(0.f), all(1.f) - height * height / dot(h, h));
+        const F density = all(2.5f * kInversePi) * sine2 * hn::Sqrt(sine2);
+        base.sheen = density * cosine / (all(4.f) * (cosine + v.wo_z - cosine * v.wo_z));
+        base.pdf =
+            (all(1.f) - v.choose_sheen) * base.diffuse + v.choose_sheen * all(0.5f * kInversePi);
+    }
+    return base;
+}
+
+HWY_INLINE V3 value_of(const VertexLanes& v, const BaseLanes& base) {
+    const V3 diffuse = v.diffuse * base.diffuse;
+    return v.has_sheen ? diffuse + v.sheen * base.sheen : diffuse;
 }
 
 /// Writes shadow rays as number `k` of their vertices. `expected`: how many directions towards the
@@ -79,12 +123,12 @@ HWY_INLINE void seek(const WaveStep& step, const VertexLanes& v, const LightLane
     constexpr float kShadowReach = 1.0f - 2e-4f;
     const F cosine = dot(v.frame.z, light.direction);
     const F side = dot(v.geometric_normal, light.direction);
-    const F density = hn::Max(cosine, all(0.f)) * all(kInversePi);
+    const BaseLanes base = base_towards(v, light.direction, hn::Max(cosine, all(0.f)));
     const F pdf = light.pdf * expected;
-    const F weight = power_heuristic(pdf, base_probability(v) * density);
+    const F weight = power_heuristic(pdf, base_probability(v) * base.pdf);
     const M shines = hn::And(hn::And(wanted, light.valid),
-                             hn::And(hn::Gt(side, all(0.f)), hn::Gt(density, all(0.f))));
-    const V3 value = v.throughput * v.diffuse * light.radiance * (density * weight / pdf);
+                             hn::And(hn::Gt(side, all(0.f)), hn::Gt(cosine, all(0.f))));
+    const V3 value = v.throughput * value_of(v, base) * light.radiance * (weight / pdf);
     const M seen = hn::And(shines, hn::Gt(largest(value), all(0.f)));
     ShadowWave& out = step.shadows;
     const int at = k * out.stride + v.first;
@@ -265,12 +309,22 @@ HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const V2& u,
     const M bases = hn::AndNot(takes_coat, v.scatters);
     const M stretches = hn::And(by_chance, hn::Gt(v.coat_choice, all(0.f)));
     const F u_x = select(stretches, stretched(u.x, v.coat_choice), u.x);
-    const V3 wi = sample_cosine_hemisphere({u_x, u.y});
     const F probability = base_probability(v);
+    V3 wi = sample_cosine_hemisphere({u_x, u.y});
+    if (v.has_sheen) {
+        const M by_sheen = hn::Lt(u_x, v.choose_sheen);
+        const F rest =
+            select(hn::Lt(v.choose_sheen, all(1.f)), stretched(u_x, v.choose_sheen), u_x);
+        const F used = select(hn::Gt(v.choose_sheen, all(0.f)), rest, u_x);
+        wi = select(by_sheen, sample_cone({used, u.y}, all(1.f)),
+                    sample_cosine_hemisphere({used, u.y}));
+    }
     Onward scattered;
     scattered.direction = unit(v.frame.to_world(wi));
-    scattered.weight = v.diffuse * (all(1.f) / probability);
-    scattered.pdf = probability * wi.z * all(kInversePi);
+    const BaseLanes base = base_towards(v, scattered.direction, hn::Max(wi.z, all(0.f)));
+    scattered.pdf = probability * base.pdf;
+    scattered.weight = v.has_sheen ? value_of(v, base) * (all(1.f) / scattered.pdf)
+                                   : v.diffuse * (all(1.f) / probability);
     const F lobe = hn::Min(all(kLobeShare) / hn::Sqrt(scattered.pdf), all(kWidestSpread));
     scattered.spread = hn::Max(spread, lobe);
     scattered.branch = hn::IfThenElse(hn::RebindMask(di, splits), branch + branch + one, branch);

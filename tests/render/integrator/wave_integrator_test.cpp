@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include "tests/render/integrator/integrator_scene.h"
 
@@ -105,6 +106,23 @@ std::vector<WaveCase> wave_cases() {
                          builder.object("tile", render::RectangleShape{Vec2(0.4, 0.4)},
                                         Vec3(-0.4, -0.4, 0.02), "painted");
                          builder.sphere("globe", 0.15, Vec3(0.3, -0.4, 0.15), "painted");
+                     })});
+    cases.push_back({"ClothAndVelvet", with_lights([](SceneBuilder& builder) {
+                         StandardMaterial cloth;
+                         cloth.base = render::ClothTexture{};
+                         cloth.sheen = 0.3;
+                         cloth.sheen_colour = Vec3(0.4, 0.8, 0.7);
+                         cloth.bump = 0.5;
+                         StandardMaterial velvet = coated(0);
+                         velvet.sheen = 0.8;
+                         StandardMaterial dust = cloth;
+                         dust.base = Vec3(0, 0, 0);
+                         builder.material("nap", cloth).material("velvet", velvet);
+                         builder.material("dust", dust);
+                         builder.object("bed", render::BoxShape{Vec3(1, 1, 0.02)},
+                                        Vec3(-0.5, 0.2, 0), "nap");
+                         builder.sphere("pillow", 0.15, Vec3(0.3, -0.4, 0.15), "velvet");
+                         builder.sphere("soot", 0.1, Vec3(-0.3, -0.5, 0.1), "dust");
                      })});
     cases.push_back({"EightBounces", with_lights([](SceneBuilder&) {}), {.max_bounces = 8}});
     cases.push_back({"DirectLightOnly", with_lights([](SceneBuilder&) {}), {.max_bounces = 0}});
@@ -220,6 +238,31 @@ TEST(WaveIntegrator, Samples_DoNotDependOnTheirCompany) {
             ASSERT_EQ(whole[i].radiance, parts[i].radiance) << at_once << " " << i;
         }
     }
+}
+
+std::vector<float> small_picture() {
+    SceneBuilder builder;
+    add_table(builder);
+    add_lights(builder);
+    const render::RenderSettings settings = small_settings(kSide, kSide, 16);
+    const render::PreparedScene prepared(builder.scene, settings);
+    render::FrameInput frame = still_frame(camera(Vec3(0.3, -1.6, 1.1), Vec3(0, 0, 0.05), 0.8));
+    frame.scene_close = kShutter;
+    return render::render_frame(prepared, table_tracks(), frame, settings).rgba;
+}
+
+// What a frame is called in the store does not say how wide the vectors were.
+TEST(WaveIntegrator, WiderVectors_GiveTheSameBits) {
+    const std::int64_t targets = hwy::SupportedTargets();
+    constexpr std::int64_t kWider = HWY_AVX3 | HWY_AVX3_DL;
+    if ((targets & kWider) == 0) {
+        GTEST_SKIP() << "this processor has none";
+    }
+    const std::vector<float> wide = small_picture();
+    hwy::DisableTargets(kWider);
+    const std::vector<float> narrow = small_picture();
+    hwy::DisableTargets(0);
+    EXPECT_EQ(wide, narrow);
 }
 
 }  // namespace
