@@ -125,11 +125,10 @@ TEST(Overlay, InPictures_IsInThoseOfADisplayOnly) {
     job.shot.output.overlay.show = {OverlayItem::frame};
     job.film("b.##.png");
     job.film("b.##.exr");
-    EXPECT_NE(job.bytes("a.10.png"), job.bytes("b.10.png"));
-    EXPECT_EQ(job.bytes("a.10.exr"), job.bytes("b.10.exr"));
-    // The ball rests from frame 8 on: the same picture, but another number.
-    EXPECT_EQ(job.bytes("a.10.exr").size(), job.bytes("a.11.exr").size());
-    EXPECT_NE(job.bytes("b.10.png"), job.bytes("b.11.png"));
+    // Files hold the time at which they were written, always as many digits.
+    EXPECT_GT(job.bytes("b.10.png").size(), job.bytes("a.10.png").size() + 50);
+    EXPECT_EQ(render::read_exr(job.folder.path("b.10.exr")).rgba,
+              render::read_exr(job.folder.path("a.10.exr")).rgba);
 }
 
 }  // namespace
