@@ -228,8 +228,8 @@ V3f DirectLight::scattered(const ShadingVertex& vertex, const V3f& direction,
     return sum;
 }
 
-float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float distance,
-                                     float cosine) const {
+// `pdf`: of sampling the direction, given the light.
+float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float pdf) const {
     const LastScattering& last = path.last;
     if (last.is_delta || strategy_ == DirectStrategy::scattering_only) {
         return 1;
@@ -242,18 +242,23 @@ float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float 
                              last.total_importance
                        : 0.0f;
     }
-    const float light_pdf =
-        expected * scene_.lights.pdf(light, last.position, path.ray.direction, distance, cosine);
     if (strategy_ == DirectStrategy::lights_only) {
-        return light_pdf > 0 ? 0.0f : 1.0f;
+        return expected * pdf > 0 ? 0.0f : 1.0f;
     }
-    return power_heuristic(last.pdf, light_pdf);
+    return power_heuristic(last.pdf, expected * pdf);
+}
+
+float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float distance,
+                                     float cosine) const {
+    return weight_of_meeting(
+        path, light,
+        scene_.lights.pdf(light, path.last.position, path.ray.direction, distance, cosine));
 }
 
 V3f DirectLight::met(const Path& path, const Hit& hit) const {
     const std::size_t light = scene_.light_of(hit);
     const V3f radiance = scene_.lights.emitted(light, -path.ray.direction);
-    return is_dark(radiance) ? radiance : radiance * weight_of_meeting(path, light, hit.t);
+    return is_dark(radiance) ? radiance : radiance * weight_of_meeting(path, light, hit.t, 0);
 }
 
 V3f DirectLight::met_object(const Path& path, const Hit& hit, const V3f& radiance,
@@ -264,10 +269,10 @@ V3f DirectLight::met_object(const Path& path, const Hit& hit, const V3f& radianc
 
 V3f DirectLight::environment(const Path& path) const {
     const Environment& environment = scene_.lights.environment();
-    const V3f radiance = environment.radiance(path.ray.direction);
+    const Environment::Seen seen = environment.seen(path.ray.direction);
     return environment.is_sampled()
-               ? radiance * weight_of_meeting(path, scene_.lights.area_light_count(), kInfinity)
-               : radiance;
+               ? seen.radiance * weight_of_meeting(path, scene_.lights.area_light_count(), seen.pdf)
+               : seen.radiance;
 }
 
 }  // namespace carom::render

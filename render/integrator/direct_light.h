@@ -74,8 +74,9 @@ class DirectLight {
     [[nodiscard]] float samples_of(std::size_t light) const;
     [[nodiscard]] V3f scattered(const ShadingVertex& vertex, const V3f& direction,
                                 float light_pdf) const;
+    [[nodiscard]] float weight_of_meeting(const Path& path, std::size_t light, float pdf) const;
     [[nodiscard]] float weight_of_meeting(const Path& path, std::size_t light, float distance,
-                                          float cosine = 0) const;
+                                          float cosine) const;
 
     TransportScene scene_;
     DirectStrategy strategy_;

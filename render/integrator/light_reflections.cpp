@@ -36,7 +36,7 @@ struct Extent {
 }  // namespace
 
 LightReflections::LightReflections(const TransportScene& scene, const ThinLensCamera& camera)
-    : scene_(scene), camera_(camera) {
+    : scene_(scene), camera_(camera), light_count_(scene.lights.area_light_count()) {
     for (const MirrorBall& ball : mirror_balls(scene)) {
         for (std::size_t light = 0; light < scene.lights.area_light_count(); ++light) {
             const float travel = 0.5f * ball.centres.size().length();
@@ -68,13 +68,9 @@ void LightReflections::consider(const MirrorBall& ball, std::size_t light) {
     }
     if (found > 0 && area < kLargestImage * static_cast<float>(found)) {
         pairs_.push_back({ball, light, std::clamp(kPerPixel * extent.area(), kFewest, kMost)});
+        covered_.resize(std::max(covered_.size(), (ball.object + 1) * light_count_));
+        covered_[ball.object * light_count_ + light] = true;
     }
-}
-
-bool LightReflections::covers(std::uint32_t object, std::size_t light) const {
-    return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
-        return pair.ball.object == object && pair.light == light;
-    });
 }
 
 std::vector<Splat> LightReflections::splats(std::size_t index, double samples, std::uint64_t seed,

@@ -29,7 +29,10 @@ class LightReflections {
     [[nodiscard]] std::size_t pair_count() const { return pairs_.size(); }
 
     /// Whether the image of `light` in the ball `object` is found here.
-    [[nodiscard]] bool covers(std::uint32_t object, std::size_t light) const;
+    [[nodiscard]] bool covers(std::uint32_t object, std::size_t light) const {
+        const std::size_t at = object * light_count_ + light;
+        return at < covered_.size() && covered_[at];
+    }
 
     /// The image of one pair, for pictures with `samples` per pixel. A function of its arguments;
     /// adds to `count`.
@@ -54,7 +57,9 @@ class LightReflections {
 
     TransportScene scene_;
     const ThinLensCamera& camera_;
+    std::size_t light_count_ = 0;
     std::vector<Pair> pairs_;
+    std::vector<bool> covered_;  // by object, then by light
 };
 
 }  // namespace carom::render

@@ -127,11 +127,20 @@ std::optional<LightSample> Environment::sample(const V2f& u) const {
 }
 
 float Environment::pdf(const V3f& direction) const {
+    return is_sampled() ? pdf_at(direction, picture_from_direction(direction)) : 0;
+}
+
+float Environment::pdf_at(const V3f& direction, const V2f& uv) const {
     const float sine = std::sqrt(direction.x * direction.x + direction.y * direction.y);
-    if (!is_sampled() || sine <= 0) {
-        return 0;
+    return sine > 0 ? distribution_.pdf(uv) / (kTurn * kPi * sine) : 0;
+}
+
+Environment::Seen Environment::seen(const V3f& direction) const {
+    if (!is_sampled()) {
+        return {scale_, 0};
     }
-    return distribution_.pdf(picture_from_direction(direction)) / (kTurn * kPi * sine);
+    const V2f uv = picture_from_direction(direction);
+    return {picture_radiance(uv), pdf_at(direction, uv)};
 }
 
 float Environment::importance() const {

@@ -37,6 +37,14 @@ class Environment {
         return picture_radiance(sample.place);
     }
 
+    /// What a ray that leaves the scene finds.
+    struct Seen {
+        V3f radiance;
+        float pdf = 0;  // of `sample`, 1/sr
+    };
+    /// `radiance` and `pdf` at one go.
+    [[nodiscard]] Seen seen(const V3f& direction) const;
+
     /// Of `sample`, 1/sr; 0 if not `is_sampled`.
     [[nodiscard]] float pdf(const V3f& direction) const;
 
@@ -45,6 +53,7 @@ class Environment {
 
   private:
     [[nodiscard]] V2f picture_from_direction(const V3f& direction) const;
+    [[nodiscard]] float pdf_at(const V3f& direction, const V2f& uv) const;
     [[nodiscard]] V3f picture_radiance(const V2f& uv) const;
     /// x in [-1, width], y in [-1, height]: the borders repeat what lies beyond them.
     [[nodiscard]] V3f pixel(int x, int y) const;
