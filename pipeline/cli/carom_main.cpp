@@ -13,6 +13,7 @@
 #include "pipeline/cli/command_line.h"
 #include "pipeline/cli/light_commands.h"
 #include "pipeline/cli/overload.h"
+#include "pipeline/cli/plan_command.h"
 
 namespace {
 
@@ -48,6 +49,7 @@ void run(const Command& command, CommandContext& context) {
                    [&](const ReportCommand& report) { run_report(report, context); },
                    [&](const ImportCommand& import_) { run_import(import_, context); },
                    [&](const CacheCommand& cache) { run_cache(cache, context); },
+                   [&](const PlanCommand& plan) { run_plan(plan, context); },
                    [](const RenderCommand&) {},  // never here: needs_renderer
                    [](const RetimeCommand&) {},
                    [](const FrameCommand&) {},

@@ -42,6 +42,7 @@ struct Targets {
     ImportCommand import_;
     MuxCommand mux;
     CacheCommand cache;
+    PlanCommand plan;
 };
 
 void add_input(CLI::App& app, InputOptions& input, const char* name, const char* what) {
@@ -246,6 +247,25 @@ void add_report(CLI::App& app, Targets& targets) {
                    "\nEvents with speeds and cut angles; how each object moved and ended; energy.");
 }
 
+void add_plan(CLI::App& app, Targets& targets) {
+    CLI::App& command = *app.add_subcommand("plan", "draw a shot from above");
+    PlanCommand& plan = targets.plan;
+    add_input(command, plan.input, "SHOT|BAKE", "a shot or a bake");
+    add_camera_file(command, plan.input);
+    add_output(command, plan.output,
+               "the drawing, .svg (else the shot's name and .svg; - is standard output)");
+    command
+        .add_option("--page", plan.page,
+                    "what it is read on: auto (as the browser prefers), light or dark")
+        ->option_text("NAME")
+        ->check(CLI::IsMember({"auto", "light", "dark"}));
+    add_cache(command, plan.cache);
+    add_talk(command, targets);
+    command.footer(example("  carom plan break.yaml -o break.svg") +
+                   "\nThe table to scale with balls, paths, numbered events and cameras, and what "
+                   "each\ncamera shows when.");
+}
+
 void add_import(CLI::App& app, Targets& targets) {
     CLI::App& command =
         *app.add_subcommand("import", "make a shot of a scene in the older text format");
@@ -346,6 +366,9 @@ Command chosen_command(const CLI::App& app, Targets& targets) {
     if (name == "report") {
         return std::move(targets.report);
     }
+    if (name == "plan") {
+        return std::move(targets.plan);
+    }
     if (name == "mux") {
         return std::move(targets.mux);
     }
@@ -411,6 +434,7 @@ std::variant<CommandLine, NothingToRun> parse_command_line(
     add_check(app, targets);
     add_export(app, targets);
     add_report(app, targets);
+    add_plan(app, targets);
     add_import(app, targets);
     add_mux(app, targets);
     add_cache_actions(app, targets);

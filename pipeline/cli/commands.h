@@ -103,6 +103,13 @@ struct ReportCommand {
     bool json = false;
 };
 
+struct PlanCommand {
+    InputOptions input;
+    CacheOptions cache;
+    std::string output;         // empty: the shot's name and .svg in the current folder
+    std::string page = "auto";  // or "light", "dark"
+};
+
 struct ImportCommand {
     std::string scene;   // of the older text format
     std::string output;  // empty: the scene's name and .yaml in the current folder
@@ -112,7 +119,8 @@ struct ImportCommand {
 };
 
 using Command = std::variant<RenderCommand, RetimeCommand, BakeCommand, FrameCommand, CheckCommand,
-                             ExportCommand, ReportCommand, ImportCommand, MuxCommand, CacheCommand>;
+                             ExportCommand, ReportCommand, ImportCommand, MuxCommand, CacheCommand,
+                             PlanCommand>;
 
 struct CommandLine {
     TalkOptions talk;

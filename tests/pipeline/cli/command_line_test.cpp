@@ -33,7 +33,7 @@ TEST(CommandLine, Help_StartsWithThreeRealCommands) {
 
 TEST(CommandLine, EveryCommandsHelp_HasAnExampleThatParses) {
     for (const std::string name :
-         {"render", "retime", "bake", "frame", "check", "export", "report"}) {
+         {"render", "retime", "bake", "frame", "check", "export", "report", "plan"}) {
         const NothingToRun help = refused({name, "--help"});
         EXPECT_EQ(help.exit_code, 0);
         const std::size_t at = help.out.find("Example:\n  carom ");
@@ -169,7 +169,7 @@ TEST(CommandLine, NoArguments_GiveTheHelpOnStderr) {
 
 TEST(CommandLine, Help_FitsEightyColumns) {
     for (const std::string name :
-         {"render", "bake", "frame", "check", "export", "report", "--help"}) {
+         {"render", "bake", "frame", "check", "export", "report", "plan", "--help"}) {
         std::istringstream lines(refused({name, "--help"}).out);
         for (std::string line; std::getline(lines, line);) {
             EXPECT_LE(line.size(), 80U) << line;

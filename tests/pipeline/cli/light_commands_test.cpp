@@ -68,7 +68,7 @@ TEST_F(LightCommands, CheckWithJson_IsOneObjectPerLine) {
 
 TEST_F(LightCommands, MissingShot_IsExitCode2) {
     for (const std::string name : {"none.yaml", "none.bake"}) {
-        for (const std::string command : {"check", "export", "bake", "report"}) {
+        for (const std::string command : {"check", "export", "bake", "report", "plan"}) {
             const RunResult result = run({command, name});
             EXPECT_EQ(result.exit_code, 2) << command << " " << name;
             EXPECT_THAT(result.err, HasSubstr(name));
@@ -107,7 +107,7 @@ TEST_F(LightCommands, DamagedBake_IsExitCode2) {
     std::string bytes = text_of("tiny.bake");
     bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
     write_text(path("tiny.bake"), bytes);
-    for (const std::string command : {"check", "export", "render", "report"}) {
+    for (const std::string command : {"check", "export", "render", "report", "plan"}) {
         const RunResult result = run({command, "tiny.bake"});
         EXPECT_EQ(result.exit_code, 2) << command;
         EXPECT_THAT(result.err, HasSubstr("tiny.bake"));

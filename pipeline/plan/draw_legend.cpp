@@ -1,0 +1,151 @@
+#include <algorithm>
+
+#include "pipeline/plan/plan_drawing.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+constexpr double kText = 2.4;
+constexpr double kLine = 5;
+constexpr double kBall = 1.8;  // radius, mm
+constexpr std::size_t kMostObjects = 6;
+
+/// Places entries from left to right, line by line.
+class Flow {
+  public:
+    explicit Flow(double y) : y_(y) {}
+
+    /// Where an entry of that width begins; the middle of its line.
+    Vec2 next(double width) {
+        if (x_ > kMargin && x_ + width > kPageWidth - kMargin) {
+            x_ = kMargin;
+            y_ += kLine;
+        }
+        const Vec2 at(x_, y_ + kLine / 2);
+        x_ += width + 4;
+        return at;
+    }
+    void new_line() {
+        if (x_ > kMargin) {
+            x_ = kMargin;
+            y_ += kLine;
+        }
+    }
+    [[nodiscard]] double bottom() const { return x_ > kMargin ? y_ + kLine : y_; }
+
+  private:
+    double x_ = kMargin;
+    double y_ = 0;
+};
+
+void draw_text(SvgText& svg, const std::string& text, const Vec2& at) {
+    svg.text(
+        "text", text,
+        {{"x", svg_number(at.x)}, {"y", svg_number(at.y + 0.85)}, {"style", "font-size:2.4px"}});
+}
+
+void draw_balls(PlanDrawing& plan, Flow& flow) {
+    std::size_t solids = 0;
+    for (const PlanObject& object : plan.objects) {
+        const std::string& name = object.track->name();
+        if (!object.radius && ++solids > kMostObjects) {
+            continue;
+        }
+        const Vec2 at = flow.next(2 * kBall + 1 + text_width(name, kText));
+        if (object.radius) {
+            draw_ball(plan.svg, object.paint, at + Vec2(kBall, 0), kBall);
+        } else {
+            plan.svg.leaf("rect", {{"class", "ball"},
+                                   {"fill", object.paint.colour},
+                                   {"x", svg_number(at.x + 0.6)},
+                                   {"y", svg_number(at.y - 1.2)},
+                                   {"width", "2.4"},
+                                   {"height", "2.4"}});
+        }
+        draw_text(plan.svg, name, at + Vec2(2 * kBall + 1, 0));
+    }
+    if (solids > kMostObjects) {
+        const std::string more = "and " + std::to_string(solids - kMostObjects) + " more objects";
+        draw_text(plan.svg, more, flow.next(text_width(more, kText)));
+    }
+}
+
+void draw_line_style(PlanDrawing& plan, Flow& flow, const std::string& kind,
+                     const std::string& text) {
+    constexpr double kSample = 9;
+    const Vec2 at = flow.next(kSample + 1.5 + text_width(text, kText));
+    const std::string way = svg_path({at, at + Vec2(kSample, 0)}, false);
+    if (kind != "moving") {
+        plan.svg.leaf("path", {{"class", "casing " + kind}, {"d", way}});
+    }
+    plan.svg.leaf("path", {{"class", "path " + kind}, {"stroke", "#c8a24a"}, {"d", way}});
+    draw_text(plan.svg, text, at + Vec2(kSample + 1.5, 0));
+}
+
+void draw_states(PlanDrawing& plan, Flow& flow) {
+    ObjectPaint paint;
+    paint.colour = "#c8a24a";
+    const auto entry = [&](const std::string& text) {
+        const Vec2 at = flow.next(2 * kBall + 1 + text_width(text, kText));
+        draw_text(plan.svg, text, at + Vec2(2 * kBall + 1, 0));
+        return at + Vec2(kBall, 0);
+    };
+    draw_ball(plan.svg, paint, entry("at the start"), kBall);
+    const auto circle = [&](const char* name, const Vec2& centre, double radius) {
+        return SvgText::Attributes{{"class", name},
+                                   {"cx", svg_number(centre.x)},
+                                   {"cy", svg_number(centre.y)},
+                                   {"r", svg_number(radius)}};
+    };
+    auto ghost = circle("ghost", entry("at an impact"), kBall);
+    ghost.emplace_back("fill", paint.colour);
+    plan.svg.leaf("circle", ghost);
+    const Vec2 end = entry("at the end, or potted");
+    auto edge = circle("ring-edge", end, kBall - 0.3);
+    edge.insert(edge.end(), {{"stroke-width", "1"}, {"fill", "none"}});
+    plan.svg.leaf("circle", edge);
+    auto ring = circle("ring cloth", end, kBall - 0.3);
+    ring.emplace_back("stroke", paint.colour);
+    plan.svg.leaf("circle", ring);
+}
+
+bool has_motion(const PlanDrawing& plan, Motion motion) {
+    return std::any_of(plan.objects.begin(), plan.objects.end(), [&](const PlanObject& object) {
+        return std::any_of(object.motion.begin(), object.motion.end(),
+                           [&](const MotionStretch& s) { return s.motion == motion; });
+    });
+}
+
+}  // namespace
+
+double draw_legend(PlanDrawing& plan, double y) {
+    Flow flow(y);
+    plan.svg.open("g", {{"id", "legend"}});
+    draw_balls(plan, flow);
+    flow.new_line();
+    draw_states(plan, flow);
+    draw_line_style(plan, flow, "sliding", "sliding");
+    draw_line_style(plan, flow, "rolling", "rolling");
+    draw_line_style(plan, flow, "airborne", "airborne");
+    if (has_motion(plan, Motion::moving)) {
+        draw_line_style(plan, flow, "moving", "an object's centre");
+    }
+    const std::string camera = "a camera's way, and what it sees at both ends";
+    if (!plan.rigs.empty()) {
+        const Vec2 at = flow.next(10 + text_width(camera, kText));
+        plan.svg.leaf("path", {{"class", "cone"},
+                               {"fill", rig_colour(0)},
+                               {"stroke", rig_colour(0)},
+                               {"d", svg_path({at, at + Vec2(8, -1.7), at + Vec2(8, 1.7)}, true)}});
+        plan.svg.leaf("circle", {{"cx", svg_number(at.x)},
+                                 {"cy", svg_number(at.y)},
+                                 {"r", "0.9"},
+                                 {"fill", rig_colour(0)}});
+        draw_text(plan.svg, camera, at + Vec2(9.5, 0));
+    }
+    plan.svg.close();
+    return flow.bottom();
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,108 @@
+// The parts of a plan that can be told apart from the drawing.
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "pipeline/plan/footprint.h"
+#include "pipeline/plan/label_placer.h"
+#include "pipeline/plan/motion_stretches.h"
+#include "pipeline/plan/sheet.h"
+#include "pipeline/plan/svg_text.h"
+
+namespace carom::pipeline {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(SvgText, HostileText_IsEscapedAndStaysUtf8) {
+    SvgText svg;
+    svg.text("text", "a<b>&\"c\x01\xff é →", {{"id", "\"<x"}});
+    EXPECT_THAT(svg.finish(), HasSubstr("<text id=\"&quot;&lt;x\">a&lt;b&gt;&amp;&quot;c"
+                                        "\xEF\xBF\xBD\xEF\xBF\xBD é →</text>"));
+}
+
+TEST(SvgNumber, NeverNegativeZeroNorNeedlessZeros) {
+    EXPECT_EQ(svg_number(-0.001), "0");
+    EXPECT_EQ(svg_number(12.5), "12.5");
+    EXPECT_EQ(svg_number(-3), "-3");
+    EXPECT_EQ(svg_number(100), "100");
+}
+
+TEST(Footprint, BoxOnItsCorner_IsItsShadow) {
+    const double half = 0.39269908169872414;  // half of 45 degrees
+    const Pose pose{Vec3(1, 2, 0), Quat(std::cos(half), 0, 0, std::sin(half))};
+    const std::vector<Vec2> outline = footprint(sim::Box{Vec3(2, 2, 1)}, pose);
+    ASSERT_EQ(outline.size(), 4U);
+    for (const Vec2& corner : outline) {
+        EXPECT_NEAR((corner - Vec2(1, 2)).length(), std::sqrt(2), 1e-12);
+        EXPECT_NEAR(std::min(std::abs(corner.x - 1), std::abs(corner.y - 2)), 0, 1e-12);
+    }
+}
+
+TEST(ConvexOutline, LeavesOutWhatLiesInsideOrOnAnEdge) {
+    const std::vector<Vec2> outline =
+        convex_outline({{0, 0}, {2, 0}, {1, 0}, {2, 2}, {1, 1}, {0, 2}, {0, 0}});
+    EXPECT_THAT(outline, ::testing::ElementsAre(Vec2(0, 0), Vec2(2, 0), Vec2(2, 2), Vec2(0, 2)));
+}
+
+sim::Key key(double time, const Vec3& place, const Vec3& velocity, const Vec3& turning) {
+    sim::Key k;
+    k.time = time;
+    k.position = place;
+    k.velocity_in = k.velocity_out = velocity;
+    k.angular_velocity_in = k.angular_velocity_out = turning;
+    return k;
+}
+
+TEST(MotionStretches, SlidingRollingAirborneAndStill_AreToldApart) {
+    constexpr double kRadius = 0.03;
+    const Vec3 v(1, 0, 0);
+    const Vec3 roll(0, 1 / kRadius, 0);
+    std::vector<sim::Key> keys{key(0, {0, 0, kRadius}, {0, 0, 0}, {0, 0, 0}),
+                               key(1, {0, 0, kRadius}, {0, 0, 0}, {0, 0, 0}),
+                               key(2, {1, 0, kRadius}, v, {0, 0, 0}),
+                               key(3, {2, 0, kRadius}, v, roll),
+                               key(4, {3, 0, kRadius}, v, roll),
+                               key(4.1, {3.1, 0, kRadius + 0.1}, v, roll),
+                               key(5, {4, 0, kRadius + 0.1}, v, roll)};
+    keys[1].velocity_out = v;
+    keys[2].angular_velocity_out = Vec3(0, 0, 0);
+    const sim::Track track("cue", keys);
+    const auto stretches = motion_stretches(track, kRadius, 4.5, 1e-4);
+    ASSERT_EQ(stretches.size(), 3U);
+    EXPECT_EQ(stretches[0].motion, Motion::sliding);
+    EXPECT_NEAR(stretches[0].from, 1, 1e-9);
+    EXPECT_EQ(stretches[1].motion, Motion::rolling);
+    EXPECT_NEAR(stretches[1].from, 3, 0.02);  // the last hundredth of slip is called rolling
+    EXPECT_EQ(stretches[2].motion, Motion::airborne);
+    EXPECT_NEAR(stretches[2].from, 4, 0.02);
+    EXPECT_DOUBLE_EQ(stretches[2].to, 4.5);
+    EXPECT_EQ(stretches[1].points.size(), 2U);  // straight
+    EXPECT_EQ(motion_stretches(track, std::nullopt, 5, 1e-4).front().motion, Motion::moving);
+}
+
+TEST(Sheet, UsualScale_FitsTheRoom) {
+    Sheet sheet = make_sheet({-1.5, -0.8}, {1.5, 0.8}, {277, 155});
+    EXPECT_EQ(sheet.denominator, 12.5);
+    sheet.corner = {10, 20};
+    EXPECT_EQ(sheet.at(Vec2(-1.5, 0.8)), Vec2(10, 20));
+    EXPECT_NEAR(sheet.at(Vec2(1.5, 0.8)).x, 250, 1e-9);
+    EXPECT_NEAR(sheet.at(Vec2(0, -0.8)).y, 148, 1e-9);
+}
+
+TEST(LabelPlacer, ManyLabelsOfOnePlace_LieBesideEachOther) {
+    LabelPlacer placer({{0, 0}, {100, 100}});
+    const Vec2 size(6, 3);
+    std::vector<Vec2> corners;
+    for (int i = 0; i < 12; ++i) {
+        corners.push_back(placer.place({50, 50}, size, 2));
+        for (std::size_t j = 0; j + 1 < corners.size(); ++j) {
+            const Vec2 apart = corners.back() - corners[j];
+            EXPECT_TRUE(std::abs(apart.x) > size.x - 1 || std::abs(apart.y) > size.y - 1)
+                << "labels " << i << " and " << j;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace carom::pipeline

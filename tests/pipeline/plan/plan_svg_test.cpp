@@ -1,0 +1,134 @@
+// The whole drawing of shots that were baked.
+#include "pipeline/plan/plan_svg.h"
+
+#include <gmock/gmock.h>
+
+#include "pipeline/config/load_shot.h"
+#include "pipeline/plan/numbered_events.h"
+#include "sim/bake.h"
+
+namespace carom::pipeline {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+struct Baked {
+    Shot shot;
+    sim::Timeline timeline;
+};
+
+Baked baked(const LoadResult& loaded) {
+    EXPECT_TRUE(loaded.problems.empty());
+    Shot shot = loaded.shot.value();
+    sim::Timeline timeline = sim::bake(shot.world).timeline;
+    return {std::move(shot), std::move(timeline)};
+}
+
+Baked example(const std::string& name) {
+    return baked(load_shot(std::string(CAROM_SOURCE_DIR) + "/examples/" + name + ".yaml"));
+}
+
+/// Every element that is opened is closed, in order.
+void expect_well_formed(const std::string& svg) {
+    std::vector<std::string> open;
+    for (std::size_t at = svg.find('<'); at != std::string::npos; at = svg.find('<', at + 1)) {
+        const std::size_t end = svg.find('>', at);
+        ASSERT_NE(end, std::string::npos);
+        const std::string tag = svg.substr(at + 1, end - at - 1);
+        if (tag.front() == '?' || tag.back() == '/') {
+            continue;
+        }
+        if (tag.front() == '/') {
+            ASSERT_FALSE(open.empty());
+            EXPECT_EQ("/" + open.back(), tag);
+            open.pop_back();
+        } else {
+            open.push_back(tag.substr(0, tag.find(' ')));
+        }
+    }
+    EXPECT_TRUE(open.empty());
+}
+
+TEST(PlanSvg, OfTheMasse_ShowsWhatACoachWouldDraw) {
+    const Baked masse = example("masse");
+    const std::string svg = plan_svg(masse.shot, masse.timeline);
+    expect_well_formed(svg);
+    EXPECT_THAT(svg, HasSubstr("1:12.5"));
+    EXPECT_THAT(svg, HasSubstr(">cue struck, leaves at 1.7 m/s, stick 62° steep, tip 0.45 R right, "
+                               "tip 0.2 R low<"));
+    EXPECT_THAT(svg, HasSubstr(">cue → three at 1.6 m/s, cut 12°, three leaves at 1.5 m/s<"));
+    EXPECT_THAT(svg, HasSubstr(">three potted, corner right front<"));
+    EXPECT_THAT(svg, HasSubstr("<title>cue, sliding, 0.5 s to 1.0"));
+    EXPECT_THAT(svg, HasSubstr("class=\"path rolling\""));
+    EXPECT_THAT(svg, HasSubstr("class=\"ghost\""));
+    EXPECT_THAT(svg, HasSubstr("the stick at 0.5 s"));
+    EXPECT_THAT(svg, HasSubstr(">seat: 0.25 s to 1.75 s, 1×<"));
+    EXPECT_THAT(svg, HasSubstr(">curve: 0.49 s to 1.09 s, 1/5×<"));
+    EXPECT_EQ(svg, plan_svg(masse.shot, masse.timeline));
+}
+
+TEST(PlanSvg, OfAJump_HasAnAirbornePath) {
+    const Baked jump = example("jump_shot");
+    EXPECT_THAT(plan_svg(jump.shot, jump.timeline), HasSubstr("class=\"path airborne\""));
+}
+
+TEST(PlanSvg, Pages_DifferInTheirColoursOnly) {
+    const Baked masse = example("masse");
+    const auto without_style = [&](PlanPage page) {
+        const std::string svg = plan_svg(masse.shot, masse.timeline, {page});
+        return svg.substr(svg.find("</style>"));
+    };
+    EXPECT_EQ(without_style(PlanPage::light), without_style(PlanPage::dark));
+    EXPECT_THAT(plan_svg(masse.shot, masse.timeline), HasSubstr("prefers-color-scheme:dark"));
+    EXPECT_THAT(plan_svg(masse.shot, masse.timeline, {PlanPage::dark}), Not(HasSubstr("@media")));
+}
+
+TEST(PlanSvg, WithoutTableOrCameras_ShowsWhatMoves) {
+    const Baked free =
+        baked(load_shot_text("carom: 1\n"
+                             "simulation: {duration: 0.2 s}\n"
+                             "balls: {cue: {at: [5, 5, 1], velocity: [1, 0, 0]}}\n"
+                             "cameras: [{name: a, video: [0 s, 1 s], scene: [0 s, "
+                             "0.2 s], position: [5, 4, 1], target: [5, 5, 1]}]\n",
+                             "free.yaml"));
+    Shot shot = free.shot;
+    shot.cameras.clear();
+    const std::string svg = plan_svg(shot, free.timeline);
+    expect_well_formed(svg);
+    EXPECT_THAT(svg, HasSubstr("<title>cue, airborne, 0 s to 0.2 s</title>"));
+}
+
+TEST(NumberedEvents, OfABreak_ABurstIsOneAndTheLightestAreLeftOut) {
+    const Baked rack = example("nine_ball_break");
+    const NumberedEvents all = number_events(rack.shot, rack.timeline, 1000);
+    ASSERT_GT(all.events.size(), 10U);
+    EXPECT_THAT(all.events[1].text, ::testing::StartsWith("cue → one at 9.7 m/s, cut 0°, "));
+    EXPECT_THAT(all.events[1].text, HasSubstr(" more in "));
+    EXPECT_GT(all.events[2].time, all.events[1].time + 0.01);
+    const NumberedEvents few = number_events(rack.shot, rack.timeline, 5);
+    EXPECT_EQ(few.events.size(), 5U);
+    EXPECT_EQ(few.left_out, static_cast<int>(all.events.size()) - 5);
+    EXPECT_EQ(few.events.back().number, 5);
+}
+
+TEST(NumberedEvents, OfARowOfTiles_OneForTheRow) {
+    std::string text =
+        "carom: 1\nsimulation: {duration: 1 s}\ntable: {kind: pool, size: 9 ft}\n"
+        "balls: {cue: {at: [-0.1, 0], velocity: [1, 0, 0]}}\n"
+        "cameras: [{name: a, video: [0 s, 1 s], scene: [0 s, 1 s], position: [0, -1, 1], target: "
+        "[0, 0, 0]}]\nobjects:\n";
+    for (int i = 1; i <= 4; ++i) {
+        text += "  d" + std::to_string(i) + ": {box: [10 mm, 32 mm, 60 mm], at: [" +
+                std::to_string(0.032 * i) + ", 0, 0.03], physics: {density: 1800}}\n";
+    }
+    const Baked row = baked(load_shot_text(text, "row.yaml"));
+    const NumberedEvents events = number_events(row.shot, row.timeline, 30);
+    ASSERT_GE(events.events.size(), 2U);
+    EXPECT_THAT(events.events[0].text, ::testing::StartsWith("cue → d1 at "));
+    EXPECT_THAT(events.events[1].text, ::testing::StartsWith("d1 … d4: "));
+    EXPECT_LT(events.events.size(), 8U);
+}
+
+}  // namespace
+}  // namespace carom::pipeline
