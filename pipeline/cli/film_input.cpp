@@ -13,7 +13,11 @@ using pipeline::Shot;
 
 sim::Bake bake_of(ShotInput& input, const InputOptions& options, const CacheOptions& cache,
                   CommandContext& context) {
-    return input.bake ? std::move(*input.bake) : bake_of(input.shot, options.path, cache, context);
+    if (!input.bake) {
+        return bake_of(input.shot, options.path, cache, context);
+    }
+    pipeline::add_keyed_motions(*input.bake, input.shot);  // --set may have changed them
+    return std::move(*input.bake);
 }
 
 FilmJobOptions job_options(const CacheOptions& cache, const std::string& frames,

@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 8> kSections{"simulation", "physics", "ba
                                                     "rack",       "balls",   "objects",  "events"};
 
 // What balls and objects say of their look.
-constexpr std::array<std::string_view, 3> kLook{"look", "material", "smooth"};
+constexpr std::array<std::string_view, 4> kLook{"look", "material", "smooth", "motion"};
 
 Node parse(const std::string& text) {
     SourceSet sources;

@@ -11,6 +11,7 @@
 #include "pipeline/config/source_set.h"
 #include "pipeline/config/value_types.h"
 #include "pipeline/shot/ball_set.h"
+#include "pipeline/shot/keyed_motion.h"
 #include "pipeline/video/output_settings.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
@@ -92,6 +93,7 @@ struct ObjectSection {
     std::optional<std::vector<Vec3>> axes;  // three, instead of `rotate` and `scale`
     std::optional<std::string> material;    // of the look
     std::optional<ObjectPhysics> physics;
+    std::optional<KeyedMotion> motion;
     Place shape_place;
 };
 

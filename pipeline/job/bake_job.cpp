@@ -1,4 +1,5 @@
 // The bake of a shot, kept under its physics hash.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -69,6 +70,18 @@ void keep(const sim::Bake& bake, const std::vector<std::string>& warnings,
 
 }  // namespace
 
+void add_keyed_motions(sim::Bake& bake, const Shot& shot) {
+    std::vector<sim::Track>& tracks = bake.timeline.tracks;
+    for (const sim::Track& keyed : shot.keyed) {
+        const auto known = std::ranges::find(tracks, keyed.name(), &sim::Track::name);
+        if (known != tracks.end()) {
+            *known = keyed;
+        } else {
+            tracks.push_back(keyed);
+        }
+    }
+}
+
 sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
                         const JobObserver& observer, const std::stop_token& stop, bool* baked) {
     const Hash128 physics_hash = sim::physics_hash(shot.world);
@@ -82,6 +95,7 @@ sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
         // Shots that differ in their look alone share a bake.
         kept->shot_text = shot.resolved_text;
         kept->assets = shot.assets;
+        add_keyed_motions(*kept, shot);
         return std::move(*kept);
     }
     WorkContext context;
@@ -99,6 +113,7 @@ sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
     } catch (const Error& error) {
         warn(observer, std::string("the bake is not kept for next time: ") + error.what());
     }
+    add_keyed_motions(bake, shot);
     return bake;
 }
 

@@ -44,9 +44,13 @@ struct FilmJobResult {
     render::RenderStatistics counts{};  // the rays of those rendered
 };
 
-/// The kept bake if its physics hash fits, else a new one, which is kept; with this shot's text and
-/// assets. A kept bake that is damaged is replaced; what the simulation warned of is told again.
-/// Throws Error, Stopped.
+/// Gives the bake the motions that the shot's keys make, in place of such as it has by these names.
+/// They are no part of the physics, nor of the bake that is kept.
+void add_keyed_motions(sim::Bake& bake, const Shot& shot);
+
+/// The kept bake if its physics hash fits, else a new one, which is kept; with this shot's text,
+/// assets and keyed motions. A kept bake that is damaged is replaced; what the simulation warned of
+/// is told again. Throws Error, Stopped.
 [[nodiscard]] sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
                                       const JobObserver& observer, const std::stop_token& stop,
                                       bool* baked = nullptr);

@@ -17,7 +17,8 @@ namespace carom::pipeline {
 struct Shot {
     std::string name;  // the file's name without folder and extension
     sim::WorldDescription world;
-    render::SceneDescription scene;  // its objects name tracks of the world's bodies
+    render::SceneDescription scene;  // its objects name tracks of the world's bodies, or of `keyed`
+    std::vector<sim::Track> keyed;   // of what is moved by keys and only seen
     std::vector<CameraRig> cameras;
     FilmTiming timing;
     render::RenderSettings render;

@@ -25,6 +25,7 @@ struct Builder {
     std::set<std::string> bodies;         // that move
     std::set<std::string> fixed;          // that others collide with
     std::map<std::string, Vec3> scenery;  // seen only: where it stands
+    std::set<std::string> keyed;          // seen only, moved by keys
     std::set<std::string> materials;
     std::optional<sim::billiards::TableGeometry> table_geometry;
 

@@ -183,12 +183,32 @@ void add_body(const Named<ObjectSection>& object, Builder& builder) {
     builder.shot.world.bodies.push_back(std::move(body));
 }
 
+/// The track leads the object's origin; a hull's shape is placed in it by its centre.
+void add_keyed(const Named<ObjectSection>& object, Builder& builder) {
+    builder.keyed.insert(object.name);
+    if (object.value.motion->keys.size() < 2) {
+        return;  // what is wrong with them was said
+    }
+    try {
+        builder.shot.keyed.push_back(
+            keyed_track(object.name, *object.value.motion, {object.value.at, object.value.rotate}));
+    } catch (const Error& failure) {
+        builder.reader.error(builder.place_of({"objects", object.name, "motion"}), failure.what());
+    }
+}
+
 void add_to_scene(const Named<ObjectSection>& object, bool is_moving, Builder& builder) {
     render::ObjectDescription seen;
     seen.name = object.name;
     seen.shape = *object.value.shape;
     seen.material = object.value.material.value_or("plain");
-    if (is_moving) {
+    if (object.value.motion) {
+        Mat44 centre;
+        centre.setTranslation(object.value.centre);
+        seen.world_from_object =
+            centre * (object.value.axes ? linear_map(object.value) : scaling(object.value.scale));
+        seen.track = object.name;
+    } else if (is_moving) {
         seen.world_from_object = scaling(object.value.scale);
         seen.track = object.name;
     } else {
@@ -209,7 +229,9 @@ void build_objects(Builder& builder) {
         }
         const bool has_physics = object.value.physics.has_value();
         const bool is_moving = has_physics && object.value.physics->kind == BodyKind::dynamic;
-        if (!has_physics) {
+        if (object.value.motion) {
+            add_keyed(object, builder);
+        } else if (!has_physics) {
             builder.scenery[object.name] = object.value.at;
         } else if (std::holds_alternative<render::PlaneShape>(*object.value.shape)) {
             add_floor(object, builder);

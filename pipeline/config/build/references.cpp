@@ -36,6 +36,10 @@ std::vector<std::string> known_names(const Builder& builder, ReferenceKind kind)
         case ReferenceKind::body:
             append(names, builder.bodies);
             break;
+        case ReferenceKind::moving:
+            append(names, builder.bodies);
+            append(names, builder.keyed);
+            break;
     }
     return names;
 }
@@ -50,6 +54,7 @@ std::string noun(ReferenceKind kind) {
             return "object or surface";
         case ReferenceKind::placed:
         case ReferenceKind::body:
+        case ReferenceKind::moving:
             break;
     }
     return "ball or object";
@@ -57,6 +62,11 @@ std::string noun(ReferenceKind kind) {
 
 /// Why something that exists cannot stand here.
 std::string wrong_kind(const Builder& builder, const Reference& reference) {
+    const bool is_keyed = builder.keyed.count(reference.name) != 0;
+    if (is_keyed && reference.kind != ReferenceKind::material) {
+        return quote(reference.name) +
+               " is moved by keys and only seen: the simulation knows nothing of it";
+    }
     const bool stands_still =
         builder.fixed.count(reference.name) != 0 || builder.scenery.count(reference.name) != 0;
     if (!stands_still && builder.bodies.count(reference.name) == 0) {
@@ -66,8 +76,9 @@ std::string wrong_kind(const Builder& builder, const Reference& reference) {
         case ReferenceKind::ball:
             return quote(reference.name) + " is not a ball";
         case ReferenceKind::body:
+        case ReferenceKind::moving:
             return quote(reference.name) +
-                   " does not move: only balls and objects with physics have a path";
+                   " does not move: only balls and objects with physics or keys have a path";
         case ReferenceKind::touchable:
             return quote(reference.name) + " has no physics, so nothing touches it";
         case ReferenceKind::placed:

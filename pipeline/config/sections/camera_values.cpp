@@ -13,7 +13,7 @@ constexpr double kTurn = 6.283185307179586;
 const MapSpec<ControlPoint>& control_point_spec() {
     static const MapSpec<ControlPoint> spec = [] {
         MapSpec<ControlPoint> s("control point", "An object's place at a scene time.");
-        s.key("of", &ControlPoint::of, name_of(ReferenceKind::body), "the ball or object")
+        s.key("of", &ControlPoint::of, name_of(ReferenceKind::moving), "the ball or object")
             .required();
         s.key("at", &ControlPoint::at, time(between(0, kLongest)), "scene time").required();
         s.key("offset", &ControlPoint::offset, vector3(Dimension::length),
@@ -41,7 +41,7 @@ ValueType<Centre> centre() {
     const auto place =
         convert<Centre>(control_point(), [](const ControlPoint& point) -> Centre { return point; });
     const auto object =
-        convert<Centre>(name_of(ReferenceKind::body), [](std::string name) -> Centre {
+        convert<Centre>(name_of(ReferenceKind::moving), [](std::string name) -> Centre {
             FollowPath follow;
             follow.object = std::move(name);
             return follow;
@@ -139,9 +139,9 @@ const MapSpec<PathKeys>& path_spec() {
               "control points of a Bezier curve: points, or {of, at, offset}");
         s.key("spline", &PathKeys::spline, list_of(control_point(), 1, 256),
               "points that a smooth curve goes through, like those of `bezier`");
-        s.key("along", &PathKeys::along, name_of(ReferenceKind::body),
+        s.key("along", &PathKeys::along, name_of(ReferenceKind::moving),
               "a Bezier curve fitted to where this ball or object was from `from` to `to`");
-        s.key("follow", &PathKeys::follow, name_of(ReferenceKind::body),
+        s.key("follow", &PathKeys::follow, name_of(ReferenceKind::moving),
               "stay with a ball or object");
         s.key(
             "orbit", &PathKeys::orbit, centre(),

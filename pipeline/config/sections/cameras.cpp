@@ -16,7 +16,7 @@ ValueType<Focus> focus() {
     });
     const auto on_target =
         convert<Focus>(choice<bool>({{"auto", true}}), [](bool) { return Focus{}; });
-    const auto on_object = convert<Focus>(name_of(ReferenceKind::body), [](std::string name) {
+    const auto on_object = convert<Focus>(name_of(ReferenceKind::moving), [](std::string name) {
         Focus result;
         result.object = std::move(name);
         return result;

@@ -10,35 +10,6 @@ namespace {
 
 using sim::BodyKind;
 
-struct AxisAngle {
-    Vec3 axis{0, 0, 1};
-    double angle = 0;
-};
-
-const MapSpec<AxisAngle>& axis_angle_spec() {
-    static const MapSpec<AxisAngle> spec = [] {
-        MapSpec<AxisAngle> s("rotation", "A turn about an axis.");
-        s.key("axis", &AxisAngle::axis, vector3(Dimension::none), "in world axes").required();
-        s.key("angle", &AxisAngle::angle, angle(), "counter-clockwise seen against the axis")
-            .required();
-        s.check([](Reader& reader, const Node& node, AxisAngle& value) {
-            if (value.axis.length() < 1e-9) {
-                const Entry* axis = node.find("axis");
-                reader.error(axis != nullptr ? axis->value.place : node.place,
-                             "'axis' must have a length");
-                value.axis = {0, 0, 1};
-            }
-        });
-        return s;
-    }();
-    return spec;
-}
-
-Quat turn(const Vec3& axis, double angle) {
-    const Vec3 unit = axis / std::sqrt(axis.dot(axis));
-    return Quat(std::cos(angle / 2), unit * std::sin(angle / 2));
-}
-
 const MapSpec<ObjectPhysics>& object_physics_spec() {
     static const MapSpec<ObjectPhysics> spec = [] {
         MapSpec<ObjectPhysics> s("object physics", "An object's part in the simulation.");
@@ -252,6 +223,15 @@ void check_transform(Reader& reader, const Node& node, ObjectSection& object) {
     }
 }
 
+void check_motion(Reader& reader, const Node& node, ObjectSection& object) {
+    if (object.motion && object.physics) {
+        reader.error(node.find("motion")->key_place,
+                     "'motion' is for what has no physics: " + reader.label() +
+                         " cannot be moved by keys and take part in the simulation");
+        object.motion.reset();
+    }
+}
+
 void check_smooth(Reader& reader, const Node& node, ObjectSection& object) {
     if (!object.smooth || !object.shape) {
         return;
@@ -295,16 +275,6 @@ ValueType<Vec3> scale() {
 
 }  // namespace
 
-ValueType<Quat> rotation() {
-    const auto angles = convert<Quat>(vector3(Dimension::angle), [](const Vec3& a) {
-        // Imath's product q1 * q2 turns by q2 first.
-        return turn({0, 0, 1}, a.z) * turn({0, 1, 0}, a.y) * turn({1, 0, 0}, a.x);
-    });
-    const auto about_axis = convert<Quat>(record(axis_angle_spec()),
-                                          [](const AxisAngle& a) { return turn(a.axis, a.angle); });
-    return any_of<Quat>({{is_list, angles}, {is_map, about_axis}});
-}
-
 const MapSpec<ObjectSection>& object_spec() {
     static const MapSpec<ObjectSection> spec = [] {
         MapSpec<ObjectSection> s("object",
@@ -329,10 +299,15 @@ const MapSpec<ObjectSection>& object_spec() {
                 object.physics = value;
             },
             "`false`: seen only; `fixed`: others collide with it; or a map", "false");
+        s.set(
+            "motion", record(motion_spec()),
+            [](ObjectSection& object, const KeyedMotion& motion) { object.motion = motion; },
+            "it goes from key to key, beginning from `at` and `rotate`; seen only");
         s.at_most_one_of({"rotate", "axes"});
         s.at_most_one_of({"scale", "axes"});
         s.check(note_shape_place);
         s.check(check_transform);
+        s.check(check_motion);
         s.check(check_smooth);
         return s;
     }();

@@ -16,6 +16,7 @@ namespace carom::pipeline::config {
 [[nodiscard]] const MapSpec<RackSection>& rack_spec();
 [[nodiscard]] const MapSpec<BallSection>& ball_spec();
 [[nodiscard]] const MapSpec<ObjectSection>& object_spec();
+[[nodiscard]] const MapSpec<KeyedMotion>& motion_spec();
 [[nodiscard]] const MapSpec<EventSection>& event_spec();
 [[nodiscard]] const MapSpec<render::MaterialDescription>& material_spec();
 [[nodiscard]] const MapSpec<LightSection>& light_spec();
@@ -25,6 +26,9 @@ namespace carom::pipeline::config {
 
 /// A rotation: angles about the world's x, y and z axis, in this order, or {axis, angle}.
 [[nodiscard]] ValueType<Quat> rotation();
+
+/// {axis, angle} of up to a hundred rounds, as the axis times the angle.
+[[nodiscard]] ValueType<Vec3> rotation_vector();
 
 /// The light that a section describes (its name is left empty).
 [[nodiscard]] render::LightDescription to_light(const LightSection& section);

@@ -1,0 +1,72 @@
+// Turns: of an object, of a key of its motion.
+#include <cmath>
+
+#include "pipeline/config/sections/sections.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+constexpr double kMostRounds = 100;
+constexpr double kRound = 6.283185307179586;
+
+struct AxisAngle {
+    Vec3 axis{0, 0, 1};
+    double angle = 0;
+};
+
+MapSpec<AxisAngle> make_axis_angle(const char* name, const char* description, Range range) {
+    MapSpec<AxisAngle> s(name, description);
+    s.key("axis", &AxisAngle::axis, vector3(Dimension::none), "in world axes").required();
+    s.key("angle", &AxisAngle::angle, angle(range), "counter-clockwise seen against the axis")
+        .required();
+    s.check([](Reader& reader, const Node& node, AxisAngle& value) {
+        if (value.axis.length() < 1e-9) {
+            const Entry* axis = node.find("axis");
+            reader.error(axis != nullptr ? axis->value.place : node.place,
+                         "'axis' must have a length");
+            value.axis = {0, 0, 1};
+        }
+    });
+    return s;
+}
+
+const MapSpec<AxisAngle>& axis_angle_spec() {
+    static const MapSpec<AxisAngle> spec =
+        make_axis_angle("rotation", "A turn about an axis.", any());
+    return spec;
+}
+
+const MapSpec<AxisAngle>& turn_spec() {
+    static const MapSpec<AxisAngle> spec = make_axis_angle(
+        "turn", "A turn about an axis since the key before, of any number of rounds.",
+        between(-kMostRounds * kRound, kMostRounds * kRound));
+    return spec;
+}
+
+Vec3 unit(const Vec3& axis) {
+    return axis / std::sqrt(axis.dot(axis));
+}
+
+Quat turn(const Vec3& axis, double angle) {
+    return Quat(std::cos(angle / 2), unit(axis) * std::sin(angle / 2));
+}
+
+}  // namespace
+
+ValueType<Quat> rotation() {
+    const auto angles = convert<Quat>(vector3(Dimension::angle), [](const Vec3& a) {
+        // Imath's product q1 * q2 turns by q2 first.
+        return turn({0, 0, 1}, a.z) * turn({0, 1, 0}, a.y) * turn({1, 0, 0}, a.x);
+    });
+    const auto about_axis = convert<Quat>(record(axis_angle_spec()),
+                                          [](const AxisAngle& a) { return turn(a.axis, a.angle); });
+    return any_of<Quat>({{is_list, angles}, {is_map, about_axis}});
+}
+
+ValueType<Vec3> rotation_vector() {
+    return convert<Vec3>(record(turn_spec()),
+                         [](const AxisAngle& a) { return a.angle * unit(a.axis); });
+}
+
+}  // namespace carom::pipeline::config
