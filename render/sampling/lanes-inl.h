@@ -42,9 +42,6 @@ HWY_INLINE M is_equal(I a, I b) {
 HWY_INLINE F select(M mask, F yes, F no) {
     return hn::IfThenElse(mask, yes, no);
 }
-HWY_INLINE F abs_of(F x) {
-    return hn::Abs(x);
-}
 
 struct V3 {
     F x, y, z;

@@ -57,10 +57,6 @@ HWY_INLINE F surface_cosine(F cosine, F reach) {
     return select(hn::Le(cosine + reach, all(0.f)), all(0.f), hn::Max(cosine, all(kLeastCosine)));
 }
 
-HWY_INLINE float luminance_of(const V3f& c) {
-    return luminance(c);
-}
-
 HWY_INLINE F importance_of_rectangle(const WaveLight& light, const V3& point, const V3& normal) {
     const V3 way = all(light.centre) - point;
     const F distance2 = hn::Max(dot(way, way), all(1e-12f));
@@ -68,7 +64,7 @@ HWY_INLINE F importance_of_rectangle(const WaveLight& light, const V3& point, co
     const F height = hn::Neg(dot(way, all(light.normal)));
     const F cosine =
         surface_cosine(dot(way, normal) / distance, all(light.half_diagonal) / distance);
-    const F value = all(luminance_of(light.radiance) * light.area) * cosine * (height / distance) /
+    const F value = all(luminance(light.radiance) * light.area) * cosine * (height / distance) /
                     hn::Max(distance2, all(0.25f * light.area));
     return select(hn::Gt(height, all(0.f)), value, all(0.f));
 }
@@ -78,7 +74,7 @@ HWY_INLINE F importance_of_sphere(const WaveLight& light, const V3& point, const
     const F distance = hn::Max(hn::Sqrt(dot(way, way)), all(1e-6f));
     const F radius = all(light.radius);
     const F solid_angle = all(2.0f * kPi) * one_minus_cos_of_sphere(radius, distance);
-    const F value = all(luminance_of(light.radiance)) * solid_angle *
+    const F value = all(luminance(light.radiance)) * solid_angle *
                     surface_cosine(dot(way, normal) / distance, radius / distance);
     return select(hn::Gt(distance, radius), value, all(0.f));
 }

@@ -1,7 +1,6 @@
 #include "render/integrator/wave/wave_integrator.h"
 
 #include <algorithm>
-#include <variant>
 
 #include "sim/timeline/assert.h"
 
@@ -12,88 +11,6 @@ namespace {
 constexpr int kLastVertex = 4;
 
 constexpr float kLeastCosine = 1e-4f;  // as in bsdf.cpp
-
-WaveLight known_light(const LightSet& lights, std::size_t index) {
-    WaveLight light;
-    light.is_environment = lights.is_environment(index);
-    if (index >= lights.area_light_count()) {
-        return light;
-    }
-    const AreaLight& area_light = lights.area_light(index);
-    if (const auto* rectangle = std::get_if<RectangleEmitter>(&area_light)) {
-        light.kind = WaveLight::Kind::rectangle;
-        light.centre = rectangle->centre();
-        light.edge_u = rectangle->edge_u();
-        light.edge_v = rectangle->edge_v();
-        light.normal = rectangle->normal();
-        light.radiance = rectangle->radiance();
-        light.area = 4.0f * light.edge_u.length() * light.edge_v.length();
-        light.half_diagonal = (light.edge_u + light.edge_v).length();
-        light.samples = lights.area_light_count() <= kFewLights ? LightBlock::kSize : 1;
-    } else {
-        const auto& sphere = std::get<SphereEmitter>(area_light);
-        light.kind = WaveLight::Kind::sphere;
-        light.centre = sphere.centre();
-        light.radiance = sphere.radiance();
-        light.radius = sphere.radius();
-    }
-    return light;
-}
-
-/// How a wave finds the object's surface, and what that is made of.
-void add_object(const TransportScene& scene, std::uint32_t object, WaveObjects& objects) {
-    using Kind = WaveObjects::Kind;
-    const auto shape = scene.frame.simple_shape(object);
-    const Material* material = shape ? &scene.materials[shape->material] : nullptr;
-    const bool is_simple =
-        material != nullptr && material->is_plain() && material->layers().sheen == 0;
-    const auto base = is_simple ? material->constant_base() : std::nullopt;
-    const bool is_box = shape && shape->kind == FrameScene::SimpleShape::Kind::upright_box;
-    const Kind kind = is_box                  ? Kind::box
-                      : shape && shape->moves ? Kind::moving_ball
-                                              : Kind::still_ball;
-    objects.kind.push_back(base ? kind : Kind::other);
-    const V3f centre = base ? shape->centre : V3f(0, 0, 0);
-    const V3f half = base ? shape->half_size : V3f(1, 1, 1);
-    const V3f colour = base.value_or(V3f(0, 0, 0));
-    objects.centre_x.push_back(centre.x);
-    objects.centre_y.push_back(centre.y);
-    objects.centre_z.push_back(centre.z);
-    objects.half_x.push_back(half.x);
-    objects.half_y.push_back(half.y);
-    objects.half_z.push_back(half.z);
-    objects.reach.push_back(base ? shape->reach : 0);
-    objects.red.push_back(colour.x);
-    objects.green.push_back(colour.y);
-    objects.blue.push_back(colour.z);
-    objects.coat_weight.push_back(base ? material->layers().coat_weight : 0);
-    objects.coat_ior.push_back(base ? material->layers().coat_ior : 1);
-}
-
-WaveScene known_scene(const TransportScene& scene, const PathSettings& settings,
-                      const Caustics& caustics) {
-    WaveScene known;
-    known.lights = &scene.lights;
-    for (std::size_t light = 0; light < scene.lights.sampled_count(); ++light) {
-        known.light.push_back(known_light(scene.lights, light));
-    }
-    known.environment_importance = scene.lights.environment().importance();
-    const Caustics::Places& places = caustics.places();
-    known.ball_x = places.x;
-    known.ball_y = places.y;
-    known.ball_z = places.z;
-    known.ball_reach = places.reach;
-    known.ball_radius2 = places.radius2;
-    known.ball_of_object = caustics.place_of_object();
-    known.ball_of_object.resize(scene.frame.object_count(), -1);
-    for (std::uint32_t object = 0; object < scene.frame.object_count(); ++object) {
-        add_object(scene, object, known.objects);
-    }
-    known.max_bounces = settings.max_bounces;
-    known.split_vertices = settings.split_vertices;
-    known.caustics = settings.caustics;
-    return known;
-}
 
 }  // namespace
 
@@ -119,7 +36,7 @@ WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& 
       seeks_reflections_(reflections != nullptr),
       max_bounces_(settings.max_bounces),
       kernels_(best_wave_kernels()),
-      known_(known_scene(scene, settings, one_.caustics())) {
+      known_(make_wave_scene(scene, settings, one_.caustics())) {
     CAROM_ASSERT(can_do(scene, settings));
     for (std::uint32_t object = 0; object < scene.first_light_object; ++object) {
         const Material& material = scene.materials[scene.frame.material(object)];

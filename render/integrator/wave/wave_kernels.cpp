@@ -38,14 +38,6 @@ const WaveKernels* best_wave_kernels() {
     return HWY_DYNAMIC_DISPATCH(wave_kernels_of_target)();
 }
 
-int WaveScene::first_rays() const {
-    int rays = 0;
-    for (const WaveLight& one : light) {
-        rays += one.samples;
-    }
-    return rays;
-}
-
 }  // namespace carom::render
 
 #endif

@@ -1,120 +1,14 @@
 // One step of a wave: at each vertex lights are sampled, light by way of balls is asked for, and
-// directions are chosen. What material/bsdf.cpp, integrator/direct_light.cpp and
-// integrator/path_integrator.cpp do for one path. Included once per instruction set.
+// directions are chosen. What integrator/direct_light.cpp, caustics.cpp and path_integrator.cpp do
+// for one path. Included once per instruction set.
 #include "render/integrator/path_state.h"
 #include "render/integrator/wave/lights-inl.h"
+#include "render/integrator/wave/vertices-inl.h"
 #include "render/integrator/wave/wave_kernels.h"
 #include "render/sampling/numbers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
-
-/// Vertices in the lanes: surface, path, and what becomes of it.
-struct VertexLanes {
-    int first;  // of the vertices
-    M valid;
-    I path;
-    V3 position, geometric_normal, origin;
-    Basis frame;
-    V3 throughput;
-    F wo_z;
-    V3 wo;
-    F coat;
-    F coat_choice;
-    V3 diffuse;
-    bool has_sheen;  // some of them
-    V3 sheen;
-    F choose_sheen;  // probability of the base being sampled by it
-    M scatters;      // has a base that is not black
-    M splits;
-    U place;
-    F total_importance, environment_samples;
-};
-
-HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
-    constexpr float kLeastChoice = 0.3f;
-    constexpr float kMostChoice = 0.8f;
-    const VertexWave& in = step.vertices;
-    const FloatTag d;
-    const IntTag di;
-    VertexLanes v;
-    v.first = first;
-    v.valid = hn::FirstN(d, static_cast<std::size_t>(in.count - first));
-    v.path = load(in.path, first);
-    v.position = load(in.position, first);
-    v.geometric_normal = load(in.geometric_normal, first);
-    v.origin = v.position + v.geometric_normal * load(in.offset, first);
-    v.frame = basis_around(load(in.normal, first));
-    v.throughput = gather(step.paths.throughput, v.path);
-    v.wo = -gather(step.paths.direction, v.path);
-    v.wo_z = hn::Max(dot(v.wo, v.frame.z), all(1e-4f));
-    const F coat_weight = load(in.coat_weight, first);
-    v.coat = all(0.f);
-    if (!hn::AllFalse(d, hn::Gt(coat_weight, all(0.f)))) {
-        v.coat = coat_weight * fresnel_dielectric(v.wo_z, load(in.coat_ior, first));
-    }
-    const F rest = all(1.f) - v.coat;
-    const F sheen_share = load(in.sheen_share, first);
-    v.has_sheen = !hn::AllFalse(d, hn::And(v.valid, hn::Gt(sheen_share, all(0.f))));
-    v.diffuse = load(in.base, first) * rest;
-    v.sheen = all(V3f(0, 0, 0));
-    v.choose_sheen = all(0.f);
-    F base = largest(v.diffuse);
-    if (v.has_sheen) {
-        v.diffuse = load(in.base, first) * (rest * (all(1.f) - hn::Min(all(1.f), sheen_share)));
-        v.sheen = load(in.sheen, first) * rest;
-        const F by_sheen = sheen_share * rest;
-        const F by_both = by_sheen + largest(v.diffuse);
-        v.choose_sheen = select(hn::Gt(by_both, all(0.f)), by_sheen / by_both, all(0.f));
-        base = largest(v.diffuse) + largest(v.sheen);
-    }
-    v.scatters = hn::And(v.valid, hn::Gt(base, all(0.f)));
-    const M is_coated = hn::Gt(v.coat, all(0.f));
-    const F share = hn::Min(hn::Max(v.coat / (v.coat + base), all(kLeastChoice)), all(kMostChoice));
-    v.coat_choice = select(is_coated, select(hn::Gt(base, all(0.f)), share, all(1.f)), all(0.f));
-    v.splits = step.paths.vertex < step.scene.split_vertices ? hn::And(v.valid, is_coated)
-                                                             : hn::MaskFromVec(all(0.f));
-    const I place =
-        hn::ShiftLeft<7>(gather(step.paths.branch, v.path)) + hn::Set(di, step.paths.vertex);
-    static_assert(PathDimensions::kVertices == 1u << 7);
-    v.place = hn::BitCast(WordTag(), place);
-    v.total_importance = all(0.f);
-    v.environment_samples = gather(step.paths.environment_samples, v.path);
-    return v;
-}
-
-/// Probability of a direction being sampled as the base's.
-HWY_INLINE F base_probability(const VertexLanes& v) {
-    return select(v.splits, all(1.f), all(1.f) - v.coat_choice);
-}
-
-/// The base's BSDF times the cosine of `wi`, in shares of the diffuse lobe's density and of the
-/// sheen's.
-struct BaseLanes {
-    F diffuse, sheen;
-    F pdf;  // of sampling the base
-};
-
-/// As Bsdf's evaluate_base and sheen.h, for `wi` at this cosine to the normal, above 0.
-HWY_INLINE BaseLanes base_towards(const VertexLanes& v, const V3& wi, F cosine) {
-    BaseLanes base{cosine * all(kInversePi), all(0.f), all(0.f)};
-    base.pdf = base.diffuse;
-    if (v.has_sheen) {
-        const V3 h = v.wo + wi;
-        const F height = v.wo_z + cosine;
-        const F sine2 = hn::Max(all(0.f), all(1.f) - height * height / dot(h, h));
-        const F density = all(2.5f * kInversePi) * sine2 * hn::Sqrt(sine2);
-        base.sheen = density * cosine / (all(4.f) * (cosine + v.wo_z - cosine * v.wo_z));
-        base.pdf =
-            (all(1.f) - v.choose_sheen) * base.diffuse + v.choose_sheen * all(0.5f * kInversePi);
-    }
-    return base;
-}
-
-HWY_INLINE V3 value_of(const VertexLanes& v, const BaseLanes& base) {
-    const V3 diffuse = v.diffuse * base.diffuse;
-    return v.has_sheen ? diffuse + v.sheen * base.sheen : diffuse;
-}
 
 /// Writes shadow rays as number `k` of their vertices. `expected`: how many directions towards the
 /// light each vertex takes.

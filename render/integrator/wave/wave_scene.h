@@ -1,0 +1,64 @@
+// What the kernels of waves need to know about a scene, in arrays.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/integrator/caustics.h"
+#include "render/integrator/path_integrator.h"
+#include "render/integrator/transport_scene.h"
+#include "render/light/light_set.h"
+
+namespace carom::render {
+
+/// A light as the kernels know it.
+struct WaveLight {
+    enum class Kind { rectangle, sphere, other };
+    Kind kind = Kind::other;
+    V3f centre{0, 0, 0};
+    V3f edge_u{0, 0, 0}, edge_v{0, 0, 0}, normal{0, 0, 1};  // of a rectangle; halves of its sides
+    V3f radiance{0, 0, 0};
+    float area = 0;           // of a rectangle
+    float half_diagonal = 0;  // of a rectangle
+    float radius = 0;         // of a sphere
+    int samples = 1;          // at a path's first vertex
+    bool is_environment = false;
+};
+
+/// Objects by number, an array for each of their numbers.
+struct WaveObjects {
+    enum class Kind : std::uint8_t { other, moving_ball, still_ball, box };
+    std::vector<Kind> kind;
+    // Of all but others: shape and material.
+    std::vector<float> centre_x, centre_y, centre_z;
+    std::vector<float> half_x, half_y, half_z;
+    std::vector<float> reach;
+    std::vector<float> red, green, blue;
+    std::vector<float> coat_weight, coat_ior;
+};
+
+/// What the kernels need to know about a scene.
+struct WaveScene {
+    const LightSet* lights = nullptr;
+    std::vector<WaveLight> light;  // by the number in the LightSet
+    float environment_importance = 0;
+
+    // Balls that mirror, an array for each number: the middle of their places, how far from it
+    // their surface reaches, squared radius.
+    std::vector<float> ball_x, ball_y, ball_z, ball_reach, ball_radius2;
+    std::vector<std::int32_t> ball_of_object;  // or -1
+
+    WaveObjects objects;
+    int max_bounces = 0;
+    int split_vertices = 0;
+    bool caustics = false;
+
+    /// Shadow rays of a path's first vertex.
+    [[nodiscard]] int first_rays() const;
+};
+
+/// Of one frame; everything is borrowed.
+[[nodiscard]] WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& settings,
+                                        const Caustics& caustics);
+
+}  // namespace carom::render
