@@ -12,8 +12,10 @@
 #include "pipeline/cli/cache_command.h"
 #include "pipeline/cli/command_line.h"
 #include "pipeline/cli/light_commands.h"
+#include "pipeline/cli/new_command.h"
 #include "pipeline/cli/overload.h"
 #include "pipeline/cli/plan_command.h"
+#include "pipeline/cli/schema_command.h"
 
 namespace {
 
@@ -50,6 +52,8 @@ void run(const Command& command, CommandContext& context) {
                    [&](const ImportCommand& import_) { run_import(import_, context); },
                    [&](const CacheCommand& cache) { run_cache(cache, context); },
                    [&](const PlanCommand& plan) { run_plan(plan, context); },
+                   [&](const NewCommand& new_) { run_new(new_, context); },
+                   [&](const SchemaCommand& schema) { run_schema(schema); },
                    [](const RenderCommand&) {},  // never here: needs_renderer
                    [](const RetimeCommand&) {},
                    [](const FrameCommand&) {},

@@ -43,6 +43,8 @@ struct Targets {
     MuxCommand mux;
     CacheCommand cache;
     PlanCommand plan;
+    NewCommand new_;
+    SchemaCommand schema;
 };
 
 void add_input(CLI::App& app, InputOptions& input, const char* name, const char* what) {
@@ -266,6 +268,34 @@ void add_plan(CLI::App& app, Targets& targets) {
                    "each\ncamera shows when.");
 }
 
+void add_new(CLI::App& app, Targets& targets) {
+    CLI::App& command = *app.add_subcommand("new", "write a starter for a shot");
+    NewCommand& new_ = targets.new_;
+    command.add_option("SHOT", new_.shot, "the file to write; - is standard output")
+        ->required()
+        ->option_text(" ");
+    command
+        .add_option("--template", new_.template_name,
+                    "break (the default), trick, bank, massé (or masse), jump, dominoes, empty")
+        ->option_text("NAME")
+        ->check(CLI::IsMember(
+            {"break", "trick", "bank", "massé", "masse", "jump", "dominoes", "empty"}));
+    command.add_flag("--force", new_.force, "also over a file that is there");
+    add_talk(command, targets);
+    command.footer(example("  carom new shot.yaml --template jump") +
+                   "\nIt is commented, and renders as it is.");
+}
+
+void add_schema(CLI::App& app, Targets& targets) {
+    CLI::App& command = *app.add_subcommand("schema", "the JSON Schema of shots, for editors");
+    add_output(command, targets.schema.output, "else standard output");
+    add_talk(command, targets);
+    command.footer(example("  carom schema -o carom.schema.json") +
+                   "\nDraft 7. A shot that begins with\n"
+                   "  # yaml-language-server: $schema=carom.schema.json\n"
+                   "is completed and checked while it is typed.");
+}
+
 void add_import(CLI::App& app, Targets& targets) {
     CLI::App& command =
         *app.add_subcommand("import", "make a shot of a scene in the older text format");
@@ -366,6 +396,12 @@ Command chosen_command(const CLI::App& app, Targets& targets) {
     if (name == "report") {
         return std::move(targets.report);
     }
+    if (name == "new") {
+        return std::move(targets.new_);
+    }
+    if (name == "schema") {
+        return std::move(targets.schema);
+    }
     if (name == "plan") {
         return std::move(targets.plan);
     }
@@ -435,6 +471,8 @@ std::variant<CommandLine, NothingToRun> parse_command_line(
     add_export(app, targets);
     add_report(app, targets);
     add_plan(app, targets);
+    add_new(app, targets);
+    add_schema(app, targets);
     add_import(app, targets);
     add_mux(app, targets);
     add_cache_actions(app, targets);

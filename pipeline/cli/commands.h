@@ -110,6 +110,18 @@ struct PlanCommand {
     std::string page = "auto";  // or "light", "dark"
 };
 
+/// A starter for a new shot.
+struct NewCommand {
+    std::string shot;  // the file to write
+    std::string template_name = "break";
+    bool force = false;  // also over a file that is there
+};
+
+/// The JSON Schema of shots.
+struct SchemaCommand {
+    std::string output;  // empty: standard output
+};
+
 struct ImportCommand {
     std::string scene;   // of the older text format
     std::string output;  // empty: the scene's name and .yaml in the current folder
@@ -120,7 +132,7 @@ struct ImportCommand {
 
 using Command = std::variant<RenderCommand, RetimeCommand, BakeCommand, FrameCommand, CheckCommand,
                              ExportCommand, ReportCommand, ImportCommand, MuxCommand, CacheCommand,
-                             PlanCommand>;
+                             PlanCommand, NewCommand, SchemaCommand>;
 
 struct CommandLine {
     TalkOptions talk;

@@ -265,6 +265,16 @@ const DimensionInfo& info(Dimension dimension) {
     return kDimensions.at(static_cast<std::size_t>(dimension));
 }
 
+std::vector<std::string> unit_names(const std::optional<Exponents>& of) {
+    std::vector<std::string> names;
+    for (const Unit& unit : kUnits) {
+        if (!of || unit.exponents == *of) {
+            names.emplace_back(unit.name);
+        }
+    }
+    return names;
+}
+
 std::string name_of(const Exponents& exponents) {
     for (const DimensionInfo& known : kDimensions) {
         if (known.exponents == exponents) {

@@ -65,6 +65,10 @@ struct DimensionInfo {
 
 [[nodiscard]] const DimensionInfo& info(Dimension dimension);
 
+/// The units of exactly these exponents that have a name of their own: "m", "km" ...; all units
+/// without an argument.
+[[nodiscard]] std::vector<std::string> unit_names(const std::optional<Exponents>& of = {});
+
 /// "a length", or "kg m/s" where the exponents have no name.
 [[nodiscard]] std::string name_of(const Exponents& exponents);
 

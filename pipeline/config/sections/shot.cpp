@@ -10,7 +10,12 @@ namespace {
 void add_file_keys(MapSpec<ShotFile>& s) {
     const auto ignore = [](ShotFile&, const auto&) {};
     s.set("carom", integer(1, 1), ignore, "version of the format").required();
-    s.set("include", list_of(text("the name of a file")), ignore,
+    const auto file_name = text("the name of a file");
+    const auto one = convert<std::vector<std::string>>(
+        file_name, [](std::string name) { return std::vector<std::string>{std::move(name)}; });
+    s.set("include",
+          any_of<std::vector<std::string>>({{is_scalar, one}, {is_list, list_of(file_name)}}),
+          ignore,
           "files that this one is laid over, in their order: maps merge key by key, everything "
           "else replaces, null takes away");
     s.set("quality", text("the name of a preset"), ignore,

@@ -32,8 +32,8 @@ TEST(CommandLine, Help_StartsWithThreeRealCommands) {
 }
 
 TEST(CommandLine, EveryCommandsHelp_HasAnExampleThatParses) {
-    for (const std::string name :
-         {"render", "retime", "bake", "frame", "check", "export", "report", "plan"}) {
+    for (const std::string name : {"render", "retime", "bake", "frame", "check", "export", "report",
+                                   "plan", "new", "schema"}) {
         const NothingToRun help = refused({name, "--help"});
         EXPECT_EQ(help.exit_code, 0);
         const std::size_t at = help.out.find("Example:\n  carom ");
@@ -168,8 +168,8 @@ TEST(CommandLine, NoArguments_GiveTheHelpOnStderr) {
 }
 
 TEST(CommandLine, Help_FitsEightyColumns) {
-    for (const std::string name :
-         {"render", "bake", "frame", "check", "export", "report", "plan", "--help"}) {
+    for (const std::string name : {"render", "bake", "frame", "check", "export", "report", "plan",
+                                   "new", "schema", "--help"}) {
         std::istringstream lines(refused({name, "--help"}).out);
         for (std::string line; std::getline(lines, line);) {
             EXPECT_LE(line.size(), 80U) << line;

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "pipeline/camera/frame_plan.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/plan/numbered_events.h"
 #include "sim/bake.h"
@@ -66,6 +67,29 @@ TEST(PlanSvg, OfTheMasse_ShowsWhatACoachWouldDraw) {
     EXPECT_THAT(svg, HasSubstr(">seat: 0.25 s to 1.75 s, 1×<"));
     EXPECT_THAT(svg, HasSubstr(">curve: 0.49 s to 1.09 s, 1/5×<"));
     EXPECT_EQ(svg, plan_svg(masse.shot, masse.timeline));
+}
+
+/// What 'carom new' writes.
+TEST(Templates, EachIsCleanBakesAndCanBeFilmed) {
+    for (const char* name : {"break", "trick", "bank", "masse", "jump", "dominoes", "empty"}) {
+        const LoadResult loaded =
+            load_shot(std::string(CAROM_SOURCE_DIR) + "/configs/templates/" + name + ".yaml");
+        EXPECT_TRUE(loaded.problems.empty()) << name;
+        ASSERT_TRUE(loaded.shot) << name;
+        const sim::BakeResult bake = sim::bake(loaded.shot->world);
+        EXPECT_TRUE(bake.warnings.empty()) << name;
+        const Shot& shot = *loaded.shot;
+        const std::int64_t frames = frame_count(shot.cameras, shot.timing);
+        for (std::int64_t frame = 0; frame < frames; frame += 6) {
+            EXPECT_NO_THROW((void)plan_frame(frame, shot.cameras, shot.timing, bake.timeline))
+                << name;
+        }
+        const std::string svg = plan_svg(shot, bake.timeline);
+        const bool pots = std::string_view("trick bank masse jump").find(name) != std::string::npos;
+        if (pots) {
+            EXPECT_THAT(svg, HasSubstr(" potted, ")) << name;
+        }
+    }
 }
 
 TEST(PlanSvg, OfAJump_HasAnAirbornePath) {

@@ -1,0 +1,62 @@
+#include "pipeline/cli/new_command.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "pipeline/cli/output_file.h"
+#include "pipeline/config/config_files.h"
+#include "pipeline/config/parse_yaml.h"
+
+namespace carom::cli {
+
+namespace fs = std::filesystem;
+namespace config = pipeline::config;
+
+namespace {
+
+/// For editors that know YAML schemas; empty where none is installed.
+std::string schema_line(const config::ConfigFolders& folders) {
+    const config::FoundFile schema = config::find_config_file("carom.schema.json", ".", folders);
+    return schema.path.empty() ? "" : "# yaml-language-server: $schema=" + schema.path + "\n";
+}
+
+std::string template_text(std::string name, const config::ConfigFolders& folders) {
+    if (name == "massé") {
+        name = "masse";
+    }
+    const config::FoundFile found =
+        config::find_config_file("templates/" + name + ".yaml", ".", folders);
+    std::string text;
+    if (found.path.empty()) {
+        throw InputError("the template '" + name +
+                         "' is not there; is carom installed completely?");
+    }
+    if (!config::read_text_file(found.path, config::YamlLimits{}.bytes, text)) {
+        throw InputError("the file '" + found.path + "' " + text);
+    }
+    return text;
+}
+
+}  // namespace
+
+void run_new(const NewCommand& command, CommandContext& context) {
+    const config::ConfigFolders folders = config::standard_config_folders();
+    std::string text = template_text(command.template_name, folders);
+    if (command.shot == "-") {
+        return print_text(text);
+    }
+    check_output_folder(command.shot);
+    std::error_code ignored;
+    if (!command.force && fs::exists(command.shot, ignored)) {
+        throw InputError("'" + command.shot + "' is there already; --force writes over it");
+    }
+    const std::string placeholder = "THIS";
+    for (std::size_t at = text.find(placeholder); at != std::string::npos;
+         at = text.find(placeholder, at + command.shot.size())) {
+        text.replace(at, placeholder.size(), command.shot);
+    }
+    write_text_output(command.shot, schema_line(folders) + text);
+    context.console.info("'carom check', 'plan', 'frame' and 'render' take it as it is");
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,311 @@
+#include "pipeline/config/schema.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include "pipeline/config/sections/sections.h"
+#include "pipeline/config/text.h"
+
+namespace carom::pipeline {
+
+using namespace config;
+
+namespace {
+
+// ---- JSON -----------------------------------------------------------------------------------
+
+std::string quoted(const std::string& text) {
+    std::string json = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') {
+            json += '\\';
+        }
+        if (static_cast<unsigned char>(c) < 0x20) {
+            std::array<char, 8> code{};
+            std::snprintf(code.data(), code.size(), "\\u%04x", c);
+            json += code.data();
+        } else {
+            json += c;
+        }
+    }
+    return json + "\"";
+}
+
+using Members = std::vector<std::pair<std::string, std::string>>;  // name, JSON
+
+std::string object(const Members& members) {
+    std::string json;
+    for (const auto& [name, value] : members) {
+        json += (json.empty() ? "" : ", ") + quoted(name) + ": " + value;
+    }
+    return "{" + json + "}";
+}
+
+std::string array(const std::vector<std::string>& items) {
+    std::string json;
+    for (const std::string& item : items) {
+        json += (json.empty() ? "" : ", ") + item;
+    }
+    return "[" + json + "]";
+}
+
+std::string quoted_array(const std::vector<std::string>& words) {
+    std::vector<std::string> items;
+    for (const std::string& word : words) {
+        items.push_back(quoted(word));
+    }
+    return array(items);
+}
+
+std::string any_of(const std::vector<std::string>& alternatives) {
+    return alternatives.size() == 1 ? alternatives[0] : object({{"anyOf", array(alternatives)}});
+}
+
+// ---- scalars --------------------------------------------------------------------------------
+
+constexpr const char* kNumber = R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)";
+
+/// "(m|km|cm)" for what has units of its own; else any product and quotient of units.
+std::string unit_pattern(Dimension dimension) {
+    const std::vector<std::string> own = unit_names(info(dimension).exponents);
+    const bool is_simple = dimension == Dimension::length || dimension == Dimension::mass ||
+                           dimension == Dimension::time || dimension == Dimension::angle;
+    const auto one_of = [](const std::vector<std::string>& names) {
+        std::string pattern;
+        for (const std::string& name : names) {
+            pattern += (pattern.empty() ? "" : "|") + name;
+        }
+        return "(" + pattern + ")";
+    };
+    if (is_simple) {
+        return one_of(own);
+    }
+    const std::string unit = one_of(unit_names()) + R"((\^-?[0-9]+)?)";
+    return "(1/)?" + unit + R"((\s*[*/ ]\s*)" + unit + ")*";
+}
+
+std::string quantity_schema(const TypeInfo& type) {
+    Members number{{"type", quoted("number")}};
+    if (type.range.low) {
+        number.emplace_back(type.range.low_open ? "exclusiveMinimum" : "minimum",
+                            show(*type.range.low));
+    }
+    if (type.range.high) {
+        number.emplace_back(type.range.high_open ? "exclusiveMaximum" : "maximum",
+                            show(*type.range.high));
+    }
+    std::string pattern = std::string(R"(^\s*)") + kNumber + R"((\s*/\s*)" + kNumber + ")?";
+    if (type.dimension != Dimension::none) {
+        pattern += R"((\s*)" + unit_pattern(type.dimension) + ")?";
+    }
+    return any_of({object(number),
+                   object({{"type", quoted("string")}, {"pattern", quoted(pattern + R"(\s*$)")}})});
+}
+
+std::string integer_schema(const TypeInfo& type) {
+    Members integer{{"type", quoted("integer")}};
+    // Beyond 2^53 numbers of JSON are not exact.
+    if (type.range.low && *type.range.low > -9e15) {
+        integer.emplace_back("minimum", show(*type.range.low));
+    }
+    if (type.range.high && *type.range.high < 9e15) {
+        integer.emplace_back("maximum", show(*type.range.high));
+    }
+    return any_of(
+        {object(integer), object({{"type", quoted("string")}, {"pattern", quoted("^-?[0-9]+$")}})});
+}
+
+std::string text_schema(const TypeInfo& type) {
+    if (type.noun.rfind("a colour", 0) == 0) {
+        return object({{"type", quoted("string")}, {"pattern", quoted("^#[0-9a-fA-F]{6}$")}});
+    }
+    // A word may look like a number to YAML.
+    return object({{"type", array({quoted("string"), quoted("number"), quoted("boolean")})}});
+}
+
+std::string choice_schema(const TypeInfo& type) {
+    std::vector<std::string> values;
+    for (const std::string& word : type.choices) {
+        values.push_back(quoted(word));
+        double number = 0;
+        const char* const end = word.data() + word.size();
+        const auto [stop, code] = std::from_chars(word.data(), end, number);
+        if ((code == std::errc() && stop == end) || word == "true" || word == "false") {
+            values.push_back(word);  // as YAML reads it without quotes
+        }
+    }
+    return object({{"enum", array(values)}});
+}
+
+// ---- the whole ------------------------------------------------------------------------------
+
+/// Definitions of maps, made as they are met. A map that may be merged with an included one need
+/// not be complete; one in a list replaces, and must be.
+class Schema {
+  public:
+    std::string text() {
+        std::string json =
+            "{\n  \"$schema\": \"http://json-schema.org/draft-07/schema#\",\n"
+            "  \"title\": \"a shot of carom\",\n"
+            "  \"allOf\": [{\"$ref\": " +
+            quoted(reference(shot_spec().info(), false)) + "}],\n  \"definitions\": {\n";
+        while (described_ < maps_.size()) {
+            const Known known = maps_[described_];
+            const std::string definition = describe_map(*known.map, known.is_whole);
+            json +=
+                (described_ > 0 ? ",\n" : "") + ("    " + quoted(known.name)) + ": " + definition;
+            ++described_;
+        }
+        return json + "\n  }\n}\n";
+    }
+
+  private:
+    struct Known {
+        const MapInfo* map = nullptr;
+        bool is_whole = false;
+        std::string name;
+    };
+
+    std::string reference(const MapInfo& map, bool is_whole) {
+        const auto known = std::find_if(maps_.begin(), maps_.end(), [&](const Known& k) {
+            return k.map == &map && k.is_whole == is_whole;
+        });
+        if (known != maps_.end()) {
+            return "#/definitions/" + known->name;
+        }
+        std::string name = map.name + (is_whole ? "" : " (merged)");
+        std::replace(name.begin(), name.end(), ' ', '-');
+        const auto is_taken = [&](const std::string& wanted) {
+            return std::any_of(maps_.begin(), maps_.end(),
+                               [&](const Known& k) { return k.name == wanted; });
+        };
+        std::string unique = name;
+        for (int i = 2; is_taken(unique); ++i) {
+            unique = name + "-" + std::to_string(i);
+        }
+        maps_.push_back({&map, is_whole, unique});
+        return "#/definitions/" + unique;
+    }
+
+    std::string schema_of(const TypeInfo& type, bool is_whole) {
+        switch (type.kind) {
+            case TypeInfo::Kind::boolean:
+                return object({{"type", quoted("boolean")}});
+            case TypeInfo::Kind::integer:
+                return integer_schema(type);
+            case TypeInfo::Kind::quantity:
+                return quantity_schema(type);
+            case TypeInfo::Kind::text:
+                return text_schema(type);
+            case TypeInfo::Kind::name:
+            case TypeInfo::Kind::file:
+                return object({{"type", quoted("string")}});
+            case TypeInfo::Kind::choice:
+                return choice_schema(type);
+            case TypeInfo::Kind::list:
+                return list_schema(type);
+            case TypeInfo::Kind::named:
+                return object(
+                    {{"type", quoted("object")},
+                     {"propertyNames",
+                      object({{"pattern", quoted("^[A-Za-z_][A-Za-z0-9_-]{0,63}$")}})},
+                     {"additionalProperties", any_of({schema_of(type.elements.at(0), is_whole),
+                                                      object({{"type", quoted("null")}})})}});
+            case TypeInfo::Kind::map:
+                return object({{"$ref", quoted(reference(*type.map, is_whole))}});
+            case TypeInfo::Kind::any_of: {
+                std::vector<std::string> alternatives;
+                for (const TypeInfo& element : type.elements) {
+                    alternatives.push_back(schema_of(element, is_whole));
+                }
+                return any_of(alternatives);
+            }
+        }
+        return "{}";
+    }
+
+    std::string list_schema(const TypeInfo& type) {
+        Members list{{"type", quoted("array")}, {"items", schema_of(type.elements.at(0), true)}};
+        if (type.fewest > 0) {
+            list.emplace_back("minItems", std::to_string(type.fewest));
+        }
+        if (type.most >= 0) {
+            list.emplace_back("maxItems", std::to_string(type.most));
+        }
+        return object(list);
+    }
+
+    std::string property(const KeyInfo& key, bool is_whole) {
+        std::vector<std::string> alternatives{schema_of(key.type, is_whole)};
+        if (!is_whole) {  // takes away what an included file says
+            alternatives.push_back(object({{"type", quoted("null")}}));
+        }
+        Members members{{"description", quoted(key.description)}};
+        if (!key.default_text.empty()) {
+            members[0].second = quoted(key.description + " (default: " + key.default_text + ")");
+        }
+        members.emplace_back("anyOf", array(alternatives));
+        return object(members);
+    }
+
+    std::string describe_map(const MapInfo& map, bool is_whole) {
+        std::string properties;
+        std::vector<std::string> required;
+        for (const KeyInfo& key : map.keys) {
+            properties += (properties.empty() ? "\n" : ",\n") +
+                          ("        " + quoted(key.name) + ": " + property(key, is_whole));
+            if (key.is_required && is_whole) {
+                required.push_back(key.name);
+            }
+        }
+        const bool is_root = &map == &shot_spec().info();
+        if (is_root) {
+            required.emplace_back("carom");
+        }
+        std::string json = "{\n      \"description\": " + quoted(map.description) +
+                           ",\n      \"type\": \"object\",\n      \"additionalProperties\": " +
+                           "false,\n      \"properties\": {" + properties + "\n      }";
+        if (!required.empty()) {
+            json += ",\n      \"required\": " + quoted_array(required);
+        }
+        const std::vector<std::string> rules = rules_of(map, is_whole);
+        if (!rules.empty()) {
+            json += ",\n      \"allOf\": " + array(rules);
+        }
+        return json + "\n    }";
+    }
+
+    static std::vector<std::string> rules_of(const MapInfo& map, bool is_whole) {
+        std::vector<std::string> rules;
+        for (const KeyGroup& group : map.groups) {
+            std::vector<std::string> present;
+            for (std::size_t i = 0; i < group.keys.size(); ++i) {
+                present.push_back(object({{"required", quoted_array({group.keys[i]})}}));
+                for (std::size_t j = 0; j < i; ++j) {
+                    rules.push_back(object(
+                        {{"not",
+                          object({{"required", quoted_array({group.keys[j], group.keys[i]})}})}}));
+                }
+            }
+            if (is_whole && group.rule == KeyGroup::Rule::exactly_one) {
+                rules.push_back(any_of(present));
+            }
+        }
+        return rules;
+    }
+
+    std::vector<Known> maps_;
+    std::size_t described_ = 0;
+};
+
+}  // namespace
+
+std::string schema_json() {
+    return Schema().text();
+}
+
+}  // namespace carom::pipeline
