@@ -42,7 +42,8 @@ std::optional<LightSample> RectangleEmitter::sample(const V3f& point, const V2f&
     }
     const float distance2 = way.length2();
     const float distance = std::sqrt(distance2);
-    return LightSample{way * (1 / distance), distance, distance2 * distance / (height * area_), {}};
+    return LightSample{way * (1 / distance), distance, distance2 * distance / (height * area_),
+                       V2f(0, 0)};
 }
 
 std::optional<LightBlock> RectangleEmitter::sample_block(const V3f& point,
@@ -123,9 +124,8 @@ std::optional<LightSample> SphereEmitter::sample(const V3f& point, const V2f& u)
     // Near side of the sphere along the direction.
     const float inside = std::sqrt(std::max(0.0f, radius_ * radius_ - distance2 * sine2));
     return LightSample{OrthonormalBasis::around(way / distance).to_world(local).normalized(),
-                       std::max(0.0f, distance * local.z - inside),
-                       pdf_cone(one_minus_cos),
-                       {}};
+                       std::max(0.0f, distance * local.z - inside), pdf_cone(one_minus_cos),
+                       V2f(0, 0)};
 }
 
 float SphereEmitter::pdf(const V3f& point, const V3f& /*direction*/, float /*distance*/) const {

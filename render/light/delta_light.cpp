@@ -31,7 +31,7 @@ float DeltaLight::share_at(float cosine) const {
 
 std::optional<LightSample> DeltaLight::sample(const V3f& point) const {
     if (is_parallel_) {
-        return LightSample{-direction_, kInfinity, kDeltaPdf, {}};
+        return LightSample{-direction_, kInfinity, kDeltaPdf, V2f(0, 0)};
     }
     const V3f way = position_ - point;
     const float distance = way.length();
@@ -42,7 +42,7 @@ std::optional<LightSample> DeltaLight::sample(const V3f& point) const {
     if (share_at(-(towards ^ direction_)) <= 0) {
         return std::nullopt;
     }
-    return LightSample{towards, distance, kDeltaPdf, {}};
+    return LightSample{towards, distance, kDeltaPdf, V2f(0, 0)};
 }
 
 V3f DeltaLight::radiance(const LightSample& sample) const {

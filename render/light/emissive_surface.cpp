@@ -65,7 +65,7 @@ std::optional<LightSample> EmissiveSurface::sample(const V3f& point, const V2f& 
     if (cosine <= 0) {
         return std::nullopt;
     }
-    return LightSample{way / distance, distance, pdf(distance, cosine), {}};
+    return LightSample{way / distance, distance, pdf(distance, cosine), V2f(0, 0)};
 }
 
 float EmissiveSurface::importance(const V3f& point, const V3f& normal) const {
