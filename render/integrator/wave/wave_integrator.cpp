@@ -1,6 +1,7 @@
 #include "render/integrator/wave/wave_integrator.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "sim/timeline/assert.h"
 
@@ -234,7 +235,7 @@ void WaveIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
     count.shadow_rays += static_cast<std::uint64_t>(shadows.count);
     for (int k = 0; k < shadows.rays; ++k) {
         scene_.frame.structure().drop_blocked(shadows.batch(k, vertices),
-                                              shadows.reach + k * shadows.stride);
+                                              shadows.reach + std::ptrdiff_t{k} * shadows.stride);
     }
     kernels_->sum_light(shadows, vertices);
     for (int vertex = 0; vertex < vertices; ++vertex) {
