@@ -37,7 +37,17 @@ bool is_dark(const V3f& c) {
     return c.x <= 0 && c.y <= 0 && c.z <= 0;
 }
 
+// With more area lights than these each is sampled once.
+constexpr std::size_t kFewLights = 4;
+
 }  // namespace
+
+int first_vertex_samples(const LightSet& lights, std::size_t light) {
+    const std::size_t area_lights = lights.area_light_count();
+    const bool is_lamp = light < area_lights && area_lights <= kFewLights &&
+                         std::holds_alternative<RectangleEmitter>(lights.area_light(light));
+    return is_lamp ? LightBlock::kSize : 1;
+}
 
 /// Light on its way to a vertex, each arrival with its shadow ray: these are traced together.
 class DirectLight::Arrivals {
@@ -121,7 +131,7 @@ void DirectLight::seek_all(Path& path, const ShadingVertex& vertex,
     std::array<V2f, 2> pair;
     std::uint32_t asked = 0;  // points of pairs
     for (std::size_t light = 0; light < scene_.lights.sampled_count(); ++light) {
-        if (samples_of(light) > 1) {
+        if (first_vertex_samples(scene_.lights, light) > 1) {
             seek_block(light, dimensions.light_block(light), vertex, arrivals);
             continue;
         }
@@ -200,14 +210,6 @@ void DirectLight::seek_block(std::size_t light, const std::array<V2f, 4>& u,
     }
 }
 
-// How many directions a path's first vertex takes towards an area light.
-float DirectLight::samples_of(std::size_t light) const {
-    const std::size_t area_lights = scene_.lights.area_light_count();
-    const bool is_lamp = light < area_lights &&
-                         std::holds_alternative<RectangleEmitter>(scene_.lights.area_light(light));
-    return is_lamp && area_lights <= kFewLights ? LightBlock::kSize : 1.0f;
-}
-
 // Value of the BSDF, each part weighted against the scattering that would have found the light too.
 V3f DirectLight::scattered(const ShadingVertex& vertex, const V3f& direction,
                            float light_pdf) const {
@@ -234,8 +236,9 @@ float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float 
     if (last.is_delta || strategy_ == DirectStrategy::scattering_only) {
         return 1;
     }
-    float expected =
-        scene_.lights.is_environment(light) ? last.environment_samples : samples_of(light);
+    float expected = scene_.lights.is_environment(light)
+                         ? last.environment_samples
+                         : static_cast<float>(first_vertex_samples(scene_.lights, light));
     if (!last.all_lights) {
         expected = last.total_importance > 0
                        ? scene_.lights.importance(light, last.position, last.normal) /

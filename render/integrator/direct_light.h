@@ -11,10 +11,10 @@ namespace carom::render {
 /// without a surface are only found by sampling them.
 enum class DirectStrategy { both, lights_only, scattering_only };
 
-/// With more area lights than these each is sampled once at a path's first vertex, together they
-/// are smooth enough; else rectangles are four times: their penumbrae would be most of the noise,
-/// and four shadow rays traced together cost little more than one.
-inline constexpr std::size_t kFewLights = 4;
+/// How many directions a path's first vertex takes towards a light. Rectangles are taken four:
+/// their penumbrae would be most of the noise, and four shadow rays traced together cost little
+/// more than one. With many area lights each is taken one, together they are smooth enough.
+[[nodiscard]] int first_vertex_samples(const LightSet& lights, std::size_t light);
 
 /// Share of a sample's contribution, made with density `pdf`, when another strategy makes the same
 /// with `other`: the power heuristic with exponent 2 (Veach 1997, section 9.2.4).
@@ -71,7 +71,6 @@ class DirectLight {
                   Arrivals& arrivals) const;
     void seek_block(std::size_t light, const std::array<V2f, 4>& u, const ShadingVertex& vertex,
                     Arrivals& arrivals) const;
-    [[nodiscard]] float samples_of(std::size_t light) const;
     [[nodiscard]] V3f scattered(const ShadingVertex& vertex, const V3f& direction,
                                 float light_pdf) const;
     [[nodiscard]] float weight_of_meeting(const Path& path, std::size_t light, float pdf) const;

@@ -49,11 +49,12 @@ WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& 
 }
 
 bool WaveIntegrator::can_do(const TransportScene& scene, const PathSettings& settings) {
-    const std::size_t lights = scene.lights.sampled_count();
-    const std::size_t lamps =
-        scene.lights.area_light_count() <= kFewLights ? scene.lights.area_light_count() : 0;
+    int rays = 0;
+    for (std::size_t light = 0; light < scene.lights.sampled_count(); ++light) {
+        rays += first_vertex_samples(scene.lights, light);
+    }
     return best_wave_kernels() != nullptr && settings.strategy == DirectStrategy::both &&
-           lights + 3 * lamps <= ShadowWave::kMostRays;
+           rays <= ShadowWave::kMostRays;
 }
 
 RadianceSample WaveIntegrator::sample(const Ray& camera_ray, float pixel_spread,

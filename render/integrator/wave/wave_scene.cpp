@@ -22,7 +22,7 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
         light.radiance = rectangle->radiance();
         light.area = 4.0f * light.edge_u.length() * light.edge_v.length();
         light.half_diagonal = (light.edge_u + light.edge_v).length();
-        light.samples = lights.area_light_count() <= kFewLights ? LightBlock::kSize : 1;
+        light.samples = first_vertex_samples(lights, index);
     } else {
         const auto& sphere = std::get<SphereEmitter>(area_light);
         light.kind = WaveLight::Kind::sphere;
