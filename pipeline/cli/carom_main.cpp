@@ -2,19 +2,19 @@
 // libexec/carom/carom-film, which links OpenImageIO (200 ms to load) and libav.
 #include <cerrno>
 #include <cstdio>
-#include <filesystem>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <unistd.h>
 
 #include "pipeline/cli/cache_command.h"
 #include "pipeline/cli/command_line.h"
+#include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/light_commands.h"
 #include "pipeline/cli/new_command.h"
 #include "pipeline/cli/overload.h"
 #include "pipeline/cli/plan_command.h"
+#include "pipeline/cli/report_command.h"
 #include "pipeline/cli/schema_command.h"
 
 namespace {
@@ -23,16 +23,9 @@ using namespace carom::cli;
 
 /// Returns only if it fails.
 int become_film_program(char** arguments) {
-    std::error_code error;
-    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path film =
-        self.parent_path().parent_path() / "libexec" / "carom" / "carom-film";
+    const std::string film = helper_program("carom-film");
     ::execv(film.c_str(), arguments);
-    const std::string reason = std::generic_category().message(errno);
-    std::fprintf(stderr,
-                 "carom: error: cannot start the renderer '%s': %s; is carom installed "
-                 "completely?\n",
-                 film.c_str(), reason.c_str());
+    std::fprintf(stderr, "carom: error: %s\n", cannot_start("the renderer", film, errno).c_str());
     return kFailed;
 }
 

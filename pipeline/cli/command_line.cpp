@@ -107,6 +107,16 @@ void add_output(CLI::App& app, std::string& output, const char* what) {
     app.add_option("-o,--output", output, what)->option_text("FILE");
 }
 
+void add_drawing(CLI::App& app, DrawingOptions& drawing) {
+    app.add_option("--page", drawing.page,
+                   "what a drawing is read on: auto (as the browser prefers), light or dark")
+        ->option_text("NAME")
+        ->check(CLI::IsMember({"auto", "light", "dark"}));
+    app.add_option("--width", drawing.width, "of a .png, in pixels (default 2000)")
+        ->option_text("N")
+        ->check(CLI::Range(100, 16000));
+}
+
 void add_render(CLI::App& app, Targets& targets) {
     CLI::App& command = *app.add_subcommand("render", "simulate, render and encode a shot");
     RenderCommand& render = targets.render;
@@ -243,10 +253,18 @@ void add_report(CLI::App& app, Targets& targets) {
     add_input(command, report.input, "SHOT|BAKE", "a shot or a bake");
     add_output(command, report.output, "else standard output");
     command.add_flag("--json", report.json, "one JSON object, with all digits");
+    command
+        .add_option("--plot", report.plot,
+                    "draw the speeds and the energy over time: .svg or .png; without -o and --json "
+                    "only that")
+        ->option_text("FILE");
+    add_drawing(command, report.drawing);
     add_cache(command, report.cache);
     add_talk(command, targets);
-    command.footer(example("  carom report break.yaml") +
-                   "\nEvents with speeds and cut angles; how each object moved and ended; energy.");
+    command.footer(
+        example("  carom report break.yaml\n"
+                "  carom report break.yaml --plot speeds.svg") +
+        "\nEvents with speeds, spin and cut angles; how each object moved and ended;\nenergy.");
 }
 
 void add_plan(CLI::App& app, Targets& targets) {
@@ -255,12 +273,8 @@ void add_plan(CLI::App& app, Targets& targets) {
     add_input(command, plan.input, "SHOT|BAKE", "a shot or a bake");
     add_camera_file(command, plan.input);
     add_output(command, plan.output,
-               "the drawing, .svg (else the shot's name and .svg; - is standard output)");
-    command
-        .add_option("--page", plan.page,
-                    "what it is read on: auto (as the browser prefers), light or dark")
-        ->option_text("NAME")
-        ->check(CLI::IsMember({"auto", "light", "dark"}));
+               "the drawing, .svg or .png (else the shot's name and .svg; - is standard output)");
+    add_drawing(command, plan.drawing);
     add_cache(command, plan.cache);
     add_talk(command, targets);
     command.footer(example("  carom plan break.yaml -o break.svg") +

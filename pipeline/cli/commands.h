@@ -28,6 +28,12 @@ struct CacheOptions {
     std::string size;    // its limit, "20 GB"; empty: the usual one
 };
 
+/// How a plan or a plot looks.
+struct DrawingOptions {
+    std::string page = "auto";  // or "light", "dark"
+    int width = 2000;           // of a .png, pixels
+};
+
 struct RenderCommand {
     InputOptions input;
     CacheOptions cache;
@@ -99,15 +105,17 @@ struct ExportCommand {
 struct ReportCommand {
     InputOptions input;
     CacheOptions cache;
-    std::string output;  // empty: standard output
+    std::string output;  // empty: standard output, or with `plot` none
     bool json = false;
+    std::string plot;  // a drawing, .svg or .png; empty: none
+    DrawingOptions drawing;
 };
 
 struct PlanCommand {
     InputOptions input;
     CacheOptions cache;
-    std::string output;         // empty: the shot's name and .svg in the current folder
-    std::string page = "auto";  // or "light", "dark"
+    std::string output;  // empty: the shot's name and .svg in the current folder
+    DrawingOptions drawing;
 };
 
 /// A starter for a new shot.

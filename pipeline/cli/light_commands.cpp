@@ -4,10 +4,8 @@
 
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/output_file.h"
-#include "pipeline/cli/report_json.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/export/timeline_csv.h"
-#include "pipeline/report/report_text.h"
 #include "pipeline/video/video_format.h"
 #include "sim/timeline/bake_file.h"
 
@@ -73,14 +71,6 @@ void run_export(const ExportCommand& command, CommandContext& context) {
     if (!command.events.empty()) {
         write_text_output(command.events, pipeline::events_to_csv(timeline));
     }
-}
-
-void run_report(const ReportCommand& command, CommandContext& context) {
-    check_output_folder(command.output);
-    const pipeline::ShotReport report =
-        pipeline::report_of(timeline_of(command.input, command.cache, context));
-    write_text_output(command.output.empty() ? "-" : command.output,
-                      command.json ? report_json(report) : pipeline::report_text(report));
 }
 
 }  // namespace carom::cli

@@ -23,6 +23,19 @@ void add_place(JsonMembers& members, const Vec3& p) {
     members.add("x", p.x).add("y", p.y).add("z", p.z);
 }
 
+/// "a_speed_before" ... of an event's first object.
+void add_motion(JsonMembers& members, const std::string& which,
+                const std::optional<pipeline::SpeedChange>& change) {
+    if (change) {
+        const Vec3& before = change->spin_before;
+        const Vec3& after = change->spin_after;
+        members.add(which + "_speed_before", change->before)
+            .add(which + "_speed_after", change->after)
+            .add(which + "_spin_before", {before.x, before.y, before.z})
+            .add(which + "_spin_after", {after.x, after.y, after.z});
+    }
+}
+
 std::string event_object(const pipeline::ReportedEvent& row) {
     const sim::Event& event = row.event;
     JsonMembers members;
@@ -34,18 +47,17 @@ std::string event_object(const pipeline::ReportedEvent& row) {
         members.add("b", event.b);
     }
     add_place(members, event.place);
-    if (row.a) {
-        members.add("a_speed_before", row.a->before).add("a_speed_after", row.a->after);
-    }
-    if (row.b) {
-        members.add("b_speed_before", row.b->before).add("b_speed_after", row.b->after);
-    }
+    add_motion(members, "a", row.a);
+    add_motion(members, "b", row.b);
     if (row.cut) {
         members.add("cut", *row.cut);
     }
     if (event.kind == sim::EventKind::impact) {
-        members.add("normal_impulse", event.normal_impulse)
+        members.add("normal", {event.normal.x, event.normal.y, event.normal.z})
+            .add("normal_impulse", event.normal_impulse)
             .add("tangential_impulse", event.tangential_impulse);
+    } else if (event.vector != Vec3(0, 0, 0)) {
+        members.add("vector", {event.vector.x, event.vector.y, event.vector.z});
     }
     return members.object();
 }
@@ -84,13 +96,23 @@ std::string object_object(const pipeline::ReportedObject& object) {
     return members.object();
 }
 
-std::string energy_object(const pipeline::ReportedEnergy& mark) {
+JsonMembers energy_members(const sim::EnergySample& sample) {
     return JsonMembers()
-        .add("when", mark.when)
-        .add("time", mark.sample.time)
-        .add("kinetic", mark.sample.kinetic)
-        .add("potential", mark.sample.potential)
-        .object();
+        .add("time", sample.time)
+        .add("kinetic", sample.kinetic)
+        .add("potential", sample.potential);
+}
+
+std::string energy_object(const pipeline::ReportedEnergy& mark) {
+    JsonMembers members;
+    if (!mark.when.empty()) {
+        members.add("when", mark.when);
+    }
+    return members.add(energy_members(mark.sample)).object();
+}
+
+std::string sample_object(const sim::EnergySample& sample) {
+    return energy_members(sample).object();
 }
 
 template <typename Item, typename Write>
@@ -112,7 +134,8 @@ std::string report_json(const pipeline::ShotReport& report) {
                                     .add("largest_energy_rise", report.largest_energy_rise);
     return "{" + numbers.text() + ",\n\"events\":" + array_of(report.events, event_object) +
            ",\n\"objects\":" + array_of(report.objects, object_object) +
-           ",\n\"energy\":" + array_of(report.energy, energy_object) + "}\n";
+           ",\n\"energy\":" + array_of(report.energy, energy_object) +
+           ",\n\"energy_over_time\":" + array_of(report.energy_samples, sample_object) + "}\n";
 }
 
 }  // namespace carom::cli

@@ -7,7 +7,8 @@
 
 namespace carom::cli {
 
-/// Members start_time, end_time, events, objects, energy and largest_energy_rise, in SI units with
+/// Members start_time, end_time, largest_energy_rise, events, objects, energy and energy_over_time
+/// (as often as it was measured), in SI units with
 /// all digits; what an event does not have is left out.
 [[nodiscard]] std::string report_json(const pipeline::ShotReport& report);
 

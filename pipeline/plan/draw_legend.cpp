@@ -119,6 +119,12 @@ bool has_motion(const PlanDrawing& plan, Motion motion) {
 
 }  // namespace
 
+double draw_names(PlanDrawing& plan, double y) {
+    Flow flow(y);
+    draw_balls(plan, flow);
+    return flow.bottom();
+}
+
 double draw_legend(PlanDrawing& plan, double y) {
     Flow flow(y);
     plan.svg.open("g", {{"id", "legend"}});

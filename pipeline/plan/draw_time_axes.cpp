@@ -6,51 +6,14 @@
 
 #include "pipeline/camera/time_map.h"
 #include "pipeline/plan/plan_drawing.h"
+#include "pipeline/plan/time_axis.h"
 
 namespace carom::pipeline {
 
 namespace {
 
-constexpr double kLeft = kMargin + 16;  // where time 0 is, mm; its axis' name is before it
-constexpr double kRight = kPageWidth - kMargin - 4;
 constexpr double kBar = 4.4;
 constexpr double kText = 2.4;
-constexpr double kBadge = 1.5;  // radius of an event's number
-constexpr int kMostRows = 3;    // of numbers above each other
-
-struct Axis {
-    double from = 0, to = 1;  // s
-
-    [[nodiscard]] double at(double time) const {
-        return kLeft + (kRight - kLeft) * (time - from) / std::max(to - from, 1e-9);
-    }
-};
-
-/// 1, 2 or 5 times a power of ten, at most twelve to the axis.
-double tick_step(double duration) {
-    const double least = duration / 12;
-    const double decade = std::pow(10, std::floor(std::log10(std::max(least, 1e-6))));
-    for (const double step : {1.0, 2.0, 5.0}) {
-        if (step * decade >= least) {
-            return step * decade;
-        }
-    }
-    return 10 * decade;
-}
-
-void draw_axis(SvgText& svg, const Axis& axis, double y, const std::string& name) {
-    svg.text("text", name,
-             {{"class", "head"}, {"x", svg_number(kMargin)}, {"y", svg_number(y + 0.9)}});
-    svg.leaf("path", {{"class", "fine"}, {"d", svg_path({{kLeft, y}, {kRight, y}}, false)}});
-    const double step = tick_step(axis.to - axis.from);
-    for (int i = 0; i * step <= (axis.to - axis.from) * (1 + 1e-9); ++i) {
-        const double x = axis.at(axis.from + i * step);
-        svg.leaf("path", {{"class", "fine"}, {"d", svg_path({{x, y}, {x, y + 1}}, false)}});
-        svg.text(
-            "text", time_text(axis.from + i * step),
-            {{"class", "small faint middle"}, {"x", svg_number(x)}, {"y", svg_number(y + 3.3)}});
-    }
-}
 
 std::string share_text(double speed) {
     const double size = std::abs(speed);
@@ -100,7 +63,7 @@ void draw_bar_text(SvgText& svg, const std::string& text, double from, double to
 }
 
 void draw_film(PlanDrawing& plan, double y) {
-    Axis axis;
+    TimeAxis axis;
     for (const PlanRig& rig : plan.rigs) {
         axis.to = &rig == &plan.rigs.front() ? rig.rig->video_end.to_double()
                                              : std::max(axis.to, rig.rig->video_end.to_double());
@@ -115,49 +78,13 @@ void draw_film(PlanDrawing& plan, double y) {
                        {"y", svg_number(y + 3.05)},
                        {"style", "font-size:2.4px;font-weight:bold"}});
     }
-    draw_axis(plan.svg, axis, y + kBar + 0.6, "film");
+    draw_time_axis(plan.svg, axis, y + kBar + 0.6, "film");
 }
 
-/// Numbers that would lie on each other go into rows; those beyond the last row stay a tick.
-std::vector<int> rows_of(const std::vector<NumberedEvent>& events, const Axis& axis) {
-    std::array<double, kMostRows> taken{};
-    std::vector<int> rows;
-    for (const NumberedEvent& event : events) {
-        const double x = axis.at(event.time);
-        std::size_t row = 0;
-        while (row < taken.size() && taken.at(row) > x - 2 * kBadge) {
-            ++row;
-        }
-        if (row < taken.size()) {
-            taken.at(row) = x;
-        }
-        rows.push_back(static_cast<int>(row));
-    }
-    return rows;
-}
-
-void draw_mark(SvgText& svg, const NumberedEvent& event, double x, double y, int row) {
-    const bool has_room = row < kMostRows;
-    const double top = has_room ? y - 1.2 - 2 * kBadge * (row + 0.5) : y - 1.2;
-    svg.leaf("path", {{"class", "fine"}, {"d", svg_path({{x, y}, {x, top}}, false)}});
-    if (!has_room) {
-        return;
-    }
-    svg.leaf("circle", {{"class", "badge"},
-                        {"cx", svg_number(x)},
-                        {"cy", svg_number(top)},
-                        {"r", svg_number(kBadge)}});
-    svg.text("text", std::to_string(event.number),
-             {{"class", "number"},
-              {"x", svg_number(x)},
-              {"y", svg_number(top + 0.66)},
-              {"style", "font-size:1.8px"}});
-}
-
-void draw_shown(PlanDrawing& plan, const Axis& axis, const PlanRig& rig, double y) {
+void draw_shown(PlanDrawing& plan, const TimeAxis& axis, const PlanRig& rig, double y) {
     const SceneStretch shown = shown_scene_times(*rig.rig);
-    const double from = std::clamp(axis.at(shown.first.to_double()), kLeft, kRight);
-    const double to = std::clamp(axis.at(shown.last.to_double()), kLeft, kRight);
+    const double from = std::clamp(axis.at(shown.first.to_double()), kAxisLeft, kAxisRight);
+    const double to = std::clamp(axis.at(shown.last.to_double()), kAxisLeft, kAxisRight);
     draw_bar(plan.svg, from, to, y, rig.colour);
     const bool is_backwards = rig.fastest <= 0 && rig.slowest < 0;
     const double tip = is_backwards ? from : to;
@@ -184,15 +111,9 @@ double draw_time_axes(PlanDrawing& plan, double y) {
         draw_film(plan, y);
         y += 11.5;
     }
-    const Axis axis{plan.timeline.start_time, plan.timeline.end_time};
-    const std::vector<int> rows = rows_of(plan.events.events, axis);
-    const int highest = rows.empty() ? 0 : *std::max_element(rows.begin(), rows.end());
-    const double line = y + 1.4 + 2 * kBadge * std::min(highest + 1, kMostRows);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        draw_mark(plan.svg, plan.events.events[i], axis.at(plan.events.events[i].time), line,
-                  rows[i]);
-    }
-    draw_axis(plan.svg, axis, line, "scene");
+    const TimeAxis axis{plan.timeline.start_time, plan.timeline.end_time};
+    const double line = draw_event_marks(plan.svg, axis, plan.events.events, y);
+    draw_time_axis(plan.svg, axis, line, "scene");
     y = line + 5;
     for (const PlanRig& rig : plan.rigs) {
         draw_shown(plan, axis, rig, y);

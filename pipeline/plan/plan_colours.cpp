@@ -28,11 +28,20 @@ text{font-family:"DejaVu Sans",Verdana,sans-serif;font-size:2.6px}
 .airborne.path{stroke-width:.85}
 .airborne.casing{stroke-width:1.2}
 .moving{stroke-width:.3}
+.path.curve{stroke-width:.5}
+.casing.curve{stroke-width:.72}
+.stripe.curve{stroke-width:.16}
+.grid{stroke-width:.1;stroke-opacity:.45;fill:none}
+.kinetic{stroke-width:.4;fill:none}
+.total{stroke-width:.3;stroke-dasharray:1.2 .8;fill:none}
+.area{fill-opacity:.1}
 .ball{stroke-width:.18}
 .ring{stroke-width:.62}
 .ghost{fill-opacity:.38;stroke-width:.14}
 .fine{stroke-width:.15;fill:none}
 .aim{stroke-width:.2;stroke-dasharray:.8 .8;fill:none}
+.prop{stroke-width:.14;fill-opacity:.8}
+.overhead{stroke-width:.14;stroke-dasharray:.6 .6;fill-opacity:.08}
 .cone{stroke-width:.16;fill-opacity:.07;stroke-opacity:.75}
 .way{stroke-width:.45;fill:none}
 .bar{fill-opacity:.22;stroke-width:.25}
@@ -62,14 +71,14 @@ std::string rules(const Palette& p) {
         return std::string(selector) + "{" + property + ":" + value + "}\n";
     };
     return rule(".paper", "fill", p.paper) + rule("text,.ink", "fill", p.ink) +
-           rule(".faint,text.faint", "fill", p.faint) + rule(".line", "stroke", p.ink) +
-           rule(".fine,.aim", "stroke", p.faint) + rule(".cloth", "fill", p.cloth) +
-           rule(".cushion", "fill", p.cushion) + rule(".rail", "fill", p.rail) +
-           rule(".hole", "fill", p.hole) + rule(".sight", "fill", p.faint) +
-           rule(".casing", "stroke", p.casing) +
-           rule(".ball,.ghost,.ring-edge", "stroke", p.casing) + rule(".badge", "fill", p.badge) +
-           rule("text.number", "fill", p.badge_ink) + rule(".halo", "stroke", p.paper) +
-           rule(".stick", "fill", p.stick);
+           rule(".faint,text.faint", "fill", p.faint) + rule(".line,.kinetic", "stroke", p.ink) +
+           rule(".area", "fill", p.ink) + rule(".fine,.aim,.grid,.total", "stroke", p.faint) +
+           rule(".cloth", "fill", p.cloth) + rule(".cushion", "fill", p.cushion) +
+           rule(".rail", "fill", p.rail) + rule(".hole", "fill", p.hole) +
+           rule(".sight", "fill", p.faint) + rule(".casing", "stroke", p.casing) +
+           rule(".ball,.ghost,.ring-edge,.prop,.overhead", "stroke", p.casing) +
+           rule(".badge", "fill", p.badge) + rule("text.number", "fill", p.badge_ink) +
+           rule(".halo", "stroke", p.paper) + rule(".stick", "fill", p.stick);
 }
 
 /// IEC 61966-2-1, the sRGB encoding.
@@ -118,9 +127,13 @@ ObjectPaint paint_of(const Shot& shot, const std::string& name) {
     if (object == objects.end()) {
         return {};
     }
+    return paint_of_material(shot, object->material);
+}
+
+ObjectPaint paint_of_material(const Shot& shot, const std::string& name) {
     const auto& materials = shot.scene.materials;
     const auto material = std::find_if(materials.begin(), materials.end(),
-                                       [&](const auto& m) { return m.name == object->material; });
+                                       [&](const auto& m) { return m.name == name; });
     if (material == materials.end()) {
         return {};
     }

@@ -25,6 +25,9 @@ struct ObjectPaint {
 
 [[nodiscard]] ObjectPaint paint_of(const Shot& shot, const std::string& name);
 
+/// What is made of the material of that name.
+[[nodiscard]] ObjectPaint paint_of_material(const Shot& shot, const std::string& name);
+
 /// Told apart on both pages, also by those who see red and green alike.
 [[nodiscard]] std::string rig_colour(std::size_t index);
 

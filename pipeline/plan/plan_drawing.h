@@ -21,6 +21,7 @@ namespace carom::pipeline {
 
 inline constexpr double kPageWidth = 297;  // mm, A4 on its side
 inline constexpr double kMargin = 10;
+inline constexpr std::size_t kMostNumbers = 30;  // of events
 
 /// An object that has a track.
 struct PlanObject {
@@ -54,7 +55,15 @@ struct PlanDrawing {
     SvgText svg;
 };
 
+/// Of every track, in order.
+[[nodiscard]] std::vector<PlanObject> plan_objects(const Shot& shot, const sim::Timeline& timeline);
+
+/// A whole document round what was drawn, `height` mm high.
+[[nodiscard]] std::string svg_page(const std::string& body, const std::string& title, PlanPage page,
+                                   double height);
+
 void draw_table(PlanDrawing& plan);
+void draw_scenery(PlanDrawing& plan);
 void draw_cameras(PlanDrawing& plan);
 void draw_paths(PlanDrawing& plan);
 /// At the start, at impacts, at the end.
@@ -65,6 +74,8 @@ void draw_event_numbers(PlanDrawing& plan);
 /// These begin at `y` (mm) and return where the next part may.
 [[nodiscard]] double draw_time_axes(PlanDrawing& plan, double y);
 [[nodiscard]] double draw_legend(PlanDrawing& plan, double y);
+/// The names of all objects with their colours.
+[[nodiscard]] double draw_names(PlanDrawing& plan, double y);
 [[nodiscard]] double draw_event_list(PlanDrawing& plan, double y);
 
 /// A ball's face at a place on the paper: its colour, stripe and number.

@@ -20,8 +20,6 @@ constexpr double kHighest = 155;          // of the drawing, mm
 constexpr double kFarthestCamera = 0.45;  // beyond the table's edge, m
 constexpr double kEdge = 0.06;            // round what is drawn, m
 constexpr int kCameraSteps = 48;
-constexpr std::size_t kMostNumbers = 30;
-constexpr double kTolerance = 2e-4;  // of paths, m: 0.01 mm on paper at 1:20
 
 constexpr double kStandardRadius = 0.028575;  // m, where a shot has no ball to measure
 
@@ -32,30 +30,6 @@ double ball_radius(const Shot& shot) {
         }
     }
     return kStandardRadius;
-}
-
-std::vector<PlanObject> objects_of(const Shot& shot, const sim::Timeline& timeline) {
-    std::vector<PlanObject> objects;
-    for (const sim::Track& track : timeline.tracks) {
-        PlanObject object;
-        object.track = &track;
-        object.body = find_body(shot, track.name());
-        if (object.body != nullptr) {
-            if (const auto* sphere = std::get_if<sim::Sphere>(&object.body->shape)) {
-                object.radius = sphere->radius;
-            }
-        }
-        object.paint = paint_of(shot, track.name());
-        for (const sim::Event& event : timeline.events) {
-            if (event.kind == sim::EventKind::potted && event.a == track.name()) {
-                object.gone = event.time;
-            }
-        }
-        object.motion = motion_stretches(track, object.radius,
-                                         std::min(object.gone, timeline.end_time), kTolerance);
-        objects.push_back(std::move(object));
-    }
-    return objects;
 }
 
 /// Empty states if the rig makes no picture somewhere: 'check' says why.
@@ -168,6 +142,7 @@ void draw_scene(PlanDrawing& plan) {
     plan.svg.close();
     plan.svg.open("g", {{"clip-path", "url(#sheet)"}});
     draw_table(plan);
+    draw_scenery(plan);
     // Their room first: labels come when all is known.
     draw_sticks(plan);
     draw_paths(plan);
@@ -177,31 +152,13 @@ void draw_scene(PlanDrawing& plan) {
     plan.svg.close();
 }
 
-/// The height is known only when all is drawn.
-std::string with_frame(const std::string& body, const std::string& name, PlanPage page,
-                       double height) {
-    SvgText svg;
-    svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-                     {"width", svg_number(kPageWidth) + "mm"},
-                     {"height", svg_number(height) + "mm"},
-                     {"viewBox", "0 0 " + svg_number(kPageWidth) + " " + svg_number(height)}});
-    svg.text("title", name + " from above");
-    svg.text("style", plan_style(page));
-    svg.leaf(
-        "rect",
-        {{"class", "paper"}, {"width", svg_number(kPageWidth)}, {"height", svg_number(height)}});
-    svg.raw(body);
-    svg.close();
-    return svg.finish();
-}
-
 }  // namespace
 
 std::string plan_svg(const Shot& shot, const sim::Timeline& timeline, const PlanOptions& options) {
     PlanDrawing plan{shot,
                      timeline,
                      {},
-                     objects_of(shot, timeline),
+                     plan_objects(shot, timeline),
                      {},
                      {},
                      {},
@@ -231,7 +188,7 @@ std::string plan_svg(const Shot& shot, const sim::Timeline& timeline, const Plan
     y = draw_legend(plan, y + 2) + 4;
     y = draw_time_axes(plan, y) + 4;
     y = draw_event_list(plan, y) + 6;
-    return with_frame(plan.svg.finish(), shot.name, options.page, y);
+    return svg_page(plan.svg.finish(), shot.name + " from above", options.page, y);
 }
 
 }  // namespace carom::pipeline

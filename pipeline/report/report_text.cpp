@@ -39,13 +39,13 @@ std::string place_text(const Vec3& p) {
     return format("%6.3f %6.3f %6.3f", shown(p.x, 1e-3), shown(p.y, 1e-3), shown(p.z, 1e-3));
 }
 
-/// Where the law of motion changes the speed does not: it is given once.
-std::string speeds_text(const std::optional<SpeedChange>& speeds, bool is_jump) {
+/// Where the law of motion changes the speed does not: it is given once. The spin is that after.
+std::string motion_text(const std::optional<SpeedChange>& speeds, bool is_jump) {
     if (!speeds) {
-        return std::string(13, ' ');
+        return std::string(20, ' ');
     }
     return (is_jump ? format("%6.3f", speeds->before) : std::string(6, ' ')) +
-           format(" %6.3f", speeds->after);
+           format(" %6.3f %6.1f", speeds->after, speeds->spin_after.length());
 }
 
 bool is_jump(sim::EventKind kind) {
@@ -82,19 +82,20 @@ std::string events_table(const ShotReport& report) {
     const bool any_cut = std::any_of(report.events.begin(), report.events.end(),
                                      [](const ReportedEvent& e) { return e.cut.has_value(); });
     const std::string blank = in_columns("", who);
-    std::string text =
-        without_trailing_blanks("                   " + blank + "  first  m/s   second  m/s  " +
-                                (any_cut ? "  cut" : "     ") + " impulse");
-    text += without_trailing_blanks(
-        "     time event     " + in_columns("who", who) + " before  after before  after " +
-        (any_cut ? "  deg" : "     ") + "     N s    x m    y m    z m");
+    std::string text = without_trailing_blanks("                    " + blank +
+                                               "  first  m/s    spin second  m/s    spin " +
+                                               (any_cut ? "  cut" : "     ") + " impulse");
+    text +=
+        without_trailing_blanks("     time event     " + in_columns("who", who) +
+                                " before  after  rad/s before  after  rad/s " +
+                                (any_cut ? "  deg" : "     ") + "     N s    x m    y m    z m");
     for (const ReportedEvent& row : report.events) {
         const sim::Event& event = row.event;
         const bool is_impact = event.kind == sim::EventKind::impact;
         text += without_trailing_blanks(
             format("%9.5f ", event.time) + in_columns(std::string(to_string(event.kind)), 9) + " " +
-            in_columns(who_text(event), who) + " " + speeds_text(row.a, is_jump(event.kind)) + " " +
-            speeds_text(row.b, is_jump(event.kind)) + " " +
+            in_columns(who_text(event), who) + " " + motion_text(row.a, is_jump(event.kind)) + " " +
+            motion_text(row.b, is_jump(event.kind)) + " " +
             (row.cut ? format("%5.1f", *row.cut * kDegrees) : std::string(5, ' ')) + " " +
             (is_impact ? format("%7.4f", event.normal_impulse) : std::string(7, ' ')) + " " +
             place_text(event.place));

@@ -22,6 +22,7 @@ constexpr int kMostPathSteps = 4800;  // between two keys
 
 struct Velocities {
     Vec3 before, after;
+    Vec3 spin_before, spin_after;
 };
 
 /// On arriving at `time` and on leaving.
@@ -30,10 +31,11 @@ Velocities velocities_at(const Track& track, double time) {
     const auto key = std::lower_bound(keys.begin(), keys.end(), time - kSameTime,
                                       [](const Key& k, double t) { return k.time < t; });
     if (key != keys.end() && key->time <= time + kSameTime) {
-        return {key->velocity_in, key->velocity_out};
+        return {key->velocity_in, key->velocity_out, key->angular_velocity_in,
+                key->angular_velocity_out};
     }
-    const Vec3 velocity = track.sample(time).velocity;
-    return {velocity, velocity};
+    const MotionState state = track.sample(time);
+    return {state.velocity, state.velocity, state.angular_velocity, state.angular_velocity};
 }
 
 std::optional<SpeedChange> speeds_of(const Track* track, double time) {
@@ -41,7 +43,7 @@ std::optional<SpeedChange> speeds_of(const Track* track, double time) {
         return std::nullopt;
     }
     const Velocities v = velocities_at(*track, time);
-    return SpeedChange{v.before.length(), v.after.length()};
+    return SpeedChange{v.before.length(), v.after.length(), v.spin_before, v.spin_after};
 }
 
 /// Balls touch on their line of centres; boxes seldom do.
@@ -143,18 +145,39 @@ const sim::EnergySample& sample_at(const Timeline& timeline, double time) {
     return after == energy.begin() ? energy.front() : *(after - 1);
 }
 
+/// 1, 2 or 5 times a power of ten, at most ten of them in `duration`.
+double round_step(double duration) {
+    const double least = std::max(duration / 10, 1e-3);
+    const double decade = std::pow(10, std::floor(std::log10(least)));
+    for (const double step : {1.0, 2.0, 5.0}) {
+        if (step * decade >= least * (1 - kSameTime)) {
+            return step * decade;
+        }
+    }
+    return 10 * decade;
+}
+
 std::vector<ReportedEnergy> energies_of(const Timeline& timeline) {
     std::vector<ReportedEnergy> marks;
     if (timeline.energy.empty()) {
         return marks;
     }
-    marks.push_back({"start", timeline.energy.front()});
+    const double step = round_step(timeline.end_time - timeline.start_time);
+    for (int i = 1; timeline.start_time + i * step < timeline.end_time - kSameTime; ++i) {
+        sim::EnergySample sample = sample_at(timeline, timeline.start_time + i * step);
+        sample.time = timeline.start_time + i * step;  // it is the same until the next sample
+        marks.push_back({"", sample});
+    }
     for (const Event& event : timeline.events) {
         if (is_force_event(event.kind)) {
             marks.push_back({"after the " + std::string(to_string(event.kind)) + " on " + event.a,
                              sample_at(timeline, std::max(event.time, event.end_time))});
         }
     }
+    std::stable_sort(marks.begin(), marks.end(), [](const auto& one, const auto& other) {
+        return one.sample.time < other.sample.time;
+    });
+    marks.insert(marks.begin(), {"start", timeline.energy.front()});
     marks.push_back({"end", timeline.energy.back()});
     return marks;
 }
@@ -175,6 +198,7 @@ ShotReport report_of(const Timeline& timeline) {
         tell_fate(timeline, track, object);
     }
     report.energy = energies_of(timeline);
+    report.energy_samples = timeline.energy;
     report.largest_energy_rise = sim::largest_energy_rise(timeline);
     return report;
 }

@@ -13,6 +13,8 @@ namespace carom::pipeline {
 struct SpeedChange {
     double before = 0;  // m/s
     double after = 0;
+    Vec3 spin_before{0, 0, 0};  // angular velocity, world axes, rad/s
+    Vec3 spin_after{0, 0, 0};
 };
 
 struct ReportedEvent {
@@ -41,7 +43,7 @@ struct ReportedObject {
 
 /// The energy at the start, after each force event, and at the end.
 struct ReportedEnergy {
-    std::string when;
+    std::string when;  // "after the strike on cue"; empty at round times
     sim::EnergySample sample;
 };
 
@@ -50,7 +52,8 @@ struct ShotReport {
     double end_time = 0;
     std::vector<ReportedEvent> events;
     std::vector<ReportedObject> objects;
-    std::vector<ReportedEnergy> energy;
+    std::vector<ReportedEnergy> energy;  // at the ends, after force events, at ten round times
+    std::vector<sim::EnergySample> energy_samples;  // all that the timeline has
     double largest_energy_rise = 0;  // between force events, as in sim/timeline/energy.h
 };
 

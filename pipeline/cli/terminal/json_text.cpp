@@ -62,6 +62,15 @@ void append_ascii(std::string& out, char letter) {
     }
 }
 
+std::string number(double value) {
+    if (!std::isfinite(value)) {
+        return "null";
+    }
+    std::array<char, 32> digits{};
+    const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    return {digits.data(), result.ptr};
+}
+
 }  // namespace
 
 std::string json_string(std::string_view text) {
@@ -100,12 +109,15 @@ JsonMembers& JsonMembers::add(std::string_view name, std::int64_t value) {
 }
 
 JsonMembers& JsonMembers::add(std::string_view name, double value) {
-    if (!std::isfinite(value)) {
-        return add_raw(name, "null");
+    return add_raw(name, number(value));
+}
+
+JsonMembers& JsonMembers::add(std::string_view name, std::initializer_list<double> values) {
+    std::string list;
+    for (const double value : values) {
+        list += (list.empty() ? "[" : ",") + number(value);
     }
-    std::array<char, 32> digits{};
-    const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    return add_raw(name, {digits.data(), static_cast<std::size_t>(result.ptr - digits.data())});
+    return add_raw(name, list.empty() ? "[]" : list + "]");
 }
 
 JsonMembers& JsonMembers::add(const JsonMembers& others) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,9 @@ class JsonMembers {
     JsonMembers& add(std::string_view name, int value) { return add(name, std::int64_t{value}); }
     /// Shortest text that reads back as the same double; null if not finite.
     JsonMembers& add(std::string_view name, double value);
+
+    /// [1,2.5]
+    JsonMembers& add(std::string_view name, std::initializer_list<double> values);
 
     JsonMembers& add(const JsonMembers& others);
 

@@ -25,8 +25,60 @@ TEST_F(AuthoringCommands, PlanOfShotAndOfItsBake_AreTheSameDrawing) {
 TEST_F(AuthoringCommands, PlanOfAnUnknownKind_IsRefused) {
     const RunResult result = run({"plan", "tiny.yaml", "-o", "p.gif"});
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.err, HasSubstr("'p.gif': a plan is written as .svg"));
+    EXPECT_THAT(result.err, HasSubstr("'p.gif': a plan is written as .svg or .png"));
     EXPECT_THAT(results(), IsEmpty());
+}
+
+/// Width and height of a PNG file (RFC 2083, IHDR), 0 if it is none.
+std::pair<int, int> png_size(const std::string& bytes) {
+    if (!bytes.starts_with("\x89PNG\r\n\x1a\n") || bytes.size() < 24) {
+        return {0, 0};
+    }
+    const auto number = [&](std::size_t at) {
+        int value = 0;
+        for (std::size_t i = at; i < at + 4; ++i) {
+            value = value * 256 + static_cast<unsigned char>(bytes[i]);
+        }
+        return value;
+    };
+    return {number(16), number(20)};
+}
+
+TEST_F(AuthoringCommands, PlanAsPng_IsAPictureOfThatWidth) {
+    const RunResult result = run({"plan", "tiny.yaml", "-o", "p.png", "--width", "300"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "p.png\n");
+    EXPECT_EQ(png_size(text_of("p.png")).first, 300);
+    EXPECT_GT(png_size(text_of("p.png")).second, 100);
+    const std::string light = text_of("p.png");
+    ASSERT_EQ(
+        run({"plan", "tiny.yaml", "-o", "p.png", "--width", "300", "--page", "dark"}).exit_code, 0);
+    EXPECT_NE(text_of("p.png"), light);
+}
+
+TEST_F(AuthoringCommands, MissingDrawingProgram_IsSaid) {
+    std::filesystem::create_directory(path("bin"));
+    std::filesystem::copy_file(carom::testing::carom_program(), path("bin/carom"));
+    const RunResult result = carom::testing::RunningProgram(
+                                 path("bin/carom"), {"plan", "tiny.yaml", "-o", "p.png"}, options())
+                                 .wait();
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, HasSubstr("cannot start the program that draws pictures '"));
+    EXPECT_FALSE(exists("p.png"));
+}
+
+TEST_F(AuthoringCommands, ReportPlot_IsWrittenAloneOrBesideTheReport) {
+    const RunResult alone = run({"report", "tiny.yaml", "--plot", "s.svg"});
+    EXPECT_EQ(alone.exit_code, 0) << alone.err;
+    EXPECT_EQ(alone.out, "s.svg\n");
+    EXPECT_THAT(text_of("s.svg"), HasSubstr("<title>cue, at most "));
+    EXPECT_THAT(text_of("s.svg"), HasSubstr("prefers-color-scheme"));
+    ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
+    EXPECT_EQ(run({"report", "tiny.bake", "-o", "r.txt", "--plot", "b.svg"}).out, "r.txt\nb.svg\n");
+    EXPECT_EQ(text_of("b.svg"), text_of("s.svg"));
+    EXPECT_EQ(run({"report", "tiny.yaml", "--plot", "s.png"}).exit_code, 0);
+    EXPECT_EQ(png_size(text_of("s.png")).first, 2000);
+    EXPECT_EQ(run({"report", "tiny.yaml", "--plot", "s.pdf"}).exit_code, 2);
 }
 
 TEST_F(AuthoringCommands, New_WritesAShotThatChecksAndOverwritesNothing) {

@@ -30,6 +30,10 @@ TEST(JsonMembers, Values_AreWrittenByType) {
     EXPECT_EQ(members.object(), R"({"text":"a","whole":3,"real":0.1,"nothing":null})");
 }
 
+TEST(JsonMembers, Numbers_MakeALine) {
+    EXPECT_EQ(JsonMembers().add("v", {1, 0.5, std::nan("")}).object(), R"({"v":[1,0.5,null]})");
+}
+
 TEST(JsonMembers, AddingOthers_KeepsTheCommasRight) {
     JsonMembers none;
     JsonMembers some;

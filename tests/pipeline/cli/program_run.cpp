@@ -104,4 +104,8 @@ std::string carom_film_program() {
     return CAROM_BINARY_DIR "/libexec/carom/carom-film";
 }
 
+std::string carom_draw_program() {
+    return CAROM_BINARY_DIR "/libexec/carom/carom-draw";
+}
+
 }  // namespace carom::testing

@@ -47,5 +47,6 @@ class RunningProgram {
 
 [[nodiscard]] std::string carom_program();       // …/bin/carom
 [[nodiscard]] std::string carom_film_program();  // …/libexec/carom/carom-film
+[[nodiscard]] std::string carom_draw_program();  // …/libexec/carom/carom-draw
 
 }  // namespace carom::testing

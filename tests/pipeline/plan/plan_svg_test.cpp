@@ -6,6 +6,7 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/plan/numbered_events.h"
+#include "pipeline/plan/report_plot.h"
 #include "sim/bake.h"
 
 namespace carom::pipeline {
@@ -67,6 +68,33 @@ TEST(PlanSvg, OfTheMasse_ShowsWhatACoachWouldDraw) {
     EXPECT_THAT(svg, HasSubstr(">seat: 0.25 s to 1.75 s, 1×<"));
     EXPECT_THAT(svg, HasSubstr(">curve: 0.49 s to 1.09 s, 1/5×<"));
     EXPECT_EQ(svg, plan_svg(masse.shot, masse.timeline));
+}
+
+TEST(PlanSvg, Scenery_IsDrawnWhereItStands) {
+    const Baked shot = example("gallery/hero_club");
+    const std::string svg = plan_svg(shot.shot, shot.timeline);
+    expect_well_formed(svg);
+    EXPECT_THAT(svg, HasSubstr("<title>chalk</title>\n   <path class=\"prop\""));
+    EXPECT_THAT(svg, HasSubstr(", overhead</title>\n   <path class=\"overhead\""));  // the lamp
+    EXPECT_THAT(svg, Not(HasSubstr("table/")));
+}
+
+TEST(ReportPlot, OfTheMasse_HasACurveForEachBallThatMoves) {
+    const Baked masse = example("masse");
+    const std::string svg = report_plot_svg(masse.shot, masse.timeline, PlanPage::dark);
+    expect_well_formed(svg);
+    EXPECT_THAT(svg, HasSubstr("<title>cue, at most 1.7 m/s</title>"));
+    EXPECT_THAT(svg, HasSubstr("<title>three, at most 1.5 m/s</title>"));
+    EXPECT_THAT(svg, Not(HasSubstr("<title>eight, at most")));  // which stands still
+    EXPECT_THAT(svg, HasSubstr(">three potted, corner right front<"));
+    EXPECT_THAT(svg, HasSubstr("class=\"kinetic\""));
+    EXPECT_THAT(svg, Not(HasSubstr("prefers-color-scheme")));
+    EXPECT_EQ(svg, report_plot_svg(masse.shot, masse.timeline, PlanPage::dark));
+}
+
+TEST(ReportPlot, OfAnEmptyTimeline_IsStillADocument) {
+    const Baked masse = example("masse");
+    expect_well_formed(report_plot_svg(masse.shot, {}));
 }
 
 /// What 'carom new' writes.

@@ -45,9 +45,11 @@ sim::Timeline cut_shot() {
     const Vec3 resting = line * (2 * kRadius);
     sim::Timeline timeline;
     timeline.end_time = 2;
-    timeline.tracks.emplace_back(
-        "cue", std::vector<Key>{key(0, {-2, 0, 0}, {0, 0, 0}, {2, 0, 0}),
-                                key(1, {0, 0, 0}, {2, 0, 0}, cue), key(2, cue, cue, cue)});
+    Key hit = key(1, {0, 0, 0}, {2, 0, 0}, cue);
+    hit.angular_velocity_in = Vec3(0, 60, 0);
+    hit.angular_velocity_out = Vec3(0, 30, 40);
+    timeline.tracks.emplace_back("cue", std::vector<Key>{key(0, {-2, 0, 0}, {0, 0, 0}, {2, 0, 0}),
+                                                         hit, key(2, cue, cue, cue)});
     timeline.tracks.emplace_back(
         "one",
         std::vector<Key>{key(0, resting, {0, 0, 0}, {0, 0, 0}), key(1, resting, {0, 0, 0}, object),
@@ -77,6 +79,13 @@ TEST(ShotReport, Impact_HasSpeedsAndCutAngle) {
     EXPECT_FALSE(report.events[2].cut);
 }
 
+TEST(ShotReport, Impact_HasTheSpinBeforeAndAfter) {
+    const ShotReport report = report_of(cut_shot());
+    EXPECT_EQ(report.events[1].a->spin_before, Vec3(0, 60, 0));
+    EXPECT_EQ(report.events[1].a->spin_after, Vec3(0, 30, 40));
+    EXPECT_THAT(report_text(report), HasSubstr(" 2.000  1.000   50.0  0.000  1.732    0.0  30.0"));
+}
+
 TEST(ShotReport, Objects_HavePathSpeedAndEnd) {
     const ShotReport report = report_of(cut_shot());
     const ReportedObject& cue = report.objects.at(0);
@@ -97,11 +106,16 @@ TEST(ShotReport, Objects_HavePathSpeedAndEnd) {
 
 TEST(ShotReport, Energy_IsGivenAfterForceEvents) {
     const ShotReport report = report_of(cut_shot());
-    ASSERT_EQ(report.energy.size(), 3U);
+    ASSERT_EQ(report.energy.size(), 3U + 9U);  // every 0.2 s between the ends
+    EXPECT_EQ(report.energy[0].when, "start");
     EXPECT_EQ(report.energy[0].sample.kinetic, 0);
     EXPECT_EQ(report.energy[1].when, "after the strike on cue");
     EXPECT_EQ(report.energy[1].sample.kinetic, 4);
-    EXPECT_EQ(report.energy[2].sample.kinetic, 3);
+    EXPECT_EQ(report.energy[2].when, "");
+    EXPECT_NEAR(report.energy[2].sample.time, 0.2, 1e-12);
+    EXPECT_EQ(report.energy[11].when, "end");
+    EXPECT_EQ(report.energy[11].sample.kinetic, 3);
+    EXPECT_EQ(report.energy_samples.size(), 4U);
     EXPECT_EQ(report.largest_energy_rise, 0);
 }
 
@@ -111,7 +125,7 @@ TEST(ShotReport, EmptyTimeline_IsAnEmptyReport) {
     EXPECT_THAT(report_text(report), HasSubstr("0 objects, 0 events"));
 }
 
-TEST(ReportText, LongNames_AreShortenedToFitAHundredColumns) {
+TEST(ReportText, LongNames_AreShortenedToFitTheTable) {
     sim::Timeline timeline = cut_shot();
     const std::string name = "a ball with quite a long name";
     timeline.tracks.emplace_back(
@@ -119,13 +133,13 @@ TEST(ReportText, LongNames_AreShortenedToFitAHundredColumns) {
     timeline.events.push_back(event(EventKind::off_table, 1.9, name));
     const std::string text = report_text(report_of(timeline));
     EXPECT_THAT(text, HasSubstr("impact    cue - one"));
-    EXPECT_THAT(text, HasSubstr(" 30.0  0.2500 "));
+    EXPECT_THAT(text, HasSubstr("  30.0  0.2500 "));
     EXPECT_THAT(text, HasSubstr("potted at 1.750 s: top left"));
     EXPECT_THAT(text, HasSubstr("off the table at 1.900 s"));
     EXPECT_THAT(text, HasSubstr("a ball with q~"));
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
-        EXPECT_LE(line.size(), 106U) << line;  // six more for a place a kilometre away
+        EXPECT_LE(line.size(), 126U) << line;  // six more for a place a kilometre away
         EXPECT_TRUE(line.empty() || line.back() != ' ') << line;
     }
 }

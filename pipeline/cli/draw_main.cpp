@@ -1,0 +1,38 @@
+// libexec/carom/carom-draw WIDTH: SVG from standard input as PNG on standard output. Started by
+// bin/carom, which does not load librsvg itself.
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "pipeline/drawing/svg_picture.h"
+#include "sim/timeline/error.h"
+
+namespace {
+
+std::vector<std::byte> read_all(std::FILE* file) {
+    std::vector<std::byte> bytes;
+    std::vector<std::byte> block(1 << 16);
+    for (std::size_t size = 0; (size = std::fread(block.data(), 1, block.size(), file)) > 0;) {
+        bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(size));
+    }
+    return bytes;
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+    try {
+        if (argument_count != 2) {
+            throw carom::Error("this program only draws; call carom instead");
+        }
+        const std::vector<std::byte> png =
+            carom::pipeline::svg_to_png(read_all(stdin), std::stoi(arguments[1]));
+        const bool written = std::fwrite(png.data(), 1, png.size(), stdout) == png.size();
+        return written && std::fflush(stdout) == 0 ? 0 : 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "carom: error: %s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,133 @@
+#include "pipeline/cli/helper_program.h"
+
+#include <array>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "sim/timeline/error.h"
+
+namespace carom::cli {
+
+namespace {
+
+std::string reason_of(int error) {
+    return std::generic_category().message(error);
+}
+
+/// A file without a name, in memory: unlike a pipe it never blocks either side.
+class MemoryFile {
+  public:
+    MemoryFile() : descriptor_(::memfd_create("carom", MFD_CLOEXEC)) {
+        if (descriptor_ < 0) {
+            throw Error("cannot make a file in memory: " + reason_of(errno));
+        }
+    }
+    ~MemoryFile() { ::close(descriptor_); }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+
+    [[nodiscard]] int descriptor() const { return descriptor_; }
+
+    void fill(std::span<const std::byte> bytes) const {
+        while (!bytes.empty()) {
+            const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+            if (written < 0 && errno != EINTR) {
+                throw Error("cannot write to a file in memory: " + reason_of(errno));
+            }
+            bytes = bytes.subspan(written > 0 ? static_cast<std::size_t>(written) : 0);
+        }
+        ::lseek(descriptor_, 0, SEEK_SET);
+    }
+
+    [[nodiscard]] std::vector<std::byte> content() const {
+        std::vector<std::byte> bytes;
+        std::array<std::byte, 1 << 16> block{};
+        ::lseek(descriptor_, 0, SEEK_SET);
+        while (true) {
+            const ssize_t size = ::read(descriptor_, block.data(), block.size());
+            if (size < 0 && errno == EINTR) {
+                continue;
+            }
+            if (size <= 0) {
+                return bytes;
+            }
+            bytes.insert(bytes.end(), block.begin(), block.begin() + size);
+        }
+    }
+
+  private:
+    int descriptor_;
+};
+
+class FileActions {
+  public:
+    FileActions() { ::posix_spawn_file_actions_init(&actions_); }
+    ~FileActions() { ::posix_spawn_file_actions_destroy(&actions_); }
+    FileActions(const FileActions&) = delete;
+    FileActions& operator=(const FileActions&) = delete;
+
+    void connect(const MemoryFile& file, int as) {
+        ::posix_spawn_file_actions_adddup2(&actions_, file.descriptor(), as);
+    }
+    [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+  private:
+    posix_spawn_file_actions_t actions_{};
+};
+
+/// Its wait status.
+int wait_for(pid_t process) {
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0) {
+        if (errno != EINTR) {
+            throw Error("lost a program that was started: " + reason_of(errno));
+        }
+    }
+    return status;
+}
+
+}  // namespace
+
+std::string helper_program(const std::string& name) {
+    std::error_code ignored;
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", ignored);
+    return (self.parent_path().parent_path() / "libexec" / "carom" / name).string();
+}
+
+std::string cannot_start(const std::string& what, const std::string& path, int reason) {
+    return "cannot start " + what + " '" + path + "': " + reason_of(reason) +
+           "; is carom installed completely?";
+}
+
+std::vector<std::byte> run_helper(const std::string& name, const std::string& what,
+                                  const std::string& argument, std::span<const std::byte> input) {
+    std::string path = helper_program(name);
+    std::string word = argument;
+    const std::array<char*, 3> arguments{path.data(), word.data(), nullptr};
+    const MemoryFile in;
+    const MemoryFile out;
+    in.fill(input);
+    FileActions actions;
+    actions.connect(in, STDIN_FILENO);
+    actions.connect(out, STDOUT_FILENO);
+    pid_t process = 0;
+    const int error =
+        ::posix_spawn(&process, path.c_str(), actions.get(), nullptr, arguments.data(), environ);
+    if (error != 0) {
+        throw Error(cannot_start(what, path, error));
+    }
+    const int status = wait_for(process);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+        throw Error(what + " failed");
+    }
+    return out.content();
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,46 @@
+#include "pipeline/cli/report_command.h"
+
+#include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/drawing_output.h"
+#include "pipeline/cli/output_file.h"
+#include "pipeline/cli/report_json.h"
+#include "pipeline/cli/shot_input.h"
+#include "pipeline/plan/report_plot.h"
+#include "pipeline/report/report_text.h"
+
+namespace carom::cli {
+
+namespace {
+
+void write_report(const ReportCommand& command, const sim::Timeline& timeline) {
+    const pipeline::ShotReport report = pipeline::report_of(timeline);
+    write_text_output(command.output.empty() ? "-" : command.output,
+                      command.json ? report_json(report) : pipeline::report_text(report));
+}
+
+}  // namespace
+
+void run_report(const ReportCommand& command, CommandContext& context) {
+    check_output_folder(command.output);
+    if (command.plot.empty() && is_bake_file(command.input.path)) {
+        return write_report(command, read_bake_input(command.input.path).timeline);
+    }
+    if (!command.plot.empty()) {
+        check_drawing_path(command.plot, "a plot");
+    }
+    const ShotInput input = read_shot_input(command.input, context.console);
+    const sim::Timeline timeline =
+        input.bake ? input.bake->timeline
+                   : bake_of(input.shot, command.input.path, command.cache, context).timeline;
+    // Someone who asks for the plot alone gets it alone.
+    if (command.plot.empty() || !command.output.empty() || command.json) {
+        write_report(command, timeline);
+    }
+    if (!command.plot.empty()) {
+        write_drawing({command.plot, command.drawing.width},
+                      pipeline::report_plot_svg(input.shot, timeline,
+                                                page_of(command.drawing.page, command.plot)));
+    }
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,66 @@
+// What stands still and is no part of the table: props, walls, lamps.
+#include <algorithm>
+
+#include "pipeline/plan/footprint.h"
+#include "pipeline/plan/plan_drawing.h"
+#include "pipeline/plan/scene_outline.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+constexpr double kOverhead = 0.3;   // m: what hangs higher than that hides nothing on the plan
+constexpr double kBeneath = -0.05;  // m: what is lower than that is hidden by the table
+
+struct Extent {
+    Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+
+    explicit Extent(const std::vector<Vec3>& points) {
+        for (const Vec3& p : points) {
+            low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+            high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+        }
+    }
+};
+
+/// A floor or a ceiling below or above everything says nothing, and the table hides what is
+/// beneath it.
+bool is_shown(const PlanDrawing& plan, const Extent& extent) {
+    const bool covers_all = extent.low.x <= plan.sheet.low.x && extent.low.y <= plan.sheet.low.y &&
+                            extent.high.x >= plan.sheet.high.x &&
+                            extent.high.y >= plan.sheet.high.y;
+    return !covers_all && extent.high.z > kBeneath;
+}
+
+void draw_still(PlanDrawing& plan, const render::ObjectDescription& object) {
+    const std::vector<Vec3> points = outline_points(object);
+    const Extent extent(points);
+    if (points.empty() || !is_shown(plan, extent)) {
+        return;
+    }
+    std::vector<Vec2> corners;
+    for (const Vec3& point : points) {
+        corners.push_back(plan.sheet.at(point));
+    }
+    const bool hangs = extent.low.z > kOverhead;
+    plan.svg.open("g");
+    plan.svg.text("title", object.name + (hangs ? ", overhead" : ""));
+    plan.svg.leaf("path", {{"class", hangs ? "overhead" : "prop"},
+                           {"fill", paint_of_material(plan.shot, object.material).colour},
+                           {"d", svg_path(convex_outline(std::move(corners)), true)}});
+    plan.svg.close();
+}
+
+}  // namespace
+
+void draw_scenery(PlanDrawing& plan) {
+    plan.svg.open("g", {{"id", "scenery"}});
+    for (const render::ObjectDescription& object : plan.shot.scene.objects) {
+        if (object.track.empty() && !object.name.starts_with("table/")) {
+            draw_still(plan, object);
+        }
+    }
+    plan.svg.close();
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,277 @@
+#include "pipeline/plan/report_plot.h"
+
+#include <cmath>
+
+#include "pipeline/plan/plan_drawing.h"
+#include "pipeline/plan/simplify_line.h"
+#include "pipeline/plan/time_axis.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+constexpr double kTop = 24;          // of the upper panel, mm
+constexpr double kSpeedHeight = 92;  // of the panels
+constexpr double kEnergyHeight = 44;
+constexpr double kBetween = 12;
+constexpr double kNearestLines = 6.5;  // of a panel's grid
+constexpr double kTolerance = 0.02;    // of curves
+constexpr double kStill = 1e-3;        // m/s
+
+/// A stretch of paper with values upwards.
+struct Panel {
+    double top = 0, height = 1;  // mm
+    double highest = 1;          // value at the top; 0 is at the bottom
+    bool is_square_root = false;
+
+    [[nodiscard]] double at(double value) const {
+        const double share = std::clamp(value / highest, 0.0, 1.0);
+        return top + height * (1 - (is_square_root ? std::sqrt(share) : share));
+    }
+    [[nodiscard]] double bottom() const { return top + height; }
+};
+
+/// Round values far enough apart, from the top downwards.
+std::vector<double> grid_of(const Panel& panel) {
+    std::vector<double> values;
+    if (!panel.is_square_root) {
+        const double step = round_number(panel.highest * kNearestLines / panel.height);
+        for (int i = 1; i * step <= panel.highest * (1 + 1e-9); ++i) {
+            values.push_back(i * step);
+        }
+        return values;
+    }
+    double last = panel.top - kNearestLines;
+    for (double decade = std::pow(10, std::floor(std::log10(panel.highest)));
+         decade > 1e-4 * panel.highest; decade /= 10) {
+        for (const double step : {5.0, 2.0, 1.0}) {
+            const double value = step * decade;
+            const double y = panel.at(value);
+            if (value <= panel.highest && y >= last + kNearestLines &&
+                y <= panel.bottom() - 0.95 * kNearestLines) {
+                values.push_back(value);
+                last = y;
+            }
+        }
+    }
+    return values;
+}
+
+void draw_panel(SvgText& svg, const Panel& panel, const TimeAxis& axis, const std::string& name,
+                const std::string& explanation) {
+    svg.text("text", name,
+             {{"class", "head"}, {"x", svg_number(kMargin)}, {"y", svg_number(panel.top - 3)}});
+    svg.text("text", explanation,
+             {{"class", "faint"},
+              {"x", svg_number(kMargin + text_width(name, 3.1) + 3)},
+              {"y", svg_number(panel.top - 3)}});
+    std::string lines;
+    std::vector<double> values = grid_of(panel);
+    values.push_back(0);
+    for (const double value : values) {
+        const double y = panel.at(value);
+        lines += (lines.empty() ? "" : " ") + svg_path({{kAxisLeft, y}, {kAxisRight, y}}, false);
+        svg.text("text", svg_number(value),
+                 {{"class", "small faint end"},
+                  {"x", svg_number(kAxisLeft - 1.5)},
+                  {"y", svg_number(y + 0.8)}});
+    }
+    for (const double time : axis.ticks()) {
+        const double x = axis.at(time);
+        lines += " " + svg_path({{x, panel.top}, {x, panel.bottom()}}, false);
+    }
+    svg.leaf("path", {{"class", "grid"}, {"d", lines}});
+    svg.leaf("path",
+             {{"class", "fine"},
+              {"d", svg_path({{kAxisLeft, panel.bottom()}, {kAxisRight, panel.bottom()}}, false)}});
+}
+
+/// What a track's speed looks like until `end`, a line for each time that it moves; where the speed
+/// jumps two points lie above each other.
+class SpeedCurve {
+  public:
+    SpeedCurve(const TimeAxis& axis, const Panel& panel) : axis_(axis), panel_(panel) {}
+
+    void follow(const sim::Track& track, double end) {
+        const auto keys = track.keys();
+        for (std::size_t i = 0; i + 1 < keys.size() && keys[i].time < end; ++i) {
+            const double from = keys[i].time;
+            const double to = std::min(keys[i + 1].time, end);
+            const int steps =
+                std::clamp(static_cast<int>((axis_.at(to) - axis_.at(from)) / kStep), 1, 2000);
+            add(from, keys[i].velocity_in.length());
+            add(from, keys[i].velocity_out.length());
+            for (int step = 1; step < steps; ++step) {
+                const double time = from + (to - from) * step / steps;
+                add(time, track.sample(time).velocity.length());
+            }
+            add(to, to < keys[i + 1].time ? track.sample(to).velocity.length()
+                                          : keys[i + 1].velocity_in.length());
+        }
+        stop();
+    }
+
+    /// "M ... M ...", empty if it never moves.
+    [[nodiscard]] const std::string& way() const { return way_; }
+    [[nodiscard]] const Vec2& last() const { return last_; }
+
+  private:
+    static constexpr double kStep = 0.25;  // mm
+
+    void add(double time, double speed) {
+        const Vec2 point(axis_.at(time), panel_.at(speed));
+        if (speed > kStill) {
+            if (points_.empty()) {
+                points_.emplace_back(last_.y > 0 ? last_ : point);
+            }
+            points_.push_back(point);
+        } else if (!points_.empty()) {
+            points_.push_back(point);
+            stop();
+        }
+        last_ = point;
+    }
+    void stop() {
+        if (points_.size() > 1) {
+            way_ += (way_.empty() ? "" : " ") + svg_path(simplified(points_, kTolerance), false);
+        }
+        points_.clear();
+    }
+
+    TimeAxis axis_;
+    Panel panel_;
+    std::vector<Vec2> points_;
+    std::string way_;
+    Vec2 last_{0, 0};
+};
+
+double top_speed(const PlanObject& object) {
+    double top = 0;
+    for (const sim::Key& key : object.track->keys()) {
+        if (key.time <= object.gone) {
+            top = std::max({top, key.velocity_in.length(), key.velocity_out.length()});
+        }
+    }
+    return top;
+}
+
+void draw_speed(PlanDrawing& plan, const PlanObject& object, const TimeAxis& axis,
+                const Panel& panel) {
+    SpeedCurve curve(axis, panel);
+    curve.follow(*object.track, std::min(object.gone, plan.timeline.end_time));
+    const std::string& way = curve.way();
+    const std::string name = object.track->name();
+    plan.svg.open("g");
+    plan.svg.text("title", name + ", at most " + speed_text(top_speed(object)));
+    if (object.radius) {
+        plan.svg.leaf("path", {{"class", "casing curve"}, {"d", way}});
+    }
+    plan.svg.leaf("path", {{"class", object.radius ? "path curve" : "path moving"},
+                           {"stroke", object.paint.colour},
+                           {"d", way}});
+    if (object.paint.is_striped) {
+        plan.svg.leaf("path", {{"class", "stripe curve"}, {"d", way}});
+    }
+    if (object.gone < plan.timeline.end_time) {
+        plan.svg.leaf("circle", {{"class", "ball"},
+                                 {"fill", object.paint.colour},
+                                 {"cx", svg_number(curve.last().x)},
+                                 {"cy", svg_number(curve.last().y)},
+                                 {"r", "0.9"}});
+    }
+    plan.svg.close();
+}
+
+/// What is no ball first, then the highest, so that the curves of slow balls stay visible.
+void draw_speeds(PlanDrawing& plan, const TimeAxis& axis) {
+    std::vector<std::pair<double, const PlanObject*>> moving;
+    for (const PlanObject& object : plan.objects) {
+        const double top = top_speed(object);
+        if (top > kStill) {
+            moving.emplace_back(top, &object);
+        }
+    }
+    std::stable_sort(moving.begin(), moving.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    const Panel panel{kTop, kSpeedHeight, moving.empty() ? 1 : 1.02 * moving.front().first, true};
+    std::stable_partition(moving.begin(), moving.end(),
+                          [](const auto& one) { return !one.second->radius; });
+    plan.svg.open("g", {{"id", "speeds"}});
+    draw_panel(plan.svg, panel, axis, "speed, m/s",
+               "square-root scale; a dot where an object is potted");
+    for (const auto& [top, object] : moving) {
+        draw_speed(plan, *object, axis, panel);
+    }
+    plan.svg.close();
+}
+
+void draw_energy_key(SvgText& svg, double y) {
+    double x = kAxisRight - 78;
+    for (const auto& [kind, text] :
+         {std::pair("total", "with potential"), std::pair("kinetic", "kinetic")}) {
+        svg.leaf("path", {{"class", kind}, {"d", svg_path({{x, y}, {x + 8, y}}, false)}});
+        svg.text("text", text, {{"x", svg_number(x + 10)}, {"y", svg_number(y + 0.9)}});
+        x += 42;
+    }
+}
+
+void draw_energy(PlanDrawing& plan, const TimeAxis& axis, double top) {
+    const auto& energy = plan.timeline.energy;
+    double lowest = 1e300;
+    double highest = 0;
+    for (const sim::EnergySample& sample : energy) {
+        lowest = std::min(lowest, sample.potential);
+        highest = std::max(highest, sample.total());
+    }
+    const double range = energy.empty() ? 0 : highest - lowest;
+    const Panel panel{top, kEnergyHeight, range > 1e-9 ? 1.02 * range : 1, false};
+    std::vector<Vec2> kinetic;
+    std::vector<Vec2> total;
+    for (const sim::EnergySample& sample : energy) {
+        const double x = axis.at(sample.time);
+        kinetic.emplace_back(x, panel.at(sample.kinetic));
+        total.emplace_back(x, panel.at(sample.total() - lowest));
+    }
+    plan.svg.open("g", {{"id", "energy"}});
+    draw_panel(plan.svg, panel, axis, "energy, J", "potential energy counts from its lowest");
+    if (!energy.empty()) {
+        std::vector<Vec2> area = simplified(kinetic, kTolerance);
+        plan.svg.leaf("path",
+                      {{"class", "total"}, {"d", svg_path(simplified(total, kTolerance), false)}});
+        plan.svg.leaf("path", {{"class", "kinetic"}, {"d", svg_path(area, false)}});
+        area.insert(area.begin(), {area.front().x, panel.bottom()});
+        area.emplace_back(area.back().x, panel.bottom());
+        plan.svg.leaf("path", {{"class", "area"}, {"d", svg_path(area, true)}});
+        draw_energy_key(plan.svg, top - 3.9);
+    }
+    plan.svg.close();
+}
+
+}  // namespace
+
+std::string report_plot_svg(const Shot& shot, const sim::Timeline& timeline, PlanPage page) {
+    PlanDrawing plan{shot,
+                     timeline,
+                     {},
+                     plan_objects(shot, timeline),
+                     {},
+                     number_events(shot, timeline, kMostNumbers),
+                     {},
+                     LabelPlacer({}),
+                     SvgText(SvgText::Kind::fragment)};
+    plan.svg.text("text", shot.name, {{"class", "title"}, {"x", svg_number(kMargin)}, {"y", "13"}});
+    plan.svg.text("text", "speed and energy over scene time",
+                  {{"class", "end faint"}, {"x", svg_number(kPageWidth - kMargin)}, {"y", "13"}});
+    const TimeAxis axis{timeline.start_time, timeline.end_time};
+    draw_speeds(plan, axis);
+    double y = kTop + kSpeedHeight + kBetween;
+    draw_energy(plan, axis, y);
+    y += kEnergyHeight + 2;
+    y = draw_event_marks(plan.svg, axis, plan.events.events, y);
+    draw_time_axis(plan.svg, axis, y, "scene");
+    y = draw_names(plan, y + 6) + 4;
+    y = draw_event_list(plan, y) + 6;
+    return svg_page(plan.svg.finish(), shot.name + ": speed and energy", page, y);
+}
+
+}  // namespace carom::pipeline
