@@ -226,15 +226,16 @@ void add_check(CLI::App& app, Targets& targets) {
 }
 
 void add_export(CLI::App& app, Targets& targets) {
-    CLI::App& command = *app.add_subcommand("export", "the motion as a table for other programs");
+    CLI::App& command =
+        *app.add_subcommand("export", "the shot for other programs: .csv, .json, .glb, .usda");
     ExportCommand& command_options = targets.export_;
     add_input(command, command_options.input, "SHOT|BAKE", "a shot or a bake");
     add_output(command, command_options.output,
-               "object,time,position,orientation,velocities (else the shot's name and .csv; - is "
-               "standard output)");
+               "by its ending: .csv (object, time, position, orientation, velocities), .json, .glb "
+               "(glTF) or .usda; else the shot's name and .csv; - is a table on standard output");
     command
         .add_option("--rate", command_options.rate,
-                    "samples per second, evenly; else the keys of each track")
+                    "samples per second, evenly; else the keys of each track (.csv, .json)")
         ->option_text("HZ")
         ->check(CLI::PositiveNumber);
     command
@@ -244,7 +245,11 @@ void add_export(CLI::App& app, Targets& targets) {
     add_cache(command, command_options.cache);
     add_talk(command, targets);
     command.footer(
-        example("  carom export break.yaml --rate 240 -o tracks.csv --events events.csv"));
+        example("  carom export break.yaml -o break.glb\n"
+                "  carom export break.yaml --rate 240 -o tracks.csv --events events.csv") +
+        "\n.glb and .usda have the objects at their real size, with colours, cameras and motion, "
+        "for\n"
+        "Blender, Houdini or a browser; docs/export.md says what is in each.");
 }
 
 void add_report(CLI::App& app, Targets& targets) {

@@ -143,6 +143,35 @@ TEST_F(LightCommands, ExportOfEventsAlone_WritesNoTracks) {
     EXPECT_THAT(results(), ElementsAre("e.csv"));
 }
 
+TEST_F(LightCommands, ExportForOtherPrograms_IsByTheNamesEnding) {
+    const RunResult glb = run({"export", "tiny.yaml", "-o", "a.glb"});
+    EXPECT_EQ(glb.exit_code, 0) << glb.err;
+    EXPECT_EQ(glb.out, "a.glb\n");
+    EXPECT_THAT(text_of("a.glb"), StartsWith("glTF"));
+    EXPECT_EQ(run({"export", "tiny.yaml", "-o", "a.usda"}).out, "a.usda\n");
+    EXPECT_THAT(text_of("a.usda"), StartsWith("#usda 1.0\n"));
+    EXPECT_EQ(run({"export", "tiny.yaml", "-o", "a.json", "--rate", "10"}).out, "a.json\n");
+    EXPECT_THAT(text_of("a.json"), HasSubstr("\"carom_export\": 1"));
+    // The bake carries the shot: the same files.
+    ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
+    for (const std::string name : {"a.glb", "a.usda"}) {
+        const std::string of_shot = text_of(name);
+        EXPECT_EQ(run({"export", "tiny.bake", "-o", name}).exit_code, 0);
+        EXPECT_EQ(text_of(name), of_shot) << name;
+    }
+}
+
+TEST_F(LightCommands, ExportOfAnUnknownKind_IsRefused) {
+    const RunResult result = run({"export", "tiny.yaml", "-o", "a.fbx"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err,
+                HasSubstr("'a.fbx': an export is written as .csv, .json, .glb or .usda"));
+    const RunResult rate = run({"export", "tiny.yaml", "-o", "a.glb", "--rate", "10"});
+    EXPECT_EQ(rate.exit_code, 2);
+    EXPECT_THAT(rate.err, HasSubstr("--rate is for .csv and .json"));
+    EXPECT_THAT(results(), IsEmpty());
+}
+
 TEST_F(LightCommands, ReportOfShotAndOfItsBake_IsTheSameText) {
     const RunResult of_shot = run({"report", "tiny.yaml"});
     EXPECT_EQ(of_shot.exit_code, 0) << of_shot.err;

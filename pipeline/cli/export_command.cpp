@@ -1,0 +1,91 @@
+#include <filesystem>
+
+#include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/light_commands.h"
+#include "pipeline/cli/output_file.h"
+#include "pipeline/cli/shot_input.h"
+#include "pipeline/export/scene_glb.h"
+#include "pipeline/export/scene_usda.h"
+#include "pipeline/export/timeline_csv.h"
+#include "pipeline/export/timeline_json.h"
+
+namespace carom::cli {
+
+namespace {
+
+enum class Format { csv, json, glb, usda };
+
+Format format_of(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (path == "-" || extension == ".csv") {
+        return Format::csv;
+    }
+    if (extension == ".json") {
+        return Format::json;
+    }
+    if (extension == ".glb") {
+        return Format::glb;
+    }
+    if (extension == ".usda") {
+        return Format::usda;
+    }
+    throw InputError("'" + path + "': an export is written as .csv, .json, .glb or .usda");
+}
+
+/// `shot` is empty where only tables are asked for of a bake: its own text need not be read.
+struct Source {
+    std::optional<pipeline::Shot> shot;
+    sim::Timeline timeline;
+};
+
+Source read_source(const ExportCommand& command, bool shot_wanted, CommandContext& context) {
+    if (!shot_wanted && is_bake_file(command.input.path)) {
+        return {std::nullopt, read_bake_input(command.input.path).timeline};
+    }
+    ShotInput input = read_shot_input(command.input, context.console);
+    sim::Timeline timeline =
+        input.bake ? std::move(input.bake->timeline)
+                   : bake_of(input.shot, command.input.path, command.cache, context).timeline;
+    return {std::move(input.shot), std::move(timeline)};
+}
+
+std::string tracks_text(const Source& source, Format format, std::optional<double> rate) {
+    const sim::Timeline& timeline = source.timeline;
+    if (format == Format::csv) {
+        return rate ? pipeline::samples_to_csv(timeline, *rate) : pipeline::keys_to_csv(timeline);
+    }
+    const pipeline::ExportScene scene = pipeline::export_scene(*source.shot, timeline);
+    return format == Format::json  ? pipeline::timeline_json(*source.shot, timeline, scene, rate)
+           : format == Format::glb ? pipeline::scene_to_glb(scene)
+                                   : pipeline::scene_to_usda(scene);
+}
+
+}  // namespace
+
+void run_export(const ExportCommand& command, CommandContext& context) {
+    // Someone who asks for the events alone gets them alone.
+    const bool tracks_wanted = !command.output.empty() || command.events.empty();
+    const std::string path = output_or_default(command.output, command.input.path, ".csv");
+    const Format format = tracks_wanted ? format_of(path) : Format::csv;
+    if (tracks_wanted) {
+        if (path == command.events) {
+            throw InputError("'" + path + "' cannot hold both the tracks and the events");
+        }
+        if (command.rate && (format == Format::glb || format == Format::usda)) {
+            throw InputError("'" + path +
+                             "' gets as many keys as it needs: --rate is for .csv and .json");
+        }
+        check_output_folder(path);
+    }
+    check_output_folder(command.events);
+
+    const Source source = read_source(command, format != Format::csv, context);
+    if (tracks_wanted) {
+        write_text_output(path, tracks_text(source, format, command.rate));
+    }
+    if (!command.events.empty()) {
+        write_text_output(command.events, pipeline::events_to_csv(source.timeline));
+    }
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,206 @@
+#include "pipeline/export/export_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <Imath/ImathMatrixAlgo.h>
+
+#include "pipeline/camera/exposure.h"
+#include "pipeline/camera/path_fit.h"
+#include "pipeline/camera/rig_state.h"
+#include "pipeline/camera/time_map.h"
+#include "pipeline/export/export_material.h"
+#include "pipeline/export/painted_sphere.h"
+#include "pipeline/export/shape_mesh.h"
+#include "render/geometry/smooth_normals.h"
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+class SceneBuilder {
+  public:
+    SceneBuilder(const Shot& shot, const sim::Timeline& timeline)
+        : shot_(shot), timeline_(timeline) {}
+
+    ExportScene run() {
+        scene_.name = shot_.name;
+        scene_.start_time = timeline_.start_time;
+        scene_.end_time = timeline_.end_time;
+        scene_.fps = shot_.timing.fps.to_double();
+        scene_.aspect =
+            static_cast<double>(shot_.render.width) / static_cast<double>(shot_.render.height);
+        scene_.lights = shot_.scene.lights;
+        for (const render::MaterialDescription& material : shot_.scene.materials) {
+            descriptions_[material.name] = &material;
+        }
+        for (const render::ObjectDescription& object : shot_.scene.objects) {
+            add_object(object);
+        }
+        for (const render::LightDescription& light : shot_.scene.lights) {
+            add_lamp(light);
+        }
+        for (const CameraRig& rig : with_fitted_paths(shot_.cameras, timeline_)) {
+            add_camera(rig);
+        }
+        return std::move(scene_);
+    }
+
+  private:
+    /// Its place in the list, added once.
+    std::size_t material(const ExportMaterial& material) {
+        const auto [known, is_new] = materials_.try_emplace(material.name, scene_.materials.size());
+        if (is_new) {
+            scene_.materials.push_back(material);
+        }
+        return known->second;
+    }
+
+    void add_object(const render::ObjectDescription& object) {
+        const auto known = descriptions_.find(object.material);
+        const render::MaterialDescription description =
+            known != descriptions_.end() ? *known->second : render::MaterialDescription{};
+        ExportPart part;
+        part.name = object.name;
+        Mat44 body_from_object = object.world_from_object;
+        if (object.track.empty()) {
+            // Where it stands is its place, how it is turned and stretched is in its mesh.
+            part.keys.add(timeline_.start_time, object.world_from_object.translation(), Quat());
+            body_from_object[3][0] = body_from_object[3][1] = body_from_object[3][2] = 0;
+        } else if (const sim::Track* track = timeline_.find(object.track)) {
+            part.keys = straight_keys(*track, kMostExportKeys);
+        } else {
+            throw Error("object '" + object.name + "' is not in the timeline");
+        }
+        const auto* sphere = std::get_if<render::SphereShape>(&object.shape);
+        const render::BallTexture* paint = ball_paint(description);
+        if (sphere != nullptr && paint != nullptr) {
+            add_ball(part, *sphere, *paint, plain_material(description), body_from_object);
+        } else {
+            add_mesh(part, shape_mesh(object.shape), body_from_object);
+            part.patches = {{0, part.mesh.triangles.size(), material(plain_material(description))}};
+        }
+        scene_.parts.push_back(std::move(part));
+    }
+
+    static void add_mesh(ExportPart& part, const render::MeshShape& shape, const Mat44& map) {
+        part.mesh = render::make_mesh(shape, map, part.name);
+        if (shape.smooth_angle > 0) {
+            render::smooth_normals(part.mesh, shape.smooth_angle);
+        }
+        const bool has_gap = std::ranges::any_of(
+            part.mesh.normals, [](const auto& normal) { return normal.length() < 0.5F; });
+        if (has_gap) {
+            part.mesh.normals.clear();  // who reads it makes flat ones
+        }
+    }
+
+    /// A ball in fields of one colour each.
+    void add_ball(ExportPart& part, const render::SphereShape& shape,
+                  const render::BallTexture& paint, const ExportMaterial& plain, const Mat44& map) {
+        PaintedSphere sphere = painted_sphere(paint);
+        std::size_t first = 0;
+        for (const PaintedSphere::Field& field : sphere.fields) {
+            ExportMaterial colour = plain;
+            colour.name += (field.name.empty() ? "" : " ") + field.name;
+            colour.base = field.colour;
+            part.patches.push_back({first, field.triangles, material(colour)});
+            first += field.triangles;
+        }
+        for (Vec3& vertex : sphere.mesh.vertices) {
+            vertex *= shape.radius;
+        }
+        add_mesh(part, sphere.mesh, map);
+    }
+
+    void add_lamp(const render::LightDescription& light) {
+        ExportPart part;
+        part.name = light.name;
+        ExportMaterial glow;
+        glow.name = "light " + light.name;
+        glow.base = Vec3(0, 0, 0);
+        if (const auto* rectangle = std::get_if<render::RectangleLight>(&light.light)) {
+            const Vec3 u = rectangle->edge_u;
+            const bool is_right_handed = u.cross(rectangle->edge_v).dot(rectangle->normal) > 0;
+            const Vec3 v = is_right_handed ? rectangle->edge_v : -rectangle->edge_v;
+            add_mesh(part, shape_mesh(render::ParallelogramShape{-u - v, 2.0 * u, 2.0 * v}), {});
+            part.keys.add(timeline_.start_time, rectangle->centre, Quat());
+            glow.emission = rectangle->radiance;
+        } else if (const auto* sphere = std::get_if<render::SphereLight>(&light.light)) {
+            add_mesh(part, shape_mesh(render::SphereShape{sphere->radius}), {});
+            part.keys.add(timeline_.start_time, sphere->centre, Quat());
+            glow.emission = sphere->radiance;
+        } else {
+            return;
+        }
+        part.patches = {{0, part.mesh.triangles.size(), material(glow)}};
+        scene_.lamps.push_back(std::move(part));
+    }
+
+    /// Frame by frame, with its last instant.
+    void add_camera(const CameraRig& rig) {
+        ExportCamera camera;
+        camera.name = rig.name;
+        camera.sensor_height = rig.sensor_height;
+        const double start = rig.video_start.to_double();
+        const double length = rig.video_end.to_double() - start;
+        const double frames = std::max(1.0, std::ceil(length * scene_.fps - 1e-9));
+        if (frames > static_cast<double>(kMostExportKeys)) {
+            throw Error("camera '" + rig.name + "' films too many frames to be exported");
+        }
+        const auto count = static_cast<std::int64_t>(frames);
+        for (std::int64_t i = 0; i <= count; ++i) {
+            const double elapsed = std::min(length, static_cast<double>(i) / scene_.fps);
+            const WideRational time(Rational::nearest(start + elapsed));
+            ExportCameraKey key;
+            key.video_time = start + elapsed;
+            key.scene_time = scene_time_at(rig, time).to_double();
+            try {
+                key.state = camera_state(rig, {progress_at(rig, time), key.scene_time}, timeline_);
+            } catch (const Error& error) {
+                throw Error("camera '" + rig.name + "': " + error.what());
+            }
+            camera.keys.push_back(key);
+        }
+        scene_.cameras.push_back(std::move(camera));
+    }
+
+    const Shot& shot_;
+    const sim::Timeline& timeline_;
+    ExportScene scene_;
+    std::map<std::string, const render::MaterialDescription*> descriptions_;
+    std::map<std::string, std::size_t> materials_;
+};
+
+}  // namespace
+
+std::vector<ExportCameraKey> ExportCamera::by_scene_time() const {
+    std::vector<ExportCameraKey> result = keys;
+    std::ranges::stable_sort(result, {}, &ExportCameraKey::scene_time);
+    const auto repeated = std::ranges::unique(result, {}, &ExportCameraKey::scene_time);
+    result.erase(repeated.begin(), repeated.end());
+    return result;
+}
+
+Quat CameraAxes::orientation() const {
+    const Imath::M33d rows(right.x, right.y, right.z, up.x, up.y, up.z, back.x, back.y, back.z);
+    return Imath::extractQuat(Mat44(rows, Vec3(0, 0, 0))).normalized();
+}
+
+CameraAxes camera_axes(const render::CameraState& state) {
+    const Vec3 forward = (state.target - state.position).normalized();
+    const Vec3 level = forward.cross(state.up).normalized();
+    const Vec3 upright = level.cross(forward);
+    const double c = std::cos(state.roll);
+    const double s = std::sin(state.roll);
+    return {c * level + s * upright, c * upright - s * level, -forward};
+}
+
+ExportScene export_scene(const Shot& shot, const sim::Timeline& timeline) {
+    return SceneBuilder(shot, timeline).run();
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,35 @@
+#include "pipeline/export/sample_times.h"
+
+#include <cmath>
+#include <cstdint>
+
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+constexpr double kHighestRate = 1e6;    // Hz
+constexpr double kMostSamples = 1e7;    // about 2 GB of text
+constexpr double kShareOfAStep = 1e-9;  // so that the end is included despite rounding
+
+}  // namespace
+
+std::vector<double> sample_times(const sim::Timeline& timeline, double rate) {
+    if (!(rate > 0 && rate <= kHighestRate)) {
+        throw Error("the rate of an export must be above 0 and at most 1e6 samples/s");
+    }
+    const double steps = (timeline.end_time - timeline.start_time) * rate;
+    const double samples = std::floor(steps + kShareOfAStep) + 1;
+    if (samples * static_cast<double>(timeline.tracks.size()) > kMostSamples) {
+        throw Error("the table would have more than ten million rows; take a lower rate");
+    }
+    std::vector<double> times;
+    const auto count = static_cast<std::int64_t>(samples);
+    for (std::int64_t n = 0; n < count; ++n) {
+        times.push_back(timeline.start_time + static_cast<double>(n) / rate);
+    }
+    return times;
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,278 @@
+#include "pipeline/export/scene_glb.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "pipeline/export/gltf_buffer.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kNearest = 0.01;       // of what a camera shows, m
+constexpr double kWidestSpot = 1.57;    // rad
+constexpr double kLumensPerWatt = 683;  // as Blender and others convert between them
+const Quat kYUp(std::sqrt(0.5), Vec3(-std::sqrt(0.5), 0, 0));  // the turn that y_up makes
+
+/// Our axes in those of glTF: a quarter turn about x.
+template <class Vector>
+Vector y_up(const Vector& v) {
+    return {v.x, v.z, -v.y};
+}
+
+Quat y_up(const Quat& q) {
+    return {q.r, y_up(q.v)};
+}
+
+Json list(const Vec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+/// As four floats, x y z w, of unit length after rounding as nearly as they can be.
+std::array<float, 4> floats(const Quat& q) {
+    const Quat unit = q.normalized();
+    return {static_cast<float>(unit.v.x), static_cast<float>(unit.v.y),
+            static_cast<float>(unit.v.z), static_cast<float>(unit.r)};
+}
+
+bool has_any(const Vec3& v) {
+    return v.x > 0 || v.y > 0 || v.z > 0;
+}
+
+Json material_json(const ExportMaterial& material, std::set<std::string>& extensions) {
+    const Vec3& base = material.base;
+    Json result{{"name", material.name},
+                {"pbrMetallicRoughness",
+                 {{"baseColorFactor", {base.x, base.y, base.z, 1}},
+                  {"metallicFactor", material.metal},
+                  {"roughnessFactor", material.roughness}}},
+                {"doubleSided", true}};
+    const auto extend = [&](const char* name, Json values) {
+        result["extensions"][name] = std::move(values);
+        extensions.insert(name);
+    };
+    if (material.coat > 0) {
+        extend("KHR_materials_clearcoat", {{"clearcoatFactor", material.coat},
+                                           {"clearcoatRoughnessFactor", material.coat_roughness}});
+    }
+    if (material.transmission > 0) {
+        extend("KHR_materials_transmission", {{"transmissionFactor", material.transmission}});
+        extend("KHR_materials_ior", {{"ior", material.ior}});
+    }
+    if (has_any(material.emission)) {
+        const Vec3& e = material.emission;
+        const double strength = std::max({1.0, e.x, e.y, e.z});
+        result["emissiveFactor"] = {e.x / strength, e.y / strength, e.z / strength};
+        if (strength > 1) {
+            extend("KHR_materials_emissive_strength", {{"emissiveStrength", strength}});
+        }
+    }
+    return result;
+}
+
+class GlbWriter {
+  public:
+    explicit GlbWriter(const ExportScene& scene) : scene_(scene) {}
+
+    std::string run() {
+        for (const ExportMaterial& material : scene_.materials) {
+            materials_.push_back(material_json(material, extensions_));
+        }
+        for (const ExportPart& part : scene_.parts) {
+            add_part(part);
+        }
+        for (const ExportPart& lamp : scene_.lamps) {
+            add_part(lamp);
+        }
+        for (const ExportCamera& camera : scene_.cameras) {
+            add_camera(camera);
+        }
+        for (const render::LightDescription& light : scene_.lights) {
+            add_light(light);
+        }
+        return glb_container(document(), buffer_.bytes());
+    }
+
+  private:
+    void add_part(const ExportPart& part) {
+        std::vector<float> vertices;
+        std::vector<float> normals;
+        for (const auto& vertex : part.mesh.vertices) {
+            const auto v = y_up(vertex);
+            vertices.insert(vertices.end(), {v.x, v.y, v.z});
+        }
+        for (const auto& normal : part.mesh.normals) {
+            const auto n = y_up(normal);
+            normals.insert(normals.end(), {n.x, n.y, n.z});
+        }
+        Json attributes{{"POSITION", buffer_.add(vertices, "VEC3", GltfBuffer::Use::vertices)}};
+        if (!normals.empty()) {
+            attributes["NORMAL"] = buffer_.add(normals, "VEC3", GltfBuffer::Use::vertices);
+        }
+        Json primitives = Json::array();
+        for (const ExportPatch& patch : part.patches) {
+            std::vector<std::uint32_t> indices;
+            for (std::size_t i = patch.first; i < patch.first + patch.count; ++i) {
+                const auto& triangle = part.mesh.triangles[i];
+                indices.insert(indices.end(), triangle.begin(), triangle.end());
+            }
+            primitives.push_back({{"attributes", attributes},
+                                  {"indices", buffer_.add_indices(indices)},
+                                  {"material", patch.material}});
+        }
+        meshes_.push_back({{"name", part.name}, {"primitives", std::move(primitives)}});
+        add_node({{"name", part.name}, {"mesh", meshes_.size() - 1}}, part.keys);
+    }
+
+    /// The camera's place and turn on the scene's clock. A field of view that changes is its first.
+    void add_camera(const ExportCamera& camera) {
+        cameras_.push_back({{"name", camera.name},
+                            {"type", "perspective"},
+                            {"perspective",
+                             {{"aspectRatio", scene_.aspect},
+                              {"yfov", camera.keys.front().state.vertical_fov},
+                              {"znear", kNearest}}}});
+        StraightKeys keys;
+        for (const ExportCameraKey& key : camera.by_scene_time()) {
+            keys.add(key.scene_time, key.state.position, camera_axes(key.state).orientation());
+        }
+        add_node({{"name", camera.name}, {"camera", cameras_.size() - 1}}, keys, Axes::of_gltf);
+    }
+
+    /// Lights without an area; the others are among the scene's lamps, the environment is left out.
+    void add_light(const render::LightDescription& light) {
+        const Vec3 down(0, 0, -1);
+        if (const auto* point = std::get_if<render::PointLight>(&light.light)) {
+            add_punctual(light.name, {{"type", "point"}}, point->intensity, point->position, down);
+        } else if (const auto* spot = std::get_if<render::SpotLight>(&light.light)) {
+            const double outer = std::min(spot->outer_angle, kWidestSpot);
+            Json cone{{"innerConeAngle", std::min(spot->inner_angle, 0.999 * outer)},
+                      {"outerConeAngle", outer}};
+            add_punctual(light.name, {{"type", "spot"}, {"spot", std::move(cone)}}, spot->intensity,
+                         spot->position, spot->direction);
+        } else if (const auto* sun = std::get_if<render::DirectionalLight>(&light.light)) {
+            add_punctual(light.name, {{"type", "directional"}}, sun->irradiance, {0, 0, 0},
+                         sun->direction);
+        }
+    }
+
+    void add_punctual(const std::string& name, Json light, const Vec3& strength,
+                      const Vec3& position, const Vec3& direction) {
+        const double largest = std::max({1e-12, strength.x, strength.y, strength.z});
+        light["name"] = name;
+        light["color"] = list(strength / largest);
+        light["intensity"] = largest * kLumensPerWatt;
+        lights_.push_back(std::move(light));
+        extensions_.insert("KHR_lights_punctual");
+        Quat turn;
+        turn.setRotation(Vec3(0, 0, -1), direction.normalized());  // it shines along its -z
+        StraightKeys keys;
+        keys.add(scene_.start_time, position, turn);
+        add_node({{"name", name},
+                  {"extensions", {{"KHR_lights_punctual", {{"light", lights_.size() - 1}}}}}},
+                 keys, Axes::of_gltf);
+    }
+
+    /// Whether what the node holds was turned to Y up itself, or has axes that glTF lays down.
+    enum class Axes { turned, of_gltf };
+
+    void add_node(Json node, const StraightKeys& keys, Axes axes = Axes::turned) {
+        const auto turn_of = [&](const Quat& q) {
+            return floats(axes == Axes::turned ? y_up(q) : kYUp * q);
+        };
+        const std::size_t index = nodes_.size();
+        const std::array<float, 4> turn = turn_of(keys.orientations.front());
+        node["translation"] = list(y_up(keys.positions.front()));
+        if (turn != std::array<float, 4>{0, 0, 0, 1}) {
+            node["rotation"] = turn;
+        }
+        nodes_.push_back(std::move(node));
+        if (keys.is_still()) {
+            return;
+        }
+        std::vector<float> times;
+        std::vector<float> positions;
+        std::vector<float> turns;
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            const auto time = static_cast<float>(keys.times[i] - scene_.start_time);
+            if (!times.empty() && time <= times.back()) {
+                continue;  // floats cannot tell them apart
+            }
+            times.push_back(time);
+            const Vec3 p = y_up(keys.positions[i]);
+            positions.insert(positions.end(), {static_cast<float>(p.x), static_cast<float>(p.y),
+                                               static_cast<float>(p.z)});
+            const std::array<float, 4> q = turn_of(keys.orientations[i]);
+            turns.insert(turns.end(), q.begin(), q.end());
+        }
+        const std::size_t input = buffer_.add(times, "SCALAR", GltfBuffer::Use::keys);
+        add_channel(index, "translation", input, positions, "VEC3");
+        add_channel(index, "rotation", input, turns, "VEC4");
+    }
+
+    void add_channel(std::size_t node, const char* path, std::size_t input,
+                     const std::vector<float>& values, const char* type) {
+        channels_.push_back(
+            {{"sampler", samplers_.size()}, {"target", {{"node", node}, {"path", path}}}});
+        samplers_.push_back({{"input", input},
+                             {"output", buffer_.add(values, type, GltfBuffer::Use::keys)},
+                             {"interpolation", "LINEAR"}});
+    }
+
+    Json document() {
+        Json all = Json::array();
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            all.push_back(i);
+        }
+        Json document{{"asset", {{"version", "2.0"}, {"generator", "carom"}}},
+                      {"scene", 0},
+                      {"scenes", {{{"name", scene_.name}, {"nodes", std::move(all)}}}}};
+        const auto add = [&](const char* name, Json values) {
+            if (!values.empty()) {
+                document[name] = std::move(values);
+            }
+        };
+        add("extensionsUsed", Json(extensions_));
+        add("nodes", std::move(nodes_));
+        add("cameras", std::move(cameras_));
+        add("materials", std::move(materials_));
+        add("meshes", std::move(meshes_));
+        if (!lights_.empty()) {
+            document["extensions"] = {{"KHR_lights_punctual", {{"lights", std::move(lights_)}}}};
+        }
+        if (!channels_.empty()) {
+            Json animation{{"name", "scene"}};
+            animation["channels"] = std::move(channels_);
+            animation["samplers"] = std::move(samplers_);
+            document["animations"] = Json::array({std::move(animation)});
+        }
+        add("accessors", buffer_.accessors());
+        add("bufferViews", buffer_.views());
+        document["buffers"] = Json::array({Json{{"byteLength", buffer_.bytes().size()}}});
+        return document;
+    }
+
+    const ExportScene& scene_;
+    GltfBuffer buffer_;
+    std::set<std::string> extensions_;
+    Json nodes_ = Json::array();
+    Json cameras_ = Json::array();
+    Json materials_ = Json::array();
+    Json meshes_ = Json::array();
+    Json lights_ = Json::array();
+    Json channels_ = Json::array();
+    Json samplers_ = Json::array();
+};
+
+}  // namespace
+
+std::string scene_to_glb(const ExportScene& scene) {
+    return GlbWriter(scene).run();
+}
+
+}  // namespace carom::pipeline

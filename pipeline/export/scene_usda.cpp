@@ -1,0 +1,287 @@
+#include "pipeline/export/scene_usda.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "pipeline/export/usda_text.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+constexpr double kTenths = 10;  // USD gives a lens in tenths of the stage's unit, the metre
+constexpr double kDegrees = 57.29577951308232;
+
+template <class Range, class Text>
+std::string array_of(const Range& values, Text text) {
+    std::string result = "[";
+    const char* separator = "";
+    for (const auto& value : values) {
+        result += separator + text(value);
+        separator = ", ";
+    }
+    return result + "]";
+}
+
+std::string index_text(std::uint32_t index) {
+    return std::to_string(index);
+}
+
+class UsdaWriter {
+  public:
+    explicit UsdaWriter(const ExportScene& scene) : scene_(scene) {}
+
+    std::string run() {
+        write_head();
+        text_.open("def Xform \"shot\"", "displayName = " + usda_string(scene_.name));
+        write_materials();
+        for (const ExportPart& part : scene_.parts) {
+            write_part(part);
+        }
+        for (const ExportCamera& camera : scene_.cameras) {
+            write_camera(camera);
+        }
+        for (const render::LightDescription& light : scene_.lights) {
+            write_light(light);
+        }
+        text_.close();
+        return text_.finish();
+    }
+
+  private:
+    [[nodiscard]] double code(double scene_time) const { return scene_time * scene_.fps; }
+
+    void write_head() {
+        text_.line("(");
+        text_.line("    defaultPrim = \"shot\"");
+        text_.line("    metersPerUnit = 1");
+        text_.line("    upAxis = \"Z\"");
+        text_.line("    timeCodesPerSecond = " + usda_number(scene_.fps));
+        text_.line("    framesPerSecond = " + usda_number(scene_.fps));
+        text_.line("    startTimeCode = " + usda_number(code(scene_.start_time)));
+        text_.line("    endTimeCode = " + usda_number(code(scene_.end_time)));
+        text_.line(")");
+    }
+
+    void open(const std::string& head, const std::string& name, const char* schemas = nullptr) {
+        std::string metadata = "displayName = " + usda_string(name);
+        if (schemas != nullptr) {
+            metadata += std::string("; prepend apiSchemas = [\"") + schemas + "\"]";
+        }
+        text_.open(head + " \"" + names_.unique(name) + "\"", metadata);
+    }
+
+    /// "type name = value", or timeSamples where it changes. `value(i)` is the text of key i.
+    template <class Value>
+    void attribute(const std::string& type_and_name, const std::vector<double>& times,
+                   Value value) {
+        bool changes = false;
+        std::vector<std::string> texts;
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            texts.push_back(value(i));
+            changes = changes || texts.back() != texts.front();
+        }
+        if (!changes) {
+            text_.line(type_and_name + " = " + texts.front());
+            return;
+        }
+        text_.line(type_and_name + ".timeSamples = {");
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            text_.line("    " + usda_number(code(times[i])) + ": " + texts[i] + ",");
+        }
+        text_.line("}");
+    }
+
+    void write_keys(const StraightKeys& keys) {
+        attribute("double3 xformOp:translate", keys.times,
+                  [&](std::size_t i) { return usda_tuple(keys.positions[i]); });
+        attribute("quatf xformOp:orient", keys.times,
+                  [&](std::size_t i) { return usda_tuple(keys.orientations[i]); });
+        text_.line("uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"]");
+    }
+
+    void write_place(const Vec3& position, const Quat& orientation) {
+        StraightKeys keys;
+        keys.add(scene_.start_time, position, orientation);
+        write_keys(keys);
+    }
+
+    [[nodiscard]] std::string path_of(std::size_t material) const {
+        return "</shot/materials/" + material_names_[material] + ">";
+    }
+
+    void write_materials() {
+        text_.open("def Scope \"" + names_.unique("materials") + "\"");
+        UsdaNames names;
+        for (const ExportMaterial& material : scene_.materials) {
+            material_names_.push_back(names.unique(material.name));
+            const std::string path = path_of(material_names_.size() - 1);
+            const std::string surface = path.substr(0, path.size() - 1) + "/surface";
+            text_.open("def Material \"" + material_names_.back() + "\"",
+                       "displayName = " + usda_string(material.name));
+            text_.line("token outputs:surface.connect = " + surface + ".outputs:surface>");
+            text_.open("def Shader \"surface\"");
+            text_.line("uniform token info:id = \"UsdPreviewSurface\"");
+            text_.line("color3f inputs:diffuseColor = " + usda_tuple(material.base));
+            text_.line("color3f inputs:emissiveColor = " + usda_tuple(material.emission));
+            number("inputs:metallic", material.metal);
+            number("inputs:roughness", material.roughness);
+            number("inputs:clearcoat", material.coat);
+            number("inputs:clearcoatRoughness", material.coat_roughness);
+            number("inputs:opacity", 1 - 0.9 * material.transmission);
+            number("inputs:ior", material.ior);
+            text_.line("token outputs:surface");
+            text_.close();
+            text_.close();
+        }
+        text_.close();
+    }
+
+    void number(const std::string& name, double value) {
+        text_.line("float " + name + " = " + usda_number(static_cast<float>(value)));
+    }
+
+    void write_part(const ExportPart& part) {
+        open("def Mesh", part.name, "MaterialBindingAPI");
+        const auto point = [](const auto& v) { return usda_tuple(v); };
+        text_.line("uniform token subdivisionScheme = \"none\"");
+        text_.line("uniform bool doubleSided = 1");
+        text_.line("point3f[] points = " + array_of(part.mesh.vertices, point));
+        if (!part.mesh.normals.empty()) {
+            text_.line("normal3f[] normals = " + array_of(part.mesh.normals, point) +
+                       " (interpolation = \"vertex\")");
+        }
+        const std::vector<std::uint32_t> threes(part.mesh.triangles.size(), 3);
+        text_.line("int[] faceVertexCounts = " + array_of(threes, index_text));
+        std::vector<std::uint32_t> corners;
+        for (const auto& triangle : part.mesh.triangles) {
+            corners.insert(corners.end(), triangle.begin(), triangle.end());
+        }
+        text_.line("int[] faceVertexIndices = " + array_of(corners, index_text));
+        text_.line("rel material:binding = " + path_of(part.patches.front().material));
+        write_keys(part.keys);
+        for (std::size_t i = 1; i < part.patches.size(); ++i) {
+            write_patch(part.patches[i], i);
+        }
+        text_.close();
+    }
+
+    /// Faces that have another material than the mesh itself.
+    void write_patch(const ExportPatch& patch, std::size_t number) {
+        std::vector<std::uint32_t> faces;
+        for (std::size_t i = 0; i < patch.count; ++i) {
+            faces.push_back(static_cast<std::uint32_t>(patch.first + i));
+        }
+        text_.open("def GeomSubset \"field_" + std::to_string(number) + "\"",
+                   "prepend apiSchemas = [\"MaterialBindingAPI\"]");
+        text_.line("uniform token elementType = \"face\"");
+        text_.line("uniform token familyName = \"materialBind\"");
+        text_.line("int[] indices = " + array_of(faces, index_text));
+        text_.line("rel material:binding = " + path_of(patch.material));
+        text_.close();
+    }
+
+    /// Of a lens with the rig's sensor: what changes over the scene's time.
+    void write_camera(const ExportCamera& camera) {
+        const std::vector<ExportCameraKey> keys = camera.by_scene_time();
+        StraightKeys way;
+        for (const ExportCameraKey& key : keys) {
+            way.add(key.scene_time, key.state.position, camera_axes(key.state).orientation());
+        }
+        const auto focal_length = [&](std::size_t i) {
+            return camera.sensor_height / (2 * std::tan(keys[i].state.vertical_fov / 2));
+        };
+        const auto value = [](double v) { return usda_number(static_cast<float>(v)); };
+        open("def Camera", camera.name);
+        number("horizontalAperture", kTenths * camera.sensor_height * scene_.aspect);
+        number("verticalAperture", kTenths * camera.sensor_height);
+        attribute("float focalLength", way.times,
+                  [&](std::size_t i) { return value(kTenths * focal_length(i)); });
+        attribute("float focusDistance", way.times,
+                  [&](std::size_t i) { return value(keys[i].state.focus_distance); });
+        attribute("float fStop", way.times, [&](std::size_t i) {  // 0: a pinhole
+            const double radius = keys[i].state.lens_radius;
+            return value(radius > 0 ? focal_length(i) / (2 * radius) : 0);
+        });
+        write_keys(way);
+        text_.close();
+    }
+
+    void write_light(const render::LightDescription& light) {
+        if (const auto* rectangle = std::get_if<render::RectangleLight>(&light.light)) {
+            const Vec3 back = -rectangle->normal;  // it shines along its -z
+            const Vec3 u = rectangle->edge_u.normalized();
+            open_light("RectLight", light.name, rectangle->radiance);
+            number("inputs:width", 2 * rectangle->edge_u.length());
+            number("inputs:height", 2 * rectangle->edge_v.length());
+            write_place(rectangle->centre, CameraAxes{u, back.cross(u), back}.orientation());
+        } else if (const auto* sphere = std::get_if<render::SphereLight>(&light.light)) {
+            open_light("SphereLight", light.name, sphere->radiance);
+            number("inputs:radius", sphere->radius);
+            write_place(sphere->centre, Quat());
+        } else if (const auto* sun = std::get_if<render::DirectionalLight>(&light.light)) {
+            open_light("DistantLight", light.name, sun->irradiance);
+            write_place({0, 0, 0}, shining(sun->direction));
+        } else if (const auto* spot = std::get_if<render::SpotLight>(&light.light)) {
+            open_light("SphereLight", light.name, spot->intensity, "ShapingAPI");
+            text_.line("bool treatAsPoint = 1");
+            number("inputs:shaping:cone:angle", kDegrees * spot->outer_angle);
+            number("inputs:shaping:cone:softness", 1 - spot->inner_angle / spot->outer_angle);
+            write_place(spot->position, shining(spot->direction));
+        } else if (const auto* point = std::get_if<render::PointLight>(&light.light)) {
+            open_light("SphereLight", light.name, point->intensity);
+            text_.line("bool treatAsPoint = 1");
+            write_place(point->position, Quat());
+        } else if (!write_dome(light)) {
+            return;
+        }
+        text_.close();
+    }
+
+    /// False for a sky, which USD cannot compute.
+    bool write_dome(const render::LightDescription& light) {
+        const auto& room = std::get<render::EnvironmentLight>(light.light);
+        if (room.sky) {
+            return false;
+        }
+        open_light("DomeLight", light.name, room.radiance);
+        if (!room.image.empty()) {
+            text_.line("asset inputs:texture:file = @" + room.image + "@");
+            text_.line("token inputs:texture:format = \"latlong\"");
+        }
+        // Its picture has Y up and z in the middle (UsdLux); ours Z up and x in the middle.
+        const Quat x_y_z_to_y_z_x(0.5, Vec3(0.5, 0.5, 0.5));
+        Quat turn;
+        turn.setAxisAngle(Vec3(0, 0, 1), room.rotation);
+        write_place({0, 0, 0}, turn * x_y_z_to_y_z_x);
+        return true;
+    }
+
+    static Quat shining(const Vec3& direction) {
+        Quat turn;
+        turn.setRotation(Vec3(0, 0, -1), direction.normalized());
+        return turn;
+    }
+
+    void open_light(const std::string& type, const std::string& name, const Vec3& strength,
+                    const char* schemas = nullptr) {
+        const double largest = std::max({1e-12, strength.x, strength.y, strength.z});
+        open("def " + type, name, schemas);
+        text_.line("color3f inputs:color = " + usda_tuple(strength / largest));
+        number("inputs:intensity", largest);
+    }
+
+    const ExportScene& scene_;
+    UsdaText text_;
+    UsdaNames names_;
+    std::vector<std::string> material_names_;
+};
+
+}  // namespace
+
+std::string scene_to_usda(const ExportScene& scene) {
+    return UsdaWriter(scene).run();
+}
+
+}  // namespace carom::pipeline

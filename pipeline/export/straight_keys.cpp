@@ -1,0 +1,119 @@
+#include "pipeline/export/straight_keys.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/timeline/error.h"
+#include "sim/timeline/rotation.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+constexpr int kDeepest = 16;  // halvings of a stretch
+
+class Straightener {
+  public:
+    Straightener(const sim::Track& track, std::size_t most, const StraightTolerance& tolerance)
+        : track_(track), most_(most), tolerance_(tolerance) {}
+
+    StraightKeys run() {
+        const auto keys = track_.keys();
+        add(keys.front().time);
+        for (std::size_t i = 1; i < keys.size(); ++i) {
+            add_stretch(keys[i - 1], keys[i]);
+        }
+        return std::move(result_);
+    }
+
+  private:
+    void add(double time) {
+        if (result_.size() >= most_) {
+            throw Error("'" + track_.name() + "' would need more than " + std::to_string(most_) +
+                        " keys; export a shorter or calmer shot, or .csv");
+        }
+        const MotionState state = track_.sample(time);
+        result_.add(time, state.position, state.orientation);
+    }
+
+    /// In parts that turn by no more than is allowed: the angular velocity is linear, so the faster
+    /// end bounds it.
+    void add_stretch(const sim::Key& from, const sim::Key& to) {
+        const double duration = to.time - from.time;
+        const double fastest =
+            std::max(from.angular_velocity_out.length(), to.angular_velocity_in.length());
+        const double parts = std::max(1.0, std::ceil(fastest * duration / tolerance_.turn));
+        if (parts > static_cast<double>(most_)) {
+            add_too_many();
+        }
+        double last = from.time;
+        for (double part = 1; part <= parts; ++part) {
+            const double next = part == parts ? to.time : from.time + duration * part / parts;
+            refine(last, next, 0);
+            last = next;
+        }
+    }
+
+    void add_too_many() {
+        while (true) {
+            add(result_.times.back());  // until it throws
+        }
+    }
+
+    /// Adds the end of (from, to], whose beginning is there, and what is needed between.
+    void refine(double from, double to, int depth) {
+        const double middle = from + (to - from) / 2;
+        const bool can_be_halved = depth < kDeepest && middle > from && middle < to;
+        if (can_be_halved && !is_straight(from, to)) {
+            refine(from, middle, depth + 1);
+            refine(middle, to, depth + 1);
+            return;
+        }
+        add(to);
+    }
+
+    [[nodiscard]] bool is_straight(double from, double to) const {
+        const MotionState start = track_.sample(from);
+        const MotionState end = track_.sample(to);
+        return std::ranges::all_of(std::initializer_list<double>{0.25, 0.5, 0.75}, [&](double s) {
+            const MotionState there = track_.sample(from + s * (to - from));
+            const Vec3 position = start.position + s * (end.position - start.position);
+            const Quat turned =
+                Imath::slerpShortestArc(start.orientation, end.orientation, s).normalized();
+            return (there.position - position).length() <= tolerance_.position &&
+                   sim::angle_between(there.orientation, turned) <= tolerance_.orientation;
+        });
+    }
+
+    const sim::Track& track_;
+    std::size_t most_;
+    StraightTolerance tolerance_;
+    StraightKeys result_;
+};
+
+}  // namespace
+
+bool StraightKeys::is_still() const {
+    for (std::size_t i = 1; i < size(); ++i) {
+        if (positions[i] != positions[0] || orientations[i] != orientations[0]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void StraightKeys::add(double time, const Vec3& position, Quat orientation) {
+    if (size() > 0 && (orientation ^ orientations.back()) < 0) {
+        orientation = Quat(-orientation.r, -orientation.v);
+    }
+    times.push_back(time);
+    positions.push_back(position);
+    orientations.push_back(orientation);
+}
+
+StraightKeys straight_keys(const sim::Track& track, std::size_t most,
+                           const StraightTolerance& tolerance) {
+    return Straightener(track, most, tolerance).run();
+}
+
+}  // namespace carom::pipeline

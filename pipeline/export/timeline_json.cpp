@@ -1,0 +1,215 @@
+#include "pipeline/export/timeline_json.h"
+
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/export/sample_times.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kVersion = 1;
+
+template <class Vector>
+Json list(const Vector& v) {
+    return {v.x + 0, v.y + 0, v.z + 0};  // + 0: no -0
+}
+
+Json list(const Quat& q) {
+    return {q.r + 0, q.v.x + 0, q.v.y + 0, q.v.z + 0};
+}
+
+struct ShapeJson {
+    Json operator()(const render::SphereShape& s) const {
+        return {{"kind", "sphere"}, {"radius", s.radius}};
+    }
+    Json operator()(const render::BoxShape& s) const {
+        return {{"kind", "box"}, {"size", list(s.size)}};
+    }
+    Json operator()(const render::PlaneShape&) const { return {{"kind", "plane"}}; }
+    Json operator()(const render::RectangleShape& s) const {
+        return {{"kind", "rectangle"}, {"size", {s.size.x, s.size.y}}};
+    }
+    Json operator()(const render::TriangleShape& s) const {
+        return {{"kind", "triangle"},
+                {"corners", {list(s.corners[0]), list(s.corners[1]), list(s.corners[2])}}};
+    }
+    Json operator()(const render::ParallelogramShape& s) const {
+        return {{"kind", "parallelogram"},
+                {"corner", list(s.corner)},
+                {"edges", {list(s.edge_u), list(s.edge_v)}}};
+    }
+    Json operator()(const render::DiskShape& s) const {
+        return {{"kind", "disk"}, {"radius", s.radius}};
+    }
+    Json operator()(const render::CylinderShape& s) const {
+        return {{"kind", "cylinder"}, {"radius", s.radius}, {"height", s.height}};
+    }
+    Json operator()(const render::ConeShape& s) const {
+        return {{"kind", "cone"},
+                {"radius", s.radius},
+                {"top_radius", s.top_radius},
+                {"height", s.height}};
+    }
+    Json operator()(const render::MeshShape& s) const {
+        if (!s.file.empty()) {
+            return {{"kind", "mesh"}, {"file", s.file}};
+        }
+        Json vertices = Json::array();
+        for (const Vec3& vertex : s.vertices) {
+            vertices.push_back(list(vertex));
+        }
+        return {{"kind", "mesh"}, {"vertices", std::move(vertices)}, {"triangles", s.triangles}};
+    }
+};
+
+Json material_json(const ExportMaterial& material) {
+    return {{"name", material.name},
+            {"base", list(material.base)},
+            {"metal", material.metal},
+            {"roughness", material.roughness},
+            {"transmission", material.transmission},
+            {"ior", material.ior},
+            {"coat", material.coat},
+            {"coat_roughness", material.coat_roughness},
+            {"emission", list(material.emission)}};
+}
+
+Json map_json(const Mat44& map) {
+    Json rows = Json::array();
+    for (const auto& row : map.x) {
+        rows.push_back({row[0] + 0, row[1] + 0, row[2] + 0});
+    }
+    return rows;
+}
+
+Json object_json(const render::ObjectDescription& object) {
+    Json result{{"name", object.name},
+                {"shape", std::visit(ShapeJson{}, object.shape)},
+                {"material", object.material}};
+    result["track"] = object.track.empty() ? Json() : Json(object.track);
+    result["map"] = map_json(object.world_from_object);
+    return result;
+}
+
+Json state_json(double time, const MotionState& state) {
+    return {{"time", time},
+            {"position", list(state.position)},
+            {"orientation", list(state.orientation)},
+            {"velocity", list(state.velocity)},
+            {"angular_velocity", list(state.angular_velocity)}};
+}
+
+/// The velocities are those on leaving; where it differs, what it arrived with stands beside them.
+Json key_json(const sim::Key& key) {
+    Json result = state_json(
+        key.time, {key.position, key.orientation, key.velocity_out, key.angular_velocity_out});
+    if (key.is_break()) {
+        result["velocity_before"] = list(key.velocity_in);
+        result["angular_velocity_before"] = list(key.angular_velocity_in);
+    }
+    return result;
+}
+
+Json track_json(const sim::Track& track, const sim::Timeline& timeline,
+                std::optional<double> rate) {
+    Json keys = Json::array();
+    if (rate) {
+        for (const double time : sample_times(timeline, *rate)) {
+            keys.push_back(state_json(time, track.sample(time)));
+        }
+    } else {
+        for (const sim::Key& key : track.keys()) {
+            keys.push_back(key_json(key));
+        }
+    }
+    return {{"name", track.name()}, {"keys", std::move(keys)}};
+}
+
+Json event_json(const sim::Event& event) {
+    return {{"time", event.time},
+            {"end_time", event.end_time},
+            {"kind", sim::to_string(event.kind)},
+            {"a", event.a},
+            {"b", event.b},
+            {"place", list(event.place)},
+            {"normal", list(event.normal)},
+            {"normal_impulse", event.normal_impulse},
+            {"tangential_impulse", event.tangential_impulse},
+            {"vector", list(event.vector)}};
+}
+
+Json camera_json(const ExportCamera& camera) {
+    Json frames = Json::array();
+    for (const ExportCameraKey& key : camera.keys) {
+        const render::CameraState& state = key.state;
+        frames.push_back({{"video_time", key.video_time},
+                          {"scene_time", key.scene_time},
+                          {"position", list(state.position)},
+                          {"target", list(state.target)},
+                          {"orientation", list(camera_axes(state).orientation())},
+                          {"vertical_fov", state.vertical_fov},
+                          {"focus_distance", state.focus_distance},
+                          {"lens_radius", state.lens_radius}});
+    }
+    return {{"name", camera.name}, {"keys", std::move(frames)}};
+}
+
+template <class Range, class Function>
+Json all(const Range& values, Function function) {
+    Json result = Json::array();
+    for (const auto& value : values) {
+        result.push_back(function(value));
+    }
+    return result;
+}
+
+/// A line for each member, and for each entry of a list.
+std::string lines_of(const Json& document) {
+    std::string text;
+    for (const auto& [name, value] : document.items()) {
+        text += (text.empty() ? "{\n" : ",\n") + Json(name).dump() + ": ";
+        if (!value.is_array()) {
+            text += value.dump();
+            continue;
+        }
+        const char* separator = "[\n ";
+        for (const Json& entry : value) {
+            text += separator + entry.dump();
+            separator = ",\n ";
+        }
+        text += value.empty() ? "[]" : "]";
+    }
+    return text + "}\n";
+}
+
+}  // namespace
+
+std::string timeline_json(const Shot& shot, const sim::Timeline& timeline, const ExportScene& scene,
+                          std::optional<double> rate) {
+    const Json document{
+        {"carom_export", kVersion},
+        {"name", shot.name},
+        {"units", "m, s, kg, rad; Z up; quaternions w x y z; colours linear Rec.709"},
+        {"start_time", timeline.start_time},
+        {"end_time", timeline.end_time},
+        {"fps", scene.fps},
+        {"tracks",
+         all(timeline.tracks, [&](const sim::Track& t) { return track_json(t, timeline, rate); })},
+        {"objects", all(shot.scene.objects, object_json)},
+        {"materials", all(scene.materials, material_json)},
+        {"events", all(timeline.events, event_json)},
+        {"energy",
+         all(timeline.energy,
+             [](const sim::EnergySample& e) {
+                 return Json{{"time", e.time}, {"kinetic", e.kinetic}, {"potential", e.potential}};
+             })},
+        {"cameras", all(scene.cameras, camera_json)}};
+    return lines_of(document);
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,205 @@
+#include "pipeline/export/scene_glb.h"
+
+#include <cmath>
+#include <cstring>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/timeline/rotation.h"
+#include "tests/pipeline/export/sample_scene.h"
+
+namespace carom::pipeline {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::Contains;
+
+std::uint32_t word(const std::string& bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return value;
+}
+
+/// A .glb as someone else's program reads it.
+class Glb {
+  public:
+    explicit Glb(const std::string& bytes) {
+        EXPECT_EQ(bytes.substr(0, 4), "glTF");
+        EXPECT_EQ(word(bytes, 4), 2U);
+        EXPECT_EQ(word(bytes, 8), bytes.size());
+        const std::size_t json_size = word(bytes, 12);
+        EXPECT_EQ(bytes.substr(16, 4), "JSON");
+        EXPECT_EQ(json_size % 4, 0U);
+        json = Json::parse(bytes.substr(20, json_size));
+        const std::size_t at = 20 + json_size;
+        EXPECT_EQ(bytes.substr(at + 4, 4), std::string("BIN\0", 4));
+        EXPECT_EQ(at + 8 + word(bytes, at), bytes.size());
+        data_ = bytes.substr(at + 8);
+    }
+
+    [[nodiscard]] std::vector<float> floats(std::size_t accessor) const {
+        const Json& a = json["accessors"][accessor];
+        const Json& view = json["bufferViews"][a["bufferView"].get<std::size_t>()];
+        std::vector<float> values(view["byteLength"].get<std::size_t>() / sizeof(float));
+        std::memcpy(values.data(), data_.data() + view["byteOffset"].get<std::size_t>(),
+                    values.size() * sizeof(float));
+        return values;
+    }
+
+    [[nodiscard]] std::size_t node(const std::string& name) const {
+        for (std::size_t i = 0; i < json["nodes"].size(); ++i) {
+            if (json["nodes"][i]["name"] == name) {
+                return i;
+            }
+        }
+        ADD_FAILURE() << "no node " << name;
+        return 0;
+    }
+
+    struct Channel {
+        std::vector<float> times;
+        std::vector<float> values;
+    };
+    /// Empty if it is not animated.
+    [[nodiscard]] Channel channel(const std::string& name, const std::string& path) const {
+        const std::size_t wanted = node(name);
+        for (const Json& c : json["animations"][0]["channels"]) {
+            if (c["target"]["node"] == wanted && c["target"]["path"] == path) {
+                const Json& sampler =
+                    json["animations"][0]["samplers"][c["sampler"].get<std::size_t>()];
+                EXPECT_EQ(sampler["interpolation"], "LINEAR");
+                return {floats(sampler["input"]), floats(sampler["output"])};
+            }
+        }
+        return {};
+    }
+
+    Json json;
+
+  private:
+    std::string data_;
+};
+
+/// Back to Z up.
+Vec3 z_up(const float* v) {
+    return {v[0], -v[2], v[1]};
+}
+
+const carom::testing::SampleScene& sample() {
+    static const carom::testing::SampleScene scene = carom::testing::sample_scene();
+    return scene;
+}
+
+const Glb& glb() {
+    static const Glb file(scene_to_glb(sample().scene));
+    return file;
+}
+
+TEST(SceneGlb, Motion_IsThatOfTheTimelineTurnedToYUp) {
+    for (const std::string name : {"cue", "one", "nine", "tile", "wheel"}) {
+        const sim::Track& track = *sample().timeline.find(name);
+        const Glb::Channel positions = glb().channel(name, "translation");
+        const Glb::Channel turns = glb().channel(name, "rotation");
+        ASSERT_FALSE(positions.times.empty()) << name;
+        EXPECT_EQ(positions.times, turns.times);
+        for (std::size_t i = 0; i < positions.times.size(); ++i) {
+            const MotionState exact = track.sample(positions.times[i]);
+            const float* q = turns.values.data() + 4 * i;
+            const Quat turn(q[3], z_up(q));
+            EXPECT_NEAR(turn.length(), 1, 1e-6);
+            // A float's rounding of the time moves what is fast.
+            ASSERT_LT((z_up(positions.values.data() + 3 * i) - exact.position).length(), 2e-6);
+            ASSERT_LT(sim::angle_between(turn.normalized(), exact.orientation), 1e-4) << name;
+        }
+    }
+}
+
+TEST(SceneGlb, TurnsBetweenKeys_AreFarBelowAQuarter) {
+    const Glb::Channel turns = glb().channel("wheel", "rotation");
+    double turned = 0;
+    for (std::size_t i = 4; i < turns.values.size(); i += 4) {
+        const float* q = turns.values.data() + i;
+        const Quat before(q[-1], z_up(q - 4));
+        const Quat turn(q[3], z_up(q));
+        const double angle = sim::angle_between(before.normalized(), turn.normalized());
+        EXPECT_LT(angle, 0.71);
+        turned += angle;
+    }
+    EXPECT_NEAR(turned, 4 * std::acos(-1.0), 1e-4);
+}
+
+TEST(SceneGlb, AnImpact_IsAKey) {
+    const auto impact =
+        std::ranges::find(sample().timeline.events, sim::EventKind::impact, &sim::Event::kind);
+    ASSERT_NE(impact, sample().timeline.events.end());
+    EXPECT_THAT(glb().channel("cue", "translation").times,
+                Contains(static_cast<float>(impact->time)));
+}
+
+TEST(SceneGlb, Meshes_HaveTheirRealSize) {
+    const Json& json = glb().json;
+    const auto bounds = [&](const std::string& name) {
+        const Json& node = json["nodes"][glb().node(name)];
+        const Json& mesh = json["meshes"][node["mesh"].get<std::size_t>()];
+        return json["accessors"]
+                   [mesh["primitives"][0]["attributes"]["POSITION"].get<std::size_t>()];
+    };
+    EXPECT_NEAR(bounds("cue")["max"][1], 0.028575, 1e-7);
+    const Json tile = bounds("tile");  // x, z and -y
+    EXPECT_NEAR(tile["max"][0], 0.005, 1e-8);
+    EXPECT_NEAR(tile["max"][1], 0.03, 1e-8);
+    EXPECT_NEAR(tile["max"][2], 0.015, 1e-8);
+    // What stands still has its place in its node.
+    EXPECT_EQ(json["nodes"][glb().node("tip")]["translation"], Json({0.2F, 0.1F, 0.4F}));
+    EXPECT_TRUE(glb().channel("tip", "translation").times.empty());
+}
+
+TEST(SceneGlb, BallsOfOneShape_ShareTheirData) {
+    // The positions of "cue" and "one" are equal but for the cuts; none is stored twice.
+    std::set<std::string> seen;
+    for (const Json& view : glb().json["bufferViews"]) {
+        seen.insert(view.dump());
+    }
+    EXPECT_EQ(seen.size(), glb().json["bufferViews"].size());
+}
+
+TEST(SceneGlb, Cameras_LookAlongTheirAxisOnTheScenesClock) {
+    const Glb::Channel places = glb().channel("seat", "translation");
+    // Filmed backwards: sorted by scene time.
+    ASSERT_EQ(places.times.size(), 6U);
+    EXPECT_FLOAT_EQ(places.times.front(), 0.1F);
+    EXPECT_FLOAT_EQ(places.times.back(), 0.6F);
+    EXPECT_LT((z_up(places.values.data()) - Vec3(0.2, -1, 0.8)).length(), 1e-6);
+    const Json& node = glb().json["nodes"][glb().node("close")];  // time stands still: one pose
+    const auto q = node["rotation"].get<std::vector<double>>();
+    const Quat turn(q[3], Vec3(q[0], q[1], q[2]));
+    const Vec3 ahead = turn.rotateVector(Vec3(0, 0, -1));  // in Y up: from (0, .3, 1) to 0
+    EXPECT_LT((ahead - Vec3(0, -0.3, -1).normalized()).length(), 1e-6);
+    EXPECT_GT(turn.rotateVector(Vec3(0, 1, 0)).y, 0.9);
+}
+
+TEST(SceneGlb, MaterialsAndLights_KeepWhatGltfKnows) {
+    const Json& json = glb().json;
+    bool has_glass = false;
+    for (const Json& material : json["materials"]) {
+        if (material["name"] == "clear") {
+            has_glass = true;
+            EXPECT_EQ(material["extensions"]["KHR_materials_transmission"]["transmissionFactor"],
+                      1);
+            EXPECT_EQ(material["extensions"]["KHR_materials_ior"]["ior"], 1.45);
+        }
+        if (material["name"] == "light lamp") {
+            EXPECT_EQ(material["emissiveFactor"], Json({1.0, 1.0, 0.5}));
+            EXPECT_EQ(material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"],
+                      10);
+        }
+    }
+    EXPECT_TRUE(has_glass);
+    const Json& punctual = json["extensions"]["KHR_lights_punctual"]["lights"];
+    ASSERT_EQ(punctual.size(), 1U);
+    EXPECT_EQ(punctual[0]["intensity"], 2 * 683);
+}
+
+}  // namespace
+}  // namespace carom::pipeline

@@ -1,0 +1,142 @@
+#include "pipeline/export/scene_usda.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "pipeline/export/usda_text.h"
+#include "sim/timeline/rotation.h"
+#include "tests/pipeline/export/sample_scene.h"
+#include "tests/pipeline/export/usda_reader.h"
+
+namespace carom::pipeline {
+namespace {
+
+using carom::testing::UsdaAttribute;
+using carom::testing::UsdaPrim;
+
+const carom::testing::SampleScene& sample() {
+    static const carom::testing::SampleScene scene = carom::testing::sample_scene();
+    return scene;
+}
+
+const UsdaPrim& root() {
+    static const UsdaPrim prim = carom::testing::read_usda(scene_to_usda(sample().scene));
+    return prim;
+}
+
+const UsdaPrim& prim(const std::string& name) {
+    const UsdaPrim* found = root().at("/shot/" + name);
+    EXPECT_NE(found, nullptr) << name;
+    static const UsdaPrim none;
+    return found != nullptr ? *found : none;
+}
+
+TEST(SceneUsda, Head_SaysAxesUnitsAndTime) {
+    EXPECT_EQ(root().metadata.at("upAxis").text, "Z");
+    EXPECT_EQ(root().metadata.at("metersPerUnit").number(), 1);
+    EXPECT_EQ(root().metadata.at("timeCodesPerSecond").number(), 10);
+    EXPECT_EQ(root().metadata.at("endTimeCode").number(), 6);
+    EXPECT_EQ(root().metadata.at("defaultPrim").text, "shot");
+    EXPECT_EQ(root().children.size(), 1U);
+}
+
+TEST(SceneUsda, Motion_IsThatOfTheTimeline) {
+    for (const std::string name : {"cue", "one", "nine", "tile", "wheel"}) {
+        const sim::Track& track = *sample().timeline.find(name);
+        const auto& positions = prim(name).attributes.at("xformOp:translate");
+        const auto& turns = prim(name).attributes.at("xformOp:orient").samples;
+        ASSERT_FALSE(turns.empty()) << name;
+        for (const auto& [code, value] : positions.samples) {
+            const auto p = value.numbers();
+            EXPECT_LT((track.sample(code / 10).position - Vec3(p[0], p[1], p[2])).length(), 1e-9);
+        }
+        for (const auto& [code, value] : turns) {
+            const auto q = value.numbers();
+            const Quat turn(q[0], Vec3(q[1], q[2], q[3]));
+            EXPECT_LT(sim::angle_between(turn.normalized(), track.sample(code / 10).orientation),
+                      1e-6);
+        }
+    }
+    EXPECT_TRUE(prim("tip").attributes.at("xformOp:translate").samples.empty());
+}
+
+TEST(SceneUsda, Meshes_AreWholeAndTheirFieldsToo) {
+    for (const UsdaPrim& mesh : root().children[0].children) {
+        if (mesh.type != "Mesh") {
+            continue;
+        }
+        const std::size_t points = mesh.attributes.at("points").value.items.size();
+        const auto counts = mesh.attributes.at("faceVertexCounts").value.numbers();
+        const auto corners = mesh.attributes.at("faceVertexIndices").value.numbers();
+        EXPECT_EQ(corners.size(), 3 * counts.size()) << mesh.name;
+        for (const double corner : corners) {
+            ASSERT_LT(corner, static_cast<double>(points));
+        }
+        EXPECT_NE(root().at(mesh.attributes.at("material:binding").value.text), nullptr);
+        for (const UsdaPrim& field : mesh.children) {
+            EXPECT_EQ(field.type, "GeomSubset");
+            EXPECT_NE(root().at(field.attributes.at("material:binding").value.text), nullptr);
+            for (const double face : field.attributes.at("indices").value.numbers()) {
+                ASSERT_LT(face, static_cast<double>(counts.size()));
+            }
+        }
+    }
+    EXPECT_EQ(prim("nine").children.size(), 1U);  // its white
+}
+
+TEST(SceneUsda, Materials_HaveTheirColours) {
+    const UsdaPrim& clear = prim("materials/clear/surface");
+    EXPECT_EQ(clear.attributes.at("info:id").value.text, "UsdPreviewSurface");
+    EXPECT_EQ(clear.attributes.at("inputs:diffuseColor").value.numbers(),
+              (std::vector<double>{0.9, 0.9, 0.9}));
+    EXPECT_EQ(prim("materials/clear").attributes.at("outputs:surface.connect").value.text,
+              "/shot/materials/clear/surface.outputs:surface");
+}
+
+TEST(SceneUsda, Cameras_ChangeTheirLens) {
+    const UsdaAttribute& lens = prim("seat").attributes.at("focalLength");
+    ASSERT_EQ(lens.samples.size(), 6U);
+    // Backwards: scene time 0.1 s is the end of the film's stretch, 20 degrees.
+    EXPECT_NEAR(lens.samples[0].first, 1, 1e-9);
+    EXPECT_NEAR(lens.samples[0].second.number(), 10 * 0.012 / std::tan(std::acos(-1.0) / 18), 1e-5);
+    EXPECT_NEAR(prim("seat").attributes.at("fStop").value.number(), 4, 1e-6);
+    EXPECT_NEAR(prim("seat").attributes.at("verticalAperture").value.number(), 0.24, 1e-7);
+}
+
+TEST(SceneUsda, Lights_AreTheirOwnKind) {
+    EXPECT_EQ(prim("lamp").type, "RectLight");
+    EXPECT_EQ(prim("lamp").attributes.at("inputs:intensity").value.number(), 10);
+    EXPECT_EQ(prim("bulb").type, "SphereLight");
+    EXPECT_EQ(prim("spark").attributes.at("treatAsPoint").value.number(), 1);
+    EXPECT_EQ(prim("room").type, "DomeLight");
+    const auto q = prim("lamp").attributes.at("xformOp:orient").value.numbers();
+    const Vec3 ahead = Quat(q[0], Vec3(q[1], q[2], q[3])).rotateVector(Vec3(0, 0, -1));
+    EXPECT_LT((ahead - Vec3(0, 0, -1)).length(), 1e-6);
+}
+
+TEST(SceneUsda, OfATable_IsWholeToo) {
+    LoadResult loaded = load_shot_text(
+        "carom: 1\ntable: {kind: pool}\nballs: {b-8: {at: [0, 0]}}\nsimulation: {duration: 0.1 "
+        "s}\n"
+        "cameras: [{name: b_8, video: [0 s, 1 s], scene: 0 s, position: [0, -1, 1], target: [0, 0, "
+        "0]}]\n",
+        "t.yaml");
+    ASSERT_TRUE(loaded.shot);
+    const sim::Timeline timeline = sim::bake(loaded.shot->world).timeline;
+    const UsdaPrim file =
+        carom::testing::read_usda(scene_to_usda(export_scene(*loaded.shot, timeline)));
+    EXPECT_NE(file.at("/shot/table_cloth"), nullptr);
+    EXPECT_EQ(file.at("/shot/table_cloth")->metadata.at("displayName").text, "table/cloth");
+    EXPECT_EQ(file.at("/shot/b_8")->type, "Mesh");  // names have no '-', and are each once
+    EXPECT_EQ(file.at("/shot/b_8_2")->type, "Camera");
+}
+
+TEST(UsdaText, Strings_AreQuoted) {
+    EXPECT_EQ(usda_string("a \"b\" \\ c"), R"("a \"b\" \\ c")");
+    EXPECT_EQ(usda_number(-0.0), "0");
+    EXPECT_EQ(usda_number(0.1F), "0.1");
+}
+
+}  // namespace
+}  // namespace carom::pipeline

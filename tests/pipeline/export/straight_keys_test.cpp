@@ -1,0 +1,89 @@
+#include "pipeline/export/straight_keys.h"
+
+#include <gmock/gmock.h>
+
+#include "sim/timeline/error.h"
+#include "sim/timeline/rotation.h"
+
+namespace carom::pipeline {
+namespace {
+
+sim::Key key(double time, const Vec3& position, const Vec3& velocity,
+             const Vec3& spin = {0, 0, 0}) {
+    sim::Key key;
+    key.time = time;
+    key.position = position;
+    key.velocity_in = key.velocity_out = velocity;
+    key.angular_velocity_in = key.angular_velocity_out = spin;
+    return key;
+}
+
+/// What a program shows that goes straight and by the shorter arc.
+Pose straight_pose(const StraightKeys& keys, double time) {
+    std::size_t i = 1;
+    while (i + 1 < keys.size() && keys.times[i] < time) {
+        ++i;
+    }
+    const double s = (time - keys.times[i - 1]) / (keys.times[i] - keys.times[i - 1]);
+    return {
+        keys.positions[i - 1] + s * (keys.positions[i] - keys.positions[i - 1]),
+        Imath::slerpShortestArc(keys.orientations[i - 1], keys.orientations[i], s).normalized()};
+}
+
+TEST(StraightKeys, AtRest_AreStill) {
+    const sim::Track track("ball", {key(0, {1, 2, 3}, {0, 0, 0}), key(5, {1, 2, 3}, {0, 0, 0})});
+    const StraightKeys keys = straight_keys(track, 100);
+    EXPECT_EQ(keys.size(), 2U);
+    EXPECT_TRUE(keys.is_still());
+}
+
+TEST(StraightKeys, ManyTurnsBetweenTwoKeys_Survive) {
+    // 20 turns in a second, slowing down to none.
+    const Vec3 fast(0, 0, 80 * std::acos(-1.0));
+    const sim::Track track(
+        "top", {key(0, {0, 0, 0}, {0, 0, 0}, fast), key(1, {0, 0, 0}, {0, 0, 0}, {0, 0, 0})});
+    const StraightKeys keys = straight_keys(track, 10000);
+    EXPECT_FALSE(keys.is_still());
+    double turned = 0;
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+        const Vec3 turn = sim::rotation_vector(keys.orientations[i] * ~keys.orientations[i - 1]);
+        EXPECT_LE(turn.length(), 0.7 + 1e-9);
+        EXPECT_GE(keys.orientations[i] ^ keys.orientations[i - 1], 0);
+        turned += turn.z;
+    }
+    EXPECT_NEAR(turned, 40 * std::acos(-1.0), 1e-6);
+}
+
+TEST(StraightKeys, OfACurve_StayWithinTheTolerance) {
+    const sim::Track track("ball", {key(0, {0, 0, 0}, {3, 1, 0}, {40, 0, 10}),
+                                    key(0.7, {1, 1, 0}, {-1, 2, 3}, {0, 50, -30})});
+    const StraightKeys keys = straight_keys(track, 100000);
+    for (int i = 0; i <= 5000; ++i) {
+        const double time = 0.7 * i / 5000;
+        const MotionState exact = track.sample(time);
+        const Pose shown = straight_pose(keys, time);
+        ASSERT_LT((exact.position - shown.position).length(), 6e-5) << time;
+        ASSERT_LT(sim::angle_between(exact.orientation, shown.orientation), 2.5e-3) << time;
+    }
+}
+
+TEST(StraightKeys, AnImpact_KeepsItsCorner) {
+    sim::Key impact = key(0.3, {0.3, 0, 0}, {1, 0, 0});
+    impact.velocity_out = {0, 1, 0};
+    const sim::Track track(
+        "ball", {key(0, {0, 0, 0}, {1, 0, 0}), impact, key(1, {0.3, 0.7, 0}, {0, 1, 0})});
+    const StraightKeys keys = straight_keys(track, 100);
+    EXPECT_THAT(keys.times, ::testing::ElementsAre(0, 0.3, 1));
+    EXPECT_EQ(keys.positions[1], Vec3(0.3, 0, 0));
+}
+
+TEST(StraightKeys, TooMany_AreRefusedByName) {
+    const sim::Track track("top", {key(0, {0, 0, 0}, {0, 0, 0}, {0, 0, 500}),
+                                   key(1, {0, 0, 0}, {0, 0, 0}, {0, 0, 500})});
+    EXPECT_THAT([&] { (void)straight_keys(track, 50); },
+                ::testing::ThrowsMessage<Error>(
+                    ::testing::HasSubstr("'top' would need more than 50 keys")));
+}
+
+}  // namespace
+}  // namespace carom::pipeline

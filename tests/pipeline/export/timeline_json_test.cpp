@@ -1,0 +1,73 @@
+#include "pipeline/export/timeline_json.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/timeline/error.h"
+#include "tests/pipeline/export/sample_scene.h"
+
+namespace carom::pipeline {
+namespace {
+
+using Json = nlohmann::json;
+
+const carom::testing::SampleScene& sample() {
+    static const carom::testing::SampleScene scene = carom::testing::sample_scene();
+    return scene;
+}
+
+Json json(std::optional<double> rate = std::nullopt) {
+    return Json::parse(timeline_json(sample().shot, sample().timeline, sample().scene, rate));
+}
+
+Vec3 vector(const Json& list) {
+    return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
+}
+
+TEST(TimelineJson, Tracks_AreTheTimelinesBitForBit) {
+    const Json document = json();
+    ASSERT_EQ(document["tracks"].size(), sample().timeline.tracks.size());
+    for (std::size_t i = 0; i < document["tracks"].size(); ++i) {
+        const sim::Track& track = sample().timeline.tracks[i];
+        const Json& keys = document["tracks"][i]["keys"];
+        ASSERT_EQ(keys.size(), track.keys().size());
+        for (std::size_t k = 0; k < keys.size(); ++k) {
+            const sim::Key& key = track.keys()[k];
+            EXPECT_EQ(keys[k]["time"].get<double>(), key.time);
+            EXPECT_EQ(vector(keys[k]["position"]), key.position);
+            EXPECT_EQ(vector(keys[k]["velocity"]), key.velocity_out);
+            EXPECT_EQ(keys[k]["orientation"][0].get<double>(), key.orientation.r);
+            EXPECT_EQ(keys[k].contains("velocity_before"), key.is_break());
+            if (key.is_break()) {
+                EXPECT_EQ(vector(keys[k]["velocity_before"]), key.velocity_in);
+            }
+        }
+    }
+}
+
+TEST(TimelineJson, AtARate_IsSampledEvenly) {
+    const Json document = json(10);
+    EXPECT_EQ(document["tracks"][0]["keys"].size(), 7U);
+    EXPECT_FALSE(document["tracks"][0]["keys"][3].contains("velocity_before"));
+    EXPECT_THROW((void)json(-1), Error);
+}
+
+TEST(TimelineJson, TheRest_IsThere) {
+    const Json document = json();
+    EXPECT_EQ(document["carom_export"], 1);
+    EXPECT_EQ(document["name"], "sample");
+    EXPECT_EQ(document["events"].size(), sample().timeline.events.size());
+    EXPECT_EQ(document["energy"].size(), sample().timeline.energy.size());
+    EXPECT_EQ(document["objects"].size(), sample().shot.scene.objects.size());
+    EXPECT_EQ(document["cameras"][0]["keys"].size(), 6U);
+    EXPECT_EQ(document["cameras"][0]["keys"][0]["scene_time"], 0.6);
+    for (const Json& object : document["objects"]) {
+        if (object["name"] == "tile") {
+            EXPECT_EQ(object["shape"], Json({{"kind", "box"}, {"size", {0.01, 0.03, 0.06}}}));
+            EXPECT_EQ(object["track"], "tile");
+        }
+    }
+}
+
+}  // namespace
+}  // namespace carom::pipeline
