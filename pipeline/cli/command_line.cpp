@@ -40,6 +40,7 @@ struct Targets {
     ExportCommand export_;
     ReportCommand report;
     ImportCommand import_;
+    ImportTrackCommand import_track;
     MuxCommand mux;
     CacheCommand cache;
     PlanCommand plan;
@@ -346,6 +347,38 @@ void add_import(CLI::App& app, Targets& targets) {
         "'render --quality draft' is the format's preview, 'frame --frame N' one frame.");
 }
 
+void add_import_track(CLI::App& app, Targets& targets) {
+    CLI::App& command =
+        *app.add_subcommand("import-track", "make a keyed object's motion of a table");
+    ImportTrackCommand& options = targets.import_track;
+    command
+        .add_option("TABLE", options.table,
+                    "CSV: columns time, x, y, z and, if there are, qw, qx, qy, qz or rx, ry, rz "
+                    "(degrees), vx, vy, vz, wx, wy, wz, object")
+        ->required()
+        ->option_text(" ");
+    add_output(command, options.output,
+               "the YAML (else the table's name and .yaml in the current folder; - is standard "
+               "output)");
+    command.add_option("--object", options.object, "which, of a table with several (carom export)")
+        ->option_text("NAME");
+    command
+        .add_option("--name", options.name,
+                    "of the shot's object: writes a file to include, not the motion alone")
+        ->option_text("NAME");
+    command
+        .add_option("--error", options.error,
+                    "rows that the motion meets within this are left out (default 0.01 mm; 0: "
+                    "every row is a key)")
+        ->option_text("LENGTH");
+    command.add_flag("--linear", options.linear,
+                     "straight and at constant speed from key to key, not smooth");
+    add_talk(command, targets);
+    command.footer(
+        example("  carom import-track hand.csv --name hand -o hand.yaml\n") +
+        "\nThen 'include: hand.yaml' in a shot with 'objects: {hand: {mesh: hand.obj}}'.");
+}
+
 void add_mux(CLI::App& app, Targets& targets) {
     CLI::App& command = *app.add_subcommand("mux", "write a film from frames that are stored");
     MuxCommand& mux = targets.mux;
@@ -433,6 +466,9 @@ Command chosen_command(const CLI::App& app, Targets& targets) {
     if (name == "import") {
         return std::move(targets.import_);
     }
+    if (name == "import-track") {
+        return std::move(targets.import_track);
+    }
     return std::move(targets.export_);
 }
 
@@ -493,6 +529,7 @@ std::variant<CommandLine, NothingToRun> parse_command_line(
     add_new(app, targets);
     add_schema(app, targets);
     add_import(app, targets);
+    add_import_track(app, targets);
     add_mux(app, targets);
     add_cache_actions(app, targets);
     try {

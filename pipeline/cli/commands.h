@@ -138,9 +138,19 @@ struct ImportCommand {
     double force_time = 0.05;  // s
 };
 
+/// A keyed object from a table.
+struct ImportTrackCommand {
+    std::string table;
+    std::string output;  // empty: the table's name and .yaml in the current folder
+    std::string object;  // of a table with several
+    std::string name;    // of the shot's object; empty: the motion alone
+    std::string error;   // "0.01 mm"
+    bool linear = false;
+};
+
 using Command = std::variant<RenderCommand, RetimeCommand, BakeCommand, FrameCommand, CheckCommand,
                              ExportCommand, ReportCommand, ImportCommand, MuxCommand, CacheCommand,
-                             PlanCommand, NewCommand, SchemaCommand>;
+                             PlanCommand, NewCommand, SchemaCommand, ImportTrackCommand>;
 
 struct CommandLine {
     TalkOptions talk;

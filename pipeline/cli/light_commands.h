@@ -10,5 +10,6 @@ void run_check(const CheckCommand& command, CommandContext& context);
 void run_bake(const BakeCommand& command, CommandContext& context);
 void run_export(const ExportCommand& command, CommandContext& context);
 void run_import(const ImportCommand& command, CommandContext& context);
+void run_import_track(const ImportTrackCommand& command, CommandContext& context);
 
 }  // namespace carom::cli

@@ -102,5 +102,37 @@ TEST_F(AuthoringCommands, Schema_GoesToStdoutOrAFile) {
     EXPECT_EQ(text_of("s.json"), result.out);
 }
 
+TEST_F(AuthoringCommands, ImportTrack_MakesAFileToIncludeOfAnExport) {
+    ASSERT_EQ(run({"export", "tiny.yaml", "--rate", "100", "-o", "t.csv"}).exit_code, 0);
+    const RunResult result =
+        run({"import-track", "t.csv", "--object", "one", "--name", "ghost", "-o", "ghost.yaml"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "ghost.yaml\n");
+    EXPECT_THAT(result.err, HasSubstr(" keys for 61 rows"));
+    carom::testing::write_text(
+        path("with.yaml"),
+        carom::testing::tiny_shot() +
+            "include: ghost.yaml\nobjects: {ghost: {box: [0.05, 0.05, 0.05]}}\n");
+    const RunResult checked = run({"check", "with.yaml"});
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    // It is where the ball was, and exported again.
+    const RunResult again = run({"export", "with.yaml", "--rate", "10", "-o", "-"});
+    EXPECT_THAT(again.out, HasSubstr("\nghost,0.6,"));
+}
+
+TEST_F(AuthoringCommands, ImportTrackOfABrokenTable_SaysWhereAndIsExitCode2) {
+    carom::testing::write_text(path("t.csv"), "time,x,y,z\n0,0,0,a\n1,0,0\n");
+    const RunResult result = run({"import-track", "t.csv"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_THAT(result.err, HasSubstr("t.csv:2:7: error: 'z': 'a' is not a number"));
+    EXPECT_THAT(result.err, HasSubstr("t.csv:3:1: error: 3 values for 4 columns"));
+    EXPECT_THAT(result.err, HasSubstr("carom: error: 't.csv' has 2 errors"));
+    EXPECT_FALSE(exists("t.yaml"));
+    EXPECT_EQ(run({"import-track", "t.csv", "-o", "t.csv"}).exit_code, 2);
+    EXPECT_EQ(run({"import-track", "t.csv", "--name", "7"}).exit_code, 2);
+    EXPECT_EQ(run({"import-track", "t.csv", "--error", "3 kg"}).exit_code, 2);
+}
+
 }  // namespace
 }  // namespace carom::cli

@@ -1,0 +1,275 @@
+#include "pipeline/import/track_table.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+#include <span>
+
+#include "pipeline/config/text.h"
+#include "pipeline/config/units.h"
+#include "pipeline/import/csv_lines.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+using config::Place;
+using config::quote;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kLongest = 3600;   // s, as of the keys of a motion
+constexpr double kFarthest = 1e5;   // m
+constexpr double kShortest = 1e-6;  // s, between two keys
+
+/// Columns that come together.
+struct Group {
+    std::vector<std::string> names;
+    bool is_needed = false;
+};
+
+const std::array<Group, 6>& groups() {
+    static const std::array<Group, 6> list{{{{"time"}, true},
+                                            {{"x", "y", "z"}, true},
+                                            {{"qw", "qx", "qy", "qz"}},
+                                            {{"rx", "ry", "rz"}},
+                                            {{"vx", "vy", "vz"}},
+                                            {{"wx", "wy", "wz"}}}};
+    return list;
+}
+
+std::string lower(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) {
+        return c < 0x80 ? static_cast<char>(std::tolower(c)) : static_cast<char>(c);
+    });
+    return text;
+}
+
+class TableReader {
+  public:
+    TableReader(const std::vector<CsvLine>& lines, std::string object,
+                config::ProblemList& problems)
+        : lines_(lines), object_(std::move(object)), problems_(problems) {}
+
+    std::vector<TrackRow> read(int source) {
+        if (lines_.empty()) {
+            problems_.error({source, 1, 1, 1},
+                            "the table is empty: it needs a line that names its "
+                            "columns, and a line for each time");
+            return {};
+        }
+        read_header();
+        if (!problems_.has_error()) {
+            check_object();
+        }
+        if (problems_.has_error()) {
+            return {};  // what follows would be about the wrong columns or rows
+        }
+        std::vector<TrackRow> rows;
+        for (const CsvLine& line : std::span(lines_).subspan(1)) {
+            if (std::optional<TrackRow> row = read_row(line)) {
+                check_time(rows, *row);
+                rows.push_back(*row);
+            }
+        }
+        if (rows.size() < 2 && !problems_.has_error()) {
+            problems_.error(lines_.back().place, "a motion needs two rows or more");
+        }
+        return rows;
+    }
+
+  private:
+    void read_header() {
+        const CsvLine& header = lines_.front();
+        std::vector<std::string> known{"object"};
+        for (const Group& group : groups()) {
+            known.insert(known.end(), group.names.begin(), group.names.end());
+        }
+        for (std::size_t i = 0; i < header.cells.size(); ++i) {
+            const std::string name = lower(header.cells[i].text);
+            if (std::ranges::find(known, name) == known.end()) {
+                unknown_column(header.cells[i], known);
+            } else if (!columns_.emplace(name, i).second) {
+                problems_.error(header.cells[i].place, "a second column " + quote(name));
+            }
+        }
+        for (const Group& group : groups()) {
+            check_group(group, header.place);
+        }
+        if (has("qw") && has("rx")) {
+            problems_.error(header.cells[columns_.at("rx")].place,
+                            "'rx, ry, rz' beside 'qw, qx, qy, qz': give one of them");
+        }
+    }
+
+    void unknown_column(const CsvCell& cell, const std::vector<std::string>& known) {
+        double ignored = 0;
+        if (parse(cell.text, ignored)) {
+            problems_.error(cell.place, quote(cell.text) +
+                                            " is a number: the first line names the columns, "
+                                            "time,x,y,z and what else there is");
+        } else {
+            problems_.warning(cell.place, "column " + quote(cell.text) + " is not used" +
+                                              config::hint(lower(cell.text), known));
+        }
+    }
+
+    void check_group(const Group& group, const Place& header) {
+        std::vector<std::string> missing;
+        for (const std::string& name : group.names) {
+            if (!has(name)) {
+                missing.push_back("'" + name + "'");
+            }
+        }
+        if (!missing.empty() && (group.is_needed || missing.size() < group.names.size())) {
+            problems_.error(header, std::string(missing.size() > 1 ? "columns " : "column ") +
+                                        config::join(missing, "and") + " missing");
+        }
+    }
+
+    [[nodiscard]] bool has(const std::string& name) const { return columns_.contains(name); }
+
+    std::optional<TrackRow> read_row(const CsvLine& line) {
+        if (line.cells.size() != lines_.front().cells.size()) {
+            problems_.error(line.place, std::to_string(line.cells.size()) + " values for " +
+                                            std::to_string(lines_.front().cells.size()) +
+                                            " columns");
+            return std::nullopt;
+        }
+        if (has("object")) {
+            const std::string& name = line.cells[columns_.at("object")].text;
+            if (!object_.empty() && name != object_) {
+                return std::nullopt;
+            }
+        }
+        is_whole_ = true;
+        TrackRow row;
+        row.place = line.place;
+        row.time = number(line, "time", 0, kLongest, "s");
+        row.position = vector(line, {"x", "y", "z"}, kFarthest, "m");
+        if (has("qw")) {
+            row.rotate = rotation(line);
+        }
+        if (has("rx")) {
+            row.angles = vector(line, {"rx", "ry", "rz"}, 1e6, "degrees") * (kPi / 180);
+        }
+        if (has("vx")) {
+            row.velocity = vector(line, {"vx", "vy", "vz"}, kFarthest, "m/s");
+        }
+        if (has("wx")) {
+            row.spin = vector(line, {"wx", "wy", "wz"}, 1e6, "rad/s");
+        }
+        return is_whole_ ? std::optional(row) : std::nullopt;
+    }
+
+    Vec3 vector(const CsvLine& line, const std::array<const char*, 3>& names, double most,
+                const char* unit) {
+        Vec3 result(0, 0, 0);
+        for (std::size_t i = 0; i < 3; ++i) {
+            result[static_cast<int>(i)] = number(line, names[i], -most, most, unit);
+        }
+        return result;
+    }
+
+    Quat rotation(const CsvLine& line) {
+        const double w = number(line, "qw", -2, 2, nullptr);
+        const double x = number(line, "qx", -2, 2, nullptr);
+        const double y = number(line, "qy", -2, 2, nullptr);
+        const double z = number(line, "qz", -2, 2, nullptr);
+        const Quat q(w, Vec3(x, y, z));
+        const double length = q.length();
+        if (is_whole_ && !(std::abs(length - 1) < 0.01)) {
+            problems_.error(
+                line.cells[columns_.at("qw")].place,
+                "qw, qx, qy, qz have the length " + config::show(length) + ": a rotation has 1");
+            is_whole_ = false;
+            return {};
+        }
+        return q.normalized();
+    }
+
+    double number(const CsvLine& line, const char* name, double least, double most,
+                  const char* unit) {
+        const CsvCell& cell = line.cells[columns_.at(name)];
+        double value = 0;
+        if (!parse(cell.text, value)) {
+            problems_.error(
+                cell.place,
+                std::string("'") + name + "': " +
+                    (cell.text.empty() ? "no value" : quote(cell.text) + " is not a number"));
+            is_whole_ = false;
+        } else if (!(value >= least && value <= most)) {
+            problems_.error(cell.place, std::string("'") + name + "' must lie between " +
+                                            config::show(least) + " and " + config::show(most) +
+                                            (unit != nullptr ? std::string(" ") + unit : ""));
+            is_whole_ = false;
+        }
+        return value;
+    }
+
+    static bool parse(const std::string& text, double& value) {
+        const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
+        const char* end = text.data() + text.size();
+        const auto [rest, error] = std::from_chars(begin, end, value);
+        return error == std::errc() && rest == end && std::isfinite(value);
+    }
+
+    void check_time(const std::vector<TrackRow>& rows, const TrackRow& row) {
+        if (rows.empty() || row.time >= rows.back().time + kShortest) {
+            return;
+        }
+        const TrackRow& last = rows.back();
+        const bool is_jump = row.time == last.time && row.velocity &&
+                             row.position == last.position &&
+                             (rows.size() < 2 || rows[rows.size() - 2].time < last.time);
+        if (!is_jump) {
+            problems_.error(row.place, "time " + config::show(row.time) +
+                                           " s is not later than the " + config::show(last.time) +
+                                           " s of line " + std::to_string(last.place.line));
+        }
+    }
+
+    void check_object() {
+        const Place& place = lines_.front().place;
+        if (!has("object")) {
+            if (!object_.empty()) {
+                problems_.error(place,
+                                "there is no column 'object' to find " + quote(object_) + " in");
+            }
+            return;
+        }
+        std::set<std::string> found;
+        for (const CsvLine& line : std::span(lines_).subspan(1)) {
+            if (line.cells.size() > columns_.at("object")) {
+                found.insert(line.cells[columns_.at("object")].text);
+            }
+        }
+        const std::vector<std::string> names(found.begin(), found.end());
+        if (!object_.empty() && !found.contains(object_)) {
+            problems_.error(place, "there is no object " + quote(object_) + " in the table" +
+                                       config::hint(object_, names));
+        } else if (object_.empty() && names.size() > 1) {
+            problems_.error(lines_.front().cells[columns_.at("object")].place,
+                            "the table has several objects, choose one with --object: " +
+                                config::join(names, "or"));
+        }
+    }
+
+    const std::vector<CsvLine>& lines_;
+    std::string object_;
+    config::ProblemList& problems_;
+    std::map<std::string, std::size_t, std::less<>> columns_;
+    bool is_whole_ = true;  // the row that is read
+};
+
+}  // namespace
+
+std::vector<TrackRow> read_track_table(const config::SourceSet& sources, int source,
+                                       const std::string& object, config::ProblemList& problems) {
+    const std::vector<CsvLine> lines = csv_lines(sources, source);
+    return TableReader(lines, object, problems).read(source);
+}
+
+}  // namespace carom::pipeline
