@@ -47,6 +47,8 @@ class Gatherer {
     std::optional<Node> read_file(const std::string& path, std::string shown_name,
                                   const Place& named_at, std::vector<OpenFile>& trail);
     Node merge_includes(const Node& own, std::vector<OpenFile>& trail);
+    void merge_rigs(Node& own, std::vector<OpenFile>& trail);
+    std::optional<Node> read_rig(const Node& name, std::vector<OpenFile>& trail);
     bool check_version(const Node& root);
     [[nodiscard]] std::vector<std::string> preset_names() const;
 
@@ -97,6 +99,7 @@ std::optional<Node> Gatherer::read(int source, std::vector<OpenFile>& trail, boo
     }
     Node base = merge_includes(*own, trail);
     take_entry(*own, "include");
+    merge_rigs(*own, trail);
     take_entry(base, "carom");  // the shot itself has to say it
     Node inherited = take_entry(base, "quality");
     Node quality = take_entry(*own, "quality");
@@ -140,6 +143,52 @@ Node Gatherer::merge_includes(const Node& own, std::vector<OpenFile>& trail) {
         }
     }
     return base;
+}
+
+/// Cameras that include a file are laid over the one that it has.
+void Gatherer::merge_rigs(Node& own, std::vector<OpenFile>& trail) {
+    Entry* cameras = own.find("cameras");
+    if (cameras == nullptr) {
+        return;
+    }
+    for (Node& camera : cameras->value.items) {
+        const Node name = take_entry(camera, "include");
+        if (name.place.source < 0) {
+            continue;  // there was none
+        }
+        if (std::optional<Node> rig = read_rig(name, trail)) {
+            merge(*rig, std::move(camera));
+            camera = std::move(*rig);
+        } else {
+            is_whole_ = false;
+        }
+    }
+}
+
+/// The one camera of a file that says nothing else.
+std::optional<Node> Gatherer::read_rig(const Node& name, std::vector<OpenFile>& trail) {
+    if (!name.is_scalar()) {
+        problems_.error(name.place, "'include' of a camera must be the name of a file");
+        return std::nullopt;
+    }
+    std::optional<Node> included = read_included(name, trail);
+    if (!included) {
+        return std::nullopt;
+    }
+    Node cameras = take_entry(*included, "cameras");
+    if (cameras.items.size() != 1 || !cameras.items.front().is_map()) {
+        problems_.error(name.place, "file " + quote(name.text) +
+                                        " must have one camera, to be a camera's beginning");
+        return std::nullopt;
+    }
+    for (const Entry& entry : included->entries) {
+        if (entry.key != "carom") {
+            problems_.error(entry.key_place,
+                            quote(entry.key) +
+                                " cannot stand in a file that a camera includes, only 'cameras'");
+        }
+    }
+    return std::move(cameras.items.front());
 }
 
 std::optional<Node> Gatherer::read_included(const Node& name, std::vector<OpenFile>& trail) {

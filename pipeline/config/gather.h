@@ -25,9 +25,9 @@ struct Gathered {
 /// Text `root_source` with all that it includes. From the weakest to the strongest: included files
 /// in their order, the preset that the shot's own `quality` names, the shot's own keys, the preset
 /// of the command line (which takes the place of the shot's), the camera file with what it
-/// includes, --set. A camera file says `cameras` and at most changes `render`, `output`, `lights`
-/// and `materials`, so that a bake still fits. The keys `include` and
-/// `quality` are used up.
+/// includes, --set. A camera that includes a file is laid over the one that this has. A camera file
+/// says `cameras` and at most changes `render`, `output`, `lights` and `materials`, so that a bake
+/// still fits. The keys `include` and `quality` are used up.
 [[nodiscard]] Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folders,
                               const GatherOptions& options, ProblemList& problems);
 

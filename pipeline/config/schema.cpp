@@ -216,6 +216,13 @@ class Schema {
                      {"additionalProperties", any_of({schema_of(type.elements.at(0), is_whole),
                                                       object({{"type", quoted("null")}})})}});
             case TypeInfo::Kind::map:
+                if (is_whole && may_include(*type.map)) {
+                    const std::string with_include =
+                        array({object({{"required", quoted_array({"include"})}}),
+                               object({{"$ref", quoted(reference(*type.map, false))}})});
+                    return any_of({object({{"$ref", quoted(reference(*type.map, true))}}),
+                                   object({{"allOf", with_include}})});
+                }
                 return object({{"$ref", quoted(reference(*type.map, is_whole))}});
             case TypeInfo::Kind::any_of: {
                 std::vector<std::string> alternatives;
@@ -226,6 +233,12 @@ class Schema {
             }
         }
         return "{}";
+    }
+
+    /// Whether one in a list may be laid over one of another file.
+    static bool may_include(const MapInfo& map) {
+        return std::any_of(map.keys.begin(), map.keys.end(),
+                           [](const KeyInfo& key) { return key.name == "include"; });
     }
 
     std::string list_schema(const TypeInfo& type) {

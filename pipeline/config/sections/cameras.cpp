@@ -129,6 +129,10 @@ ValueType<TimeMap> time_map() {
 }
 
 void add_time(MapSpec<CameraRig>& s) {
+    // Used up before the sections are read (gather.h); stands here for the reference.
+    s.set(
+        "include", text("the name of a file"), [](CameraRig&, const auto&) {},
+        "a file with one camera, such as `rigs/orbit.yaml`, that this one is laid over");
     s.key("name", &CameraRig::name, text("a camera's name"), "for messages and frames' metadata");
     s.set(
          "video", stretch(),

@@ -50,6 +50,29 @@ TEST_F(Include, LaterFiles_LieOverEarlierOnes) {
     EXPECT_EQ(shot.cameras.size(), 1U);
 }
 
+TEST_F(Include, ACamera_LiesOverTheOneOfAFile) {
+    write("rig.yaml",
+          "cameras: [{name: rig, video: [0 s, 5 s], scene: 1 s, position: {follow: a, smoothing: 1 "
+          "s}, "
+          "target: [1, 2, 3]}]\n");
+    const Shot shot = load_file(
+        write("shot.yaml",
+              "carom: 1\ntable: {kind: cloth}\n"
+              "balls: {a: {at: [0, 0]}, b: {at: [1, 0]}}\ncameras:\n"
+              "  - {include: rig.yaml, video: [0 s, 1 s]}\n"
+              "  - {video: [1 s, 2 s], scene: 2 s, position: [0, 0, 1], target: [1, 0, 0]}\n"
+              "  - {include: rig.yaml, name: again, video: [2 s, 3 s], position: {follow: b}}\n"));
+    ASSERT_EQ(shot.cameras.size(), 3U);
+    EXPECT_EQ(shot.cameras[0].name, "rig");
+    EXPECT_EQ(shot.cameras[0].video_end, Rational(1));
+    EXPECT_EQ(shot.cameras[0].time_map.scene_start, Rational(1));
+    EXPECT_EQ(shot.cameras[1].time_map.scene_start, Rational(2));
+    EXPECT_EQ(shot.cameras[2].name, "again");
+    const auto& follow = std::get<FollowPath>(shot.cameras[2].position);
+    EXPECT_EQ(follow.object, "b");
+    EXPECT_EQ(follow.smoothing, 1);
+}
+
 TEST_F(Include, IncludedFiles_IncludeFurtherOnesBesideThem) {
     write("looks/base.yaml", "render: {samples: 5}\n" + kCamera);
     write("looks/club.yaml", "include: base.yaml\nrender: {clamp: 2}\n");

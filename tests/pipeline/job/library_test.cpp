@@ -1,0 +1,152 @@
+// Every example and every rig of the library: checked, baked, and three frames of it rendered.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/config/load_shot.h"
+#include "pipeline/job/film_job.h"
+#include "tests/pipeline/video/scratch_folder.h"
+
+namespace carom::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kSource = CAROM_SOURCE_DIR;
+
+/// Names without ".yaml" below a folder of the source tree, sorted.
+std::vector<std::string> names_in(const std::string& folder) {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(kSource + "/" + folder)) {
+        if (entry.path().extension() == ".yaml") {
+            names.push_back(entry.path().stem().string());
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+/// Small and noisy, whatever the shot says.
+std::vector<std::string> tiny() {
+    return {"render.size=[48, 28]",
+            "render.samples=1",
+            "render.noise=0",
+            "render.max_bounces=1",
+            "render.distributed.pixel_samples=1",
+            "render.distributed.blur_samples=1",
+            "render.distributed.lens_samples=1",
+            "output.codec=ffv1"};
+}
+
+std::string text_of(const std::vector<Problem>& problems) {
+    std::string text;
+    for (const Problem& problem : problems) {
+        text += format(problem);
+    }
+    return text;
+}
+
+/// First, middle and last frame show something, and no NaN.
+void expect_frames(const LoadResult& loaded, const std::string& cache) {
+    ASSERT_EQ(text_of(loaded.problems), "");
+    const Shot& shot = loaded.shot.value();
+    FilmJobOptions options;
+    options.cache_folder = cache;
+    options.threads = 1;
+    const sim::Bake bake = bake_or_reuse(shot, options.cache_folder, {}, {});
+    const std::int64_t count = frame_count(shot.cameras, shot.timing);
+    const std::vector<std::int64_t> frames{0, count / 2, count - 1};
+    for (const std::int64_t frame : frames) {
+        options.frames.stretches.push_back({frame, frame, 1});
+    }
+    (void)make_film(shot, bake, options, {}, {});  // into the store, from where they are taken
+    for (const std::int64_t frame : frames) {
+        const render::Film film = make_frame(shot, bake, frame, options, {}, {});
+        ASSERT_EQ(film.rgba.size(), 4U * 48 * 28);
+        int lit = 0;
+        for (std::size_t i = 0; i < film.rgba.size(); ++i) {
+            ASSERT_TRUE(std::isfinite(film.rgba[i]));
+            lit += i % 4 != 3 && film.rgba[i] > 0.004F ? 1 : 0;
+        }
+        EXPECT_GT(lit, 3 * 48 * 28 / 10) << "frame " << frame << " is all but black";
+    }
+}
+
+/// The example whose bake another one films: "domino_run" for "reverse"; empty for most.
+std::string filmed_by(const std::string& name) {
+    std::ifstream file(kSource + "/examples/" + name + ".yaml");
+    for (std::string line; std::getline(file, line);) {
+        const std::string word = "include: ";
+        const std::size_t end = line.find(".yaml");
+        if (line.starts_with(word) && end != std::string::npos &&
+            fs::exists(kSource + "/examples/" + line.substr(word.size(), end - word.size()) +
+                       ".yaml")) {
+            return line.substr(word.size(), end - word.size());
+        }
+    }
+    return {};
+}
+
+std::vector<std::string> own_shots() {
+    std::vector<std::string> names = names_in("examples");
+    std::erase_if(names, [](const std::string& name) { return !filmed_by(name).empty(); });
+    return names;
+}
+
+class Example : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Example, IsCheckedBakedAndRendered) {
+    const carom::testing::ScratchFolder folder;
+    // The others that film this one's bake again, while it is at hand.
+    for (const std::string& name : names_in("examples")) {
+        if (name == GetParam() || filmed_by(name) == GetParam()) {
+            SCOPED_TRACE(name);
+            expect_frames(load_shot(kSource + "/examples/" + name + ".yaml", tiny()),
+                          folder.path("cache"));
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Library, Example, ::testing::ValuesIn(own_shots()),
+                         [](const auto& test) { return test.param; });
+
+class Rig : public ::testing::TestWithParam<std::string> {
+  protected:
+    static LoadResult load(const std::string& include, const std::string& cameras) {
+        return load_shot_text(
+            "carom: 1\ninclude: [tables/pool_9ft.yaml, balls/pool.yaml, "
+            "looks/studio.yaml" +
+                include +
+                "]\nballs: {cue: {at: [-0.6, 0]}, one: {at: [0.5, 0.02]}}\n"
+                "simulation: {duration: 5 s}\n"
+                "events: [{strike: {ball: cue, at: 0.2 s, toward: one, speed: 3}}]\n" +
+                cameras,
+            kSource + "/examples/shot.yaml", tiny());
+    }
+};
+
+TEST_P(Rig, Included_FilmsAShot) {
+    const carom::testing::ScratchFolder folder;
+    expect_frames(load(", rigs/" + GetParam() + ".yaml", ""), folder.path("cache"));
+}
+
+TEST_P(Rig, IncludedByACamera_IsOneOfSeveral) {
+    const LoadResult loaded = load(
+        "", "cameras:\n  - {include: rigs/" + GetParam() +
+                ".yaml, video: [0 s, 1 s], scene: [0.2 s, 0.4 s]}\n"
+                "  - {video: [1 s, 2 s], scene: 0 s, position: [0, -1, 1], target: [0, 0, 0]}\n");
+    ASSERT_EQ(text_of(loaded.problems), "");
+    EXPECT_EQ(loaded.shot->cameras.size(), 2U);
+    EXPECT_EQ(loaded.shot->cameras[0].name, GetParam());
+    EXPECT_EQ(loaded.shot->cameras[0].video_end, Rational(1));
+}
+
+INSTANTIATE_TEST_SUITE_P(Library, Rig, ::testing::ValuesIn(names_in("configs/rigs")),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace carom::pipeline
