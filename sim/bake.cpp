@@ -13,6 +13,7 @@ BakeResult bake(const WorldDescription& world, const WorkContext& context) {
     scheduler.run(context);
     BakeResult result;
     result.timeline = scheduler.take_timeline();
+    result.warned_events = scheduler.warned_events();
     result.warnings = scheduler.take_warnings();
     return result;
 }

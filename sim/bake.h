@@ -14,6 +14,8 @@ namespace carom::sim {
 struct BakeResult {
     Timeline timeline;
     std::vector<std::string> warnings;  // a strike that misses, a miscue, a loop's cap reached ...
+    /// For each of these the event of the description that it is about, by index; -1: none.
+    std::vector<int> warned_events;
 };
 
 /// Simulates the whole shot. Deterministic: the same description gives the same timeline, bit for

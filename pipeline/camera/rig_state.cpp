@@ -20,6 +20,14 @@ double field_of_view(const CameraRig& rig, Progress progress) {
                             : eased(rig.vertical_fov, progress);
 }
 
+// Along the optical axis; negative behind the camera.
+double depth_of(const std::string& object, const render::CameraState& camera, double scene_time,
+                const sim::Timeline& timeline) {
+    const Vec3 axis = (camera.target - camera.position).normalized();
+    const Vec3 place = find_track(timeline, object).sample(scene_time).position;
+    return axis.dot(place - camera.position);
+}
+
 // Distance along the optical axis, so that the plane of focus contains the point.
 double focus_distance(const Focus& focus, const render::CameraState& camera, double scene_time,
                       const sim::Timeline& timeline) {
@@ -30,12 +38,7 @@ double focus_distance(const Focus& focus, const render::CameraState& camera, dou
     if (focus.object.empty()) {
         return axis.length();
     }
-    const Vec3 place = find_track(timeline, focus.object).sample(scene_time).position;
-    const double depth = axis.normalized().dot(place - camera.position);
-    if (!(depth > 0)) {
-        throw Error("the focus is on '" + focus.object + "', which is behind the camera");
-    }
-    return depth;
+    return std::max(depth_of(focus.object, camera, scene_time, timeline), kNearestFocus);
 }
 
 // Two f-numbers are mixed as such, anything else by radius. Continued beyond the rig's end a
@@ -89,6 +92,23 @@ double lens_radius(const Aperture& aperture, double vertical_fov, double sensor_
     }
     const double focal_length = sensor_height / 2 / std::tan(vertical_fov / 2);
     return focal_length / (2 * aperture.value);
+}
+
+std::vector<std::string> focus_behind_camera(const CameraRig& rig, const RigInstant& instant,
+                                             const sim::Timeline& timeline) {
+    const render::CameraState camera = camera_state(rig, instant, timeline);
+    const double share = mix(0.0, 1.0, ease(instant.progress, rig.focus.easing));
+    std::vector<std::string> behind;
+    const auto look_at = [&](const Focus& focus, double weight) {
+        const bool counts = weight > 1e-6 && !focus.distance && !focus.object.empty() &&
+                            (behind.empty() || behind.front() != focus.object);
+        if (counts && !(depth_of(focus.object, camera, instant.scene_time, timeline) > 0)) {
+            behind.push_back(focus.object);
+        }
+    };
+    look_at(rig.focus.start, 1 - share);
+    look_at(rig.focus.end, share);
+    return behind;
 }
 
 render::CameraState camera_state(const CameraRig& rig, const RigInstant& instant,

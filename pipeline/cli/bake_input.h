@@ -1,18 +1,16 @@
-// A shot's bake, made or found.
+// The motion of what a command was given.
 #pragma once
 
-#include <string>
-
-#include "pipeline/cli/commands.h"
 #include "pipeline/cli/run_program.h"
-#include "pipeline/shot/shot.h"
+#include "pipeline/cli/shot_input.h"
 #include "sim/timeline/bake_file.h"
 
 namespace carom::cli {
 
-/// The kept bake if the physics is what it was, else a new one, which is kept; says which and why.
-/// `path` is the shot's. Throws Error, Stopped.
-[[nodiscard]] sim::Bake bake_of(const pipeline::Shot& shot, const std::string& path,
+/// The bake that the input is, or else the shot's kept bake or a new one, telling progress and why
+/// it was made or not. What its motion shows to be surely not meant is reported: strikes that miss,
+/// cameras inside balls. Throws Error, Stopped.
+[[nodiscard]] sim::Bake bake_of(ShotInput& input, const InputOptions& options,
                                 const CacheOptions& cache, CommandContext& context);
 
 }  // namespace carom::cli

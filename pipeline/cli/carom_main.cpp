@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "pipeline/cli/cache_command.h"
+#include "pipeline/cli/check_command.h"
 #include "pipeline/cli/command_line.h"
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/light_commands.h"

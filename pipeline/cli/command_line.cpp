@@ -221,9 +221,17 @@ void add_check(CLI::App& app, Targets& targets) {
     CLI::App& command = *app.add_subcommand("check", "say everything that is wrong with a shot");
     add_input(command, targets.check.input, "SHOT|BAKE", "a shot or a bake");
     add_camera_file(command, targets.check.input);
+    command.add_flag("--json", targets.check.json,
+                     "problems as a JSON array on standard output, for editors");
+    command.add_flag("--quick", targets.check.quick,
+                     "only what can be said without simulating the shot");
+    add_cache(command, targets.check.cache);
     add_talk(command, targets);
     command.footer(example("  carom check break.yaml") +
-                   "\nExit code 0 if it can be rendered, warnings or not, 2 if not.");
+                   "\nErrors, and warnings of what was surely not meant: a strike that misses,\n"
+                   "a camera inside a ball. For these the shot is simulated, for 2 s at most,\n"
+                   "unless its bake was kept. Exit code 0 if it can be rendered, warnings or\n"
+                   "not, 2 if not.");
 }
 
 void add_export(CLI::App& app, Targets& targets) {

@@ -92,6 +92,9 @@ struct FrameCommand {
 
 struct CheckCommand {
     InputOptions input;
+    CacheOptions cache;
+    bool json = false;
+    bool quick = false;  // nothing that needs a simulation
 };
 
 struct ExportCommand {

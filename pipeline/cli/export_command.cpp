@@ -43,9 +43,7 @@ Source read_source(const ExportCommand& command, bool shot_wanted, CommandContex
         return {std::nullopt, read_bake_input(command.input.path).timeline};
     }
     ShotInput input = read_shot_input(command.input, context.console);
-    sim::Timeline timeline =
-        input.bake ? std::move(input.bake->timeline)
-                   : bake_of(input.shot, command.input.path, command.cache, context).timeline;
+    sim::Timeline timeline = bake_of(input, command.input, command.cache, context).timeline;
     return {std::move(input.shot), std::move(timeline)};
 }
 

@@ -8,6 +8,7 @@
 
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
+#include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/job_talk.h"
 #include "pipeline/cli/output_file.h"

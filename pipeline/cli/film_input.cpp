@@ -1,7 +1,6 @@
 #include "pipeline/cli/film_input.h"
 
 #include "pipeline/camera/frame_plan.h"
-#include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/video/video_format.h"
 #include "pipeline/video/view_transform.h"
@@ -10,15 +9,6 @@ namespace carom::cli {
 
 using pipeline::FilmJobOptions;
 using pipeline::Shot;
-
-sim::Bake bake_of(ShotInput& input, const InputOptions& options, const CacheOptions& cache,
-                  CommandContext& context) {
-    if (!input.bake) {
-        return bake_of(input.shot, options.path, cache, context);
-    }
-    pipeline::add_keyed_motions(*input.bake, input.shot);  // --set may have changed them
-    return std::move(*input.bake);
-}
 
 FilmJobOptions job_options(const CacheOptions& cache, const std::string& frames,
                            const std::string& chunk) {

@@ -10,10 +10,6 @@
 
 namespace carom::cli {
 
-/// The bake that the input is or carries; otherwise the kept one, or a new one.
-[[nodiscard]] sim::Bake bake_of(ShotInput& input, const InputOptions& options,
-                                const CacheOptions& cache, CommandContext& context);
-
 /// Folder and limit of the cache, frames and chunk. Throws InputError for what cannot be read.
 [[nodiscard]] pipeline::FilmJobOptions job_options(const CacheOptions& cache,
                                                    const std::string& frames,

@@ -5,22 +5,9 @@
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/shot_input.h"
-#include "pipeline/video/video_format.h"
 #include "sim/timeline/bake_file.h"
 
 namespace carom::cli {
-
-void run_check(const CheckCommand& command, CommandContext& context) {
-    const ShotInput input = read_shot_input(command.input, context.console);
-    const pipeline::Shot& shot = input.shot;
-    const std::string film = shot.name + pipeline::default_extension(shot.output);
-    const std::string problem = pipeline::check_video_format(
-        {shot.render.width, shot.render.height, shot.timing.fps}, shot.output, film);
-    if (!problem.empty()) {
-        throw InputError("'" + command.input.path + "': " + problem);
-    }
-    context.console.info("'" + command.input.path + "' has no errors");
-}
 
 void run_bake(const BakeCommand& command, CommandContext& context) {
     if (is_bake_file(command.input.path)) {
@@ -28,8 +15,8 @@ void run_bake(const BakeCommand& command, CommandContext& context) {
     }
     const std::string path = output_or_default(command.output, command.input.path, ".bake");
     check_output_folder(path);
-    const ShotInput input = read_shot_input(command.input, context.console);
-    const sim::Bake bake = bake_of(input.shot, command.input.path, command.cache, context);
+    ShotInput input = read_shot_input(command.input, context.console);
+    const sim::Bake bake = bake_of(input, command.input, command.cache, context);
     sim::write_bake(bake, path);
     context.console.info(std::to_string(bake.timeline.tracks.size()) + " objects, " +
                          std::to_string(bake.timeline.events.size()) + " events");

@@ -6,7 +6,6 @@
 
 namespace carom::cli {
 
-void run_check(const CheckCommand& command, CommandContext& context);
 void run_bake(const BakeCommand& command, CommandContext& context);
 void run_export(const ExportCommand& command, CommandContext& context);
 void run_import(const ImportCommand& command, CommandContext& context);

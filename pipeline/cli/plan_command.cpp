@@ -11,10 +11,8 @@ namespace carom::cli {
 void run_plan(const PlanCommand& command, CommandContext& context) {
     const std::string path = output_or_default(command.output, command.input.path, ".svg");
     check_drawing_path(path, "a plan");
-    const ShotInput input = read_shot_input(command.input, context.console);
-    const sim::Timeline timeline =
-        input.bake ? input.bake->timeline
-                   : bake_of(input.shot, command.input.path, command.cache, context).timeline;
+    ShotInput input = read_shot_input(command.input, context.console);
+    const sim::Timeline timeline = bake_of(input, command.input, command.cache, context).timeline;
     write_drawing({path, command.drawing.width},
                   pipeline::plan_svg(input.shot, timeline, {page_of(command.drawing.page, path)}));
 }

@@ -28,10 +28,8 @@ void run_report(const ReportCommand& command, CommandContext& context) {
     if (!command.plot.empty()) {
         check_drawing_path(command.plot, "a plot");
     }
-    const ShotInput input = read_shot_input(command.input, context.console);
-    const sim::Timeline timeline =
-        input.bake ? input.bake->timeline
-                   : bake_of(input.shot, command.input.path, command.cache, context).timeline;
+    ShotInput input = read_shot_input(command.input, context.console);
+    const sim::Timeline timeline = bake_of(input, command.input, command.cache, context).timeline;
     // Someone who asks for the plot alone gets it alone.
     if (command.plot.empty() || !command.output.empty() || command.json) {
         write_report(command, timeline);

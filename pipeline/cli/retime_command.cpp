@@ -102,6 +102,7 @@ void run_retime(const RetimeCommand& command, CommandContext& context) {
     ShotInput input = read_shot_input(command.render.input, context.console);
     try {
         input.shot.cameras = pipeline::retimed(input.shot.cameras, options);
+        input.has_own_cameras = false;
     } catch (const Error& error) {
         throw InputError(error.what());
     }

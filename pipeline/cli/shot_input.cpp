@@ -23,7 +23,7 @@ std::string counted(std::ptrdiff_t count, const char* noun) {
 
 /// As a compiler would print it, with the severity emphasised.
 std::string text_of(const pipeline::Problem& problem, const Console& console) {
-    std::string text = format(problem);
+    std::string text = (problem.place.file.empty() ? "carom: " : "") + format(problem);
     const bool is_error = problem.severity == pipeline::Severity::error;
     const std::string word = is_error ? "error:" : "warning:";
     const std::size_t at = text.find(": " + word + " ");  // behind the place, before the message
@@ -75,7 +75,7 @@ sim::Bake read_bake_input(const std::string& path) {
     }
 }
 
-ShotInput read_shot_input(const InputOptions& input, Console& console) {
+CheckedInput load_shot_input(const InputOptions& input) {
     ShotInput result;
     pipeline::LoadResult loaded;
     if (is_bake_file(input.path)) {
@@ -84,25 +84,52 @@ ShotInput read_shot_input(const InputOptions& input, Console& console) {
     } else {
         loaded = pipeline::load_shot(input.path, input.overrides, input.quality, input.camera_file);
     }
-    report_problems(loaded.problems, console);
-    if (!loaded.shot) {
-        throw InputError("'" + input.path + "' has " + count_text(loaded.problems));
+    CheckedInput checked{std::move(loaded.problems), {}};
+    if (loaded.shot) {
+        result.shot = std::move(*loaded.shot);
+        result.source = std::move(loaded.source);
+        checked.input = std::move(result);
     }
-    result.shot = std::move(*loaded.shot);
-    return result;
+    return checked;
+}
+
+ShotInput read_shot_input(const InputOptions& input, Console& console) {
+    CheckedInput checked = load_shot_input(input);
+    report_problems(checked.problems, console);
+    if (!checked.input) {
+        throw InputError("'" + input.path + "' has " + count_text(checked.problems));
+    }
+    return std::move(*checked.input);
+}
+
+JsonMembers members_of(const pipeline::Problem& problem) {
+    const pipeline::SourcePlace& place = problem.place;
+    JsonMembers members;
+    members.add("severity", problem.severity == pipeline::Severity::error ? "error" : "warning")
+        .add("file", place.file)
+        .add("line", place.line)
+        .add("column", place.column)
+        .add("end_column", place.column + place.length)
+        .add("key", problem.key_path)
+        .add("message", problem.message);
+    if (const std::string meant = pipeline::suggestion(problem); !meant.empty()) {
+        members.add("suggestion", meant);
+    }
+    std::string trail;  // innermost first
+    for (const pipeline::SourcePlace& by : problem.included_by) {
+        trail +=
+            (trail.empty() ? "" : " ") + by.file +
+            (by.line > 0 ? ":" + std::to_string(by.line) + ":" + std::to_string(by.column) : "");
+    }
+    if (!trail.empty()) {
+        members.add("included_by", trail);
+    }
+    return members;
 }
 
 void report_problems(const std::vector<pipeline::Problem>& problems, Console& console) {
     for (const pipeline::Problem& problem : problems) {
-        JsonMembers members;
-        members.add("severity", problem.severity == pipeline::Severity::error ? "error" : "warning")
-            .add("file", problem.place.file)
-            .add("line", problem.place.line)
-            .add("column", problem.place.column)
-            .add("length", problem.place.length)
-            .add("key", problem.key_path)
-            .add("message", problem.message);
-        console.event("problem", members, text_of(problem, console), true);
+        console.event("problem", members_of(problem), text_of(problem, console), true);
     }
 }
 

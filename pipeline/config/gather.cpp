@@ -231,7 +231,7 @@ std::optional<Node> Gatherer::read_file(const std::string& path, std::string sho
         return std::nullopt;
     }
     const std::string folder = fs::path(path).parent_path().string();
-    const int source = sources_.add({shown_name, folder, std::move(text)});
+    const int source = sources_.add({shown_name, folder, std::move(text), named_at});
     trail.push_back({path, std::move(shown_name)});
     std::optional<Node> tree = read(source, trail, false);
     trail.pop_back();

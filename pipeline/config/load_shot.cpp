@@ -72,7 +72,7 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
     LoadResult result;
     const ConfigFolders folders = standard_config_folders();
     const int source = sources.add({origin, absolute_folder(origin), text});
-    const Gathered gathered =
+    Gathered gathered =
         gather(sources, source, folders, {overrides, quality, camera_file}, problems);
     if (gathered.root) {
         Reader reader(sources, folders, problems);
@@ -82,6 +82,9 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
         result.shot.reset();
     }
     result.problems = problems.take();
+    if (result.shot) {
+        result.source = std::make_shared<ShotSource>(std::move(sources), std::move(*gathered.root));
+    }
     return result;
 }
 
@@ -92,7 +95,7 @@ LoadResult load_shot(const std::string& path, const std::vector<std::string>& ov
         Problem problem;
         problem.place.file = path;
         problem.message = "the file " + text;
-        return {std::nullopt, {problem}};
+        return {std::nullopt, {problem}, nullptr};
     }
     return load_shot_text(text, path, overrides, quality, camera_file);
 }

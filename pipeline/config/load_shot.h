@@ -1,18 +1,21 @@
 // From YAML to a Shot, with every problem at once.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "pipeline/config/problem.h"
+#include "pipeline/config/shot_source.h"
 #include "pipeline/shot/shot.h"
 
 namespace carom::pipeline {
 
 struct LoadResult {
-    std::optional<Shot> shot;       // set unless a problem is an error
-    std::vector<Problem> problems;  // errors and warnings, by file and place
+    std::optional<Shot> shot;                  // set unless a problem is an error
+    std::vector<Problem> problems;             // errors and warnings, by file and place
+    std::shared_ptr<const ShotSource> source;  // with the shot
 };
 
 /// `overrides` are "render.samples=64" as given to --set, `quality` the name of a preset in

@@ -78,23 +78,46 @@ std::string place_text(const SourcePlace& place) {
             text += ":" + std::to_string(place.column);
         }
     }
-    return text.empty() ? text : text + ": ";
+    return text;
+}
+
+/// Under the line's number.
+std::string trail_text(const Problem& problem, const std::string& blank) {
+    std::string text;
+    for (const SourcePlace& place : problem.included_by) {
+        text += blank + " = included by " + printable(place_text(place)) + "\n";
+    }
+    return text;
 }
 
 }  // namespace
 
 std::string format(const Problem& problem) {
     const std::string kind = problem.severity == Severity::error ? "error: " : "warning: ";
-    std::string text = printable(place_text(problem.place)) + kind + printable(problem.message);
+    const std::string place = place_text(problem.place);
+    std::string text =
+        printable(place) + (place.empty() ? "" : ": ") + kind + printable(problem.message);
     if (problem.source_line.empty() || problem.place.line < 1) {
-        return text + "\n";
+        return text + "\n" + trail_text(problem, "     ");
     }
     const std::string number = std::to_string(problem.place.line);
     const std::string margin(number.size() < 5 ? 5 - number.size() : 0, ' ');
     const std::string blank(margin.size() + number.size(), ' ');
     const ShownLine shown = show_line(problem);
     return text + "\n" + margin + number + " | " + shown.text + "\n" + blank + " | " + shown.caret +
-           "\n";
+           "\n" + trail_text(problem, blank);
+}
+
+std::string suggestion(const Problem& problem) {
+    constexpr std::string_view kBegin = "(did you mean '";
+    constexpr std::string_view kEnd = "'?)";
+    const std::size_t begin = problem.message.rfind(kBegin);
+    if (begin == std::string::npos) {
+        return {};
+    }
+    const std::size_t from = begin + kBegin.size();
+    const std::size_t end = problem.message.find(kEnd, from);
+    return end == std::string::npos ? std::string() : problem.message.substr(from, end - from);
 }
 
 bool has_errors(const std::vector<Problem>& problems) {

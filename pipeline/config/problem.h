@@ -22,13 +22,20 @@ struct Problem {
     std::string key_path;  // "cameras[0].position", may be empty
     std::string message;   // "unknown key 'postion' in camera 'opening' (did you mean 'position'?)"
     std::string source_line;  // the line of the file that `place` names, may be empty
+    /// What includes that file, what includes that one ...; empty for the shot itself.
+    std::vector<SourcePlace> included_by{};
 };
 
 /// The text for a person, with the source line and a caret:
 ///   shot.yaml:14:9: error: unknown key ...
 ///      14 |         postion: [0, -2, 1]
 ///         |         ^~~~~~~
+/// and, for each file on the way to an included one,
+///         = included by other.yaml:3:10
 [[nodiscard]] std::string format(const Problem& problem);
+
+/// What the message says was probably meant ("position"), or nothing.
+[[nodiscard]] std::string suggestion(const Problem& problem);
 
 [[nodiscard]] bool has_errors(const std::vector<Problem>& problems);
 

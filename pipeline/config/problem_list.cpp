@@ -46,12 +46,13 @@ std::vector<Problem> ProblemList::take() {
                                 {},
                                 {},
                                 "and " + std::to_string(rest) + " more problems",
+                                {},
                                 {}});
             break;
         }
         problems.push_back({entry.severity, sources_->describe(entry.place),
                             std::move(entry.key_path), std::move(entry.message),
-                            sources_->line_of(entry.place)});
+                            sources_->line_of(entry.place), sources_->trail(entry.place)});
     }
     entries_.clear();
     return problems;

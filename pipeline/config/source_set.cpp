@@ -69,6 +69,22 @@ SourcePlace SourceSet::describe(const Place& place) const {
             std::max(1, place.length)};
 }
 
+std::vector<SourcePlace> SourceSet::trail(const Place& place) const {
+    std::vector<SourcePlace> places;
+    for (int source = place.source; source >= 0;) {
+        const Place& included_at = sources_.at(source).source.included_at;
+        if (included_at.source >= 0) {
+            SourcePlace by = describe(included_at);
+            if (by.file.starts_with("--")) {
+                by.line = by.column = 0;
+            }
+            places.push_back(std::move(by));
+        }
+        source = included_at.source;
+    }
+    return places;
+}
+
 std::string SourceSet::to_string(const Place& place) const {
     const SourcePlace where = describe(place);
     return where.file + ":" + std::to_string(where.line) + ":" + std::to_string(where.column);

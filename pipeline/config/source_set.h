@@ -23,9 +23,10 @@ struct Place {
 
 /// One text: a file, a text in memory or the value of a --set.
 struct SourceText {
-    std::string name;    // as problems print it
-    std::string folder;  // relative paths in the text are below it
-    std::string text;    // valid UTF-8
+    std::string name;     // as problems print it
+    std::string folder;   // relative paths in the text are below it
+    std::string text;     // valid UTF-8
+    Place included_at{};  // in another text; nowhere for the shot itself and for options
 };
 
 class SourceSet {
@@ -41,6 +42,10 @@ class SourceSet {
 
     /// For a person: with the text's name.
     [[nodiscard]] SourcePlace describe(const Place& place) const;
+
+    /// Where the text of `place` is included, where that one is ...; an option, "--quality", is
+    /// named without a line.
+    [[nodiscard]] std::vector<SourcePlace> trail(const Place& place) const;
 
     /// "shot.yaml:14:9"
     [[nodiscard]] std::string to_string(const Place& place) const;

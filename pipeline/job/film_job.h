@@ -48,12 +48,25 @@ struct FilmJobResult {
 /// They are no part of the physics, nor of the bake that is kept.
 void add_keyed_motions(sim::Bake& bake, const Shot& shot);
 
+/// Something that the simulation warned of.
+struct SimulationWarning {
+    std::string sentence;
+    int event = -1;  // of the shot's world, that it is about; -1: none
+};
+
 /// The kept bake if its physics hash fits, else a new one, which is kept; with this shot's text,
 /// assets and keyed motions. A kept bake that is damaged is replaced; what the simulation warned of
-/// is told again. Throws Error, Stopped.
+/// is told again, or goes to `warnings`. Throws Error, Stopped.
 [[nodiscard]] sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
                                       const JobObserver& observer, const std::stop_token& stop,
-                                      bool* baked = nullptr);
+                                      bool* baked = nullptr,
+                                      std::vector<SimulationWarning>* warnings = nullptr);
+
+/// The kept bake with the shot's text, assets and keyed motions, if there is one; its warnings.
+[[nodiscard]] std::optional<sim::Bake> find_kept_bake(const Shot& shot,
+                                                      const std::string& cache_folder,
+                                                      const JobObserver& observer,
+                                                      std::vector<SimulationWarning>& warnings);
 
 /// Throws Error, Stopped. What was finished before stays in the store; the video appears whole or
 /// not at all.

@@ -104,12 +104,14 @@ void Actions::begin(const Strike& strike, const DueAction& due, std::uint32_t bo
     const Vec3 aim = aim_of(strike, before.position, due.time);
     if (aim == Vec3(0, 0, 0)) {
         recording_.warn("strike on '" + struck.name + "' at " + seconds(due.time) +
-                        ": the target is straight above or below the ball; nothing is struck");
+                            ": the target is straight above or below the ball; nothing is struck",
+                        static_cast<int>(due.event));
         return;
     }
     if (strike.tip.dot(strike.tip) > kMiscueOffset * kMiscueOffset)
         recording_.warn("strike on '" + struck.name + "' at " + seconds(due.time) +
-                        ": a tip more than half a radius off centre would miscue");
+                            ": a tip more than half a radius off centre would miscue",
+                        static_cast<int>(due.event));
     const StrikeResult given = strike_ball(strike, aim, struck.mass, struck.radius);
     MotionState after = before;
     after.velocity += given.velocity;
@@ -117,7 +119,7 @@ void Actions::begin(const Strike& strike, const DueAction& due, std::uint32_t bo
     recording_.log_action(EventKind::strike, due.time, due.time, struck.name, before.position,
                           given.velocity);
     if (strike.toward)
-        aimed_.push_back({struck.name, *strike.toward, due.time});
+        aimed_.push_back({struck.name, *strike.toward, due.time, static_cast<int>(due.event)});
     change(body, due.time, before, after);
 }
 
@@ -171,8 +173,8 @@ Vec3 Actions::place_of(const std::string& name, double time) const {
     return {0, 0, 0};
 }
 
-std::vector<std::string> Actions::missed_strikes() const {
-    std::vector<std::string> sentences;
+std::vector<std::pair<std::string, int>> Actions::missed_strikes() const {
+    std::vector<std::pair<std::string, int>> sentences;
     for (const Aimed& aimed : aimed_) {
         const auto& events = recording_.events();
         const bool hit = std::any_of(events.begin(), events.end(), [&](const Event& event) {
@@ -181,8 +183,10 @@ std::vector<std::string> Actions::missed_strikes() const {
                     (event.a == aimed.target && event.b == aimed.ball));
         });
         if (!hit)
-            sentences.push_back("strike on '" + aimed.ball + "' at " + seconds(aimed.time) +
-                                ": it never touched '" + aimed.target + "', which it was aimed at");
+            sentences.emplace_back("strike on '" + aimed.ball + "' at " + seconds(aimed.time) +
+                                       ": it never touched '" + aimed.target +
+                                       "', which it was aimed at",
+                                   aimed.event);
     }
     return sentences;
 }

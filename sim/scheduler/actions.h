@@ -18,8 +18,8 @@ class Actions {
 
     void apply(const DueAction& action);
 
-    /// Strikes that never reached what they were aimed at, as sentences.
-    [[nodiscard]] std::vector<std::string> missed_strikes() const;
+    /// Strikes that never reached what they were aimed at, as sentences; their events.
+    [[nodiscard]] std::vector<std::pair<std::string, int>> missed_strikes() const;
 
   private:
     void begin(const Force& force, const DueAction& due, std::uint32_t body);
@@ -40,6 +40,7 @@ class Actions {
     struct Aimed {
         std::string ball, target;
         double time = 0;
+        int event = 0;
     };
 
     const WorldDescription& world_;

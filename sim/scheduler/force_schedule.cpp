@@ -124,11 +124,12 @@ void ForceSchedule::notice_rest(double now, const RestingQuery& is_resting) {
     }
 }
 
-std::vector<std::string> ForceSchedule::unmet_triggers() const {
-    std::vector<std::string> sentences;
+std::vector<std::pair<std::string, int>> ForceSchedule::unmet_triggers() const {
+    std::vector<std::pair<std::string, int>> sentences;
     for (const std::size_t i : waiting_)
-        sentences.push_back("event " + std::to_string(i + 1) + " on '" + events_[i].object +
-                            "' never happened: " + described(*events_[i].trigger));
+        sentences.emplace_back("event " + std::to_string(i + 1) + " on '" + events_[i].object +
+                                   "' never happened: " + described(*events_[i].trigger),
+                               static_cast<int>(i));
     return sentences;
 }
 

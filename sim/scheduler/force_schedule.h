@@ -46,8 +46,8 @@ class ForceSchedule {
     void notice_crossing(std::size_t event, double time);
     void notice_rest(double now, const RestingQuery& is_resting);
 
-    /// Triggers that never happened, as sentences.
-    [[nodiscard]] std::vector<std::string> unmet_triggers() const;
+    /// Triggers that never happened, as sentences; their events.
+    [[nodiscard]] std::vector<std::pair<std::string, int>> unmet_triggers() const;
 
   private:
     void add_kicks(const DueAction& begin);

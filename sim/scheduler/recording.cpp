@@ -82,10 +82,12 @@ void Recording::add_energy(const EnergySample& sample) {
     energy_.push_back(sample);
 }
 
-void Recording::warn(std::string sentence) {
+void Recording::warn(std::string sentence, int event) {
     constexpr std::size_t kMostWarnings = 100;
-    if (warnings_.size() < kMostWarnings)
-        warnings_.push_back(std::move(sentence));
+    if (warnings_.size() >= kMostWarnings)
+        return;
+    warnings_.push_back(std::move(sentence));
+    warned_events_.push_back(event);
 }
 
 Timeline Recording::take_timeline(double end_time) {

@@ -29,11 +29,13 @@ class Recording {
     void log_action(EventKind kind, double time, double end_time, const std::string& a,
                     const Vec3& place, const Vec3& vector);
     void add_energy(const EnergySample& sample);
-    void warn(std::string sentence);
+    /// `event`: the one of the description that it is about, by index; -1: none.
+    void warn(std::string sentence, int event = -1);
 
     [[nodiscard]] const std::vector<Event>& events() const { return events_; }
     [[nodiscard]] Timeline take_timeline(double end_time);
     [[nodiscard]] std::vector<std::string> take_warnings() { return std::move(warnings_); }
+    [[nodiscard]] const std::vector<int>& warned_events() const { return warned_events_; }
 
   private:
     /// A ball that is put back on its ground moves by a few micrometres at most; a key that is
@@ -49,6 +51,7 @@ class Recording {
     std::vector<Event> events_;
     std::vector<EnergySample> energy_;
     std::vector<std::string> warnings_;
+    std::vector<int> warned_events_;
 };
 
 }  // namespace carom::sim

@@ -288,10 +288,10 @@ void Scheduler::conclude() {
     add_energy();
     balls_.finish(now_);
     stepped_.finish(now_);
-    for (std::string& sentence : actions_.missed_strikes())
-        recording_.warn(std::move(sentence));
-    for (std::string& sentence : schedule_.unmet_triggers())
-        recording_.warn(std::move(sentence));
+    for (auto& [sentence, event] : actions_.missed_strikes())
+        recording_.warn(std::move(sentence), event);
+    for (auto& [sentence, event] : schedule_.unmet_triggers())
+        recording_.warn(std::move(sentence), event);
     for (const std::string& sentence : guard_.messages())
         recording_.warn(sentence);
 }

@@ -119,10 +119,11 @@ TEST(Strike_ThatNeverArrives, IsWarnedOf) {
     WorldDescription world = cloth_world(1);
     world.bodies = {ball("cue", 0, 0), ball("one", 2, 0)};
     world.events = {strike_towards("cue", "one", 0.2)};
-    const std::vector<std::string> warnings = bake(world).warnings;
-    ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_EQ(warnings[0],
+    const BakeResult result = bake(world);
+    ASSERT_EQ(result.warnings.size(), 1U);
+    EXPECT_EQ(result.warnings[0],
               "strike on 'cue' at 0.000 s: it never touched 'one', which it was aimed at");
+    EXPECT_EQ(result.warned_events, std::vector<int>{0});
 }
 
 TEST(Trigger_Contact, FiresAfterTheFirstTouch) {
@@ -167,9 +168,10 @@ TEST(Trigger_ThatNeverHappens, IsWarnedOf) {
     world.bodies = {ball("cue", 0, 0), ball("one", 1, 0)};
     ForceEvent event = event_on("cue", 0, Impulse{{0.01, 0, 0}, {0, 0, 0}, Axes::world});
     event.trigger = Trigger{Trigger::Kind::contact, "cue", "one"};
-    world.events = {event};
-    EXPECT_EQ(bake(world).warnings.at(0),
-              "event 1 on 'cue' never happened: 'cue' never touched 'one'");
+    world.events = {event_on("cue", 0, Torque{{0, 0, 1e-6}, 0.1, Axes::world}), event};
+    const BakeResult result = bake(world);
+    EXPECT_EQ(result.warnings.at(0), "event 2 on 'cue' never happened: 'cue' never touched 'one'");
+    EXPECT_EQ(result.warned_events, std::vector<int>{1});
 }
 
 TEST(Bake_StoppedBeforeItBegins, ThrowsStopped) {

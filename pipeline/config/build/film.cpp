@@ -100,6 +100,19 @@ Rational exposure_of(const ShutterSection& shutter, const Rational& fps) {
     }
 }
 
+/// Neighbouring frames would show the same motion twice.
+void check_exposure(Builder& builder) {
+    const FilmTiming& timing = builder.shot.timing;
+    const double exposure = timing.shutter.exposure.to_double();
+    const double frame = 1 / timing.fps.to_double();
+    if (timing.shutter.clock == ShutterClock::video && exposure > frame * (1 + 1e-9)) {
+        builder.reader.warning(builder.place_of({"render", "shutter"}),
+                               "the shutter is open for " + show(exposure, Dimension::time) +
+                                   ", longer than a frame lasts (" + show(frame, Dimension::time) +
+                                   ")");
+    }
+}
+
 void check_output(Builder& builder) {
     const Shot& shot = builder.shot;
     const std::string film = "film" + default_extension(shot.output);
@@ -126,6 +139,7 @@ void build_film(Builder& builder) {
     shot.timing.shutter.position = render.shutter.position;
     shot.timing.shutter.switch_ratio = render.shutter.switch_ratio;
     check_output(builder);
+    check_exposure(builder);
     add_cameras(builder);
     if (builder.reader.has_error()) {
         return;

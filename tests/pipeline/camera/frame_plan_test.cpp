@@ -228,6 +228,19 @@ TEST(RigState, FNumber_GivesTheRadiusOfTheOpening) {
     EXPECT_EQ(camera_state(rig, {{1.01, -0.01}, 0}, make_timeline()).lens_radius, 0);
 }
 
+TEST(RigState, FocusBehindTheCamera_IsAsNearAsTheLensCan) {
+    CameraRig rig = make_rig(0, 2);
+    rig.focus.start = rig.focus.end = Focus{{}, "cue"};
+    EXPECT_TRUE(focus_behind_camera(rig, {{0, 1}, 0}, make_timeline()).empty());
+    rig.target = BezierPath{{{{0, -9, 1}, "", 0}}, false};
+    EXPECT_EQ(camera_state(rig, {{0, 1}, 0}, make_timeline()).focus_distance, kNearestFocus);
+    EXPECT_EQ(focus_behind_camera(rig, {{0, 1}, 0}, make_timeline()),
+              std::vector<std::string>{"cue"});
+    rig.focus.start = Focus{2.5, ""};
+    EXPECT_TRUE(focus_behind_camera(rig, {{0, 1}, 0}, make_timeline()).empty());
+    EXPECT_FALSE(focus_behind_camera(rig, {{0.5, 0.5}, 0}, make_timeline()).empty());
+}
+
 TEST(FramePlan, CameraWithoutAPicture_IsAnErrorWithItsName) {
     CameraRig rig = make_rig(0, 2);
     rig.target = rig.position;
@@ -239,10 +252,6 @@ TEST(FramePlan, CameraWithoutAPicture_IsAnErrorWithItsName) {
     rig = make_rig(0, 2);
     rig.target = FollowPath{"queue", {0, 0, 0}, 0};
     expect_error(rig, 0, "camera 'a', frame 0: object 'queue' is not in the timeline");
-    rig = make_rig(0, 2);
-    rig.target = BezierPath{{{{0, -9, 1}, "", 0}}, false};
-    rig.focus.start = Focus{{}, "cue"};
-    expect_error(rig, 0, "camera 'a', frame 0: the focus is on 'cue', which is behind the camera");
     rig = make_rig(0, 2);
     rig.aperture = {Aperture{0, true}, Aperture{0, true}, Easing::linear};
     expect_error(rig, 0, "camera 'a', frame 0: the f-number is not above 0");

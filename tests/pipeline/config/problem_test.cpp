@@ -30,6 +30,21 @@ TEST(Problem, Warning_SaysSo) {
     EXPECT_TRUE(has_errors({problem, unknown_key()}));
 }
 
+TEST(Problem, OfAnIncludedFile_SaysWhoIncludesIt) {
+    Problem problem = unknown_key();
+    problem.included_by = {{"looks.yaml", 2, 10, 1}, {"--quality", 0, 0, 1}};
+    EXPECT_THAT(format(problem), testing::EndsWith("      |         ^~~~~~~\n"
+                                                   "      = included by looks.yaml:2:10\n"
+                                                   "      = included by --quality\n"));
+}
+
+TEST(Problem, Suggestion_IsWhatTheMessageOffers) {
+    EXPECT_EQ(suggestion(unknown_key()), "position");
+    Problem problem;
+    problem.message = "the file is empty";
+    EXPECT_EQ(suggestion(problem), "");
+}
+
 TEST(Problem, WithoutALine_IsOneLine) {
     Problem problem;
     problem.place.file = "gone.yaml";

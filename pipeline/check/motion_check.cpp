@@ -1,0 +1,192 @@
+#include "pipeline/check/motion_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <optional>
+
+#include "pipeline/camera/exposure.h"
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/camera/path_fit.h"
+#include "pipeline/camera/rig_state.h"
+#include "sim/timeline/error.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+constexpr std::int64_t kMostFrames = 2000;
+
+Problem problem_at(const ShotSource* source, const std::vector<std::string>& path,
+                   Severity severity, std::string message) {
+    if (source != nullptr) {
+        return source->problem_at(path, severity, std::move(message));
+    }
+    Problem problem;
+    problem.severity = severity;
+    problem.message = std::move(message);
+    return problem;
+}
+
+std::string trimmed_seconds(double seconds) {
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "%.3f", seconds);
+    std::string number = text.data();
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.back() == '.') {
+        number.pop_back();
+    }
+    return number + " s";
+}
+
+/// The frames of a camera at which something is the case.
+struct Stretch {
+    std::int64_t first = 0, last = 0;
+
+    /// "at 1.25 s of the film (frame 30)", "from 1.25 s to 2 s of the film (frames 30 to 48)"
+    [[nodiscard]] std::string text(const FilmTiming& timing) const {
+        const auto time = [&](std::int64_t frame) {
+            return trimmed_seconds(static_cast<double>(frame) / timing.fps.to_double());
+        };
+        return first == last
+                   ? "at " + time(first) + " of the film (frame " + std::to_string(first) + ")"
+                   : "from " + time(first) + " to " + time(last) + " of the film (frames " +
+                         std::to_string(first) + " to " + std::to_string(last) + ")";
+    }
+};
+
+struct Ball {
+    const sim::Track* track = nullptr;
+    double radius = 0;
+};
+
+std::vector<Ball> balls_of(const Shot& shot, const sim::Timeline& timeline) {
+    std::vector<Ball> balls;
+    for (const sim::Body& body : shot.world.bodies) {
+        const auto* sphere = std::get_if<sim::Sphere>(&body.shape);
+        const sim::Track* track = timeline.find(body.name);
+        if (sphere != nullptr && track != nullptr) {
+            balls.push_back({track, sphere->radius});
+        }
+    }
+    return balls;
+}
+
+/// Looks at one camera, frame by frame.
+class RigLook {
+  public:
+    RigLook(const CameraRig& rig, const FilmTiming& timing, const std::vector<Ball>& balls,
+            const sim::Timeline& timeline)
+        : rig_(rig), timing_(timing), balls_(balls), timeline_(timeline) {}
+
+    void look(std::int64_t frame) {
+        const WideRational time = frame_time(frame, timing_);
+        const RigInstant instant{progress_at(rig_, time), scene_time_at(rig_, time).to_double()};
+        try {
+            const render::CameraState camera = camera_state(rig_, instant, timeline_);
+            for (const Ball& ball : balls_) {
+                const Vec3 centre = ball.track->sample(instant.scene_time).position;
+                if ((camera.position - centre).length() < ball.radius) {
+                    add(inside_[ball.track->name()], frame);
+                }
+            }
+            for (const std::string& name : focus_behind_camera(rig_, instant, timeline_)) {
+                add(behind_[name], frame);
+            }
+        } catch (const Error& error) {
+            add(broken_[error.what()], frame);
+        }
+    }
+
+    void report(std::size_t index, const ShotSource* source, std::vector<Problem>& problems) const {
+        const std::string number = std::to_string(index);
+        const std::string camera = "camera '" + rig_.name + "' ";
+        const auto tell = [&](const char* key, Severity severity, const std::string& message) {
+            problems.push_back(
+                problem_at(source, {"cameras", number, key}, severity, camera + message));
+        };
+        for (const auto& [reason, stretch] : broken_) {
+            tell("name", Severity::error,
+                 "makes no picture " + stretch->text(timing_) + ": " + reason);
+        }
+        for (const auto& [ball, stretch] : inside_) {
+            tell("position", Severity::warning,
+                 "is inside '" + ball + "' " + stretch->text(timing_));
+        }
+        for (const auto& [object, stretch] : behind_) {
+            tell("focus", Severity::warning,
+                 "is focused on '" + object + "', which is behind it " + stretch->text(timing_));
+        }
+    }
+
+  private:
+    static void add(std::optional<Stretch>& stretch, std::int64_t frame) {
+        stretch = stretch ? Stretch{stretch->first, frame} : Stretch{frame, frame};
+    }
+
+    const CameraRig& rig_;
+    const FilmTiming& timing_;
+    const std::vector<Ball>& balls_;
+    const sim::Timeline& timeline_;
+    std::map<std::string, std::optional<Stretch>> inside_, behind_, broken_;
+};
+
+/// The shot's cameras, ready to be asked; those along something that is not there stay as they are.
+std::vector<CameraRig> ready(const Shot& shot, const sim::Timeline& timeline) {
+    try {
+        return with_fitted_paths(shot.cameras, timeline);
+    } catch (const Error&) {
+        return shot.cameras;
+    }
+}
+
+bool films(const CameraRig& rig, const WideRational& time) {
+    return (time - WideRational(rig.video_start)).sign() >= 0 &&
+           (time - WideRational(rig.video_end)).sign() < 0;
+}
+
+}  // namespace
+
+Problem simulation_problem(const std::string& sentence, int event, const ShotSource* source) {
+    if (event < 0) {
+        return problem_at(nullptr, {}, Severity::warning, sentence);
+    }
+    const auto says = [&](const char* words) { return sentence.find(words) != std::string::npos; };
+    const std::string key = says("miscue") ? "tip" : says("never happened") ? "when" : "toward";
+    const std::string number = std::to_string(event);
+    const config::Entry* events = source != nullptr ? source->root().find("events") : nullptr;
+    std::string kind;
+    if (events != nullptr && static_cast<std::size_t>(event) < events->value.items.size()) {
+        const config::Node& item = events->value.items[static_cast<std::size_t>(event)];
+        kind = item.entries.empty() ? "" : item.entries.front().key;
+    }
+    return problem_at(source, {"events", number, kind, key}, Severity::warning, sentence);
+}
+
+std::vector<Problem> camera_problems(const Shot& shot, const ShotSource* source,
+                                     const sim::Timeline& timeline) {
+    const std::vector<CameraRig> rigs = ready(shot, timeline);
+    const std::vector<Ball> balls = balls_of(shot, timeline);
+    std::vector<RigLook> looks;
+    for (const CameraRig& rig : rigs) {
+        looks.emplace_back(rig, shot.timing, balls, timeline);
+    }
+    const std::int64_t frames = frame_count(rigs, shot.timing);
+    const std::int64_t step = std::max<std::int64_t>(1, frames / kMostFrames);
+    for (std::int64_t frame = 0; frame < frames; frame += step) {
+        const WideRational time = frame_time(frame, shot.timing);
+        for (std::size_t i = 0; i < rigs.size(); ++i) {
+            if (films(rigs[i], time)) {
+                looks[i].look(frame);
+            }
+        }
+    }
+    std::vector<Problem> problems;
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        looks[i].report(i, source, problems);
+    }
+    return problems;
+}
+
+}  // namespace carom::pipeline

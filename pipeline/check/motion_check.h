@@ -1,0 +1,27 @@
+// What is legal but surely not meant, seen from how a shot moves and is filmed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/config/problem.h"
+#include "pipeline/config/shot_source.h"
+#include "pipeline/shot/shot.h"
+#include "sim/timeline/timeline.h"
+
+namespace carom::pipeline {
+
+/// A sentence of the simulation about event `event` of the shot's world, "strike on 'cue' at 0.5 s:
+/// it never touched 'one', which it was aimed at", as a warning at the key that it is about.
+/// `event` -1: about none; without a source: at no place.
+[[nodiscard]] Problem simulation_problem(const std::string& sentence, int event,
+                                         const ShotSource* source);
+
+/// Cameras inside balls, and focused on what is behind them: warnings. A frame that makes no
+/// picture is an error. Each once for a camera, with its first and last frame; of films of more
+/// than 2000 frames as many are looked at, evenly. `source`: of the shot as it was read; nullptr if
+/// its cameras are others.
+[[nodiscard]] std::vector<Problem> camera_problems(const Shot& shot, const ShotSource* source,
+                                                   const sim::Timeline& timeline);
+
+}  // namespace carom::pipeline

@@ -1,0 +1,134 @@
+#include "pipeline/cli/check_command.h"
+
+#include <chrono>
+
+#include "pipeline/check/motion_check.h"
+#include "pipeline/cli/shot_input.h"
+#include "pipeline/job/film_job.h"
+#include "pipeline/video/video_format.h"
+#include "sim/bake.h"
+
+namespace carom::cli {
+
+namespace {
+
+using pipeline::Problem;
+using pipeline::SimulationWarning;
+
+constexpr std::chrono::milliseconds kPatience{2000};  // for a simulation that nobody asked for
+
+struct Motion {
+    sim::Bake bake;
+    std::vector<SimulationWarning> warnings;
+};
+
+/// Simulated here and now, and kept by nobody: a check leaves no traces. Empty if it takes longer
+/// than that is worth.
+std::optional<Motion> simulated(const pipeline::Shot& shot, const std::stop_token& stop) {
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    std::stop_source own;
+    const std::stop_callback passed_on(stop, [&own] { own.request_stop(); });
+    WorkContext context;
+    context.stop = own.get_token();
+    context.progress = [&](double) {
+        if (std::chrono::steady_clock::now() > end) {
+            own.request_stop();
+        }
+    };
+    try {
+        sim::BakeResult result = sim::bake(shot.world, context);
+        Motion motion;
+        motion.bake.timeline = std::move(result.timeline);
+        for (std::size_t i = 0; i < result.warnings.size(); ++i) {
+            motion.warnings.push_back({result.warnings[i], result.warned_events[i]});
+        }
+        pipeline::add_keyed_motions(motion.bake, shot);
+        return motion;
+    } catch (const Stopped&) {
+        if (stop.stop_requested()) {
+            throw;
+        }
+        return std::nullopt;
+    }
+}
+
+/// The input's own, or the kept bake, or a simulation.
+std::optional<Motion> motion_of(ShotInput& input, const CacheOptions& cache,
+                                CommandContext& context) {
+    Motion motion;
+    if (input.bake) {
+        motion.bake = std::move(*input.bake);
+        pipeline::add_keyed_motions(motion.bake, input.shot);
+        return motion;
+    }
+    std::optional<sim::Bake> kept =
+        pipeline::find_kept_bake(input.shot, cache.folder, {}, motion.warnings);
+    if (kept) {
+        motion.bake = std::move(*kept);
+        return motion;
+    }
+    return simulated(input.shot, context.stop);
+}
+
+void check_motion(ShotInput& input, const CheckCommand& command, CommandContext& context,
+                  std::vector<Problem>& problems) {
+    const std::optional<Motion> motion = motion_of(input, command.cache, context);
+    if (!motion) {
+        context.console.info(
+            "its motion was not looked at: simulating it takes more than 2 s; after 'carom bake' "
+            "the bake that it keeps is looked at");
+        return;
+    }
+    for (const SimulationWarning& warning : motion->warnings) {
+        problems.push_back(
+            pipeline::simulation_problem(warning.sentence, warning.event, input.source.get()));
+    }
+    for (Problem& problem :
+         pipeline::camera_problems(input.shot, input.source.get(), motion->bake.timeline)) {
+        problems.push_back(std::move(problem));
+    }
+}
+
+void check_film(const pipeline::Shot& shot, std::vector<Problem>& problems) {
+    Problem problem;
+    problem.message = pipeline::check_video_format(
+        {shot.render.width, shot.render.height, shot.timing.fps}, shot.output,
+        shot.name + pipeline::default_extension(shot.output));
+    if (!problem.message.empty()) {
+        problems.push_back(std::move(problem));
+    }
+}
+
+std::string json_of(const std::vector<Problem>& problems) {
+    std::string text = "[";
+    for (const Problem& problem : problems) {
+        text += (text.size() > 1 ? ",\n" : "\n") + members_of(problem).object();
+    }
+    return text + (problems.empty() ? "]\n" : "\n]\n");
+}
+
+}  // namespace
+
+void run_check(const CheckCommand& command, CommandContext& context) {
+    CheckedInput checked = load_shot_input(command.input);
+    std::vector<Problem>& problems = checked.problems;
+    if (checked.input) {
+        check_film(checked.input->shot, problems);
+        if (!command.quick && !pipeline::has_errors(problems)) {
+            check_motion(*checked.input, command, context, problems);
+        }
+    }
+    if (command.json) {
+        print_text(json_of(problems));
+    } else {
+        report_problems(problems, context.console);
+    }
+    const std::string& path = command.input.path;
+    if (pipeline::has_errors(problems)) {
+        throw InputError("'" + path + "' has " + count_text(problems));
+    }
+    context.console.info("'" + path + "' has no errors" +
+                         (problems.empty() ? "" : ", but " + count_text(problems)));
+}
+
+}  // namespace carom::cli

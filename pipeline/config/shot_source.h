@@ -1,0 +1,32 @@
+// The YAML that a shot was read from: where each of its values stands.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/config/node.h"
+#include "pipeline/config/problem.h"
+#include "pipeline/config/source_set.h"
+
+namespace carom::pipeline {
+
+class ShotSource {
+  public:
+    /// `root`: the tree after includes, presets and overrides.
+    ShotSource(config::SourceSet sources, config::Node root)
+        : sources_(std::move(sources)), root_(std::move(root)) {}
+
+    /// A problem at the value of that path ({"events", "0", "strike", "tip"}; elements of lists by
+    /// their index), or at the last part of it that the shot has.
+    [[nodiscard]] Problem problem_at(const std::vector<std::string>& path, Severity severity,
+                                     std::string message) const;
+
+    [[nodiscard]] const config::Node& root() const { return root_; }
+    [[nodiscard]] const config::SourceSet& sources() const { return sources_; }
+
+  private:
+    config::SourceSet sources_;
+    config::Node root_;
+};
+
+}  // namespace carom::pipeline

@@ -1,0 +1,157 @@
+// What check says of shots that are legal but surely not meant, word for word.
+#include <filesystem>
+
+#include "tests/pipeline/cli/end_to_end.h"
+
+namespace carom::cli {
+namespace {
+
+using carom::testing::EndToEnd;
+using carom::testing::RunResult;
+using carom::testing::write_text;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+/// The tiny shot with other events, and a camera changed line by line.
+class CheckCommandRun : public EndToEnd {
+  protected:
+    void write_shot(const std::string& strike, const std::string& position = "[0, -1, 0.8]",
+                    const std::string& more = "") const {
+        write_text(path("s.yaml"), R"(carom: 1
+simulation: {duration: 0.6 s}
+table: {kind: cloth}
+balls: {cue: {at: [-0.3, 0]}, one: {at: [0.1, 0]}}
+events:
+  - strike: )" + strike + R"(
+cameras:
+  - name: seat
+    video: [0 s, 0.6 s]
+    scene: [0 s, 0.6 s]
+    position: )" + position + R"(
+    target: [0, 0.5, 0]
+)" + more + "render: {size: [64, 36], fps: 10}\n");
+    }
+    /// All that check says, which has to be exit code `code`.
+    [[nodiscard]] std::string said(int code = 0) const {
+        const RunResult result = run({"check", "s.yaml"});
+        EXPECT_EQ(result.exit_code, code) << result.err;
+        EXPECT_EQ(result.out, "");
+        return result.err;
+    }
+};
+
+TEST_F(CheckCommandRun, StrikeThatMisses_IsWarnedOfAtItsAim) {
+    write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 0.1}");
+    EXPECT_EQ(
+        said(),
+        R"(s.yaml:6:36: warning: strike on 'cue' at 0.100 s: it never touched 'one', which it was aimed at
+    6 |   - strike: {ball: cue, at: 0.1 s, toward: one, speed: 0.1}
+      |                                    ^~~~~~
+carom: 's.yaml' has no errors, but 1 warning
+)");
+}
+
+TEST_F(CheckCommandRun, Miscue_IsWarnedOfAtTheTip) {
+    write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 3, tip: [0, 0.7]}");
+    EXPECT_EQ(
+        said(),
+        R"(s.yaml:6:59: warning: strike on 'cue' at 0.100 s: a tip more than half a radius off centre would miscue
+    6 |   - strike: {ball: cue, at: 0.1 s, toward: one, speed: 3, tip: [0, 0.7]}
+      |                                                           ^~~
+carom: 's.yaml' has no errors, but 1 warning
+)");
+}
+
+TEST_F(CheckCommandRun, EventThatNeverHappens_IsWarnedOfAtItsTrigger) {
+    write_shot(
+        "{ball: cue, at: 0.1 s, toward: one, speed: 3}\n"
+        "  - impulse: {object: one, when: {potted: one}, newton_seconds: [0, 1, 0]}");
+    EXPECT_EQ(said(),
+              R"(s.yaml:7:28: warning: event 2 on 'one' never happened: 'one' was never potted
+    7 |   - impulse: {object: one, when: {potted: one}, newton_seconds: [0, 1, 0]}
+      |                            ^~~~
+carom: 's.yaml' has no errors, but 1 warning
+)");
+}
+
+TEST_F(CheckCommandRun, CameraInsideABall_IsWarnedOfWithItsFrames) {
+    write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 3}",
+               "{bezier: [[-0.3, 0.01, 0.03], [-0.3, 0.01, 0.03]]}");
+    EXPECT_EQ(
+        said(),
+        R"(s.yaml:11:5: warning: camera 'seat' is inside 'cue' from 0 s to 0.1 s of the film (frames 0 to 1)
+   11 |     position: {bezier: [[-0.3, 0.01, 0.03], [-0.3, 0.01, 0.03]]}
+      |     ^~~~~~~~
+carom: 's.yaml' has no errors, but 1 warning
+)");
+}
+
+TEST_F(CheckCommandRun, FocusBehindTheCamera_IsWarnedOfAndRendersAllTheSame) {
+    write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 3}", "[0.2, -1, 0.8]",
+               "    focus: [2 m, one]\n");
+    EXPECT_EQ(said(), "carom: 's.yaml' has no errors\n");
+    write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 3}", "[0, 0.2, 0.2]",
+               "    focus: [2 m, one]\n");
+    EXPECT_EQ(
+        said(),
+        R"(s.yaml:13:5: warning: camera 'seat' is focused on 'one', which is behind it from 0.1 s to 0.5 s of the film (frames 1 to 5)
+   13 |     focus: [2 m, one]
+      |     ^~~~~
+carom: 's.yaml' has no errors, but 1 warning
+)");
+    const RunResult frame = run({"frame", "s.yaml", "--frame", "5", "--set", "render.samples=1"});
+    EXPECT_EQ(frame.exit_code, 0);
+    EXPECT_THAT(frame.err, HasSubstr("s.yaml:13:5: warning: camera 'seat' is focused on 'one'"));
+}
+
+TEST_F(CheckCommandRun, CameraThatMakesNoPicture_IsAnError) {
+    write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 3}", "[0, 0.5, 0]");
+    EXPECT_EQ(
+        said(2),
+        R"(s.yaml:8:5: error: camera 'seat' makes no picture from 0 s to 0.5 s of the film (frames 0 to 5): the camera's position and target are the same point
+    8 |   - name: seat
+      |     ^~~~
+carom: error: 's.yaml' has 1 error
+)");
+}
+
+TEST_F(CheckCommandRun, Quick_LeavesOutWhatTheMotionShows) {
+    write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 0.1}");
+    EXPECT_EQ(run({"check", "s.yaml", "--quick"}).err, "carom: 's.yaml' has no errors\n");
+    EXPECT_FALSE(exists("cache"));
+}
+
+TEST_F(CheckCommandRun, OtherCommands_WarnToo) {
+    write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 0.1}");
+    for (const std::string command : {"bake", "plan", "report", "export"}) {  // baked once
+        const RunResult result = run({command, "s.yaml", "-q"});
+        EXPECT_EQ(result.exit_code, 0);
+        EXPECT_THAT(result.err, StartsWith("s.yaml:6:36: warning: strike on 'cue' at 0.100 s: it "
+                                           "never touched 'one'"))
+            << command;
+    }
+    EXPECT_THAT(said(), StartsWith("s.yaml:6:36: warning: strike on"));  // of the kept bake
+}
+
+TEST_F(CheckCommandRun, Json_IsAnArrayOfProblemsWithTheirEnds) {
+    std::filesystem::create_directory(path("parts"));
+    write_text(path("parts/look.yaml"), "render: {sampels: 3}\n");
+    write_text(path("s.yaml"), "carom: 1\ninclude: parts/look.yaml\nballs: {cue: {at: 3}}\n");
+    const RunResult result = run({"check", "s.yaml", "--json"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out,
+              R"x([
+{"severity":"error","file":"s.yaml","line":3,"column":19,"end_column":20,"key":"balls.cue.at","message":"'at' must be a list of 2 to 3 lengths, not '3'"},
+{"severity":"error","file":"parts/look.yaml","line":1,"column":10,"end_column":17,"key":"render","message":"unknown key 'sampels' in 'render' (did you mean 'samples'?)","suggestion":"samples","included_by":"s.yaml:2:10"}
+]
+)x");
+    EXPECT_EQ(result.err, "carom: error: 's.yaml' has 2 errors\n");
+    const RunResult good = run({"check", "tiny.yaml", "--json", "-q"});
+    EXPECT_EQ(good.exit_code, 0);
+    EXPECT_EQ(good.out, "[]\n");
+    EXPECT_THAT(good.err, Not(HasSubstr("error")));
+}
+
+}  // namespace
+}  // namespace carom::cli
