@@ -34,6 +34,7 @@ bool needs_renderer(const Command& command) {
     return std::holds_alternative<RenderCommand>(command) ||
            std::holds_alternative<RetimeCommand>(command) ||
            std::holds_alternative<FrameCommand>(command) ||
+           std::holds_alternative<ContactSheetCommand>(command) ||
            std::holds_alternative<MuxCommand>(command);
 }
 
@@ -52,6 +53,7 @@ void run(const Command& command, CommandContext& context) {
                    [](const RenderCommand&) {},  // never here: needs_renderer
                    [](const RetimeCommand&) {},
                    [](const FrameCommand&) {},
+                   [](const ContactSheetCommand&) {},
                    [](const MuxCommand&) {},
                },
                command);

@@ -36,6 +36,7 @@ struct Targets {
     RetimeCommand retime;
     BakeCommand bake;
     FrameCommand frame;
+    ContactSheetCommand sheet;
     CheckCommand check;
     ExportCommand export_;
     ReportCommand report;
@@ -215,6 +216,31 @@ void add_frame(CLI::App& app, Targets& targets) {
     add_cache(command, frame.cache);
     add_talk(command, targets);
     command.footer(example("  carom frame break.yaml --at 1.25s -o contact.png"));
+}
+
+void add_contact_sheet(CLI::App& app, Targets& targets) {
+    CLI::App& command =
+        *app.add_subcommand("contact-sheet", "a film at a glance: frames of it in a grid");
+    ContactSheetCommand& sheet = targets.sheet;
+    add_input(command, sheet.input, "SHOT|BAKE", "a shot, or a bake to film as it is");
+    add_camera_file(command, sheet.input);
+    add_output(command, sheet.output,
+               "the picture: .png, .jpg, .bmp or .tga (else the shot's name and _sheet.png)");
+    command.add_option("--count", sheet.count, "how many frames, evenly spread (default 12)")
+        ->option_text("N")
+        ->check(CLI::Range(1, 400));
+    command.add_option("--columns", sheet.columns, "side by side (default 4)")
+        ->option_text("N")
+        ->check(CLI::Range(1, 40));
+    command.add_option("--width", sheet.width, "of each, in pixels (default 320)")
+        ->option_text("N")
+        ->check(CLI::Range(32, 2000));
+    add_threads(command, sheet.threads);
+    add_cache(command, sheet.cache);
+    add_talk(command, targets);
+    command.footer(example("  carom contact-sheet break.yaml -o sheet.png") +
+                   "\nDraft frames unless --quality says otherwise, each with its number, the\n"
+                   "time that it shows and its camera. They are kept like those of a film.");
 }
 
 void add_check(CLI::App& app, Targets& targets) {
@@ -450,6 +476,9 @@ Command chosen_command(const CLI::App& app, Targets& targets) {
     if (name == "frame") {
         return std::move(targets.frame);
     }
+    if (name == "contact-sheet") {
+        return std::move(targets.sheet);
+    }
     if (name == "check") {
         return std::move(targets.check);
     }
@@ -530,6 +559,7 @@ std::variant<CommandLine, NothingToRun> parse_command_line(
     add_retime(app, targets);
     add_bake(app, targets);
     add_frame(app, targets);
+    add_contact_sheet(app, targets);
     add_check(app, targets);
     add_export(app, targets);
     add_report(app, targets);

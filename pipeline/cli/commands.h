@@ -90,6 +90,17 @@ struct FrameCommand {
     int threads = 0;
 };
 
+/// Frames of a film side by side.
+struct ContactSheetCommand {
+    InputOptions input;  // quality empty: draft
+    CacheOptions cache;
+    std::string output;  // empty: the shot's name and _sheet.png in the current folder
+    int count = 12;
+    int columns = 4;
+    int width = 320;  // of one picture, pixels
+    int threads = 0;
+};
+
 struct CheckCommand {
     InputOptions input;
     CacheOptions cache;
@@ -151,9 +162,10 @@ struct ImportTrackCommand {
     bool linear = false;
 };
 
-using Command = std::variant<RenderCommand, RetimeCommand, BakeCommand, FrameCommand, CheckCommand,
-                             ExportCommand, ReportCommand, ImportCommand, MuxCommand, CacheCommand,
-                             PlanCommand, NewCommand, SchemaCommand, ImportTrackCommand>;
+using Command =
+    std::variant<RenderCommand, RetimeCommand, BakeCommand, FrameCommand, CheckCommand,
+                 ExportCommand, ReportCommand, ImportCommand, MuxCommand, CacheCommand,
+                 ContactSheetCommand, PlanCommand, NewCommand, SchemaCommand, ImportTrackCommand>;
 
 struct CommandLine {
     TalkOptions talk;

@@ -17,27 +17,40 @@ std::string with_target(std::string message, const PendingFile& file) {
     return message;
 }
 
-}  // namespace
-
-void write_picture(const render::Film& film, const DisplayView& view, const std::string& path,
-                   const render::ImageMetadata& metadata, const render::PictureText& text) {
+/// `write` gets a temporary name.
+template <class Write>
+void write_whole(const std::string& path, const Write& write) {
     PendingFile file(path);
     try {
-        if (is_linear_picture(path)) {
-            // OpenImageIO writes the time of writing otherwise: the same frame, other bytes.
-            render::ImageMetadata dated = metadata;
-            dated.emplace("DateTime", "1970:01:01 00:00:00");
-            render::write_exr(film, file.temporary_path(), dated);
-        } else {
-            std::vector<std::uint8_t> display = view.to_8(film);
-            render::draw_text(text, display, film.width, film.height);
-            render::write_display_image(display, film.width, film.height, file.temporary_path(),
-                                        metadata);
-        }
+        write(file.temporary_path());
     } catch (const Error& error) {
         throw Error(with_target(error.what(), file));
     }
     file.commit();
+}
+
+}  // namespace
+
+void write_picture(const render::Film& film, const DisplayView& view, const std::string& path,
+                   const render::ImageMetadata& metadata, const render::PictureText& text) {
+    if (is_linear_picture(path)) {
+        // OpenImageIO writes the time of writing otherwise: the same frame, other bytes.
+        render::ImageMetadata dated = metadata;
+        dated.emplace("DateTime", "1970:01:01 00:00:00");
+        write_whole(
+            path, [&](const std::string& temporary) { render::write_exr(film, temporary, dated); });
+        return;
+    }
+    std::vector<std::uint8_t> display = view.to_8(film);
+    render::draw_text(text, display, film.width, film.height);
+    write_display_picture(display, film.width, film.height, path, metadata);
+}
+
+void write_display_picture(const std::vector<std::uint8_t>& rgb, int width, int height,
+                           const std::string& path, const render::ImageMetadata& metadata) {
+    write_whole(path, [&](const std::string& temporary) {
+        render::write_display_image(rgb, width, height, temporary, metadata);
+    });
 }
 
 }  // namespace carom::pipeline

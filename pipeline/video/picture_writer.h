@@ -16,4 +16,9 @@ namespace carom::pipeline {
 void write_picture(const render::Film& film, const DisplayView& view, const std::string& path,
                    const render::ImageMetadata& metadata, const render::PictureText& text = {});
 
+/// Display-encoded RGB, width * height * 3, as .png, .jpg, .bmp or .tga. The file appears whole or
+/// not at all. Throws Error naming `path`.
+void write_display_picture(const std::vector<std::uint8_t>& rgb, int width, int height,
+                           const std::string& path, const render::ImageMetadata& metadata = {});
+
 }  // namespace carom::pipeline

@@ -81,6 +81,32 @@ TEST_F(AuthoringCommands, ReportPlot_IsWrittenAloneOrBesideTheReport) {
     EXPECT_EQ(run({"report", "tiny.yaml", "--plot", "s.pdf"}).exit_code, 2);
 }
 
+TEST_F(AuthoringCommands, ContactSheet_HasFramesInAGridAndKeepsThem) {
+    const RunResult result = run({"contact-sheet", "tiny.yaml", "-o", "s.png", "--count", "3",
+                                  "--columns", "2", "--width", "64"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "s.png\n");
+    // Two rows of pictures of 64x36 4 apart, 18 for each row's text and 27 for the title.
+    EXPECT_EQ(png_size(text_of("s.png")), std::pair(140, 139));
+    EXPECT_EQ(stored_frames(), 3);
+    const std::string first = text_of("s.png");
+    ASSERT_EQ(run({"contact-sheet", "tiny.yaml", "-o", "s.png", "--count", "3", "--columns", "2",
+                   "--width", "64"})
+                  .exit_code,
+              0);
+    EXPECT_EQ(text_of("s.png"), first);
+    EXPECT_EQ(stored_frames(), 3);
+}
+
+TEST_F(AuthoringCommands, ContactSheet_TakesNoMoreFramesThanThereAre) {
+    ASSERT_EQ(run({"contact-sheet", "tiny.yaml", "--width", "32"}).exit_code, 0);
+    EXPECT_EQ(png_size(text_of("tiny_sheet.png")), std::pair(148, 103));  // 6 frames in 4 columns
+    EXPECT_EQ(stored_frames(), 6);
+    const RunResult result = run({"contact-sheet", "tiny.yaml", "-o", "s.exr"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("cannot write a sheet to 's.exr'"));
+}
+
 TEST_F(AuthoringCommands, New_WritesAShotThatChecksAndOverwritesNothing) {
     const RunResult result = run({"new", "my shot.yaml", "--template", "massé"});
     EXPECT_EQ(result.exit_code, 0) << result.err;

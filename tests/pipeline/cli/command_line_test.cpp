@@ -32,8 +32,8 @@ TEST(CommandLine, Help_StartsWithThreeRealCommands) {
 }
 
 TEST(CommandLine, EveryCommandsHelp_HasAnExampleThatParses) {
-    for (const std::string name : {"render", "retime", "bake", "frame", "check", "export", "report",
-                                   "plan", "new", "schema"}) {
+    for (const std::string name : {"render", "retime", "bake", "frame", "contact-sheet", "check",
+                                   "export", "report", "plan", "new", "schema"}) {
         const NothingToRun help = refused({name, "--help"});
         EXPECT_EQ(help.exit_code, 0);
         const std::size_t at = help.out.find("Example:\n  carom ");
