@@ -114,6 +114,17 @@ TEST_P(Example, IsCheckedBakedAndRendered) {
 INSTANTIATE_TEST_SUITE_P(Library, Example, ::testing::ValuesIn(own_shots()),
                          [](const auto& test) { return test.param; });
 
+TEST(Examples, All_AreInTheGallery) {
+    EXPECT_GE(names_in("examples").size(), 10U);
+    std::ifstream file(kSource + "/docs/gallery.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    for (const std::string& name : names_in("examples")) {
+        EXPECT_THAT(page, ::testing::HasSubstr("(images/gallery/example_" + name + ".jpg)"));
+        EXPECT_THAT(page, ::testing::HasSubstr("`" + name + "`"));
+        EXPECT_TRUE(fs::exists(kSource + "/docs/images/gallery/example_" + name + ".jpg")) << name;
+    }
+}
+
 class Rig : public ::testing::TestWithParam<std::string> {
   protected:
     static LoadResult load(const std::string& include, const std::string& cameras) {
