@@ -45,6 +45,8 @@ void run(const Command& command, CommandContext& context) {
                    [&](const ExportCommand& export_) { run_export(export_, context); },
                    [&](const ReportCommand& report) { run_report(report, context); },
                    [&](const ImportCommand& import_) { run_import(import_, context); },
+                   [](const CompletionCommand& shell) { run_completion(shell); },
+                   [](const ManualCommand& manual) { run_manual(manual); },
                    [&](const ImportTrackCommand& track) { run_import_track(track, context); },
                    [&](const CacheCommand& cache) { run_cache(cache, context); },
                    [&](const PlanCommand& plan) { run_plan(plan, context); },

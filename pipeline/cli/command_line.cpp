@@ -1,11 +1,13 @@
 #include "pipeline/cli/command_line.h"
 
 #include <cstdio>
+#include <memory>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
 
 #include "pipeline/cli/exit_code.h"
+#include "pipeline/cli/help/option_table.h"
 #include "pipeline/cli/help_formatter.h"
 
 namespace carom::cli {
@@ -42,6 +44,8 @@ struct Targets {
     ReportCommand report;
     ImportCommand import_;
     ImportTrackCommand import_track;
+    CompletionCommand completion;
+    ManualCommand manual;
     MuxCommand mux;
     CacheCommand cache;
     PlanCommand plan;
@@ -184,8 +188,8 @@ void add_retime(CLI::App& app, Targets& targets) {
     command.footer(
         example("  carom retime break.yaml --speed 1/8 --from 1.2s --to 2s -o slow.mp4\n"
                 "  carom retime break.bake --reverse -o back.mp4\n") +
-        "\nThe cameras go the ways that they went in the film. A shot whose bake was kept is not\n"
-        "simulated again, and frames that the film had are not rendered again.");
+        "\nThe cameras go the ways that they went in the film. A shot whose bake was kept\n"
+        "is not simulated again, and frames that the film had are not rendered again.");
 }
 
 void add_bake(CLI::App& app, Targets& targets) {
@@ -261,8 +265,7 @@ void add_check(CLI::App& app, Targets& targets) {
 }
 
 void add_export(CLI::App& app, Targets& targets) {
-    CLI::App& command =
-        *app.add_subcommand("export", "the shot for other programs: .csv, .json, .glb, .usda");
+    CLI::App& command = *app.add_subcommand("export", "a shot as .csv, .json, .glb or .usda");
     ExportCommand& command_options = targets.export_;
     add_input(command, command_options.input, "SHOT|BAKE", "a shot or a bake");
     add_output(command, command_options.output,
@@ -282,9 +285,8 @@ void add_export(CLI::App& app, Targets& targets) {
     command.footer(
         example("  carom export break.yaml -o break.glb\n"
                 "  carom export break.yaml --rate 240 -o tracks.csv --events events.csv") +
-        "\n.glb and .usda have the objects at their real size, with colours, cameras and motion, "
-        "for\n"
-        "Blender, Houdini or a browser; docs/export.md says what is in each.");
+        "\n.glb and .usda have the objects at their real size, with colours, cameras and\n"
+        "motion, for Blender, Houdini or a browser; docs/export.md has more.");
 }
 
 void add_report(CLI::App& app, Targets& targets) {
@@ -413,6 +415,28 @@ void add_import_track(CLI::App& app, Targets& targets) {
         "\nThen 'include: hand.yaml' in a shot with 'objects: {hand: {mesh: hand.obj}}'.");
 }
 
+void add_completion(CLI::App& app, Targets& targets) {
+    CLI::App& command =
+        *app.add_subcommand("completion", "what completes carom's words in a shell");
+    command.add_option("SHELL", targets.completion.shell, "bash, zsh or fish")
+        ->required()
+        ->option_text(" ")
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+    add_output(command, targets.completion.output, "else standard output");
+    add_talk(command, targets);
+    command.footer(example("  carom completion bash -o ~/.bash_completion\n") +
+                   "\nAn installed carom has put them where the shells look.");
+}
+
+void add_manual(CLI::App& app, Targets& targets) {
+    CLI::App& command = *app.add_subcommand("manual", "carom's manual page");
+    add_output(command, targets.manual.output, "else standard output");
+    add_talk(command, targets);
+    command.footer(
+        example("  carom manual -o carom.1 && man -l carom.1") +
+        "\nThe help of all commands as one page; an installed carom has it as 'man carom'.");
+}
+
 void add_mux(CLI::App& app, Targets& targets) {
     CLI::App& command = *app.add_subcommand("mux", "write a film from frames that are stored");
     MuxCommand& mux = targets.mux;
@@ -441,11 +465,11 @@ void add_cache_actions(CLI::App& app, Targets& targets) {
         add_talk(sub, targets);
         return &sub;
     };
-    CLI::App& list = *add("list", "how many there are, how large, when they were last used",
-                          CacheCommand::Action::list);
+    CLI::App& list =
+        *add("list", "how many, how large, when last used", CacheCommand::Action::list);
     list.add_flag("--json", cache.json, "one JSON object per file");
-    CLI::App& prune = *add("prune", "remove what was used longest ago until the rest fits",
-                           CacheCommand::Action::prune);
+    CLI::App& prune =
+        *add("prune", "remove what was used longest ago", CacheCommand::Action::prune);
     add_cache_size(prune, cache.cache);
     prune
         .add_option("--unused-for", cache.unused_for,
@@ -457,7 +481,7 @@ void add_cache_actions(CLI::App& app, Targets& targets) {
     CLI::App& verify =
         *add("verify", "read every file and remove damaged ones", CacheCommand::Action::verify);
     verify.add_flag("--keep", cache.keep, "only name them");
-    command.footer(example("  carom cache prune --cache-size '5 GB'") +
+    command.footer(example("  carom cache prune --cache-size 5GB") +
                    "\nWhatever goes is simulated and rendered again when it is needed.\n"
                    "verify: exit code 1 if a file was damaged.");
 }
@@ -503,6 +527,12 @@ Command chosen_command(const CLI::App& app, Targets& targets) {
     if (name == "import") {
         return std::move(targets.import_);
     }
+    if (name == "completion") {
+        return std::move(targets.completion);
+    }
+    if (name == "manual") {
+        return std::move(targets.manual);
+    }
     if (name == "import-track") {
         return std::move(targets.import_track);
     }
@@ -544,12 +574,10 @@ NothingToRun report(const CLI::App& app, const CLI::ParseError& error,
     return nothing;
 }
 
-}  // namespace
-
-std::variant<CommandLine, NothingToRun> parse_command_line(
-    const std::vector<std::string>& arguments) {
-    Targets targets;
-    CLI::App app(kFirstLines, "carom");
+/// The whole table; parsing fills `targets`, which outlives it.
+std::unique_ptr<CLI::App> make_app(Targets& targets) {
+    auto owned = std::make_unique<CLI::App>(kFirstLines, "carom");
+    CLI::App& app = *owned;
     app.formatter(std::make_shared<HelpFormatter>());
     app.set_help_flag("-h,--help", "print this help");
     app.set_version_flag("--version", "carom " CAROM_VERSION, "print the version");
@@ -570,6 +598,70 @@ std::variant<CommandLine, NothingToRun> parse_command_line(
     add_import_track(app, targets);
     add_mux(app, targets);
     add_cache_actions(app, targets);
+    add_completion(app, targets);
+    add_manual(app, targets);
+    return owned;
+}
+
+/// "{text,json}", as IsMember describes itself, as words; empty for other checks.
+std::vector<std::string> choices_of(const CLI::Option& option) {
+    const std::string name = option.get_name(false, false);
+    if (name == "--quality") {
+        return {"draft", "preview", "final"};  // what configs/quality has; others may be added
+    }
+    std::string text;
+    try {
+        text = const_cast<CLI::Option&>(option).get_validator()->get_description();
+    } catch (const CLI::OptionNotFound&) {
+        return {};  // it has none
+    }
+    std::vector<std::string> words;
+    if (text.starts_with('{') && text.ends_with('}')) {
+        std::istringstream list(text.substr(1, text.size() - 2));
+        for (std::string word; std::getline(list, word, ',');) {
+            words.push_back(word);
+        }
+    }
+    return words;
+}
+
+CommandInfo describe(const CLI::App& app) {
+    CommandInfo command{app.get_name(), app.get_description(), app.get_footer(), {}, {}, {}};
+    for (const CLI::Option* option : app.get_options()) {
+        const std::string description = option->get_description();
+        if (option->get_positional()) {
+            command.arguments.push_back(
+                {option->get_name(true, false), description, choices_of(*option)});
+            continue;
+        }
+        OptionInfo info;
+        info.long_name = "--" + option->get_lnames().front();
+        if (!option->get_snames().empty()) {
+            info.short_name = "-" + option->get_snames().front();
+        }
+        info.value = option->get_option_text();
+        info.description = description;
+        info.choices = choices_of(*option);
+        command.options.push_back(std::move(info));
+    }
+    for (const CLI::App* below : app.get_subcommands({})) {
+        command.commands.push_back(describe(*below));
+    }
+    return command;
+}
+
+}  // namespace
+
+CommandInfo describe_command_line() {
+    Targets targets;
+    return describe(*make_app(targets));
+}
+
+std::variant<CommandLine, NothingToRun> parse_command_line(
+    const std::vector<std::string>& arguments) {
+    Targets targets;
+    const std::unique_ptr<CLI::App> owned = make_app(targets);
+    CLI::App& app = *owned;
     try {
         // CLI11 takes its arguments from the back.
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

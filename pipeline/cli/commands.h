@@ -162,10 +162,21 @@ struct ImportTrackCommand {
     bool linear = false;
 };
 
-using Command =
-    std::variant<RenderCommand, RetimeCommand, BakeCommand, FrameCommand, CheckCommand,
-                 ExportCommand, ReportCommand, ImportCommand, MuxCommand, CacheCommand,
-                 ContactSheetCommand, PlanCommand, NewCommand, SchemaCommand, ImportTrackCommand>;
+/// Words for a shell.
+struct CompletionCommand {
+    std::string shell;   // "bash", "zsh", "fish"
+    std::string output;  // empty: standard output
+};
+
+/// The manual page.
+struct ManualCommand {
+    std::string output;  // empty: standard output
+};
+
+using Command = std::variant<RenderCommand, RetimeCommand, BakeCommand, FrameCommand, CheckCommand,
+                             ExportCommand, ReportCommand, ImportCommand, MuxCommand, CacheCommand,
+                             ContactSheetCommand, PlanCommand, NewCommand, SchemaCommand,
+                             ImportTrackCommand, CompletionCommand, ManualCommand>;
 
 struct CommandLine {
     TalkOptions talk;

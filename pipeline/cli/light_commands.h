@@ -9,6 +9,8 @@ namespace carom::cli {
 void run_bake(const BakeCommand& command, CommandContext& context);
 void run_export(const ExportCommand& command, CommandContext& context);
 void run_import(const ImportCommand& command, CommandContext& context);
+void run_completion(const CompletionCommand& command);
+void run_manual(const ManualCommand& command);
 void run_import_track(const ImportTrackCommand& command, CommandContext& context);
 
 }  // namespace carom::cli

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pipeline/cli/help/option_table.h"
+
 namespace carom::cli {
 namespace {
 
@@ -31,9 +33,17 @@ TEST(CommandLine, Help_StartsWithThreeRealCommands) {
     }
 }
 
+std::vector<std::string> all_commands() {
+    std::vector<std::string> names;
+    for (const CommandInfo& command : describe_command_line().commands) {
+        names.push_back(command.name);
+    }
+    EXPECT_GE(names.size(), 17U);
+    return names;
+}
+
 TEST(CommandLine, EveryCommandsHelp_HasAnExampleThatParses) {
-    for (const std::string name : {"render", "retime", "bake", "frame", "contact-sheet", "check",
-                                   "export", "report", "plan", "new", "schema"}) {
+    for (const std::string& name : all_commands()) {
         const NothingToRun help = refused({name, "--help"});
         EXPECT_EQ(help.exit_code, 0);
         const std::size_t at = help.out.find("Example:\n  carom ");
@@ -41,7 +51,7 @@ TEST(CommandLine, EveryCommandsHelp_HasAnExampleThatParses) {
         const std::size_t begin = at + std::string("Example:\n  carom ").size();
         std::istringstream words(help.out.substr(begin, help.out.find('\n', begin) - begin));
         std::vector<std::string> arguments;
-        for (std::string word; words >> word;) {
+        for (std::string word; words >> word && word != "&&";) {
             arguments.push_back(word);
         }
         EXPECT_TRUE(std::holds_alternative<CommandLine>(parse_command_line(arguments))) << name;
@@ -168,8 +178,9 @@ TEST(CommandLine, NoArguments_GiveTheHelpOnStderr) {
 }
 
 TEST(CommandLine, Help_FitsEightyColumns) {
-    for (const std::string name : {"render", "bake", "frame", "check", "export", "report", "plan",
-                                   "new", "schema", "--help"}) {
+    std::vector<std::string> names = all_commands();
+    names.emplace_back("--help");
+    for (const std::string& name : names) {
         std::istringstream lines(refused({name, "--help"}).out);
         for (std::string line; std::getline(lines, line);) {
             EXPECT_LE(line.size(), 80U) << line;
