@@ -1,6 +1,8 @@
 #include "pipeline/config/config_files.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -85,6 +87,63 @@ ConfigFolders standard_config_folders() {
     return folders;
 }
 
+namespace {
+
+constexpr std::size_t kMostSuggested = 2000;  // files that are looked at for a hint
+
+/// Names as one would write them: files beside the wanted one, and all that the config folders
+/// have, "tables/pool_9ft.yaml".
+std::vector<std::string> nearby_names(const fs::path& name, const std::string& folder,
+                                      const ConfigFolders& folders) {
+    std::vector<std::string> names;
+    std::error_code code;
+    const fs::path parent = name.parent_path();
+    for (fs::directory_iterator entry(fs::path(folder) / parent, code), end;
+         !code && entry != end && names.size() < kMostSuggested; entry.increment(code)) {
+        if (entry->path().extension() == name.extension()) {
+            names.push_back((parent / entry->path().filename()).string());
+        }
+    }
+    for (const std::string& root : folders.folders) {
+        for (fs::recursive_directory_iterator entry(root, code), end;
+             !code && entry != end && names.size() < kMostSuggested; entry.increment(code)) {
+            if (entry->path().extension() == name.extension()) {
+                names.push_back(entry->path().lexically_relative(root).string());
+            }
+        }
+    }
+    std::erase_if(names, [](const std::string& found) {
+        return find_invalid_utf8(found) != std::string_view::npos;
+    });
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+/// " (did you mean 'rigs/orbit.yaml'?)", or nothing. A name without its folder is known, too.
+std::string file_hint(const fs::path& name, const std::string& folder,
+                      const ConfigFolders& folders) {
+    std::vector<std::string> names = nearby_names(name, folder, folders);
+    for (const std::string& known : names) {
+        if (fs::path(known).filename() == name.filename() && known != name.string()) {
+            return " (did you mean " + quote(known) + "?)";
+        }
+    }
+    // Folders have much in common: the file's own name must be near.
+    std::erase_if(names, [&](const std::string& known) {
+        const std::vector<std::string> stem{fs::path(known).stem().string()};
+        return !nearest_name(name.stem().string(), stem);
+    });
+    // The typed folder may lead to the configs by another way: ../configs/rigs/orbt.yaml.
+    const std::string text = name.string();
+    const std::size_t configs = text.rfind("configs/");
+    const std::string wanted =
+        configs != std::string::npos ? text.substr(configs + std::strlen("configs/")) : text;
+    return hint(wanted, names);
+}
+
+}  // namespace
+
 FoundFile find_config_file(std::string_view name, const std::string& folder,
                            const ConfigFolders& folders) {
     if (name.empty() || name.size() > kLongestPathBytes ||
@@ -103,7 +162,10 @@ FoundFile find_config_file(std::string_view name, const std::string& folder,
             first_problem = problem;
         }
     }
-    return {{}, "file " + quote(name) + " " + first_problem};
+    const bool is_missing = first_problem == "does not exist";
+    return {{},
+            "file " + quote(name) + " " + first_problem +
+                (is_missing ? file_hint(fs::path(name), folder, folders) : "")};
 }
 
 bool read_text_file(const std::string& path, std::size_t most_bytes, std::string& text) {

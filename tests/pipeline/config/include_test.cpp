@@ -73,6 +73,28 @@ TEST_F(Include, ACamera_LiesOverTheOneOfAFile) {
     EXPECT_EQ(follow.smoothing, 1);
 }
 
+TEST_F(Include, MissingFiles_AreGuessed) {
+    const auto said = [&](const std::string& include) {
+        write("shelf/club_room.yaml", "");
+        const LoadResult result =
+            load_shot(write("shot.yaml", "carom: 1\ninclude: " + include + "\n" + kCamera));
+        return result.problems.empty() ? "" : result.problems[0].message;
+    };
+    EXPECT_EQ(said("tables/pool_9f.yaml"),
+              "included file 'tables/pool_9f.yaml' does not exist (did you mean "
+              "'tables/pool_9ft.yaml'?)");
+    EXPECT_EQ(
+        said("pool_9ft.yaml"),
+        "included file 'pool_9ft.yaml' does not exist (did you mean 'tables/pool_9ft.yaml'?)");
+    EXPECT_EQ(said("../configs/rigs/orbt.yaml"),
+              "included file '../configs/rigs/orbt.yaml' does not exist (did you mean "
+              "'rigs/orbit.yaml'?)");
+    EXPECT_EQ(said("shelf/club_rom.yaml"),
+              "included file 'shelf/club_rom.yaml' does not exist (did you mean "
+              "'shelf/club_room.yaml'?)");
+    EXPECT_EQ(said("something/else.yaml"), "included file 'something/else.yaml' does not exist");
+}
+
 TEST_F(Include, IncludedFiles_IncludeFurtherOnesBesideThem) {
     write("looks/base.yaml", "render: {samples: 5}\n" + kCamera);
     write("looks/club.yaml", "include: base.yaml\nrender: {clamp: 2}\n");
