@@ -11,6 +11,7 @@
 #include "pipeline/cli/check_command.h"
 #include "pipeline/cli/command_line.h"
 #include "pipeline/cli/helper_program.h"
+#include "pipeline/cli/info_command.h"
 #include "pipeline/cli/light_commands.h"
 #include "pipeline/cli/new_command.h"
 #include "pipeline/cli/overload.h"
@@ -51,6 +52,7 @@ void run(const Command& command, CommandContext& context) {
                    [&](const CacheCommand& cache) { run_cache(cache, context); },
                    [&](const PlanCommand& plan) { run_plan(plan, context); },
                    [&](const NewCommand& new_) { run_new(new_, context); },
+                   [&](const InfoCommand& info) { run_info(info, context); },
                    [&](const SchemaCommand& schema) { run_schema(schema); },
                    [](const RenderCommand&) {},  // never here: needs_renderer
                    [](const RetimeCommand&) {},

@@ -39,6 +39,7 @@ struct Targets {
     BakeCommand bake;
     FrameCommand frame;
     ContactSheetCommand sheet;
+    InfoCommand info;
     CheckCommand check;
     ExportCommand export_;
     ReportCommand report;
@@ -262,6 +263,19 @@ void add_check(CLI::App& app, Targets& targets) {
                    "a camera inside a ball. For these the shot is simulated, for 2 s at most,\n"
                    "unless its bake was kept. Exit code 0 if it can be rendered, warnings or\n"
                    "not, 2 if not.");
+}
+
+void add_info(CLI::App& app, Targets& targets) {
+    CLI::App& command = *app.add_subcommand("info", "what a shot comes to");
+    InfoCommand& info = targets.info;
+    add_input(command, info.input, "SHOT|BAKE", "a shot or a bake");
+    add_camera_file(command, info.input);
+    command.add_flag("--resolved", info.resolved,
+                     "the whole shot as YAML, every value with the file and line it came from");
+    add_output(command, info.output, "else standard output");
+    add_talk(command, targets);
+    command.footer(example("  carom info break.yaml --resolved --quality draft") +
+                   "\nAfter includes, presets and --set; what nobody gave is marked 'default'.");
 }
 
 void add_export(CLI::App& app, Targets& targets) {
@@ -500,6 +514,9 @@ Command chosen_command(const CLI::App& app, Targets& targets) {
     if (name == "frame") {
         return std::move(targets.frame);
     }
+    if (name == "info") {
+        return std::move(targets.info);
+    }
     if (name == "contact-sheet") {
         return std::move(targets.sheet);
     }
@@ -589,6 +606,7 @@ std::unique_ptr<CLI::App> make_app(Targets& targets) {
     add_frame(app, targets);
     add_contact_sheet(app, targets);
     add_check(app, targets);
+    add_info(app, targets);
     add_export(app, targets);
     add_report(app, targets);
     add_plan(app, targets);

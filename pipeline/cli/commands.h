@@ -90,6 +90,13 @@ struct FrameCommand {
     int threads = 0;
 };
 
+/// What a shot comes to.
+struct InfoCommand {
+    InputOptions input;
+    std::string output;     // empty: standard output
+    bool resolved = false;  // the whole shot, every value with where it came from
+};
+
 /// Frames of a film side by side.
 struct ContactSheetCommand {
     InputOptions input;  // quality empty: draft
@@ -175,8 +182,8 @@ struct ManualCommand {
 
 using Command = std::variant<RenderCommand, RetimeCommand, BakeCommand, FrameCommand, CheckCommand,
                              ExportCommand, ReportCommand, ImportCommand, MuxCommand, CacheCommand,
-                             ContactSheetCommand, PlanCommand, NewCommand, SchemaCommand,
-                             ImportTrackCommand, CompletionCommand, ManualCommand>;
+                             ContactSheetCommand, InfoCommand, PlanCommand, NewCommand,
+                             SchemaCommand, ImportTrackCommand, CompletionCommand, ManualCommand>;
 
 struct CommandLine {
     TalkOptions talk;

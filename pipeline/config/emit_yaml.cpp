@@ -81,6 +81,14 @@ std::string flow(const Node& node, const Replaced& replaced) {
 
 }  // namespace
 
+std::string emit_flow(const Node& node, const Replaced& replaced) {
+    return flow(node, replaced);
+}
+
+std::string emit_key(const std::string& key) {
+    return key_text(key);
+}
+
 std::string emit_yaml(const Node& root, const Replaced& replaced) {
     if (!root.is_map()) {
         return flow(root, replaced) + "\n";

@@ -12,4 +12,11 @@ namespace carom::pipeline::config {
 [[nodiscard]] std::string emit_yaml(const Node& root,
                                     const std::map<const Node*, std::string>& replaced = {});
 
+/// One value on one line, as it stands inside [ ] and { }.
+[[nodiscard]] std::string emit_flow(const Node& node,
+                                    const std::map<const Node*, std::string>& replaced = {});
+
+/// A key, in quotes if it needs them.
+[[nodiscard]] std::string emit_key(const std::string& key);
+
 }  // namespace carom::pipeline::config

@@ -74,16 +74,19 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
     const int source = sources.add({origin, absolute_folder(origin), text});
     Gathered gathered =
         gather(sources, source, folders, {overrides, quality, camera_file}, problems);
+    std::map<const Node*, std::string> files;
     if (gathered.root) {
         Reader reader(sources, folders, problems);
         result.shot = read_shot(gathered, fs::path(origin).stem().string(), reader);
+        files = reader.absolute_paths();
     }
     if (problems.has_error()) {
         result.shot.reset();
     }
     result.problems = problems.take();
     if (result.shot) {
-        result.source = std::make_shared<ShotSource>(std::move(sources), std::move(*gathered.root));
+        result.source = std::make_shared<ShotSource>(std::move(sources), std::move(*gathered.root),
+                                                     std::move(files));
     }
     return result;
 }

@@ -22,6 +22,7 @@ struct KeyInfo {
     std::string default_text;  // as it would be typed; empty: none
     std::string description;
     bool is_required = false;
+    bool is_always_there = false;  // a map whose keys have their defaults even if it is not given
 };
 
 /// Keys that depend on each other.
@@ -82,7 +83,7 @@ class MapSpec {
         }
         auto read = type.read;
         return add({std::move(name), std::move(type.info), std::move(default_text),
-                    std::move(description), false},
+                    std::move(description), false, false},
                    [access, read](Reader& reader, const Node& node, T& target) {
                        if (auto value = read(reader, node)) {
                            std::invoke(access, target) = std::move(*value);
@@ -96,7 +97,7 @@ class MapSpec {
                  std::string default_text = {}) {
         auto read = type.read;
         return add({std::move(name), std::move(type.info), std::move(default_text),
-                    std::move(description), false},
+                    std::move(description), false, false},
                    [setter, read](Reader& reader, const Node& node, T& target) {
                        if (auto value = read(reader, node)) {
                            setter(target, std::move(*value));
@@ -111,7 +112,7 @@ class MapSpec {
         TypeInfo type;
         type.kind = TypeInfo::Kind::map;
         type.map = &spec.info();
-        return add({std::move(name), std::move(type), {}, std::move(description), false},
+        return add({std::move(name), std::move(type), {}, std::move(description), false, true},
                    [access, &spec](Reader& reader, const Node& node, T& target) {
                        spec.read(reader, node, std::invoke(access, target));
                    });

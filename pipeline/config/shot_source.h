@@ -1,6 +1,7 @@
 // The YAML that a shot was read from: where each of its values stands.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,9 +13,11 @@ namespace carom::pipeline {
 
 class ShotSource {
   public:
-    /// `root`: the tree after includes, presets and overrides.
-    ShotSource(config::SourceSet sources, config::Node root)
-        : sources_(std::move(sources)), root_(std::move(root)) {}
+    /// `root`: the tree after includes, presets and overrides. `files`: the absolute paths of the
+    /// files that values of it name.
+    ShotSource(config::SourceSet sources, config::Node root,
+               std::map<const config::Node*, std::string> files)
+        : sources_(std::move(sources)), root_(std::move(root)), files_(std::move(files)) {}
 
     /// A problem at the value of that path ({"events", "0", "strike", "tip"}; elements of lists by
     /// their index), or at the last part of it that the shot has.
@@ -23,10 +26,12 @@ class ShotSource {
 
     [[nodiscard]] const config::Node& root() const { return root_; }
     [[nodiscard]] const config::SourceSet& sources() const { return sources_; }
+    [[nodiscard]] const std::map<const config::Node*, std::string>& files() const { return files_; }
 
   private:
     config::SourceSet sources_;
     config::Node root_;
+    std::map<const config::Node*, std::string> files_;  // nodes of `root_` below its top
 };
 
 }  // namespace carom::pipeline

@@ -81,6 +81,25 @@ TEST_F(AuthoringCommands, ReportPlot_IsWrittenAloneOrBesideTheReport) {
     EXPECT_EQ(run({"report", "tiny.yaml", "--plot", "s.pdf"}).exit_code, 2);
 }
 
+TEST_F(AuthoringCommands, Info_SumsUpOrExplainsEveryValue) {
+    const RunResult brief = run({"info", "tiny.yaml"});
+    EXPECT_EQ(brief.exit_code, 0) << brief.err;
+    EXPECT_THAT(brief.out, HasSubstr("film        6 frames, 10 per second, 0.6 s, 64x36, 4 samples "
+                                     "a pixel, .mp4\n"));
+    EXPECT_THAT(brief.out, HasSubstr("bodies      2 balls, 0 others, 1 events of force\n"));
+    const RunResult whole = run({"info", "tiny.yaml", "--resolved", "--set", "render.fps=12"});
+    EXPECT_EQ(whole.exit_code, 0) << whole.err;
+    EXPECT_THAT(whole.out,
+                HasSubstr("\n  fps: 12                                       # --set\n"));
+    EXPECT_THAT(whole.out,
+                HasSubstr("\n    fov: 40 deg                                 # tiny.yaml:17\n"));
+    EXPECT_EQ(run({"info", "tiny.yaml", "--resolved", "-o", "r.yaml"}).out, "r.yaml\n");
+    EXPECT_EQ(run({"check", "r.yaml"}).exit_code, 0);
+    EXPECT_EQ(run({"bake", "r.yaml", "-o", "a.bake"}).exit_code, 0);
+    ASSERT_EQ(run({"bake", "tiny.yaml", "-o", "b.bake"}).exit_code, 0);
+    EXPECT_EQ(run({"export", "a.bake", "-o", "-"}).out, run({"export", "b.bake", "-o", "-"}).out);
+}
+
 TEST_F(AuthoringCommands, ContactSheet_HasFramesInAGridAndKeepsThem) {
     const RunResult result = run({"contact-sheet", "tiny.yaml", "-o", "s.png", "--count", "3",
                                   "--columns", "2", "--width", "64"});

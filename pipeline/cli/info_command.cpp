@@ -1,0 +1,94 @@
+#include "pipeline/cli/info_command.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <set>
+
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/camera/time_map.h"
+#include "pipeline/cli/output_file.h"
+#include "pipeline/cli/shot_input.h"
+#include "pipeline/config/explain.h"
+#include "pipeline/video/video_format.h"
+
+namespace carom::cli {
+
+namespace {
+
+using pipeline::Shot;
+
+template <typename... Values>
+std::string format(const char* pattern, Values... values) {
+    std::array<char, 300> text{};
+    std::snprintf(text.data(), text.size(), pattern, values...);
+    return text.data();
+}
+
+std::string line(const char* name, const std::string& value) {
+    return format("%-12s", name) + value + "\n";
+}
+
+std::string world_lines(const Shot& shot) {
+    const auto& bodies = shot.world.bodies;
+    const auto balls = std::count_if(bodies.begin(), bodies.end(), [](const sim::Body& body) {
+        return std::holds_alternative<sim::Sphere>(body.shape);
+    });
+    return line("simulated",
+                format("%.6g s, steps of at most %.4g s", shot.world.duration, shot.world.step)) +
+           line("bodies", format("%td balls, %td others, %zu events of force", balls,
+                                 std::ssize(bodies) - balls, shot.world.events.size())) +
+           line("seen", format("%zu objects, %zu materials, %zu lights", shot.scene.objects.size(),
+                               shot.scene.materials.size(), shot.scene.lights.size()));
+}
+
+std::string film_lines(const Shot& shot) {
+    const std::int64_t frames = pipeline::frame_count(shot.cameras, shot.timing);
+    const double fps = shot.timing.fps.to_double();
+    std::string text = line(
+        "film", format("%lld frames, %.6g per second, %.6g s, ", static_cast<long long>(frames),
+                       fps, static_cast<double>(frames) / fps) +
+                    format("%dx%d, %d samples a pixel, ", shot.render.width, shot.render.height,
+                           shot.render.samples) +
+                    pipeline::default_extension(shot.output));
+    for (const pipeline::CameraRig& rig : shot.cameras) {
+        const pipeline::SceneStretch shown = pipeline::shown_scene_times(rig);
+        text += line(&rig == &shot.cameras.front() ? "cameras" : "",
+                     rig.name + format(": %.6g s to %.6g s of the film, shows %.6g s to %.6g s",
+                                       rig.video_start.to_double(), rig.video_end.to_double(),
+                                       shown.first.to_double(), shown.last.to_double()));
+    }
+    return text;
+}
+
+/// What it was read from, and what it refers to.
+std::string file_lines(const Shot& shot, const pipeline::ShotSource& source) {
+    std::string text;
+    std::set<std::string> told;
+    const auto tell = [&](const std::string& name) {
+        if (!name.starts_with("--") && told.insert(name).second) {
+            text += line(told.size() == 1 ? "files" : "", name);
+        }
+    };
+    for (int i = 0; i < source.sources().size(); ++i) {
+        tell(source.sources().at(i).name);
+    }
+    for (const sim::Asset& asset : shot.assets) {
+        tell(asset.path);
+    }
+    return text;
+}
+
+}  // namespace
+
+void run_info(const InfoCommand& command, CommandContext& context) {
+    check_output_folder(command.output);
+    const ShotInput input = read_shot_input(command.input, context.console);
+    const std::string text =
+        command.resolved ? pipeline::explained_yaml(*input.source)
+                         : line("shot", input.shot.name) + film_lines(input.shot) +
+                               world_lines(input.shot) + file_lines(input.shot, *input.source);
+    write_text_output(command.output.empty() ? "-" : command.output, text);
+}
+
+}  // namespace carom::cli

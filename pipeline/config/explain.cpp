@@ -1,0 +1,217 @@
+#include "pipeline/config/explain.h"
+
+#include <algorithm>
+
+#include "pipeline/config/emit_yaml.h"
+#include "pipeline/config/load_shot.h"
+#include "pipeline/config/sections/sections.h"
+#include "pipeline/config/source_set.h"
+
+namespace carom::pipeline {
+
+using namespace config;
+
+namespace {
+
+constexpr std::size_t kCommentColumn = 48;
+constexpr const char* kDefault = "# default";
+
+/// The map among the kinds of value that a key takes, or nullptr.
+const MapInfo* map_of(const TypeInfo* type) {
+    if (type == nullptr) {
+        return nullptr;
+    }
+    if (type->kind == TypeInfo::Kind::map) {
+        return type->map;
+    }
+    if (type->kind != TypeInfo::Kind::any_of) {
+        return nullptr;
+    }
+    const MapInfo* found = nullptr;
+    for (const TypeInfo& element : type->elements) {
+        if (const MapInfo* map = map_of(&element)) {
+            if (found != nullptr && found != map) {
+                return nullptr;  // which of them it is only the parser knows
+            }
+            found = map;
+        }
+    }
+    return found;
+}
+
+/// Of the elements of a list or of what the user names; nullptr if `type` is no such thing.
+const TypeInfo* element_of(const TypeInfo* type, TypeInfo::Kind kind) {
+    if (type == nullptr) {
+        return nullptr;
+    }
+    if (type->kind == kind) {
+        return &type->elements.at(0);
+    }
+    if (type->kind == TypeInfo::Kind::any_of) {
+        for (const TypeInfo& alternative : type->elements) {
+            if (const TypeInfo* element = element_of(&alternative, kind)) {
+                return element;
+            }
+        }
+    }
+    return nullptr;
+}
+
+bool holds_maps(const Node& node) {
+    return node.is_map() || std::any_of(node.items.begin(), node.items.end(), holds_maps);
+}
+
+class Explainer {
+  public:
+    explicit Explainer(const ShotSource& source) : source_(source) {}
+
+    std::string text() && {
+        write_map(source_.root(), &shot_spec().info(), "", "");
+        return std::move(text_);
+    }
+
+  private:
+    void write_line(std::string line, const std::string& origin) {
+        if (!origin.empty()) {
+            line.resize(std::max(line.size() + 2, kCommentColumn), ' ');
+            line += "# " + origin;
+        }
+        text_ += line + "\n";
+    }
+
+    /// "shot.yaml:14", "--set".
+    [[nodiscard]] std::string origin_of(const Node& node) const {
+        const SourcePlace place = source_.sources().describe(node.place);
+        return place.file.starts_with("--") ? place.file
+                                            : place.file + ":" + std::to_string(place.line);
+    }
+
+    /// What follows "key:" or "-": `first` is that, `indent` what lines below begin with.
+    void write_value(const Node& node, const TypeInfo* type, const std::string& first,
+                     const std::string& indent) {
+        if (node.is_map() && !node.entries.empty()) {
+            const TypeInfo* element = element_of(type, TypeInfo::Kind::named);
+            if (first.ends_with("-")) {
+                write_map(node, map_of(type), first + " ", indent, element);
+            } else {
+                text_ += first + "\n";
+                write_map(node, map_of(type), indent, indent, element);
+            }
+        } else if (node.is_sequence() && holds_maps(node)) {
+            text_ += first + "\n";
+            const TypeInfo* element = element_of(type, TypeInfo::Kind::list);
+            for (const Node& item : node.items) {
+                write_value(item, element, indent + "-", indent + "  ");
+            }
+        } else {
+            write_line(first + " " + emit_flow(node, source_.files()), origin_of(node));
+        }
+    }
+
+    /// The first line begins with `first`, the others with `indent`.
+    void write_map(const Node& node, const MapInfo* info, const std::string& first,
+                   const std::string& indent, const TypeInfo* named = nullptr) {
+        std::string begin = first;
+        for (const Entry& entry : node.entries) {
+            const KeyInfo* key = info != nullptr ? key_of(*info, entry.key) : nullptr;
+            write_value(entry.value, key != nullptr ? &key->type : named,
+                        begin + emit_key(entry.key) + ":", indent + "  ");
+            begin = indent;
+        }
+        if (info != nullptr) {
+            write_defaults(*info, &node, indent);
+        }
+    }
+
+    /// Of the keys that `node` (nullptr: nobody) does not give.
+    void write_defaults(const MapInfo& info, const Node* node, const std::string& indent) {
+        std::vector<std::string> given;
+        for (const KeyInfo& key : info.keys) {
+            if (node != nullptr && node->find(key.name) != nullptr) {
+                given.push_back(key.name);
+            }
+        }
+        for (const KeyInfo& key : info.keys) {
+            const bool is_given = std::find(given.begin(), given.end(), key.name) != given.end();
+            if (is_given || contradicts(info, key.name, given)) {
+                continue;
+            }
+            if (key.is_always_there) {
+                const std::size_t before = text_.size();
+                text_ += indent + emit_key(key.name) + ":\n";
+                const std::size_t header = text_.size();
+                write_defaults(*key.type.map, nullptr, indent + "  ");
+                if (text_.size() == header) {
+                    text_.resize(before);
+                }
+            } else if (!key.default_text.empty()) {
+                write_line(indent + emit_key(key.name) + ": " + key.default_text, "default");
+                given.push_back(key.name);
+            }
+        }
+    }
+
+    /// Whether the key is one of several of which another one is there.
+    static bool contradicts(const MapInfo& info, const std::string& name,
+                            const std::vector<std::string>& given) {
+        return std::any_of(info.groups.begin(), info.groups.end(), [&](const KeyGroup& group) {
+            const auto has = [&](const std::string& one) {
+                return std::find(group.keys.begin(), group.keys.end(), one) != group.keys.end();
+            };
+            return has(name) && std::any_of(given.begin(), given.end(), has);
+        });
+    }
+
+    static const KeyInfo* key_of(const MapInfo& info, const std::string& name) {
+        const auto found = std::find_if(info.keys.begin(), info.keys.end(),
+                                        [&](const KeyInfo& key) { return key.name == name; });
+        return found == info.keys.end() ? nullptr : &*found;
+    }
+
+    const ShotSource& source_;
+    std::string text_;
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = text.find('\n', at);
+        lines.push_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+    return lines;
+}
+
+/// Some defaults have no meaning beside what was given ('facing' for a light all around); the
+/// parser knows which, and they are taken out as it complains. True if there were any.
+bool take_out_refused(std::string& text) {
+    std::vector<std::string> lines = lines_of(text);
+    bool has_changed = false;
+    for (const Problem& problem : load_shot_text(text, "shot.yaml").problems) {
+        const auto line = static_cast<std::size_t>(problem.place.line);
+        if (problem.severity == Severity::error && problem.place.file == "shot.yaml" && line >= 1 &&
+            line <= lines.size() && lines[line - 1].ends_with(kDefault)) {
+            lines[line - 1].clear();
+            has_changed = true;
+        }
+    }
+    if (has_changed) {
+        text.clear();
+        for (const std::string& line : lines) {
+            text += line.empty() ? "" : line + "\n";
+        }
+    }
+    return has_changed;
+}
+
+}  // namespace
+
+std::string explained_yaml(const ShotSource& source) {
+    constexpr int kMostRounds = 100;  // a hundred problems are told at a time
+    std::string text = Explainer(source).text();
+    for (int round = 0; round < kMostRounds && take_out_refused(text); ++round) {
+    }
+    return text;
+}
+
+}  // namespace carom::pipeline
