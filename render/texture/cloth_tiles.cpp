@@ -1,6 +1,9 @@
 #include "render/texture/cloth_tiles.h"
 
+#include <algorithm>
 #include <cmath>
+#include <future>
+#include <thread>
 #include <vector>
 
 #include "render/texture/noise.h"
@@ -68,16 +71,34 @@ std::size_t place(int x, int y) {
     return static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x);
 }
 
+// Rows [0, count), on several threads: a picture is waited for until its cloth is woven.
+template <class Work>
+void for_rows(int count, const Work& work) {
+    const int parts = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 16);
+    std::vector<std::future<void>> running;
+    for (int part = 0; part < parts; ++part) {
+        running.push_back(std::async(std::launch::async, [=, &work] {
+            for (int row = count * part / parts; row < count * (part + 1) / parts; ++row) {
+                work(row);
+            }
+        }));
+    }
+    for (std::future<void>& one : running) {
+        one.get();
+    }
+}
+
 ImagePyramid make_weave() {
     std::vector<float> heights(static_cast<std::size_t>(kSize) * kSize);
-    double sum = 0;
-    for (int y = 0; y < kSize; ++y) {
+    for_rows(kSize, [&](int y) {
         for (int x = 0; x < kSize; ++x) {
-            const float height = relief(V2f((static_cast<float>(x) + 0.5f) / kTexelsPerThread,
-                                            (static_cast<float>(y) + 0.5f) / kTexelsPerThread));
-            heights[place(x, y)] = height;
-            sum += height;
+            heights[place(x, y)] = relief(V2f((static_cast<float>(x) + 0.5f) / kTexelsPerThread,
+                                              (static_cast<float>(y) + 0.5f) / kTexelsPerThread));
         }
+    });
+    double sum = 0;
+    for (const float height : heights) {
+        sum += height;
     }
     const float mean = static_cast<float>(sum / (kSize * kSize));
     const auto at = [&](int x, int y) {
