@@ -20,7 +20,7 @@ namespace {
 
 using scene_text::yaml;
 
-constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 constexpr std::size_t kMostKeys = 1000;  // of a motion
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kShortWay = 0.9 * kPi;  // up to this a turn is told by its end
@@ -94,8 +94,13 @@ class Motion {
         }
         has_turns_ = rows_.front().rotate || rows_.front().angles;
         choose_first();
-        if (!problems.has_error()) {
+        if (problems.has_error()) {
+            return;
+        }
+        try {
             refine(problems);
+        } catch (const Error& error) {  // more turns than a track may have
+            problems.error(rows_.front().place, error.what());
         }
     }
 
