@@ -180,8 +180,10 @@ class SceneBuilder {
 std::vector<ExportCameraKey> ExportCamera::by_scene_time() const {
     std::vector<ExportCameraKey> result = keys;
     std::ranges::stable_sort(result, {}, &ExportCameraKey::scene_time);
-    const auto repeated = std::ranges::unique(result, {}, &ExportCameraKey::scene_time);
-    result.erase(repeated.begin(), repeated.end());
+    const auto is_same = [](const ExportCameraKey& a, const ExportCameraKey& b) {
+        return a.scene_time == b.scene_time;
+    };
+    result.erase(std::unique(result.begin(), result.end(), is_same), result.end());
     return result;
 }
 
