@@ -34,8 +34,7 @@ struct CommandInfo {
     std::vector<CommandInfo> commands;  // below it
 };
 
-/// The words of shells' completion and of the manual; defined in command_line.cpp, where the table
-/// is. The program itself, with all its commands.
+/// The program itself, with all its commands.
 [[nodiscard]] CommandInfo describe_command_line();
 
 }  // namespace carom::cli
