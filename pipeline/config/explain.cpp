@@ -125,15 +125,8 @@ class Explainer {
 
     /// Of the keys that `node` (nullptr: nobody) does not give.
     void write_defaults(const MapInfo& info, const Node* node, const std::string& indent) {
-        std::vector<std::string> given;
         for (const KeyInfo& key : info.keys) {
             if (node != nullptr && node->find(key.name) != nullptr) {
-                given.push_back(key.name);
-            }
-        }
-        for (const KeyInfo& key : info.keys) {
-            const bool is_given = std::find(given.begin(), given.end(), key.name) != given.end();
-            if (is_given || contradicts(info, key.name, given)) {
                 continue;
             }
             if (key.is_always_there) {
@@ -146,20 +139,8 @@ class Explainer {
                 }
             } else if (!key.default_text.empty()) {
                 write_line(indent + emit_key(key.name) + ": " + key.default_text, "default");
-                given.push_back(key.name);
             }
         }
-    }
-
-    /// Whether the key is one of several of which another one is there.
-    static bool contradicts(const MapInfo& info, const std::string& name,
-                            const std::vector<std::string>& given) {
-        return std::any_of(info.groups.begin(), info.groups.end(), [&](const KeyGroup& group) {
-            const auto has = [&](const std::string& one) {
-                return std::find(group.keys.begin(), group.keys.end(), one) != group.keys.end();
-            };
-            return has(name) && std::any_of(given.begin(), given.end(), has);
-        });
     }
 
     static const KeyInfo* key_of(const MapInfo& info, const std::string& name) {
@@ -182,8 +163,9 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-/// Some defaults have no meaning beside what was given ('facing' for a light all around); the
-/// parser knows which, and they are taken out as it complains. True if there were any.
+/// Some defaults have no meaning beside what was given ('facing' for a light all around) or stand
+/// against it ('fov' against 'focal_length'); the parser knows which, and they are taken out as it
+/// complains. True if there were any.
 bool take_out_refused(std::string& text) {
     std::vector<std::string> lines = lines_of(text);
     bool has_changed = false;
