@@ -27,10 +27,14 @@ class Straightener {
     }
 
   private:
+    [[noreturn]] void refuse() const {
+        throw Error("'" + track_.name() + "' would need more than " + std::to_string(most_) +
+                    " keys; export a shorter or calmer shot, or .csv");
+    }
+
     void add(double time) {
         if (result_.size() >= most_) {
-            throw Error("'" + track_.name() + "' would need more than " + std::to_string(most_) +
-                        " keys; export a shorter or calmer shot, or .csv");
+            refuse();
         }
         const MotionState state = track_.sample(time);
         result_.add(time, state.position, state.orientation);
@@ -42,21 +46,17 @@ class Straightener {
         const double duration = to.time - from.time;
         const double fastest =
             std::max(from.angular_velocity_out.length(), to.angular_velocity_in.length());
-        const double parts = std::max(1.0, std::ceil(fastest * duration / tolerance_.turn));
-        if (parts > static_cast<double>(most_)) {
-            add_too_many();
+        const double wanted = std::max(1.0, std::ceil(fastest * duration / tolerance_.turn));
+        if (wanted > static_cast<double>(most_)) {
+            refuse();
         }
+        const auto parts = static_cast<std::size_t>(wanted);
         double last = from.time;
-        for (double part = 1; part <= parts; ++part) {
-            const double next = part == parts ? to.time : from.time + duration * part / parts;
+        for (std::size_t part = 1; part <= parts; ++part) {
+            const double share = static_cast<double>(part) / static_cast<double>(parts);
+            const double next = part == parts ? to.time : from.time + duration * share;
             refine(last, next, 0);
             last = next;
-        }
-    }
-
-    void add_too_many() {
-        while (true) {
-            add(result_.times.back());  // until it throws
         }
     }
 

@@ -79,7 +79,7 @@ std::string UsdaNames::unique(std::string_view wanted) {
 }
 
 void UsdaText::line(std::string_view text) {
-    text_.append(static_cast<std::size_t>(4 * depth_), ' ');
+    text_.append(std::size_t{4} * depth_, ' ');
     text_ += text;
     text_ += '\n';
 }

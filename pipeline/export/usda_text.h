@@ -1,6 +1,7 @@
 // Text of a .usda file.
 #pragma once
 
+#include <cstddef>
 #include <set>
 #include <string>
 #include <string_view>
@@ -38,7 +39,7 @@ class UsdaText {
 
   private:
     std::string text_ = "#usda 1.0\n";
-    int depth_ = 0;
+    std::size_t depth_ = 0;
 };
 
 }  // namespace carom::pipeline
