@@ -23,8 +23,9 @@ using scene_text::yaml;
 constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 constexpr std::size_t kMostKeys = 1000;  // of a motion
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kShortWay = 0.9 * kPi;  // up to this a turn is told by its end
-constexpr double kGap = 1e-6;            // s, between two keys in the place of a jump
+constexpr double kShortWay = 0.9 * kPi;      // up to this a turn is told by its end
+constexpr double kFarthestTurn = 200 * kPi;  // of one key
+constexpr double kGap = 1e-6;                // s, between two keys in the place of a jump
 
 Quat about(const Vec3& axis, double angle) {
     return sim::rotation_from_vector(angle * axis);
@@ -91,6 +92,11 @@ class Motion {
                 rows_[i].time += kGap;  // the key that leaves
             }
             turns_.push_back(turn_between(rows_[i - 1], rows_[i], problems));
+            if (turns_.back().length() > kFarthestTurn) {
+                problems.error(
+                    rows_[i].place,
+                    "more than a hundred rounds since the row before: give rows between");
+            }
         }
         has_turns_ = rows_.front().rotate || rows_.front().angles;
         choose_first();
@@ -191,9 +197,12 @@ class Motion {
         return sum;
     }
 
-    /// Far round, and not about one axis: neither its end nor one turn tells of it.
+    /// Farther round than a key may go, or far and not about one axis, so that neither its end nor
+    /// one turn tells of it.
     [[nodiscard]] bool is_ambiguous(std::size_t begin, std::size_t end) const {
-        return end > begin + 1 && turned(begin, end) > kShortWay && !whole_turn(begin, end);
+        const double angle = turned(begin, end);
+        return end > begin + 1 &&
+               (angle > kFarthestTurn || (angle > kShortWay && !whole_turn(begin, end)));
     }
 
     void make_keys() {

@@ -100,6 +100,17 @@ TEST(ImportTrack, OneAngleThatGoesFarRound_TurnsAsOften) {
     EXPECT_THAT(problems, ElementsAre(HasSubstr("t.csv:3:1: error: more than half a round since")));
 }
 
+TEST(ImportTrack, MoreRoundsThanAKeyMayTurn_AreSplitOrRefused) {
+    ImportTrackOptions options = named();
+    options.is_linear = true;
+    // 90 rounds from row to row: no key may take both at once.
+    const sim::Track track = track_of(
+        "time,x,y,z,rx,ry,rz\n0,0,0,0,0,0,0\n1,0,0,0,0,0,32400\n2,0,0,0,0,0,64800\n", options);
+    EXPECT_NEAR(track.sample(1.5).angular_velocity.z, 180 * kPi, 1e-6);
+    EXPECT_THAT(problems_of("time,x,y,z,rx,ry,rz\n0,0,0,0,0,0,0\n1,0,0,0,0,0,36001\n"),
+                ElementsAre(HasSubstr("t.csv:3:1: error: more than a hundred rounds since")));
+}
+
 TEST(ImportTrack, FastTurns_AreKnownByTheirAngularVelocity) {
     // 1.25 rounds between rows: the quaternions alone say a quarter.
     const std::string csv =
