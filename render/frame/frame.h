@@ -15,7 +15,7 @@
 namespace carom::render {
 
 /// Bumped whenever the renderer's pixels change for the same inputs.
-inline constexpr int kRendererRevision = 8;
+inline constexpr int kRendererRevision = 9;
 
 /// A frame's own inputs besides scene and tracks. Canonical: scene_open <= scene_close.
 struct FrameInput {

@@ -5,9 +5,14 @@
 #include "render/sampling/reuse.h"
 
 namespace carom::render {
+namespace {
+
+constexpr float kCoatReflectance = 0.04f;  // of index 1.5, straight on
+
+}  // namespace
 
 Caustics::Caustics(const TransportScene& scene)
-    : scene_(scene), light_count_(scene.lights.area_light_count()) {
+    : scene_(scene), light_count_(scene.lights.first_emissive()) {
     for (const MirrorBall& ball : mirror_balls(scene)) {
         add(ball);
     }
@@ -19,13 +24,7 @@ void Caustics::add(const MirrorBall& ball) {
     float total = 0;
     std::vector<float> intensities;
     for (std::size_t light = 0; light < light_count_; ++light) {
-        const auto intensity_there = [&](const auto& emitter) {
-            const float distance = (emitter.centre() - middle).length() - travel;
-            return distance > 0 && emitter.can_sample_area(distance, ball.radius)
-                       ? emitter.intensity() / (distance * distance)
-                       : 0.0f;
-        };
-        intensities.push_back(std::visit(intensity_there, scene_.lights.area_light(light)));
+        intensities.push_back(mirrored_importance(scene_, ball, light));
         total += intensities.back();
     }
     if (total <= 0) {
@@ -41,6 +40,8 @@ void Caustics::add(const MirrorBall& ball) {
     places_.z.push_back(middle.z);
     places_.reach.push_back(ball.radius + travel);
     places_.radius2.push_back(ball.radius * ball.radius);
+    const float reflectance = luminance(ball.material->mirror_reflectance(1));
+    places_.gain.push_back(std::max(1.0f, reflectance / kCoatReflectance));
 }
 
 bool Caustics::connects(const Path& path, const ShadingVertex& vertex) const {
@@ -49,14 +50,15 @@ bool Caustics::connects(const Path& path, const ShadingVertex& vertex) const {
 }
 
 // The share of all directions that the ball fills, about (a quarter of the squared ratio of radius
-// and distance); 0 if all of it lies below the horizon.
+// and distance), times its gain; 0 if all of it lies below the horizon.
 inline float Caustics::weight(std::size_t ball, const V3f& position, const V3f& normal) const {
     const float x = places_.x[ball] - position.x;
     const float y = places_.y[ball] - position.y;
     const float z = places_.z[ball] - position.z;
     const float height = x * normal.x + y * normal.y + z * normal.z + places_.reach[ball];
     const float radius2 = places_.radius2[ball];
-    const float share = 0.25f * radius2 / std::max(x * x + y * y + z * z, radius2);
+    const float share =
+        0.25f * radius2 / std::max(x * x + y * y + z * z, radius2) * places_.gain[ball];
     return height > 0 ? share : 0.0f;
 }
 

@@ -1,4 +1,4 @@
-// Light that a smooth coated ball mirrors onto its surroundings.
+// Light that a smooth ball mirrors onto its surroundings.
 #pragma once
 
 #include <array>
@@ -40,6 +40,7 @@ class Caustics {
         std::vector<float> x, y, z;  // the middle of the places that the centre takes
         std::vector<float> reach;    // from there to the farthest point
         std::vector<float> radius2;
+        std::vector<float> gain;  // how much more it mirrors than a coat of index 1.5, at least 1
     };
     [[nodiscard]] const Places& places() const { return places_; }
     /// By object: its index in `places`, or -1; objects beyond the end have none.

@@ -36,16 +36,10 @@ struct Extent {
 }  // namespace
 
 LightReflections::LightReflections(const TransportScene& scene, const ThinLensCamera& camera)
-    : scene_(scene), camera_(camera), light_count_(scene.lights.area_light_count()) {
+    : scene_(scene), camera_(camera), light_count_(scene.lights.first_emissive()) {
     for (const MirrorBall& ball : mirror_balls(scene)) {
-        for (std::size_t light = 0; light < scene.lights.area_light_count(); ++light) {
-            const float travel = 0.5f * ball.centres.size().length();
-            const V3f middle = ball.centres.center();
-            const auto can_sample = [&](const auto& emitter) {
-                return emitter.can_sample_area((emitter.centre() - middle).length() - travel,
-                                               ball.radius);
-            };
-            if (std::visit(can_sample, scene.lights.area_light(light))) {
+        for (std::size_t light = 0; light < light_count_; ++light) {
+            if (mirrored_importance(scene, ball, light) > 0) {
                 consider(ball, light);
             }
         }
@@ -66,8 +60,10 @@ void LightReflections::consider(const MirrorBall& ball, std::size_t light) {
             found += 1;
         }
     }
-    if (found > 0 && area < kLargestImage * static_cast<float>(found)) {
-        pairs_.push_back({ball, light, std::clamp(kPerPixel * extent.area(), kFewest, kMost)});
+    const bool is_point = scene_.lights.is_delta(light);
+    if (is_point || (found > 0 && area < kLargestImage * static_cast<float>(found))) {
+        const double pixels = found > 0 ? extent.area() : 0;
+        pairs_.push_back({ball, light, std::clamp(kPerPixel * pixels, kFewest, kMost)});
         covered_.resize(std::max(covered_.size(), (ball.object + 1) * light_count_));
         covered_[ball.object * light_count_ + light] = true;
     }

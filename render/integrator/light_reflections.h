@@ -23,7 +23,8 @@ struct Splat {
 /// the light lands wherever in the picture it is seen. Paths leave out what is so covered.
 class LightReflections {
   public:
-    /// Finds the pairs of ball and light whose image is small. Both are borrowed.
+    /// Finds the pairs of ball and light whose image is small; that of a light without a surface is
+    /// a point, which no path finds. Both are borrowed.
     LightReflections(const TransportScene& scene, const ThinLensCamera& camera);
 
     [[nodiscard]] std::size_t pair_count() const { return pairs_.size(); }

@@ -10,11 +10,10 @@
 
 namespace carom::render {
 
-/// A ball whose smooth coat is its only mirror.
+/// A smooth ball: one that a coat covers, or of polished metal.
 struct MirrorBall {
     float radius = 0;
-    float coat = 0;  // weight
-    float ior = 1.5f;
+    const Material* material = nullptr;
     std::uint32_t object = 0;
     Imath::Box3f centres;  // every place that its centre takes
 };
@@ -29,13 +28,19 @@ struct MirroredLight {
     V3f origin;          // of the second leg, off the ball
     float reach = 0;     // its length to the light, m
     /// Solid angle at the receiver per density of the choice, sr: the mean over choices of
-    /// radiance times this is the integral of the mirrored radiance over directions.
+    /// radiance times this is the integral of the mirrored radiance over directions. Of a light
+    /// without a surface next to nothing, and the radiance so much the more.
     float solid_angle = 0;
     V3f radiance;  // that arrives if nothing is in the way of the two legs
 };
 
+/// Irradiance on the ball by which pairs of ball and light are chosen, about; 0 for a light whose
+/// image in the ball is not sought: environments, objects that shine, lights too near.
+[[nodiscard]] float mirrored_importance(const TransportScene& scene, const MirrorBall& ball,
+                                        std::size_t light);
+
 /// One choice, for `u` in [0, 1)^2. Empty if it does not arrive. `receiver` lies outside the ball;
-/// the light must be able to sample its area for it.
+/// the pair's importance is above 0.
 [[nodiscard]] std::optional<MirroredLight> mirrored_light(const TransportScene& scene,
                                                           const MirrorBall& ball, std::size_t light,
                                                           const V3f& receiver, float time,

@@ -53,6 +53,33 @@ V3f DeltaLight::radiance(const LightSample& sample) const {
     return power_ * (share / (sample.distance * sample.distance)) * kDeltaPdf;
 }
 
+V3f DeltaLight::source(const V3f& centre, float reach) const {
+    constexpr float kFar = 1e5f;
+    return is_parallel_ ? centre - direction_ * (kFar * reach) : position_;
+}
+
+V3f DeltaLight::intensity(const V3f& direction, float distance) const {
+    return is_parallel_ ? power_ * (distance * distance)
+                        : power_ * share_at(direction ^ direction_);
+}
+
+float DeltaLight::irradiance_within(const V3f& centre, float reach) const {
+    if (is_parallel_) {
+        return luminance(power_);
+    }
+    const V3f way = centre - position_;
+    const float distance = way.length();
+    if (!(distance > reach)) {
+        return 0;
+    }
+    // The edge of what is lit is nearest in the direction of the axis.
+    const auto angle_of = [](float cosine) { return std::acos(std::clamp(cosine, -1.0f, 1.0f)); };
+    const bool is_dark =
+        outer_cosine_ > -1 && angle_of((way ^ direction_) / distance) >
+                                  angle_of(outer_cosine_) + std::asin(reach / distance);
+    return is_dark ? 0.0f : luminance(power_) / (distance * distance);
+}
+
 float DeltaLight::importance(const V3f& point, const V3f& normal) const {
     const auto at = sample(point);
     if (!at) {

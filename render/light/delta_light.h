@@ -24,6 +24,15 @@ class DeltaLight {
     /// Empty in the light's own place, and outside a spot's cone.
     [[nodiscard]] std::optional<LightSample> sample(const V3f& point) const;
     [[nodiscard]] V3f radiance(const LightSample& sample) const;
+    /// A point that shines as the light does on everything within `reach` of `centre`: the light's
+    /// own place; for parallel light one so far away that directions differ by up to 1e-5 rad.
+    [[nodiscard]] V3f source(const V3f& centre, float reach) const;
+    [[nodiscard]] bool is_parallel() const { return is_parallel_; }
+    /// W/sr of `source` along the unit `direction` at something `distance` away.
+    [[nodiscard]] V3f intensity(const V3f& direction, float distance) const;
+    /// The most luminous irradiance within `reach` of `centre`, about; 0 if all of it is dark or
+    /// the light is in its midst.
+    [[nodiscard]] float irradiance_within(const V3f& centre, float reach) const;
     /// Irradiance across the way to `point`, cosine at the surface included.
     [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
 

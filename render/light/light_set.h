@@ -38,6 +38,10 @@ class LightSet {
 
     [[nodiscard]] std::size_t area_light_count() const { return area_lights_.size(); }
     [[nodiscard]] std::size_t sampled_count() const { return first_emissive() + emissive_.size(); }
+    /// Lights from here on are objects.
+    [[nodiscard]] std::size_t first_emissive() const {
+        return first_delta() + delta_lights_.size();
+    }
     [[nodiscard]] bool is_environment(std::size_t light) const {
         return light == area_lights_.size() && environment_.is_sampled();
     }
@@ -79,14 +83,14 @@ class LightSet {
     [[nodiscard]] const AreaLight& area_light(std::size_t light) const {
         return area_lights_[light];
     }
+    [[nodiscard]] const DeltaLight& delta_light(std::size_t light) const {
+        return delta_lights_[light - first_delta()];
+    }
     [[nodiscard]] const Environment& environment() const { return environment_; }
 
   private:
     [[nodiscard]] std::size_t first_delta() const {
         return area_lights_.size() + (environment_.is_sampled() ? 1 : 0);
-    }
-    [[nodiscard]] std::size_t first_emissive() const {
-        return first_delta() + delta_lights_.size();
     }
 
     std::vector<AreaLight> area_lights_;

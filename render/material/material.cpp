@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/material/fresnel.h"
 #include "render/material/microfacet.h"
 
 namespace carom::render {
@@ -66,6 +67,29 @@ Material::Material(const PhongMaterial& description, ImageCache& images)
 std::optional<V3f> Material::constant_base() const {
     const auto colour = texture_.constant();
     return colour ? std::optional(limited(*colour)) : std::nullopt;
+}
+
+bool Material::is_mirror() const {
+    const bool base_mirrors = layers_.alpha == 0 && (layers_.metal > 0 || layers_.specular > 0);
+    const bool coat_mirrors = layers_.coat_weight > 0 && layers_.coat_alpha == 0;
+    const bool coat_blurs = layers_.coat_weight > 0 && layers_.coat_alpha > 0;
+    if (is_phong_ || layers_.glass || bump_ > 0 || (base_mirrors && coat_blurs)) {
+        return false;
+    }
+    return base_mirrors ? layers_.sheen == 0 && constant_base().has_value() : coat_mirrors;
+}
+
+V3f Material::mirror_reflectance(float cosine) const {
+    const float coat = layers_.coat_weight > 0
+                           ? layers_.coat_weight * fresnel_dielectric(cosine, layers_.coat_ior)
+                           : 0.0f;
+    if (layers_.alpha > 0 || (layers_.metal <= 0 && layers_.specular <= 0)) {
+        return V3f(coat);
+    }
+    const V3f metal = fresnel_schlick(cosine, *constant_base()) * layers_.metal;
+    const float highlight =
+        (1.0f - layers_.metal) * layers_.specular * fresnel_dielectric(cosine, kSpecularIor);
+    return V3f(coat) + (metal + V3f(highlight)) * (1.0f - coat);
 }
 
 Surface Material::resolve(const SurfacePoint& point, const V3f& wo, float footprint) const {

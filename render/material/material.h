@@ -74,13 +74,11 @@ class Material {
     [[nodiscard]] const V3f& emission() const { return emission_; }
     [[nodiscard]] bool is_emissive() const { return emission_ != V3f(0, 0, 0); }
 
-    /// Whether it mirrors by a smooth coat, everywhere along the geometric normal, and by nothing
-    /// else.
-    [[nodiscard]] bool is_only_mirror_coat() const {
-        const bool base_mirrors = layers_.alpha == 0 && (layers_.metal > 0 || layers_.specular > 0);
-        return layers_.coat_weight > 0 && layers_.coat_alpha == 0 && bump_ == 0 && !base_mirrors &&
-               !layers_.glass;
-    }
+    /// Whether it mirrors, by a smooth coat or a smooth base, everywhere along the geometric normal
+    /// and alike all over.
+    [[nodiscard]] bool is_mirror() const;
+    /// Of such a material: what it mirrors at an angle with this cosine, as Bsdf has it.
+    [[nodiscard]] V3f mirror_reflectance(float cosine) const;
 
     /// Whether a diffuse base is all there is, but for sheen and a smooth coat over it: no other
     /// lobe, no glass, no light of its own.

@@ -130,7 +130,7 @@ const MapSpec<LightSection>& light_spec() {
         MapSpec<LightSection> s(
             "light",
             "A source of light. Points, spots and directional lights have no surface: they cast "
-            "hard shadows and are not seen, in mirrors neither.");
+            "hard shadows and are not seen but as a dot in smooth balls.");
         const auto strength = colour(between(0, kBrightest));
         s.key("point", &LightSection::point, strength,
               "light from one point: its intensity in W/sr");

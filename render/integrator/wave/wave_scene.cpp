@@ -79,6 +79,7 @@ WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& setti
     known.ball_z = places.z;
     known.ball_reach = places.reach;
     known.ball_radius2 = places.radius2;
+    known.ball_gain = places.gain;
     known.ball_of_object = caustics.place_of_object();
     known.ball_of_object.resize(scene.frame.object_count(), -1);
     for (std::uint32_t object = 0; object < scene.frame.object_count(); ++object) {

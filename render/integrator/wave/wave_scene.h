@@ -44,8 +44,8 @@ struct WaveScene {
     float environment_importance = 0;
 
     // Balls that mirror, an array for each number: the middle of their places, how far from it
-    // their surface reaches, squared radius.
-    std::vector<float> ball_x, ball_y, ball_z, ball_reach, ball_radius2;
+    // their surface reaches, squared radius, gain (caustics.h).
+    std::vector<float> ball_x, ball_y, ball_z, ball_reach, ball_radius2, ball_gain;
     std::vector<std::int32_t> ball_of_object;  // or -1
 
     WaveObjects objects;

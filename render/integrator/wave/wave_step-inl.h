@@ -123,7 +123,8 @@ HWY_INLINE void ask_balls(const WaveStep& step, const VertexLanes& v, const Numb
                      all(scene.ball_z[ball]) - v.position.z};
         const F height = dot(way, v.geometric_normal) + all(scene.ball_reach[ball]);
         const F radius2 = all(scene.ball_radius2[ball]);
-        const F share = all(0.25f) * radius2 / hn::Max(dot(way, way), radius2);
+        const F share =
+            all(0.25f) * radius2 / hn::Max(dot(way, way), radius2) * all(scene.ball_gain[ball]);
         const M is_own = is_equal(own, hn::Set(IntTag(), static_cast<std::int32_t>(ball)));
         const M counts = hn::AndNot(is_own, hn::Gt(height, all(0.f)));
         total = total + select(counts, share, all(0.f));

@@ -10,33 +10,53 @@ namespace {
 using test::Estimate;
 using test::SceneBuilder;
 
-/// Smooth coated balls on a floor with a wide highlight; a lamp and a bulb
-/// near enough that what the balls mirror onto the floor is a good part of what is seen there.
+/// Two smooth balls on a floor with a wide highlight, one coated and one of polished metal; nothing
+/// shines yet.
 SceneBuilder mirrors_on_floor() {
     SceneBuilder builder;
     StandardMaterial phenolic;
     phenolic.base = Vec3(0.02, 0.02, 0.02);
     phenolic.coat = {1, 2.5, 0};
+    StandardMaterial metal;
+    metal.base = Vec3(0.9, 0.7, 0.5);
+    metal.metal = 1;
+    metal.roughness = 0;
     StandardMaterial floor;
     floor.base = Vec3(0.5, 0.5, 0.5);
     floor.specular = 0.5;
     floor.roughness = 0.6;
-    builder.material("phenolic", phenolic).material("floor", floor);
+    builder.material("phenolic", phenolic).material("metal", metal).material("floor", floor);
     builder.object("floor", PlaneShape{}, Vec3(0, 0, 0), "floor");
     builder.sphere("a", 0.3, Vec3(-0.4, 0, 0.3), "phenolic");
-    builder.sphere("b", 0.2, Vec3(0.35, 0.2, 0.2), "phenolic");
-    builder.lamp(Vec3(0.9, -0.4, 1), 0.15, 0.1, 40).bulb(Vec3(-1.2, -0.8, 0.5), 0.12, 60);
+    builder.sphere("b", 0.2, Vec3(0.35, 0.2, 0.2), "metal");
     return builder;
 }
 
-Estimate seen(bool caustics, int bounces) {
+Estimate seen(const SceneDescription& scene, bool caustics, int bounces) {
     PathSettings path;
     path.caustics = caustics;
     path.max_bounces = bounces;
     // Between the balls, in the shadow of the one and beside the other.
-    return test::picture_luminance(mirrors_on_floor().scene,
-                                   test::camera(Vec3(0, -1.6, 1.4), Vec3(0, -0.05, 0), 0.35), path,
-                                   32, 64);
+    return test::picture_luminance(scene, test::camera(Vec3(0, -1.6, 1.4), Vec3(0, -0.05, 0), 0.2),
+                                   path, 32, 64);
+}
+
+/// A lamp and a bulb near enough that what the balls mirror onto the floor is a good part of what
+/// is seen there.
+Estimate seen(bool caustics, int bounces) {
+    SceneBuilder builder = mirrors_on_floor();
+    builder.lamp(Vec3(0.9, -0.4, 1), 0.15, 0.1, 40).bulb(Vec3(-1.2, -0.8, 0.5), 0.12, 60);
+    return seen(builder.scene, caustics, bounces);
+}
+
+Estimate seen_by(const LightDescription& light) {
+    SceneDescription scene = mirrors_on_floor().scene;
+    scene.lights.push_back(light);
+    return seen(scene, true, 1);
+}
+
+LightDescription small_bulb(const Vec3& centre, double radius, double intensity) {
+    return {"bulb", SphereLight{centre, radius, Vec3(intensity / (M_PI * radius * radius))}};
 }
 
 TEST(Caustics, SoughtOrFoundByChance_HaveTheSameMean) {
@@ -45,7 +65,7 @@ TEST(Caustics, SoughtOrFoundByChance_HaveTheSameMean) {
         const Estimate by_chance = seen(false, bounces);
         EXPECT_NEAR(sought.mean, by_chance.mean, 4 * std::hypot(sought.error, by_chance.error))
             << bounces;
-        EXPECT_LT(sought.error, 0.7 * by_chance.error) << bounces;
+        EXPECT_LT(sought.error, 0.2 * by_chance.error) << bounces;
         EXPECT_LT(by_chance.error, 0.01 * by_chance.mean) << bounces;
     }
 }
@@ -55,6 +75,30 @@ TEST(Caustics, AddLight) {
     EXPECT_EQ(seen(true, 0).mean, seen(false, 0).mean);
     const double without = seen(true, 0).mean;
     EXPECT_GT(seen(true, 1).mean, 1.02 * without);
+}
+
+// Lights without a surface are the limit of small ones, what balls mirror of them included.
+TEST(Caustics, OfAPoint_AreThoseOfASmallBulb) {
+    const Vec3 place(-0.9, -0.5, 0.4);
+    const Estimate point = seen_by({"point", PointLight{place, Vec3(3)}});
+    const Estimate spot =
+        seen_by({"spot", SpotLight{place, Vec3(1, 0.5, -0.2), Vec3(3), 3.0, 3.1}});
+    const Estimate bulb = seen_by(small_bulb(place, 0.004, 3));
+    EXPECT_NEAR(point.mean, bulb.mean, 4 * std::hypot(point.error, bulb.error));
+    EXPECT_NEAR(spot.mean, bulb.mean, 4 * std::hypot(spot.error, bulb.error));
+    EXPECT_LT(bulb.error, 0.003 * bulb.mean);
+    EXPECT_LT(point.error, 0.003 * bulb.mean);
+}
+
+TEST(Caustics, OfParallelLight_AreThoseOfAFarBulb) {
+    const Vec3 direction(-0.3, 1, -0.9);  // from behind the camera
+    constexpr double kFar = 5000;
+    const Estimate sun = seen_by({"sun", DirectionalLight{direction, Vec3(3)}});
+    const Estimate bulb =
+        seen_by(small_bulb(direction.normalized() * -kFar, 0.004 * kFar, 3 * kFar * kFar));
+    EXPECT_NEAR(sun.mean, bulb.mean, 4 * std::hypot(sun.error, bulb.error));
+    EXPECT_LT(bulb.error, 0.003 * bulb.mean);
+    EXPECT_LT(sun.error, 0.003 * bulb.mean);
 }
 
 }  // namespace

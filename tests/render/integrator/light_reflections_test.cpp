@@ -12,21 +12,29 @@ using test::SceneBuilder;
 
 constexpr int kSize = 16;
 
-/// Two smooth balls, a bulb and a small lamp that are mirrored in both, a third ball in the way of
-/// some of it.
-SceneBuilder balls_before_lights() {
+/// Two smooth balls, one coated and one of polished metal, and a third ball in the way of some of
+/// what they mirror.
+SceneBuilder balls() {
     SceneBuilder builder;
     StandardMaterial phenolic;
     phenolic.base = Vec3(0.02, 0.02, 0.02);
     phenolic.coat = {1, 1.8, 0};
     StandardMaterial chalk;
     chalk.base = Vec3(0.1, 0.1, 0.1);
-    builder.material("phenolic", phenolic).material("chalk", chalk);
+    StandardMaterial metal;
+    metal.base = Vec3(0.12, 0.1, 0.08);
+    metal.metal = 1;
+    metal.roughness = 0;
+    builder.material("phenolic", phenolic).material("metal", metal).material("chalk", chalk);
     builder.sphere("a", 0.3, Vec3(-0.4, 0, 0.3), "phenolic");
-    builder.sphere("b", 0.2, Vec3(0.35, 0.2, 0.2), "phenolic");
+    builder.sphere("b", 0.2, Vec3(0.35, 0.2, 0.2), "metal");
     builder.sphere("c", 0.1, Vec3(0.12, -0.3, 0.3), "chalk");
-    builder.bulb(Vec3(-1.2, -1.8, 1.5), 0.25, 60).lamp(Vec3(0.4, -0.9, 2), 0.3, 0.2, 40);
     return builder;
+}
+
+/// With a bulb and a small lamp that are mirrored in both.
+SceneBuilder balls_before_lights() {
+    return balls().bulb(Vec3(-1.2, -1.8, 1.5), 0.25, 60).lamp(Vec3(0.4, -0.9, 2), 0.3, 0.2, 40);
 }
 
 /// A lens that smears the images over the picture.
@@ -47,7 +55,8 @@ Estimate seen(const PreparedScene& prepared, bool splats, int runs, int samples)
     PathSettings path;
     path.max_bounces = 1;
     const PathIntegrator integrator(scene, path, splats ? &reflections : nullptr);
-    EXPECT_EQ(reflections.pair_count(), 4u);
+    EXPECT_EQ(reflections.pair_count(),
+              2 * data.lights.area_light_count() + 2 * data.lights.is_delta(0));
     std::vector<double> means;
     for (int run = 0; run < runs; ++run) {
         const auto seed = static_cast<std::uint64_t>(run);
@@ -86,6 +95,20 @@ TEST(LightReflections, SoughtOrFoundByChance_HaveTheSameMean) {
     EXPECT_LT(by_chance.error, 0.01 * by_chance.mean);
     // With a thirty-second of the samples.
     EXPECT_LT(sought.error, by_chance.error);
+}
+
+TEST(LightReflections, OfAPoint_AreThoseOfASmallBulb) {
+    const Vec3 place(-1.2, -1.8, 1.5);
+    constexpr double kRadius = 0.01;
+    SceneBuilder point = balls();
+    point.scene.lights.push_back({"point", PointLight{place, Vec3(10)}});
+    const double radiance = 10 / (M_PI * kRadius * kRadius);
+    const RenderSettings settings = test::small_settings(kSize, kSize, 16);
+    const Estimate of_point = seen(PreparedScene(point.scene, settings), true, 24, 16);
+    const Estimate of_bulb =
+        seen(PreparedScene(balls().bulb(place, kRadius, radiance).scene, settings), true, 24, 16);
+    EXPECT_NEAR(of_point.mean, of_bulb.mean, 4 * std::hypot(of_point.error, of_bulb.error));
+    EXPECT_LT(of_bulb.error, 0.002 * of_bulb.mean);
 }
 
 }  // namespace
