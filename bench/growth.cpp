@@ -73,30 +73,66 @@ ShapeSet shapes_of(const GrowthScene& scene) {
     return shapes;
 }
 
+/// Rays side by side, as waves of paths ask for them.
+class RayWave {
+  public:
+    static constexpr int kRays = 64;
+    static constexpr int kRoom = kRays + 16;
+
+    RayWave(const std::vector<Ray>& rays, std::size_t first) {
+        for (int i = 0; i < kRays; ++i) {
+            const Ray& ray = rays[(first + static_cast<std::size_t>(i)) % rays.size()];
+            for (int axis = 0; axis < 3; ++axis) {
+                numbers_[axis][i] = ray.origin[axis];
+                numbers_[3 + axis][i] = ray.direction[axis];
+            }
+            numbers_[6][i] = ray.time;
+        }
+    }
+    [[nodiscard]] RayBatch batch() const {
+        return {kRays,
+                {numbers_[0], numbers_[1], numbers_[2]},
+                {numbers_[3], numbers_[4], numbers_[5]},
+                numbers_[6]};
+    }
+
+  private:
+    float numbers_[7][kRoom] = {};
+};
+
+std::vector<RayWave> make_waves(const std::vector<Ray>& rays) {
+    std::vector<RayWave> waves;
+    for (std::size_t first = 0; first < rays.size(); first += RayWave::kRays) {
+        waves.emplace_back(rays, first);
+    }
+    return waves;
+}
+
 /// Millions of nearest hits a second; at least a tenth of a second's worth of rays.
-double ray_rate(const AccelerationStructure& structure, const std::vector<Ray>& rays) {
+double ray_rate(const AccelerationStructure& structure, const std::vector<RayWave>& waves) {
     const FlushDenormals flush;
-    std::size_t traced = 0;
+    std::size_t asked = 0;
     float sum = 0;
     const double seconds = timed([&] {
         const double start = cpu_seconds();
         do {
-            for (int i = 0; i < 500; ++i, ++traced) {
-                Hit hit;
-                sum += structure.closest_hit(rays[traced % rays.size()], hit) ? hit.t : 0;
+            for (int i = 0; i < 8; ++i, ++asked) {
+                Hit hits[RayWave::kRoom];
+                structure.closest_hits(waves[asked % waves.size()].batch(), hits);
+                sum += hits[0].object != kNoObject ? hits[0].t : 0;
             }
         } while (cpu_seconds() - start < 0.1);
     });
-    return sum > 0 ? 1e-6 * static_cast<double>(traced) / seconds : 0;
+    return sum > 0 ? 1e-6 * RayWave::kRays * static_cast<double>(asked) / seconds : 0;
 }
 
 /// The best of several, each structure in turn: what else the machine does only ever slows.
 std::vector<double> best_rates(const std::vector<const AccelerationStructure*>& structures,
-                               const std::vector<Ray>& rays) {
+                               const std::vector<RayWave>& waves) {
     std::vector<double> best(structures.size(), 0);
     for (int repeat = 0; repeat < 5; ++repeat) {
         for (std::size_t i = 0; i < structures.size(); ++i) {
-            best[i] = std::max(best[i], ray_rate(*structures[i], rays));
+            best[i] = std::max(best[i], ray_rate(*structures[i], waves));
         }
     }
     return best;
@@ -147,7 +183,7 @@ void add_balls(const std::vector<int>& sizes, Chart& chart) {
     std::printf(
         "| balls | shot, ms | first pixel, ms | tree | loops | Embree | path tracing |\n"
         "|---|---|---|---|---|---|---|\n");
-    const std::vector<Ray> rays = make_rays(20'000);
+    const std::vector<RayWave> waves = make_waves(make_rays(20'000));
     ChartLine tree_line{"tree", {}};
     ChartLine loop_line{"loops", {}};
     ChartLine embree_line{"Embree", {}};
@@ -158,7 +194,7 @@ void add_balls(const std::vector<int>& sizes, Chart& chart) {
         const HybridStructure tree(shapes, 0);
         const HybridStructure loops(shapes, shapes.spheres.size() + 1);
         const EmbreeStructure embree(make_embree_device(), shapes, {});
-        const std::vector<double> rates = best_rates({&tree, &loops, &embree}, rays);
+        const std::vector<double> rates = best_rates({&tree, &loops, &embree}, waves);
         const FrameCost cost = frame_cost(scene);
         std::printf("| %d | %.2f | %.2f | %.2f | %.3f | %.2f | %.2f |\n", size, 1e3 * cost.prepare,
                     1e3 * cost.first_pixel, rates[0], rates[1], rates[2], cost.rate);
@@ -234,7 +270,7 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     using namespace carom::bench;
     try {
-        std::vector<int> balls{16, 32, 64, 128, 256, 1'000, 10'000};
+        std::vector<int> balls{16, 32, 64, 128, 256, 512, 1'000, 10'000};
         std::vector<int> triangles{1'000, 10'000, 100'000};
         if (!quick) {
             balls.push_back(100'000);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "render/acceleration/moving_shape.h"
 #include "render/acceleration/safe_ray.h"
@@ -42,19 +43,28 @@ ShapeSet infinite_planes(const ShapeSet& shapes) {
 }  // namespace
 
 HybridStructure::HybridStructure(const ShapeSet& shapes, std::size_t tree_threshold)
+    : HybridStructure(ShapeSet{}, nullptr) {
+    meshes_ = shapes.meshes;
+    if (loop_cost(shapes) >= tree_threshold) {
+        tree_ = std::make_shared<const AnalyticTree>(make_analytic_tree(shapes));
+        set_loops(infinite_planes(shapes));
+    } else {
+        set_loops(shapes);
+    }
+}
+
+HybridStructure::HybridStructure(const ShapeSet& shapes, std::shared_ptr<const AnalyticTree> still)
     : kernels_(best_kernels()),
       batch_kernels_(best_batch_kernels()),
       tree_kernels_(best_tree_kernels()),
+      tree_(std::move(still)),
       meshes_(shapes.meshes) {
-    if (loop_cost(shapes) >= tree_threshold) {
-        tree_ = make_analytic_tree(shapes);
-        const ShapeSet planes = infinite_planes(shapes);
-        blocks_ = make_blocks(planes);
-        moving_ = planes.moving;
-    } else {
-        blocks_ = make_blocks(shapes);
-        moving_ = shapes.moving;
-    }
+    set_loops(shapes);
+}
+
+void HybridStructure::set_loops(const ShapeSet& shapes) {
+    blocks_ = make_blocks(shapes);
+    moving_ = shapes.moving;
     std::stable_sort(
         moving_.begin(), moving_.end(),
         [](const MovingShape& a, const MovingShape& b) { return a.object < b.object; });
@@ -152,11 +162,7 @@ FanMask HybridStructure::any_hits(const RayFan& fan) const {
 }
 
 void HybridStructure::closest_hits(const RayBatch& rays, Hit* hits) const {
-    if (tree_) {
-        AccelerationStructure::closest_hits(rays, hits);
-        return;
-    }
-    const bool has_others = !moving_.empty() || meshes_ != nullptr;
+    const bool has_others = tree_ || !moving_.empty() || meshes_ != nullptr;
     for (int first = 0; first < rays.count; first += kBatch) {
         const RayBatch part = part_of(rays, first);
         float t[kBatch + kBeyond];
@@ -167,26 +173,36 @@ void HybridStructure::closest_hits(const RayBatch& rays, Hit* hits) const {
         for (int i = 0; i < part.count; ++i) {
             Hit& hit = hits[first + i];
             hit = {t[i], static_cast<std::uint32_t>(object[i]), 0, 0, 0};
-            const Ray ray = part.ray(i, just_beyond(t[i]));
-            if (has_others && is_traceable(ray)) {
-                static_cast<void>(find_among_others(ray, hit));
+            Ray ray = part.ray(i, t[i]);
+            if (!has_others || !is_traceable(ray)) {
+                continue;
             }
+            find_in_tree(ray, hit);
+            ray.t_max = just_beyond(hit.t);
+            static_cast<void>(find_among_others(ray, hit));
         }
     }
 }
 
-void HybridStructure::drop_blocked(const RayBatch& rays, float* reach) const {
+// Goes on where loops have found `best`, or nothing before the ray's end.
+void HybridStructure::find_in_tree(const Ray& ray, Hit& best) const {
     if (tree_) {
-        AccelerationStructure::drop_blocked(rays, reach);
-        return;
+        tree_kernels_.closest(*tree_, made_safe(ray), best);
     }
+}
+
+void HybridStructure::drop_blocked(const RayBatch& rays, float* reach) const {
     batch_kernels_.block(blocks_, rays, reach);
-    for (int i = 0; i < rays.count && !moving_.empty(); ++i) {
+    for (int i = 0; i < rays.count && (tree_ || !moving_.empty()); ++i) {
         const Ray ray = rays.ray(i, reach[i]);
+        if (!(reach[i] > 0) || !is_traceable(ray)) {
+            continue;
+        }
         const auto blocks = [&](const MovingShape& shape) {
             return occluded_by_moving(shape, ray);
         };
-        if (is_traceable(ray) && std::any_of(moving_.begin(), moving_.end(), blocks)) {
+        if ((tree_ && tree_kernels_.any(*tree_, made_safe(ray))) ||
+            std::any_of(moving_.begin(), moving_.end(), blocks)) {
             reach[i] = 0;
         }
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "render/acceleration/acceleration_structure.h"
@@ -14,15 +14,17 @@
 namespace carom::render {
 
 /// From which loop_cost on a tree is faster than testing all (docs/performance.md).
-inline constexpr std::size_t kTreeThreshold = 256;
+inline constexpr std::size_t kTreeThreshold = 480;
 
 /// The default. The handful of balls and boxes of a billiard shot is tested by brute force, eight
 /// at a time, which no hierarchy beats; from a cost of `tree_threshold` on all but infinite planes
 /// go into a tree instead, which gives the same hits. Only then are triangles asked, within the
-/// distance found.
+/// distance found. Many still shapes may come in a tree that frames share; then only the others are
+/// in `shapes`, and they are tested in loops.
 class HybridStructure final : public AccelerationStructure {
   public:
     explicit HybridStructure(const ShapeSet& shapes, std::size_t tree_threshold = kTreeThreshold);
+    HybridStructure(const ShapeSet& shapes, std::shared_ptr<const AnalyticTree> still);
 
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const override;
     [[nodiscard]] bool any_hit(const Ray& ray) const override;
@@ -31,14 +33,16 @@ class HybridStructure final : public AccelerationStructure {
     void drop_blocked(const RayBatch& rays, float* reach) const override;
 
   private:
+    void set_loops(const ShapeSet& shapes);
+    void find_in_tree(const Ray& ray, Hit& best) const;
     [[nodiscard]] bool find_among_others(Ray remaining, Hit& best) const;
 
     const AnalyticKernels& kernels_;
     const BatchKernels& batch_kernels_;
     const AnalyticTreeKernels& tree_kernels_;
-    std::optional<AnalyticTree> tree_;
-    AnalyticBlocks blocks_;            // what is not in the tree
-    std::vector<MovingShape> moving_;  // the same, in order of object
+    std::shared_ptr<const AnalyticTree> tree_;  // or null
+    AnalyticBlocks blocks_;                     // what is not in the tree
+    std::vector<MovingShape> moving_;           // the same, in order of object
     std::shared_ptr<const TriangleScene> meshes_;
 };
 

@@ -103,6 +103,31 @@ void add_moving(ShapeSet& shapes, const StaticGeometry::Data& geometry, std::uin
     shapes.moving.push_back(std::move(shape));
 }
 
+using Motions = std::vector<std::shared_ptr<const RigidMotion>>;
+
+ShapeSet with_movers(ShapeSet shapes, const StaticGeometry::Data& geometry,
+                     const Motions& motions) {
+    for (std::uint32_t i = 0; i < geometry.objects.size(); ++i) {
+        if (motions[i]) {
+            add_moving(shapes, geometry, i, motions[i]);
+        }
+    }
+    return shapes;
+}
+
+/// A tree over still shapes serves every frame as long as few others move; with many of those, one
+/// tree over all is faster.
+std::unique_ptr<AccelerationStructure> hybrid_structure(const StaticGeometry::Data& geometry,
+                                                        const Motions& motions) {
+    if (geometry.still_tree) {
+        const ShapeSet others = with_movers(geometry.beside_tree, geometry, motions);
+        if (loop_cost(others) < kTreeThreshold) {
+            return std::make_unique<HybridStructure>(others, geometry.still_tree);
+        }
+    }
+    return std::make_unique<HybridStructure>(with_movers(geometry.still, geometry, motions));
+}
+
 }  // namespace
 
 FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Track> tracks,
@@ -112,20 +137,19 @@ FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Trac
     const StaticGeometry::Data& shared = geometry.data();
     data_->geometry = &shared;
     data_->motions.resize(shared.objects.size());
-    ShapeSet shapes = shared.still;
     const TracksByName track_of = by_name(tracks);
     for (std::uint32_t i = 0; i < shared.objects.size(); ++i) {
         const SceneObject& object = shared.objects[i];
         if (object.is_tracked()) {
             data_->motions[i] = std::make_shared<const RigidMotion>(find_track(track_of, object),
                                                                     scene_open, scene_close);
-            add_moving(shapes, shared, i, data_->motions[i]);
         }
     }
     if (shared.acceleration == AccelerationKind::embree) {
-        structure_ = std::make_unique<EmbreeStructure>(shared.device, shapes, shared.still_meshes);
+        structure_ = std::make_unique<EmbreeStructure>(
+            shared.device, with_movers(shared.still, shared, data_->motions), shared.still_meshes);
     } else {
-        structure_ = std::make_unique<HybridStructure>(shapes);
+        structure_ = hybrid_structure(shared, data_->motions);
     }
 }
 

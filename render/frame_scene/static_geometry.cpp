@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "render/acceleration/hybrid_structure.h"
 #include "render/frame_scene/static_geometry_data.h"
 #include "sim/timeline/assert.h"
 #include "sim/timeline/error.h"
@@ -157,6 +158,12 @@ StaticGeometry::StaticGeometry(const SceneDescription& scene, const RenderSettin
         if (!data->objects[i].is_tracked()) {
             add_still_shape(data->still, data->objects[i], i, data->objects[i].frame);
         }
+    }
+    if (data->acceleration == AccelerationKind::hybrid &&
+        loop_cost(data->still) >= kTreeThreshold) {
+        data->still_tree = std::make_shared<const AnalyticTree>(make_analytic_tree(data->still));
+        data->beside_tree.planes = data->still.planes;
+        data->beside_tree.meshes = data->still.meshes;
     }
     data_ = std::move(data);
 }

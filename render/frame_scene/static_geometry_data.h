@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "render/acceleration/analytic_tree.h"
 #include "render/acceleration/shapes.h"
 #include "render/acceleration/triangle_scene.h"
 #include "render/frame_scene/scene_object.h"
@@ -19,6 +20,9 @@ struct StaticGeometry::Data {
     std::vector<std::shared_ptr<const TriangleScene>> tracked_meshes;  // by object, else null
     std::vector<MeshEntry> still_meshes;
     ShapeSet still;  // all that never moves
+    // Where that is much: a tree over it, and what is not in the tree.
+    std::shared_ptr<const AnalyticTree> still_tree;
+    ShapeSet beside_tree;
 };
 
 /// Adds a still object's shape where it stands.
