@@ -1,23 +1,21 @@
 #include "render/acceleration/embree_structure.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "render/acceleration/embree_user_shapes.h"
-#include "render/acceleration/moving_shape.h"
 #include "render/acceleration/safe_ray.h"
 #include "render/acceleration/triangle_scene.h"
 
 namespace carom::render {
 
 struct EmbreeStructure::Data {
+    explicit Data(Primitives all) : shapes(std::move(all)) {}
+
     // Destroyed from the last to the first: the scene goes before what it refers to.
     std::shared_ptr<const EmbreeDevice> device;
     std::vector<std::uint32_t> mesh_objects;  // by Embree's geometry number
-    UserShapes shapes;
-    AnalyticBlocks unbounded;  // infinite planes, which no hierarchy can hold
-    std::vector<MovingShape> moving_planes;
+    Primitives shapes;
     SceneHandle scene;
 
     [[nodiscard]] Hit to_hit(const RTCRayHit& query) const {
@@ -25,7 +23,7 @@ struct EmbreeStructure::Data {
         if (query.hit.geomID < mesh_objects.size()) {
             hit.object = mesh_objects[query.hit.geomID];
         } else {
-            hit.object = shapes.shapes[query.hit.primID].object;
+            hit.object = shapes.bounded()[query.hit.primID].object;
             hit.primitive = __builtin_bit_cast(std::uint32_t, query.hit.Ng_x);
         }
         return hit;
@@ -34,15 +32,8 @@ struct EmbreeStructure::Data {
 
 EmbreeStructure::EmbreeStructure(std::shared_ptr<const EmbreeDevice> device, const ShapeSet& shapes,
                                  std::span<const MeshEntry> meshes)
-    : data_(std::make_unique<Data>()) {
+    : data_(std::make_unique<Data>(Primitives(shapes))) {
     data_->device = std::move(device);
-    data_->shapes = make_user_shapes(shapes);
-    ShapeSet planes;
-    planes.planes = shapes.planes;
-    data_->unbounded = make_blocks(planes);
-    std::copy_if(shapes.moving.begin(), shapes.moving.end(),
-                 std::back_inserter(data_->moving_planes),
-                 [](const MovingShape& shape) { return shape.kind == MovingShape::Kind::plane; });
     data_->scene.reset(rtcNewScene(data_->device->get()));
     data_->device->check("making a scene");
     unsigned id = 0;
@@ -51,7 +42,7 @@ EmbreeStructure::EmbreeStructure(std::shared_ptr<const EmbreeDevice> device, con
         rtcAttachGeometryByID(data_->scene.get(), geometry.get(), id++);
         data_->mesh_objects.push_back(entry.object);
     }
-    if (!data_->shapes.shapes.empty()) {
+    if (!data_->shapes.bounded().empty()) {
         const GeometryHandle geometry = make_user_geometry(*data_->device, data_->shapes);
         rtcAttachGeometryByID(data_->scene.get(), geometry.get(), id);
     }
@@ -82,14 +73,9 @@ bool EmbreeStructure::closest_hit(const Ray& ray, Hit& hit) const {
             best = other;
         }
     };
-    Candidate plane{safe.t_max, kNoObject};
-    data_->shapes.kernels->closest(data_->unbounded, safe, plane);
-    if (plane.object != kNoObject) {
-        offer({plane.t, plane.object, 0, 0, 0});
-    }
-    for (const MovingShape& shape : data_->moving_planes) {
+    for (const Primitive& plane : data_->shapes.planes()) {  // which no hierarchy can hold
         Hit other;
-        if (intersect_moving(shape, safe, other)) {
+        if (data_->shapes.closest(plane, safe, other)) {
             offer(other);
         }
     }
@@ -105,11 +91,9 @@ bool EmbreeStructure::any_hit(const Ray& ray) const {
         return false;
     }
     const Ray safe = made_safe(ray);
-    if (data_->shapes.kernels->any(data_->unbounded, safe)) {
-        return true;
-    }
-    for (const MovingShape& shape : data_->moving_planes) {
-        if (occluded_by_moving(shape, safe)) {
+    for (const Primitive& plane : data_->shapes.planes()) {
+        Hit hit;
+        if (data_->shapes.closest(plane, safe, hit)) {
             return true;
         }
     }

@@ -1,12 +1,8 @@
-// Analytic shapes as Embree's user geometry. For the .cpp files of this folder only.
+// Primitives as Embree's user geometry. For the .cpp files of this folder only.
 #pragma once
 
-#include <vector>
-
-#include "render/acceleration/analytic_kernels.h"
 #include "render/acceleration/embree_handles.h"
-#include "render/acceleration/shape_bounds.h"
-#include "render/acceleration/shapes.h"
+#include "render/acceleration/primitives.h"
 
 namespace carom::render {
 
@@ -17,37 +13,9 @@ struct QueryContext {
     Candidate nearest{-1, kNoObject};  // the last hit of a user shape
 };
 
-/// One primitive: where it is in the blocks, and its bounds.
-struct UserShape {
-    enum class Kind {
-        still_sphere,
-        moving_sphere,
-        box,
-        mapped_ball,
-        mapped_box,
-        rectangle,
-        triangle,
-        disk,
-        frustum,
-        moving
-    };
-    Kind kind = Kind::box;
-    std::uint32_t index = 0;  // block * lanes + lane; of `moving`: in ShapeSet::moving
-    std::uint32_t object = 0;
-    MovingBounds bounds;
-};
-
-struct UserShapes {
-    const AnalyticKernels* kernels = nullptr;
-    AnalyticBlocks blocks;
-    std::vector<MovingShape> moving;
-    std::vector<UserShape> shapes;  // all but infinite planes
-};
-
-[[nodiscard]] UserShapes make_user_shapes(const ShapeSet& shapes);
-
-/// One geometry over all of them, committed; `shapes` outlives it and is not moved.
+/// One geometry over all of `shapes` that are bounded, committed; `shapes` outlives it and is not
+/// moved.
 [[nodiscard]] GeometryHandle make_user_geometry(const EmbreeDevice& device,
-                                                const UserShapes& shapes);
+                                                const Primitives& shapes);
 
 }  // namespace carom::render

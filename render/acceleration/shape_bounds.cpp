@@ -76,6 +76,14 @@ MovingBounds bounds_of(const AlignedBox& box) {
     return still({box.low, box.high});
 }
 
+MovingBounds bounds_of(const std::array<V3f, 3>& corners) {
+    Box box;
+    for (const V3f& corner : corners) {
+        box.extendBy(corner);
+    }
+    return still(box);
+}
+
 MovingBounds bounds_of(const MovingShape& shape) {
     return still(shape.bounds);
 }

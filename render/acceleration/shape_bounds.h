@@ -1,6 +1,8 @@
 // Boxes around shapes while the shutter is open.
 #pragma once
 
+#include <array>
+
 #include <Imath/ImathBox.h>
 
 #include "render/acceleration/shapes.h"
@@ -23,6 +25,8 @@ struct MovingBounds {
 [[nodiscard]] MovingBounds bounds_of(const AlignedBox& box);
 /// Of a unit ball, box or frustum; `flat`: of a unit rectangle, triangle or disk.
 [[nodiscard]] MovingBounds bounds_of(const MappedShape& shape, bool flat);
+/// Of a triangle with these corners.
+[[nodiscard]] MovingBounds bounds_of(const std::array<V3f, 3>& corners);
 /// Not of planes.
 [[nodiscard]] MovingBounds bounds_of(const MovingShape& shape);
 

@@ -1,0 +1,136 @@
+#include "render/acceleration/primitives.h"
+
+#include <algorithm>
+#include <array>
+
+#include "render/acceleration/moving_shape.h"
+#include "render/triangle/moller_trumbore.h"
+#include "sim/timeline/assert.h"
+
+namespace carom::render {
+
+using Kind = Primitive::Kind;
+
+/// Pairs each shape with its lane; the blocks hold the same shapes in the same (stable) order.
+template <class Block, class Shape, class Bounds>
+void Primitives::add(Kind kind, const std::vector<Block>& blocks, std::vector<Shape> shapes,
+                     const Bounds& bounds) {
+    std::stable_sort(shapes.begin(), shapes.end(),
+                     [](const Shape& a, const Shape& b) { return a.object < b.object; });
+    for (std::uint32_t i = 0; i < shapes.size(); ++i) {
+        CAROM_ASSERT(blocks[i / kBlockLanes].object.values[i % kBlockLanes] ==
+                     static_cast<std::int32_t>(shapes[i].object));
+        (kind == Kind::plane ? planes_ : bounded_)
+            .push_back({kind, i, shapes[i].object, 0, bounds(shapes[i])});
+    }
+    static_cast<void>(blocks);
+}
+
+Primitives::Primitives(const ShapeSet& shapes, std::span<const MeshEntry> meshes)
+    : kernels_(&best_kernels()), blocks_(make_blocks(shapes)), moving_(shapes.moving) {
+    std::vector<SphereStretch> still_spheres;
+    std::vector<SphereStretch> moving_spheres;
+    for (const SphereStretch& sphere : shapes.spheres) {
+        (sphere.is_still() ? still_spheres : moving_spheres).push_back(sphere);
+    }
+    const auto round = [](const SphereStretch& sphere) { return bounds_of(sphere); };
+    add(Kind::still_sphere, blocks_.still_spheres, still_spheres, round);
+    add(Kind::moving_sphere, blocks_.moving_spheres, moving_spheres, round);
+    add(Kind::box, blocks_.boxes, shapes.boxes,
+        [](const AlignedBox& box) { return bounds_of(box); });
+    const auto solid = [](const MappedShape& shape) { return bounds_of(shape, false); };
+    const auto flat = [](const MappedShape& shape) { return bounds_of(shape, true); };
+    add(Kind::mapped_ball, blocks_.mapped_balls, shapes.mapped_balls, solid);
+    add(Kind::mapped_box, blocks_.mapped_boxes, shapes.mapped_boxes, solid);
+    add(Kind::rectangle, blocks_.rectangles, shapes.rectangles, flat);
+    add(Kind::triangle, blocks_.triangles, shapes.triangles, flat);
+    add(Kind::disk, blocks_.disks, shapes.disks, flat);
+    add(Kind::frustum, blocks_.frustums, shapes.frustums, solid);
+    add(Kind::plane, blocks_.planes, shapes.planes,
+        [](const MappedShape& /*shape*/) { return MovingBounds(); });
+    for (std::uint32_t i = 0; i < moving_.size(); ++i) {
+        const MovingShape& shape = moving_[i];
+        if (shape.kind == MovingShape::Kind::plane) {
+            planes_.push_back({Kind::moving, i, shape.object, 0, {}});
+        } else {
+            bounded_.push_back({Kind::moving, i, shape.object, 0, bounds_of(shape)});
+        }
+    }
+    add_meshes(meshes);
+}
+
+void Primitives::add_meshes(std::span<const MeshEntry> meshes) {
+    for (std::uint32_t mesh = 0; mesh < meshes.size(); ++mesh) {
+        meshes_.push_back(meshes[mesh].mesh);
+        const auto count = static_cast<std::uint32_t>(meshes[mesh].mesh->triangles.size());
+        for (std::uint32_t number = 0; number < count; ++number) {
+            Primitive triangle{Kind::mesh_triangle, mesh, meshes[mesh].object, number, {}};
+            const auto corners_of = corners(triangle);
+            triangle.bounds = bounds_of(corners_of);
+            bounded_.push_back(triangle);
+        }
+    }
+}
+
+std::array<V3f, 3> Primitives::corners(const Primitive& triangle) const {
+    const TriangleMesh& mesh = *meshes_[triangle.index];
+    const auto& corner = mesh.triangles[triangle.number];
+    return {mesh.vertices[corner[0]], mesh.vertices[corner[1]], mesh.vertices[corner[2]]};
+}
+
+bool Primitives::closest(const Primitive& shape, const Ray& ray, Hit& hit) const {
+    const std::uint32_t block = shape.index / kBlockLanes;
+    const int lane = static_cast<int>(shape.index % kBlockLanes);
+    const AnalyticBlocks& blocks = blocks_;
+    const AnalyticKernels& kernels = *kernels_;
+    float t = ray.t_max;
+    bool found = false;
+    switch (shape.kind) {
+        case Kind::still_sphere:
+            found = kernels.still_sphere(blocks.still_spheres[block], lane, ray, t);
+            break;
+        case Kind::moving_sphere:
+            found = kernels.moving_sphere(blocks.moving_spheres[block], lane, ray, t);
+            break;
+        case Kind::box:
+            found = kernels.box(blocks.boxes[block], lane, ray, t);
+            break;
+        case Kind::mapped_ball:
+            found = kernels.mapped_ball(blocks.mapped_balls[block], lane, ray, t);
+            break;
+        case Kind::mapped_box:
+            found = kernels.mapped_box(blocks.mapped_boxes[block], lane, ray, t);
+            break;
+        case Kind::rectangle:
+            found = kernels.rectangle(blocks.rectangles[block], lane, ray, t);
+            break;
+        case Kind::triangle:
+            found = kernels.triangle(blocks.triangles[block], lane, ray, t);
+            break;
+        case Kind::disk:
+            found = kernels.disk(blocks.disks[block], lane, ray, t);
+            break;
+        case Kind::frustum:
+            found = kernels.frustum(blocks.frustums[block], lane, ray, t);
+            break;
+        case Kind::plane:
+            found = kernels.plane(blocks.planes[block], lane, ray, t);
+            break;
+        case Kind::moving:
+            return intersect_moving(moving_[shape.index], ray, hit);
+        case Kind::mesh_triangle: {
+            const auto [a, b, c] = corners(shape);
+            const auto met = moller_trumbore(ray, a, b, c);
+            if (met) {
+                hit = {met->t, shape.object, shape.number, met->u, met->v};
+            }
+            return met.has_value();
+        }
+    }
+    if (found) {
+        hit = {t, shape.object, 0, 0, 0};
+    }
+    return found;
+}
+
+}  // namespace carom::render
