@@ -9,6 +9,7 @@
 #include "render/acceleration/embree_structure.h"
 #include "render/acceleration/hybrid_structure.h"
 #include "render/acceleration/moving_shape.h"
+#include "render/acceleration/structures/make_structure.h"
 #include "render/frame_scene/static_geometry_data.h"
 #include "render/frame_scene/surface.h"
 #include "sim/timeline/assert.h"
@@ -128,6 +129,18 @@ std::unique_ptr<AccelerationStructure> hybrid_structure(const StaticGeometry::Da
     return std::make_unique<HybridStructure>(with_movers(geometry.still, geometry, motions));
 }
 
+std::unique_ptr<AccelerationStructure> make_structure_of(const StaticGeometry::Data& geometry,
+                                                         const Motions& motions) {
+    if (geometry.acceleration == AccelerationKind::hybrid) {
+        return hybrid_structure(geometry, motions);
+    }
+    const ShapeSet shapes = with_movers(geometry.still, geometry, motions);
+    if (geometry.acceleration == AccelerationKind::embree) {
+        return std::make_unique<EmbreeStructure>(geometry.device, shapes, geometry.still_meshes);
+    }
+    return make_structure(geometry.acceleration, shapes, geometry.still_meshes, {});
+}
+
 }  // namespace
 
 FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Track> tracks,
@@ -145,12 +158,7 @@ FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Trac
                                                                     scene_open, scene_close);
         }
     }
-    if (shared.acceleration == AccelerationKind::embree) {
-        structure_ = std::make_unique<EmbreeStructure>(
-            shared.device, with_movers(shared.still, shared, data_->motions), shared.still_meshes);
-    } else {
-        structure_ = hybrid_structure(shared, data_->motions);
-    }
+    structure_ = make_structure_of(shared, data_->motions);
 }
 
 FrameScene::~FrameScene() = default;

@@ -14,12 +14,17 @@ using V3f = Imath::V3f;
 
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
+/// What a ray is for, by which tests are counted: it comes from the camera, goes on from there, or
+/// asks whether a light is seen.
+enum class RayKind : std::uint8_t { primary, secondary, shadow };
+
 struct Ray {
     V3f origin{0, 0, 0};
     V3f direction{0, 0, 1};  // unit length
     float t_min = 0;
     float t_max = kInfinity;
     float time = 0;  // within the shutter: 0 is scene_open, 1 is scene_close
+    RayKind kind = RayKind::secondary;
 };
 
 /// Rays of one origin and one time, as those from a vertex towards lights: tested together.

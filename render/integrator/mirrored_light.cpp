@@ -97,6 +97,7 @@ std::optional<MirroredLight> mirrored_light(const TransportScene& scene, const M
     result.origin = mirror->position + mirror->normal * (kOffsetShare * (size + ball.radius));
     result.direction = (mirror->position - receiver) / mirror->from;
     result.distance = mirror->from;
+    result.ball = ball.object;
     result.radiance = ball.material->mirror_reflectance(mirror->cosine);
     const bool arrives = is_delta ? from_point(scene, light, *mirror, result)
                                   : from_area(scene, light, *mirror, target, result);
@@ -105,12 +106,18 @@ std::optional<MirroredLight> mirrored_light(const TransportScene& scene, const M
 
 bool is_blocked(const TransportScene& scene, const MirroredLight& mirrored, const V3f& origin,
                 float time, RenderStatistics& count) {
-    const auto meets = [&](const V3f& from, const V3f& direction, float length) {
-        count.shadow_rays += 1;
-        return scene.frame.structure().any_hit(Ray{from, direction, 0, length * kReach, time});
-    };
-    return meets(origin, mirrored.direction, mirrored.distance) ||
-           meets(mirrored.origin, mirrored.onward, mirrored.reach);
+    const AccelerationStructure& structure = scene.frame.structure();
+    count.shadow_rays += 1;
+    // The mirror itself is in nobody's way. Between balls that touch, the first leg may be shorter
+    // than the step off its receiver, and meets the mirror before its end.
+    Hit hit;
+    const Ray first{origin, mirrored.direction, 0, mirrored.distance * kReach, time};
+    if (structure.closest_hit(first, hit) && hit.object != mirrored.ball) {
+        return true;
+    }
+    count.shadow_rays += 1;
+    return structure.any_hit(
+        Ray{mirrored.origin, mirrored.onward, 0, mirrored.reach * kReach, time});
 }
 
 }  // namespace carom::render

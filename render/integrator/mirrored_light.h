@@ -24,9 +24,10 @@ struct MirrorBall {
 struct MirroredLight {
     V3f direction;       // unit, from the receiver to the mirror point
     float distance = 0;  // m
-    V3f onward;          // unit, from the mirror point to the light
-    V3f origin;          // of the second leg, off the ball
-    float reach = 0;     // its length to the light, m
+    std::uint32_t ball = kNoObject;
+    V3f onward;       // unit, from the mirror point to the light
+    V3f origin;       // of the second leg, off the ball
+    float reach = 0;  // its length to the light, m
     /// Solid angle at the receiver per density of the choice, sr: the mean over choices of
     /// radiance times this is the integral of the mirrored radiance over directions. Of a light
     /// without a surface next to nothing, and the radiance so much the more.

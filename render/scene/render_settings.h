@@ -10,7 +10,21 @@ namespace carom::render {
 
 enum class IntegratorKind { path, distributed };
 enum class PixelFilter { box, gaussian, blackman_harris };
-enum class AccelerationKind { hybrid, embree };
+enum class AccelerationKind {
+    hybrid,
+    embree,
+    brute_force,
+    grid,
+    octree,
+    kd_tree,
+    kd_tree_median,
+    bsp_tree,
+    r_tree,
+    r_tree_hilbert,
+    slabs,
+    bvh,
+    wide_bvh
+};
 
 struct RenderSettings {
     int width = 1280;  // pixels, [16, 16384]

@@ -198,9 +198,23 @@ void add_sampling(MapSpec<RenderSection>& s) {
     add("filter_width", &RenderSettings::filter_width, number(between(0.5, 8)),
         "full width in pixels; box: 1");
     add("acceleration", &RenderSettings::acceleration,
-        choice<render::AccelerationKind>({{"hybrid", render::AccelerationKind::hybrid},
-                                          {"embree", render::AccelerationKind::embree}}),
-        "structure that finds what a ray hits; does not change the picture");
+        choice<render::AccelerationKind>(
+            {{"hybrid", render::AccelerationKind::hybrid},
+             {"embree", render::AccelerationKind::embree},
+             {"brute_force", render::AccelerationKind::brute_force},
+             {"grid", render::AccelerationKind::grid},
+             {"octree", render::AccelerationKind::octree},
+             {"kdtree", render::AccelerationKind::kd_tree},
+             {"kdtree_median", render::AccelerationKind::kd_tree_median},
+             {"bsp", render::AccelerationKind::bsp_tree},
+             {"rtree", render::AccelerationKind::r_tree},
+             {"rtree_hilbert", render::AccelerationKind::r_tree_hilbert},
+             {"kay_kajiya", render::AccelerationKind::slabs},
+             {"bvh", render::AccelerationKind::bvh},
+             {"wide_bvh", render::AccelerationKind::wide_bvh}}),
+        "structure that finds what a ray hits: `hybrid` is the fastest, the others are for "
+        "comparison "
+        "(docs/laboratory.md); does not change the picture");
 }
 
 std::vector<std::pair<std::string, std::string>> aov_names() {

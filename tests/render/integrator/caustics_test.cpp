@@ -70,6 +70,32 @@ TEST(Caustics, SoughtOrFoundByChance_HaveTheSameMean) {
     }
 }
 
+/// What is seen of the gap between two balls of billiards that touch, a metre from the origin.
+Estimate gap(bool caustics) {
+    SceneBuilder builder;
+    StandardMaterial phenolic;
+    phenolic.base = Vec3(0.5, 0.5, 0.5);
+    phenolic.coat = {1, 2.5, 0};
+    builder.material("phenolic", phenolic);
+    constexpr double kRadius = 0.0286;
+    builder.sphere("a", kRadius, Vec3(0.8 - kRadius, 0.4, kRadius), "phenolic");
+    builder.sphere("b", kRadius, Vec3(0.8 + kRadius, 0.4, kRadius), "phenolic");
+    builder.lamp(Vec3(0.8, 0.4, 0.6), 0.3, 0.3, 10);
+    PathSettings path;
+    path.caustics = caustics;
+    path.max_bounces = 1;
+    return test::picture_luminance(
+        builder.scene, test::camera(Vec3(0.8, 0.4 - 0.05, 0.25), Vec3(0.8, 0.4, kRadius), 0.03),
+        path, 32, 64);
+}
+
+TEST(Caustics, BetweenBallsThatTouch_AreNotLost) {
+    const Estimate sought = gap(true);
+    const Estimate by_chance = gap(false);
+    EXPECT_NEAR(sought.mean, by_chance.mean, 4 * std::hypot(sought.error, by_chance.error));
+    EXPECT_LT(by_chance.error, 0.005 * by_chance.mean);
+}
+
 TEST(Caustics, AddLight) {
     // Without a bounce there is no way by a mirror: what is sought must respect the limit.
     EXPECT_EQ(seen(true, 0).mean, seen(false, 0).mean);

@@ -1,0 +1,44 @@
+// Boxes over the whole shutter, for structures whose parts stand still.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include <Imath/ImathBox.h>
+
+#include "render/acceleration/primitives.h"
+
+namespace carom::render {
+
+/// Around every place that the primitive takes while the shutter is open.
+[[nodiscard]] inline Imath::Box3f swept_box(const Primitive& primitive) {
+    Imath::Box3f box = primitive.bounds.open;
+    box.extendBy(primitive.bounds.close);
+    return box;
+}
+
+/// Of all bounded primitives, in their order.
+[[nodiscard]] inline std::vector<Imath::Box3f> swept_boxes(const Primitives& primitives) {
+    std::vector<Imath::Box3f> boxes;
+    boxes.reserve(primitives.bounded().size());
+    for (const Primitive& primitive : primitives.bounded()) {
+        boxes.push_back(swept_box(primitive));
+    }
+    return boxes;
+}
+
+/// Half the surface; 0 of an empty box.
+[[nodiscard]] inline float half_area(const Imath::Box3f& box) {
+    if (box.isEmpty()) {
+        return 0;
+    }
+    const Imath::V3f size = box.max - box.min;
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+template <class T>
+[[nodiscard]] std::size_t bytes_of(const std::vector<T>& values) {
+    return values.size() * sizeof(T);
+}
+
+}  // namespace carom::render

@@ -1,0 +1,33 @@
+// Space cut by planes across the axes.
+#pragma once
+
+#include "render/acceleration/structures/planes_tree.h"
+
+namespace carom::render {
+
+enum class KdSplit {
+    median,  // through the middle one of the boxes' middles, across the longest axis
+    /// Where the surface area heuristic expects the fewest tests (MacDonald and Booth 1990,
+    /// "Heuristics for ray tracing using space subdivision"), among 32 places for each axis.
+    surface_area
+};
+
+template <KdSplit split>
+class KdTree {
+  public:
+    explicit KdTree(const Primitives& primitives);
+
+    template <class Query>
+    void search(Query& query) const {
+        tree_.search(query);
+    }
+    [[nodiscard]] std::size_t bytes() const { return tree_.bytes(); }
+
+  private:
+    PlanesTree<3> tree_;
+};
+
+extern template class KdTree<KdSplit::median>;
+extern template class KdTree<KdSplit::surface_area>;
+
+}  // namespace carom::render

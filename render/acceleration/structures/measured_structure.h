@@ -1,0 +1,18 @@
+// A structure that tells what it costs.
+#pragma once
+
+#include <cstddef>
+
+#include "render/acceleration/acceleration_structure.h"
+#include "render/acceleration/test_counts.h"
+
+namespace carom::render {
+
+class MeasuredStructure : public AccelerationStructure {
+  public:
+    [[nodiscard]] virtual std::size_t bytes() const = 0;  // without the shapes themselves
+    /// Tests of all rays so far; all 0 where they are not counted.
+    [[nodiscard]] virtual TestCounts counts() const = 0;
+};
+
+}  // namespace carom::render

@@ -1,0 +1,69 @@
+#include "render/acceleration/structures/wide_bvh.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "render/acceleration/safe_ray.h"
+#include "render/acceleration/structures/query.h"
+
+namespace carom::render {
+namespace {
+
+ShapeSet infinite_planes(const ShapeSet& shapes) {
+    ShapeSet planes;
+    planes.planes = shapes.planes;
+    std::copy_if(shapes.moving.begin(), shapes.moving.end(), std::back_inserter(planes.moving),
+                 [](const MovingShape& shape) { return shape.kind == MovingShape::Kind::plane; });
+    return planes;
+}
+
+std::size_t bytes_of_tree(const WideTree& tree) {
+    return tree.nodes.size() * sizeof(WideNode) + tree.travels.size() * sizeof(WideTravel) +
+           tree.leaves.size() * sizeof(WideLeaf);
+}
+
+}  // namespace
+
+WideBvh::WideBvh(const ShapeSet& shapes, std::span<const MeshEntry> meshes)
+    : planes_(infinite_planes(shapes)),
+      shapes_(make_analytic_tree(shapes)),
+      triangles_(make_triangle_tree(meshes)),
+      shape_kernels_(best_tree_kernels()),
+      triangle_kernels_(best_triangle_kernels()) {}
+
+bool WideBvh::closest_hit(const Ray& ray, Hit& hit) const {
+    if (!is_traceable(ray)) {
+        return false;
+    }
+    const Ray safe = made_safe(ray);
+    Query<false> planes(planes_, safe, false);
+    for (const Primitive& plane : planes_.planes()) {
+        static_cast<void>(planes.test(plane));
+    }
+    Hit best = planes.best();
+    shape_kernels_.closest(shapes_, safe, best);
+    triangle_kernels_.closest(triangles_, safe, best);
+    if (best.object == kNoObject) {
+        return false;
+    }
+    hit = best;
+    return true;
+}
+
+bool WideBvh::any_hit(const Ray& ray) const {
+    if (!is_traceable(ray)) {
+        return false;
+    }
+    const Ray safe = made_safe(ray);
+    Query<false> planes(planes_, safe, true);
+    const auto blocks = [&](const Primitive& plane) { return planes.test(plane); };
+    return std::any_of(planes_.planes().begin(), planes_.planes().end(), blocks) ||
+           shape_kernels_.any(shapes_, safe) || triangle_kernels_.any(triangles_, safe);
+}
+
+std::size_t WideBvh::bytes() const {
+    return bytes_of_tree(shapes_.tree) + bytes_of_tree(triangles_.tree) +
+           triangles_.blocks.size() * sizeof(TriangleBlock);
+}
+
+}  // namespace carom::render

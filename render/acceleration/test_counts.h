@@ -1,0 +1,52 @@
+// What finding hits costs, counted.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "render/geometry/ray.h"
+
+namespace carom::render {
+
+/// Tests for rays of one kind.
+struct KindCounts {
+    std::uint64_t rays = 0;
+    std::uint64_t objects = 0;  // rays against shapes
+    std::uint64_t boxes = 0;    // against boxes, slabs, planes and cells that bound them
+    std::uint64_t nodes = 0;    // of a hierarchy, or cells, entered
+
+    KindCounts& operator+=(const KindCounts& other) {
+        rays += other.rays;
+        objects += other.objects;
+        boxes += other.boxes;
+        nodes += other.nodes;
+        return *this;
+    }
+};
+
+/// By RayKind.
+struct TestCounts {
+    std::array<KindCounts, 3> of{};
+
+    [[nodiscard]] KindCounts& operator[](RayKind kind) {
+        return of[static_cast<std::size_t>(kind)];
+    }
+    [[nodiscard]] const KindCounts& operator[](RayKind kind) const {
+        return of[static_cast<std::size_t>(kind)];
+    }
+    TestCounts& operator+=(const TestCounts& other) {
+        for (std::size_t i = 0; i < of.size(); ++i) {
+            of[i] += other.of[i];
+        }
+        return *this;
+    }
+    [[nodiscard]] KindCounts total() const {
+        KindCounts sum;
+        for (const KindCounts& kind : of) {
+            sum += kind;
+        }
+        return sum;
+    }
+};
+
+}  // namespace carom::render

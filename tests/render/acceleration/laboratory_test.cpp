@@ -1,0 +1,244 @@
+// The structures that are compared: the same hits as brute force to the last bit, and honest
+// counts.
+#include <array>
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "render/acceleration/embree_structure.h"
+#include "render/acceleration/hybrid_structure.h"
+#include "render/acceleration/primitives.h"
+#include "render/acceleration/structures/make_structure.h"
+#include "tests/render/acceleration/random_shapes.h"
+
+namespace carom::render {
+namespace {
+
+using test::RandomScene;
+using test::TestRandom;
+
+struct Named {
+    const char* name;
+    AccelerationKind kind;
+};
+
+void PrintTo(const Named& named, std::ostream* out) {
+    *out << named.name;
+}
+
+class Laboratory : public testing::TestWithParam<Named> {
+  protected:
+    static std::unique_ptr<MeasuredStructure> make(const RandomScene& scene, AccelerationKind kind,
+                                                   const StructureOptions& options = {}) {
+        return make_structure(kind, scene.shapes, scene.still_meshes, options);
+    }
+};
+
+/// Rays from within, from outside and from far away, some along an axis, some short.
+Ray ray_number(int i, TestRandom& random) {
+    constexpr float kSize = 2;
+    const float from = i % 4 == 0 ? 0.3f * kSize : (i % 4 == 3 ? 100 * kSize : 3 * kSize);
+    Ray ray = test::random_ray_toward(random, from, kSize);
+    ray.t_max = i % 3 == 0 ? random.between(0.1f, 2 * from) : kInfinity;
+    ray.t_min = i % 5 == 0 ? random.between(0, kSize) : 0;
+    if (i % 7 == 0) {
+        ray.direction = V3f(0, 0, 0);
+        ray.direction[i % 3] = i % 2 == 0 ? 1.f : -1.f;
+    }
+    return ray;
+}
+
+void expect_bits_of_brute_force(const AccelerationStructure& structure,
+                                const AccelerationStructure& brute_force, int rays) {
+    TestRandom random(42);
+    int hits = 0;
+    for (int i = 0; i < rays; ++i) {
+        const Ray ray = ray_number(i, random);
+        Hit a;
+        Hit b;
+        const bool found = brute_force.closest_hit(ray, a);
+        ASSERT_EQ(structure.closest_hit(ray, b), found)
+            << i << ": " << a.object << " at " << a.t << ", " << b.object << " at " << b.t;
+        ASSERT_EQ(b.object, a.object) << i << ": at " << a.t << " and " << b.t;
+        ASSERT_TRUE(b.t == a.t && b.primitive == a.primitive && b.u == a.u && b.v == a.v) << i;
+        ASSERT_EQ(structure.any_hit(ray), found) << i;
+        hits += found ? 1 : 0;
+    }
+    EXPECT_GT(hits, rays / 5);
+}
+
+RandomScene everything(int still, int moving, int meshes) {
+    TestRandom random(7);
+    RandomScene scene;
+    scene.add_still(random, still);
+    scene.add_moving(random, moving);
+    scene.add_still_meshes(random, meshes);
+    return scene;
+}
+
+TEST_P(Laboratory, EveryKindOfShape_BitsOfBruteForce) {
+    const RandomScene scene = everything(4, 3, 1);
+    expect_bits_of_brute_force(*make(scene, GetParam().kind),
+                               *make(scene, AccelerationKind::brute_force), 100'000);
+}
+
+TEST_P(Laboratory, ManySpheresAndAMesh_BitsOfBruteForce) {
+    TestRandom random(8);
+    RandomScene scene = everything(0, 0, 2);
+    for (int i = 0; i < 500; ++i) {
+        SphereStretch sphere;
+        sphere.path.c[0] = test::random_point(random, 2);
+        sphere.radius = i % 100 == 0 ? 0.4f : 0.04f;
+        sphere.object = scene.object_count++;
+        scene.shapes.spheres.push_back(sphere);
+    }
+    expect_bits_of_brute_force(*make(scene, GetParam().kind),
+                               *make(scene, AccelerationKind::brute_force), 6'000);
+}
+
+TEST_P(Laboratory, ShapesInOnePlace_LowestObjectIsReported) {
+    RandomScene scene;
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        SphereStretch sphere;
+        sphere.radius = 0.5f;
+        sphere.object = 299 - i;
+        scene.shapes.spheres.push_back(sphere);
+    }
+    Ray ray;
+    ray.origin = V3f(0.1f, 0.2f, -3);
+    Hit hit;
+    ASSERT_TRUE(make(scene, GetParam().kind)->closest_hit(ray, hit));
+    EXPECT_EQ(hit.object, 0u);
+}
+
+TEST_P(Laboratory, NothingAtAll_HitsNothing) {
+    const auto structure = make(RandomScene(), GetParam().kind);
+    Hit hit;
+    EXPECT_FALSE(structure->closest_hit(Ray{}, hit));
+    EXPECT_FALSE(structure->any_hit(Ray{}));
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_FALSE(structure->any_hit(Ray{V3f(nan), V3f(0, 0, 1)}));
+}
+
+TEST_P(Laboratory, Counts_AreOfTheRaysAndFewerThanBruteForces) {
+    if (GetParam().kind == AccelerationKind::wide_bvh) {
+        GTEST_SKIP() << "counts nothing, as make_structure.h says";
+    }
+    TestRandom random(9);
+    RandomScene scene;
+    for (std::uint32_t i = 0; i < 400; ++i) {
+        SphereStretch sphere;
+        sphere.path.c[0] = test::random_point(random, 2);
+        sphere.radius = 0.08f;
+        sphere.object = i;
+        scene.shapes.spheres.push_back(sphere);
+    }
+    const auto structure = make(scene, GetParam().kind, {.counts = true});
+    Hit hit;
+    for (int i = 0; i < 300; ++i) {
+        Ray ray = test::random_ray_toward(random, 3, 2);
+        ray.kind = i < 100 ? RayKind::primary : RayKind::secondary;
+        static_cast<void>(i < 200 ? structure->closest_hit(ray, hit) : structure->any_hit(ray));
+    }
+    const TestCounts counts = structure->counts();
+    const bool is_brute = GetParam().kind == AccelerationKind::brute_force;
+    for (const KindCounts& kind : counts.of) {
+        EXPECT_EQ(kind.rays, 100u);
+        EXPECT_GT(kind.objects, 0u);
+        EXPECT_LT(kind.objects, is_brute ? 40'001u : 4'000u);
+    }
+    if (is_brute) {
+        EXPECT_EQ(counts[RayKind::primary].objects, 40'000u);
+        EXPECT_LT(counts[RayKind::shadow].objects, 40'000u);
+    }
+}
+
+TEST_P(Laboratory, ShadowRaysThatDoNotStop_TestMore) {
+    if (GetParam().kind == AccelerationKind::wide_bvh) {
+        GTEST_SKIP() << "counts nothing, as make_structure.h says";
+    }
+    const RandomScene scene = everything(6, 0, 0);
+    const auto stops = make(scene, GetParam().kind, {.counts = true});
+    const auto goes_on = make(scene, GetParam().kind, {.counts = true, .shadow_rays_stop = false});
+    TestRandom random(10);
+    for (int i = 0; i < 2'000; ++i) {
+        const Ray ray = test::random_ray_toward(random, 3, 2);
+        ASSERT_EQ(stops->any_hit(ray), goes_on->any_hit(ray));
+    }
+    EXPECT_LT(stops->counts().total().objects, goes_on->counts().total().objects);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Laboratory,
+                         testing::Values(Named{"BruteForce", AccelerationKind::brute_force},
+                                         Named{"Grid", AccelerationKind::grid},
+                                         Named{"Octree", AccelerationKind::octree},
+                                         Named{"KdTree", AccelerationKind::kd_tree},
+                                         Named{"KdTreeMedian", AccelerationKind::kd_tree_median},
+                                         Named{"Bsp", AccelerationKind::bsp_tree},
+                                         Named{"RTree", AccelerationKind::r_tree},
+                                         Named{"RTreeHilbert", AccelerationKind::r_tree_hilbert},
+                                         Named{"KayKajiya", AccelerationKind::slabs},
+                                         Named{"Bvh", AccelerationKind::bvh},
+                                         Named{"WideBvh", AccelerationKind::wide_bvh}),
+                         [](const auto& named) { return std::string(named.param.name); });
+
+/// The primitive that is named, asked by itself.
+Hit alone(const Primitives& primitives, const Hit& hit, const Ray& ray) {
+    Hit best;
+    const auto ask = [&](const Primitive& primitive) {
+        Hit found;
+        const bool is_it =
+            primitive.object == hit.object &&
+            (primitive.kind != Primitive::Kind::mesh_triangle || primitive.number == hit.primitive);
+        if (is_it && primitives.closest(primitive, ray, found) && found.t < best.t) {
+            best = found;
+        }
+    };
+    for (const Primitive& primitive : primitives.bounded()) {
+        ask(primitive);
+    }
+    for (const Primitive& plane : primitives.planes()) {
+        ask(plane);
+    }
+    return best;
+}
+
+// Embree has a triangle test of its own: the primitive that it finds may differ at edges.
+TEST(LaboratoryPeers, HybridAndEmbree_FindTheSamePrimitives) {
+    const RandomScene scene = everything(3, 2, 2);
+    ShapeSet with_meshes = scene.shapes;
+    with_meshes.meshes = std::make_shared<TriangleScene>(scene.device, scene.still_meshes);
+    const HybridStructure hybrid(with_meshes);
+    const EmbreeStructure embree(scene.device, scene.shapes, scene.still_meshes);
+    const auto brute_force =
+        make_structure(AccelerationKind::brute_force, scene.shapes, scene.still_meshes, {});
+    const Primitives primitives(scene.shapes, scene.still_meshes);
+    TestRandom random(11);
+    std::array<int, 2> differing{};
+    for (int i = 0; i < 100'000; ++i) {
+        Ray ray = test::random_ray_toward(random, 3, 2);
+        Hit expected;
+        const bool found = brute_force->closest_hit(ray, expected);
+        int which = 0;
+        for (const AccelerationStructure* structure :
+             {static_cast<const AccelerationStructure*>(&hybrid),
+              static_cast<const AccelerationStructure*>(&embree)}) {
+            Hit hit;
+            const bool also = structure->closest_hit(ray, hit);
+            const bool is_same = also == found && hit.object == expected.object &&
+                                 hit.primitive == expected.primitive;
+            differing[static_cast<std::size_t>(which++)] += is_same ? 0 : 1;
+            if (is_same && found && i % 50 == 0) {
+                const Hit again = alone(primitives, hit, ray);
+                EXPECT_TRUE(again.t == expected.t && again.u == expected.u &&
+                            again.v == expected.v);
+            }
+        }
+    }
+    EXPECT_LE(differing[0], 1);
+    EXPECT_LE(differing[1], 1);
+}
+
+}  // namespace
+}  // namespace carom::render
