@@ -1,6 +1,6 @@
 #include "render/acceleration/embree_handles.h"
 
-#include <cstring>
+#include <algorithm>
 
 #include <tbb/task_arena.h>
 
@@ -57,7 +57,7 @@ GeometryHandle make_triangle_geometry(const EmbreeDevice& device, const Triangle
                                              RTC_FORMAT_FLOAT3, sizeof(V3f), mesh.vertices.size());
     device.check("reserving memory for a mesh");
     CAROM_ASSERT(vertices != nullptr);
-    std::memcpy(vertices, mesh.vertices.data(), mesh.vertices.size() * sizeof(V3f));
+    std::copy(mesh.vertices.begin(), mesh.vertices.end(), static_cast<V3f*>(vertices));
     rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                mesh.triangles.data(), 0, sizeof(mesh.triangles[0]),
                                mesh.triangles.size());

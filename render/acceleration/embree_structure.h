@@ -22,6 +22,8 @@ class EmbreeStructure final : public AccelerationStructure {
     EmbreeStructure(std::shared_ptr<const EmbreeDevice> device, const ShapeSet& shapes,
                     std::span<const MeshEntry> meshes);
     ~EmbreeStructure() override;
+    EmbreeStructure(const EmbreeStructure&) = delete;
+    EmbreeStructure& operator=(const EmbreeStructure&) = delete;
 
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const override;
     [[nodiscard]] bool any_hit(const Ray& ray) const override;

@@ -24,7 +24,8 @@ float half_area(const Box& box) {
 }
 
 float vectors(std::uint32_t count) {
-    return static_cast<float>((count + kBlockLanes - 1) / kBlockLanes);
+    const std::uint32_t whole = (count + kBlockLanes - 1) / kBlockLanes;
+    return static_cast<float>(whole);
 }
 
 /// A node of the binary tree that is made first.

@@ -76,7 +76,7 @@ float matte_id(std::string_view name) {
     return std::bit_cast<float>((hash & 0x807fffffU) | exponent << 23U);
 }
 
-MatteRanks ranked(std::vector<MatteRank> seen) {
+MatteRanks ranked(const std::vector<MatteRank>& seen) {
     std::vector<MatteRank> merged;
     for (const MatteRank& one : seen) {
         const auto same = std::find_if(merged.begin(), merged.end(),

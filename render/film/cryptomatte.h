@@ -32,7 +32,7 @@ struct MatteRank {
 using MatteRanks = std::array<MatteRank, kMatteRanks>;
 
 /// Largest coverage first; equal ids count as one, equal coverages stay in the order given.
-[[nodiscard]] MatteRanks ranked(std::vector<MatteRank> seen);
+[[nodiscard]] MatteRanks ranked(const std::vector<MatteRank>& seen);
 
 /// "LAYER00.R", id of the first rank; .G its coverage; .B and .A the second's; "LAYER01.R" ...
 [[nodiscard]] std::vector<std::string> matte_channels(std::string_view layer);

@@ -15,6 +15,8 @@ namespace carom::render {
 
 /// One cubic piece of a path: position(d) = c[0] + d (c[1] + d (c[2] + d c[3])) with
 /// d = time - start. In force while start <= time < end.
+// Copying the array is the compiler's code:
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
 struct PathPiece {
     V3f c[4] = {V3f(0), V3f(0), V3f(0), V3f(0)};
     float start = 0;

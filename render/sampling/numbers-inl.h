@@ -130,7 +130,7 @@ class Numbers {
                 sum = hn::Xor(
                     sum, hn::Load(d4, detail::kSobol.values[nibble][(at >> (4 * nibble)) & 15u]));
             }
-            hn::Store(sum, d4, points + 4 * lane);
+            hn::Store(sum, d4, points + std::ptrdiff_t{4} * lane);
         }
         const I places = hn::ShiftLeft<2>(hn::Iota(IntTag(), 0));
         const auto* words = reinterpret_cast<const std::int32_t*>(points);

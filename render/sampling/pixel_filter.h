@@ -18,7 +18,7 @@ class PixelFilterSampler {
     PixelFilterSampler(PixelFilter filter, double width);
 
     /// Offset from the pixel's centre, pixels; within half the width.
-    [[nodiscard]] V2f sample(V2f u) const { return V2f(offset(u.x), offset(u.y)); }
+    [[nodiscard]] V2f sample(const V2f& u) const { return V2f(offset(u.x), offset(u.y)); }
 
     [[nodiscard]] double width() const { return width_; }  // pixels
 

@@ -16,7 +16,7 @@ namespace carom::render {
 // ---- unit disk, per area ---------------------------------------------------------------------
 
 /// Concentric map (Shirley and Chiu 1997, "A low distortion map between disk and square").
-[[nodiscard]] inline V2f sample_disk(V2f u) {
+[[nodiscard]] inline V2f sample_disk(const V2f& u) {
     const float a = 2 * u.x - 1;
     const float b = 2 * u.y - 1;
     if (a == 0 && b == 0) {
@@ -30,14 +30,14 @@ namespace carom::render {
     return V2f(b * angle.sine, b * angle.cosine);
 }
 
-[[nodiscard]] inline float pdf_disk(V2f p) {
+[[nodiscard]] inline float pdf_disk(const V2f& p) {
     return p.length2() <= 1 ? kInversePi : 0;
 }
 
 // ---- regular polygon inscribed in the unit circle, per area ----------------------------------
 
 /// The polygon's corners are at angles rotation + 2 pi k / blades; blades >= 3.
-[[nodiscard]] inline V2f sample_polygon(V2f u, int blades, float rotation_turns) {
+[[nodiscard]] inline V2f sample_polygon(const V2f& u, int blades, float rotation_turns) {
     const float scaled = u.x * static_cast<float>(blades);
     const float blade = std::min(std::floor(scaled), static_cast<float>(blades - 1));
     const float share = std::min(scaled - blade, 0x1.fffffep-1f);
@@ -59,7 +59,7 @@ namespace carom::render {
 // ---- hemisphere about +z, per solid angle ----------------------------------------------------
 
 /// Density cos(theta) / pi (Malley's method over the concentric disk).
-[[nodiscard]] inline V3f sample_cosine_hemisphere(V2f u) {
+[[nodiscard]] inline V3f sample_cosine_hemisphere(const V2f& u) {
     const V2f p = sample_disk(u);
     return V3f(p.x, p.y, std::sqrt(std::max(0.f, 1 - p.length2())));
 }
@@ -79,7 +79,7 @@ namespace carom::render {
 }
 
 /// Uniform within the cone 1 - cos(theta) <= one_minus_cos, one_minus_cos in (0, 2].
-[[nodiscard]] inline V3f sample_cone(V2f u, float one_minus_cos) {
+[[nodiscard]] inline V3f sample_cone(const V2f& u, float one_minus_cos) {
     const float height = u.x * one_minus_cos;  // 1 - cos(theta)
     const float sine = std::sqrt(std::max(0.f, height * (2 - height)));
     const SinCos angle = sin_cos_turn(u.y);
@@ -93,7 +93,7 @@ namespace carom::render {
 
 // ---- whole sphere, per solid angle -----------------------------------------------------------
 
-[[nodiscard]] inline V3f sample_sphere(V2f u) {
+[[nodiscard]] inline V3f sample_sphere(const V2f& u) {
     return sample_cone(u, 2);
 }
 [[nodiscard]] inline float pdf_sphere() {
