@@ -222,8 +222,8 @@ void add_meshes(const std::vector<int>& sizes, Chart& chart) {
 }
 
 /// One and two threads in turn; the middle one of the ratios of neighbours.
-void compare_threads(const std::string& name, const GrowthScene& scene) {
-    const RenderSettings settings = settings_of(320, 180, 8);
+void compare_threads(const std::string& name, const GrowthScene& scene, int samples) {
+    const RenderSettings settings = settings_of(320, 180, samples);
     const PreparedScene prepared(scene.builder.scene, settings);
     std::vector<double> ratios;
     double one_thread = 1e9;
@@ -246,11 +246,11 @@ void add_threads(bool quick) {
     std::printf(
         "\n| scene | one thread, s | two threads, s | least against least | middle ratio "
         "|\n|---|---|---|---|---|\n");
-    compare_threads("16 balls", make_ball_cloud(16));
-    compare_threads("1000 balls", make_ball_cloud(1'000));
+    compare_threads("16 balls", make_ball_cloud(16), 64);
+    compare_threads("1000 balls", make_ball_cloud(1'000), 16);
     if (!quick) {
-        compare_threads("100000 balls", make_ball_cloud(100'000));
-        compare_threads("1000000 triangles", make_mesh(1'000'000));
+        compare_threads("100000 balls", make_ball_cloud(100'000), 8);
+        compare_threads("1000000 triangles", make_mesh(1'000'000), 16);
     }
 }
 

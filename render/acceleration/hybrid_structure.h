@@ -14,7 +14,7 @@
 namespace carom::render {
 
 /// From which loop_cost on a tree is faster than testing all (docs/performance.md).
-inline constexpr std::size_t kTreeThreshold = 480;
+inline constexpr std::size_t kTreeThreshold = 160;
 
 /// The default. The handful of balls and boxes of a billiard shot is tested by brute force, eight
 /// at a time, which no hierarchy beats; from a cost of `tree_threshold` on all but infinite planes
