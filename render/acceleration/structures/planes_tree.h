@@ -91,7 +91,7 @@ void PlanesTree<kNormals>::search(Query& query) const {
             const std::uint32_t near = is_low ? node.low : node.high;
             const std::uint32_t far = is_low ? node.high : node.low;
             const double t = p.direction != 0 ? (node.offset - p.origin) / p.direction : -1;
-            if (!(t >= 0) || t > part.to) {
+            if (!(t > 0) || t > part.to) {  // from the plane itself there is one side ahead
                 part.node = near;
             } else if (t < part.from) {
                 part.node = far;
