@@ -1,6 +1,7 @@
 #include "render/acceleration/analytic_tree.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace carom::render {
@@ -109,6 +110,14 @@ AnalyticTree make_analytic_tree(const ShapeSet& shapes) {
     }
     result.first_part.push_back(static_cast<std::uint32_t>(result.parts.size()));
     return result;
+}
+
+ShapeSet infinite_planes(const ShapeSet& shapes) {
+    ShapeSet planes;
+    planes.planes = shapes.planes;
+    std::copy_if(shapes.moving.begin(), shapes.moving.end(), std::back_inserter(planes.moving),
+                 is_plane);
+    return planes;
 }
 
 std::size_t loop_cost(const ShapeSet& shapes) {

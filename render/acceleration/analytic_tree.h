@@ -38,6 +38,9 @@ struct AnalyticTree {
 /// Over all shapes but infinite planes and still meshes.
 [[nodiscard]] AnalyticTree make_analytic_tree(const ShapeSet& shapes);
 
+/// What no tree can hold.
+[[nodiscard]] ShapeSet infinite_planes(const ShapeSet& shapes);
+
 /// What testing all of those for every ray costs, in single lanes of vectors: 1 for most; 8 for a
 /// shape that turns, which is tested alone.
 [[nodiscard]] std::size_t loop_cost(const ShapeSet& shapes);

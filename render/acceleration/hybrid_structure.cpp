@@ -31,15 +31,6 @@ RayBatch part_of(const RayBatch& rays, int first) {
     return part;
 }
 
-/// What no tree can hold.
-ShapeSet infinite_planes(const ShapeSet& shapes) {
-    ShapeSet planes;
-    planes.planes = shapes.planes;
-    std::copy_if(shapes.moving.begin(), shapes.moving.end(), std::back_inserter(planes.moving),
-                 [](const MovingShape& shape) { return shape.kind == MovingShape::Kind::plane; });
-    return planes;
-}
-
 }  // namespace
 
 HybridStructure::HybridStructure(const ShapeSet& shapes, std::size_t tree_threshold)

@@ -19,6 +19,15 @@ struct MovingBounds {
     }
 };
 
+/// Half the surface; 0 of an empty box.
+[[nodiscard]] inline float half_area(const Imath::Box3f& box) {
+    if (box.isEmpty()) {
+        return 0;
+    }
+    const V3f size = box.max - box.min;
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
 /// All hold the shape at every time at which it is in force, with room for the rounding of the
 /// kernels and of box tests.
 [[nodiscard]] MovingBounds bounds_of(const SphereStretch& sphere);

@@ -18,11 +18,6 @@ constexpr std::uint32_t kLargestLeaf = kBlockLanes;
 constexpr float kNodeCost = 1.5f;      // of one child's box, in tests of a full leaf; measured
 constexpr int kDepthOfHeuristic = 40;  // below, items are halved: 2^32 of them end at depth 72
 
-float half_area(const Box& box) {
-    const V3f size = box.max - box.min;
-    return size.x * size.y + size.y * size.z + size.z * size.x;
-}
-
 float vectors(std::uint32_t count) {
     const std::uint32_t whole = (count + kBlockLanes - 1) / kBlockLanes;
     return static_cast<float>(whole);

@@ -27,15 +27,6 @@ namespace carom::render {
     return boxes;
 }
 
-/// Half the surface; 0 of an empty box.
-[[nodiscard]] inline float half_area(const Imath::Box3f& box) {
-    if (box.isEmpty()) {
-        return 0;
-    }
-    const Imath::V3f size = box.max - box.min;
-    return size.x * size.y + size.y * size.z + size.z * size.x;
-}
-
 template <class T>
 [[nodiscard]] std::size_t bytes_of(const std::vector<T>& values) {
     return values.size() * sizeof(T);

@@ -72,7 +72,7 @@ class Builder {
 
 Octree::Octree(const Primitives& primitives) {
     const std::vector<Box> boxes = swept_boxes(primitives);
-    Builder(boxes, boxes_);
+    Builder(boxes, *this);
 }
 
 }  // namespace carom::render

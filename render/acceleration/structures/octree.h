@@ -9,18 +9,9 @@ namespace carom::render {
 /// belongs to the one cube that its centre lies in, and each cube's box is fitted around what
 /// belongs to it: so no shape is tested twice, none is lost at a border, and boxes are smaller than
 /// those of a loose octree, whose cubes are all twice as wide. A cube with few shapes is not cut.
-class Octree {
+class Octree : public BoxHierarchy {
   public:
     explicit Octree(const Primitives& primitives);
-
-    template <class Query>
-    void search(Query& query) const {
-        boxes_.search(query);
-    }
-    [[nodiscard]] std::size_t bytes() const { return boxes_.bytes(); }
-
-  private:
-    BoxHierarchy boxes_;
 };
 
 }  // namespace carom::render

@@ -116,7 +116,7 @@ RTree<packing>::RTree(const Primitives& primitives) {
             const std::size_t last = std::min(level.size(), first + kCapacity);
             const std::vector<Entry> entries(level.begin() + static_cast<std::ptrdiff_t>(first),
                                              level.begin() + static_cast<std::ptrdiff_t>(last));
-            above.push_back(boxes_.entry_of(boxes_.add_node(entries)));
+            above.push_back(this->entry_of(this->add_node(entries)));
         }
         level = std::move(above);
     }

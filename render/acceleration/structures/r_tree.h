@@ -16,18 +16,9 @@ enum class Packing {
 
 /// Guttman 1984, "R-trees: a dynamic index structure for spatial searching", with full nodes.
 template <Packing packing>
-class RTree {
+class RTree : public BoxHierarchy {
   public:
     explicit RTree(const Primitives& primitives);
-
-    template <class Query>
-    void search(Query& query) const {
-        boxes_.search(query);
-    }
-    [[nodiscard]] std::size_t bytes() const { return boxes_.bytes(); }
-
-  private:
-    BoxHierarchy boxes_;
 };
 
 extern template class RTree<Packing::sort_tile_recursive>;

@@ -121,7 +121,7 @@ class Builder {
 
 SahBvh::SahBvh(const Primitives& primitives) {
     const std::vector<Box> boxes = swept_boxes(primitives);
-    Builder(boxes, boxes_);
+    Builder(boxes, *this);
 }
 
 }  // namespace carom::render

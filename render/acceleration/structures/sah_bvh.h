@@ -8,18 +8,9 @@ namespace carom::render {
 /// Shapes are split where the expected number of tests is least, a box being entered in proportion
 /// to its surface (Goldsmith and Salmon 1987; MacDonald and Booth 1990), among 32 bins to an axis
 /// (Wald 2007, "On fast construction of SAH-based bounding volume hierarchies").
-class SahBvh {
+class SahBvh : public BoxHierarchy {
   public:
     explicit SahBvh(const Primitives& primitives);
-
-    template <class Query>
-    void search(Query& query) const {
-        boxes_.search(query);
-    }
-    [[nodiscard]] std::size_t bytes() const { return boxes_.bytes(); }
-
-  private:
-    BoxHierarchy boxes_;
 };
 
 }  // namespace carom::render

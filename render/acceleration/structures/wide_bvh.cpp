@@ -1,21 +1,12 @@
 #include "render/acceleration/structures/wide_bvh.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "render/acceleration/safe_ray.h"
 #include "render/acceleration/structures/query.h"
 
 namespace carom::render {
 namespace {
-
-ShapeSet infinite_planes(const ShapeSet& shapes) {
-    ShapeSet planes;
-    planes.planes = shapes.planes;
-    std::copy_if(shapes.moving.begin(), shapes.moving.end(), std::back_inserter(planes.moving),
-                 [](const MovingShape& shape) { return shape.kind == MovingShape::Kind::plane; });
-    return planes;
-}
 
 std::size_t bytes_of_tree(const WideTree& tree) {
     return tree.nodes.size() * sizeof(WideNode) + tree.travels.size() * sizeof(WideTravel) +
