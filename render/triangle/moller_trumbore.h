@@ -1,35 +1,31 @@
-// One ray against one triangle (Möller and Trumbore 1997, "Fast, minimum storage ray/triangle
-// intersection", Journal of Graphics Tools 2(1)).
+// The renderer's own test of one ray and one triangle.
 #pragma once
 
 #include <optional>
 
 #include "render/geometry/intersect.h"
 #include "render/geometry/ray.h"
+#include "render/triangle/scalar_kernels.h"
 
 namespace carom::render {
 
-/// From either side, in (ray.t_min, ray.t_max). Products and sums in this order and no other: the
-/// vectorised test gives the same bits.
+/// From either side, in (ray.t_min, ray.t_max). The vectorised test gives the same bits.
 [[nodiscard]] inline std::optional<TriangleHit<float>> moller_trumbore(const Ray& ray, const V3f& a,
                                                                        const V3f& b, const V3f& c) {
-    const V3f edge_b = b - a;
-    const V3f edge_c = c - a;
-    const V3f p = ray.direction % edge_c;
-    const float determinant = edge_b ^ p;
-    if (determinant == 0) {
+    using Kernel = triangle::scalar::MollerTrumbore;
+    using L = triangle::ScalarLanes<float>;
+    const auto triple = [](const V3f& v) {
+        return triangle::scalar::Triple<float>{{v.x, v.y, v.z}};
+    };
+    const auto record =
+        Kernel::prepare(triangle::scalar::Corners<L>{triple(a), triple(b), triple(c)});
+    const auto met = Kernel::meet<triangle::Division::early>(
+        triangle::scalar::RayIn<L>{triple(ray.origin), triple(ray.direction), ray.t_min, ray.t_max},
+        record);
+    if (!met.valid) {
         return std::nullopt;
     }
-    const float inverse = 1 / determinant;
-    const V3f from_a = ray.origin - a;
-    const float u = (from_a ^ p) * inverse;
-    const V3f q = from_a % edge_b;
-    const float v = (ray.direction ^ q) * inverse;
-    const float t = (edge_c ^ q) * inverse;
-    if (!(u >= 0 && v >= 0 && u + v <= 1 && t > ray.t_min && t < ray.t_max)) {
-        return std::nullopt;
-    }
-    return TriangleHit<float>{t, u, v};
+    return TriangleHit<float>{met.t, met.u, met.v};
 }
 
 }  // namespace carom::render

@@ -1,0 +1,97 @@
+// The seven kernels in the lanes of vectors: several rays against one triangle, or one ray against
+// several triangles. Included once per instruction set, after <hwy/highway.h>.
+#if defined(CAROM_TRIANGLE_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAROM_TRIANGLE_KERNELS_INL_H
+#undef CAROM_TRIANGLE_KERNELS_INL_H
+#else
+#define CAROM_TRIANGLE_KERNELS_INL_H
+#endif
+
+#include <cstdint>
+#include <tuple>
+
+#include "render/triangle/scalar_lanes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::triangle::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// D: a Highway tag.
+template <class D>
+struct VectorLanes {
+    using Number = hn::TFromD<D>;
+    using Value = hn::Vec<D>;
+    using Mask = hn::Mask<D>;
+
+    static HWY_INLINE Value all(Number x) { return hn::Set(D(), x); }
+    static HWY_INLINE Mask is_less(Value a, Value b) { return hn::Lt(a, b); }
+    static HWY_INLINE Mask is_at_most(Value a, Value b) { return hn::Le(a, b); }
+    static HWY_INLINE Mask both(Mask a, Mask b) { return hn::And(a, b); }
+    static HWY_INLINE bool none(Mask mask) { return hn::AllFalse(D(), mask); }
+    static HWY_INLINE bool fails_alone(Mask) { return false; }
+    static HWY_INLINE Value size(Value x) { return hn::Abs(x); }
+    static HWY_INLINE Value turned(Value x, Value by) {
+        return hn::Xor(x, hn::And(by, hn::SignBit(D())));
+    }
+};
+
+/// A ray in every lane, one triangle in all: its axis is one number.
+template <class D>
+struct RaysInLanes : VectorLanes<D> {
+    using typename VectorLanes<D>::Value;
+    using Axis = std::uint32_t;
+
+    static HWY_INLINE Value along(const Value (&v)[3], Axis w) { return v[w]; }
+    static HWY_INLINE Value after(const Value (&v)[3], Axis w) { return v[kAxisAfter[w]]; }
+    static HWY_INLINE Value before(const Value (&v)[3], Axis w) { return v[kAxisBefore[w]]; }
+};
+
+/// A triangle in every lane, one ray in all: every lane has its own axis.
+template <class D>
+struct TrianglesInLanes : VectorLanes<D> {
+    using typename VectorLanes<D>::Value;
+    using typename VectorLanes<D>::Mask;
+    struct Axis {
+        Mask is_x;
+        Mask is_y;
+    };
+
+    static HWY_INLINE Axis longest_axis(const Value (&v)[3]) {
+        const Value x = hn::Abs(v[0]);
+        const Value y = hn::Abs(v[1]);
+        const Value z = hn::Abs(v[2]);
+        const Mask x_first = hn::Ge(x, y);
+        return {hn::And(x_first, hn::Ge(x, z)), hn::AndNot(x_first, hn::Ge(y, z))};
+    }
+    /// From numbers 0, 1 and 2.
+    static HWY_INLINE Axis axis_of(Value w) {
+        const D d;
+        return {hn::Eq(w, hn::Zero(d)), hn::Eq(w, hn::Set(d, 1))};
+    }
+    static HWY_INLINE Value along(const Value (&v)[3], Axis w) {
+        return choose(w, v[0], v[1], v[2]);
+    }
+    static HWY_INLINE Value after(const Value (&v)[3], Axis w) {
+        return choose(w, v[1], v[2], v[0]);
+    }
+    static HWY_INLINE Value before(const Value (&v)[3], Axis w) {
+        return choose(w, v[2], v[0], v[1]);
+    }
+
+  private:
+    static HWY_INLINE Value choose(Axis w, Value x, Value y, Value z) {
+        return hn::IfThenElse(w.is_x, x, hn::IfThenElse(w.is_y, y, z));
+    }
+};
+
+#define CAROM_KERNEL HWY_INLINE
+
+#include "render/triangle/kernels/all.h"
+
+#undef CAROM_KERNEL
+
+}  // namespace carom::render::triangle::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // once per instruction set

@@ -1,0 +1,65 @@
+/// Badouel 1990, "An efficient ray-polygon intersection", Graphics Gems: the point in the plane,
+/// then its weights, seen along the axis w that the normal follows most. The two equations for the
+/// weights are solved by Cramer's rule, which needs no case for a zero and one division for both.
+struct Badouel {
+    template <class L>
+    struct Record {
+        using V = typename L::Value;
+        static constexpr bool kHasAxis = true;
+        Triple<V> normal;
+        V plane;  // normal times a point on it
+        V a_u, a_v;
+        V edge_b_u, edge_b_v, edge_c_u, edge_c_v;
+        typename L::Axis axis;
+
+        template <class Self>
+        [[nodiscard]] static auto numbers(Self& self) {
+            return std::tie(self.normal.at[0], self.normal.at[1], self.normal.at[2], self.plane,
+                            self.a_u, self.a_v, self.edge_b_u, self.edge_b_v, self.edge_c_u,
+                            self.edge_c_v);
+        }
+    };
+
+    template <class L>
+    CAROM_KERNEL static Record<L> prepare(const CornersAndNormal<L>& input) {
+        const auto& a = input.corners.a.at;
+        const auto& b = input.corners.b.at;
+        const auto& c = input.corners.c.at;
+        const auto w = L::longest_axis(input.normal.at);
+        Record<L> record;
+        record.axis = w;
+        record.normal = input.normal;
+        record.plane = dot(input.normal, input.corners.a);
+        record.a_u = L::after(a, w);
+        record.a_v = L::before(a, w);
+        record.edge_b_u = L::after(b, w) - record.a_u;
+        record.edge_b_v = L::before(b, w) - record.a_v;
+        record.edge_c_u = L::after(c, w) - record.a_u;
+        record.edge_c_v = L::before(c, w) - record.a_v;
+        return record;
+    }
+    template <class L>
+    CAROM_KERNEL static Record<L> prepare(const Corners<L>& corners) {
+        return prepare(CornersAndNormal<L>{corners, normal_of(corners)});
+    }
+
+    template <Division kDivision, class L>
+    CAROM_KERNEL static MetIn<L> meet(const RayIn<L>& ray, const Record<L>& triangle) {
+        const auto height = triangle.plane - dot(triangle.normal, ray.origin);
+        const PlanePoint<kDivision, L> plane(height, dot(triangle.normal, ray.direction));
+        const auto valid = is_within(ray, plane.below, plane.t);
+        if (L::none(valid)) {
+            return missed<L>();
+        }
+        const auto w = triangle.axis;
+        const auto p_u = plane.coordinate(L::after(ray.origin.at, w) - triangle.a_u,
+                                          L::after(ray.direction.at, w));
+        const auto p_v = plane.coordinate(L::before(ray.origin.at, w) - triangle.a_v,
+                                          L::before(ray.direction.at, w));
+        const auto area =
+            triangle.edge_b_u * triangle.edge_c_v - triangle.edge_c_u * triangle.edge_b_v;
+        const auto u = L::turned(p_u * triangle.edge_c_v - triangle.edge_c_u * p_v, area);
+        const auto v = L::turned(triangle.edge_b_u * p_v - p_u * triangle.edge_b_v, area);
+        return met_in_plane(ray, plane, u, v, L::size(area), valid);
+    }
+};

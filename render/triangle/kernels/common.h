@@ -1,0 +1,160 @@
+// What all kernels speak of. Like its neighbours this is text for the inside of a namespace:
+// scalar_kernels.h includes it once, kernels-inl.h once per instruction set.
+// L is a lane type: ScalarLanes, or vectors whose lanes hold several rays or several triangles.
+
+template <class V>
+struct Triple {
+    V at[3];
+};
+
+template <class V>
+CAROM_KERNEL Triple<V> operator-(const Triple<V>& a, const Triple<V>& b) {
+    return {{a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]}};
+}
+template <class V>
+CAROM_KERNEL Triple<V> operator+(const Triple<V>& a, const Triple<V>& b) {
+    return {{a.at[0] + b.at[0], a.at[1] + b.at[1], a.at[2] + b.at[2]}};
+}
+template <class V>
+CAROM_KERNEL Triple<V> operator*(const Triple<V>& a, const V& s) {
+    return {{a.at[0] * s, a.at[1] * s, a.at[2] * s}};
+}
+// Products and sums in the order of Imath's, so that every lane type gives the same bits.
+template <class V>
+CAROM_KERNEL V dot(const Triple<V>& a, const Triple<V>& b) {
+    return a.at[0] * b.at[0] + a.at[1] * b.at[1] + a.at[2] * b.at[2];
+}
+template <class V>
+CAROM_KERNEL Triple<V> cross(const Triple<V>& a, const Triple<V>& b) {
+    return {{a.at[1] * b.at[2] - a.at[2] * b.at[1], a.at[2] * b.at[0] - a.at[0] * b.at[2],
+             a.at[0] * b.at[1] - a.at[1] * b.at[0]}};
+}
+
+/// Hits count in (t_min, t_max), t_min >= 0. The direction need not have unit length: t counts in
+/// it.
+template <class L>
+struct RayIn {
+    Triple<typename L::Value> origin;
+    Triple<typename L::Value> direction;
+    typename L::Value t_min;
+    typename L::Value t_max;
+};
+
+/// t, and the weights of the second and third corner. Without meaning where not `valid`.
+template <class L>
+struct MetIn {
+    typename L::Value t;
+    typename L::Value u;
+    typename L::Value v;
+    typename L::Mask valid;
+};
+
+template <class L>
+CAROM_KERNEL MetIn<L> missed() {
+    const auto zero = L::all(0);
+    return {zero, zero, zero, L::is_less(zero, zero)};
+}
+
+/// The two plain inputs. Each kernel's record is made of one of them by prepare(), when a scene is
+/// set up or at every test. `numbers` ties what is stored of an input, for loading.
+template <class L>
+struct Corners {
+    static constexpr bool kHasAxis = false;
+    Triple<typename L::Value> a, b, c;
+
+    template <class Self>
+    [[nodiscard]] static auto numbers(Self& self) {
+        return std::tie(self.a.at[0], self.a.at[1], self.a.at[2], self.b.at[0], self.b.at[1],
+                        self.b.at[2], self.c.at[0], self.c.at[1], self.c.at[2]);
+    }
+};
+
+template <class L>
+struct CornersAndNormal {
+    static constexpr bool kHasAxis = false;
+    Corners<L> corners;
+    Triple<typename L::Value> normal;  // (b - a) x (c - a), of any length but zero
+
+    template <class Self>
+    [[nodiscard]] static auto numbers(Self& self) {
+        return std::tuple_cat(Corners<L>::numbers(self.corners),
+                              std::tie(self.normal.at[0], self.normal.at[1], self.normal.at[2]));
+    }
+};
+
+template <class L>
+CAROM_KERNEL Triple<typename L::Value> normal_of(const Corners<L>& corners) {
+    return cross(corners.b - corners.a, corners.c - corners.a);
+}
+
+/// A denominator under distance and weights. `share` makes of a numerator what is tested: early the
+/// quotient itself, deferred its multiple by the denominator's size, which has the quotient's sign
+/// (Shevtsov, Soupikov and Kapustin 2007 avoid the division in this way). `whole` stands for 1.
+template <Division kDivision, class L>
+class Denominator {
+    using V = typename L::Value;
+
+  public:
+    CAROM_KERNEL explicit Denominator(V value)
+        : value_(kDivision == Division::early ? L::all(1) / value : value),
+          whole_(kDivision == Division::early ? L::all(1) : L::size(value)) {}
+
+    CAROM_KERNEL V share(V numerator) const {
+        if constexpr (kDivision == Division::early) {
+            return numerator * value_;
+        } else {
+            return L::turned(numerator, value_);
+        }
+    }
+    CAROM_KERNEL V whole() const { return whole_; }
+    /// `x` times what stands for 1.
+    CAROM_KERNEL V times(V x) const {
+        if constexpr (kDivision == Division::early) {
+            return x;
+        } else {
+            return x * whole_;
+        }
+    }
+
+  private:
+    V value_;
+    V whole_;
+};
+
+/// Is a share of the distance within the ray?
+template <class L, Division kDivision>
+CAROM_KERNEL typename L::Mask is_within(const RayIn<L>& ray, const Denominator<kDivision, L>& below,
+                                        typename L::Value t) {
+    return L::both(L::is_less(below.times(ray.t_min), t), L::is_less(t, below.times(ray.t_max)));
+}
+
+template <class L>
+CAROM_KERNEL typename L::Mask is_weight(typename L::Value u, typename L::Value whole) {
+    return L::both(L::is_at_most(L::all(0), u), L::is_at_most(u, whole));
+}
+/// v, where u is a weight already.
+template <class L>
+CAROM_KERNEL typename L::Mask is_second_weight(typename L::Value u, typename L::Value v,
+                                               typename L::Value whole) {
+    return L::both(L::is_at_most(L::all(0), v), L::is_at_most(u + v, whole));
+}
+
+/// From shares to the answer. A denominator so small that its inverse is infinite, a degenerate
+/// triangle's, makes an infinite t or none at all: no hit.
+template <class L, Division kDivision>
+CAROM_KERNEL MetIn<L> met(const RayIn<L>& ray, const Denominator<kDivision, L>& below,
+                          typename L::Value t, typename L::Value u, typename L::Value v,
+                          typename L::Mask valid) {
+    if constexpr (kDivision == Division::early) {
+        return {t, u, v, valid};
+    } else {
+        if (L::none(valid)) {
+            return missed<L>();
+        }
+        const auto inverse = L::all(1) / below.whole();
+        const auto distance = t * inverse;
+        const auto is_there =
+            L::both(L::is_less(ray.t_min, distance), L::is_less(distance, ray.t_max));
+        return {distance, u * inverse, v * inverse, L::both(valid, is_there)};
+    }
+}

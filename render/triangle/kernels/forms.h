@@ -1,0 +1,92 @@
+/// Calls make.operator()<Kernel, kInput, kDivision>() for a form; null if there is no such form.
+template <class Kernel, Input kInput, class Make>
+auto with_division(Division division, const Make& make) {
+    return division == Division::early
+               ? make.template operator()<Kernel, kInput, Division::early>()
+               : make.template operator()<Kernel, kInput, Division::deferred>();
+}
+
+template <class Kernel, Input... kInputs, class Make>
+std::unique_ptr<KernelRun> with_input(const Form& form, const Make& make) {
+    std::unique_ptr<KernelRun> run;
+    ((form.input == kInputs ? void(run = with_division<Kernel, kInputs>(form.division, make))
+                            : void()),
+     ...);
+    return run;
+}
+
+template <class Make>
+std::unique_ptr<KernelRun> with_form(const Form& form, const Make& make) {
+    constexpr Input corners = Input::corners;
+    constexpr Input with_normal = Input::corners_and_normal;
+    constexpr Input record = Input::record;
+    switch (form.kernel) {
+        case KernelName::moller_trumbore:
+            return with_input<MollerTrumbore, corners, record>(form, make);
+        case KernelName::kensler_shirley:
+            return with_input<KenslerShirley, corners, with_normal, record>(form, make);
+        case KernelName::shevtsov:
+            return with_input<ShevtsovSoupikovKapustin, record>(form, make);
+        case KernelName::badouel:
+            return with_input<Badouel, with_normal, record>(form, make);
+        case KernelName::wald:
+            return with_input<Wald, record>(form, make);
+        case KernelName::keidy:
+            return with_input<Keidy, corners, with_normal>(form, make);
+        case KernelName::perpendicular_planes:
+            return with_input<PerpendicularPlanes, record>(form, make);
+    }
+    return nullptr;
+}
+
+/// What a kernel takes as each input.
+template <class Kernel, Input kInput, class L>
+struct InputChoice {
+    using Type = typename Kernel::template Record<L>;
+};
+template <class Kernel, class L>
+struct InputChoice<Kernel, Input::corners, L> {
+    using Type = Corners<L>;
+};
+template <class Kernel, class L>
+struct InputChoice<Kernel, Input::corners_and_normal, L> {
+    using Type = CornersAndNormal<L>;
+};
+template <class Kernel, Input kInput, class L>
+using InputOf = typename InputChoice<Kernel, kInput, L>::Type;
+
+template <class Kernel, class L>
+CAROM_KERNEL const typename Kernel::template Record<L>& record_of(
+    const typename Kernel::template Record<L>& record) {
+    return record;
+}
+template <class Kernel, class L>
+CAROM_KERNEL typename Kernel::template Record<L> record_of(const Corners<L>& input) {
+    return Kernel::prepare(input);
+}
+template <class Kernel, class L>
+CAROM_KERNEL typename Kernel::template Record<L> record_of(const CornersAndNormal<L>& input) {
+    return Kernel::prepare(input);
+}
+
+template <class T>
+Triple<T> triple(const V3f& v) {
+    return {{v.x, v.y, v.z}};
+}
+
+/// A set's triangle as an input, computed in T.
+template <class Kernel, Input kInput, class T>
+InputOf<Kernel, kInput, ScalarLanes<T>> make_input(const TriangleCorners& triangle) {
+    using L = ScalarLanes<T>;
+    const Corners<L> corners{triple<T>(triangle.a), triple<T>(triangle.b), triple<T>(triangle.c)};
+    if constexpr (kInput == Input::corners) {
+        return corners;
+    } else {
+        const CornersAndNormal<L> with_normal{corners, normal_of(corners)};
+        if constexpr (kInput == Input::corners_and_normal) {
+            return with_normal;
+        } else {
+            return Kernel::prepare(corners);
+        }
+    }
+}

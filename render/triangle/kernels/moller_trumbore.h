@@ -1,0 +1,41 @@
+/// Möller and Trumbore 1997, "Fast, minimum storage ray/triangle intersection", Journal of Graphics
+/// Tools 2(1): weights first, then the distance. The record keeps the edges.
+struct MollerTrumbore {
+    template <class L>
+    struct Record {
+        static constexpr bool kHasAxis = false;
+        Triple<typename L::Value> a, edge_b, edge_c;
+
+        template <class Self>
+        [[nodiscard]] static auto numbers(Self& self) {
+            return std::tie(self.a.at[0], self.a.at[1], self.a.at[2], self.edge_b.at[0],
+                            self.edge_b.at[1], self.edge_b.at[2], self.edge_c.at[0],
+                            self.edge_c.at[1], self.edge_c.at[2]);
+        }
+    };
+
+    template <class L>
+    CAROM_KERNEL static Record<L> prepare(const Corners<L>& corners) {
+        return {corners.a, corners.b - corners.a, corners.c - corners.a};
+    }
+
+    template <Division kDivision, class L>
+    CAROM_KERNEL static MetIn<L> meet(const RayIn<L>& ray, const Record<L>& triangle) {
+        const auto p = cross(ray.direction, triangle.edge_c);
+        const Denominator<kDivision, L> below(dot(triangle.edge_b, p));
+        const auto from_a = ray.origin - triangle.a;
+        const auto u = below.share(dot(from_a, p));
+        auto valid = is_weight<L>(u, below.whole());
+        if (L::fails_alone(valid)) {
+            return missed<L>();
+        }
+        const auto q = cross(from_a, triangle.edge_b);
+        const auto v = below.share(dot(ray.direction, q));
+        valid = L::both(valid, is_second_weight<L>(u, v, below.whole()));
+        if (L::none(valid)) {
+            return missed<L>();
+        }
+        const auto t = below.share(dot(triangle.edge_c, q));
+        return met(ray, below, t, u, v, L::both(valid, is_within(ray, below, t)));
+    }
+};

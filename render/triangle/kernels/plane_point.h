@@ -1,0 +1,49 @@
+/// Where a ray meets a plane n.p = plane, for the kernels that test the point afterwards: t =
+/// height / n.d, and the point seen from a place, both times what stands for 1.
+template <Division kDivision, class L>
+struct PlanePoint {
+    using V = typename L::Value;
+
+    Denominator<kDivision, L> below;
+    V t;
+
+    CAROM_KERNEL PlanePoint(V height, V along) : below(along), t(below.share(height)) {}
+
+    /// The point's coordinate, less what `origin` is less already.
+    CAROM_KERNEL V coordinate(V origin, V direction) const {
+        return below.times(origin) + direction * t;
+    }
+    CAROM_KERNEL Triple<V> point(const Triple<V>& origin, const Triple<V>& direction) const {
+        return {{coordinate(origin.at[0], direction.at[0]),
+                 coordinate(origin.at[1], direction.at[1]),
+                 coordinate(origin.at[2], direction.at[2])}};
+    }
+};
+
+/// Weights with a positive denominator of their own, of a point in a plane. Deferred, one division
+/// serves both; early, each has its own.
+template <Division kDivision, class L>
+CAROM_KERNEL MetIn<L> met_in_plane(const RayIn<L>& ray, const PlanePoint<kDivision, L>& plane,
+                                   typename L::Value u, typename L::Value v, typename L::Value area,
+                                   typename L::Mask valid) {
+    const auto whole = plane.below.times(area);
+    if constexpr (kDivision == Division::early) {
+        const auto inverse = L::all(1) / area;
+        const auto weight_b = u * inverse;
+        const auto weight_c = v * inverse;
+        const auto one = L::all(1);
+        valid = L::both(valid, L::both(is_weight<L>(weight_b, one),
+                                       is_second_weight<L>(weight_b, weight_c, one)));
+        return {plane.t, weight_b, weight_c, valid};
+    } else {
+        valid = L::both(valid, L::both(is_weight<L>(u, whole), is_second_weight<L>(u, v, whole)));
+        if (L::none(valid)) {
+            return missed<L>();
+        }
+        const auto inverse = L::all(1) / whole;
+        const auto distance = plane.t * area * inverse;
+        const auto is_there =
+            L::both(L::is_less(ray.t_min, distance), L::is_less(distance, ray.t_max));
+        return {distance, u * inverse, v * inverse, L::both(valid, is_there)};
+    }
+}

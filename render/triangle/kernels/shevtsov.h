@@ -1,0 +1,72 @@
+/// Shevtsov, Soupikov and Kapustin 2007, "Ray-triangle intersection algorithm for modern CPU
+/// architectures", GraphiCon: volumes, seen along the axis w that the normal follows most; the
+/// normal is scaled so that its part along w is 1, the edges are divided by that part.
+struct ShevtsovSoupikovKapustin {
+    template <class L>
+    struct Record {
+        using V = typename L::Value;
+        static constexpr bool kHasAxis = true;
+        V normal_u, normal_v, plane;  // plane: of a point on it, the scaled normal times the point
+        V a_u, a_v;
+        V edge_b_u, edge_b_v, edge_c_u, edge_c_v;
+        typename L::Axis axis;  // w; u and v follow it
+
+        template <class Self>
+        [[nodiscard]] static auto numbers(Self& self) {
+            return std::tie(self.normal_u, self.normal_v, self.plane, self.a_u, self.a_v,
+                            self.edge_b_u, self.edge_b_v, self.edge_c_u, self.edge_c_v);
+        }
+    };
+
+    template <class L>
+    CAROM_KERNEL static Record<L> prepare(const Corners<L>& corners) {
+        const auto normal = normal_of(corners);
+        const auto edge_b = corners.b - corners.a;
+        const auto edge_c = corners.c - corners.a;
+        const auto& a = corners.a.at;
+        const auto w = L::longest_axis(normal.at);
+        const auto inverse = L::all(1) / L::along(normal.at, w);
+        Record<L> record;
+        record.axis = w;
+        record.normal_u = L::after(normal.at, w) * inverse;
+        record.normal_v = L::before(normal.at, w) * inverse;
+        record.a_u = L::after(a, w);
+        record.a_v = L::before(a, w);
+        record.plane = record.normal_u * record.a_u + record.normal_v * record.a_v + L::along(a, w);
+        record.edge_b_u = L::after(edge_b.at, w) * inverse;
+        record.edge_b_v = L::before(edge_b.at, w) * inverse;
+        record.edge_c_u = L::after(edge_c.at, w) * inverse;
+        record.edge_c_v = L::before(edge_c.at, w) * inverse;
+        return record;
+    }
+
+    template <Division kDivision, class L>
+    CAROM_KERNEL static MetIn<L> meet(const RayIn<L>& ray, const Record<L>& triangle) {
+        const auto w = triangle.axis;
+        const auto d_u = L::after(ray.direction.at, w);
+        const auto d_v = L::before(ray.direction.at, w);
+        const auto o_u = L::after(ray.origin.at, w);
+        const auto o_v = L::before(ray.origin.at, w);
+        const auto determinant =
+            d_u * triangle.normal_u + d_v * triangle.normal_v + L::along(ray.direction.at, w);
+        const Denominator<kDivision, L> below(determinant);
+        const auto height = triangle.plane - (o_u * triangle.normal_u + o_v * triangle.normal_v +
+                                              L::along(ray.origin.at, w));
+        const auto t = below.share(height);
+        auto valid = is_within(ray, below, t);
+        if (L::none(valid)) {
+            return missed<L>();
+        }
+        // From the corner to the point in the plane, times the determinant.
+        const auto from_a_u = d_u * height - determinant * (triangle.a_u - o_u);
+        const auto from_a_v = d_v * height - determinant * (triangle.a_v - o_v);
+        const auto u = below.share(triangle.edge_c_v * from_a_u - triangle.edge_c_u * from_a_v);
+        valid = L::both(valid, is_weight<L>(u, below.whole()));
+        if (L::fails_alone(valid)) {
+            return missed<L>();
+        }
+        const auto v = below.share(triangle.edge_b_u * from_a_v - triangle.edge_b_v * from_a_u);
+        valid = L::both(valid, is_second_weight<L>(u, v, below.whole()));
+        return met(ray, below, t, u, v, valid);
+    }
+};

@@ -1,0 +1,74 @@
+/// Wald 2004, "Realtime ray tracing and interactive global illumination" (dissertation, Saarland
+/// University), section 7.1: Badouel's test with all that the ray does not change in a record of
+/// nine numbers and an axis. The weights are distances from two lines, seen along w.
+struct Wald {
+    template <class L>
+    struct Record {
+        using V = typename L::Value;
+        static constexpr bool kHasAxis = true;
+        V normal_u, normal_v, plane;  // scaled so that the normal's part along w is 1
+        V b_u, b_v, b_d;              // weight of b = b_u p_u + b_v p_v + b_d
+        V c_u, c_v, c_d;
+        typename L::Axis axis;
+
+        template <class Self>
+        [[nodiscard]] static auto numbers(Self& self) {
+            return std::tie(self.normal_u, self.normal_v, self.plane, self.b_u, self.b_v, self.b_d,
+                            self.c_u, self.c_v, self.c_d);
+        }
+    };
+
+    template <class L>
+    CAROM_KERNEL static Record<L> prepare(const Corners<L>& corners) {
+        const auto normal = normal_of(corners);
+        const auto edge_b = corners.b - corners.a;
+        const auto edge_c = corners.c - corners.a;
+        const auto& a = corners.a.at;
+        const auto w = L::longest_axis(normal.at);
+        const auto inverse = L::all(1) / L::along(normal.at, w);
+        const auto a_u = L::after(a, w);
+        const auto a_v = L::before(a, w);
+        const auto zero = L::all(0);
+        Record<L> record;
+        record.axis = w;
+        record.normal_u = L::after(normal.at, w) * inverse;
+        record.normal_v = L::before(normal.at, w) * inverse;
+        record.plane = record.normal_u * a_u + record.normal_v * a_v + L::along(a, w);
+        record.b_u = L::before(edge_c.at, w) * inverse;
+        record.b_v = (zero - L::after(edge_c.at, w)) * inverse;
+        record.b_d = zero - (record.b_u * a_u + record.b_v * a_v);
+        record.c_u = (zero - L::before(edge_b.at, w)) * inverse;
+        record.c_v = L::after(edge_b.at, w) * inverse;
+        record.c_d = zero - (record.c_u * a_u + record.c_v * a_v);
+        return record;
+    }
+
+    template <Division kDivision, class L>
+    CAROM_KERNEL static MetIn<L> meet(const RayIn<L>& ray, const Record<L>& triangle) {
+        const auto w = triangle.axis;
+        const auto d_u = L::after(ray.direction.at, w);
+        const auto d_v = L::before(ray.direction.at, w);
+        const auto o_u = L::after(ray.origin.at, w);
+        const auto o_v = L::before(ray.origin.at, w);
+        const auto height = triangle.plane - L::along(ray.origin.at, w) - triangle.normal_u * o_u -
+                            triangle.normal_v * o_v;
+        const PlanePoint<kDivision, L> plane(
+            height,
+            L::along(ray.direction.at, w) + triangle.normal_u * d_u + triangle.normal_v * d_v);
+        auto valid = is_within(ray, plane.below, plane.t);
+        if (L::none(valid)) {
+            return missed<L>();
+        }
+        const auto p_u = plane.coordinate(o_u, d_u);
+        const auto p_v = plane.coordinate(o_v, d_v);
+        const auto whole = plane.below.whole();
+        const auto u = p_u * triangle.b_u + p_v * triangle.b_v + plane.below.times(triangle.b_d);
+        valid = L::both(valid, is_weight<L>(u, whole));
+        if (L::fails_alone(valid)) {
+            return missed<L>();
+        }
+        const auto v = p_u * triangle.c_u + p_v * triangle.c_v + plane.below.times(triangle.c_d);
+        valid = L::both(valid, is_second_weight<L>(u, v, whole));
+        return met(ray, plane.below, plane.t, u, v, valid);
+    }
+};
