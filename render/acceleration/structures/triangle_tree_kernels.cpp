@@ -9,59 +9,37 @@
 #include <hwy/highway.h>
 
 #include "render/acceleration/wide_traversal-inl.h"
+#include "render/triangle/kernels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
 using Tag = hn::CappedTag<float, kBlockLanes>;
 using F = hn::Vec<Tag>;
+namespace kernels = triangle::HWY_NAMESPACE;
+using L = kernels::TrianglesInLanes<Tag>;
+using TriangleLanes = kernels::MetIn<L>;
 
-struct F3 {
-    F x, y, z;
-};
-
-HWY_INLINE F3 load(const Lanes (&lanes)[3], int lane) {
+HWY_INLINE kernels::Triple<F> load(const Lanes (&lanes)[3], int lane) {
     const Tag d;
-    return {hn::Load(d, lanes[0].values + lane), hn::Load(d, lanes[1].values + lane),
-            hn::Load(d, lanes[2].values + lane)};
+    return {{hn::Load(d, lanes[0].values + lane), hn::Load(d, lanes[1].values + lane),
+             hn::Load(d, lanes[2].values + lane)}};
 }
-HWY_INLINE F3 broadcast(const V3f& v) {
+HWY_INLINE kernels::Triple<F> broadcast(const V3f& v) {
     const Tag d;
-    return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
-}
-// Products and sums in the order of Imath's.
-HWY_INLINE F dot(const F3& a, const F3& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-HWY_INLINE F3 cross(const F3& a, const F3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    return {{hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)}};
 }
 
-struct TriangleLanes {
-    F t, u, v;
-    hn::Mask<Tag> valid;
-};
-
-HWY_INLINE TriangleLanes meet(const TriangleBlock& block, int lane, const F3& origin,
-                              const F3& direction, float t_min) {
+HWY_INLINE kernels::RayIn<L> ray_in_all(const Ray& ray, float t_max) {
     const Tag d;
-    const F zero = hn::Zero(d);
-    const F3 edge_b = load(block.edge_b, lane);
-    const F3 edge_c = load(block.edge_c, lane);
-    const F3 corner = load(block.corner, lane);
-    const F3 p = cross(direction, edge_c);
-    const F determinant = dot(edge_b, p);
-    const F inverse = hn::Set(d, 1.0f) / determinant;
-    const F3 from_a{origin.x - corner.x, origin.y - corner.y, origin.z - corner.z};
-    const F u = dot(from_a, p) * inverse;
-    const F3 q = cross(from_a, edge_b);
-    const F v = dot(direction, q) * inverse;
-    const F t = dot(edge_c, q) * inverse;
-    const auto inside =
-        hn::And(hn::And(hn::Ge(u, zero), hn::Ge(v, zero)), hn::Le(u + v, hn::Set(d, 1.0f)));
-    const auto valid =
-        hn::And(hn::And(inside, hn::Gt(t, hn::Set(d, t_min))), hn::Ne(determinant, zero));
-    return {t, u, v, valid};
+    return {broadcast(ray.origin), broadcast(ray.direction), hn::Set(d, ray.t_min),
+            hn::Set(d, t_max)};
+}
+
+HWY_INLINE TriangleLanes meet(const TriangleBlock& block, int lane, const kernels::RayIn<L>& ray) {
+    const kernels::MollerTrumbore::Record<L> triangles{
+        load(block.corner, lane), load(block.edge_b, lane), load(block.edge_c, lane)};
+    return kernels::MollerTrumbore::meet<triangle::Division::early>(ray, triangles);
 }
 
 HWY_INLINE void offer(const TriangleBlock& block, const TriangleLanes& met, int lane, Hit& best) {
@@ -93,12 +71,12 @@ inline HWY_ATTR void closest_of_triangles(const TriangleTree& tree, const Ray& r
         return;
     }
     const Tag d;
-    const F3 origin = broadcast(ray.origin);
-    const F3 direction = broadcast(ray.direction);
+    // Of equally near ones the lowest: offer() decides.
+    const auto lanes = ray_in_all(ray, kInfinity);
     traverse<false>(d, tree.tree, ray, best.t, [&](std::uint32_t leaf) HWY_ATTR {
         const TriangleBlock& block = tree.blocks[leaf];
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            offer(block, meet(block, lane, origin, direction, ray.t_min), lane, best);
+            offer(block, meet(block, lane, lanes), lane, best);
         }
         return false;
     });
@@ -109,15 +87,12 @@ inline HWY_ATTR bool any_of_triangles(const TriangleTree& tree, const Ray& ray) 
         return false;
     }
     const Tag d;
-    const F3 origin = broadcast(ray.origin);
-    const F3 direction = broadcast(ray.direction);
+    const auto lanes = ray_in_all(ray, ray.t_max);
     bool found = false;
     traverse<false>(d, tree.tree, ray, ray.t_max, [&](std::uint32_t leaf) HWY_ATTR {
         const TriangleBlock& block = tree.blocks[leaf];
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            const TriangleLanes met = meet(block, lane, origin, direction, ray.t_min);
-            const auto before = hn::Lt(met.t, hn::Set(d, ray.t_max));
-            found = found || !hn::AllFalse(d, hn::And(met.valid, before));
+            found = found || !L::none(meet(block, lane, lanes).valid);
         }
         return found;
     });
