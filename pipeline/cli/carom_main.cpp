@@ -36,7 +36,8 @@ bool needs_renderer(const Command& command) {
            std::holds_alternative<RetimeCommand>(command) ||
            std::holds_alternative<FrameCommand>(command) ||
            std::holds_alternative<ContactSheetCommand>(command) ||
-           std::holds_alternative<MuxCommand>(command);
+           std::holds_alternative<MuxCommand>(command) ||
+           std::holds_alternative<CompareCommand>(command);
 }
 
 void run(const Command& command, CommandContext& context) {
@@ -59,6 +60,7 @@ void run(const Command& command, CommandContext& context) {
                    [](const FrameCommand&) {},
                    [](const ContactSheetCommand&) {},
                    [](const MuxCommand&) {},
+                   [](const CompareCommand&) {},
                },
                command);
 }

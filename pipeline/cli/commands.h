@@ -180,10 +180,28 @@ struct ManualCommand {
     std::string output;  // empty: standard output
 };
 
-using Command = std::variant<RenderCommand, RetimeCommand, BakeCommand, FrameCommand, CheckCommand,
-                             ExportCommand, ReportCommand, ImportCommand, MuxCommand, CacheCommand,
-                             ContactSheetCommand, InfoCommand, PlanCommand, NewCommand,
-                             SchemaCommand, ImportTrackCommand, CompletionCommand, ManualCommand>;
+/// Acceleration structures against each other. Texts as they were typed.
+struct CompareCommand {
+    InputOptions input;  // path empty: `scene`
+    CacheOptions cache;
+    std::string scene;                  // one of the laboratory's
+    std::string accelerators = "all";   // names with commas between
+    std::string shadow_rays = "any";    // or "closest", "both"
+    std::optional<std::int64_t> frame;  // of a shot
+    std::string size;                   // "320x240"; empty: the scene's own
+    std::string output;                 // empty: standard output
+    bool json = false;
+    std::string csv;   // a table; empty: none
+    std::string plot;  // a drawing, .svg or .png; empty: none
+    DrawingOptions drawing;
+    int threads = 0;
+};
+
+using Command =
+    std::variant<RenderCommand, RetimeCommand, BakeCommand, FrameCommand, CheckCommand,
+                 ExportCommand, ReportCommand, ImportCommand, MuxCommand, CacheCommand,
+                 ContactSheetCommand, InfoCommand, PlanCommand, NewCommand, SchemaCommand,
+                 ImportTrackCommand, CompletionCommand, ManualCommand, CompareCommand>;
 
 struct CommandLine {
     TalkOptions talk;

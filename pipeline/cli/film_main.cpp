@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "pipeline/cli/command_line.h"
+#include "pipeline/cli/compare_command.h"
 #include "pipeline/cli/contact_sheet_command.h"
 #include "pipeline/cli/film_commands.h"
 #include "pipeline/cli/overload.h"
@@ -19,6 +20,7 @@ void run(const Command& command, CommandContext& context) {
             [&](const MuxCommand& mux) { run_mux(mux, context); },
             [&](const FrameCommand& frame) { run_frame(frame, context); },
             [&](const ContactSheetCommand& sheet) { run_contact_sheet(sheet, context); },
+            [&](const CompareCommand& compare) { run_compare(compare, context); },
             [](const auto&) { throw InputError("this program only renders; call carom instead"); },
         },
         command);

@@ -13,6 +13,17 @@ namespace carom::cli {
 
 namespace {
 
+const char* what_interruption_leaves(const Command& command) {
+    if (std::holds_alternative<RenderCommand>(command)) {
+        return "interrupted; the frames that were finished are kept, and the same command goes on "
+               "from there";
+    }
+    if (std::holds_alternative<CompareCommand>(command)) {
+        return "interrupted; what was measured until then is all that there is";
+    }
+    return "interrupted; nothing was written";  // over in seconds
+}
+
 ExitCode run_guarded(const Command& command, const CommandHandler& handler,
                      CommandContext& context) {
     Console& console = context.console;
@@ -21,11 +32,7 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
         return kDone;
     } catch (const Stopped&) {
         console.end_progress();
-        const bool resumes =
-            std::holds_alternative<RenderCommand>(command);  // the others are over in seconds
-        console.warning(resumes ? "interrupted; the frames that were finished are kept, and the "
-                                  "same command goes on from there"
-                                : "interrupted; nothing was written");
+        console.warning(what_interruption_leaves(command));
         return kInterrupted;
     } catch (const InputError& error) {
         console.end_progress();

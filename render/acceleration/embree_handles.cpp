@@ -25,6 +25,7 @@ EmbreeDevice::EmbreeDevice() : device_(rtcNewDevice(device_settings())) {
                     std::to_string(static_cast<int>(rtcGetDeviceError(nullptr))));
     }
     rtcSetDeviceErrorFunction(device_, note_error, this);
+    rtcSetDeviceMemoryMonitorFunction(device_, note_memory, this);
 }
 
 EmbreeDevice::~EmbreeDevice() {
@@ -38,6 +39,11 @@ void EmbreeDevice::note_error(void* self, RTCError code, const char* text) {
         device->error_ = std::string(text == nullptr ? "no reason given" : text) + " (error " +
                          std::to_string(static_cast<int>(code)) + ")";
     }
+}
+
+bool EmbreeDevice::note_memory(void* self, ssize_t bytes, bool /*post*/) {
+    static_cast<EmbreeDevice*>(self)->bytes_ += bytes;
+    return true;  // go on
 }
 
 void EmbreeDevice::check(const std::string& doing) const {

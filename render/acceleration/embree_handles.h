@@ -1,11 +1,15 @@
 // Embree's handles with owners. For the .cpp files of this folder only.
 #pragma once
 
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <string>
 
 #include <embree3/rtcore.h>
+#include <sys/types.h>
 
 #include "render/geometry/ray.h"
 #include "render/geometry/triangle_mesh.h"
@@ -22,15 +26,22 @@ class EmbreeDevice {
 
     [[nodiscard]] RTCDevice get() const { return device_; }
 
+    /// What all scenes of this device hold.
+    [[nodiscard]] std::size_t bytes() const {
+        return static_cast<std::size_t>(std::max<ssize_t>(bytes_, 0));
+    }
+
     /// Throws Error if Embree reported one since the last call. `doing`: "building ...".
     void check(const std::string& doing) const;
 
   private:
     static void note_error(void* self, RTCError code, const char* text);
+    static bool note_memory(void* self, ssize_t bytes, bool post);
 
     RTCDevice device_ = nullptr;
     mutable std::mutex mutex_;
     mutable std::string error_;
+    std::atomic<ssize_t> bytes_{0};
 };
 
 struct EmbreeRelease {

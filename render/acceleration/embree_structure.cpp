@@ -51,6 +51,10 @@ EmbreeStructure::EmbreeStructure(std::shared_ptr<const EmbreeDevice> device, con
 
 EmbreeStructure::~EmbreeStructure() = default;
 
+std::size_t EmbreeStructure::bytes() const {
+    return data_->device->bytes();
+}
+
 bool EmbreeStructure::closest_hit(const Ray& ray, Hit& hit) const {
     if (!is_traceable(ray)) {
         return false;

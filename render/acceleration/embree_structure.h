@@ -4,8 +4,8 @@
 #include <memory>
 #include <span>
 
-#include "render/acceleration/acceleration_structure.h"
 #include "render/acceleration/shapes.h"
+#include "render/acceleration/structures/measured_structure.h"
 
 namespace carom::render {
 
@@ -15,7 +15,7 @@ struct MeshEntry;
 /// The yardstick for the hybrid structure: analytic shapes are user geometry, moving spheres with
 /// bounds that move; still meshes are triangles of the same scene. Same hits as HybridStructure,
 /// except which of two triangles at the very same distance is named.
-class EmbreeStructure final : public AccelerationStructure {
+class EmbreeStructure final : public MeasuredStructure {
   public:
     /// `shapes.meshes` is not used: the still meshes are given themselves and outlive this.
     /// Throws Error.
@@ -27,6 +27,7 @@ class EmbreeStructure final : public AccelerationStructure {
 
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const override;
     [[nodiscard]] bool any_hit(const Ray& ray) const override;
+    [[nodiscard]] std::size_t bytes() const override;
 
   private:
     struct Data;

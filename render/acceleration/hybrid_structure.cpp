@@ -61,6 +61,11 @@ void HybridStructure::set_loops(const ShapeSet& shapes) {
         [](const MovingShape& a, const MovingShape& b) { return a.object < b.object; });
 }
 
+// The shapes in their blocks are left out, as for the others.
+std::size_t HybridStructure::bytes() const {
+    return (tree_ ? bytes_of(tree_->tree) : 0) + (meshes_ ? meshes_->bytes() : 0);
+}
+
 bool HybridStructure::closest_hit(const Ray& ray, Hit& hit) const {
     if (!is_traceable(ray)) {
         return false;

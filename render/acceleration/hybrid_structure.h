@@ -5,11 +5,11 @@
 #include <memory>
 #include <vector>
 
-#include "render/acceleration/acceleration_structure.h"
 #include "render/acceleration/analytic_kernels.h"
 #include "render/acceleration/analytic_tree_kernels.h"
 #include "render/acceleration/batch_kernels.h"
 #include "render/acceleration/shapes.h"
+#include "render/acceleration/structures/measured_structure.h"
 
 namespace carom::render {
 
@@ -21,7 +21,7 @@ inline constexpr std::size_t kTreeThreshold = 160;
 /// go into a tree instead, which gives the same hits. Only then are triangles asked, within the
 /// distance found. Many still shapes may come in a tree that frames share; then only the others are
 /// in `shapes`, and they are tested in loops.
-class HybridStructure final : public AccelerationStructure {
+class HybridStructure final : public MeasuredStructure {
   public:
     explicit HybridStructure(const ShapeSet& shapes, std::size_t tree_threshold = kTreeThreshold);
     HybridStructure(const ShapeSet& shapes, std::shared_ptr<const AnalyticTree> still);
@@ -31,6 +31,7 @@ class HybridStructure final : public AccelerationStructure {
     [[nodiscard]] FanMask any_hits(const RayFan& fan) const override;
     void closest_hits(const RayBatch& rays, Hit* hits) const override;
     void drop_blocked(const RayBatch& rays, float* reach) const override;
+    [[nodiscard]] std::size_t bytes() const override;
 
   private:
     void set_loops(const ShapeSet& shapes);

@@ -15,10 +15,15 @@ struct RayBatch {
     std::array<const float*, 3> origin{};
     std::array<const float*, 3> direction{};
     const float* time = nullptr;
+    RayKind kind = RayKind::secondary;  // of those that are asked for their nearest hits
 
     [[nodiscard]] Ray ray(int i, float t_max) const {
         return {V3f(origin[0][i], origin[1][i], origin[2][i]),
-                V3f(direction[0][i], direction[1][i], direction[2][i]), 0, t_max, time[i]};
+                V3f(direction[0][i], direction[1][i], direction[2][i]),
+                0,
+                t_max,
+                time[i],
+                kind};
     }
 };
 

@@ -33,6 +33,10 @@ TriangleScene::TriangleScene(std::shared_ptr<const EmbreeDevice> device,
 
 TriangleScene::~TriangleScene() = default;
 
+std::size_t TriangleScene::bytes() const {
+    return data_->device->bytes();
+}
+
 bool TriangleScene::closest_hit(const Ray& ray, Hit& hit) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);

@@ -1,6 +1,7 @@
 // Triangles behind Embree.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -39,6 +40,9 @@ class TriangleScene {
 
     /// As AccelerationStructure's, for safe rays.
     void drop_blocked(const RayBatch& rays, float* reach) const;
+
+    /// What it takes with everything else of its device.
+    [[nodiscard]] std::size_t bytes() const;
 
     struct Data;
     [[nodiscard]] const Data& data() const { return *data_; }

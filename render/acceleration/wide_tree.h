@@ -1,6 +1,7 @@
 // A hierarchy of boxes, eight children to a node, over anything that has bounds.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -35,6 +36,12 @@ struct WideTree {
     std::vector<WideLeaf> leaves;
     std::vector<std::uint32_t> order;  // indices of items
 };
+
+/// What it takes, items left out.
+[[nodiscard]] inline std::size_t bytes_of(const WideTree& tree) {
+    return tree.nodes.size() * sizeof(WideNode) + tree.travels.size() * sizeof(WideTravel) +
+           tree.leaves.size() * sizeof(WideLeaf);
+}
 
 /// As many as a traversal must be able to keep aside: seven for each level.
 inline constexpr int kWideTreeDepth = 80;

@@ -25,7 +25,11 @@ struct CameraBatch {
 
     [[nodiscard]] Ray ray(int i) const {
         return {V3f(origin[0][i], origin[1][i], origin[2][i]),
-                V3f(direction[0][i], direction[1][i], direction[2][i]), 0, kInfinity, time[i]};
+                V3f(direction[0][i], direction[1][i], direction[2][i]),
+                0,
+                kInfinity,
+                time[i],
+                RayKind::primary};
     }
 };
 

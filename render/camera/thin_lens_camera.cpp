@@ -135,6 +135,7 @@ Ray ThinLensCamera::ray(int pixel_x, int pixel_y, const CameraSample& sample) co
     const V2f picture = from_centre * frame.pixel_size;
     Ray ray = has_lens_ ? lens_ray(frame, picture, sample.lens) : pinhole_ray(frame, picture);
     ray.time = time;
+    ray.kind = RayKind::primary;
     return ray;
 }
 

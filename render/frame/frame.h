@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "render/acceleration/structures/structure_cost.h"
 #include "render/camera/camera_state.h"
 #include "render/film/film.h"
 #include "render/scene/render_settings.h"
@@ -50,9 +51,9 @@ class PreparedScene {
 
 /// Renders one frame, tiles in parallel on oneTBB. The pixels depend on the arguments alone, not on
 /// threads. `tracks` need only hold the tracks that the scene names; a name without a track is an
-/// Error.
+/// Error. `probe`: what finding hits cost is measured; the pixels stay the same.
 [[nodiscard]] Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks,
                                 const FrameInput& frame, const RenderSettings& settings,
-                                const WorkContext& context = {});
+                                const WorkContext& context = {}, StructureProbe* probe = nullptr);
 
 }  // namespace carom::render

@@ -13,6 +13,7 @@
 #include "render/frame_scene/static_geometry_data.h"
 #include "render/frame_scene/surface.h"
 #include "sim/timeline/assert.h"
+#include "sim/timeline/cpu_time.h"
 #include "sim/timeline/error.h"
 
 namespace carom::render {
@@ -118,8 +119,8 @@ ShapeSet with_movers(ShapeSet shapes, const StaticGeometry::Data& geometry,
 
 /// A tree over still shapes serves every frame as long as few others move; with many of those, one
 /// tree over all is faster.
-std::unique_ptr<AccelerationStructure> hybrid_structure(const StaticGeometry::Data& geometry,
-                                                        const Motions& motions) {
+std::unique_ptr<MeasuredStructure> hybrid_structure(const StaticGeometry::Data& geometry,
+                                                    const Motions& motions) {
     if (geometry.still_tree) {
         const ShapeSet others = with_movers(geometry.beside_tree, geometry, motions);
         if (loop_cost(others) < kTreeThreshold) {
@@ -129,8 +130,9 @@ std::unique_ptr<AccelerationStructure> hybrid_structure(const StaticGeometry::Da
     return std::make_unique<HybridStructure>(with_movers(geometry.still, geometry, motions));
 }
 
-std::unique_ptr<AccelerationStructure> make_structure_of(const StaticGeometry::Data& geometry,
-                                                         const Motions& motions) {
+std::unique_ptr<MeasuredStructure> make_structure_of(const StaticGeometry::Data& geometry,
+                                                     const Motions& motions,
+                                                     const StructureOptions& options) {
     if (geometry.acceleration == AccelerationKind::hybrid) {
         return hybrid_structure(geometry, motions);
     }
@@ -138,13 +140,13 @@ std::unique_ptr<AccelerationStructure> make_structure_of(const StaticGeometry::D
     if (geometry.acceleration == AccelerationKind::embree) {
         return std::make_unique<EmbreeStructure>(geometry.device, shapes, geometry.still_meshes);
     }
-    return make_structure(geometry.acceleration, shapes, geometry.still_meshes, {});
+    return make_structure(geometry.acceleration, shapes, geometry.still_meshes, options);
 }
 
 }  // namespace
 
 FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Track> tracks,
-                       double scene_open, double scene_close)
+                       double scene_open, double scene_close, const StructureOptions& options)
     : data_(std::make_unique<Data>()) {
     CAROM_ASSERT(scene_open <= scene_close);
     const StaticGeometry::Data& shared = geometry.data();
@@ -158,10 +160,17 @@ FrameScene::FrameScene(const StaticGeometry& geometry, std::span<const sim::Trac
                                                                     scene_open, scene_close);
         }
     }
-    structure_ = make_structure_of(shared, data_->motions);
+    const double start = process_cpu_seconds();
+    structure_ = make_structure_of(shared, data_->motions, options);
+    build_seconds_ = process_cpu_seconds() - start;
 }
 
 FrameScene::~FrameScene() = default;
+
+StructureCost FrameScene::cost() const {
+    return {data_->geometry->build_seconds + build_seconds_, build_seconds_, structure_->bytes(),
+            structure_->counts()};
+}
 
 SurfacePoint FrameScene::surface_at(const Ray& ray, const Hit& hit) const {
     CAROM_ASSERT(hit.object < data_->motions.size());

@@ -9,7 +9,8 @@
 
 #include <Imath/ImathBox.h>
 
-#include "render/acceleration/acceleration_structure.h"
+#include "render/acceleration/structures/measured_structure.h"
+#include "render/acceleration/structures/structure_cost.h"
 #include "render/scene/render_settings.h"
 #include "sim/timeline/track.h"
 
@@ -22,14 +23,17 @@ class StaticGeometry;  // render/frame_scene/static_geometry.h: what all frames 
 class FrameScene {
   public:
     /// `scene_open` <= `scene_close`, seconds of scene time. `geometry` outlives this. Throws Error
-    /// if an object names a track that is not among `tracks`.
+    /// if an object names a track that is not among `tracks`. `options` are for the structures that
+    /// the literature compares; `hybrid` and `embree` neither count nor look beyond the first hit.
     FrameScene(const StaticGeometry& geometry, std::span<const sim::Track> tracks,
-               double scene_open, double scene_close);
+               double scene_open, double scene_close, const StructureOptions& options = {});
     ~FrameScene();
     FrameScene(const FrameScene&) = delete;
     FrameScene& operator=(const FrameScene&) = delete;
 
     [[nodiscard]] const AccelerationStructure& structure() const { return *structure_; }
+    /// So far.
+    [[nodiscard]] StructureCost cost() const;
 
     /// The point that `hit` names, at the ray's own time.
     [[nodiscard]] SurfacePoint surface_at(const Ray& ray, const Hit& hit) const;
@@ -68,7 +72,8 @@ class FrameScene {
   private:
     struct Data;
     std::unique_ptr<Data> data_;
-    std::unique_ptr<AccelerationStructure> structure_;
+    std::unique_ptr<MeasuredStructure> structure_;
+    double build_seconds_ = 0;
 };
 
 }  // namespace carom::render

@@ -7,6 +7,7 @@
 #include "render/acceleration/hybrid_structure.h"
 #include "render/frame_scene/static_geometry_data.h"
 #include "sim/timeline/assert.h"
+#include "sim/timeline/cpu_time.h"
 #include "sim/timeline/error.h"
 
 namespace carom::render {
@@ -153,7 +154,9 @@ StaticGeometry::StaticGeometry(const SceneDescription& scene, const RenderSettin
     if (needs_embree(*data)) {
         data->device = make_embree_device();
     }
+    double start = process_cpu_seconds();
     add_meshes(*data);
+    data->build_seconds += process_cpu_seconds() - start;
     for (std::uint32_t i = 0; i < data->objects.size(); ++i) {
         if (!data->objects[i].is_tracked()) {
             add_still_shape(data->still, data->objects[i], i, data->objects[i].frame);
@@ -161,7 +164,9 @@ StaticGeometry::StaticGeometry(const SceneDescription& scene, const RenderSettin
     }
     if (data->acceleration == AccelerationKind::hybrid &&
         loop_cost(data->still) >= kTreeThreshold) {
+        start = process_cpu_seconds();
         data->still_tree = std::make_shared<const AnalyticTree>(make_analytic_tree(data->still));
+        data->build_seconds += process_cpu_seconds() - start;
         data->beside_tree.planes = data->still.planes;
         data->beside_tree.meshes = data->still.meshes;
     }

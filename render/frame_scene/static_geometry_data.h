@@ -23,6 +23,7 @@ struct StaticGeometry::Data {
     // Where that is much: a tree over it, and what is not in the tree.
     std::shared_ptr<const AnalyticTree> still_tree;
     ShapeSet beside_tree;
+    double build_seconds = 0;  // CPU time of trees and scenes that frames share
 };
 
 /// Adds a still object's shape where it stands.

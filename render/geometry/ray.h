@@ -46,8 +46,9 @@ struct RayFan {
         count += 1;
     }
     [[nodiscard]] Ray ray(int index) const {
-        return {origin, V3f(direction[0][index], direction[1][index], direction[2][index]), 0,
-                t_max[index], time};
+        return {origin, V3f(direction[0][index], direction[1][index], direction[2][index]),
+                0,      t_max[index],
+                time,   RayKind::shadow};
     }
 };
 

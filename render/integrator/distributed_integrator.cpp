@@ -190,7 +190,11 @@ V3f DistributedIntegrator::from_light(std::size_t light, const V2f& u, const Ver
         return scattered;
     }
     const Ray shadow{vertex.point.position + surface.geometric_normal * vertex.point.offset,
-                     sample->direction, 0, sample->distance * kShadowReach, vertex.from.ray.time};
+                     sample->direction,
+                     0,
+                     sample->distance * kShadowReach,
+                     vertex.from.ray.time,
+                     RayKind::shadow};
     return scene_.frame.structure().any_hit(shadow) ? V3f(0, 0, 0) : scattered;
 }
 

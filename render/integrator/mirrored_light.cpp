@@ -111,13 +111,14 @@ bool is_blocked(const TransportScene& scene, const MirroredLight& mirrored, cons
     // The mirror itself is in nobody's way. Between balls that touch, the first leg may be shorter
     // than the step off its receiver, and meets the mirror before its end.
     Hit hit;
-    const Ray first{origin, mirrored.direction, 0, mirrored.distance * kReach, time};
+    const Ray first{origin, mirrored.direction, 0, mirrored.distance * kReach,
+                    time,   RayKind::shadow};
     if (structure.closest_hit(first, hit) && hit.object != mirrored.ball) {
         return true;
     }
     count.shadow_rays += 1;
     return structure.any_hit(
-        Ray{mirrored.origin, mirrored.onward, 0, mirrored.reach * kReach, time});
+        Ray{mirrored.origin, mirrored.onward, 0, mirrored.reach * kReach, time, RayKind::shadow});
 }
 
 }  // namespace carom::render

@@ -44,6 +44,7 @@ std::unique_ptr<CLI::App> make_app(Targets& targets) {
     add_import(app, targets);
     add_import_track(app, targets);
     add_mux(app, targets);
+    add_compare(app, targets);
     add_cache_actions(app, targets);
     add_completion(app, targets);
     add_manual(app, targets);
@@ -99,6 +100,9 @@ Command chosen_command(const CLI::App& app, Targets& targets) {
     }
     if (name == "manual") {
         return std::move(targets.manual);
+    }
+    if (name == "compare") {
+        return std::move(targets.compare);
     }
     if (name == "import-track") {
         return std::move(targets.import_track);

@@ -15,6 +15,7 @@ void add_retime(CLI::App& app, Targets& targets);
 void add_frame(CLI::App& app, Targets& targets);
 void add_contact_sheet(CLI::App& app, Targets& targets);
 void add_mux(CLI::App& app, Targets& targets);
+void add_compare(CLI::App& app, Targets& targets);
 
 void add_bake(CLI::App& app, Targets& targets);
 void add_check(CLI::App& app, Targets& targets);

@@ -8,6 +8,10 @@ std::string example(const char* lines) {
 
 void add_input(CLI::App& app, InputOptions& input, const char* name, const char* what) {
     app.add_option(name, input.path, what)->required()->option_text(" ");
+    add_changes(app, input);
+}
+
+void add_changes(CLI::App& app, InputOptions& input) {
     app.add_option("--set", input.overrides,
                    "change a value of the shot, by its path: --set render.samples=64; may be "
                    "repeated")

@@ -12,6 +12,8 @@ namespace carom::cli {
 [[nodiscard]] std::string example(const char* lines);
 
 void add_input(CLI::App& app, InputOptions& input, const char* name, const char* what);
+/// `--set` and `--quality`.
+void add_changes(CLI::App& app, InputOptions& input);
 void add_camera_file(CLI::App& app, InputOptions& input);
 void add_talk(CLI::App& app, Targets& targets);
 void add_cache(CLI::App& app, CacheOptions& cache);

@@ -29,6 +29,7 @@ struct Targets {
     PlanCommand plan;
     NewCommand new_;
     SchemaCommand schema;
+    CompareCommand compare;
 };
 
 }  // namespace carom::cli

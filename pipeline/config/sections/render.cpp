@@ -1,5 +1,6 @@
 #include "pipeline/config/fraction.h"
 #include "pipeline/config/sections/sections.h"
+#include "render/scene/acceleration_names.h"
 
 namespace carom::pipeline::config {
 
@@ -34,6 +35,14 @@ ValueType<Rational> shutter_turn() {
         return to_rational(turns);
     };
     return result;
+}
+
+std::vector<std::pair<std::string, render::AccelerationKind>> acceleration_names() {
+    std::vector<std::pair<std::string, render::AccelerationKind>> names;
+    for (const render::AccelerationName& known : render::kAccelerationNames) {
+        names.emplace_back(known.name, known.kind);
+    }
+    return names;
 }
 
 ValueType<Rational> shutter_time() {
@@ -198,20 +207,7 @@ void add_sampling(MapSpec<RenderSection>& s) {
     add("filter_width", &RenderSettings::filter_width, number(between(0.5, 8)),
         "full width in pixels; box: 1");
     add("acceleration", &RenderSettings::acceleration,
-        choice<render::AccelerationKind>(
-            {{"hybrid", render::AccelerationKind::hybrid},
-             {"embree", render::AccelerationKind::embree},
-             {"brute_force", render::AccelerationKind::brute_force},
-             {"grid", render::AccelerationKind::grid},
-             {"octree", render::AccelerationKind::octree},
-             {"kdtree", render::AccelerationKind::kd_tree},
-             {"kdtree_median", render::AccelerationKind::kd_tree_median},
-             {"bsp", render::AccelerationKind::bsp_tree},
-             {"rtree", render::AccelerationKind::r_tree},
-             {"rtree_hilbert", render::AccelerationKind::r_tree_hilbert},
-             {"kay_kajiya", render::AccelerationKind::slabs},
-             {"bvh", render::AccelerationKind::bvh},
-             {"wide_bvh", render::AccelerationKind::wide_bvh}}),
+        choice<render::AccelerationKind>(acceleration_names()),
         "structure that finds what a ray hits: `hybrid` is the fastest, the others are for "
         "comparison "
         "(docs/laboratory.md); does not change the picture");

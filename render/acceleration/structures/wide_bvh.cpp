@@ -6,14 +6,6 @@
 #include "render/acceleration/structures/query.h"
 
 namespace carom::render {
-namespace {
-
-std::size_t bytes_of_tree(const WideTree& tree) {
-    return tree.nodes.size() * sizeof(WideNode) + tree.travels.size() * sizeof(WideTravel) +
-           tree.leaves.size() * sizeof(WideLeaf);
-}
-
-}  // namespace
 
 WideBvh::WideBvh(const ShapeSet& shapes, std::span<const MeshEntry> meshes)
     : planes_(infinite_planes(shapes)),
@@ -53,7 +45,7 @@ bool WideBvh::any_hit(const Ray& ray) const {
 }
 
 std::size_t WideBvh::bytes() const {
-    return bytes_of_tree(shapes_.tree) + bytes_of_tree(triangles_.tree) +
+    return bytes_of(shapes_.tree) + bytes_of(triangles_.tree) +
            triangles_.blocks.size() * sizeof(TriangleBlock);
 }
 

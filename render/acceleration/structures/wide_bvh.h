@@ -18,7 +18,6 @@ class WideBvh final : public MeasuredStructure {
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const override;
     [[nodiscard]] bool any_hit(const Ray& ray) const override;
     [[nodiscard]] std::size_t bytes() const override;
-    [[nodiscard]] TestCounts counts() const override { return {}; }
 
   private:
     Primitives planes_;

@@ -48,13 +48,17 @@ struct PathWave {
     Words connected_ball;
 
     [[nodiscard]] Ray ray(int i) const {
-        return {origin.get(i), direction.get(i), 0, kInfinity, time.at[i]};
+        return {origin.get(i), direction.get(i), 0, kInfinity, time.at[i], kind()};
+    }
+    [[nodiscard]] RayKind kind() const {
+        return vertex == 0 ? RayKind::primary : RayKind::secondary;
     }
     [[nodiscard]] RayBatch rays() const {
         return {count,
                 {origin.x.at, origin.y.at, origin.z.at},
                 {direction.x.at, direction.y.at, direction.z.at},
-                time.at};
+                time.at,
+                kind()};
     }
     /// One path by itself, for what is done one at a time.
     [[nodiscard]] Path path(int i) const {
@@ -120,7 +124,8 @@ struct ShadowWave {
         return {vertices,
                 {origin.x.at, origin.y.at, origin.z.at},
                 {x + first, y + first, z + first},
-                time.at};
+                time.at,
+                RayKind::shadow};
     }
 };
 

@@ -1,0 +1,143 @@
+#include "pipeline/cli/compare_command.h"
+
+#include <chrono>
+#include <cstdio>
+
+#include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/comparison_data.h"
+#include "pipeline/cli/drawing_output.h"
+#include "pipeline/cli/film_input.h"
+#include "pipeline/cli/output_file.h"
+#include "pipeline/cli/shot_input.h"
+#include "pipeline/cli/terminal/progress_meter.h"
+#include "pipeline/job/film_plan.h"
+#include "pipeline/laboratory/comparison.h"
+#include "pipeline/laboratory/comparison_plot.h"
+#include "pipeline/laboratory/comparison_text.h"
+
+namespace carom::cli {
+
+namespace {
+
+using pipeline::Comparison;
+using pipeline::LaboratoryScene;
+using pipeline::ShadowRays;
+
+/// One frame of a shot.
+LaboratoryScene scene_of_shot(const CompareCommand& command, CommandContext& context) {
+    ShotInput input = read_shot_input(command.input, context.console);
+    const std::int64_t frames = film_frames(input.shot);
+    const std::int64_t frame = command.frame.value_or(0);
+    if (frame >= frames) {
+        throw InputError("frame " + std::to_string(frame) +
+                         " is outside the film, which has the frames 0 to " +
+                         std::to_string(frames - 1));
+    }
+    const sim::Bake bake = bake_of(input, command.input, command.cache, context);
+    const pipeline::FilmSource source(input.shot, bake.timeline);
+    pipeline::FrameInputs inputs = source.inputs(frame);
+    inputs.frame.seed = source.key(inputs).low;
+    LaboratoryScene scene;
+    scene.name = input.shot.name;
+    scene.what = "frame " + std::to_string(frame);
+    scene.scene = input.shot.scene;
+    scene.tracks = std::move(inputs.tracks);
+    scene.frame = inputs.frame;
+    scene.settings = input.shot.render;
+    scene.settings.aovs.clear();
+    return scene;
+}
+
+void set_size(LaboratoryScene& scene, const std::string& size) {
+    int width = 0;
+    int height = 0;
+    int used = 0;
+    const int found = std::sscanf(size.c_str(), "%5dx%5d%n", &width, &height, &used);
+    constexpr int kLeast = 16;
+    constexpr int kMost = 16384;
+    if (found != 2 || static_cast<std::size_t>(used) != size.size() || width < kLeast ||
+        height < kLeast || width > kMost || height > kMost) {
+        throw InputError("--size '" + size + "' is not a size of 16 to 16384 pixels, as 160x120");
+    }
+    scene.settings.width = width;
+    scene.settings.height = height;
+}
+
+void check_what_is_compared(const CompareCommand& command) {
+    if (command.input.path.empty() && command.scene.empty()) {
+        throw InputError("there is nothing to compare structures on: give a shot, or --scene NAME");
+    }
+    if (!command.scene.empty() &&
+        (!command.input.overrides.empty() || !command.input.quality.empty() || command.frame)) {
+        throw InputError("--set, --quality and --frame are for shots, not for --scene");
+    }
+    check_output_folder(command.output);
+    check_output_folder(command.csv);
+    if (!command.plot.empty()) {
+        check_drawing_path(command.plot, "a plot");
+    }
+}
+
+pipeline::ComparisonOptions options_of(const CompareCommand& command) {
+    pipeline::ComparisonOptions options;
+    try {
+        options.structures = pipeline::structures_from_text(command.accelerators);
+    } catch (const Error& error) {
+        throw InputError(error.what());
+    }
+    if (command.shadow_rays == "closest") {
+        options.shadow_rays = {ShadowRays::closest};
+    } else if (command.shadow_rays == "both") {
+        options.shadow_rays = {ShadowRays::any, ShadowRays::closest};
+    }
+    options.threads = command.threads;
+    return options;
+}
+
+double now() {
+    const auto time = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(time).count();
+}
+
+Comparison compare(const LaboratoryScene& scene, const pipeline::ComparisonOptions& options,
+                   CommandContext& context) {
+    ProgressMeter meter;
+    const auto tell = [&](std::string_view /*structure*/, double share) {
+        meter.on_progress("compare", share, now());
+        context.console.progress(meter.snapshot(now()));
+    };
+    Comparison comparison = pipeline::compare_structures(scene, options, tell, context.stop);
+    context.console.end_progress();
+    return comparison;
+}
+
+}  // namespace
+
+void run_compare(const CompareCommand& command, CommandContext& context) {
+    check_what_is_compared(command);
+    const pipeline::ComparisonOptions options = options_of(command);
+    LaboratoryScene scene = command.scene.empty() ? scene_of_shot(command, context)
+                                                  : pipeline::make_laboratory_scene(command.scene);
+    if (!command.size.empty()) {
+        set_size(scene, command.size);
+    }
+    const Comparison comparison = compare(scene, options, context);
+    if (!comparison.rows.empty()) {
+        write_text_output(
+            command.output.empty() ? "-" : command.output,
+            command.json ? comparison_json(comparison) : pipeline::comparison_text(comparison));
+        if (!command.csv.empty()) {
+            write_text_output(command.csv, comparison_csv(comparison));
+        }
+        if (!command.plot.empty()) {
+            write_drawing({command.plot, command.drawing.width},
+                          pipeline::comparison_plot_svg(
+                              comparison, page_of(command.drawing.page, command.plot)));
+        }
+    }
+    if (!comparison.is_whole) {
+        throw Stopped();
+    }
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,16 @@
+// A comparison for programs.
+#pragma once
+
+#include <string>
+
+#include "pipeline/laboratory/comparison.h"
+
+namespace carom::cli {
+
+/// One JSON object, all digits, a structure to a line.
+[[nodiscard]] std::string comparison_json(const pipeline::Comparison& comparison);
+
+/// A line of names, then one for each structure; empty where nothing is known.
+[[nodiscard]] std::string comparison_csv(const pipeline::Comparison& comparison);
+
+}  // namespace carom::cli

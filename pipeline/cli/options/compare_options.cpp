@@ -1,0 +1,66 @@
+// What measures the renderer itself.
+#include "pipeline/cli/options/command_options.h"
+#include "pipeline/cli/options/shared_options.h"
+
+namespace carom::cli {
+
+namespace {
+
+void add_compared(CLI::App& command, CompareCommand& compare) {
+    CLI::Option* shot =
+        command.add_option("SHOT|BAKE", compare.input.path, "a shot or a bake, one frame of it")
+            ->option_text(" ");
+    command
+        .add_option("--scene", compare.scene,
+                    "or a scene of the laboratory: sphere_cube, cylinder_axes, cylinder_walls, "
+                    "full_view, stadium, smooth_mesh")
+        ->option_text("NAME")
+        ->excludes(shot)
+        ->check(CLI::IsMember({"sphere_cube", "cylinder_axes", "cylinder_walls", "full_view",
+                               "stadium", "smooth_mesh"}));
+    command
+        .add_option("--accelerators", compare.accelerators,
+                    "which structures: all (the default), or some: brute_force,kdtree,rtree")
+        ->option_text("NAMES");
+    command
+        .add_option("--shadow-rays", compare.shadow_rays,
+                    "end at any hit (the default), at the closest one as the oldest ray tracers "
+                    "had it, or both to see what that saves")
+        ->option_text("NAME")
+        ->check(CLI::IsMember({"any", "closest", "both"}));
+    command.add_option("--frame", compare.frame, "of the shot, counted from 0 (the default)")
+        ->option_text("N")
+        ->check(CLI::NonNegativeNumber);
+    command.add_option("--size", compare.size, "of the picture, 160x120 (else its own)")
+        ->option_text("WxH");
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Targets& targets) {
+    CLI::App& command =
+        *app.add_subcommand("compare", "measure acceleration structures on one frame");
+    CompareCommand& compare = targets.compare;
+    add_compared(command, compare);
+    add_changes(command, compare.input);
+    add_output(command, compare.output, "else standard output");
+    command.add_flag("--json", compare.json, "one JSON object, with all digits");
+    command.add_option("--csv", compare.csv, "a table as well, a structure to a row")
+        ->option_text("FILE");
+    command.add_option("--plot", compare.plot, "a drawing of it as well: .svg or .png")
+        ->option_text("FILE");
+    add_drawing(command, compare.drawing);
+    add_threads(command, compare.threads);
+    add_cache(command, compare.cache);
+    add_talk(command, targets);
+    command.footer(
+        example("  carom compare --scene sphere_cube\n"
+                "  carom compare break.yaml --frame 40 --accelerators kdtree,wide_bvh,embree\n"
+                "  carom compare --scene cylinder_walls --shadow-rays both --plot walls.svg\n") +
+        "\nEvery structure renders the same picture; what differs is how many shapes and boxes\n"
+        "are tested for a ray, and the time. Tests are counted in a frame of its own, so that\n"
+        "counting takes no time from the one that is timed. Brute force that would test more\n"
+        "than 10^9 times is computed, which is said. Ctrl-C ends with what is measured by then.");
+}
+
+}  // namespace carom::cli

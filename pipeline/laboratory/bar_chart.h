@@ -1,0 +1,30 @@
+// Bars in groups, as SVG.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/plan/plan_colours.h"
+
+namespace carom::pipeline {
+
+/// One quantity: for each group the values of the series, side by side. What is not above 0 is not
+/// drawn.
+struct BarPanel {
+    std::string title;
+    std::vector<std::vector<double>> bars;  // by group, by series
+    bool is_single = false;                 // one bar to a group, whatever the series
+};
+
+struct BarChart {
+    std::string title;
+    std::string explanation;
+    std::vector<std::string> groups;  // from the top down
+    std::vector<std::string> series;
+    std::vector<BarPanel> panels;  // from left to right
+};
+
+/// A document 297 mm wide. Axes are logarithmic, from a power of ten to a power of ten.
+[[nodiscard]] std::string bar_chart_svg(const BarChart& chart, PlanPage page);
+
+}  // namespace carom::pipeline

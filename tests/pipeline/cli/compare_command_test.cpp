@@ -1,0 +1,112 @@
+// `carom compare`, as a user runs it.
+#include <csignal>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/pipeline/cli/end_to_end.h"
+
+namespace carom::cli {
+namespace {
+
+using carom::testing::EndToEnd;
+using carom::testing::RunningProgram;
+using carom::testing::RunResult;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class CompareCommand : public EndToEnd {};
+
+TEST_F(CompareCommand, Scene_PrintsATable) {
+    const RunResult result = run({"compare", "--scene", "sphere_cube", "--size", "16x16",
+                                  "--accelerators", "brute_force,kdtree,embree", "--quiet"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    EXPECT_THAT(result.out, StartsWith("sphere_cube: 3375 spheres in a cube, 2 point lights\n"
+                                       "16x16, 3375 shapes, "));
+    for (const char* text :
+         {"\nbrute_force  ", "\nkdtree  ", "\nembree  ", "build ms", "memory kB", "Mrays/s",
+          "tests saved", "times as fast", "objects: all  primary  shadow"}) {
+        EXPECT_THAT(result.out, HasSubstr(text));
+    }
+}
+
+TEST_F(CompareCommand, FrameOfAShot_IsMeasuredByAllStructures) {
+    const RunResult result = run({"compare", "tiny.yaml", "--frame", "2", "--size", "16x16",
+                                  "--json", "--csv", "t.csv", "--plot", "t.svg", "-o", "t.json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "t.json\nt.csv\nt.svg\n");
+    const auto json = nlohmann::json::parse(text_of("t.json"));
+    EXPECT_EQ(json["scene"], "tiny");
+    EXPECT_EQ(json["what"], "frame 2");
+    EXPECT_EQ(json["whole"], 1);
+    EXPECT_EQ(json["primary_rays"], 16 * 16 * 4);
+    ASSERT_EQ(json["structures"].size(), 13u);
+    const auto& brute = json["structures"][0];
+    EXPECT_EQ(brute["structure"], "brute_force");
+    EXPECT_EQ(brute["primary_objects"], json["shapes"].get<int>() * 16 * 16 * 4);
+    EXPECT_FALSE(json["structures"][12].contains("primary_objects"));
+    const std::string csv = text_of("t.csv");
+    EXPECT_THAT(csv, StartsWith("scene,structure,shadow_rays,build_seconds,bytes,cpu_seconds,"
+                                "computed,counted,primary_rays,primary_objects,"));
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 14);
+    EXPECT_THAT(csv, HasSubstr("\ntiny,embree,any,"));
+    EXPECT_THAT(text_of("t.svg"), HasSubstr("wide_bvh"));
+    EXPECT_EQ(stored_frames(), 0);  // comparing keeps no pictures
+}
+
+TEST_F(CompareCommand, WrongUse_IsRefusedWithASentence) {
+    const auto message = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "compare");
+        const RunResult result = run(arguments);
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_EQ(result.out, "");
+        return result.err;
+    };
+    EXPECT_EQ(message({}),
+              "carom: error: there is nothing to compare structures on: give a shot, or --scene "
+              "NAME\n");
+    EXPECT_EQ(message({"--scene", "stadium", "--accelerators", "kdtree,quadtree"}),
+              "carom: error: there is no structure 'quadtree'; there are hybrid, embree, "
+              "brute_force, grid, octree, kdtree, kdtree_median, bsp, rtree, rtree_hilbert, "
+              "kay_kajiya, bvh, wide_bvh, and all\n");
+    EXPECT_EQ(message({"--scene", "stadium", "--frame", "3"}),
+              "carom: error: --set, --quality and --frame are for shots, not for --scene\n");
+    EXPECT_EQ(message({"--scene", "stadium", "--size", "8x8"}),
+              "carom: error: --size '8x8' is not a size of 16 to 16384 pixels, as 160x120\n");
+    EXPECT_EQ(message({"tiny.yaml", "--frame", "6"}),
+              "carom: error: frame 6 is outside the film, which has the frames 0 to 5\n");
+    EXPECT_EQ(message({"--scene", "stadium", "--plot", "x.pdf"}),
+              "carom: error: 'x.pdf': a plot is written as .svg or .png\n");
+    EXPECT_THAT(message({"--scene", "teapot"}), HasSubstr("--scene: teapot not in {sphere_cube,"));
+    EXPECT_THAT(message({"tiny.yaml", "--scene", "stadium"}), HasSubstr("excludes"));
+}
+
+TEST_F(CompareCommand, CtrlC_PrintsWhatIsMeasured) {
+    // The first rows are there at once; brute force over walls takes a while.
+    RunningProgram program(
+        carom::testing::carom_program(),
+        {"compare", "--scene", "cylinder_walls", "--size", "64x48", "--accelerators",
+         "kdtree,brute_force", "--threads", "1", "--log", "json"},
+        options());
+    const auto share = [&] {
+        const std::string err = program.err_so_far();
+        const std::size_t at = err.rfind("\"share\":");
+        return at == std::string::npos ? 0.0 : std::atof(err.c_str() + at + 8);
+    };
+    for (int i = 0; i < 4000 && share() < 0.55; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    program.send(SIGINT);
+    const RunResult result = program.wait();
+    EXPECT_EQ(result.exit_code, 130);
+    EXPECT_THAT(result.out, HasSubstr("\nkdtree  "));
+    EXPECT_THAT(result.out,
+                ::testing::EndsWith("\ninterrupted: the other structures are missing\n"));
+    EXPECT_THAT(result.err,
+                HasSubstr("interrupted; what was measured until then is all that there is"));
+}
+
+}  // namespace
+}  // namespace carom::cli
