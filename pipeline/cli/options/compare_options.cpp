@@ -55,12 +55,12 @@ void add_compare(CLI::App& app, Targets& targets) {
     add_talk(command, targets);
     command.footer(
         example("  carom compare --scene sphere_cube\n"
-                "  carom compare break.yaml --frame 40 --accelerators kdtree,wide_bvh,embree\n"
+                "  carom compare break.yaml --frame 40 --accelerators kdtree,embree\n"
                 "  carom compare --scene cylinder_walls --shadow-rays both --plot walls.svg\n") +
-        "\nEvery structure renders the same picture; what differs is how many shapes and boxes\n"
-        "are tested for a ray, and the time. Tests are counted in a frame of its own, so that\n"
-        "counting takes no time from the one that is timed. Brute force that would test more\n"
-        "than 10^9 times is computed, which is said. Ctrl-C ends with what is measured by then.");
+        "\nEvery structure renders the same picture; what differs is the number of tests\n"
+        "for a ray, and the time. Tests are counted in a frame of their own: counting\n"
+        "takes no time from the one that is timed. Brute force of more than 10^9 tests\n"
+        "is computed, which is said. Ctrl-C ends with what is measured by then.");
 }
 
 }  // namespace carom::cli
