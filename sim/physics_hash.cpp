@@ -8,7 +8,7 @@ namespace carom::sim {
 namespace {
 
 /// Counts up with every change to the simulation that can change a bake.
-constexpr std::int64_t kSimulationRevision = 8;
+constexpr std::int64_t kSimulationRevision = 9;
 
 template <typename T, typename Add>
 void add_optional(Hasher& hasher, const std::optional<T>& value, Add add) {
@@ -94,6 +94,19 @@ struct ShapeHash {
     }
 };
 
+void add(Hasher& hasher, const KeyedPath& path) {
+    hasher.add(path.centre).add(std::uint64_t{path.track->keys().size()});
+    for (const Key& key : path.track->keys()) {
+        hasher.add(key.time)
+            .add(key.position)
+            .add(key.orientation)
+            .add(key.velocity_in)
+            .add(key.angular_velocity_in)
+            .add(key.velocity_out)
+            .add(key.angular_velocity_out);
+    }
+}
+
 void add(Hasher& hasher, const Body& body) {
     hasher.add(std::string_view(body.name)).add(std::uint64_t{body.shape.index()});
     std::visit(ShapeHash{hasher}, body.shape);
@@ -104,6 +117,8 @@ void add(Hasher& hasher, const Body& body) {
         .add(body.pose.orientation)
         .add(body.velocity)
         .add(body.angular_velocity);
+    if (body.path && body.path->track)
+        add(hasher, *body.path);
 }
 
 struct ActionHash {

@@ -105,7 +105,7 @@ std::vector<Aabb> boxes_around_balls(const WorldDescription& world) {
     std::vector<Aabb> boxes;
     for (const Body& body : world.bodies) {
         const auto* sphere = std::get_if<Sphere>(&body.shape);
-        if (sphere == nullptr || body.kind == BodyKind::fixed)
+        if (sphere == nullptr || body.kind != BodyKind::dynamic)
             continue;
         boxes.push_back({body.pose.position, body.pose.position});
         boxes.back().grow(sphere->radius);
@@ -197,7 +197,7 @@ std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,
     std::vector<StartOverlap> overlaps;
     for (const Body& body : world.bodies) {
         const auto* sphere = std::get_if<Sphere>(&body.shape);
-        if (sphere == nullptr || body.kind == BodyKind::fixed)
+        if (sphere == nullptr || body.kind != BodyKind::dynamic)
             continue;
         const Vec3& centre = body.pose.position;
         const Ball ball{centre, sphere->radius, {centre.x, centre.y}};

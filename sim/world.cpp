@@ -128,6 +128,8 @@ void check_body(const Body& body, Complaints& complaints) {
     check_shape(body, complaints);
     if (body.kind == BodyKind::dynamic)
         complaints.require(is_positive(body.mass), "mass has to be greater than 0");
+    complaints.require((body.kind == BodyKind::kinematic) == (body.path && body.path->track),
+                       "a path is for a kinematic body, which needs one");
     const Quat& q = body.pose.orientation;
     const double norm = std::sqrt(q.r * q.r + q.v.dot(q.v));
     complaints.require(std::abs(norm - 1) < 1e-6, "the orientation has to be a unit quaternion");
@@ -179,6 +181,10 @@ class EventChecker {
         }
         return nullptr;
     }
+    [[nodiscard]] bool is_fixed(const std::string& name) const {
+        const Body* body = find(name);
+        return body != nullptr && body->kind == BodyKind::fixed;
+    }
     [[nodiscard]] bool is_dynamic(const std::string& name) const {
         const Body* body = find(name);
         return body != nullptr && body->kind == BodyKind::dynamic;
@@ -197,9 +203,8 @@ class EventChecker {
         if (trigger.kind == Trigger::Kind::crossing) {
             const Vec2 way = trigger.to - trigger.from;
             const double length2 = way.dot(way);
-            complaints_.require(
-                find(trigger.a) == nullptr || is_dynamic(trigger.a),
-                "it waits for '" + trigger.a + "' to cross a line, which never moves");
+            complaints_.require(!is_fixed(trigger.a), "it waits for '" + trigger.a +
+                                                          "' to cross a line, which never moves");
             complaints_.require(std::isfinite(length2) && length2 > 0,
                                 "the line of its trigger needs two different ends");
         }
@@ -266,7 +271,7 @@ void check_table(const WorldDescription& world, Complaints& complaints,
         return;
     for (const Body& body : world.bodies) {
         const auto* sphere = std::get_if<Sphere>(&body.shape);
-        if (sphere == nullptr || body.kind == BodyKind::fixed)
+        if (sphere == nullptr || body.kind != BodyKind::dynamic)
             continue;
         complaints.about("body '" + body.name + "'");
         complaints.require(world.table->nose_height < 2 * sphere->radius,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -11,6 +12,7 @@
 #include "sim/billiards/table.h"
 #include "sim/contact_law.h"
 #include "sim/force_event.h"
+#include "sim/timeline/track.h"
 #include "sim/timeline/track_recorder.h"
 #include "sim/timeline/vocabulary.h"
 
@@ -51,19 +53,27 @@ struct TriangleMesh {
 using BodyShape = std::variant<Sphere, Box, TriangleMesh, Capsule, Cylinder, ConvexHull>;
 
 enum class BodyKind {
-    dynamic,  // moves by the laws of physics
-    fixed,    // never moves, others collide with it
+    dynamic,    // moves by the laws of physics
+    fixed,      // never moves, others collide with it
+    kinematic,  // moved by keys: it pushes others and is not pushed
+};
+
+/// The way of a kinematic body.
+struct KeyedPath {
+    std::shared_ptr<const Track> track;
+    Vec3 centre{0, 0, 0};  // of the shape, in the axes that the track moves, m
 };
 
 struct Body {
     std::string name;  // unique in the world; names the track
     BodyShape shape;
     BodyKind kind = BodyKind::dynamic;
-    double mass = 0.170097;         // kg, > 0; ignored for fixed bodies
-    std::string material = "ball";  // physical material: "ball", or any name the contact law knows
-    Pose pose;
-    Vec3 velocity{0, 0, 0};          // m/s, world axes
-    Vec3 angular_velocity{0, 0, 0};  // rad/s, world axes
+    double mass = 0.170097;          // kg, > 0; of dynamic bodies
+    std::string material = "ball";   // physical material: "ball", or any name the contact law knows
+    Pose pose;                       // of a kinematic body: where its path has it at 0 s
+    Vec3 velocity{0, 0, 0};          // m/s, world axes; of dynamic bodies
+    Vec3 angular_velocity{0, 0, 0};  // rad/s, world axes; of dynamic bodies
+    std::optional<KeyedPath> path;   // of kinematic bodies
 };
 
 struct WorldDescription {

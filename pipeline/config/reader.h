@@ -17,7 +17,8 @@ namespace carom::pipeline::config {
 enum class ReferenceKind {
     ball,       // a sphere that a stick can strike
     body,       // anything that moves by the laws of physics, and so has a track
-    moving,     // a body, or an object moved by keys
+    simulated,  // a body, or an object moved by keys that pushes others
+    moving,     // a body, or any object moved by keys
     touchable,  // a body, a fixed object or a part of the table ("cushion")
     placed,     // a body or any object that stands somewhere
     material,   // of the look

@@ -68,6 +68,7 @@ std::string noun_of(ReferenceKind kind) {
         case ReferenceKind::ball:
             return "a ball";
         case ReferenceKind::body:
+        case ReferenceKind::simulated:
         case ReferenceKind::moving:
             return "a ball or moving object";
         case ReferenceKind::touchable:

@@ -119,4 +119,13 @@ ImpactResult ImpactSolver::solve_static(const ImpactBody& first, const ImpactCon
     return result;
 }
 
+ImpactResult ImpactSolver::solve_moved(const ImpactBody& first, const Vec3& velocity,
+                                       const ImpactContact& contact) {
+    ImpactBody seen = first;
+    seen.velocities.linear -= velocity;
+    ImpactResult result = solve_static(seen, contact);
+    result.first.linear += velocity;
+    return result;
+}
+
 }  // namespace carom::sim::ode

@@ -50,6 +50,10 @@ class ImpactSolver {
     /// The same against something that does not move; `second` of the result stays zero.
     [[nodiscard]] ImpactResult solve_static(const ImpactBody& first, const ImpactContact& contact);
 
+    /// The same against something that moves on unmoved, at `velocity` (m/s) where they touch.
+    [[nodiscard]] ImpactResult solve_moved(const ImpactBody& first, const Vec3& velocity,
+                                           const ImpactContact& contact);
+
   private:
     struct State;
     std::unique_ptr<State> state_;

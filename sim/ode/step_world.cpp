@@ -112,6 +112,11 @@ struct StepWorld::State {
         return is_moving[i] != 0 ? bodies[i] : nullptr;
     }
 
+    [[nodiscard]] bool is_kinematic(int number) const {
+        return masses[static_cast<std::size_t>(number)].is_kinematic;
+    }
+    [[nodiscard]] double pull_on(int number) const { return is_kinematic(number) ? 0 : 1; }
+
     void rebuild();
     void create(const StepBody& from);
     void prepare(std::span<const int> moving, std::span<const MotionState> states,
@@ -153,6 +158,8 @@ void StepWorld::State::create(const StepBody& from) {
     dMassSetParameters(&mass, from.mass, 0, 0, 0, from.inertia.x, from.inertia.y, from.inertia.z, 0,
                        0, 0);
     dBodySetMass(body, &mass);
+    if (from.is_kinematic)
+        dBodySetKinematic(body);
     dBodySetGyroscopicMode(body, 0);
     dBodyDisable(body);
     bodies.push_back(body);
@@ -176,9 +183,9 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
     dBodyID second = moving_body(from.second);
     Vec3 relative(0, 0, 0);
     if (first != nullptr)
-        relative += velocity_at(first, from.point) + pull;
+        relative += velocity_at(first, from.point) + pull * pull_on(from.first);
     if (second != nullptr)
-        relative -= velocity_at(second, from.point) + pull;
+        relative -= velocity_at(second, from.point) + pull * pull_on(from.second);
     const Vec3 slip = across(relative, from.normal);
     if (number >= directions.size())
         directions.push_back(friction_direction(slip, from.normal));
@@ -192,7 +199,7 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
     surface.soft_erp = std::min(kErrorReduction, kErrorRate * duration);
     double inverse_mass = 0;
     for (const int body : {from.first, from.second}) {
-        if (moving_body(body) != nullptr)
+        if (moving_body(body) != nullptr && !is_kinematic(body))
             inverse_mass += 1 / masses[static_cast<std::size_t>(body)].mass;
     }
     surface.soft_cfm = attempt.softness() * inverse_mass * duration;

@@ -37,6 +37,7 @@ struct StepMotion {
 struct StepBody {
     double mass = 1;
     Vec3 inertia{1, 1, 1};
+    bool is_kinematic = false;  // keeps its velocities whatever it meets
 };
 
 /// Approaches below this speed (m/s) do not bounce in lasting contact: stacks would never rest.

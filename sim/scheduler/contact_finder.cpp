@@ -31,7 +31,7 @@ std::vector<FoundContact> ContactFinder::find(const std::vector<StepBody>& bodie
         const StepBody& body = bodies[static_cast<std::size_t>(i)];
         if (!body.is_in)
             continue;
-        if (body.is_awake) {
+        if (body.is_awake && !body.is_kinematic()) {
             if (body.is_ball) {
                 find_for_ball(i, body, found);
             } else {
@@ -40,7 +40,8 @@ std::vector<FoundContact> ContactFinder::find(const std::vector<StepBody>& bodie
         }
         for (int j = i + 1; j < count; ++j) {
             const StepBody& other = bodies[static_cast<std::size_t>(j)];
-            if (other.is_in && (body.is_awake || other.is_awake))
+            const bool is_met = !body.is_kinematic() || !other.is_kinematic();
+            if (other.is_in && is_met && (body.is_awake || other.is_awake))
                 find_between(i, body, j, other, found);
         }
     }

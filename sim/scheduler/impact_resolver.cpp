@@ -137,8 +137,14 @@ void ImpactResolver::meet_box(const Touch& touch) {
                                     {before.position, Quat()},
                                     {before.velocity, before.angular_velocity}};
     const ode::ImpactBody box_part{box.mass, box.inertia, box_pose, box_before};
-    const ode::ImpactResult result = balls_.solver().solve(
-        ball_part, box_part, {contact.point, contact.normal, law.restitution, law.friction});
+    const ode::ImpactContact impact{contact.point, contact.normal, law.restitution, law.friction};
+    ode::ImpactResult result;
+    if (box.is_kinematic()) {
+        result = balls_.solver().solve_moved(ball_part, box.velocity_at(contact.point), impact);
+        result.second = box_before;
+    } else {
+        result = balls_.solver().solve(ball_part, box_part, impact);
+    }
     if (approach > kQuietSpeed)
         recording_.log_impact(touch.time, ball.name, box.name, contact.point, contact.normal,
                               {result.normal_impulse, result.tangential_impulse});

@@ -69,6 +69,7 @@ void Scheduler::run_window() {
     begin_count();
     measure_energy();
     act();
+    stepped_.follow_paths(now_);
     if (stepped_.is_active()) {
         const double fine = std::min(world_.step, kLongestCoarseStep) / 4;
         // Equal parts, lest the last one be round-off.
@@ -120,7 +121,7 @@ bool Scheduler::needs_step(const Touch& touch) const {
 }
 
 double Scheduler::window_end_from(double now) const {
-    double end = world_.duration;
+    double end = std::min(world_.duration, stepped_.next_key(now));
     if (next_energy_time_ > now)
         end = std::min(end, next_energy_time_);
     const double next_action = schedule_.next_time();

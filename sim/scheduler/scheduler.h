@@ -75,9 +75,9 @@ class Scheduler {
     double next_energy_time_ = 0;
     std::size_t noticed_events_ = 0;
     std::size_t touches_in_window_ = 0;
-    std::uint32_t round_ = 0;    // counts the windows
-    bool is_capped_ = false;     // for the rest of this window
-    bool was_stepping_ = false;  // in the last window
+    std::uint32_t round_ = 0;   // counts the windows
+    bool is_capped_ = false;    // for the rest of this window
+    bool was_stepping_ = true;  // in the last window, or there was none
 };
 
 }  // namespace carom::sim

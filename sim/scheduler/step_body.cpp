@@ -21,6 +21,26 @@ StepBody ball_body(const Ball& ball) {
     return body;
 }
 
+/// A ball that keys move is like any other solid that they do.
+SolidShape round_solid(const Sphere& sphere) {
+    return {std::make_shared<const ConvexShape>(ConvexShape::capsule(sphere.radius, 0)), Quat(),
+            Vec3(1, 1, 1)};
+}
+
+StepBody kinematic_body(const Body& from) {
+    const auto* sphere = std::get_if<Sphere>(&from.shape);
+    const SolidShape solid = sphere != nullptr ? round_solid(*sphere) : *solid_shape(from.shape);
+    StepBody body;
+    body.name = from.name;
+    body.material = from.material;
+    body.shape = solid.shape;
+    body.principal = solid.principal;
+    body.path = std::make_shared<const KinematicPath>(*from.path, solid.principal);
+    body.state = body.path->at(0);
+    body.is_in = true;
+    return body;
+}
+
 StepBody solid_body(const Body& from, const SolidShape& solid, std::size_t track) {
     StepBody body;
     body.name = from.name;
@@ -63,6 +83,14 @@ Vec3 StepBody::velocity_at(const Vec3& point) const {
     return state.velocity + state.angular_velocity.cross(point - state.position);
 }
 
+double StepBody::kinetic_energy_in(const MotionState& frame) const {
+    StepBody seen = *this;
+    seen.state.velocity -=
+        frame.velocity + frame.angular_velocity.cross(state.position - frame.position);
+    seen.state.angular_velocity -= frame.angular_velocity;
+    return seen.kinetic_energy();
+}
+
 double StepBody::kinetic_energy() const {
     const Vec3 w = to_body(state.orientation, state.angular_velocity);
     return 0.5 * mass * state.velocity.dot(state.velocity) +
@@ -83,6 +111,8 @@ std::vector<StepBody> make_step_bodies(const WorldDescription& world,
         bodies.push_back(ball_body(ball));
     std::size_t track = 0;
     for (const Body& body : world.bodies) {
+        if (body.kind == BodyKind::kinematic)
+            bodies.push_back(kinematic_body(body));
         if (body.kind != BodyKind::dynamic)
             continue;
         if (const auto solid = solid_shape(body.shape))

@@ -8,6 +8,7 @@
 
 #include "sim/ode/impact_solver.h"
 #include "sim/scheduler/ball_state.h"
+#include "sim/scheduler/kinematic_path.h"
 #include "sim/solid_shape.h"
 #include "sim/spatial/convex_distance.h"
 #include "sim/spatial/convex_touch.h"
@@ -18,7 +19,7 @@ namespace carom::sim {
 struct StepBody {
     std::string name;
     std::string material;
-    std::size_t track = 0;
+    std::size_t track = 0;  // not of a kinematic body
     bool is_ball = false;
     double radius = 0;                         // of a ball
     std::shared_ptr<const ConvexShape> shape;  // of all others, along principal axes
@@ -26,12 +27,14 @@ struct StepBody {
     double mass = 1;
     Vec3 inertia{1, 1, 1};  // principal moments
     bool is_in = false;     // ODE's; a ball while it is stepped or lying
-    bool is_awake = false;
+    bool is_awake = false;  // a kinematic body: moving
     MotionState state;      // when it is in: at the end of the last step, along principal axes
     ConvexMotion motion;    // of what is no ball during the step being tried
     double slow_since = 0;  // scene time since when it has hardly moved
-    int free_steps = 0;     // of a ball: steps since it last touched more than the ground
+    std::shared_ptr<const KinematicPath> path;  // of a kinematic body
+    int free_steps = 0;  // of a ball: steps since it last touched more than the ground
 
+    [[nodiscard]] bool is_kinematic() const { return path != nullptr; }
     [[nodiscard]] bool is_box() const { return !is_ball && shape->is_box(); }
     [[nodiscard]] PlacedShape placed() const {
         return {shape.get(), {state.position, state.orientation}};
@@ -46,6 +49,8 @@ struct StepBody {
     [[nodiscard]] double farthest_speed() const;
     [[nodiscard]] Vec3 velocity_at(const Vec3& point) const;
     [[nodiscard]] double kinetic_energy() const;
+    /// Seen from what moves with `frame`, which may turn, too.
+    [[nodiscard]] double kinetic_energy_in(const MotionState& frame) const;
     [[nodiscard]] ode::ImpactBody impact_body() const;
 };
 

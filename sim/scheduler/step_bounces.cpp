@@ -1,6 +1,9 @@
 #include "sim/scheduler/step_bounces.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
 
 #include "sim/scheduler/contact_numbers.h"
 
@@ -16,12 +19,13 @@ double approach_speed(const std::vector<StepBody>& bodies, const FoundContact& f
 
 void StepBounces::resolve(const std::vector<FoundContact>& contacts, double time) {
     constexpr int kMostBounces = 1000;
+    forget_jams(contacts);
     for (int i = 0; i < kMostBounces; ++i) {
         const FoundContact* fastest = nullptr;
         double speed = ode::kBounceSpeed;
         for (const FoundContact& found : contacts) {
             const bool is_ball = bodies_[static_cast<std::size_t>(found.contact.first)].is_ball;
-            if (!is_ball && found.contact.depth < -kClosedGap)
+            if ((!is_ball && found.contact.depth < -kClosedGap) || is_jammed(found))
                 continue;
             const double candidate = approach_speed(bodies_, found);
             if (candidate > speed) {
@@ -36,8 +40,37 @@ void StepBounces::resolve(const std::vector<FoundContact>& contacts, double time
         } else {
             bounce_pair(contacts, *fastest, time);
         }
+        count_blow(*fastest, time);
     }
     log_blows(time);
+}
+
+void StepBounces::forget_jams(const std::vector<FoundContact>& contacts) {
+    counts_.clear();
+    std::erase_if(jams_, [&](const std::pair<int, int>& jam) {
+        return std::none_of(contacts.begin(), contacts.end(),
+                            [&](const FoundContact& found) { return found.pair() == jam; });
+    });
+}
+
+/// Between two free bodies blows die away. What keys move strikes on for ever.
+void StepBounces::count_blow(const FoundContact& found, double time) {
+    constexpr int kMostBlows = 50;
+    if (found.other < 0)
+        return;
+    const StepBody& first = bodies_[static_cast<std::size_t>(found.contact.first)];
+    const StepBody& second = bodies_[static_cast<std::size_t>(found.other)];
+    if (!(first.is_kinematic() || second.is_kinematic()) || ++counts_[found.pair()] < kMostBlows)
+        return;
+    jams_.insert(found.pair());
+    const StepBody& moved = first.is_kinematic() ? first : second;
+    const StepBody& caught = first.is_kinematic() ? second : first;
+    if (!warned_.insert(found.pair()).second)
+        return;
+    std::array<char, 64> at{};
+    std::snprintf(at.data(), at.size(), "at %.3f s ", time);
+    recording_.warn(at.data() + ("'" + caught.name) + "' is jammed by '" + moved.name +
+                    "', which keys move: there is no room for it");
 }
 
 void StepBounces::bounce_ball(const FoundContact& found, double time) {
@@ -47,7 +80,10 @@ void StepBounces::bounce_ball(const FoundContact& found, double time) {
     const ode::ImpactContact impact{contact.point, contact.normal, contact.restitution,
                                     contact.friction};
     ode::ImpactResult result;
-    if (other != nullptr) {
+    if (other != nullptr && other->is_kinematic()) {
+        result = balls_.solver().solve_moved(ball.impact_body(), other->velocity_at(contact.point),
+                                             impact);
+    } else if (other != nullptr) {
         result = balls_.solver().solve(ball.impact_body(), other->impact_body(), impact);
     } else if (is_lining(finder_.info(found.other).material, contact.normal)) {
         BallBody body{ball.mass, ball.radius, ball.state};
@@ -88,6 +124,16 @@ void StepBounces::bounce_pair(const std::vector<FoundContact>& contacts,
     note(fastest, impulse);
 }
 
+/// What keys move does work. Seen from there it does none.
+MotionState StepBounces::frame_of(const std::vector<int>& moving) const {
+    for (const int number : moving) {
+        const StepBody& body = bodies_[static_cast<std::size_t>(number)];
+        if (body.is_kinematic())
+            return body.state;
+    }
+    return {};
+}
+
 /// Restitution with friction can add energy where a blow goes past the centre (Kane and Levinson,
 /// Dynamics: Theory and Applications, 1985, section 5.8); without restitution never. So a blow
 /// that would is one without.
@@ -95,11 +141,12 @@ ImpulsePair StepBounces::strike(const std::vector<int>& moving,
                                 std::vector<ode::StepContact>& contacts,
                                 std::vector<ode::Velocities>& after) {
     std::vector<MotionState> states;
+    const MotionState frame = frame_of(moving);
     double energy = 0;
     for (const int number : moving) {
         const StepBody& body = bodies_[static_cast<std::size_t>(number)];
         states.push_back(body.state);
-        energy += body.kinetic_energy();
+        energy += body.kinetic_energy_in(frame);
     }
     std::vector<ode::StepImpulse> impulses;
     world_.strike(moving, states, contacts, after, impulses);
@@ -108,7 +155,7 @@ ImpulsePair StepBounces::strike(const std::vector<int>& moving,
         StepBody body = bodies_[static_cast<std::size_t>(moving[i])];
         body.state.velocity = after[i].linear;
         body.state.angular_velocity = after[i].angular;
-        left += body.kinetic_energy();
+        left += body.kinetic_energy_in(frame);
     }
     if (left > energy) {
         for (ode::StepContact& contact : contacts)
@@ -149,6 +196,8 @@ void StepBounces::log_blows(double time) {
 }
 
 void StepBounces::take(StepBody& body, const ode::Velocities& velocities, double time) {
+    if (body.is_kinematic())
+        return;
     if (!body.is_awake)
         sleep_.wake(body, time);
     const MotionState before = body.state;

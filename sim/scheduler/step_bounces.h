@@ -1,6 +1,9 @@
 // Blows at the start of a step, one pair after the other.
 #pragma once
 
+#include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "sim/ode/step_world.h"
@@ -34,15 +37,24 @@ class StepBounces {
     /// ODE's step. `contacts`: all of the bodies where they are.
     void resolve(const std::vector<FoundContact>& contacts, double time);
 
+    /// Whether something is caught between a kinematic body and what does not give way: they do
+    /// not bounce, and ODE pushes as well as it can, until they part.
+    [[nodiscard]] bool is_jammed(const FoundContact& found) const {
+        return jams_.contains(found.pair());
+    }
+
   private:
     void bounce_ball(const FoundContact& found, double time);
     void bounce_pair(const std::vector<FoundContact>& contacts, const FoundContact& fastest,
                      double time);
+    [[nodiscard]] MotionState frame_of(const std::vector<int>& moving) const;
     ImpulsePair strike(const std::vector<int>& moving, std::vector<ode::StepContact>& contacts,
                        std::vector<ode::Velocities>& after);
     void take(StepBody& body, const ode::Velocities& velocities, double time);
     void note(const FoundContact& found, const ImpulsePair& impulse);
     void log_blows(double time);
+    void forget_jams(const std::vector<FoundContact>& contacts);
+    void count_blow(const FoundContact& found, double time);
 
     /// What a pair of boxes gave each other in one instant, in one entry of the log however often
     /// they struck.
@@ -58,6 +70,9 @@ class StepBounces {
     Balls& balls_;
     Recording& recording_;
     std::vector<Blow> blows_;
+    std::map<std::pair<int, int>, int> counts_;  // blows of this instant, from kinematic bodies
+    std::set<std::pair<int, int>> jams_;
+    std::set<std::pair<int, int>> warned_;
 };
 
 }  // namespace carom::sim

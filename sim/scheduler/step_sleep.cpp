@@ -22,6 +22,7 @@ void StepSleep::wake(StepBody& body, double time) {
     body.is_awake = true;
     body.slow_since = time;
     body.free_steps = 0;
+    recording_.keep(body.track, time, body.seen(body.state));
     if (body.is_ball)
         balls_.hand_to_ode(static_cast<std::uint32_t>(&body - bodies_.data()), time);
 }
@@ -29,7 +30,7 @@ void StepSleep::wake(StepBody& body, double time) {
 void StepSleep::wake_near(const Vec3& place, double reach, double time) {
     constexpr double kNear = 1e-3;  // m
     for (StepBody& body : bodies_) {
-        const bool sleeps = body.is_in && !body.is_awake;
+        const bool sleeps = body.is_in && !body.is_awake && !body.is_kinematic();
         if (!sleeps || length(body.state.position - place) > reach + body.reach() + kNear)
             continue;
         wake(body, time);
@@ -44,11 +45,13 @@ bool StepSleep::wake_by_touch(const std::vector<FoundContact>& contacts, double 
             continue;
         StepBody& a = bodies_[static_cast<std::size_t>(found.contact.first)];
         StepBody& b = bodies_[static_cast<std::size_t>(found.other)];
-        if (a.is_awake == b.is_awake)
+        if (a.is_awake == b.is_awake || (a.is_awake ? b : a).is_kinematic())
             continue;
         const Vec3 relative =
             a.velocity_at(found.contact.point) - b.velocity_at(found.contact.point);
-        if (length(relative) < kWakeSpeed)
+        // However slow it is, what keys move gives no way.
+        const bool is_moved = (a.is_awake ? a : b).is_kinematic();
+        if (length(relative) < kWakeSpeed && !is_moved)
             continue;
         wake(a.is_awake ? b : a, time);
         is_changed = true;
@@ -66,9 +69,11 @@ bool StepSleep::is_tired(StepBody& body, const std::vector<FoundContact>& contac
             continue;
         has_contact = true;
         const int partner = found.contact.first == me ? found.other : found.contact.first;
-        if (partner >= 0)
-            is_slow = is_slow &&
-                      bodies_[static_cast<std::size_t>(partner)].farthest_speed() < kSleepSpeed;
+        if (partner < 0)
+            continue;
+        const StepBody& other = bodies_[static_cast<std::size_t>(partner)];
+        const bool is_moved = other.is_kinematic() && other.is_awake;
+        is_slow = is_slow && !is_moved && other.farthest_speed() < kSleepSpeed;
     }
     if (!is_slow || !has_contact)
         body.slow_since = time;

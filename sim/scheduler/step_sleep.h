@@ -5,14 +5,17 @@
 
 #include "sim/scheduler/balls.h"
 #include "sim/scheduler/contact_finder.h"
+#include "sim/scheduler/recording.h"
 #include "sim/scheduler/step_body.h"
 
 namespace carom::sim {
 
 class StepSleep {
   public:
-    StepSleep(std::vector<StepBody>& bodies, Balls& balls) : bodies_(bodies), balls_(balls) {}
+    StepSleep(std::vector<StepBody>& bodies, Balls& balls, Recording& recording)
+        : bodies_(bodies), balls_(balls), recording_(recording) {}
 
+    /// Its track says that it rested until then.
     void wake(StepBody& body, double time);
 
     /// Something happened near `place`: bodies that sleep within `reach` of it wake.
@@ -28,6 +31,7 @@ class StepSleep {
   private:
     std::vector<StepBody>& bodies_;
     Balls& balls_;
+    Recording& recording_;
 };
 
 }  // namespace carom::sim

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "sim/motion/free_rotation.h"
-#include "sim/scheduler/step_bounces.h"
 
 namespace carom::sim {
 namespace {
@@ -55,7 +54,7 @@ double StepTrial::sinking() const {
     };
     double most = 0;
     for (const FoundContact& found : contacts_) {
-        if (found.contact.depth <= 0)
+        if (found.contact.depth <= 0 || bounces_.is_jammed(found))
             continue;
         const double sunk = approach_speed(placed_, found) * 0.5 * (end_ - start_);
         const bool is_rim = has_rim(found.contact.first) || has_rim(found.other);
@@ -85,12 +84,15 @@ void StepTrial::go_half_way() {
     middles_.clear();
     for (const int number : moving_) {
         StepBody& body = placed_[static_cast<std::size_t>(number)];
-        body.state = drift(bodies_[static_cast<std::size_t>(number)].state, body.inertia,
-                           0.5 * (end_ - start_));
+        const double half = 0.5 * (end_ - start_);
+        body.state = body.is_kinematic() ? body.path->at(start_ + half)
+                                         : drift(bodies_[static_cast<std::size_t>(number)].state,
+                                                 body.inertia, half);
         middles_.push_back(body.state);
     }
     contacts_ = finder_.find(placed_);
     drop_blows();
+    drop_unmoved();
     step_contacts_.clear();
     for (FoundContact& found : contacts_) {
         found.contact.restitution = 0;
@@ -100,6 +102,11 @@ void StepTrial::go_half_way() {
 
 void StepTrial::solve() {
     world_.step(end_ - start_, gravity_, moving_, middles_, step_contacts_, motions_, impulses_);
+    for (std::size_t slot = 0; slot < moving_.size(); ++slot) {
+        const StepBody& body = bodies_[static_cast<std::size_t>(moving_[slot])];
+        if (body.is_kinematic())
+            motions_[slot].end = body.path->at(end_);
+    }
 }
 
 /// Half-way: what was apart at the start and comes fast is no lasting contact. It strikes. Contacts
@@ -108,7 +115,7 @@ void StepTrial::drop_blows() {
     std::map<std::pair<int, int>, double> fastest;
     std::vector<double> speeds;
     for (const FoundContact& found : contacts_) {
-        const double approach = approach_speed(placed_, found);
+        const double approach = bounces_.is_jammed(found) ? 0 : approach_speed(placed_, found);
         const double gap_at_start = 0.5 * (end_ - start_) * approach - found.contact.depth;
         speeds.push_back(gap_at_start > kClosedGap ? approach : 0);
         double& most = fastest[found.pair()];
@@ -123,15 +130,33 @@ void StepTrial::drop_blows() {
     contacts_.resize(kept);
 }
 
+/// Between a kinematic body and what sleeps there is nothing to be solved for.
+void StepTrial::drop_unmoved() {
+    const auto can_move = [this](int number) {
+        if (number < 0)
+            return false;
+        const StepBody& body = placed_[static_cast<std::size_t>(number)];
+        return body.is_awake && !body.is_kinematic();
+    };
+    std::erase_if(contacts_, [&](const FoundContact& found) {
+        return !can_move(found.contact.first) && !can_move(found.other);
+    });
+}
+
+/// Where the body of that slot is `time` after the step's start.
+MotionState StepTrial::place_after(std::size_t slot, double time) const {
+    const StepBody& body = bodies_[static_cast<std::size_t>(moving_[slot])];
+    const double half = 0.5 * (end_ - start_);
+    if (body.is_kinematic())
+        return body.path->at(start_ + time);
+    return time < half ? drift(body.state, body.inertia, time)
+                       : drift(motions_[slot].after, body.inertia, time - half);
+}
+
 void StepTrial::place_at(double share) {
     const double time = share * (end_ - start_);
-    const double half = 0.5 * (end_ - start_);
-    for (std::size_t slot = 0; slot < moving_.size(); ++slot) {
-        const auto number = static_cast<std::size_t>(moving_[slot]);
-        StepBody& body = placed_[number];
-        body.state = time < half ? drift(bodies_[number].state, body.inertia, time)
-                                 : drift(motions_[slot].after, body.inertia, time - half);
-    }
+    for (std::size_t slot = 0; slot < moving_.size(); ++slot)
+        placed_[static_cast<std::size_t>(moving_[slot])].state = place_after(slot, time);
 }
 
 /// Which share of the step passes before something strikes or bodies meet that were apart.
@@ -143,7 +168,7 @@ double StepTrial::share_until_touch() {
         place_at(share);
         double deepest = 0;
         for (const FoundContact& found : finder_.find(placed_)) {
-            if (found.contact.depth > deepest &&
+            if (found.contact.depth > deepest && !bounces_.is_jammed(found) &&
                 (!known.contains(found.pair()) ||
                  approach_speed(placed_, found) > ode::kBounceSpeed))
                 deepest = found.contact.depth;

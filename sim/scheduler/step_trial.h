@@ -6,15 +6,16 @@
 #include "sim/ode/step_world.h"
 #include "sim/scheduler/contact_finder.h"
 #include "sim/scheduler/step_body.h"
+#include "sim/scheduler/step_bounces.h"
 
 namespace carom::sim {
 
 /// Holds what a step starts from and what it does. The bodies themselves are not changed.
 class StepTrial {
   public:
-    StepTrial(ode::StepWorld& world, const ContactFinder& finder, const Vec3& gravity,
-              const std::vector<StepBody>& bodies)
-        : world_(world), finder_(finder), gravity_(gravity), bodies_(bodies) {}
+    StepTrial(ode::StepWorld& world, const ContactFinder& finder, const StepBounces& bounces,
+              const Vec3& gravity, const std::vector<StepBody>& bodies)
+        : world_(world), finder_(finder), bounces_(bounces), gravity_(gravity), bodies_(bodies) {}
 
     /// Tries a step of all awake bodies from `start` to `end`. Where something strikes, or bodies
     /// meet that were apart, it is shortened to that time.
@@ -36,12 +37,15 @@ class StepTrial {
     void go_half_way();
     void solve();
     void drop_blows();
+    void drop_unmoved();
+    [[nodiscard]] MotionState place_after(std::size_t slot, double time) const;
     [[nodiscard]] double sinking() const;
     [[nodiscard]] double share_until_touch();
     void place_at(double share);
 
     ode::StepWorld& world_;
     const ContactFinder& finder_;
+    const StepBounces& bounces_;
     Vec3 gravity_;
     const std::vector<StepBody>& bodies_;
     double start_ = 0;

@@ -1,6 +1,7 @@
 #include "sim/scheduler/stepped_bodies.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace carom::sim {
 namespace {
@@ -17,11 +18,11 @@ SteppedBodies::SteppedBodies(const WorldDescription& world, const Surroundings& 
       recording_(recording),
       finder_(around),
       bodies_(make_step_bodies(world, balls.all())),
-      sleep_(bodies_, balls),
+      sleep_(bodies_, balls, recording),
       bounces_(bodies_, sleep_, finder_, world_, balls, recording),
-      trial_(world_, finder_, around.gravity, bodies_) {
+      trial_(world_, finder_, bounces_, around.gravity, bodies_) {
     for (const StepBody& body : bodies_)
-        world_.add({body.mass, body.inertia});
+        world_.add({body.mass, body.inertia, body.is_kinematic()});
 }
 
 void SteppedBodies::start(double time) {
@@ -30,8 +31,30 @@ void SteppedBodies::start(double time) {
             continue;
         body.motion = {body.shape.get(), time, body.state};
         body.slow_since = time;
-        recording_.keep(body.track, time, body.seen(body.state));
+        if (!body.is_kinematic())
+            recording_.keep(body.track, time, body.seen(body.state));
     }
+}
+
+void SteppedBodies::follow_paths(double time) {
+    for (StepBody& body : bodies_) {
+        if (!body.is_kinematic())
+            continue;
+        body.state = body.path->at(time);
+        body.is_awake = body.path->is_moving_from(time);
+        if (!body.is_awake)
+            body.state.velocity = body.state.angular_velocity = {0, 0, 0};
+        body.motion = {body.shape.get(), time, body.state};
+    }
+}
+
+double SteppedBodies::next_key(double time) const {
+    double next = std::numeric_limits<double>::infinity();
+    for (const StepBody& body : bodies_) {
+        if (body.is_kinematic())
+            next = std::min(next, body.path->next_key(time));
+    }
+    return next;
 }
 
 bool SteppedBodies::is_active() const {
@@ -76,7 +99,9 @@ void SteppedBodies::show_paths() {
         const MotionState& end = trial_.motions()[slot].end;
         MotionState path = body.state;
         path.velocity = (end.position - body.state.position) / duration;
-        path.angular_velocity = (body.state.angular_velocity + end.angular_velocity) * 0.5;
+        path.angular_velocity = body.is_kinematic()
+                                    ? trial_.motions()[slot].after.angular_velocity
+                                    : (body.state.angular_velocity + end.angular_velocity) * 0.5;
         if (body.is_ball) {
             balls_.show_step(number, trial_.start(), path);
         } else {
@@ -95,7 +120,7 @@ void SteppedBodies::commit(double end) {
         StepBody& body = bodies_[static_cast<std::size_t>(number)];
         if (body.is_ball) {
             settle_ball(body, end);
-        } else {
+        } else if (!body.is_kinematic()) {
             settle_box(body, end);
         }
     }
@@ -178,6 +203,8 @@ void SteppedBodies::settle_ball(StepBody& body, double end) {
 void SteppedBodies::change_box(std::uint32_t number, double time, const Vec3& velocity,
                                const Vec3& angular_velocity) {
     StepBody& body = bodies_[number];
+    if (body.is_kinematic())
+        return;
     const MotionState before = body.state;
     body.state.velocity = velocity;
     body.state.angular_velocity = angular_velocity;
@@ -190,7 +217,7 @@ void SteppedBodies::change_box(std::uint32_t number, double time, const Vec3& ve
 
 void SteppedBodies::add_energy(EnergySample& sample) const {
     for (const StepBody& body : bodies_) {
-        if (body.is_ball)
+        if (body.is_ball || body.is_kinematic())
             continue;
         sample.kinetic += body.kinetic_energy();
         sample.potential -= body.mass * around_.gravity.dot(body.state.position);
@@ -204,7 +231,7 @@ bool SteppedBodies::all_rest() const {
 
 void SteppedBodies::finish(double time) {
     for (const StepBody& body : bodies_) {
-        if (!body.is_ball)
+        if (!body.is_ball && !body.is_kinematic())
             recording_.keep(body.track, time, body.seen(body.state));
     }
 }

@@ -24,6 +24,11 @@ class SteppedBodies {
 
     void start(double time);
 
+    /// Kinematic bodies are where their paths have them.
+    void follow_paths(double time);
+    /// When the first of them comes to a key after `time`; else infinite.
+    [[nodiscard]] double next_key(double time) const;
+
     [[nodiscard]] bool is_active() const;
     [[nodiscard]] bool is_trying() const { return is_trying_; }
     [[nodiscard]] const std::vector<StepBody>& all() const { return bodies_; }
@@ -35,7 +40,7 @@ class SteppedBodies {
     /// Makes the trial true up to `end`, no later than the trial's own.
     void commit(double end);
 
-    /// A box's velocities changed in an instant.
+    /// A box's velocities changed in an instant; those of a kinematic one do not.
     void change_box(std::uint32_t body, double time, const Vec3& velocity,
                     const Vec3& angular_velocity);
 

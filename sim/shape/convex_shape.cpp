@@ -172,6 +172,10 @@ FacingFeature ConvexShape::facing(const Vec3& direction) const {
     const Vec3 d = direction / length(direction);
     FacingFeature feature;
     if (kind_ == Kind::capsule) {
+        if (half_size_.z == 0) {  // a ball
+            feature.points = {d * radius_};
+            return feature;
+        }
         feature.points = {Vec3(0, 0, -half_size_.z) + d * radius_,
                           Vec3(0, 0, half_size_.z) + d * radius_};
         return feature;

@@ -23,7 +23,7 @@ class ConvexShape {
     enum class Kind { box, capsule, cylinder, hull };
 
     static ConvexShape box(const Vec3& half_size);
-    /// The axis of both is z; `half_length`: from the centre to that of a round end.
+    /// The axis of both is z; `half_length`: from the centre to that of a round end, 0 for a ball.
     static ConvexShape capsule(double radius, double half_length);
     static ConvexShape cylinder(double radius, double half_height);
     /// Around the origin, which lies inside; or flat, with the origin on both its sides: a triangle

@@ -41,7 +41,7 @@ bool Builder::claim(const std::string& name, const Place& place, const std::stri
 }
 
 Shot build_shot(const ShotFile& file, const Node& root, const std::string& name, Reader& reader) {
-    Builder builder{file, root, reader, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+    Builder builder{file, root, reader, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
     builder.shot.name = name;
     builder.shot.world = file.world;
     build_table(builder);

@@ -22,10 +22,11 @@ struct Builder {
     /// By name, where balls and objects were given (racked balls: the rack's key).
     std::map<std::string, Place> placed;
     std::set<std::string> balls;
-    std::set<std::string> bodies;         // that move
+    std::set<std::string> bodies;         // that the simulation moves
     std::set<std::string> fixed;          // that others collide with
     std::map<std::string, Vec3> scenery;  // seen only: where it stands
-    std::set<std::string> keyed;          // seen only, moved by keys
+    std::set<std::string> keyed;          // moved by keys and seen only
+    std::set<std::string> kinematic;      // moved by keys, pushing others
     std::set<std::string> materials;
     std::optional<sim::billiards::TableGeometry> table_geometry;
 

@@ -1,10 +1,10 @@
+#include <memory>
 #include <utility>
 #include <variant>
 
+#include "pipeline/config/build/body_shape.h"
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/text.h"
-#include "pipeline/shot/solid_mesh.h"
-#include "render/geometry/mesh_file.h"
 #include "sim/shape/mass_properties.h"
 #include "sim/timeline/error.h"
 
@@ -13,14 +13,6 @@ namespace carom::pipeline::config {
 namespace {
 
 using sim::BodyKind;
-
-constexpr double kPi = 3.14159265358979323846;
-
-std::string shape_name(const render::Shape& shape) {
-    constexpr const char* kNames[] = {"sphere",   "box",           "plane", "rectangle", "mesh",
-                                      "triangle", "parallelogram", "disk",  "cylinder",  "cone"};
-    return kNames[shape.index()];
-}
 
 /// Where the centre of mass is at the start.
 Vec3 centre_of(const ObjectSection& object) {
@@ -45,94 +37,6 @@ Mat44 linear_map(const ObjectSection& object) {
         }
     }
     return map;
-}
-
-/// Volume of the shapes that can move.
-std::optional<double> volume(const ObjectSection& object) {
-    const render::Shape& shape = *object.shape;
-    if (object.solid) {
-        if (const auto* capsule = std::get_if<sim::Capsule>(&*object.solid)) {
-            return sim::capsule_volume(capsule->radius, capsule->length);
-        }
-        if (const auto* cylinder = std::get_if<sim::Cylinder>(&*object.solid)) {
-            return sim::cylinder_volume(cylinder->radius, cylinder->height);
-        }
-        const auto hull = sim::convex_hull(std::get<sim::ConvexHull>(*object.solid).points);
-        return hull ? std::optional(sim::mass_properties(*hull).volume) : std::nullopt;
-    }
-    if (const auto* sphere = std::get_if<render::SphereShape>(&shape)) {
-        return 4.0 / 3.0 * kPi * sphere->radius * sphere->radius * sphere->radius;
-    }
-    if (const auto* box = std::get_if<render::BoxShape>(&shape)) {
-        return box->size.x * box->size.y * box->size.z;
-    }
-    return std::nullopt;
-}
-
-/// What collides with shapes that only stand and have no solid of their own; empty for others.
-std::optional<sim::TriangleMesh> still_mesh(const render::Shape& shape) {
-    if (const auto* rectangle = std::get_if<render::RectangleShape>(&shape)) {
-        const double x = rectangle->size.x / 2;
-        const double y = rectangle->size.y / 2;
-        return sim::TriangleMesh{{{-x, -y, 0}, {x, -y, 0}, {x, y, 0}, {-x, y, 0}},
-                                 {{0, 1, 2}, {0, 2, 3}}};
-    }
-    if (const auto* triangle = std::get_if<render::TriangleShape>(&shape)) {
-        return sim::TriangleMesh{{triangle->corners.begin(), triangle->corners.end()}, {{0, 1, 2}}};
-    }
-    if (const auto* sides = std::get_if<render::ParallelogramShape>(&shape)) {
-        const Vec3& a = sides->corner;
-        const Vec3& u = sides->edge_u;
-        const Vec3& v = sides->edge_v;
-        return sim::TriangleMesh{{a, a + u, a + u + v, a + v}, {{0, 1, 2}, {0, 2, 3}}};
-    }
-    if (const auto* disk = std::get_if<render::DiskShape>(&shape)) {
-        return disk_mesh(disk->radius);
-    }
-    if (const auto* cone = std::get_if<render::ConeShape>(&shape)) {
-        return cone_mesh(*cone);
-    }
-    return std::nullopt;
-}
-
-sim::TriangleMesh scaled_mesh(const std::string& file, const Vec3& scale) {
-    const render::MeshShape mesh = render::read_mesh(file);
-    sim::TriangleMesh result;
-    for (const Vec3& vertex : mesh.vertices) {
-        result.vertices.push_back(vertex * scale);
-    }
-    result.triangles = mesh.triangles;
-    return result;
-}
-
-/// The shape that others collide with; empty after a problem.
-std::optional<sim::BodyShape> body_shape(const Named<ObjectSection>& object, Builder& builder) {
-    const render::Shape& shape = *object.value.shape;
-    if (object.value.solid) {
-        return object.value.solid;
-    }
-    if (const auto* sphere = std::get_if<render::SphereShape>(&shape)) {
-        return sim::Sphere{sphere->radius};
-    }
-    if (const auto* box = std::get_if<render::BoxShape>(&shape)) {
-        return sim::Box{box->size};
-    }
-    if (object.value.physics->kind == BodyKind::dynamic) {
-        builder.reader.error(object.value.shape_place,
-                             "a " + shape_name(shape) + " cannot move: object '" + object.name +
-                                 "' needs 'physics: fixed' or 'physics: false'");
-        return std::nullopt;
-    }
-    if (auto still = still_mesh(shape)) {
-        return std::move(*still);
-    }
-    const auto& mesh = std::get<render::MeshShape>(shape);
-    try {
-        return scaled_mesh(mesh.file, object.value.scale);
-    } catch (const Error& failure) {
-        builder.reader.error(object.value.shape_place, failure.what());
-        return std::nullopt;
-    }
 }
 
 /// The infinite floor of the simulation is level, and there is one.
@@ -163,7 +67,22 @@ void check_mass(const Named<ObjectSection>& object, Builder& builder) {
     }
 }
 
-void add_body(const Named<ObjectSection>& object, Builder& builder) {
+/// What pushes is where its centre is, as the simulation wants it, and its keys move its origin.
+void follow_keys(const Named<ObjectSection>& object, const sim::Track& keys, sim::Body& body) {
+    sim::KeyedPath path{std::make_shared<const sim::Track>(keys), object.value.centre};
+    if (auto* hull = std::get_if<sim::ConvexHull>(&body.shape); hull && !object.value.solid) {
+        path.centre = sim::mass_properties(*sim::convex_hull(hull->points)).centre;
+        for (Vec3& point : hull->points) {
+            point -= path.centre;
+        }
+    }
+    const MotionState start = keys.sample(0);
+    body.pose = {start.position + start.orientation.rotateVector(path.centre), start.orientation};
+    body.path = std::move(path);
+}
+
+/// `keys`: of a kinematic body.
+void add_body(const Named<ObjectSection>& object, const sim::Track* keys, Builder& builder) {
     const ObjectPhysics& physics = *object.value.physics;
     check_mass(object, builder);
     std::optional<sim::BodyShape> shape = body_shape(object, builder);
@@ -180,12 +99,16 @@ void add_body(const Named<ObjectSection>& object, Builder& builder) {
     body.pose = {centre_of(object.value), object.value.rotate};
     body.velocity = physics.velocity.value_or(Vec3(0, 0, 0));
     body.angular_velocity = physics.spin.value_or(Vec3(0, 0, 0));
+    if (keys != nullptr) {
+        follow_keys(object, *keys, body);
+    }
     builder.shot.world.bodies.push_back(std::move(body));
 }
 
 /// The track leads the object's origin; a hull's shape is placed in it by its centre.
 void add_keyed(const Named<ObjectSection>& object, Builder& builder) {
-    builder.keyed.insert(object.name);
+    const bool pushes = object.value.physics.has_value();
+    (pushes ? builder.kinematic : builder.keyed).insert(object.name);
     if (object.value.motion->keys.size() < 2) {
         return;  // what is wrong with them was said
     }
@@ -194,6 +117,10 @@ void add_keyed(const Named<ObjectSection>& object, Builder& builder) {
             keyed_track(object.name, *object.value.motion, {object.value.at, object.value.rotate}));
     } catch (const Error& failure) {
         builder.reader.error(builder.place_of({"objects", object.name, "motion"}), failure.what());
+        return;
+    }
+    if (pushes) {
+        add_body(object, &builder.shot.keyed.back(), builder);
     }
 }
 
@@ -237,7 +164,7 @@ void build_objects(Builder& builder) {
             add_floor(object, builder);
             builder.scenery[object.name] = object.value.at;
         } else {
-            add_body(object, builder);
+            add_body(object, nullptr, builder);
             (is_moving ? builder.bodies : builder.fixed).insert(object.name);
         }
         if (is_moving && std::holds_alternative<render::SphereShape>(*object.value.shape)) {

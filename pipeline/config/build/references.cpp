@@ -24,6 +24,7 @@ std::vector<std::string> known_names(const Builder& builder, ReferenceKind kind)
         case ReferenceKind::placed:
             append(names, builder.bodies);
             append(names, builder.fixed);
+            append(names, builder.kinematic);
             for (const auto& [name, position] : builder.scenery) {
                 names.push_back(name);
             }
@@ -31,14 +32,20 @@ std::vector<std::string> known_names(const Builder& builder, ReferenceKind kind)
         case ReferenceKind::touchable:
             append(names, builder.bodies);
             append(names, builder.fixed);
+            append(names, builder.kinematic);
             names.insert(names.end(), surface_names().begin(), surface_names().end());
             break;
         case ReferenceKind::body:
             append(names, builder.bodies);
             break;
+        case ReferenceKind::simulated:
+            append(names, builder.bodies);
+            append(names, builder.kinematic);
+            break;
         case ReferenceKind::moving:
             append(names, builder.bodies);
             append(names, builder.keyed);
+            append(names, builder.kinematic);
             break;
     }
     return names;
@@ -54,6 +61,7 @@ std::string noun(ReferenceKind kind) {
             return "object or surface";
         case ReferenceKind::placed:
         case ReferenceKind::body:
+        case ReferenceKind::simulated:
         case ReferenceKind::moving:
             break;
     }
@@ -67,6 +75,11 @@ std::string wrong_kind(const Builder& builder, const Reference& reference) {
         return quote(reference.name) +
                " is moved by keys and only seen: the simulation knows nothing of it";
     }
+    const bool is_kinematic = builder.kinematic.count(reference.name) != 0;
+    if (is_kinematic && reference.kind != ReferenceKind::material) {
+        return quote(reference.name) +
+               " is moved by keys: nothing that happens to it changes its way";
+    }
     const bool stands_still =
         builder.fixed.count(reference.name) != 0 || builder.scenery.count(reference.name) != 0;
     if (!stands_still && builder.bodies.count(reference.name) == 0) {
@@ -76,6 +89,7 @@ std::string wrong_kind(const Builder& builder, const Reference& reference) {
         case ReferenceKind::ball:
             return quote(reference.name) + " is not a ball";
         case ReferenceKind::body:
+        case ReferenceKind::simulated:
         case ReferenceKind::moving:
             return quote(reference.name) +
                    " does not move: only balls and objects with physics or keys have a path";

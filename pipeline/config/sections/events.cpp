@@ -23,7 +23,8 @@ const MapSpec<Trigger>& crossing_spec() {
                            "The centre of an object, seen from above, passes between two points, "
                            "whichever way it goes.",
                            prototype);
-        s.key("object", &Trigger::a, name_of(ReferenceKind::body), "the ball or object").required();
+        s.key("object", &Trigger::a, name_of(ReferenceKind::simulated), "the ball or object")
+            .required();
         s.key("from", &Trigger::from, vector2(Dimension::length), "one end of the line").required();
         s.key("to", &Trigger::to, vector2(Dimension::length), "the other end").required();
         s.check([](Reader& reader, const Node& node, Trigger& trigger) {
@@ -62,7 +63,7 @@ const MapSpec<Trigger>& trigger_spec() {
             any_of<std::string>(
                 {{[](const Node& node) { return node.is_scalar() && node.text == "all"; },
                   everything},
-                 {is_scalar, name_of(ReferenceKind::body)}}),
+                 {is_scalar, name_of(ReferenceKind::simulated)}}),
             [](Trigger& trigger, std::string name) {
                 trigger.kind = Trigger::Kind::resting;
                 trigger.a = std::move(name);

@@ -1,6 +1,7 @@
 // The sections that are simulated: simulation, physics, balls, objects, events.
 #include <gmock/gmock.h>
 
+#include "sim/shape/mass_properties.h"
 #include "tests/pipeline/config/load.h"
 
 namespace carom::pipeline {
@@ -293,6 +294,38 @@ TEST(Objects, Solids_CollideAsTheyAreSeen) {
             object.name == "wedge" ? 0.0045 : 4e-4 * 0.086666666 * 3.14159265358979;
         EXPECT_NEAR(volume / expected, 1, 2e-3) << object.name;
     }
+}
+
+TEST(Physics, OfWhatKeysMove_FollowsTheirTrack) {
+    const Shot shot = load_sections(
+        "objects:\n"
+        "  wedge:\n"
+        "    hull: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+        "    at: [5, 0, 0]\n"
+        "    physics: {material: wood}\n"
+        "    motion: {keys: [{at: 1 s}, {at: 2 s, position: [6, 0, 0], rotate: [0, 0, 90 deg]}]}\n"
+        "  spike:\n"
+        "    cone: {radius: 0.3, height: 0.4}\n"
+        "    physics: true\n"
+        "    motion: {keys: [{at: 1 s, position: [8, 0, 0.2]}, {at: 2 s, position: [9, 0, "
+        "0.2]}]}\n");
+    const auto& bodies = shot.world.bodies;
+    ASSERT_EQ(bodies.size(), 2U);
+    ASSERT_EQ(shot.keyed.size(), 2U) << "they are filmed like others that keys move";
+    for (const sim::Body& body : bodies) {
+        EXPECT_EQ(body.kind, sim::BodyKind::kinematic);
+        ASSERT_TRUE(body.path);
+        const auto& hull = std::get<sim::ConvexHull>(body.shape);
+        const Vec3 centre = sim::mass_properties(*sim::convex_hull(hull.points)).centre;
+        EXPECT_LT(centre.length(), 1e-12) << body.name;
+    }
+    EXPECT_EQ(bodies[0].material, "wood");
+    EXPECT_LT((bodies[0].path->centre - Vec3(0.25, 0.25, 0.25)).length(), 1e-12);
+    EXPECT_LT((bodies[0].pose.position - Vec3(5.25, 0.25, 0.25)).length(), 1e-12);
+    EXPECT_EQ(*bodies[0].path->track, shot.keyed[0]);
+    // A cone's centre of mass is a quarter of its height above its base.
+    EXPECT_LT((bodies[1].path->centre - Vec3(0, 0, -0.1)).length(), 1e-12);
+    EXPECT_LT((bodies[1].pose.position - Vec3(8, 0, 0.1)).length(), 1e-12);
 }
 
 }  // namespace

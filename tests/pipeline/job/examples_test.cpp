@@ -203,5 +203,20 @@ TEST(Tower, FallsAndEveryEventHappens) {
     EXPECT_LT(result.timeline.find("c2")->sample(result.timeline.end_time).position.z, 0.06);
 }
 
+TEST(Turnstile, PlankAndBarsPushTheBalls) {
+    const sim::BakeResult result = sim::bake(example("turnstile").world);
+    EXPECT_THAT(result.warnings, ::testing::IsEmpty());
+    for (const char* ball : {"cue", "one", "three", "five", "six", "eight", "twelve"}) {
+        EXPECT_TRUE(find(result.timeline, EventKind::impact, ball, "bar_x") != nullptr ||
+                    find(result.timeline, EventKind::impact, ball, "bar_y") != nullptr)
+            << ball;
+    }
+    const auto speed = [&](double time) {
+        return result.timeline.find("cue")->sample(time).velocity.length();
+    };
+    EXPECT_EQ(speed(0.5), 0) << "it rests on the plank";
+    EXPECT_GT(speed(2), 0.5) << "rolled down";
+}
+
 }  // namespace
 }  // namespace carom::pipeline

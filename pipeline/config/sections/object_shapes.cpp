@@ -1,0 +1,163 @@
+// The shapes that an object may have: one key each.
+#include "pipeline/config/sections/object_shapes.h"
+
+#include <cmath>
+
+#include "pipeline/config/units.h"
+#include "pipeline/shot/solid_mesh.h"
+#include "sim/shape/mass_properties.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+template <class V, class Make>
+void add_shape(MapSpec<ObjectSection>& spec, std::string name, ValueType<V> type, Make make,
+               std::string description) {
+    spec.set(
+        std::move(name), std::move(type),
+        [make](ObjectSection& object, const V& value) { object.shape = make(value); },
+        std::move(description));
+}
+
+const MapSpec<sim::Capsule>& capsule_spec() {
+    static const MapSpec<sim::Capsule> spec = [] {
+        MapSpec<sim::Capsule> s("capsule", "A cylinder about z with a half ball on each end.");
+        s.key("radius", &sim::Capsule::radius, length(above_up_to(0, 1000)), "of all of it")
+            .required();
+        s.key("length", &sim::Capsule::length, length(above_up_to(0, 1000)),
+              "between the centres of its ends")
+            .required();
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<sim::Cylinder>& cylinder_spec() {
+    static const MapSpec<sim::Cylinder> spec = [] {
+        MapSpec<sim::Cylinder> s("cylinder", "A cylinder about z.");
+        s.key("radius", &sim::Cylinder::radius, length(above_up_to(0, 1000)), "of its caps")
+            .required();
+        s.key("height", &sim::Cylinder::height, length(above_up_to(0, 1000)), "from cap to cap")
+            .required();
+        return s;
+    }();
+    return spec;
+}
+
+/// The hull about its centre of mass: what `at` places is the origin of the points.
+void set_hull(ObjectSection& object, const std::vector<Vec3>& points) {
+    const std::optional<sim::Polyhedron> hull = sim::convex_hull(points);
+    if (!hull) {
+        object.shape = render::MeshShape{};
+        return;
+    }
+    object.centre = sim::mass_properties(*hull).centre;
+    sim::Polyhedron about_centre = *hull;
+    for (Vec3& vertex : about_centre.vertices) {
+        vertex -= object.centre;
+    }
+    object.shape = hull_mesh(about_centre);
+    object.solid = sim::ConvexHull{about_centre.vertices};
+}
+
+void add_solids(MapSpec<ObjectSection>& s) {
+    s.set(
+        "capsule", record(capsule_spec()),
+        [](ObjectSection& object, const sim::Capsule& capsule) {
+            object.shape = capsule_mesh(capsule);
+            object.solid = capsule;
+        },
+        "a cylinder with round ends, its axis along z");
+    s.set(
+        "cylinder", record(cylinder_spec()),
+        [](ObjectSection& object, const sim::Cylinder& cylinder) {
+            object.shape = render::CylinderShape{cylinder.radius, cylinder.height};
+            object.solid = cylinder;
+        },
+        "its axis along z");
+    s.set("hull", list_of(vector3(Dimension::length, between(-1000, 1000)), 4, 1000), set_hull,
+          "the convex hull of points, four or more that are not in a plane");
+}
+
+const MapSpec<render::ConeShape>& cone_spec() {
+    static const MapSpec<render::ConeShape> spec = [] {
+        using Cone = render::ConeShape;
+        MapSpec<Cone> s("cone", "A cone about z, its tip up, or cut off below the tip.");
+        s.key("radius", &Cone::radius, length(above_up_to(0, 1000)), "at the bottom").required();
+        s.key("top_radius", &Cone::top_radius, length(between(0, 1000)), "0: a tip");
+        s.key("height", &Cone::height, length(above_up_to(0, 1000)), "from bottom to top")
+            .required();
+        return s;
+    }();
+    return spec;
+}
+
+/// Whether two edges span an area; otherwise the shape is left out and said to be flat in
+/// note_shape_place.
+bool spans_area(const Vec3& u, const Vec3& v) {
+    return u.cross(v).length() > 1e-9 * u.length() * v.length();
+}
+
+void add_flat_shapes(MapSpec<ObjectSection>& s) {
+    const auto corners = list_of(vector3(Dimension::length, between(-1e6, 1e6)), 3, 3);
+    s.set(
+        "triangle", corners,
+        [](ObjectSection& object, const std::vector<Vec3>& p) {
+            object.shape = render::TriangleShape{{p[0], p[1], p[2]}};
+            object.is_degenerate = !spans_area(p[1] - p[0], p[2] - p[0]);
+        },
+        "its three corners, counter-clockwise seen from its front");
+    s.set(
+        "parallelogram", corners,
+        [](ObjectSection& object, const std::vector<Vec3>& p) {
+            object.shape = render::ParallelogramShape{p[0], p[1] - p[0], p[2] - p[0]};
+            object.is_degenerate = !spans_area(p[1] - p[0], p[2] - p[0]);
+        },
+        "a corner and its two neighbours; u runs to the first, v to the second");
+    add_shape(
+        s, "disk", length(above_up_to(0, 1000)),
+        [](double radius) { return render::DiskShape{radius}; }, "radius; it faces +z");
+}
+
+}  // namespace
+
+const std::vector<std::string>& shape_keys() {
+    static const std::vector<std::string> keys{"box",  "sphere",   "rectangle",     "plane",
+                                               "mesh", "triangle", "parallelogram", "disk",
+                                               "cone", "capsule",  "cylinder",      "hull"};
+    return keys;
+}
+
+void add_shapes(MapSpec<ObjectSection>& s) {
+    add_shape(
+        s, "box", vector3(Dimension::length, above_up_to(0, 1000)),
+        [](const Vec3& size) { return render::BoxShape{size}; },
+        "full lengths of its edges along x, y and z");
+    add_shape(
+        s, "sphere", length(above_up_to(0, 1000)),
+        [](double radius) { return render::SphereShape{radius}; }, "radius");
+    add_shape(
+        s, "rectangle", vector2(Dimension::length, above_up_to(0, 1000)),
+        [](const Vec2& size) { return render::RectangleShape{size}; },
+        "lengths along x and y; it faces +z");
+    add_shape(
+        s, "plane", choice<bool>({{"infinite", true}}), [](bool) { return render::PlaneShape{}; },
+        "the infinite plane that faces +z");
+    add_shape(
+        s, "mesh", file(),
+        [](const std::string& path) {
+            render::MeshShape mesh;
+            mesh.file = path;
+            return mesh;
+        },
+        "an OBJ or PLY file");
+    add_flat_shapes(s);
+    add_shape(
+        s, "cone", record(cone_spec()), [](const render::ConeShape& cone) { return cone; },
+        "its axis along z");
+    add_solids(s);
+    s.exactly_one_of(shape_keys());
+}
+
+}  // namespace carom::pipeline::config

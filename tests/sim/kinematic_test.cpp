@@ -1,0 +1,270 @@
+// Bodies that keys move: they push others by the laws of impact and friction, and go their way.
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shots.h"
+
+namespace carom::sim::test {
+namespace {
+
+constexpr double kPi = 3.14159265358979324;
+
+Quat about(const Vec3& axis, double angle) {
+    return {std::cos(angle / 2), axis * std::sin(angle / 2)};
+}
+
+Key still(double time, const Vec3& place, const Quat& orientation = {}) {
+    Key key;
+    key.time = time;
+    key.position = place;
+    key.orientation = orientation;
+    return key;
+}
+
+/// From place to place at constant speed.
+std::vector<Key> straight(const std::vector<std::pair<double, Vec3>>& stations) {
+    std::vector<Key> keys;
+    for (const auto& [time, place] : stations) {
+        keys.push_back(still(time, place));
+        if (keys.size() < 2)
+            continue;
+        Key& from = keys[keys.size() - 2];
+        from.velocity_out = (place - from.position) / (time - from.time);
+        keys.back().velocity_in = from.velocity_out;
+    }
+    return keys;
+}
+
+/// About an axis through the body's origin at a constant rate.
+std::vector<Key> turning(const Vec3& place, const Vec3& axis, double angle, double duration) {
+    std::vector<Key> keys{still(0, place), still(duration, place, about(axis, angle))};
+    keys[0].angular_velocity_out = keys[1].angular_velocity_in = axis * (angle / duration);
+    return keys;
+}
+
+Body pusher(const BodyShape& shape, std::vector<Key> keys, const Vec3& centre = {0, 0, 0}) {
+    Body body;
+    body.name = "pusher";
+    body.shape = shape;
+    body.kind = BodyKind::kinematic;
+    body.material = "wood";
+    const auto track = std::make_shared<const Track>("pusher", std::move(keys));
+    const MotionState start = track->sample(0);
+    body.pose = {start.position + start.orientation.rotateVector(centre), start.orientation};
+    body.path = KeyedPath{track, centre};
+    return body;
+}
+
+Body crate(const Vec3& size, const Vec3& place) {
+    Body body;
+    body.name = "crate";
+    body.shape = Box{size};
+    body.mass = 0.5;
+    body.material = "wood";
+    body.pose.position = place;
+    return body;
+}
+
+/// Nothing but what is put into it.
+WorldDescription space(double duration) {
+    WorldDescription world;
+    world.gravity = {0, 0, 0};
+    world.duration = duration;
+    world.contact_law.otherwise = {0.6, 0, 0};
+    return world;
+}
+
+TEST(KinematicSolid_StrikingABall, GivesItTheSpeedOfAHeavyBody) {
+    const ConvexHull wedge{{{-0.05, -0.1, -0.1},
+                            {-0.05, 0.1, -0.1},
+                            {-0.05, 0, 0.2},
+                            {0.05, -0.1, -0.1},
+                            {0.05, 0.1, -0.1},
+                            {0.05, 0, 0.2}}};
+    const std::vector<BodyShape> shapes{Box{{0.1, 0.2, 0.2}}, Sphere{0.05}, Capsule{0.05, 0.2},
+                                        Cylinder{0.05, 0.2}, wedge};
+    for (const BodyShape& shape : shapes) {
+        WorldDescription world = space(1);
+        world.bodies = {ball("ball", 0, 0),
+                        pusher(shape, straight({{0, {-0.5, 0, kRadius}}, {1, {0.7, 0, kRadius}}}))};
+        const Timeline timeline = bake(world).timeline;
+        const Event* blow = find_event(timeline, EventKind::impact, "ball", "pusher");
+        ASSERT_NE(blow, nullptr) << shape.index();
+        EXPECT_NEAR(blow->time, (0.45 - kRadius) / 1.2, 1e-8) << shape.index();
+        const MotionState after = state_at(timeline, "ball", 0.6);
+        EXPECT_NEAR(after.velocity.x, 1.2 * 1.6, 1e-6) << shape.index();
+        EXPECT_NEAR(after.velocity.y, 0, 1e-6) << shape.index();
+        EXPECT_NEAR(blow->normal_impulse, kMass * 1.2 * 1.6, 1e-6) << shape.index();
+        EXPECT_EQ(timeline.tracks.size(), 1U) << "its own way is no finding of the simulation";
+    }
+}
+
+TEST(KinematicSolid_StrikingABox, GivesItTheSpeedOfAHeavyBody) {
+    WorldDescription world = space(1);
+    world.bodies = {crate({0.1, 0.1, 0.1}, {0, 0, 0}),
+                    pusher(Box{{0.1, 0.3, 0.3}}, straight({{0, {-0.5, 0, 0}}, {1, {1.5, 0, 0}}}))};
+    const MotionState after = state_at(bake(world).timeline, "crate", 0.9);
+    EXPECT_NEAR(after.velocity.x, 2 * 1.6, 1e-3);  // ODE gives way a little
+    EXPECT_LT(after.angular_velocity.length(), 1e-3);
+}
+
+TEST(KinematicBat_Swung, StrikesWithTheSpeedOfItsPlace) {
+    WorldDescription world = space(1);
+    // A bat of 1 m about the origin, which meets the ball at a quarter turn, 0.8 m out.
+    world.bodies = {ball("ball", 0, 0), pusher(Box{{1, 0.02, 0.2}},
+                                               turning({0, 0, 0}, {0, 0, 1}, kPi, 1), {0.5, 0, 0})};
+    world.bodies[0].pose.position = {-(0.01 + kRadius), 0.8, 0};
+    const Timeline timeline = bake(world).timeline;
+    const Event* blow = find_event(timeline, EventKind::impact, "ball", "pusher");
+    ASSERT_NE(blow, nullptr);
+    EXPECT_NEAR(blow->time, 0.5, 1e-6);
+    EXPECT_NEAR(state_at(timeline, "ball", 0.7).velocity.x, -kPi * 0.8 * 1.6, 1e-3);
+}
+
+TEST(KinematicBody_PushingACrate, LetsItGoWhereItStops) {
+    WorldDescription world = cloth_world(3);
+    world.contact_law.otherwise = {0, 0.4, 0};
+    world.bodies = {
+        crate({0.1, 0.1, 0.1}, {0, 0, 0.05}),
+        pusher(Box{{0.1, 0.2, 0.08}},
+               straight({{0, {-0.3, 0, 0.05}}, {1, {0.7, 0, 0.05}}, {3, {0.7, 0, 0.05}}}))};
+    const Timeline timeline = bake(world).timeline;
+    EXPECT_NEAR(state_at(timeline, "crate", 0.9).position.x, 0.7, 2e-4)
+        << "in touch with the pusher";
+    EXPECT_NEAR(state_at(timeline, "crate", 0.9).velocity.x, 1, 1e-3);
+    EXPECT_NEAR(state_at(timeline, "crate", 3).position.x, 0.8 + 1 / (2 * 0.4 * kGravity), 2e-3);
+}
+
+TEST(KinematicConveyor_UnderACrate, TakesItAlongByFriction) {
+    WorldDescription world = cloth_world(1.5);
+    world.contact_law.otherwise = {0, 0.25, 0};
+    world.bodies = {crate({0.1, 0.1, 0.1}, {0, 0, 0.25}),
+                    pusher(Box{{6, 0.5, 0.1}}, straight({{0, {0, 0, 0.15}}, {1.5, {3, 0, 0.15}}}))};
+    // It slips back by u^2 / (2 mu g) until it is as fast.
+    const MotionState end = state_at(bake(world).timeline, "crate", 1.4);
+    EXPECT_NEAR(end.velocity.x, 2, 1e-3);
+    EXPECT_NEAR(end.position.x, 2 * 1.4 - 4 / (2 * 0.25 * kGravity), 3e-3);
+    EXPECT_NEAR(end.position.z, 0.25, 1e-4);
+}
+
+TEST(KinematicLift_UnderBallAndCrate, CarriesThemUpAndLetsThemRest) {
+    WorldDescription world = cloth_world(3);
+    world.contact_law.otherwise = {0.2, 0.4, 0.01};
+    std::vector<Key> keys{still(1, {0, 0, 0.05}), still(2, {0, 0, 0.55})};  // a smooth lift
+    world.bodies = {ball("ball", 0.2, 0), crate({0.1, 0.1, 0.1}, {-0.2, 0, 0.15}),
+                    pusher(Box{{1, 0.5, 0.1}}, keys)};
+    world.bodies[0].pose.position.z = 0.1 + kRadius;
+    const Timeline timeline = bake(world).timeline;
+    EXPECT_EQ(state_at(timeline, "crate", 0.9).velocity.length(), 0) << "asleep until it starts";
+    EXPECT_EQ(state_at(timeline, "ball", 0.9).velocity.length(), 0) << "asleep until it starts";
+    EXPECT_NEAR(state_at(timeline, "ball", 1.5).position.z, 0.35 + kRadius, 1e-3);
+    EXPECT_NEAR(state_at(timeline, "crate", 3).position.z, 0.65, 1e-4);
+    EXPECT_NEAR(state_at(timeline, "ball", 3).position.z, 0.6 + kRadius, 1e-4);
+    EXPECT_EQ(state_at(timeline, "crate", 2.9).velocity.length(), 0);
+    EXPECT_EQ(state_at(timeline, "ball", 2.9).velocity.length(), 0);
+}
+
+TEST(KinematicRamp_Tilted, LetsTheBallRollDown) {
+    WorldDescription world = cloth_world(2);
+    world.contact_law.otherwise = {0, 0.4, 0};
+    const double angle = 0.1;
+    std::vector<Key> keys{still(0, {0, 0, 0.5}), still(1, {0, 0, 0.5}, about({0, 1, 0}, angle))};
+    world.bodies = {ball("ball", 0, 0), pusher(Box{{4, 1, 0.1}}, keys)};
+    world.bodies[0].pose.position.z = 0.55 + kRadius;
+    const Timeline timeline = bake(world).timeline;
+    const double gain = state_at(timeline, "ball", 1.9).velocity.length() -
+                        state_at(timeline, "ball", 1.1).velocity.length();
+    EXPECT_NEAR(gain, 5.0 / 7 * kGravity * std::sin(angle) * 0.8, 3e-3);
+}
+
+TEST(KinematicBody_CreepingUponASleeper, WakesIt) {
+    WorldDescription world = cloth_world(6);
+    world.contact_law.otherwise = {0, 0.4, 0};
+    std::vector<Key> keys = straight({{0, {-0.11, 0, 0.05}}, {6, {-0.08, 0, 0.05}}});  // 5 mm/s
+    world.bodies = {crate({0.1, 0.1, 0.1}, {0, 0, 0.05}), pusher(Box{{0.1, 0.1, 0.08}}, keys)};
+    const Timeline timeline = bake(world).timeline;
+    EXPECT_NEAR(state_at(timeline, "crate", 6).position.x, 0.02, 1e-4);
+}
+
+TEST(KinematicPaddle_OnABilliardTable, StrikesABallThatRests) {
+    WorldDescription world = walled_world(3);
+    world.contact_law.otherwise = {0.8, 0.1, 0};
+    world.bodies = {ball("cue", 0, 0), ball("object", 0.5, 0),
+                    pusher(Box{{0.02, 0.1, 0.04}},
+                           straight({{1, {-0.3, 0, kRadius}}, {1.3, {-0.03, 0, kRadius}}}))};
+    const Timeline timeline = bake(world).timeline;
+    const Event* blow = find_event(timeline, EventKind::impact, "cue", "pusher");
+    ASSERT_NE(blow, nullptr);
+    EXPECT_NEAR(blow->time, 1 + (0.29 - kRadius) / 0.9, 1e-8);
+    EXPECT_NEAR(key_at(timeline, "cue", blow->time).velocity_out.x, 0.9 * 1.8, 1e-6);
+    EXPECT_NE(find_event(timeline, EventKind::impact, "cue", "object"), nullptr);
+}
+
+TEST(KinematicPress_AgainstAWall, EndsAndIsTold) {
+    WorldDescription world = walled_world(1);
+    world.bodies = {
+        ball("ball", 1.2, 0),
+        pusher(Box{{0.1, 0.3, 0.1}}, straight({{0, {1.0, 0, 0.06}}, {1, {1.3, 0, 0.06}}}))};
+    const BakeResult result = bake(world);
+    EXPECT_EQ(result.warnings.size(), 1U);
+    EXPECT_EQ(result.warnings.empty() ? "" : result.warnings.front(),
+              "at 0.543 s 'ball' is jammed by 'pusher', which keys move: there is no room for it");
+    EXPECT_LT(count_events(result.timeline, EventKind::impact), 1000);
+    const MotionState end = state_at(result.timeline, "ball", 1);
+    EXPECT_TRUE(std::isfinite(end.position.x + end.position.y + end.position.z));
+    EXPECT_LT(std::abs(end.position.x), 3);
+}
+
+TEST(KinematicBody_InTriggers, IsMetCrossesAndRests) {
+    WorldDescription world = cloth_world(3);
+    world.contact_law.otherwise = {0.5, 0.1, 0};
+    world.bodies = {ball("a", 0, 0), ball("b", 0, 0.5), ball("c", 0, 1), ball("d", 0, 1.5),
+                    pusher(Box{{0.1, 0.1, 0.04}},
+                           straight({{0.5, {-0.5, 0, kRadius}}, {1.5, {-0.05, 0, kRadius}}}))};
+    const auto push = [&](const std::string& object, Trigger trigger) {
+        ForceEvent event;
+        event.object = object;
+        event.trigger = std::move(trigger);
+        event.action = Impulse{{kMass, 0, 0}};
+        world.events.push_back(event);
+    };
+    push("b", {Trigger::Kind::contact, "a", "pusher"});
+    Trigger crossing{Trigger::Kind::crossing, "pusher", ""};
+    crossing.from = {-0.3, -0.2};
+    crossing.to = {-0.3, 0.2};
+    push("c", crossing);
+    push("d", {Trigger::Kind::resting, "pusher", ""});
+    const BakeResult result = bake(world);
+    EXPECT_TRUE(result.warnings.empty()) << result.warnings.front();
+    const auto time_of = [&](const std::string& name) {
+        const Event* event = find_event(result.timeline, EventKind::impulse, name);
+        return event != nullptr ? event->time : -1;
+    };
+    EXPECT_NEAR(time_of("b"), 0.5 + (0.45 - kRadius) / 0.45, 1e-8);
+    EXPECT_NEAR(time_of("c"), 0.5 + 0.2 / 0.45, 1e-8);
+    EXPECT_NEAR(time_of("d"), 0, 1e-12) << "it rests at the start";
+}
+
+TEST(KinematicBody_WithAnotherWay, GivesAnotherHash) {
+    WorldDescription world = space(1);
+    world.bodies = {pusher(Box{{1, 1, 1}}, straight({{0, {0, 0, 0}}, {1, {1, 0, 0}}}))};
+    WorldDescription other = world;
+    other.bodies = {pusher(Box{{1, 1, 1}}, straight({{0, {0, 0, 0}}, {1, {1.1, 0, 0}}}))};
+    EXPECT_EQ(physics_hash(world), physics_hash(WorldDescription(world)));
+    EXPECT_NE(physics_hash(world), physics_hash(other));
+}
+
+TEST(KinematicBody_WithoutAPath, IsAProblem) {
+    WorldDescription world = space(1);
+    world.bodies = {pusher(Box{{1, 1, 1}}, straight({{0, {0, 0, 0}}, {1, {1, 0, 0}}}))};
+    world.bodies[0].path.reset();
+    EXPECT_EQ(
+        find_problems(world),
+        std::vector<std::string>{"body 'pusher': a path is for a kinematic body, which needs one"});
+}
+
+}  // namespace
+}  // namespace carom::sim::test
