@@ -185,6 +185,8 @@ struct CompareCommand {
     InputOptions input;  // path empty: `scene`
     CacheOptions cache;
     std::string scene;                  // one of the laboratory's
+    std::string triangles;              // kernels with commas between; empty: structures
+    int rounds = 5;                     // of triangles
     std::string accelerators = "all";   // names with commas between
     std::string shadow_rays = "any";    // or "closest", "both"
     std::optional<std::int64_t> frame;  // of a shot

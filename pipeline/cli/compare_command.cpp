@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/compare_triangles.h"
 #include "pipeline/cli/comparison_data.h"
 #include "pipeline/cli/drawing_output.h"
 #include "pipeline/cli/film_input.h"
@@ -114,6 +115,9 @@ Comparison compare(const LaboratoryScene& scene, const pipeline::ComparisonOptio
 }  // namespace
 
 void run_compare(const CompareCommand& command, CommandContext& context) {
+    if (!command.triangles.empty()) {
+        return compare_triangles(command, context);
+    }
     check_what_is_compared(command);
     const pipeline::ComparisonOptions options = options_of(command);
     LaboratoryScene scene = command.scene.empty() ? scene_of_shot(command, context)

@@ -98,7 +98,10 @@ int wait_for(pid_t process) {
 std::string helper_program(const std::string& name) {
     std::error_code ignored;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", ignored);
-    return (self.parent_path().parent_path() / "libexec" / "carom" / name).string();
+    const std::filesystem::path folder = self.parent_path();
+    const std::filesystem::path above = folder.parent_path();
+    const bool is_helper = above.filename() == "libexec";  // else in bin/
+    return ((is_helper ? folder : above / "libexec" / "carom") / name).string();
 }
 
 std::string cannot_start(const std::string& what, const std::string& path, int reason) {

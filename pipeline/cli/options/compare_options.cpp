@@ -35,32 +35,55 @@ void add_compared(CLI::App& command, CompareCommand& compare) {
         ->option_text("WxH");
 }
 
+/// Nothing of what is said about a frame goes with it.
+void add_triangles(CLI::App& command, CompareCommand& compare) {
+    CLI::Option* triangles =
+        command
+            .add_option("--triangles", compare.triangles,
+                        "measure ray-triangle kernels instead: all, or some: wald,badouel")
+            ->option_text("NAMES");
+    for (const char* name : {"SHOT|BAKE", "--scene", "--accelerators", "--shadow-rays", "--frame",
+                             "--size", "--set", "--quality", "--threads"}) {
+        triangles->excludes(command.get_option(name));
+    }
+    command
+        .add_option("--rounds", compare.rounds,
+                    "how often each kernel is timed, in turn (default 5, 6 s each for all)")
+        ->option_text("N")
+        ->needs(triangles)
+        ->check(CLI::Range(1, 1000));
+}
+
 }  // namespace
 
 void add_compare(CLI::App& app, Targets& targets) {
-    CLI::App& command =
-        *app.add_subcommand("compare", "measure acceleration structures on one frame");
+    CLI::App& command = *app.add_subcommand(
+        "compare", "measure acceleration structures on one frame, or triangle kernels");
     CompareCommand& compare = targets.compare;
     add_compared(command, compare);
     add_changes(command, compare.input);
     add_output(command, compare.output, "else standard output");
     command.add_flag("--json", compare.json, "one JSON object, with all digits");
-    command.add_option("--csv", compare.csv, "a table as well, a structure to a row")
+    command.add_option("--csv", compare.csv, "a table as well, a structure or kernel to a row")
         ->option_text("FILE");
     command.add_option("--plot", compare.plot, "a drawing of it as well: .svg or .png")
         ->option_text("FILE");
     add_drawing(command, compare.drawing);
     add_threads(command, compare.threads);
+    add_triangles(command, compare);
     add_cache(command, compare.cache);
     add_talk(command, targets);
     command.footer(
         example("  carom compare --scene sphere_cube\n"
                 "  carom compare break.yaml --frame 40 --accelerators kdtree,embree\n"
-                "  carom compare --scene cylinder_walls --shadow-rays both --plot walls.svg\n") +
+                "  carom compare --scene cylinder_walls --shadow-rays both --plot walls.svg\n"
+                "  carom compare --triangles all --csv kernels.csv\n") +
         "\nEvery structure renders the same picture; what differs is the number of tests\n"
         "for a ray, and the time. Tests are counted in a frame of their own: counting\n"
         "takes no time from the one that is timed. Brute force of more than 10^9 tests\n"
-        "is computed, which is said. Ctrl-C ends with what is measured by then.");
+        "is computed, which is said. Triangle kernels are measured on one thread: on\n"
+        "random rays and on rays that all hit, one at a time, four and eight, in float\n"
+        "and double, with their errors. Ctrl-C ends with what is measured by then.");
 }
 
 }  // namespace carom::cli

@@ -108,5 +108,76 @@ TEST_F(CompareCommand, CtrlC_PrintsWhatIsMeasured) {
                 HasSubstr("interrupted; what was measured until then is all that there is"));
 }
 
+TEST_F(CompareCommand, Triangles_AreMeasuredInEveryForm) {
+    const RunResult result =
+        run({"compare", "--triangles", "wald,perpendicular_planes", "--rounds", "1", "--json",
+             "--csv", "t.csv", "--plot", "t.png", "--width", "400", "-o", "t.json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "t.json\nt.csv\nt.png\n");
+    const auto json = nlohmann::json::parse(text_of("t.json"));
+    EXPECT_EQ(json["whole"], 1);
+    EXPECT_EQ(json["rounds"], 1);
+    ASSERT_EQ(json["kernels"].size(), 2u * 2 * 5 * 2);
+    const auto& first = json["kernels"][0];
+    EXPECT_EQ(first["kernel"], "wald");
+    EXPECT_EQ(first["input"], "record");
+    EXPECT_EQ(first["division"], "early");
+    EXPECT_EQ(first["precision"], "float");
+    EXPECT_EQ(first["packing"], "single");
+    for (const char* number : {"random_rate", "worst_rate", "distance_error", "weight_error"}) {
+        EXPECT_GT(first[number], 0) << number;
+    }
+    ASSERT_EQ(json["planes_against_wald"].size(), 2u * 5 * 2);
+    EXPECT_GT(json["planes_against_wald"][0]["random_ratio"], 0);
+    const std::string csv = text_of("t.csv");
+    EXPECT_THAT(csv, StartsWith("kernel,input,division,precision,packing,random_rate,worst_rate,"
+                                "distance_error,weight_error\nwald,record,early,float,single,"));
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 40);
+    EXPECT_THAT(text_of("t.png"), StartsWith("\x89PNG"));
+}
+
+TEST_F(CompareCommand, Triangles_PrintsTables) {
+    const RunResult result = run({"compare", "--triangles", "keidy", "--rounds", "1", "--quiet"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    EXPECT_THAT(result.out, StartsWith("Millions of tests per second of CPU time, the best of 1 "
+                                       "rounds\n\nrandom rays, float "));
+    for (const char* text : {"\nKeidy, corners, early ", "\nKeidy, and normal, deferred ",
+                             "\nevery ray hits, double ", "\nmean relative errors "}) {
+        EXPECT_THAT(result.out, HasSubstr(text));
+    }
+}
+
+TEST_F(CompareCommand, Triangles_WrongUse) {
+    const auto message = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "compare");
+        const RunResult result = run(arguments);
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_EQ(result.out, "");
+        return result.err;
+    };
+    EXPECT_THAT(message({"--triangles", "woop"}),
+                HasSubstr("there is no kernel 'woop'; there are "));
+    EXPECT_THAT(message({"--triangles", "all", "--scene", "stadium"}), HasSubstr("excludes"));
+    EXPECT_THAT(message({"--triangles", "all", "tiny.yaml"}), HasSubstr("excludes"));
+    EXPECT_THAT(message({"--rounds", "3"}), HasSubstr("requires"));
+    EXPECT_THAT(message({"--triangles", "all", "--rounds", "0"}), HasSubstr("--rounds"));
+}
+
+TEST_F(CompareCommand, CtrlC_KeepsTheTrianglesThatAreMeasured) {
+    RunningProgram program(carom::testing::carom_program(),
+                           {"compare", "--triangles", "wald", "--rounds", "1000", "--log", "json"},
+                           options());
+    for (int i = 0; i < 4000 && program.err_so_far().find("\"share\":") == std::string::npos; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    program.send(SIGINT);
+    const RunResult result = program.wait();
+    EXPECT_EQ(result.exit_code, 130);
+    EXPECT_THAT(result.out, HasSubstr("\nWald, record, early "));
+    EXPECT_THAT(result.out, ::testing::EndsWith("\ninterrupted: rounds or kernels are missing\n"));
+}
+
 }  // namespace
 }  // namespace carom::cli
