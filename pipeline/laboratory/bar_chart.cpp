@@ -27,30 +27,66 @@ double height_of_group(const BarChart& chart) {
     return kRow * static_cast<double>(std::max<std::size_t>(chart.series.size(), 1));
 }
 
+/// From 0 to a round number.
+class LinearAxis {
+  public:
+    LinearAxis(double from, double to, double most) : from_(from), to_(to) {
+        const double power = std::pow(10.0, std::floor(std::log10(std::max(most, 1e-9))));
+        for (const double step : {0.25, 0.5, 1.0, 2.5}) {
+            step_ = step * power;
+            if (step_ * kSteps >= most) {
+                break;
+            }
+        }
+    }
+    static constexpr int kSteps = 4;
+    [[nodiscard]] double step() const { return step_; }
+    [[nodiscard]] double at(double value) const {
+        return from_ + (to_ - from_) * value / (step_ * kSteps);
+    }
+
+  private:
+    double from_, to_;
+    double step_ = 1;
+};
+
+void draw_grid_line(SvgText& svg, double x, double bottom, const std::string& text) {
+    svg.leaf("path", {{"class", "grid"}, {"d", svg_path({{x, kTop - 1}, {x, bottom}}, false)}});
+    svg.text(
+        "text", text,
+        {{"class", "small faint middle"}, {"x", svg_number(x)}, {"y", svg_number(bottom + 3.2)}});
+}
+
 void draw_grid(SvgText& svg, const LogAxis& axis, double bottom) {
     const int step = std::max(1, (axis.highest() - axis.lowest() + 5) / 6);
     for (int power = axis.lowest(); power <= axis.highest(); power += step) {
-        const double x = axis.at(std::pow(10.0, power));
-        svg.leaf("path", {{"class", "grid"}, {"d", svg_path({{x, kTop - 1}, {x, bottom}}, false)}});
-        svg.text("text", power_text(power),
-                 {{"class", "small faint middle"},
-                  {"x", svg_number(x)},
-                  {"y", svg_number(bottom + 3.2)}});
+        draw_grid_line(svg, axis.at(std::pow(10.0, power)), bottom, power_text(power));
+    }
+}
+
+void draw_grid(SvgText& svg, const LinearAxis& axis, double bottom) {
+    for (int i = 0; i <= LinearAxis::kSteps; ++i) {
+        const double value = i * axis.step();
+        draw_grid_line(svg, axis.at(value), bottom, short_number(value));
     }
 }
 
 void draw_panel(SvgText& svg, const BarChart& chart, const BarPanel& panel, const Layout& layout,
                 double left) {
-    LogAxis axis(left, left + layout.width - kValue);
+    const double right = left + layout.width - kValue;
+    LogAxis axis(left, right);
+    double most = 0;
     for (const std::vector<double>& group : panel.bars) {
         for (const double value : group) {
             axis.add(value);
+            most = std::max(most, value);
         }
     }
     const double bottom = kTop + layout.row * static_cast<double>(chart.groups.size());
     svg.text("text", panel.title,
              {{"class", "head"}, {"x", svg_number(left)}, {"y", svg_number(kTop - 3.5)}});
-    draw_grid(svg, axis, bottom);
+    const LinearAxis linear(left, right, most);
+    panel.is_linear ? draw_grid(svg, linear, bottom) : draw_grid(svg, axis, bottom);
     const double all = height_of_group(chart);
     for (std::size_t group = 0; group < panel.bars.size(); ++group) {
         const std::vector<double>& bars = panel.bars[group];
@@ -62,7 +98,8 @@ void draw_panel(SvgText& svg, const BarChart& chart, const BarPanel& panel, cons
             const double indent = panel.is_single ? 0.5 * (all - height) : 0;
             const double y = kTop + layout.row * static_cast<double>(group) + indent +
                              kRow * static_cast<double>(i);
-            const double end = std::max(axis.at(bars[i]), left + 0.3);
+            const double at = panel.is_linear ? linear.at(bars[i]) : axis.at(bars[i]);
+            const double end = std::max(at, left + 0.3);
             svg.leaf("rect", {{"x", svg_number(left)},
                               {"y", svg_number(y)},
                               {"width", svg_number(end - left)},

@@ -14,6 +14,7 @@ struct BarPanel {
     std::string title;
     std::vector<std::vector<double>> bars;  // by group, by series
     bool is_single = false;                 // one bar to a group, whatever the series
+    bool is_linear = false;                 // an axis from 0, else a logarithmic one
 };
 
 struct BarChart {
@@ -24,7 +25,7 @@ struct BarChart {
     std::vector<BarPanel> panels;  // from left to right
 };
 
-/// A document 297 mm wide. Axes are logarithmic, from a power of ten to a power of ten.
+/// A document 297 mm wide. Logarithmic axes go from a power of ten to a power of ten.
 [[nodiscard]] std::string bar_chart_svg(const BarChart& chart, PlanPage page);
 
 }  // namespace carom::pipeline

@@ -42,6 +42,7 @@ std::string kernels_plot_svg(const KernelMeasurements& measured, PlanPage page) 
     for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
         for (const bool is_random : {true, false}) {
             BarPanel panel;
+            panel.is_linear = true;
             panel.title = std::string(is_random ? "random rays, " : "every ray hits, ") +
                           std::string(name(precision));
             for (const Form& form : all_forms()) {

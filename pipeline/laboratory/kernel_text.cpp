@@ -65,8 +65,11 @@ std::string rates_tables(const KernelMeasurements& measured) {
     if (measured.rates.empty()) {
         return {};
     }
-    std::string text = "Millions of tests per second of CPU time, the best of " +
-                       std::to_string(measured.rates.front().worst.size()) + " rounds\n\n";
+    const std::size_t rounds = measured.rates.front().worst.size();
+    std::string text = "Millions of tests per second of CPU time, " +
+                       (rounds > 1 ? "the best of " + std::to_string(rounds) + " rounds"
+                                   : std::string("one round")) +
+                       "\n\n";
     for (const Precision precision : kPrecisions) {
         for (const Rays rays : {Rays::random, Rays::worst}) {
             text += rates_table(measured, rays, precision);
@@ -194,7 +197,7 @@ const char* title_of(Input input) {
         case Input::corners:
             return "corners";
         case Input::corners_and_normal:
-            return "and normal";
+            return "with normal";
         case Input::record:
             return "record";
     }

@@ -30,7 +30,7 @@ struct KernelRatio {
 /// "one", "4 rays", "8 triangles"
 [[nodiscard]] const char* title_of(render::triangle::Packing packing);
 
-/// "corners", "and normal", "record"
+/// "corners", "with normal", "record"
 [[nodiscard]] const char* title_of(render::triangle::Input input);
 
 }  // namespace carom::pipeline
