@@ -36,6 +36,7 @@ std::string variant_object(const KernelMeasurements& measured, const VariantRate
         .add("worst_rate", best_rate(rates.worst))
         .add("distance_error", errors.distance)
         .add("weight_error", errors.weights)
+        .add("edge_slips", errors.slipped)
         .object();
 }
 
@@ -76,7 +77,7 @@ std::string kernels_json(const KernelMeasurements& measured) {
 std::string kernels_csv(const KernelMeasurements& measured) {
     pipeline::CsvText csv(
         "kernel,input,division,precision,packing,random_rate,worst_rate,distance_error,"
-        "weight_error");
+        "weight_error,edge_slips");
     for (const VariantRates& rates : measured.rates) {
         const Variant& variant = rates.variant;
         const FormErrors& errors = errors_of(measured, variant);
@@ -88,7 +89,8 @@ std::string kernels_csv(const KernelMeasurements& measured) {
             .add(best_rate(rates.random))
             .add(best_rate(rates.worst))
             .add(errors.distance)
-            .add(errors.weights);
+            .add(errors.weights)
+            .add(errors.slipped);
         csv.end_row();
     }
     return csv.finish();

@@ -84,22 +84,31 @@ std::string error_text(double error) {
     return text.data();
 }
 
+std::string percent_text(double share) {
+    std::array<char, 20> text{};
+    std::snprintf(text.data(), text.size(), "%.1f %%", 100 * share);
+    return text.data();
+}
+
 std::string errors_table(const KernelMeasurements& measured) {
-    TextTable table({"mean relative errors", "distance, float", "weights, float",
-                     "distance, double", "weights, double"});
+    TextTable table({"", "t, float", "u v, float", "slip", "t, double", "u v, double", "slip"});
     for (const Form& form : all_forms()) {
         std::vector<std::string> cells{name_of(form)};
         for (const FormErrors& errors : measured.errors) {
             if (errors.form == form) {
                 cells.push_back(error_text(errors.distance));
                 cells.push_back(error_text(errors.weights));
+                cells.push_back(percent_text(errors.slipped));
             }
         }
         if (cells.size() > 1) {
             table.add(std::move(cells));
         }
     }
-    return table.text();
+    return "Mean relative errors of the distance t and the weights u and v; rays aimed at an edge "
+           "of two\n"
+           "triangles that slip between them\n\n" +
+           table.text();
 }
 
 std::string ratio_text(double ratio) {

@@ -33,6 +33,15 @@ double rate_of(const Variant& variant, const TestSet& set) {
     return 1e-6 * static_cast<double>(set.test_count()) / std::max(least, 1e-9);
 }
 
+double share_slipped(const Form& form, Precision precision, const TestSet& edges) {
+    const auto run = make_run({form, Packing::single, precision}, edges);
+    run->run();
+    const std::vector<NearestHit> hits = run->hits();
+    const auto missed =
+        std::ranges::count_if(hits, [](const NearestHit& hit) { return hit.triangle < 0; });
+    return static_cast<double>(missed) / static_cast<double>(hits.size());
+}
+
 FormErrors errors_of(const Form& form, Precision precision, const TestSet& set,
                      const std::vector<NearestHit>& reference) {
     FormErrors errors{form, precision};
@@ -87,13 +96,16 @@ class Steps {
 bool measure_errors(const std::vector<Form>& forms, const MeasureOptions& options, Steps& steps,
                     KernelMeasurements& result) {
     const TestSet set = make_random_set(options.error_groups, options.seed);
+    const TestSet edges = make_edge_set(64 * options.error_groups, options.seed);
     for (const Precision precision : kPrecisions) {
         const std::vector<NearestHit> reference = reference_hits(precision, set);
         for (const Form& form : forms) {
             if (!steps.next()) {
                 return false;
             }
-            result.errors.push_back(errors_of(form, precision, set, reference));
+            FormErrors errors = errors_of(form, precision, set, reference);
+            errors.slipped = share_slipped(form, precision, edges);
+            result.errors.push_back(errors);
         }
     }
     return true;

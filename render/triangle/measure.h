@@ -32,6 +32,7 @@ struct FormErrors {
     Precision precision = Precision::single_precision;
     double distance = 0;      // mean of |t - t'| / t'
     double weights = 0;       // mean of |u - u'| / u' and |v - v'| / v'
+    double slipped = 0;       // share of the rays of make_edge_set() that hit neither triangle
     std::int64_t hits = 0;    // the rays that hit the same triangle
     std::int64_t others = 0;  // rays that hit another one, or one of both none
 };

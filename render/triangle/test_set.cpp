@@ -102,4 +102,30 @@ TestSet make_worst_set(int groups, std::uint64_t seed) {
     return set;
 }
 
+TestSet make_edge_set(int groups, std::uint64_t seed) {
+    TestSet set;
+    set.rays_in_group = 8;
+    set.triangles_in_group = 8;
+    Random random(seed);
+    for (int group = 0; group < groups; ++group) {
+        const V3f a(random.in_cube());
+        const V3f b(random.in_cube());
+        const V3f c(random.in_cube());
+        const V3f other(random.in_cube());
+        const V3f origin(random.in_cube());
+        const V3f across = (a - origin) % (b - origin);
+        if (across.dot(c - origin) * across.dot(other - origin) >= 0) {
+            continue;
+        }
+        set.triangles.insert(set.triangles.end(), 4, {a, b, c});
+        set.triangles.insert(set.triangles.end(), 4, {b, a, other});
+        for (int i = 0; i < set.rays_in_group; ++i) {
+            const float share = (static_cast<float>(i) + 0.5f) / 8;
+            set.origins.push_back(origin);
+            set.directions.push_back((a + share * (b - a) - origin).normalized());
+        }
+    }
+    return set;
+}
+
 }  // namespace carom::render::triangle

@@ -38,4 +38,9 @@ struct TestSet {
 /// no test can end early, and each has a hit to keep.
 [[nodiscard]] TestSet make_worst_set(int groups, std::uint64_t seed);
 
+/// Two triangles of random corners to a group, four times each, with an edge in common and on both
+/// sides of it as the group's eight rays see it, which are aimed at points of that edge. Groups
+/// whose triangles would lie on one side are left out: there are fewer than `groups`.
+[[nodiscard]] TestSet make_edge_set(int groups, std::uint64_t seed);
+
 }  // namespace carom::render::triangle

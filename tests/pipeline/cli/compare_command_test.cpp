@@ -124,14 +124,16 @@ TEST_F(CompareCommand, Triangles_AreMeasuredInEveryForm) {
     EXPECT_EQ(first["division"], "early");
     EXPECT_EQ(first["precision"], "float");
     EXPECT_EQ(first["packing"], "single");
-    for (const char* number : {"random_rate", "worst_rate", "distance_error", "weight_error"}) {
+    for (const char* number :
+         {"random_rate", "worst_rate", "distance_error", "weight_error", "edge_slips"}) {
         EXPECT_GT(first[number], 0) << number;
     }
     ASSERT_EQ(json["planes_against_wald"].size(), 2u * 5 * 2);
     EXPECT_GT(json["planes_against_wald"][0]["random_ratio"], 0);
     const std::string csv = text_of("t.csv");
-    EXPECT_THAT(csv, StartsWith("kernel,input,division,precision,packing,random_rate,worst_rate,"
-                                "distance_error,weight_error\nwald,record,early,float,single,"));
+    EXPECT_THAT(
+        csv, StartsWith("kernel,input,division,precision,packing,random_rate,worst_rate,"
+                        "distance_error,weight_error,edge_slips\nwald,record,early,float,single,"));
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 40);
     EXPECT_THAT(text_of("t.png"), StartsWith("\x89PNG"));
 }
@@ -144,7 +146,7 @@ TEST_F(CompareCommand, Triangles_PrintsTables) {
         result.out,
         StartsWith("Millions of tests per second of CPU time, one round\n\nrandom rays, float "));
     for (const char* text : {"\nKeidy, corners, early ", "\nKeidy, with normal, deferred ",
-                             "\nevery ray hits, double ", "\nmean relative errors "}) {
+                             "\nevery ray hits, double ", "\nMean relative errors "}) {
         EXPECT_THAT(result.out, HasSubstr(text));
     }
 }

@@ -48,6 +48,8 @@ TEST(MeasureKernels, Errors_AreRoundings) {
         const bool is_float = errors.precision == Precision::single_precision;
         EXPECT_GT(errors.hits, 200);
         EXPECT_EQ(errors.others, 0);
+        EXPECT_EQ(errors.slipped > 0, is_float);
+        EXPECT_LT(errors.slipped, 0.2);
         EXPECT_GT(errors.distance, is_float ? 1e-8 : 1e-17);
         EXPECT_LT(errors.distance, is_float ? 1e-5 : 1e-14);
         EXPECT_GT(errors.weights, is_float ? 1e-8 : 1e-17);
