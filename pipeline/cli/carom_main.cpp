@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "pipeline/cli/cache_command.h"
@@ -23,8 +24,23 @@ namespace {
 
 using namespace carom::cli;
 
+/// With less the libraries of the renderer crash before it begins (OpenImageIO 2.4, log4cplus 2.0).
+constexpr rlim_t kLeastAddressSpace = rlim_t{512} << 20;
+
+bool has_address_space() {
+    rlimit limit{};
+    return ::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur >= kLeastAddressSpace;
+}
+
 /// Returns only if it fails.
 int become_film_program(char** arguments) {
+    if (!has_address_space()) {
+        std::fputs(
+            "carom: error: there is not enough memory: the renderer's libraries need 512 MiB of "
+            "address space, more than this process may have (ulimit -v)\n",
+            stderr);
+        return kFailed;
+    }
     const std::string film = helper_program("carom-film");
     ::execv(film.c_str(), arguments);
     std::fprintf(stderr, "carom: error: %s\n", cannot_start("the renderer", film, errno).c_str());

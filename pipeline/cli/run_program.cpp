@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <new>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -44,6 +45,9 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
     } catch (const std::bad_alloc&) {
         console.end_progress();
         console.error("there is not enough memory");
+    } catch (const std::system_error& error) {  // of a thread that cannot be started
+        console.end_progress();
+        console.error("the system gives no more: " + error.code().message());
     } catch (const std::exception& error) {
         console.end_progress();
         console.error(std::string("this should not happen: ") + error.what());
@@ -55,9 +59,15 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
 
 ExitCode run_command(const CommandLine& line, const CommandHandler& handler) {
     Console console(console_on_stderr(line.talk.json, line.talk.quiet));
-    const Interrupts interrupts(
-        [&console] { console.warning("stopping; a second Ctrl-C stops at once"); });
-    CommandContext context{console, interrupts.token()};
+    std::optional<Interrupts> interrupts;
+    try {
+        interrupts.emplace(
+            [&console] { console.warning("stopping; a second Ctrl-C stops at once"); });
+    } catch (const std::exception& error) {
+        console.error(std::string("signals cannot be watched: ") + error.what());
+        return kFailed;
+    }
+    CommandContext context{console, interrupts->token()};
     return run_guarded(line.command, handler, context);
 }
 

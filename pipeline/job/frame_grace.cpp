@@ -2,6 +2,7 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <system_error>
 
 namespace carom::pipeline {
 namespace {
@@ -30,11 +31,15 @@ void FrameGrace::job_stopped() {
         frame_stop_.request_stop();
         return;
     }
-    watchdog_ = std::jthread([this](const std::stop_token& frame_done) {
-        if (passed(kGrace, frame_done)) {
-            frame_stop_.request_stop();
-        }
-    });
+    try {
+        watchdog_ = std::jthread([this](const std::stop_token& frame_done) {
+            if (passed(kGrace, frame_done)) {
+                frame_stop_.request_stop();
+            }
+        });
+    } catch (const std::system_error&) {  // no thread can be had, and nobody to tell
+        frame_stop_.request_stop();
+    }
 }
 
 void FrameGrace::progress(double share) {

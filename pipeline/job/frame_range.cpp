@@ -68,18 +68,22 @@ std::vector<std::int64_t> FrameRange::frames(std::int64_t count) const {
     if (wanted.empty()) {
         wanted.push_back({0, count - 1, 1});
     }
-    std::vector<std::int64_t> numbers;
+    std::vector<bool> is_wanted(static_cast<std::size_t>(std::max<std::int64_t>(count, 0)));
     for (const Stretch& stretch : wanted) {
         const std::int64_t last = std::min(stretch.last, count - 1);
         for (std::int64_t number = stretch.first; number <= last; number += stretch.step) {
-            numbers.push_back(number);
+            is_wanted[static_cast<std::size_t>(number)] = true;
             if (stretch.step > last - number) {
                 break;  // before the sum overflows
             }
         }
     }
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    std::vector<std::int64_t> numbers;
+    for (std::size_t number = 0; number < is_wanted.size(); ++number) {
+        if (is_wanted[number]) {
+            numbers.push_back(static_cast<std::int64_t>(number));
+        }
+    }
     return numbers;
 }
 

@@ -21,8 +21,11 @@ const char* device_settings() {
 
 EmbreeDevice::EmbreeDevice() : device_(rtcNewDevice(device_settings())) {
     if (device_ == nullptr) {
-        throw Error("Embree cannot be started, error " +
-                    std::to_string(static_cast<int>(rtcGetDeviceError(nullptr))));
+        const RTCError reason = rtcGetDeviceError(nullptr);
+        if (reason == RTC_ERROR_OUT_OF_MEMORY) {
+            throw std::bad_alloc();
+        }
+        throw Error("Embree cannot be started, error " + std::to_string(static_cast<int>(reason)));
     }
     rtcSetDeviceErrorFunction(device_, note_error, this);
     rtcSetDeviceMemoryMonitorFunction(device_, note_memory, this);

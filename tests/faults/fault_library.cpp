@@ -1,0 +1,159 @@
+// Preloaded into a program (LD_PRELOAD), it lets writes to files fail and the clock jump.
+//   CAROM_FAULT=KIND:N      at the N-th write, counted from 1: `full`, from then on every one fails
+//   for want of space; `io`, this
+//                           one fails; `short`, this one writes half of what it should
+//   CAROM_FAULT_COUNT=FILE  the number of writes is appended to FILE at the end
+//   CAROM_CLOCK_JUMP=N      from the N-th look on, the clock of the day is an hour late
+// Writes are those to regular files other than the three standard streams, what flushes, cuts and
+// renames them included.
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/uio.h>
+#include <time.h>
+#include <unistd.h>
+
+namespace {
+
+enum class Fault { none, full, io, half };
+
+template <class Function>
+Function* real(const char* name) {
+    return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
+}
+
+struct Plan {
+    std::string kind;
+    long at = 0;
+
+    Plan() {
+        const char* text = std::getenv("CAROM_FAULT");
+        const char* colon = text != nullptr ? std::strchr(text, ':') : nullptr;
+        if (colon != nullptr) {
+            kind.assign(text, colon);
+            at = std::atol(colon + 1);
+        }
+    }
+};
+
+struct Counter {
+    std::atomic<long> count{0};
+
+    ~Counter() {
+        const char* path = std::getenv("CAROM_FAULT_COUNT");
+        if (path == nullptr)
+            return;
+        const int file = ::open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+        const std::string line = std::to_string(count.load()) + "\n";
+        if (real<ssize_t(int, const void*, size_t)>("write")(file, line.data(), line.size()) < 0)
+            std::abort();
+        ::close(file);
+    }
+};
+
+const Plan& plan() {
+    static const Plan instance;
+    return instance;
+}
+
+Counter& counter() {
+    static Counter instance;
+    return instance;
+}
+
+Fault next() {
+    const long number = ++counter().count;
+    if (plan().kind == "full" && number >= plan().at)
+        return Fault::full;
+    if (number != plan().at)
+        return Fault::none;
+    return plan().kind == "io" ? Fault::io : plan().kind == "short" ? Fault::half : Fault::none;
+}
+
+Fault fault_of(int file) {
+    struct stat status {};
+    if (file <= STDERR_FILENO || ::fstat(file, &status) != 0 || !S_ISREG(status.st_mode))
+        return Fault::none;
+    return next();
+}
+
+/// Whether the call is to fail, with errno set.
+bool fails(Fault fault) {
+    if (fault == Fault::full)
+        errno = ENOSPC;
+    if (fault == Fault::io)
+        errno = EIO;
+    return fault == Fault::full || fault == Fault::io;
+}
+
+size_t halved(Fault fault, size_t size) {
+    return fault == Fault::half && size > 1 ? size / 2 : size;
+}
+
+}  // namespace
+
+extern "C" {
+
+ssize_t write(int file, const void* data, size_t size) {
+    static const auto call = real<ssize_t(int, const void*, size_t)>("write");
+    const Fault fault = fault_of(file);
+    return fails(fault) ? -1 : call(file, data, halved(fault, size));
+}
+
+ssize_t pwrite64(int file, const void* data, size_t size, off64_t offset) {
+    static const auto call = real<ssize_t(int, const void*, size_t, off64_t)>("pwrite64");
+    const Fault fault = fault_of(file);
+    return fails(fault) ? -1 : call(file, data, halved(fault, size), offset);
+}
+
+ssize_t pwrite(int file, const void* data, size_t size, off_t offset) {
+    return pwrite64(file, data, size, offset);
+}
+
+ssize_t writev(int file, const iovec* parts, int count) {
+    static const auto call = real<ssize_t(int, const iovec*, int)>("writev");
+    const Fault fault = fault_of(file);
+    if (fails(fault))
+        return -1;
+    return call(file, parts, fault == Fault::half && count > 1 ? count / 2 : count);
+}
+
+size_t fwrite(const void* data, size_t size, size_t count, FILE* stream) {
+    static const auto call = real<size_t(const void*, size_t, size_t, FILE*)>("fwrite");
+    return fails(fault_of(::fileno(stream))) ? 0 : call(data, size, count, stream);
+}
+
+int fsync(int file) {
+    static const auto call = real<int(int)>("fsync");
+    return fails(fault_of(file)) ? -1 : call(file);
+}
+
+int ftruncate64(int file, off64_t length) {
+    static const auto call = real<int(int, off64_t)>("ftruncate64");
+    return fails(fault_of(file)) ? -1 : call(file, length);
+}
+
+int rename(const char* from, const char* to) {
+    static const auto call = real<int(const char*, const char*)>("rename");
+    return fails(next()) ? -1 : call(from, to);
+}
+
+int clock_gettime(clockid_t clock, timespec* time) {
+    static const auto call = real<int(clockid_t, timespec*)>("clock_gettime");
+    static const char* text = std::getenv("CAROM_CLOCK_JUMP");
+    static const long jump = text != nullptr ? std::atol(text) : 0;
+    static std::atomic<long> looks{0};
+    const int result = call(clock, time);
+    if (jump > 0 && clock == CLOCK_REALTIME && ++looks >= jump)
+        time->tv_sec -= 3600;
+    return result;
+}
+
+}  // extern "C"

@@ -1,0 +1,87 @@
+// The frame store against hostile files. Whatever stands under a key is a frame or counts as none;
+// a seal that fits lets the bytes through to the EXR reader. Any names may stand in the folder.
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <unistd.h>
+
+#include "pipeline/store/cache_entry.h"
+#include "pipeline/store/frame_store.h"
+#include "pipeline/store/seal.h"
+#include "sim/timeline/error.h"
+
+namespace {
+
+using namespace carom;
+using namespace carom::pipeline;
+
+constexpr Hash128 kKey{0x0123456789abcdef, 0xfedcba9876543210};
+
+void require(bool condition, const char* what) {
+    if (condition)
+        return;
+    std::fprintf(stderr, "an accepted frame: %s\n", what);
+    std::abort();
+}
+
+std::string make_folder() {
+    std::string folder = std::filesystem::temp_directory_path() / "carom_fuzz_XXXXXX";
+    if (::mkdtemp(folder.data()) == nullptr)
+        std::abort();
+    return folder;
+}
+
+void put(const FrameStore& store, const std::uint8_t* data, std::size_t size, bool sealed) {
+    const std::filesystem::path path = store.path_of(kKey);
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+    if (sealed)
+        seal_file(path, kKey);
+}
+
+void read(const FrameStore& store) {
+    const auto film = store.read(kKey);
+    require(film.has_value() == store.contains(kKey), "a damaged file stays");
+    if (!film)
+        return;
+    require(film->width > 0 && film->height > 0, "empty");
+}
+
+/// The first line as a name among the frames.
+void list(const std::string& folder, const FrameStore& store, const std::uint8_t* data,
+          std::size_t size) {
+    std::string name(data, std::find(data, data + std::min<std::size_t>(size, 60), '\n'));
+    if (name.empty() || name.find_first_of(std::string("/\0", 2)) != std::string::npos ||
+        name[0] == '.')
+        return;
+    const std::filesystem::path path =
+        std::filesystem::path(store.path_of(kKey)).parent_path() / name;
+    std::ofstream(path) << "x";
+    for (const CacheEntry& entry : list_cache(folder))
+        require(std::filesystem::exists(entry.path), "listed, but not there");
+    std::filesystem::remove(path);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const std::string folder = make_folder();
+    static const FrameStore store(folder);
+    for (const bool sealed : {false, true}) {
+        put(store, data, size, sealed);
+        try {
+            read(store);
+        } catch (const Error& error) {
+            std::fprintf(stderr, "a file was not taken for damaged: %s\n", error.what());
+            std::abort();
+        }
+    }
+    list(folder, store, data, size);
+    return 0;
+}
