@@ -3,17 +3,15 @@
 #include <memory>
 #include <optional>
 
-#include <tbb/task_arena.h>
-
 #include "render/frame/frame.h"
+#include "render/threads/thread_arena.h"
 
 namespace carom::pipeline {
 namespace {
 
 class SceneRenderer {
   public:
-    SceneRenderer(const Shot& shot, int threads)
-        : shot_(shot), arena_(threads > 0 ? threads : tbb::task_arena::automatic) {}
+    SceneRenderer(const Shot& shot, int threads) : shot_(shot), arena_(threads) {}
 
     render::Film render(const FrameInputs& inputs, const WorkContext& context) {
         return arena_.execute([&] {
@@ -27,7 +25,7 @@ class SceneRenderer {
 
   private:
     const Shot& shot_;
-    tbb::task_arena arena_;
+    render::ThreadArena arena_;
     std::optional<render::PreparedScene> scene_;
 };
 

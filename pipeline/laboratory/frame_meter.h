@@ -5,9 +5,8 @@
 #include <optional>
 #include <stop_token>
 
-#include <tbb/task_arena.h>
-
 #include "pipeline/laboratory/comparison.h"
+#include "render/threads/thread_arena.h"
 
 namespace carom::pipeline {
 
@@ -19,8 +18,7 @@ struct MeasuredFrame {
 class FrameMeter {
   public:
     /// Refers to the scene. `threads`: 0 for as many as there are processors.
-    FrameMeter(const LaboratoryScene& scene, int threads)
-        : scene_(scene), arena_(threads > 0 ? threads : tbb::task_arena::automatic) {}
+    FrameMeter(const LaboratoryScene& scene, int threads) : scene_(scene), arena_(threads) {}
 
     /// Whether the tests of such a structure can be counted.
     [[nodiscard]] static bool can_count(render::AccelerationKind kind);
@@ -33,7 +31,7 @@ class FrameMeter {
 
   private:
     const LaboratoryScene& scene_;
-    tbb::task_arena arena_;
+    render::ThreadArena arena_;
     // The last structure's: what it shares with all pictures is the same for parts of one.
     std::optional<render::AccelerationKind> prepared_for_;
     std::optional<render::PreparedScene> prepared_;

@@ -3,13 +3,12 @@
 #include <mutex>
 #include <vector>
 
-#include <tbb/parallel_for.h>
-
 #include "render/acceleration/flush_denormals.h"
 #include "render/frame/check_settings.h"
 #include "render/frame/prepared_scene.h"
 #include "render/frame/sample_plan.h"
 #include "render/frame/tile_renderer.h"
+#include "render/threads/thread_arena.h"
 #include "sim/timeline/error.h"
 
 namespace carom::render {
@@ -51,19 +50,16 @@ void for_all_tiles(int tiles, const Share& share, const WorkContext& context,
                    RenderStatistics& total, const RenderTile& render_tile) {
     TileProgress progress(context.progress, tiles, share.start, share.end);
     std::vector<RenderStatistics> counts(static_cast<std::size_t>(tiles));
-    tbb::parallel_for(
-        0, tiles,
-        [&](int tile) {
-            if (context.stop.stop_requested()) {
-                return;
-            }
-            const FlushDenormals flush;
-            counts[static_cast<std::size_t>(tile)] = render_tile(tile);
-            if (!context.stop.stop_requested()) {
-                progress.finish_tile();
-            }
-        },
-        tbb::simple_partitioner());
+    parallel_for(counts.size(), [&](std::size_t tile) {
+        if (context.stop.stop_requested()) {
+            return;
+        }
+        const FlushDenormals flush;
+        counts[tile] = render_tile(static_cast<int>(tile));
+        if (!context.stop.stop_requested()) {
+            progress.finish_tile();
+        }
+    });
     if (context.stop.stop_requested()) {
         throw Stopped();
     }
@@ -94,7 +90,7 @@ void add_reflections(TileRenderer& renderer, const RenderSettings& settings,
                            (static_cast<double>(settings.width) * settings.height);
     std::vector<std::vector<Splat>> splats(number);
     std::vector<RenderStatistics> counts(number);
-    tbb::parallel_for(std::size_t{0}, number, [&](std::size_t i) {
+    parallel_for(number, [&](std::size_t i) {
         if (!context.stop.stop_requested()) {
             const FlushDenormals flush;
             splats[i] = renderer.reflection(i, samples, counts[i]);

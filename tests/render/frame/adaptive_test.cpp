@@ -2,9 +2,9 @@
 #include <numeric>
 
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
 #include "render/frame/sample_plan.h"
+#include "render/threads/thread_arena.h"
 #include "tests/render/scene_builder.h"
 
 namespace carom::render {
@@ -158,7 +158,7 @@ TEST(AdaptiveSampling, OneThreadAndTwo_GiveTheSameBits) {
     const PreparedScene prepared(scene.builder.scene, settings);
     const auto with_threads = [&](int threads) {
         Film film;
-        tbb::task_arena arena(threads);
+        ThreadArena arena(threads);
         arena.execute([&] { film = render_frame(prepared, {}, scene.frame, settings); });
         return film;
     };

@@ -4,9 +4,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
 #include "render/frame/check_settings.h"
+#include "render/threads/thread_arena.h"
 #include "sim/timeline/error.h"
 #include "tests/render/scene_builder.h"
 
@@ -53,7 +53,7 @@ Film rendered(const RenderSettings& settings, const FrameInput& input, int threa
     const PreparedScene prepared(scene().scene, settings);
     const std::vector<sim::Track> tracks{
         test::straight_track("a", Vec3(-0.05, 0, 0.03), Vec3(0.02, 0, 0.03), 0, 0.02)};
-    tbb::task_arena arena(threads);
+    ThreadArena arena(threads);
     Film film;
     arena.execute([&] { film = render_frame(prepared, tracks, input, settings); });
     return film;

@@ -3,9 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
 #include "render/frame/check_settings.h"
+#include "render/threads/thread_arena.h"
 #include "sim/timeline/error.h"
 #include "tests/render/scene_builder.h"
 
@@ -64,7 +64,7 @@ TEST(RenderFrame, OneThreadAndTwo_GiveTheSameBits) {
     settings.aovs = {"depth", "normal", "albedo", "motion", "object_id", "variance"};
     const PreparedScene scene(table().scene, settings);
     const auto render_with = [&](int threads) {
-        tbb::task_arena arena(threads);
+        ThreadArena arena(threads);
         Film film;
         arena.execute([&] { film = render_frame(scene, table_tracks(), table_frame(), settings); });
         return film;
