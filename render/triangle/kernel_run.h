@@ -28,6 +28,9 @@ class KernelRun {
     /// and asks only for nearer ones.
     virtual void run() = 0;
 
+    /// How it tests: as asked.
+    [[nodiscard]] virtual Packing packing() const = 0;
+
     /// Of every ray, after run().
     [[nodiscard]] virtual std::vector<NearestHit> hits() const = 0;
 };

@@ -40,11 +40,11 @@ struct VectorLanes {
 template <class D>
 struct RaysInLanes : VectorLanes<D> {
     using typename VectorLanes<D>::Value;
-    using Axis = std::uint32_t;
+    using Axis = AxisOrder;
 
-    static HWY_INLINE Value along(const Value (&v)[3], Axis w) { return v[w]; }
-    static HWY_INLINE Value after(const Value (&v)[3], Axis w) { return v[kAxisAfter[w]]; }
-    static HWY_INLINE Value before(const Value (&v)[3], Axis w) { return v[kAxisBefore[w]]; }
+    static HWY_INLINE Value along(const Value (&x)[3], const Axis& axis) { return x[axis.w]; }
+    static HWY_INLINE Value after(const Value (&x)[3], const Axis& axis) { return x[axis.u]; }
+    static HWY_INLINE Value before(const Value (&x)[3], const Axis& axis) { return x[axis.v]; }
 };
 
 /// A triangle in every lane, one ray in all: every lane has its own axis.

@@ -69,6 +69,10 @@ class RaysRun final : public KernelRun {
         }
     }
 
+    [[nodiscard]] Packing packing() const override {
+        return kCount == 4 ? Packing::four_rays : Packing::eight_rays;
+    }
+
     [[nodiscard]] std::vector<NearestHit> hits() const override {
         std::vector<NearestHit> hits;
         for (std::size_t i = 0; i < t_.size(); ++i) {
@@ -128,7 +132,7 @@ class RaysRun final : public KernelRun {
 };
 
 template <class T, int kCount>
-std::unique_ptr<KernelRun> make(const Form& form, const TestSet& set) {
+std::unique_ptr<KernelRun> make_rays(const Form& form, const TestSet& set) {
     return with_form(
         form, [&]<class Kernel, Input kInput, Division kDivision>() -> std::unique_ptr<KernelRun> {
             return std::make_unique<RaysRun<Kernel, kInput, kDivision, T, kCount>>(set);
@@ -138,9 +142,9 @@ std::unique_ptr<KernelRun> make(const Form& form, const TestSet& set) {
 inline std::unique_ptr<KernelRun> make_rays_run_of_target(const Form& form, Precision precision,
                                                           int count, const TestSet& set) {
     if (precision == Precision::single_precision) {
-        return count == 4 ? make<float, 4>(form, set) : make<float, 8>(form, set);
+        return count == 4 ? make_rays<float, 4>(form, set) : make_rays<float, 8>(form, set);
     }
-    return count == 4 ? make<double, 4>(form, set) : make<double, 8>(form, set);
+    return count == 4 ? make_rays<double, 4>(form, set) : make_rays<double, 8>(form, set);
 }
 
 }  // namespace carom::render::triangle::HWY_NAMESPACE

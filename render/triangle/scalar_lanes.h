@@ -12,10 +12,12 @@ namespace carom::render::triangle {
 /// multiples and divide for hits only.
 enum class Division { early, deferred };
 
-/// The first of three axes that follow each other (x, y, z, x): the one that is left out where a
-/// triangle is seen along an axis is `w`.
-inline constexpr int kAxisAfter[3] = {1, 2, 0};
-inline constexpr int kAxisBefore[3] = {2, 0, 1};
+/// The axis along which a triangle is seen, and the two after it (x, y, z, x): all three are kept,
+/// since they are what a test waits for.
+struct AxisOrder {
+    std::uint32_t w, u, v;
+};
+inline constexpr AxisOrder kAxisOrders[3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};
 
 /// What kernels ask of a lane type. T: float, double or long double.
 template <class T>
@@ -23,7 +25,7 @@ struct ScalarLanes {
     using Number = T;
     using Value = T;
     using Mask = bool;
-    using Axis = std::uint32_t;
+    using Axis = AxisOrder;
 
     static Value all(Number x) { return x; }
     static Mask is_less(Value a, Value b) { return a < b; }
@@ -53,11 +55,11 @@ struct ScalarLanes {
         const T x = std::abs(v[0]);
         const T y = std::abs(v[1]);
         const T z = std::abs(v[2]);
-        return x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
+        return kAxisOrders[x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2)];
     }
-    static Value along(const Value (&v)[3], Axis w) { return v[w]; }
-    static Value after(const Value (&v)[3], Axis w) { return v[kAxisAfter[w]]; }
-    static Value before(const Value (&v)[3], Axis w) { return v[kAxisBefore[w]]; }
+    static Value along(const Value (&x)[3], const Axis& axis) { return x[axis.w]; }
+    static Value after(const Value (&x)[3], const Axis& axis) { return x[axis.u]; }
+    static Value before(const Value (&x)[3], const Axis& axis) { return x[axis.v]; }
 };
 
 }  // namespace carom::render::triangle

@@ -53,6 +53,8 @@ class SingleRun final : public KernelRun {
         }
     }
 
+    [[nodiscard]] Packing packing() const override { return Packing::single; }
+
     [[nodiscard]] std::vector<NearestHit> hits() const override {
         std::vector<NearestHit> hits;
         for (const Best<T>& best : best_) {

@@ -58,7 +58,7 @@ class TrianglesRun final : public KernelRun {
             const int lane = static_cast<int>(i % kCount);
             store_numbers(Single::numbers(triangle), block, lane, Indices());
             if constexpr (Single::kHasAxis) {
-                block.number[kNumbers][lane] = static_cast<T>(triangle.axis);
+                block.number[kNumbers][lane] = static_cast<T>(triangle.axis.w);
             }
         }
     }
@@ -72,6 +72,10 @@ class TrianglesRun final : public KernelRun {
                     nearest(rays_.of_group(group) + i, blocks);
             }
         }
+    }
+
+    [[nodiscard]] Packing packing() const override {
+        return kCount == 4 ? Packing::four_triangles : Packing::eight_triangles;
     }
 
     [[nodiscard]] std::vector<NearestHit> hits() const override {
@@ -149,7 +153,7 @@ class TrianglesRun final : public KernelRun {
 };
 
 template <class T, int kCount>
-std::unique_ptr<KernelRun> make(const Form& form, const TestSet& set) {
+std::unique_ptr<KernelRun> make_triangles(const Form& form, const TestSet& set) {
     return with_form(
         form, [&]<class Kernel, Input kInput, Division kDivision>() -> std::unique_ptr<KernelRun> {
             return std::make_unique<TrianglesRun<Kernel, kInput, kDivision, T, kCount>>(set);
@@ -160,9 +164,10 @@ inline std::unique_ptr<KernelRun> make_triangles_run_of_target(const Form& form,
                                                                Precision precision, int count,
                                                                const TestSet& set) {
     if (precision == Precision::single_precision) {
-        return count == 4 ? make<float, 4>(form, set) : make<float, 8>(form, set);
+        return count == 4 ? make_triangles<float, 4>(form, set)
+                          : make_triangles<float, 8>(form, set);
     }
-    return count == 4 ? make<double, 4>(form, set) : make<double, 8>(form, set);
+    return count == 4 ? make_triangles<double, 4>(form, set) : make_triangles<double, 8>(form, set);
 }
 
 }  // namespace carom::render::triangle::HWY_NAMESPACE

@@ -51,7 +51,7 @@ struct Badouel {
         if (L::none(valid)) {
             return missed<L>();
         }
-        const auto w = triangle.axis;
+        const auto& w = triangle.axis;
         const auto p_u = plane.coordinate(L::after(ray.origin.at, w) - triangle.a_u,
                                           L::after(ray.direction.at, w));
         const auto p_v = plane.coordinate(L::before(ray.origin.at, w) - triangle.a_v,

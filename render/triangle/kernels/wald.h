@@ -45,7 +45,7 @@ struct Wald {
 
     template <Division kDivision, class L>
     CAROM_KERNEL static MetIn<L> meet(const RayIn<L>& ray, const Record<L>& triangle) {
-        const auto w = triangle.axis;
+        const auto& w = triangle.axis;
         const auto d_u = L::after(ray.direction.at, w);
         const auto d_v = L::before(ray.direction.at, w);
         const auto o_u = L::after(ray.origin.at, w);

@@ -37,6 +37,7 @@ INSTANTIATE_TEST_SUITE_P(All, Kernels, testing::ValuesIn(all_forms().begin(), al
 
 std::vector<NearestHit> hits_of(const Variant& variant, const TestSet& set) {
     const auto run = make_run(variant, set);
+    EXPECT_EQ(run->packing(), variant.packing);
     run->run();
     return run->hits();
 }
