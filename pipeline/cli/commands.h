@@ -21,6 +21,7 @@ struct InputOptions {
     std::vector<std::string> overrides;  // "render.samples=64"
     std::string quality;                 // "draft", "preview", "final"; empty: the shot's own
     std::string camera_file;             // whose cameras film instead; empty: the shot's own
+    std::string root;  // the folder below which all files lie that the shot names; empty: anywhere
 };
 
 struct CacheOptions {

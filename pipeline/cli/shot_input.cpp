@@ -41,10 +41,11 @@ std::string text_of(const pipeline::Problem& problem, const Console& console) {
 /// was simulated.
 pipeline::LoadResult load_carried_shot(const sim::Bake& bake, const InputOptions& input) {
     pipeline::LoadResult changed = pipeline::load_shot_text(
-        bake.shot_text, input.path, input.overrides, input.quality, input.camera_file);
+        bake.shot_text, input.path, input.overrides, input.quality, input.camera_file, input.root);
     const bool may_differ = !input.overrides.empty() || !input.quality.empty();
     if (changed.shot && may_differ) {
-        const pipeline::LoadResult plain = pipeline::load_shot_text(bake.shot_text, input.path);
+        const pipeline::LoadResult plain =
+            pipeline::load_shot_text(bake.shot_text, input.path, {}, {}, {}, input.root);
         if (plain.shot &&
             sim::physics_hash(plain.shot->world) != sim::physics_hash(changed.shot->world)) {
             throw InputError("'" + input.path +
@@ -82,7 +83,8 @@ CheckedInput load_shot_input(const InputOptions& input) {
         result.bake = read_bake_input(input.path);
         loaded = load_carried_shot(*result.bake, input);
     } else {
-        loaded = pipeline::load_shot(input.path, input.overrides, input.quality, input.camera_file);
+        loaded = pipeline::load_shot(input.path, input.overrides, input.quality, input.camera_file,
+                                     input.root);
     }
     CheckedInput checked{std::move(loaded.problems), {}};
     if (loaded.shot) {

@@ -144,6 +144,23 @@ std::string file_hint(const fs::path& name, const std::string& folder,
 
 }  // namespace
 
+namespace {
+
+bool is_below(const fs::path& path, const std::string& folder) {
+    std::error_code code;
+    const fs::path way = path.lexically_relative(fs::canonical(folder, code));
+    return !code && !way.empty() && *way.begin() != "..";
+}
+
+/// `path` has no links in it.
+bool is_allowed(const fs::path& path, const ConfigFolders& folders) {
+    return folders.root.empty() || is_below(path, folders.root) ||
+           std::any_of(folders.folders.begin(), folders.folders.end(),
+                       [&](const std::string& folder) { return is_below(path, folder); });
+}
+
+}  // namespace
+
 FoundFile find_config_file(std::string_view name, const std::string& folder,
                            const ConfigFolders& folders) {
     if (name.empty() || name.size() > kLongestPathBytes ||
@@ -156,7 +173,13 @@ FoundFile find_config_file(std::string_view name, const std::string& folder,
         if (problem.empty()) {
             std::error_code code;
             const fs::path canonical = fs::canonical(path, code);
-            return {code ? fs::absolute(path, code).string() : canonical.string(), {}};
+            const std::string found = code ? fs::absolute(path, code).string() : canonical.string();
+            if (!is_allowed(found, folders)) {
+                return {{},
+                        "file " + quote(name) + " lies outside of " + quote(folders.root) +
+                            ", to which --root confines what a shot names"};
+            }
+            return {found, {}};
         }
         if (first_problem.empty() || first_problem == "does not exist") {
             first_problem = problem;

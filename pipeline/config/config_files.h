@@ -10,6 +10,9 @@ namespace carom::pipeline::config {
 /// Folders that hold tables, ball sets, looks and quality presets, in the order of the search.
 struct ConfigFolders {
     std::vector<std::string> folders;
+    /// Files that a shot names lie below this folder (or in the config folders), links followed;
+    /// empty: anywhere.
+    std::string root = {};
 };
 
 /// $CAROM_CONFIGS, share/carom/configs beside the program's own folder, and the source tree's

@@ -66,11 +66,12 @@ std::optional<Shot> read_shot(const Gathered& gathered, const std::string& name,
 
 LoadResult load_shot_text(const std::string& text, const std::string& origin,
                           const std::vector<std::string>& overrides, const std::string& quality,
-                          const std::string& camera_file) {
+                          const std::string& camera_file, const std::string& root) {
     SourceSet sources;
     ProblemList problems(sources);
     LoadResult result;
-    const ConfigFolders folders = standard_config_folders();
+    ConfigFolders folders = standard_config_folders();
+    folders.root = root;
     const int source = sources.add({origin, absolute_folder(origin), text});
     Gathered gathered =
         gather(sources, source, folders, {overrides, quality, camera_file}, problems);
@@ -92,7 +93,8 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
 }
 
 LoadResult load_shot(const std::string& path, const std::vector<std::string>& overrides,
-                     const std::string& quality, const std::string& camera_file) {
+                     const std::string& quality, const std::string& camera_file,
+                     const std::string& root) {
     std::string text;
     if (!read_text_file(path, YamlLimits{}.bytes, text)) {
         Problem problem;
@@ -100,7 +102,7 @@ LoadResult load_shot(const std::string& path, const std::vector<std::string>& ov
         problem.message = "the file " + text;
         return {std::nullopt, {problem}, nullptr};
     }
-    return load_shot_text(text, path, overrides, quality, camera_file);
+    return load_shot_text(text, path, overrides, quality, camera_file, root);
 }
 
 }  // namespace carom::pipeline

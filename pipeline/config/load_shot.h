@@ -20,18 +20,20 @@ struct LoadResult {
 
 /// `overrides` are "render.samples=64" as given to --set, `quality` the name of a preset in
 /// configs/quality ("draft", "preview", "final") or empty, `camera_file` a file whose cameras take
-/// the place of the shot's (gather.h) or empty. A file that cannot be read is a problem, not an
-/// exception.
+/// the place of the shot's (gather.h) or empty, `root` the folder that holds whatever the shot
+/// names (config_files.h) or empty. A file that cannot be read is a problem, not an exception.
 [[nodiscard]] LoadResult load_shot(const std::string& path,
                                    const std::vector<std::string>& overrides = {},
                                    const std::string& quality = {},
-                                   const std::string& camera_file = {});
+                                   const std::string& camera_file = {},
+                                   const std::string& root = {});
 
 /// The same for a text in memory (a bake's shot_text, a fuzzer's input). Relative paths are below
 /// the folder of `origin`.
 [[nodiscard]] LoadResult load_shot_text(const std::string& text, const std::string& origin,
                                         const std::vector<std::string>& overrides = {},
                                         const std::string& quality = {},
-                                        const std::string& camera_file = {});
+                                        const std::string& camera_file = {},
+                                        const std::string& root = {});
 
 }  // namespace carom::pipeline

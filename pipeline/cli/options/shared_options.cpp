@@ -19,6 +19,11 @@ void add_changes(CLI::App& app, InputOptions& input) {
         ->allow_extra_args(false);
     app.add_option("--quality", input.quality, "a preset: draft, preview or final")
         ->option_text("NAME");
+    app.add_option("--root", input.root,
+                   "refuse a shot that names files outside of this folder, links followed (carom's "
+                   "own tables, looks and rigs may be named)")
+        ->option_text("FOLDER")
+        ->check(CLI::ExistingDirectory);
 }
 
 void add_camera_file(CLI::App& app, InputOptions& input) {

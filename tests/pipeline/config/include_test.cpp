@@ -219,5 +219,27 @@ TEST_F(Include, OverriddenFile_IsBesideTheShot) {
     EXPECT_EQ(shot.assets.size(), 1U);
 }
 
+TEST_F(Include, RootConfinesWhatAShotNames) {
+    write("outside/secret.yaml", "simulation: {duration: 3 s}\n");
+    write("outside/flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("farm/mine.yaml", "simulation: {seed: 4}\n");
+    fs::create_directory_symlink(folder_ / "outside", folder_ / "farm/link");
+    const auto problems = [&](const std::string& text) {
+        return all_problems(load_shot(write("farm/shot.yaml", "carom: 1\n" + text), {}, {}, {},
+                                      (folder_ / "farm").string()));
+    };
+    const std::string inside =
+        "include: [mine.yaml, looks/club.yaml]\nballs: {cue: {at: [0, 0]}}\n";
+    EXPECT_EQ(problems(inside).find("error"), std::string::npos) << problems(inside);
+    for (const std::string name : {"../outside/secret.yaml", "link/secret.yaml"})
+        EXPECT_THAT(
+            problems("include: " + name + "\n"),
+            HasSubstr("error: included file '" + name + "' lies outside of '" + (folder_ / "farm").string() +
+                      "', to which --root confines what a shot names"));
+    EXPECT_THAT(
+        problems("objects: {flat: {mesh: " + (folder_ / "outside/flat.obj").string() + "}}\n"),
+        HasSubstr("lies outside of"));
+}
+
 }  // namespace
 }  // namespace carom::pipeline
