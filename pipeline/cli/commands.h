@@ -188,6 +188,8 @@ struct CompareCommand {
     std::string scene;                  // one of the laboratory's
     std::string triangles;              // kernels with commas between; empty: structures
     int rounds = 5;                     // of triangles
+    std::string growth;                 // instead of one frame: "spheres", "mesh"
+    std::int64_t largest = 1'000'000;   // of `growth`
     std::string accelerators = "all";   // names with commas between
     std::string shadow_rays = "any";    // or "closest", "both"
     std::optional<std::int64_t> frame;  // of a shot

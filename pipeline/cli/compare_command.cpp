@@ -15,6 +15,8 @@
 #include "pipeline/laboratory/comparison.h"
 #include "pipeline/laboratory/comparison_plot.h"
 #include "pipeline/laboratory/comparison_text.h"
+#include "pipeline/laboratory/growth.h"
+#include "pipeline/laboratory/growth_text.h"
 
 namespace carom::cli {
 
@@ -65,12 +67,14 @@ void set_size(LaboratoryScene& scene, const std::string& size) {
 }
 
 void check_what_is_compared(const CompareCommand& command) {
-    if (command.input.path.empty() && command.scene.empty()) {
-        throw InputError("there is nothing to compare structures on: give a shot, or --scene NAME");
+    if (command.input.path.empty() && command.scene.empty() && command.growth.empty()) {
+        throw InputError(
+            "there is nothing to compare structures on: give a shot, --scene NAME or --growth "
+            "NAME");
     }
-    if (!command.scene.empty() &&
+    if (command.input.path.empty() &&
         (!command.input.overrides.empty() || !command.input.quality.empty() || command.frame)) {
-        throw InputError("--set, --quality and --frame are for shots, not for --scene");
+        throw InputError("--set, --quality and --frame are for shots alone");
     }
     check_output_folder(command.output);
     check_output_folder(command.csv);
@@ -100,16 +104,74 @@ double now() {
     return std::chrono::duration<double>(time).count();
 }
 
-Comparison compare(const LaboratoryScene& scene, const pipeline::ComparisonOptions& options,
-                   CommandContext& context) {
+/// What `measure` makes with the progress shown.
+template <class Measure>
+auto with_progress(CommandContext& context, const Measure& measure) {
     ProgressMeter meter;
-    const auto tell = [&](std::string_view /*structure*/, double share) {
+    auto result = measure([&](std::string_view /*structure*/, double share) {
         meter.on_progress("compare", share, now());
         context.console.progress(meter.snapshot(now()));
-    };
-    Comparison comparison = pipeline::compare_structures(scene, options, tell, context.stop);
+    });
     context.console.end_progress();
-    return comparison;
+    return result;
+}
+
+/// What is there in every form that was asked for.
+struct Texts {
+    std::string text, csv, plot;
+};
+
+void write_texts(const CompareCommand& command, const Texts& texts) {
+    write_text_output(command.output.empty() ? "-" : command.output, texts.text);
+    if (!command.csv.empty()) {
+        write_text_output(command.csv, texts.csv);
+    }
+    if (!command.plot.empty()) {
+        write_drawing({command.plot, command.drawing.width}, texts.plot);
+    }
+}
+
+void stop_unless(bool is_whole) {
+    if (!is_whole) {
+        throw Stopped();
+    }
+}
+
+void run_growth(const CompareCommand& command, CommandContext& context) {
+    pipeline::GrowthOptions options;
+    options.structures = options_of(command).structures;
+    options.largest = static_cast<std::size_t>(command.largest);
+    options.scene =
+        command.growth == "mesh" ? pipeline::GrowingScene::mesh : pipeline::GrowingScene::spheres;
+    const pipeline::Growth growth = with_progress(context, [&](const auto& progress) {
+        return pipeline::measure_growth(options, progress, context.stop);
+    });
+    if (!growth.points.empty()) {
+        const auto page = page_of(command.drawing.page, command.plot);
+        write_texts(command, {command.json ? growth_json(growth) : pipeline::growth_text(growth),
+                              growth_csv(growth), pipeline::growth_plot_svg(growth, page)});
+    }
+    stop_unless(growth.is_whole);
+}
+
+void run_comparison(const CompareCommand& command, CommandContext& context) {
+    const pipeline::ComparisonOptions options = options_of(command);
+    LaboratoryScene scene = command.scene.empty() ? scene_of_shot(command, context)
+                                                  : pipeline::make_laboratory_scene(command.scene);
+    if (!command.size.empty()) {
+        set_size(scene, command.size);
+    }
+    const Comparison comparison = with_progress(context, [&](const auto& progress) {
+        return pipeline::compare_structures(scene, options, progress, context.stop);
+    });
+    if (!comparison.rows.empty()) {
+        const auto page = page_of(command.drawing.page, command.plot);
+        write_texts(
+            command,
+            {command.json ? comparison_json(comparison) : pipeline::comparison_text(comparison),
+             comparison_csv(comparison), pipeline::comparison_plot_svg(comparison, page)});
+    }
+    stop_unless(comparison.is_whole);
 }
 
 }  // namespace
@@ -119,28 +181,10 @@ void run_compare(const CompareCommand& command, CommandContext& context) {
         return compare_triangles(command, context);
     }
     check_what_is_compared(command);
-    const pipeline::ComparisonOptions options = options_of(command);
-    LaboratoryScene scene = command.scene.empty() ? scene_of_shot(command, context)
-                                                  : pipeline::make_laboratory_scene(command.scene);
-    if (!command.size.empty()) {
-        set_size(scene, command.size);
-    }
-    const Comparison comparison = compare(scene, options, context);
-    if (!comparison.rows.empty()) {
-        write_text_output(
-            command.output.empty() ? "-" : command.output,
-            command.json ? comparison_json(comparison) : pipeline::comparison_text(comparison));
-        if (!command.csv.empty()) {
-            write_text_output(command.csv, comparison_csv(comparison));
-        }
-        if (!command.plot.empty()) {
-            write_drawing({command.plot, command.drawing.width},
-                          pipeline::comparison_plot_svg(
-                              comparison, page_of(command.drawing.page, command.plot)));
-        }
-    }
-    if (!comparison.is_whole) {
-        throw Stopped();
+    if (!command.growth.empty()) {
+        run_growth(command, context);
+    } else {
+        run_comparison(command, context);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "pipeline/cli/terminal/json_text.h"
 #include "pipeline/export/csv_text.h"
 #include "pipeline/laboratory/comparison_text.h"
+#include "pipeline/laboratory/growth_text.h"
 
 namespace carom::cli {
 
@@ -26,6 +27,16 @@ void add_rays(JsonMembers& members, const Comparison& comparison) {
     }
 }
 
+void add_tests(JsonMembers& members, const render::TestCounts& tests) {
+    for (std::size_t i = 0; i < kKinds.size(); ++i) {
+        const KindCounts& counts = tests.of[i];
+        const std::string kind = kKinds[i];
+        members.add(kind + "_objects", signed_of(counts.objects))
+            .add(kind + "_boxes", signed_of(counts.boxes))
+            .add(kind + "_nodes", signed_of(counts.nodes));
+    }
+}
+
 std::string row_object(const ComparedStructure& row) {
     JsonMembers members;
     members.add("structure", row.name)
@@ -34,25 +45,56 @@ std::string row_object(const ComparedStructure& row) {
         .add("bytes", signed_of(row.bytes))
         .add("cpu_seconds", row.cpu_seconds)
         .add("computed", row.is_computed ? 1 : 0);
-    for (std::size_t i = 0; row.is_counted && i < kKinds.size(); ++i) {
-        const KindCounts& counts = row.tests.of[i];
-        const std::string kind = kKinds[i];
-        members.add(kind + "_objects", signed_of(counts.objects))
-            .add(kind + "_boxes", signed_of(counts.boxes))
-            .add(kind + "_nodes", signed_of(counts.nodes));
+    if (row.is_counted) {
+        add_tests(members, row.tests);
     }
     return members.object();
 }
 
-std::string csv_header() {
-    std::string header =
-        "scene,structure,shadow_rays,build_seconds,bytes,cpu_seconds,computed,counted";
+/// Names of what is counted after those of `columns`.
+std::string csv_header(const std::string& columns) {
+    std::string header = columns;
     for (const char* kind : kKinds) {
         for (const char* what : {"rays", "objects", "boxes", "nodes"}) {
             header += std::string(",") + kind + "_" + what;
         }
     }
     return header;
+}
+
+/// `tests`: null where they are not known.
+void add_tests(pipeline::CsvText& csv, const render::TestCounts& rays,
+               const render::TestCounts* tests) {
+    for (std::size_t i = 0; i < kKinds.size(); ++i) {
+        csv.add(static_cast<double>(rays.of[i].rays));
+        for (std::uint64_t KindCounts::*what :
+             {&KindCounts::objects, &KindCounts::boxes, &KindCounts::nodes}) {
+            if (tests != nullptr) {
+                csv.add(static_cast<double>(tests->of[i].*what));
+            } else {
+                csv.add("");
+            }
+        }
+    }
+}
+
+std::string point_object(const pipeline::GrowthPoint& point) {
+    JsonMembers members;
+    members.add("structure", point.name)
+        .add("shapes", signed_of(point.shapes))
+        .add("build_seconds", point.build_seconds)
+        .add("bytes", signed_of(point.bytes));
+    for (std::size_t i = 0; i < kKinds.size(); ++i) {
+        const std::string kind = kKinds[i];
+        members.add("seconds_per_" + kind + "_ray", point.seconds_per_ray[i]);
+        if (point.is_counted) {
+            members.add(kind + "_rays", signed_of(point.tests.of[i].rays));
+        }
+    }
+    if (point.is_counted) {
+        add_tests(members, point.tests);
+    }
+    return members.object();
 }
 
 }  // namespace
@@ -74,7 +116,8 @@ std::string comparison_json(const Comparison& comparison) {
 }
 
 std::string comparison_csv(const Comparison& comparison) {
-    pipeline::CsvText csv(csv_header());
+    pipeline::CsvText csv(
+        csv_header("scene,structure,shadow_rays,build_seconds,bytes,cpu_seconds,computed,counted"));
     for (const ComparedStructure& row : comparison.rows) {
         csv.add(comparison.name).add(row.name).add(name_of(row.shadow_rays));
         csv.add(row.build_seconds)
@@ -82,17 +125,36 @@ std::string comparison_csv(const Comparison& comparison) {
             .add(row.cpu_seconds)
             .add(row.is_computed ? 1.0 : 0.0)
             .add(row.is_counted ? 1.0 : 0.0);
-        for (std::size_t i = 0; i < kKinds.size(); ++i) {
-            const KindCounts& counts = row.tests.of[i];
-            csv.add(static_cast<double>(comparison.rays.of[i].rays));
-            for (const std::uint64_t tests : {counts.objects, counts.boxes, counts.nodes}) {
-                if (row.is_counted) {
-                    csv.add(static_cast<double>(tests));
-                } else {
-                    csv.add("");
-                }
-            }
+        add_tests(csv, comparison.rays, row.is_counted ? &row.tests : nullptr);
+        csv.end_row();
+    }
+    return csv.finish();
+}
+
+std::string growth_json(const pipeline::Growth& growth) {
+    JsonMembers members;
+    members.add("growth", name_of(growth.scene)).add("whole", growth.is_whole ? 1 : 0);
+    std::string points;
+    for (const pipeline::GrowthPoint& point : growth.points) {
+        points += (points.empty() ? "\n" : ",\n") + point_object(point);
+    }
+    return "{" + members.text() + ",\n\"points\":[" + points + "]}\n";
+}
+
+std::string growth_csv(const pipeline::Growth& growth) {
+    pipeline::CsvText csv(
+        csv_header("growth,structure,shapes,build_seconds,bytes,seconds_per_primary_ray,"
+                   "seconds_per_secondary_ray,seconds_per_shadow_ray"));
+    for (const pipeline::GrowthPoint& point : growth.points) {
+        csv.add(name_of(growth.scene))
+            .add(point.name)
+            .add(static_cast<double>(point.shapes))
+            .add(point.build_seconds)
+            .add(static_cast<double>(point.bytes));
+        for (const double seconds : point.seconds_per_ray) {
+            csv.add(seconds);
         }
+        add_tests(csv, point.tests, point.is_counted ? &point.tests : nullptr);
         csv.end_row();
     }
     return csv.finish();

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "pipeline/laboratory/comparison.h"
+#include "pipeline/laboratory/growth.h"
 
 namespace carom::cli {
 
@@ -12,5 +13,8 @@ namespace carom::cli {
 
 /// A line of names, then one for each structure; empty where nothing is known.
 [[nodiscard]] std::string comparison_csv(const pipeline::Comparison& comparison);
+
+[[nodiscard]] std::string growth_json(const pipeline::Growth& growth);
+[[nodiscard]] std::string growth_csv(const pipeline::Growth& growth);
 
 }  // namespace carom::cli

@@ -86,8 +86,8 @@ render::MeshShape knot_mesh(std::size_t triangles, double radius) {
     constexpr double kReach = 3 + kTube;
     // About as long as wide.
     const auto around = std::max<std::size_t>(
-        4, static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(triangles) / 24))));
-    const std::size_t along = std::max<std::size_t>(12, triangles / (2 * around));
+        3, static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(triangles) / 24))));
+    const std::size_t along = std::max<std::size_t>(3, triangles / (2 * around));
     render::MeshShape mesh;
     for (std::size_t i = 0; i < along; ++i) {
         const double t = 2 * kPi * static_cast<double>(i) / static_cast<double>(along);

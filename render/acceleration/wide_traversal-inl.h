@@ -1,6 +1,7 @@
 // The way of a ray through a wide tree, for one instruction set; included once per set.
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "render/acceleration/wide_tree.h"
 #include "render/geometry/intersect.h"
@@ -51,15 +52,18 @@ HWY_INLINE unsigned enter_children(D d, const TreeRay<D>& ray, const WideTree& t
             }
             return place;
         };
-        hn::Vec<D> enter = ray.t_min;
-        hn::Vec<D> leave = hn::Set(d, limit);
-        for (int axis = 0; axis < 3; ++axis) {
-            const int side = ray.near_side[axis];
-            enter = hn::Max(enter,
-                            hn::MulSub(plane(axis, side), ray.inverse[axis], ray.near_share[axis]));
-            leave = hn::Min(
-                leave, hn::MulSub(plane(axis, 1 - side), ray.inverse[axis], ray.far_share[axis]));
-        }
+        const auto near = [&](int axis) HWY_ATTR {
+            return hn::MulSub(plane(axis, ray.near_side[axis]), ray.inverse[axis],
+                              ray.near_share[axis]);
+        };
+        const auto far = [&](int axis) HWY_ATTR {
+            return hn::MulSub(plane(axis, 1 - ray.near_side[axis]), ray.inverse[axis],
+                              ray.far_share[axis]);
+        };
+        // In pairs: no result waits for more than two others.
+        const hn::Vec<D> enter = hn::Max(hn::Max(near(0), near(1)), hn::Max(near(2), ray.t_min));
+        const hn::Vec<D> leave =
+            hn::Min(hn::Min(far(0), far(1)), hn::Min(far(2), hn::Set(d, limit)));
         std::uint8_t bits[8] = {};
         hn::StoreMaskBits(d, hn::Le(enter, leave), bits);
         hn::StoreU(enter, d, enters + lane);
@@ -68,11 +72,31 @@ HWY_INLINE unsigned enter_children(D d, const TreeRay<D>& ray, const WideTree& t
     return children;
 }
 
-/// Calls `visit(leaf)` for leaves that the ray meets before `limit`, which visits may lower, the
-/// nearest of each node's children first; ends when one returns true.
-template <bool kMoving, class D, class Visit>
+/// Asks the memory for something that will be wanted soon.
+template <class T>
+HWY_INLINE void prefetch(const T& wanted) {
+    const char* at = reinterpret_cast<const char*>(&wanted);
+    for (std::size_t line = 0; line < sizeof(T); line += 128) {  // lines come in pairs
+        __builtin_prefetch(at + line);
+    }
+}
+
+struct NoPrefetch {
+    HWY_INLINE void operator()(std::uint32_t /*leaf*/) const {}
+};
+
+/// Which of a node's children comes first.
+enum class Order {
+    nearest,
+    any  // where one hit is enough, it is not worth the sorting
+};
+
+/// Calls `visit(leaf)` for leaves that the ray meets before `limit`, which visits may lower; ends
+/// when one returns true. `prefetch_leaf(leaf)` is called for those that have to wait.
+template <bool kMoving, Order kOrder = Order::nearest, class D, class Visit,
+          class PrefetchLeaf = NoPrefetch>
 HWY_INLINE void traverse(D d, const WideTree& tree, const Ray& ray, const float& limit,
-                         const Visit& visit) {
+                         const Visit& visit, const PrefetchLeaf& prefetch_leaf = {}) {
     struct Waiting {
         float enter;
         std::int32_t child;
@@ -81,21 +105,40 @@ HWY_INLINE void traverse(D d, const WideTree& tree, const Ray& ray, const float&
     int count = 0;
     const TreeRay<D> tree_ray(d, ray);
     alignas(32) float enters[kBlockLanes];
+    // Into the list, the farthest first; `before`: what was there already.
+    const auto let_wait = [&](const Waiting& child, int before) HWY_ATTR {
+        if (child.child >= 0) {
+            prefetch(tree.nodes[static_cast<std::uint32_t>(child.child)]);
+        } else {
+            prefetch_leaf(static_cast<std::uint32_t>(-1 - child.child));
+        }
+        int at = count++;
+        for (; kOrder == Order::nearest && at > before && waiting[at - 1].enter < child.enter;
+             --at) {
+            waiting[at] = waiting[at - 1];
+        }
+        waiting[at] = child;
+    };
     std::int32_t current = 0;
     for (;;) {
         if (current >= 0) {
-            unsigned children = enter_children<kMoving>(
-                d, tree_ray, tree, static_cast<std::uint32_t>(current), limit, enters);
-            const std::int32_t* below = tree.nodes[static_cast<std::uint32_t>(current)].children;
-            // Into the list, the farthest first.
-            const int before = count;
-            for (; children != 0; children &= children - 1) {
+            const auto index = static_cast<std::uint32_t>(current);
+            unsigned children = enter_children<kMoving>(d, tree_ray, tree, index, limit, enters);
+            if (children != 0) {
+                const std::int32_t* below = tree.nodes[index].children;
                 const int lane = std::countr_zero(children);
-                int at = count++;
-                for (; at > before && waiting[at - 1].enter < enters[lane]; --at) {
-                    waiting[at] = waiting[at - 1];
+                Waiting first{enters[lane], below[lane]};
+                const int before = count;
+                for (children &= children - 1; children != 0; children &= children - 1) {
+                    const int next = std::countr_zero(children);
+                    Waiting other{enters[next], below[next]};
+                    if (kOrder == Order::nearest && other.enter < first.enter) {
+                        std::swap(first, other);
+                    }
+                    let_wait(other, before);
                 }
-                waiting[at] = {enters[lane], below[lane]};
+                current = first.child;
+                continue;
             }
         } else if (visit(static_cast<std::uint32_t>(-1 - current))) {
             return;

@@ -16,6 +16,7 @@ using Box = Imath::Box3f;
 constexpr int kBins = 16;
 constexpr std::uint32_t kLargestLeaf = kBlockLanes;
 constexpr float kNodeCost = 1.5f;      // of one child's box, in tests of a full leaf; measured
+constexpr float kWideNodeCost = 1.0f;  // of the boxes of eight children
 constexpr int kDepthOfHeuristic = 40;  // below, items are halved: 2^32 of them end at depth 72
 
 float vectors(std::uint32_t count) {
@@ -170,10 +171,84 @@ class BinaryBuilder {
     std::vector<Box> middles_;
 };
 
+/// What wide nodes over a binary tree cost at least, and how they are cut out of it then (after
+/// Ylitie, Karras and Laine 2017, "Efficient incoherent ray traversal on GPUs through compressed
+/// wide BVHs", section 3.1): for each binary node the least cost of a forest of at most 1, 2 ... 8
+/// trees that together hold all below it.
+class Forests {
+  public:
+    explicit Forests(const std::vector<BinaryNode>& binary) : forests_(binary.size()) {
+        // Children come after their parents.
+        for (std::size_t i = binary.size(); i-- > 0;) {
+            const BinaryNode& node = binary[i];
+            if (node.is_leaf()) {
+                forests_[i].cost.fill(node.area * vectors(node.count));
+                continue;
+            }
+            Forest& forest = forests_[i];
+            const Forest& left = forests_[node.left];
+            const Forest& right = forests_[node.right];
+            for (std::size_t trees = 2; trees <= kMost; ++trees) {
+                forest.cost[trees] = kInfinity;
+                for (std::size_t to_left = 1; to_left < trees; ++to_left) {
+                    const float cost = left.cost[to_left] + right.cost[trees - to_left];
+                    if (cost < forest.cost[trees]) {
+                        forest.cost[trees] = cost;
+                        forest.to_left[trees] = static_cast<std::uint8_t>(to_left);
+                    }
+                }
+            }
+            forest.cost[1] = kWideNodeCost * node.area + forest.cost[kMost];
+            // Fewer trees than allowed may be cheaper; their number is passed on.
+            for (std::size_t trees = 2; trees <= kMost; ++trees) {
+                if (forest.cost[trees - 1] <= forest.cost[trees] && trees < kMost) {
+                    forest.cost[trees] = forest.cost[trees - 1];
+                    forest.to_left[trees] = trees == 2 ? 0 : forest.to_left[trees - 1];
+                    forest.given[trees] = trees == 2 ? 1 : forest.given[trees - 1];
+                } else {
+                    forest.given[trees] = static_cast<std::uint8_t>(trees);
+                }
+            }
+        }
+    }
+
+    /// The binary nodes that become children of the wide node over `root`, which is no leaf.
+    [[nodiscard]] std::vector<std::uint32_t> children_of(const std::vector<BinaryNode>& binary,
+                                                         std::uint32_t root) const {
+        std::vector<std::uint32_t> children;
+        share(binary, root, kMost, true, children);
+        return children;
+    }
+
+  private:
+    static constexpr std::size_t kMost = kBlockLanes;
+    struct Forest {
+        std::array<float, kMost + 1> cost{};            // by number of trees
+        std::array<std::uint8_t, kMost + 1> to_left{};  // of so many trees
+        std::array<std::uint8_t, kMost + 1> given{};    // how many of those allowed are used
+    };
+
+    void share(const std::vector<BinaryNode>& binary, std::uint32_t index, std::size_t trees,
+               bool is_root, std::vector<std::uint32_t>& children) const {
+        const BinaryNode& node = binary[index];
+        const Forest& forest = forests_[index];
+        const std::size_t used = is_root ? trees : forest.given[trees];
+        if (node.is_leaf() || (!is_root && (trees == 1 || used == 1))) {
+            children.push_back(index);
+            return;
+        }
+        const std::size_t to_left = forest.to_left[trees];
+        share(binary, node.left, to_left, false, children);
+        share(binary, node.right, used - to_left, false, children);
+    }
+
+    std::vector<Forest> forests_;
+};
+
 /// Takes up to eight binary nodes at a time into one wide one.
 class Collapser {
   public:
-    explicit Collapser(const std::vector<BinaryNode>& binary) : binary_(binary) {
+    explicit Collapser(const std::vector<BinaryNode>& binary) : binary_(binary), forests_(binary) {
         if (binary_.front().is_leaf()) {
             const std::uint32_t root = add_node();
             put(root, 0, binary_.front());
@@ -213,25 +288,9 @@ class Collapser {
         }
     }
 
-    /// The child with the largest area is opened until there are eight or only leaves.
     std::int32_t collapse(std::uint32_t root, int depth) {
         CAROM_ASSERT(depth < kWideTreeDepth);
-        std::vector<std::uint32_t> children{binary_[root].left, binary_[root].right};
-        while (children.size() < kBlockLanes) {
-            auto largest = children.end();
-            for (auto child = children.begin(); child != children.end(); ++child) {
-                if (!binary_[*child].is_leaf() &&
-                    (largest == children.end() || binary_[*child].area > binary_[*largest].area)) {
-                    largest = child;
-                }
-            }
-            if (largest == children.end()) {
-                break;
-            }
-            const BinaryNode& opened = binary_[*largest];
-            *largest = opened.left;
-            children.push_back(opened.right);
-        }
+        const std::vector<std::uint32_t> children = forests_.children_of(binary_, root);
         const std::uint32_t index = add_node();
         for (std::size_t i = 0; i < children.size(); ++i) {
             const BinaryNode& child = binary_[children[i]];
@@ -244,6 +303,7 @@ class Collapser {
     }
 
     const std::vector<BinaryNode>& binary_;
+    Forests forests_;
 };
 
 bool moves(const MovingBounds& item) {
@@ -260,6 +320,7 @@ WideTree build_wide_tree(std::span<const MovingBounds> items) {
     BinaryBuilder binary(items);
     WideTree tree = std::move(Collapser(binary.nodes).tree);
     tree.order = std::move(binary.order);
+    tree.nodes = LargeVector<WideNode>(tree.nodes);  // without what growing has reserved
     if (std::none_of(items.begin(), items.end(), moves)) {
         tree.travels.clear();
         tree.travels.shrink_to_fit();

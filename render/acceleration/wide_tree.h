@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "render/acceleration/analytic_blocks.h"
+#include "render/acceleration/large_vector.h"
 #include "render/acceleration/shape_bounds.h"
 
 namespace carom::render {
 
 /// The boxes of eight children when the shutter opens. Lanes without a child hold a box that no
 /// ray enters.
-struct alignas(32) WideNode {
+struct alignas(64) WideNode {
     Lanes planes[3][2];          // axis; low, high
     std::int32_t children[8]{};  // >= 0: a node; < 0: the leaf -1 - child
 };
@@ -31,7 +32,7 @@ struct WideLeaf {
 
 /// The root is node 0; there is none without items.
 struct WideTree {
-    std::vector<WideNode> nodes;
+    LargeVector<WideNode> nodes;
     std::vector<WideTravel> travels;  // by node; empty if nothing moves
     std::vector<WideLeaf> leaves;
     std::vector<std::uint32_t> order;  // indices of items

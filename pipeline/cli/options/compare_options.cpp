@@ -35,6 +35,25 @@ void add_compared(CLI::App& command, CompareCommand& compare) {
         ->option_text("WxH");
 }
 
+/// Many scenes instead of one frame.
+void add_growth(CLI::App& command, CompareCommand& compare) {
+    CLI::Option* growth =
+        command
+            .add_option("--growth", compare.growth,
+                        "or how the cost of a ray grows with the number of shapes: of spheres, or "
+                        "of a mesh's triangles")
+            ->option_text("NAME")
+            ->check(CLI::IsMember({"spheres", "mesh"}));
+    for (const char* name : {"SHOT|BAKE", "--scene", "--shadow-rays", "--frame", "--size", "--set",
+                             "--quality", "--threads"}) {
+        growth->excludes(command.get_option(name));
+    }
+    command.add_option("--largest", compare.largest, "how many of them (default 1000000)")
+        ->option_text("N")
+        ->needs(growth)
+        ->check(CLI::Range(10, 10'000'000));
+}
+
 /// Nothing of what is said about a frame goes with it.
 void add_triangles(CLI::App& command, CompareCommand& compare) {
     CLI::Option* triangles =
@@ -43,7 +62,7 @@ void add_triangles(CLI::App& command, CompareCommand& compare) {
                         "measure ray-triangle kernels instead: all, or some: wald,badouel")
             ->option_text("NAMES");
     for (const char* name : {"SHOT|BAKE", "--scene", "--accelerators", "--shadow-rays", "--frame",
-                             "--size", "--set", "--quality", "--threads"}) {
+                             "--size", "--set", "--quality", "--threads", "--growth"}) {
         triangles->excludes(command.get_option(name));
     }
     command
@@ -70,6 +89,7 @@ void add_compare(CLI::App& app, Targets& targets) {
         ->option_text("FILE");
     add_drawing(command, compare.drawing);
     add_threads(command, compare.threads);
+    add_growth(command, compare);
     add_triangles(command, compare);
     add_cache(command, compare.cache);
     add_talk(command, targets);
@@ -77,6 +97,7 @@ void add_compare(CLI::App& app, Targets& targets) {
         example("  carom compare --scene sphere_cube\n"
                 "  carom compare break.yaml --frame 40 --accelerators kdtree,embree\n"
                 "  carom compare --scene cylinder_walls --shadow-rays both --plot walls.svg\n"
+                "  carom compare --growth mesh --accelerators bvh,wide_bvh,embree\n"
                 "  carom compare --triangles all --csv kernels.csv\n") +
         "\nEvery structure renders the same picture; what differs is the number of tests\n"
         "for a ray, and the time. Tests are counted in a frame of their own: counting\n"

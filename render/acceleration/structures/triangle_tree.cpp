@@ -26,8 +26,11 @@ TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes) {
     }
     TriangleTree result;
     result.tree = build_wide_tree(bounds);
+    result.blocks.reserve(result.tree.leaves.size());
+    result.names.reserve(result.tree.leaves.size());
     for (const WideLeaf& leaf : result.tree.leaves) {
         TriangleBlock block;
+        TriangleNames names;
         for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
             const Place& place = places[result.tree.order[leaf.first + lane]];
             const V3f a = corner(place, 0);
@@ -38,12 +41,18 @@ TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes) {
                 block.edge_b[axis].values[lane] = b[axis];
                 block.edge_c[axis].values[lane] = c[axis];
             }
-            block.object.values[lane] = static_cast<std::int32_t>(meshes[place.mesh].object);
-            block.number.values[lane] = static_cast<std::int32_t>(place.number);
+            names.object.values[lane] = static_cast<std::int32_t>(meshes[place.mesh].object);
+            names.number.values[lane] = static_cast<std::int32_t>(place.number);
         }
         result.blocks.push_back(block);
+        result.names.push_back(names);
     }
     return result;
+}
+
+std::size_t bytes_of(const TriangleTree& tree) {
+    return bytes_of(tree.tree) +
+           tree.blocks.size() * (sizeof(TriangleBlock) + sizeof(TriangleNames));
 }
 
 }  // namespace carom::render

@@ -1,6 +1,7 @@
 // Many triangles under a wide tree, eight at a time.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,16 +13,21 @@
 namespace carom::render {
 
 /// Eight triangles. Unused lanes hold one without an area, which no ray meets.
-struct TriangleBlock {
+struct alignas(64) TriangleBlock {
     Lanes corner[3];  // by axis
     Lanes edge_b[3], edge_c[3];
+};
+
+/// What a block's triangles are called.
+struct TriangleNames {
     ObjectLanes object;
     ObjectLanes number;  // in its mesh
 };
 
 struct TriangleTree {
     WideTree tree;
-    std::vector<TriangleBlock> blocks;  // by leaf
+    LargeVector<TriangleBlock> blocks;  // by leaf
+    LargeVector<TriangleNames> names;   // by leaf
 };
 
 [[nodiscard]] TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes);
@@ -33,6 +39,8 @@ struct TriangleTreeKernels {
     void (*closest)(const TriangleTree& tree, const Ray& ray, Hit& best);
     bool (*any)(const TriangleTree& tree, const Ray& ray);
 };
+
+[[nodiscard]] std::size_t bytes_of(const TriangleTree& tree);
 
 [[nodiscard]] const TriangleTreeKernels& best_triangle_kernels();
 

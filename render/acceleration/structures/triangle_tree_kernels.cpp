@@ -42,7 +42,7 @@ HWY_INLINE TriangleLanes meet(const TriangleBlock& block, int lane, const kernel
     return kernels::MollerTrumbore::meet<triangle::Division::early>(ray, triangles);
 }
 
-HWY_INLINE void offer(const TriangleBlock& block, const TriangleLanes& met, int lane, Hit& best) {
+HWY_INLINE void offer(const TriangleNames& names, const TriangleLanes& met, int lane, Hit& best) {
     const Tag d;
     alignas(32) float t[kBlockLanes], u[kBlockLanes], v[kBlockLanes];
     std::uint8_t bits[8] = {};
@@ -56,8 +56,8 @@ HWY_INLINE void offer(const TriangleBlock& block, const TriangleLanes& met, int 
     hn::Store(met.v, d, v);
     for (unsigned left = bits[0]; left != 0; left &= left - 1) {
         const int k = std::countr_zero(left);
-        const auto object = static_cast<std::uint32_t>(block.object.values[lane + k]);
-        const auto number = static_cast<std::uint32_t>(block.number.values[lane + k]);
+        const auto object = static_cast<std::uint32_t>(names.object.values[lane + k]);
+        const auto number = static_cast<std::uint32_t>(names.number.values[lane + k]);
         const bool is_lower =
             object < best.object || (object == best.object && number < best.primitive);
         if (t[k] < best.t || (t[k] == best.t && best.object != kNoObject && is_lower)) {
@@ -73,13 +73,14 @@ inline HWY_ATTR void closest_of_triangles(const TriangleTree& tree, const Ray& r
     const Tag d;
     // Of equally near ones the lowest: offer() decides.
     const auto lanes = ray_in_all(ray, kInfinity);
-    traverse<false>(d, tree.tree, ray, best.t, [&](std::uint32_t leaf) HWY_ATTR {
-        const TriangleBlock& block = tree.blocks[leaf];
+    const auto visit = [&](std::uint32_t leaf) HWY_ATTR {
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            offer(block, meet(block, lane, lanes), lane, best);
+            offer(tree.names[leaf], meet(tree.blocks[leaf], lane, lanes), lane, best);
         }
         return false;
-    });
+    };
+    traverse<false>(d, tree.tree, ray, best.t, visit,
+                    [&](std::uint32_t leaf) HWY_ATTR { prefetch(tree.blocks[leaf]); });
 }
 
 inline HWY_ATTR bool any_of_triangles(const TriangleTree& tree, const Ray& ray) {
@@ -89,13 +90,14 @@ inline HWY_ATTR bool any_of_triangles(const TriangleTree& tree, const Ray& ray) 
     const Tag d;
     const auto lanes = ray_in_all(ray, ray.t_max);
     bool found = false;
-    traverse<false>(d, tree.tree, ray, ray.t_max, [&](std::uint32_t leaf) HWY_ATTR {
-        const TriangleBlock& block = tree.blocks[leaf];
+    const auto visit = [&](std::uint32_t leaf) HWY_ATTR {
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            found = found || !L::none(meet(block, lane, lanes).valid);
+            found = found || !L::none(meet(tree.blocks[leaf], lane, lanes).valid);
         }
         return found;
-    });
+    };
+    traverse<false, Order::any>(d, tree.tree, ray, ray.t_max, visit,
+                                [&](std::uint32_t leaf) HWY_ATTR { prefetch(tree.blocks[leaf]); });
     return found;
 }
 

@@ -19,12 +19,18 @@ bool WideBvh::closest_hit(const Ray& ray, Hit& hit) const {
         return false;
     }
     const Ray safe = made_safe(ray);
-    Query<false> planes(planes_, safe, false);
-    for (const Primitive& plane : planes_.planes()) {
-        static_cast<void>(planes.test(plane));
+    Hit best;
+    best.t = safe.t_max;
+    if (!planes_.planes().empty()) {
+        Query<false> planes(planes_, safe, false);
+        for (const Primitive& plane : planes_.planes()) {
+            static_cast<void>(planes.test(plane));
+        }
+        best = planes.best();
     }
-    Hit best = planes.best();
-    shape_kernels_.closest(shapes_, safe, best);
+    if (!shapes_.tree.nodes.empty()) {
+        shape_kernels_.closest(shapes_, safe, best);
+    }
     triangle_kernels_.closest(triangles_, safe, best);
     if (best.object == kNoObject) {
         return false;
@@ -38,15 +44,21 @@ bool WideBvh::any_hit(const Ray& ray) const {
         return false;
     }
     const Ray safe = made_safe(ray);
+    return meets_plane(safe) || shape_kernels_.any(shapes_, safe) ||
+           triangle_kernels_.any(triangles_, safe);
+}
+
+bool WideBvh::meets_plane(const Ray& safe) const {
+    if (planes_.planes().empty()) {
+        return false;
+    }
     Query<false> planes(planes_, safe, true);
-    const auto blocks = [&](const Primitive& plane) { return planes.test(plane); };
-    return std::any_of(planes_.planes().begin(), planes_.planes().end(), blocks) ||
-           shape_kernels_.any(shapes_, safe) || triangle_kernels_.any(triangles_, safe);
+    return std::ranges::any_of(planes_.planes(),
+                               [&](const Primitive& plane) { return planes.test(plane); });
 }
 
 std::size_t WideBvh::bytes() const {
-    return bytes_of(shapes_.tree) + bytes_of(triangles_.tree) +
-           triangles_.blocks.size() * sizeof(TriangleBlock);
+    return bytes_of(shapes_.tree) + bytes_of(triangles_);
 }
 
 }  // namespace carom::render

@@ -20,6 +20,8 @@ class WideBvh final : public MeasuredStructure {
     [[nodiscard]] std::size_t bytes() const override;
 
   private:
+    [[nodiscard]] bool meets_plane(const Ray& ray) const;
+
     Primitives planes_;
     AnalyticTree shapes_;
     TriangleTree triangles_;

@@ -64,15 +64,16 @@ TEST_F(CompareCommand, WrongUse_IsRefusedWithASentence) {
         EXPECT_EQ(result.out, "");
         return result.err;
     };
-    EXPECT_EQ(message({}),
-              "carom: error: there is nothing to compare structures on: give a shot, or --scene "
-              "NAME\n");
+    EXPECT_EQ(
+        message({}),
+        "carom: error: there is nothing to compare structures on: give a shot, --scene NAME or "
+        "--growth NAME\n");
     EXPECT_EQ(message({"--scene", "stadium", "--accelerators", "kdtree,quadtree"}),
               "carom: error: there is no structure 'quadtree'; there are hybrid, embree, "
               "brute_force, grid, octree, kdtree, kdtree_median, bsp, rtree, rtree_hilbert, "
               "kay_kajiya, bvh, wide_bvh, and all\n");
     EXPECT_EQ(message({"--scene", "stadium", "--frame", "3"}),
-              "carom: error: --set, --quality and --frame are for shots, not for --scene\n");
+              "carom: error: --set, --quality and --frame are for shots alone\n");
     EXPECT_EQ(message({"--scene", "stadium", "--size", "8x8"}),
               "carom: error: --size '8x8' is not a size of 16 to 16384 pixels, as 160x120\n");
     EXPECT_EQ(message({"tiny.yaml", "--frame", "6"}),

@@ -1,0 +1,33 @@
+// Curves over a logarithmic axis, as SVG.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/plan/plan_colours.h"
+
+namespace carom::pipeline {
+
+struct ChartLine {
+    std::string name;
+    std::vector<Vec2> points;  // x > 0; ascending
+};
+
+struct LinePanel {
+    std::string title;
+    bool is_logarithmic = true;  // upwards, too: else from 0 on
+    std::vector<ChartLine> lines;
+};
+
+struct LineChart {
+    std::string title;
+    std::string explanation;
+    std::string across;              // what x is
+    std::vector<std::string> names;  // of all lines, in the order of their colours
+    std::vector<LinePanel> panels;   // from left to right
+};
+
+/// A document 297 mm wide.
+[[nodiscard]] std::string line_chart_svg(const LineChart& chart, PlanPage page);
+
+}  // namespace carom::pipeline
