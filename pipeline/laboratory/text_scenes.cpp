@@ -39,7 +39,7 @@ constexpr std::array<const char*, 4> kColours{"red", "green", "blue", "sand"};
 
 LaboratoryScene sphere_cube() {
     constexpr int kSide = 15;
-    LaboratoryScene scene = empty_scene("sphere_cube", {320, 240, 5, 0});
+    LaboratoryScene scene = empty_scene("sphere_cube", {320, 240, 9, 0});
     add_colours(scene, 0);
     const double middle = 0.5 * (kSide - 1);
     for (int x = 0; x < kSide; ++x) {
@@ -51,9 +51,9 @@ LaboratoryScene sphere_cube() {
             }
         }
     }
-    add_point_light(scene, {30, -10, 22}, 900);
-    add_point_light(scene, {4, -34, 12}, 700);
-    set_camera(scene, {16, -21, 13}, {0, 0, -0.6}, 0.62);
+    add_point_light(scene, {60, -16, 12}, 2500);
+    add_point_light(scene, {8, -60, 9}, 2500);
+    set_camera(scene, {18.6, -24.4, 15.1}, {0, 0, 0}, 0.98);
     return scene;
 }
 
@@ -63,14 +63,14 @@ LaboratoryScene cylinder_axes() {
     std::size_t colour = 0;
     for (const Vec3& axis : thirteen_axes()) {
         for (int i = -50; i <= 50; ++i) {
-            add_object(scene, render::CylinderShape{0.3, 0.8},
+            add_object(scene, render::CylinderShape{0.5, 0.8},
                        turned_to(axis, axis.normalized() * (0.9 * i)), kColours[colour % 4]);
         }
         colour += 1;
     }
     add_point_light(scene, {60, -30, 60}, 5000);
     add_point_light(scene, {-20, -60, 30}, 4000);
-    set_camera(scene, {26, -40, 22}, {0, 0, 0}, 0.75);
+    set_camera(scene, {9, -14, 7.7}, {0, 0, 0}, 0.5);
     return scene;
 }
 
