@@ -165,11 +165,10 @@ class ComparisonRun {
     // Of several frames where they are quick: what else the machine does only ever slows.
     MeasuredFrame least_time(AccelerationKind kind, ShadowRays shadow_rays,
                              const RenderSettings& settings) {
-        constexpr double kEnough = 1;  // s
         constexpr int kMostFrames = 5;
         MeasuredFrame least = measure(kind, shadow_rays, false, settings);
         double all = least.cpu_seconds;
-        for (int i = 1; i < kMostFrames && all < kEnough; ++i) {
+        for (int i = 1; i < kMostFrames && all < options_.enough_seconds; ++i) {
             done_ -= 1;
             const MeasuredFrame again = measure(kind, shadow_rays, false, settings);
             all += again.cpu_seconds;

@@ -27,6 +27,8 @@ struct ComparisonOptions {
     /// Brute force that would test more is computed from the number of rays and a part of the
     /// picture.
     double most_tests = 1e9;
+    /// Quick frames are timed again until that long was spent on them, CPU time; 0: once.
+    double enough_seconds = 1;
 };
 
 /// A row.

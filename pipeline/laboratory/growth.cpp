@@ -48,12 +48,11 @@ std::size_t ask(const render::AccelerationStructure& structure, std::span<const 
 
 /// The least of several times: what else the machine does only ever slows.
 double seconds_per_ray(const render::AccelerationStructure& structure, std::span<const Ray> rays,
-                       const std::stop_token& stop) {
-    constexpr double kEnough = 0.15;  // s
+                       double enough, const std::stop_token& stop) {
     constexpr int kMost = 12;
     double least = 1e300;
     double all = 0;
-    for (int i = 0; i < kMost && (i < 2 || all < kEnough); ++i) {
+    for (int i = 0; i < kMost && (i < 2 || all < enough); ++i) {
         check_stop(stop);
         const double start = process_cpu_seconds();
         static_cast<void>(ask(structure, rays));
@@ -65,7 +64,7 @@ double seconds_per_ray(const render::AccelerationStructure& structure, std::span
 }
 
 GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, std::size_t shapes,
-                     const RaysByKind& rays, const std::stop_token& stop) {
+                     const RaysByKind& rays, double enough, const std::stop_token& stop) {
     const render::FlushDenormals flush;
     GrowthPoint point;
     point.name = name_of(kind);
@@ -76,7 +75,7 @@ GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, std::s
         point.build_seconds = frame.cost().build_seconds;
         point.bytes = frame.cost().bytes;
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            point.seconds_per_ray[i] = seconds_per_ray(frame.structure(), rays[i], stop);
+            point.seconds_per_ray[i] = seconds_per_ray(frame.structure(), rays[i], enough, stop);
         }
     }
     point.is_counted = FrameMeter::can_count(kind);
@@ -140,8 +139,9 @@ void measure_size(std::size_t size, const GrowthOptions& options, const std::sto
         if (is_brute && every > kRays / 100) {
             continue;
         }
-        growth.points.push_back(
-            point_of(kind, scene, shapes, is_brute ? thinned(rays, every) : rays, stop));
+        growth.points.push_back(point_of(kind, scene, shapes,
+                                         is_brute ? thinned(rays, every) : rays,
+                                         options.enough_seconds, stop));
     }
 }
 

@@ -20,7 +20,8 @@ struct GrowthOptions {
     GrowingScene scene = GrowingScene::spheres;
     std::vector<render::AccelerationKind> structures;
     std::size_t largest = 1'000'000;
-    double most_tests = 1e9;  // brute force is left out where it would take more
+    double most_tests = 1e9;       // brute force is left out where it would take more
+    double enough_seconds = 0.15;  // CPU time for which the rays of a kind are asked, at least
 };
 
 /// One structure over one scene. By kind of ray, as render::RayKind has them.

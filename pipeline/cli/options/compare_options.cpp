@@ -76,8 +76,7 @@ void add_triangles(CLI::App& command, CompareCommand& compare) {
 }  // namespace
 
 void add_compare(CLI::App& app, Targets& targets) {
-    CLI::App& command = *app.add_subcommand(
-        "compare", "measure acceleration structures on one frame, or triangle kernels");
+    CLI::App& command = *app.add_subcommand("compare", "measure structures or triangle kernels");
     CompareCommand& compare = targets.compare;
     add_compared(command, compare);
     add_changes(command, compare.input);

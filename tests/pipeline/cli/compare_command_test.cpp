@@ -56,6 +56,26 @@ TEST_F(CompareCommand, FrameOfAShot_IsMeasuredByAllStructures) {
     EXPECT_EQ(stored_frames(), 0);  // comparing keeps no pictures
 }
 
+TEST_F(CompareCommand, Growth_IsMeasuredInEveryForm) {
+    const RunResult result =
+        run({"compare", "--growth", "spheres", "--largest", "32", "--accelerators",
+             "kdtree,wide_bvh", "--json", "--csv", "g.csv", "--plot", "g.svg", "-o", "g.json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "g.json\ng.csv\ng.svg\n");
+    const auto json = nlohmann::json::parse(text_of("g.json"));
+    EXPECT_EQ(json["growth"], "spheres");
+    EXPECT_EQ(json["whole"], 1);
+    ASSERT_EQ(json["points"].size(), 4u);
+    EXPECT_EQ(json["points"][0]["structure"], "kdtree");
+    EXPECT_EQ(json["points"][0]["shapes"], 10);
+    EXPECT_GT(json["points"][2]["primary_boxes"], json["points"][0]["primary_boxes"]);
+    EXPECT_FALSE(json["points"][3].contains("primary_boxes"));
+    EXPECT_THAT(text_of("g.csv"),
+                StartsWith("growth,structure,shapes,build_seconds,bytes,seconds_per_primary_ray,"));
+    EXPECT_THAT(text_of("g.csv"), HasSubstr("\nspheres,wide_bvh,32,"));
+    EXPECT_THAT(text_of("g.svg"), HasSubstr("<title>wide_bvh</title>"));
+}
+
 TEST_F(CompareCommand, WrongUse_IsRefusedWithASentence) {
     const auto message = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "compare");
@@ -81,7 +101,15 @@ TEST_F(CompareCommand, WrongUse_IsRefusedWithASentence) {
     EXPECT_EQ(message({"--scene", "stadium", "--plot", "x.pdf"}),
               "carom: error: 'x.pdf': a plot is written as .svg or .png\n");
     EXPECT_THAT(message({"--scene", "teapot"}), HasSubstr("--scene: teapot not in {sphere_cube,"));
-    EXPECT_THAT(message({"tiny.yaml", "--scene", "stadium"}), HasSubstr("excludes"));
+    EXPECT_EQ(message({"tiny.yaml", "--scene", "stadium"}),
+              "carom: error: SHOT|BAKE excludes --scene\n"
+              "'carom compare --help' says what there is\n");
+    EXPECT_EQ(message({"--growth", "mesh", "--scene", "stadium"}),
+              "carom: error: --scene excludes --growth\n"
+              "'carom compare --help' says what there is\n");
+    EXPECT_EQ(message({"--scene", "stadium", "--largest", "100"}),
+              "carom: error: --largest requires --growth\n"
+              "'carom compare --help' says what there is\n");
 }
 
 TEST_F(CompareCommand, CtrlC_PrintsWhatIsMeasured) {

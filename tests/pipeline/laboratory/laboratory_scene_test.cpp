@@ -1,5 +1,8 @@
 #include "pipeline/laboratory/laboratory_scene.h"
 
+#include <array>
+#include <cstdint>
+
 #include <gtest/gtest.h>
 
 #include "sim/timeline/error.h"
@@ -30,6 +33,54 @@ TEST(LaboratoryScene, OfTheTexts_HaveTheirShapesLightsAndPictures) {
     EXPECT_EQ(lights_of(walls), 2u);
     EXPECT_EQ(walls.settings.distributed.recursion_limit, 1);
     EXPECT_EQ(make_laboratory_scene("full_view").scene.objects.size(), 1u);
+}
+
+/// What a small picture of a scene takes with all rays that it has per pixel; shadow rays look for
+/// the nearest hit.
+struct Totals {
+    const char* scene;
+    std::uint64_t shapes;
+    std::array<std::uint64_t, 3> rays;  // by kind
+    // Tests of objects and of boxes.
+    std::array<std::uint64_t, 2> kd_tree, r_tree, octree;
+};
+constexpr Totals kTotals[] = {
+    {"sphere_cube", 3375, {6912, 0, 2511}, {7056, 166271}, {7734, 202919}, {6968, 189422}},
+    {"cylinder_axes",
+     1313,
+     {19200, 14490, 30560},
+     {153598, 3943802},
+     {158420, 5647734},
+     {149040, 4397888}},
+    {"cylinder_walls",
+     7500,
+     {19200, 18688, 52634},
+     {124327, 2588806},
+     {125277, 5986766},
+     {122269, 3409386}},
+    {"full_view", 1, {3840, 0, 3840}, {7680, 15360}, {7680, 7680}, {7680, 7680}},
+    {"stadium", 20433, {3072, 287, 6352}, {8481, 331741}, {8898, 1041120}, {7988, 403957}},
+    {"smooth_mesh", 99971, {3072, 769, 5236}, {18551, 430248}, {19286, 1025618}, {16601, 388942}},
+};
+
+TEST(LaboratoryScene, SmallPicturesOfAll_TakeTheTestsThatTheyAlwaysTook) {
+    for (const Totals& totals : kTotals) {
+        SCOPED_TRACE(totals.scene);
+        LaboratoryScene scene = make_laboratory_scene(totals.scene);
+        scene.settings.width = 32;
+        scene.settings.height = 24;
+        const Comparison result =
+            compared(scene, options_of("kdtree,rtree,octree", {ShadowRays::closest}));
+        EXPECT_EQ(result.shapes, totals.shapes);
+        const std::array<std::array<std::uint64_t, 2>, 3> expected{totals.kd_tree, totals.r_tree,
+                                                                   totals.octree};
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_EQ(result.rays.of[i].rays, totals.rays[i]);
+            const render::KindCounts tests = result.rows[i].tests.total();
+            EXPECT_EQ(tests.objects, expected[i][0]) << result.rows[i].name;
+            EXPECT_EQ(tests.boxes, expected[i][1]) << result.rows[i].name;
+        }
+    }
 }
 
 TEST(LaboratoryScene, EveryName_MakesASceneThatRenders) {

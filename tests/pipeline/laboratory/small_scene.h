@@ -20,6 +20,7 @@ inline ComparisonOptions options_of(const std::string& structures,
     ComparisonOptions options;
     options.structures = structures_from_text(structures);
     options.shadow_rays = std::move(shadow_rays);
+    options.enough_seconds = 0;
     return options;
 }
 
