@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/frame/aov_planes.h"
+#include "render/geometry/validity.h"
 #include "render/integrator/integrator.h"
 #include "render/light/area_light.h"
 
@@ -28,6 +29,8 @@ struct PixelSums {
 
     /// `group`: of the sample, or -1.
     void add(const RadianceSample& sample, int group = -1) {
+        CAROM_VALIDATE(is_light(sample.radiance) && is_finite(sample.normal) &&
+                       is_light(sample.albedo));
         radiance += Vec3(sample.radiance);
         normal += Vec3(sample.normal);
         albedo += Vec3(sample.albedo);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/geometry/validity.h"
 #include "render/sampling/reuse.h"
 #include "sim/timeline/error.h"
 
@@ -160,6 +161,14 @@ std::optional<LightSet::Choice> LightSet::choose(const V3f& point, const V3f& no
 
 std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point,
                                             const V2f& u) const {
+    const std::optional<LightSample> result = sample_any(light, point, u);
+    CAROM_VALIDATE(!result ||
+                   (is_unit(result->direction) && result->distance > 0 && result->pdf > 0));
+    return result;
+}
+
+std::optional<LightSample> LightSet::sample_any(std::size_t light, const V3f& point,
+                                                const V2f& u) const {
     if (light >= first_emissive()) {
         return emissive_[light - first_emissive()].sample(point, u);
     }

@@ -89,6 +89,8 @@ class LightSet {
     [[nodiscard]] const Environment& environment() const { return environment_; }
 
   private:
+    [[nodiscard]] std::optional<LightSample> sample_any(std::size_t light, const V3f& point,
+                                                        const V2f& u) const;
     [[nodiscard]] std::size_t first_delta() const {
         return area_lights_.size() + (environment_.is_sampled() ? 1 : 0);
     }

@@ -235,7 +235,7 @@ std::optional<BsdfSample> Bsdf::sample_phong(const V2f& u) const {
     return sample;
 }
 
-std::optional<BsdfSample> Bsdf::sample(Layers layers, const V2f& u) const {
+std::optional<BsdfSample> Bsdf::sample_any(Layers layers, const V2f& u) const {
     if (phong_) {
         return layers == Layers::coat ? std::nullopt : sample_phong(u);
     }

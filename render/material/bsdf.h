@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "render/geometry/ray.h"
+#include "render/geometry/validity.h"
 #include "render/material/material.h"
 #include "render/material/phong_lobes.h"
 #include "render/sampling/warp.h"
@@ -63,6 +64,23 @@ class Bsdf {
 
     /// Value and density for light from `wi`; both 0 below the surface, unless it transmits.
     [[nodiscard]] BsdfValue evaluate(Layers layers, const V3f& wi) const {
+        const BsdfValue result = evaluate_any(layers, wi);
+        CAROM_VALIDATE(is_light(result.value) && result.pdf >= 0 && !std::isnan(result.pdf));
+        return result;
+    }
+
+    /// A direction for the numbers `u` in [0, 1)^2. Empty: absorbed, the contribution is 0. The
+    /// weight is below 1 / (probability of the chosen part) for every channel.
+    [[nodiscard]] std::optional<BsdfSample> sample(Layers layers, const V2f& u) const {
+        const std::optional<BsdfSample> result = sample_any(layers, u);
+        CAROM_VALIDATE(!result || (is_unit(result->direction) && is_light(result->weight)));
+        return result;
+    }
+
+    [[nodiscard]] float pdf(Layers layers, const V3f& wi) const { return evaluate(layers, wi).pdf; }
+
+  private:
+    [[nodiscard]] BsdfValue evaluate_any(Layers layers, const V3f& wi) const {
         if (phong_) {
             return layers == Layers::coat ? BsdfValue{} : evaluate_phong(wi);
         }
@@ -73,14 +91,7 @@ class Bsdf {
         return is_lambert(layers) ? lambert(layers, surface_->frame.z ^ wi)
                                   : evaluate_local(layers, surface_->frame.from_world(wi));
     }
-
-    /// A direction for the numbers `u` in [0, 1)^2. Empty: absorbed, the contribution is 0. The
-    /// weight is below 1 / (probability of the chosen part) for every channel.
-    [[nodiscard]] std::optional<BsdfSample> sample(Layers layers, const V2f& u) const;
-
-    [[nodiscard]] float pdf(Layers layers, const V3f& wi) const { return evaluate(layers, wi).pdf; }
-
-  private:
+    [[nodiscard]] std::optional<BsdfSample> sample_any(Layers layers, const V2f& u) const;
     [[nodiscard]] float coat_probability(Layers layers) const {
         return layers == Layers::coat ? 1.0f : (layers == Layers::base ? 0.0f : coat_choice_);
     }

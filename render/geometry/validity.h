@@ -1,0 +1,25 @@
+// What debug builds ask of numbers where they are made: a NaN is found at its birth, not in a
+// picture.
+#pragma once
+
+#include <cmath>
+
+#include "render/geometry/ray.h"
+#include "sim/timeline/assert.h"
+
+namespace carom::render {
+
+[[nodiscard]] inline bool is_finite(const V3f& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Radiance, a weight or a density.
+[[nodiscard]] inline bool is_light(const V3f& v) {
+    return is_finite(v) && v.x >= 0 && v.y >= 0 && v.z >= 0;
+}
+
+[[nodiscard]] inline bool is_unit(const V3f& v) {
+    return is_finite(v) && std::abs((v ^ v) - 1.0f) < 1e-3f;
+}
+
+}  // namespace carom::render
