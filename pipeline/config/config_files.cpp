@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "pipeline/config/text.h"
+#include "sim/timeline/limits.h"
 
 namespace carom::pipeline::config {
 
@@ -213,7 +214,7 @@ bool read_text_file(const std::string& path, std::size_t most_bytes, std::string
         return false;
     }
     if (text.size() > most_bytes) {
-        text = "has more than " + std::to_string(most_bytes) + " bytes";
+        text = "has more than " + std::to_string(most_bytes) + " bytes" + how_to_raise_limits();
         return false;
     }
     return true;

@@ -8,6 +8,7 @@
 #include "pipeline/config/merge.h"
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/text.h"
+#include "sim/timeline/limits.h"
 
 namespace carom::pipeline::config {
 
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kDeepestInclude = 16;
-constexpr int kMostIncludes = 256;
+constexpr std::size_t kMostIncludes = 256;
 
 /// A file on the way from the root to the one that is being read.
 struct OpenFile {
@@ -55,7 +56,7 @@ class Gatherer {
     SourceSet& sources_;
     const ConfigFolders& folders_;
     ProblemList& problems_;
-    int include_count_ = 0;
+    std::size_t include_count_ = 0;
     bool is_whole_ = true;
 };
 
@@ -217,12 +218,12 @@ std::optional<Node> Gatherer::read_file(const std::string& path, std::string sho
         problems_.error(named_at, "files include each other in a circle: " + way + shown_name);
         return std::nullopt;
     }
-    if (trail.size() > kDeepestInclude || ++include_count_ > kMostIncludes) {
+    if (trail.size() > kDeepestInclude || ++include_count_ > input_limit(kMostIncludes)) {
         problems_.error(named_at,
                         trail.size() > kDeepestInclude
                             ? "files include each other deeper than " +
                                   std::to_string(kDeepestInclude) + " levels"
-                            : "more than " + std::to_string(kMostIncludes) + " files are included");
+                            : beyond_limit(input_limit(kMostIncludes), "files are included"));
         return std::nullopt;
     }
     std::string text;

@@ -49,7 +49,7 @@ bool check_raw_text(const SourceSet& sources, int source, ProblemList& problems,
     if (text.size() > limits.bytes) {
         problems.error({source, 0, 0, 1}, "the file has " + std::to_string(text.size()) +
                                               " bytes; at most " + std::to_string(limits.bytes) +
-                                              " are read");
+                                              " are read" + how_to_raise_limits());
         return false;
     }
     const std::size_t invalid = find_invalid_utf8(text);

@@ -6,16 +6,17 @@
 
 #include "pipeline/config/node.h"
 #include "pipeline/config/problem_list.h"
+#include "sim/timeline/limits.h"
 
 namespace carom::pipeline::config {
 
 /// What a text may ask for; more is refused with a sentence. Chosen far above any real shot and far
 /// below what takes a noticeable time.
 struct YamlLimits {
-    std::size_t bytes = 4U << 20U;
-    int depth = 64;       // nested maps and lists
-    int nodes = 250'000;  // after aliases are put in
-    int entries_per_map = 10'000;
+    std::size_t bytes = input_limit(4U << 20U);
+    int depth = 64;                                      // nested maps and lists
+    int nodes = static_cast<int>(input_limit(250'000));  // after aliases are put in
+    int entries_per_map = static_cast<int>(input_limit(10'000));
 };
 
 /// Parses text `source` of `sources`. Anchors and aliases are resolved; duplicate keys, tags, keys

@@ -5,6 +5,7 @@
 
 #include "pipeline/config/text.h"
 #include "pipeline/config/token.h"
+#include "sim/timeline/limits.h"
 
 namespace carom::pipeline::config {
 
@@ -30,8 +31,9 @@ void TreeBuilder::check_tag(const std::string& tag, const Place& place) {
 
 void TreeBuilder::check_node_count(const YAML::Mark& mark) {
     if (node_count_ > limits_.nodes) {
-        refuse(token_place(mark), "more than " + std::to_string(limits_.nodes) +
-                                      " values (aliases counted with what they stand for)");
+        refuse(token_place(mark),
+               beyond_limit(static_cast<std::size_t>(limits_.nodes),
+                            "values (aliases counted with what they stand for)"));
     }
 }
 
@@ -123,7 +125,7 @@ void TreeBuilder::keep(YAML::anchor_t anchor, const Node& node, int node_count, 
     }
     anchored_count_ += node_count;
     if (anchored_count_ > limits_.nodes) {
-        refuse(node.place, "too much stands behind anchors");
+        refuse(node.place, std::string("too much stands behind anchors") + how_to_raise_limits());
     }
     anchors_[anchor] = {node, node_count, height};
 }
@@ -161,8 +163,9 @@ void TreeBuilder::put_value(Open& level, Node node) {
         return;
     }
     if (static_cast<int>(level.seen.size()) > limits_.entries_per_map) {
-        refuse(level.key_place,
-               "a map of more than " + std::to_string(limits_.entries_per_map) + " keys");
+        refuse(
+            level.key_place,
+            "a map of " + beyond_limit(static_cast<std::size_t>(limits_.entries_per_map), "keys"));
     }
     level.node.entries.push_back({std::move(level.key), level.key_place, std::move(node)});
 }

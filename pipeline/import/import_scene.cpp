@@ -10,6 +10,7 @@
 #include "pipeline/import/conversion.h"
 #include "pipeline/import/read_scene.h"
 #include "pipeline/import/scene_words.h"
+#include "sim/timeline/limits.h"
 
 namespace carom::pipeline {
 
@@ -101,7 +102,7 @@ ImportResult import_scene(const std::string& text, const std::string& name,
 ImportResult import_scene_file(const std::string& path, const std::string& shot_folder,
                                const ImportOptions& options) {
     std::string text;
-    if (!config::read_text_file(path, kMostBytes, text)) {
+    if (!config::read_text_file(path, input_limit(kMostBytes), text)) {
         ImportResult result;
         result.problems.push_back({Severity::error, {path, 0, 0, 1}, {}, "this file " + text, {}});
         return result;

@@ -12,6 +12,7 @@
 #include "pipeline/import/track_table.h"
 #include "pipeline/shot/keyed_motion.h"
 #include "sim/timeline/error.h"
+#include "sim/timeline/limits.h"
 #include "sim/timeline/rotation.h"
 
 namespace carom::pipeline {
@@ -311,7 +312,7 @@ ImportTrackResult import_track(const std::string& text, const std::string& name,
 
 ImportTrackResult import_track_file(const std::string& path, const ImportTrackOptions& options) {
     std::string text;
-    const bool is_read = config::read_text_file(path, kMostBytes, text);
+    const bool is_read = config::read_text_file(path, input_limit(kMostBytes), text);
     if (is_read && config::find_invalid_utf8(text) == std::string::npos) {
         return import_track(text, path, options);
     }

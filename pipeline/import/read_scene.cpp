@@ -2,6 +2,7 @@
 
 #include "pipeline/config/text.h"
 #include "pipeline/import/scene_reader.h"
+#include "sim/timeline/limits.h"
 
 namespace carom::pipeline::scene_text {
 
@@ -47,8 +48,8 @@ SceneModel SceneReader::read(const std::vector<Item>& items) {
     std::size_t count = 0;
     for (const Item& item : items) {
         count += item.is_group ? 1 : 0;
-        if (count > kMostElements) {
-            problems_.error(item.place, "more than " + std::to_string(kMostElements) + " elements");
+        if (count > input_limit(kMostElements)) {
+            problems_.error(item.place, beyond_limit(input_limit(kMostElements), "elements"));
             return std::move(model_);
         }
         if (!item.is_group) {

@@ -7,12 +7,13 @@
 #include "render/geometry/obj_file.h"
 #include "render/geometry/ply_file.h"
 #include "sim/timeline/error.h"
+#include "sim/timeline/limits.h"
 
 namespace carom::render {
 
 namespace {
 
-constexpr std::streamoff kMaxFileBytes = 2'000'000'000;
+constexpr std::streamoff kMaxFileBytes = 1'000'000'000;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
     throw Error("'" + path + "': " + what);
@@ -26,8 +27,9 @@ std::string read_mesh_text(const std::string& path) {
         refuse(path, "the mesh cannot be opened");
     }
     const std::streamoff size = file.tellg();
-    if (size < 0 || size > kMaxFileBytes) {
-        refuse(path, "the mesh is larger than 2 GB or not a file");
+    if (size < 0 || size > static_cast<std::streamoff>(input_limit(kMaxFileBytes))) {
+        refuse(path,
+               std::string("the mesh is larger than 1 GB or not a file") + how_to_raise_limits());
     }
     std::string text(static_cast<std::size_t>(size), '\0');
     file.seekg(0);

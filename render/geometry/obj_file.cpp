@@ -13,6 +13,7 @@
 #include "render/geometry/polygon.h"
 #include "render/geometry/triangle_mesh.h"
 #include "sim/timeline/error.h"
+#include "sim/timeline/limits.h"
 
 namespace carom::render {
 namespace {
@@ -118,8 +119,8 @@ class MeshBuilder {
             shape_.triangles.push_back(
                 {corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]});
         }
-        if (shape_.triangles.size() > kMaxMeshTriangles) {
-            refuse(path_, "more than " + std::to_string(kMaxMeshTriangles) + " triangles");
+        if (shape_.triangles.size() > input_limit(kMaxMeshTriangles)) {
+            refuse(path_, beyond_limit(input_limit(kMaxMeshTriangles), "triangles"));
         }
     }
 

@@ -11,6 +11,7 @@
 #include "render/geometry/polygon.h"
 #include "render/geometry/triangle_mesh.h"
 #include "sim/timeline/error.h"
+#include "sim/timeline/limits.h"
 
 namespace carom::render {
 namespace {
@@ -78,8 +79,8 @@ class PlyReader {
     }
 
     void read_vertices(const PlyElement& element) {
-        if (element.count > kMaxMeshVertices || !mesh_.vertices.empty()) {
-            refuse(path_, "more than " + std::to_string(kMaxMeshVertices) + " vertices");
+        if (element.count > input_limit(kMaxMeshVertices) || !mesh_.vertices.empty()) {
+            refuse(path_, beyond_limit(input_limit(kMaxMeshVertices), "vertices"));
         }
         std::vector<int> slots;
         std::array<bool, 8> has{};
@@ -144,8 +145,8 @@ class PlyReader {
         }
         face_sizes_.push_back(static_cast<std::uint32_t>(count));
         triangle_count_ += count - 2;
-        if (triangle_count_ > kMaxMeshTriangles) {
-            refuse(path_, "more than " + std::to_string(kMaxMeshTriangles) + " triangles");
+        if (triangle_count_ > input_limit(kMaxMeshTriangles)) {
+            refuse(path_, beyond_limit(input_limit(kMaxMeshTriangles), "triangles"));
         }
     }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim/timeline/error.h"
+#include "sim/timeline/limits.h"
 
 namespace carom::render {
 namespace {
@@ -21,8 +22,9 @@ void check_sizes(const MeshShape& shape, const std::string& name) {
     if (shape.triangles.empty() || count == 0) {
         refuse(name, "there is no triangle in it");
     }
-    if (shape.triangles.size() > kMaxMeshTriangles || count > kMaxMeshVertices) {
-        refuse(name, "more than " + std::to_string(kMaxMeshTriangles) + " triangles or vertices");
+    if (shape.triangles.size() > input_limit(kMaxMeshTriangles) ||
+        count > input_limit(kMaxMeshVertices)) {
+        refuse(name, beyond_limit(input_limit(kMaxMeshTriangles), "triangles or vertices"));
     }
     if (!shape.normals.empty() && shape.normals.size() != count) {
         refuse(name, std::to_string(shape.normals.size()) + " normals for " +

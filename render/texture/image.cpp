@@ -6,11 +6,13 @@
 #include <OpenImageIO/imagebuf.h>
 
 #include "sim/timeline/error.h"
+#include "sim/timeline/limits.h"
 
 namespace carom::render {
 namespace {
 
-constexpr int kLargestSide = 16384;
+constexpr int kLongestSide = 65'536;
+constexpr std::size_t kMostPixels = std::size_t{1} << 26;
 
 // IEC 61966-2-1:1999, 5.2.
 float srgb_to_linear(float v) {
@@ -33,10 +35,12 @@ LinearImage read_linear_image(const std::string& path, bool is_linear) {
         throw Error("image '" + path + "' cannot be read: " + buffer.geterror());
     }
     const OIIO::ImageSpec& spec = buffer.spec();
-    if (spec.width <= 0 || spec.height <= 0 || spec.width > kLargestSide ||
-        spec.height > kLargestSide || spec.nchannels < 1) {
+    const std::size_t most = input_limit(kMostPixels);
+    if (spec.width <= 0 || spec.height <= 0 || spec.width > kLongestSide ||
+        spec.height > kLongestSide || spec.nchannels < 1 || spec.image_pixels() > most) {
         throw Error("image '" + path + "' is " + std::to_string(spec.width) + " x " +
-                    std::to_string(spec.height) + " pixels; at most 16384 x 16384 can be used");
+                    std::to_string(spec.height) + " pixels; at most " + std::to_string(most) +
+                    " are read" + how_to_raise_limits());
     }
     const bool decode = !is_linear && !spec.format.is_floating_point();
     const int channels = spec.nchannels;

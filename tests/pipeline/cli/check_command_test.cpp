@@ -153,5 +153,32 @@ TEST_F(CheckCommandRun, Json_IsAnArrayOfProblemsWithTheirEnds) {
     EXPECT_THAT(good.err, Not(HasSubstr("error")));
 }
 
+TEST_F(CheckCommandRun, LimitsAreRaisedByTheEnvironment) {
+    std::string text = "carom: 1\nballs:\n";
+    for (int i = 0; i < 10'001; ++i)
+        text += "  b" + std::to_string(i) + ": {at: [0, 0, " + std::to_string(i + 1) + "]}\n";
+    write_text(path("many.yaml"), text);
+    const RunResult result = run({"check", "many.yaml", "--quick"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("a map of more than 10000 keys; CAROM_LIMITS=2 in the "
+                                      "environment doubles all such limits"));
+    auto raised = options();
+    raised.environment["CAROM_LIMITS"] = "2";
+    const RunResult passed = testing::run_carom({"info", "many.yaml"}, raised);
+    EXPECT_THAT(passed.err, Not(HasSubstr("CAROM_LIMITS")));
+}
+
+TEST_F(CheckCommandRun, RootConfinesWhatAShotNames) {
+    std::filesystem::create_directories(path("farm"));
+    write_text(path("secret.yaml"), "simulation: {duration: 1 s}\n");
+    write_text(path("farm/shot.yaml"), "carom: 1\ninclude: ../secret.yaml\n");
+    EXPECT_EQ(run({"check", "farm/shot.yaml", "--quick"}).err.find("lies outside"),
+              std::string::npos);
+    const RunResult result = run({"check", "farm/shot.yaml", "--root", "farm", "--quick"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("included file '../secret.yaml' lies outside of 'farm', to "
+                                      "which --root confines what a shot names"));
+}
+
 }  // namespace
 }  // namespace carom::cli

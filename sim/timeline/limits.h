@@ -1,0 +1,18 @@
+// Limits on what input may ask for.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace carom {
+
+/// `usual` times $CAROM_LIMITS (a number in [1, 1000]; 1 without it or where it is none).
+[[nodiscard]] std::size_t input_limit(std::size_t usual);
+
+/// "more than 250000 WHAT, the limit; CAROM_LIMITS=2 in the environment doubles all limits".
+[[nodiscard]] std::string beyond_limit(std::size_t limit, const std::string& what);
+
+/// The second half of that sentence.
+[[nodiscard]] const char* how_to_raise_limits();
+
+}  // namespace carom
