@@ -54,6 +54,7 @@ std::string kernels_plot_svg(const KernelMeasurements& measured, PlanPage page) 
                                            title_of(form.input));
                 }
                 std::vector<double> bars;
+                bars.reserve(kPackings.size());
                 for (const Packing packing : kPackings) {
                     bars.push_back(rate_of(measured, {form, packing, precision}, is_random));
                 }

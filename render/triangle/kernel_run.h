@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace carom::render::triangle {
 
 /// t = infinity, triangle = -1: none.
 struct NearestHit {
-    double t = kInfinity;
+    double t = std::numeric_limits<double>::infinity();
     double u = 0, v = 0;         // weights of the second and third corner
     std::int64_t triangle = -1;  // counted within the group; of equally near ones the first
 };

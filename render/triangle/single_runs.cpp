@@ -122,12 +122,12 @@ std::unique_ptr<KernelRun> make_run(const Variant& variant, const TestSet& set) 
 
 std::vector<NearestHit> reference_hits(Precision precision, const TestSet& set) {
     using scalar::MollerTrumbore;
-    constexpr Division early = Division::early;
+    constexpr Division kEarly = Division::early;
     std::unique_ptr<KernelRun> run;
     if (precision == Precision::single_precision) {
-        run = std::make_unique<SingleRun<MollerTrumbore, Input::corners, early, double>>(set);
+        run = std::make_unique<SingleRun<MollerTrumbore, Input::corners, kEarly, double>>(set);
     } else {
-        run = std::make_unique<SingleRun<MollerTrumbore, Input::corners, early, long double>>(set);
+        run = std::make_unique<SingleRun<MollerTrumbore, Input::corners, kEarly, long double>>(set);
     }
     run->run();
     return run->hits();

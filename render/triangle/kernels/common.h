@@ -99,16 +99,16 @@ class Denominator {
         : value_(kDivision == Division::early ? L::all(1) / value : value),
           whole_(kDivision == Division::early ? L::all(1) : L::size(value)) {}
 
-    CAROM_KERNEL V share(V numerator) const {
+    [[nodiscard]] CAROM_KERNEL V share(V numerator) const {
         if constexpr (kDivision == Division::early) {
             return numerator * value_;
         } else {
             return L::turned(numerator, value_);
         }
     }
-    CAROM_KERNEL V whole() const { return whole_; }
+    [[nodiscard]] CAROM_KERNEL V whole() const { return whole_; }
     /// `x` times what stands for 1.
-    CAROM_KERNEL V times(V x) const {
+    [[nodiscard]] CAROM_KERNEL V times(V x) const {
         if constexpr (kDivision == Division::early) {
             return x;
         } else {

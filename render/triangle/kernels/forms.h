@@ -6,33 +6,34 @@ auto with_division(Division division, const Make& make) {
                : make.template operator()<Kernel, kInput, Division::deferred>();
 }
 
-template <class Kernel, Input... kInputs, class Make>
+template <class Kernel, Input kFirst, Input... kOthers, class Make>
 std::unique_ptr<KernelRun> with_input(const Form& form, const Make& make) {
-    std::unique_ptr<KernelRun> run;
-    ((form.input == kInputs ? void(run = with_division<Kernel, kInputs>(form.division, make))
-                            : void()),
-     ...);
-    return run;
+    if (form.input == kFirst) {
+        return with_division<Kernel, kFirst>(form.division, make);
+    }
+    if constexpr (sizeof...(kOthers) > 0) {
+        return with_input<Kernel, kOthers...>(form, make);
+    } else {
+        return nullptr;
+    }
 }
 
 template <class Make>
 std::unique_ptr<KernelRun> with_form(const Form& form, const Make& make) {
-    constexpr Input corners = Input::corners;
-    constexpr Input with_normal = Input::corners_and_normal;
-    constexpr Input record = Input::record;
+    using enum Input;
     switch (form.kernel) {
         case KernelName::moller_trumbore:
             return with_input<MollerTrumbore, corners, record>(form, make);
         case KernelName::kensler_shirley:
-            return with_input<KenslerShirley, corners, with_normal, record>(form, make);
+            return with_input<KenslerShirley, corners, corners_and_normal, record>(form, make);
         case KernelName::shevtsov:
             return with_input<ShevtsovSoupikovKapustin, record>(form, make);
         case KernelName::badouel:
-            return with_input<Badouel, with_normal, record>(form, make);
+            return with_input<Badouel, corners_and_normal, record>(form, make);
         case KernelName::wald:
             return with_input<Wald, record>(form, make);
         case KernelName::keidy:
-            return with_input<Keidy, corners, with_normal>(form, make);
+            return with_input<Keidy, corners, corners_and_normal>(form, make);
         case KernelName::perpendicular_planes:
             return with_input<PerpendicularPlanes, record>(form, make);
     }

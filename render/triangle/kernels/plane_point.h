@@ -10,10 +10,11 @@ struct PlanePoint {
     CAROM_KERNEL PlanePoint(V height, V along) : below(along), t(below.share(height)) {}
 
     /// The point's coordinate, less what `origin` is less already.
-    CAROM_KERNEL V coordinate(V origin, V direction) const {
+    [[nodiscard]] CAROM_KERNEL V coordinate(V origin, V direction) const {
         return below.times(origin) + direction * t;
     }
-    CAROM_KERNEL Triple<V> point(const Triple<V>& origin, const Triple<V>& direction) const {
+    [[nodiscard]] CAROM_KERNEL Triple<V> point(const Triple<V>& origin,
+                                               const Triple<V>& direction) const {
         return {{coordinate(origin.at[0], direction.at[0]),
                  coordinate(origin.at[1], direction.at[1]),
                  coordinate(origin.at[2], direction.at[2])}};
