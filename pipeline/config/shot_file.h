@@ -73,7 +73,7 @@ struct BallSection {
 
 /// An object's part in the simulation.
 struct ObjectPhysics {
-    sim::BodyKind kind = sim::BodyKind::dynamic;
+    std::optional<sim::BodyKind> kind;  // without it dynamic, or kinematic with a motion
     std::optional<double> density;
     std::optional<double> mass;
     std::string material = "object";  // physical

@@ -92,7 +92,7 @@ void add_body(const Named<ObjectSection>& object, const sim::Track* keys, Builde
     sim::Body body;
     body.name = object.name;
     body.shape = std::move(*shape);
-    body.kind = physics.kind;
+    body.kind = physics.kind.value_or(BodyKind::dynamic);
     body.mass =
         physics.mass.value_or(physics.density.value_or(1000) * volume(object.value).value_or(1));
     body.material = physics.material;

@@ -12,12 +12,14 @@ using sim::BodyKind;
 const MapSpec<ObjectPhysics>& object_physics_spec() {
     static const MapSpec<ObjectPhysics> spec = [] {
         MapSpec<ObjectPhysics> s("object physics", "An object's part in the simulation.");
-        s.key("kind", &ObjectPhysics::kind,
-              choice<BodyKind>({{"dynamic", BodyKind::dynamic},
-                                {"fixed", BodyKind::fixed},
-                                {"kinematic", BodyKind::kinematic}}),
-              "`fixed`: others collide with it, it never moves; `kinematic`, what it is with "
-              "`motion`: the keys move it, it pushes others and is not pushed");
+        s.key(
+            "kind", &ObjectPhysics::kind,
+            choice<BodyKind>({{"dynamic", BodyKind::dynamic},
+                              {"fixed", BodyKind::fixed},
+                              {"kinematic", BodyKind::kinematic}}),
+            "`dynamic`: the simulation moves it; `fixed`: others collide with it, it never moves; "
+            "`kinematic`: the keys of its `motion` move it, it pushes others and is not pushed; "
+            "else kinematic with a `motion`, dynamic without");
         s.key("density", &ObjectPhysics::density,
               quantity(Dimension::density, above_up_to(0, 100'000)),
               "gives the mass by the volume");
@@ -88,9 +90,8 @@ void check_motion(Reader& reader, const Node& node, ObjectSection& object) {
     if (!object.physics || physics == nullptr) {
         return;
     }
-    const bool names_kind = !physics->value.is_map() || physics->value.find("kind") != nullptr;
-    if (is_keyed && !names_kind) {
-        object.physics->kind = BodyKind::kinematic;
+    if (!object.physics->kind) {
+        object.physics->kind = is_keyed ? BodyKind::kinematic : BodyKind::dynamic;
     }
     const bool is_kinematic = object.physics->kind == BodyKind::kinematic;
     if (is_keyed && !is_kinematic) {

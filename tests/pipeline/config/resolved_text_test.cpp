@@ -51,12 +51,17 @@ TEST(ResolvedText, EveryKindOfValue_LoadsToTheSameShot) {
              {"render.samples=16", "output.crf=20"}, "draft"));
 }
 
-TEST(ResolvedText, Example_LoadsToTheSameShot) {
-    const LoadResult result =
-        load_shot(std::string(CAROM_SOURCE_DIR) + "/examples/nine_ball_break.yaml");
-    EXPECT_EQ(all_problems(result), "");
-    ASSERT_TRUE(result.shot);
-    expect_resolves(*result.shot);
+TEST(ResolvedText, OfEveryExample_LoadsToTheSameShot) {
+    for (const auto& entry : fs::directory_iterator(CAROM_SOURCE_DIR "/examples")) {
+        if (entry.path().extension() != ".yaml") {
+            continue;
+        }
+        SCOPED_TRACE(entry.path().filename().string());
+        const LoadResult result = load_shot(entry.path().string());
+        EXPECT_EQ(all_problems(result), "");
+        ASSERT_TRUE(result.shot);
+        expect_resolves(*result.shot);
+    }
 }
 
 TEST(ResolvedText, HasNoIncludeAndNoQuality) {
