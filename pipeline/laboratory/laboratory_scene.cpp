@@ -21,7 +21,7 @@ constexpr std::array<Generator, 6> kGenerators{
      {{"cylinder_walls", "7500 cylinders in three walls, 2 point lights, mirrored once"},
       cylinder_walls},
      {{"full_view", "one sphere that fills the view, 1 point light"}, full_view},
-     {{"stadium", "a mesh of 20 000 triangles in a stadium of 481 boxes, 2 point lights"}, stadium},
+     {{"stadium", "a mesh of 2000 triangles in a stadium of 481 boxes, 2 point lights"}, stadium},
      {{"smooth_mesh", "a smooth mesh of 100 000 triangles on a floor, 2 point lights"},
       smooth_mesh}}};
 

@@ -12,7 +12,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 // "A teapot in a stadium": all detail is in a place that is small against the whole.
 LaboratoryScene stadium() {
-    LaboratoryScene scene = empty_scene("stadium", {320, 240, 4, 1});
+    LaboratoryScene scene = empty_scene("stadium", {160, 120, 4, 1});
     add_surface(scene, "stand", {0.5, 0.5, 0.55});
     add_surface(scene, "pitch", {0.2, 0.5, 0.2});
     add_surface(scene, "pot", {0.7, 0.45, 0.2}, 0.2);
@@ -33,7 +33,7 @@ LaboratoryScene stadium() {
             add_object(scene, render::BoxShape{{2.6, 6, 1 + 2.0 * tier}}, map, "stand");
         }
     }
-    add_object(scene, knot_mesh(20'000, 0.25), moved_to({0, 0, 0.16}), "pot");
+    add_object(scene, knot_mesh(2'000, 0.25), moved_to({0, 0, 0.16}), "pot");
     add_point_light(scene, {60, -40, 50}, 9000);
     add_point_light(scene, {-30, -60, 50}, 7000);
     set_camera(scene, {0.7, -1.1, 0.55}, {0, 0, 0.14}, 0.6);

@@ -53,7 +53,7 @@ LaboratoryScene sphere_cube() {
     }
     add_point_light(scene, {60, -16, 12}, 2500);
     add_point_light(scene, {8, -60, 9}, 2500);
-    set_camera(scene, {18.6, -24.4, 15.1}, {0, 0, 0}, 0.98);
+    set_camera(scene, {18.8, -24.7, 15.3}, {0, 0, 0}, 0.98);
     return scene;
 }
 

@@ -76,7 +76,7 @@ HWY_INLINE unsigned enter_children(D d, const TreeRay<D>& ray, const WideTree& t
 template <class T>
 HWY_INLINE void prefetch(const T& wanted) {
     const char* at = reinterpret_cast<const char*>(&wanted);
-    for (std::size_t line = 0; line < sizeof(T); line += 128) {  // lines come in pairs
+    for (std::size_t line = 0; line < sizeof(T); line += 64) {
         __builtin_prefetch(at + line);
     }
 }

@@ -13,7 +13,9 @@ namespace {
 
 using Box = Imath::Box3f;
 
-constexpr int kBins = 16;
+constexpr int kBins = 32;     // at most
+constexpr int kFewBins = 16;  // of few items: more would take longer than they do
+constexpr std::uint32_t kFewItems = 256;
 constexpr std::uint32_t kLargestLeaf = kBlockLanes;
 constexpr float kNodeCost = 1.5f;      // of one child's box, in tests of a full leaf; measured
 constexpr float kWideNodeCost = 1.0f;  // of the boxes of eight children
@@ -46,11 +48,15 @@ struct Bin {
 
 /// From place along an axis to bin.
 struct BinMap {
+    int bins;
     float low, scale;
 
-    BinMap(float from, float to) : low(from), scale(static_cast<float>(kBins) / (to - from)) {}
+    BinMap(const Box& centres, int axis, std::uint32_t count)
+        : bins(count < kFewItems ? kFewBins : kBins),
+          low(centres.min[axis]),
+          scale(static_cast<float>(bins) / (centres.max[axis] - low)) {}
     [[nodiscard]] int operator()(float place) const {
-        return std::clamp(static_cast<int>((place - low) * scale), 0, kBins - 1);
+        return std::clamp(static_cast<int>((place - low) * scale), 0, bins - 1);
     }
 };
 
@@ -114,7 +120,7 @@ class BinaryBuilder {
         if (!best) {
             return node.first + node.count / 2;
         }
-        const BinMap bin_of(centres.min[best->axis], centres.max[best->axis]);
+        const BinMap bin_of(centres, best->axis, node.count);
         const auto right = std::stable_partition(
             order.begin() + node.first, order.begin() + end,
             [&](std::uint32_t item) { return bin_of(centre(item)[best->axis]) < best->bin; });
@@ -130,7 +136,7 @@ class BinaryBuilder {
                 continue;
             }
             std::array<Bin, kBins> bins;
-            const BinMap bin_of(centres.min[axis], centres.max[axis]);
+            const BinMap bin_of(centres, axis, node.count);
             for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
                 Bin& bin = bins[static_cast<std::size_t>(bin_of(centre(order[i])[axis]))];
                 bin.box.extendBy(middles_[order[i]]);

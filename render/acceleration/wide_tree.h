@@ -47,10 +47,10 @@ struct WideTree {
 /// As many as a traversal must be able to keep aside: seven for each level.
 inline constexpr int kWideTreeDepth = 80;
 
-/// By the surface area heuristic on the boxes at the middle of the shutter, sixteen bins to an axis
-/// (MacDonald and Booth 1990; Wald 2007, "On fast construction of SAH-based bounding volume
-/// hierarchies"), with a leaf costing as many tests as it fills vectors of eight (Wald, Benthin and
-/// Boulos 2008, "Getting rid of packets"). The same items give the same tree.
+/// By the surface area heuristic on the boxes at the middle of the shutter, 32 bins to an axis (16
+/// for few items) (MacDonald and Booth 1990; Wald 2007, "On fast construction of SAH-based bounding
+/// volume hierarchies"), with a leaf costing as many tests as it fills vectors of eight (Wald,
+/// Benthin and Boulos 2008, "Getting rid of packets"). The same items give the same tree.
 [[nodiscard]] WideTree build_wide_tree(std::span<const MovingBounds> items);
 
 }  // namespace carom::render
