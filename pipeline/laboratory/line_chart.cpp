@@ -20,7 +20,7 @@ constexpr double kNumbers = 9;  // room for them, left of a panel
 constexpr double kBetween = 6;
 
 // More kinds of line than colours that everyone tells apart: the rest is dashed.
-constexpr std::size_t kColours = 7;
+constexpr std::size_t kColours = 6;
 
 std::string dashes_of(std::size_t index) {
     return index < kColours ? "none" : "1.6 0.9";
