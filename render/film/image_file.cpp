@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <filesystem>
 #include <memory>
 #include <span>
 
 #include <OpenImageIO/imageio.h>
 
+#include "render/film/exr_header.h"
 #include "sim/timeline/assert.h"
 #include "sim/timeline/error.h"
 
@@ -110,20 +110,6 @@ void check_opened(const OIIO::ImageSpec& spec, const std::string& path) {
     }
 }
 
-/// Deflate packs a byte into a thousandth of one at best (RFC 1951: 258 bytes in two bits): a
-/// header that promises more is not believed, lest it asks for memory.
-void check_length(const OIIO::ImageSpec& spec, const std::string& path) {
-    constexpr std::uintmax_t kMostPacked = 1100;
-    std::error_code ignored;
-    const std::uintmax_t length = std::filesystem::file_size(path, ignored);
-    const std::uintmax_t unpacked = std::uintmax_t{2} * static_cast<std::uintmax_t>(spec.width) *
-                                    static_cast<std::uintmax_t>(spec.height) *
-                                    static_cast<std::uintmax_t>(spec.nchannels);
-    if (ignored || unpacked / kMostPacked > length) {
-        refuse(path, "the frame is damaged: the file is too short for its pixels");
-    }
-}
-
 /// The notes that a film brought.
 Film::Notes notes_in(const OIIO::ImageSpec& spec) {
     Film::Notes notes;
@@ -184,17 +170,17 @@ void write_exr(const Film& film, const std::string& path, const ImageMetadata& m
 }
 
 Film read_exr(const std::string& path) {
+    if (const std::string problem = find_exr_header_problem(path); !problem.empty()) {
+        refuse(path, "the frame cannot be read: " + problem);
+    }
     // No other format's reader is to see it.
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create("openexr");
     OIIO::ImageSpec spec;
-    if (!input || !input->valid_file(path)) {
-        refuse(path, "the frame cannot be read: it is no OpenEXR file");
-    }
-    if (!input->open(path, spec)) {
-        refuse(path, "the frame cannot be read: " + reason(input->geterror()));
+    if (!input || !input->open(path, spec)) {
+        refuse(path,
+               "the frame cannot be read: " + reason(input ? input->geterror() : OIIO::geterror()));
     }
     check_opened(spec, path);
-    check_length(spec, path);
     std::vector<float> pixels(static_cast<std::size_t>(spec.width) *
                               static_cast<std::size_t>(spec.height) *
                               static_cast<std::size_t>(spec.nchannels));

@@ -208,6 +208,31 @@ TEST_F(ImageFile, ForeignFiles_AreRefused) {
     EXPECT_NE(message_of_reading(path("png.exr")), "no error");
 }
 
+/// Found by tests/fuzz/fuzz_store: OpenEXR cleared two gigabytes for a text of two bytes.
+TEST_F(ImageFile, HeadersThatPromiseTooMuch_AreRefusedBeforeTheyAreBelieved) {
+    write_exr(some_film(16, 9), path("a.exr"), {{"note", "xy"}});
+    const std::string whole = bytes(path("a.exr"));
+    const auto message = [&](const std::string& what, std::size_t skipped, const std::string& by) {
+        std::string changed = whole;
+        const std::size_t at = whole.find(what);
+        EXPECT_NE(at, std::string::npos);
+        changed.replace(at + skipped, by.size(), by);
+        std::ofstream(path("b.exr"), std::ios::binary) << changed;
+        return message_of_reading(path("b.exr"));
+    };
+    using namespace std::string_literals;
+    EXPECT_THAT(message("note\0string\0"s, 12, "\xff\xff\xff\x7f"),
+                HasSubstr("its header is longer than the file"));
+    EXPECT_THAT(message("note\0string\0"s, 5, "strinG"),
+                HasSubstr("frames have no attribute of the type 'strinG'"));
+    EXPECT_THAT(message("dataWindow\0box2i\0"s, 29, "\xff\xff\0\0\xff\xff\0\0"s),
+                HasSubstr("the file is too short for its pixels"));
+    EXPECT_THAT(message("compression\0compression\0"s, 28, "\4"),
+                HasSubstr("frames are packed by 'zip'"));
+    EXPECT_THAT(message("v/1\1"s, 5, "\x10"), HasSubstr("an OpenEXR file of another kind"));
+    EXPECT_THAT(message("v/1\1"s, 0, "V"), HasSubstr("it is no OpenEXR file"));
+}
+
 TEST_F(ImageFile, TruncatedAnywhere_IsRefused) {
     write_exr(some_film(64, 36), path("a.exr"));
     const std::string whole = bytes(path("a.exr"));
