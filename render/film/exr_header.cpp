@@ -17,10 +17,21 @@ constexpr int kMostAttributes = 4096;
 constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kLongNames = 0x400;
 constexpr std::uint32_t kMagic = 20000630;
-/// Others hold lengths of their own, and whatever a frame needs is in these.
-constexpr std::array<std::string_view, 9> kTypes{"string", "chlist",    "compression",
-                                                 "box2i",  "lineOrder", "float",
-                                                 "v2f",    "int",       "chromaticities"};
+/// What a frame needs, with its length where the format gives one; OpenEXR believes the type and
+/// not the length that stands before the value.
+struct AttributeType {
+    std::string_view name;
+    std::size_t length = 0;  // 0: any
+};
+constexpr std::array<AttributeType, 9> kTypes{{{"string"},
+                                               {"chlist"},
+                                               {"compression", 1},
+                                               {"lineOrder", 1},
+                                               {"box2i", 16},
+                                               {"float", 4},
+                                               {"v2f", 8},
+                                               {"int", 4},
+                                               {"chromaticities", 32}}};
 /// Deflate packs a byte into a thousandth of one at best (RFC 1951: 258 bytes in two bits).
 constexpr double kMostPacked = 1100;
 
@@ -88,6 +99,22 @@ double area_of(std::string_view window) {
     return reader.is_good() && x1 >= x0 && y1 >= y0 ? (x1 - x0 + 1) * (y1 - y0 + 1) : 0;
 }
 
+/// Channels: a name, then 16 bytes, for each; an empty name at the end.
+bool is_channel_list(std::string_view value) {
+    HeaderReader reader(value, value.size());
+    while (reader.is_good() && !reader.name().empty()) {
+        (void)reader.bytes(16);
+    }
+    return reader.is_good() && reader.remaining() == 0;
+}
+
+bool is_known(std::string_view type, std::string_view value) {
+    const auto known = std::find_if(kTypes.begin(), kTypes.end(), [&](const AttributeType& entry) {
+        return entry.name == type && (entry.length == 0 || entry.length == value.size());
+    });
+    return known != kTypes.end() && (type != "chlist" || is_channel_list(value));
+}
+
 std::string problem_in(HeaderReader& reader) {
     if (reader.number() != kMagic) {
         return "it is no OpenEXR file";
@@ -103,8 +130,9 @@ std::string problem_in(HeaderReader& reader) {
         }
         const std::string_view type = reader.name();
         const std::string_view value = reader.bytes(reader.number());
-        if (std::find(kTypes.begin(), kTypes.end(), type) == kTypes.end()) {
-            return "frames have no attribute of the type '" + std::string(type) + "'";
+        if (!is_known(type, value)) {
+            return "frames have no attribute of the type '" + std::string(type) + "' and length " +
+                   std::to_string(value.size());
         }
         if (name == "compression" && value != std::string_view("\0", 1) && value != "\3") {
             return "frames are packed by 'zip'";

@@ -224,7 +224,11 @@ TEST_F(ImageFile, HeadersThatPromiseTooMuch_AreRefusedBeforeTheyAreBelieved) {
     EXPECT_THAT(message("note\0string\0"s, 12, "\xff\xff\xff\x7f"),
                 HasSubstr("its header is longer than the file"));
     EXPECT_THAT(message("note\0string\0"s, 5, "strinG"),
-                HasSubstr("frames have no attribute of the type 'strinG'"));
+                HasSubstr("frames have no attribute of the type 'strinG' and length 2"));
+    EXPECT_THAT(message("displayWindow\0box2i\0"s, 20, "\x9"),
+                HasSubstr("frames have no attribute of the type 'box2i' and length 9"));
+    EXPECT_THAT(message("channels\0chlist\0"s, 20, "\0"s),
+                HasSubstr("frames have no attribute of the type 'chlist'"));
     EXPECT_THAT(message("dataWindow\0box2i\0"s, 29, "\xff\xff\0\0\xff\xff\0\0"s),
                 HasSubstr("the file is too short for its pixels"));
     EXPECT_THAT(message("compression\0compression\0"s, 28, "\4"),
