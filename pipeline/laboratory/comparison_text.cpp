@@ -121,7 +121,7 @@ std::string notes(const Comparison& comparison) {
             "of the picture\n";
     }
     if (std::ranges::any_of(comparison.rows, [](const auto& row) { return !row.is_counted; })) {
-        text += "\n- not counted: tests eight at a time, or by a library\n";
+        text += "\n- not counted: a library does the tests, or a part of them\n";
     }
     if (!comparison.is_whole) {
         text += "\ninterrupted: the other structures are missing\n";

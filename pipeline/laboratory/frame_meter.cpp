@@ -8,8 +8,7 @@ namespace carom::pipeline {
 using render::AccelerationKind;
 
 bool FrameMeter::can_count(AccelerationKind kind) {
-    return kind != AccelerationKind::hybrid && kind != AccelerationKind::embree &&
-           kind != AccelerationKind::wide_bvh;
+    return kind != AccelerationKind::hybrid && kind != AccelerationKind::embree;
 }
 
 MeasuredFrame FrameMeter::measure(render::RenderSettings settings, AccelerationKind kind,

@@ -79,6 +79,25 @@ struct AnyInBlock {
     }
 };
 
+/// A question whose tests `tally` notes.
+template <class Question, class Tally>
+struct Noted {
+    Question question;
+    Tally tally;
+
+    template <class D, class Block, class Test>
+    HWY_INLINE bool operator()(D d, const RayLanes<D>& ray, const Block& block,
+                               const Test& test) const {
+        tally.shapes(block.object);
+        return question(d, ray, block, test);
+    }
+
+    HWY_INLINE bool operator()(const MovingShape& shape, const Ray& ray) const {
+        tally.shape();
+        return question(shape, ray);
+    }
+};
+
 template <class D, class Query>
 struct VisitLeaf {
     const AnalyticTree& tree;
@@ -136,41 +155,60 @@ struct VisitLeaf {
     }
 };
 
-template <class Query>
+template <class Question, class Tally>
 HWY_ATTR void ask_tree(const AnalyticTree& tree, const Ray& ray, const float& limit,
-                       const Query& query, bool& answered) {
+                       const Question& question, const Tally& tally, bool& answered) {
+    using Query = Noted<Question, Tally>;
     const WideTag d;
-    const VisitLeaf<WideTag, Query> leaf(d, tree, ray, query);
+    const VisitLeaf<WideTag, Query> leaf(d, tree, ray, Query{question, tally});
     const auto visit = [&](std::uint32_t index) HWY_ATTR {
         answered = leaf(index);
         return answered;
     };
     if (tree.tree.travels.empty()) {
-        traverse<false>(d, tree.tree, ray, limit, visit);
+        traverse<false>(d, tree.tree, ray, limit, tally, visit);
     } else {
-        traverse<true>(d, tree.tree, ray, limit, visit);
+        traverse<true>(d, tree.tree, ray, limit, tally, visit);
     }
 }
 
-inline HWY_ATTR void closest_in_tree(const AnalyticTree& tree, const Ray& ray, Hit& best) {
+template <class Tally>
+HWY_ATTR void find_closest(const AnalyticTree& tree, const Ray& ray, const Tally& tally,
+                           Hit& best) {
     if (tree.tree.nodes.empty()) {
         return;
     }
     bool answered = false;
-    ask_tree(tree, ray, best.t, ClosestInBlock{&best}, answered);
+    ask_tree(tree, ray, best.t, ClosestInBlock{&best}, tally, answered);
 }
 
-inline HWY_ATTR bool any_in_tree(const AnalyticTree& tree, const Ray& ray) {
+template <class Tally>
+HWY_ATTR bool find_any(const AnalyticTree& tree, const Ray& ray, const Tally& tally) {
     if (tree.tree.nodes.empty()) {
         return false;
     }
     bool answered = false;
-    ask_tree(tree, ray, ray.t_max, AnyInBlock{ray.t_max}, answered);
+    ask_tree(tree, ray, ray.t_max, AnyInBlock{ray.t_max}, tally, answered);
     return answered;
 }
 
+inline HWY_ATTR void closest_in_tree(const AnalyticTree& tree, const Ray& ray, Hit& best) {
+    find_closest(tree, ray, NoTally(), best);
+}
+inline HWY_ATTR bool any_in_tree(const AnalyticTree& tree, const Ray& ray) {
+    return find_any(tree, ray, NoTally());
+}
+inline HWY_ATTR void closest_counted(const AnalyticTree& tree, const Ray& ray, Hit& best,
+                                     KindCounts& counts) {
+    find_closest(tree, ray, Tally(counts), best);
+}
+inline HWY_ATTR bool any_counted(const AnalyticTree& tree, const Ray& ray, KindCounts& counts) {
+    return find_any(tree, ray, Tally(counts));
+}
+
 inline const AnalyticTreeKernels& tree_kernels_of_target() {
-    static const AnalyticTreeKernels kKernels = {closest_in_tree, any_in_tree};
+    static const AnalyticTreeKernels kKernels = {closest_in_tree, any_in_tree, closest_counted,
+                                                 any_counted};
     return kKernels;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/acceleration/analytic_tree.h"
+#include "render/acceleration/test_counts.h"
 #include "render/geometry/ray.h"
 
 namespace carom::render {
@@ -13,6 +14,11 @@ struct AnalyticTreeKernels {
     /// is nearer, or as near and of a lower object.
     void (*closest)(const AnalyticTree& tree, const Ray& ray, Hit& best);
     bool (*any)(const AnalyticTree& tree, const Ray& ray);
+
+    /// The same, what they take added to `counts`.
+    void (*closest_counted)(const AnalyticTree& tree, const Ray& ray, Hit& best,
+                            KindCounts& counts);
+    bool (*any_counted)(const AnalyticTree& tree, const Ray& ray, KindCounts& counts);
 };
 
 [[nodiscard]] const AnalyticTreeKernels& best_tree_kernels();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "render/acceleration/wide_tally.h"
 #include "render/acceleration/wide_tree.h"
 #include "render/geometry/intersect.h"
 
@@ -92,11 +93,13 @@ enum class Order {
 };
 
 /// Calls `visit(leaf)` for leaves that the ray meets before `limit`, which visits may lower; ends
-/// when one returns true. `prefetch_leaf(leaf)` is called for those that have to wait.
-template <bool kMoving, Order kOrder = Order::nearest, class D, class Visit,
+/// when one returns true. `prefetch_leaf(leaf)` is called for those that have to wait. `tally`
+/// notes the nodes.
+template <bool kMoving, Order kOrder = Order::nearest, class D, class Tally, class Visit,
           class PrefetchLeaf = NoPrefetch>
 HWY_INLINE void traverse(D d, const WideTree& tree, const Ray& ray, const float& limit,
-                         const Visit& visit, const PrefetchLeaf& prefetch_leaf = {}) {
+                         const Tally& tally, const Visit& visit,
+                         const PrefetchLeaf& prefetch_leaf = {}) {
     struct Waiting {
         float enter;
         std::int32_t child;
@@ -123,6 +126,7 @@ HWY_INLINE void traverse(D d, const WideTree& tree, const Ray& ray, const float&
     for (;;) {
         if (current >= 0) {
             const auto index = static_cast<std::uint32_t>(current);
+            tally.node(tree.nodes[index]);
             unsigned children = enter_children<kMoving>(d, tree_ray, tree, index, limit, enters);
             if (children != 0) {
                 const std::int32_t* below = tree.nodes[index].children;

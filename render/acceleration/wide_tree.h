@@ -16,7 +16,7 @@ namespace carom::render {
 /// ray enters.
 struct alignas(64) WideNode {
     Lanes planes[3][2];          // axis; low, high
-    std::int32_t children[8]{};  // >= 0: a node; < 0: the leaf -1 - child
+    std::int32_t children[8]{};  // > 0: a node; < 0: the leaf -1 - child; 0: none
 };
 
 /// How far those planes go until it closes.

@@ -42,7 +42,7 @@ std::unique_ptr<MeasuredStructure> make_structure(AccelerationKind kind, const S
         case AccelerationKind::bvh:
             return over.operator()<SahBvh>();
         case AccelerationKind::wide_bvh:
-            return std::make_unique<WideBvh>(shapes, meshes);
+            return std::make_unique<WideBvh>(shapes, meshes, options);
         case AccelerationKind::hybrid:
         case AccelerationKind::embree:
             break;

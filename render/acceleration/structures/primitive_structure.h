@@ -1,12 +1,12 @@
 // A structure over primitives, from an index that says in which order a ray meets them.
 #pragma once
 
-#include <mutex>
 #include <utility>
 
 #include "render/acceleration/safe_ray.h"
 #include "render/acceleration/structures/measured_structure.h"
 #include "render/acceleration/structures/query.h"
+#include "render/acceleration/structures/shared_counts.h"
 #include "render/acceleration/structures/structure_options.h"
 
 namespace carom::render {
@@ -33,10 +33,7 @@ class PrimitiveStructure final : public MeasuredStructure {
         return find(ray, RayKind::shadow, options_.shadow_rays_stop).object != kNoObject;
     }
     [[nodiscard]] std::size_t bytes() const override { return index_.bytes(); }
-    [[nodiscard]] TestCounts counts() const override {
-        const std::scoped_lock lock(mutex_);
-        return counts_;
-    }
+    [[nodiscard]] TestCounts counts() const override { return counts_.so_far(); }
 
   private:
     [[nodiscard]] Hit find(const Ray& ray, RayKind kind, bool any) const {
@@ -58,10 +55,7 @@ class PrimitiveStructure final : public MeasuredStructure {
             index_.search(query);
         }
         if constexpr (Counting) {
-            KindCounts counts = query.counts();
-            counts.rays = 1;
-            const std::scoped_lock lock(mutex_);
-            counts_[kind] += counts;
+            counts_.add_ray(kind, query.counts());
         }
         return query.found() ? query.best() : Hit{};
     }
@@ -69,8 +63,7 @@ class PrimitiveStructure final : public MeasuredStructure {
     Primitives primitives_;
     StructureOptions options_;
     Index index_;
-    mutable std::mutex mutex_;
-    mutable TestCounts counts_;
+    mutable SharedCounts counts_;
 };
 
 }  // namespace carom::render

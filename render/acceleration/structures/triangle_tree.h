@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/acceleration/analytic_blocks.h"
+#include "render/acceleration/test_counts.h"
 #include "render/acceleration/triangle_scene.h"
 #include "render/acceleration/wide_tree.h"
 
@@ -38,6 +39,11 @@ struct TriangleTreeKernels {
     /// lower triangle.
     void (*closest)(const TriangleTree& tree, const Ray& ray, Hit& best);
     bool (*any)(const TriangleTree& tree, const Ray& ray);
+
+    /// The same, what they take added to `counts`.
+    void (*closest_counted)(const TriangleTree& tree, const Ray& ray, Hit& best,
+                            KindCounts& counts);
+    bool (*any_counted)(const TriangleTree& tree, const Ray& ray, KindCounts& counts);
 };
 
 [[nodiscard]] std::size_t bytes_of(const TriangleTree& tree);

@@ -66,7 +66,9 @@ HWY_INLINE void offer(const TriangleNames& names, const TriangleLanes& met, int 
     }
 }
 
-inline HWY_ATTR void closest_of_triangles(const TriangleTree& tree, const Ray& ray, Hit& best) {
+template <class Tally>
+HWY_ATTR void find_closest(const TriangleTree& tree, const Ray& ray, const Tally& tally,
+                           Hit& best) {
     if (tree.blocks.empty()) {
         return;
     }
@@ -74,16 +76,18 @@ inline HWY_ATTR void closest_of_triangles(const TriangleTree& tree, const Ray& r
     // Of equally near ones the lowest: offer() decides.
     const auto lanes = ray_in_all(ray, kInfinity);
     const auto visit = [&](std::uint32_t leaf) HWY_ATTR {
+        tally.shapes(tree.names[leaf].object);
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
             offer(tree.names[leaf], meet(tree.blocks[leaf], lane, lanes), lane, best);
         }
         return false;
     };
-    traverse<false>(d, tree.tree, ray, best.t, visit,
+    traverse<false>(d, tree.tree, ray, best.t, tally, visit,
                     [&](std::uint32_t leaf) HWY_ATTR { prefetch(tree.blocks[leaf]); });
 }
 
-inline HWY_ATTR bool any_of_triangles(const TriangleTree& tree, const Ray& ray) {
+template <class Tally>
+HWY_ATTR bool find_any(const TriangleTree& tree, const Ray& ray, const Tally& tally) {
     if (tree.blocks.empty()) {
         return false;
     }
@@ -91,18 +95,34 @@ inline HWY_ATTR bool any_of_triangles(const TriangleTree& tree, const Ray& ray) 
     const auto lanes = ray_in_all(ray, ray.t_max);
     bool found = false;
     const auto visit = [&](std::uint32_t leaf) HWY_ATTR {
+        tally.shapes(tree.names[leaf].object);
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
             found = found || !L::none(meet(tree.blocks[leaf], lane, lanes).valid);
         }
         return found;
     };
-    traverse<false, Order::any>(d, tree.tree, ray, ray.t_max, visit,
+    traverse<false, Order::any>(d, tree.tree, ray, ray.t_max, tally, visit,
                                 [&](std::uint32_t leaf) HWY_ATTR { prefetch(tree.blocks[leaf]); });
     return found;
 }
 
+inline HWY_ATTR void closest_of_triangles(const TriangleTree& tree, const Ray& ray, Hit& best) {
+    find_closest(tree, ray, NoTally(), best);
+}
+inline HWY_ATTR bool any_of_triangles(const TriangleTree& tree, const Ray& ray) {
+    return find_any(tree, ray, NoTally());
+}
+inline HWY_ATTR void closest_counted(const TriangleTree& tree, const Ray& ray, Hit& best,
+                                     KindCounts& counts) {
+    find_closest(tree, ray, Tally(counts), best);
+}
+inline HWY_ATTR bool any_counted(const TriangleTree& tree, const Ray& ray, KindCounts& counts) {
+    return find_any(tree, ray, Tally(counts));
+}
+
 inline const TriangleTreeKernels& triangle_kernels_of_target() {
-    static const TriangleTreeKernels kKernels = {closest_of_triangles, any_of_triangles};
+    static const TriangleTreeKernels kKernels = {closest_of_triangles, any_of_triangles,
+                                                 closest_counted, any_counted};
     return kKernels;
 }
 

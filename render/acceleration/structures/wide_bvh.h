@@ -5,28 +5,39 @@
 #include "render/acceleration/analytic_tree_kernels.h"
 #include "render/acceleration/primitives.h"
 #include "render/acceleration/structures/measured_structure.h"
+#include "render/acceleration/structures/shared_counts.h"
+#include "render/acceleration/structures/structure_options.h"
 #include "render/acceleration/structures/triangle_tree.h"
 
 namespace carom::render {
 
 /// What `hybrid` uses for many analytic shapes, and another one for meshes: boxes are tested eight
-/// at a time, shapes eight to a leaf. Tests are not counted.
+/// at a time, shapes eight to a leaf. Counted are the shapes and boxes in the lanes of what is
+/// tested.
 class WideBvh final : public MeasuredStructure {
   public:
-    WideBvh(const ShapeSet& shapes, std::span<const MeshEntry> meshes);
+    WideBvh(const ShapeSet& shapes, std::span<const MeshEntry> meshes,
+            const StructureOptions& options);
 
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const override;
     [[nodiscard]] bool any_hit(const Ray& ray) const override;
     [[nodiscard]] std::size_t bytes() const override;
+    [[nodiscard]] TestCounts counts() const override { return counts_.so_far(); }
 
   private:
-    [[nodiscard]] bool meets_plane(const Ray& ray) const;
+    [[nodiscard]] Hit find_closest(const Ray& ray, RayKind kind) const;
+    template <bool Counting>
+    [[nodiscard]] Hit nearest_plane(const Ray& safe, KindCounts& counts) const;
+    template <bool Counting>
+    [[nodiscard]] bool meets_plane(const Ray& safe, KindCounts& counts) const;
 
+    StructureOptions options_;
     Primitives planes_;
     AnalyticTree shapes_;
     TriangleTree triangles_;
     const AnalyticTreeKernels& shape_kernels_;
     const TriangleTreeKernels& triangle_kernels_;
+    mutable SharedCounts counts_;
 };
 
 }  // namespace carom::render

@@ -62,7 +62,7 @@ kdtree                 1.06    0.800    1.50        12.5     17.0    5.00       
 
 * computed: rays times shapes; how soon shadow rays end, and the time, from a part of the picture
 
-- not counted: tests eight at a time, or by a library
+- not counted: a library does the tests, or a part of them
 )");
 }
 
