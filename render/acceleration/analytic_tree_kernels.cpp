@@ -173,8 +173,8 @@ HWY_ATTR void ask_tree(const AnalyticTree& tree, const Ray& ray, const float& li
 }
 
 template <class Tally>
-HWY_ATTR void find_closest(const AnalyticTree& tree, const Ray& ray, const Tally& tally,
-                           Hit& best) {
+HWY_INLINE void find_closest(const AnalyticTree& tree, const Ray& ray, const Tally& tally,
+                             Hit& best) {
     if (tree.tree.nodes.empty()) {
         return;
     }
@@ -183,7 +183,7 @@ HWY_ATTR void find_closest(const AnalyticTree& tree, const Ray& ray, const Tally
 }
 
 template <class Tally>
-HWY_ATTR bool find_any(const AnalyticTree& tree, const Ray& ray, const Tally& tally) {
+HWY_INLINE bool find_any(const AnalyticTree& tree, const Ray& ray, const Tally& tally) {
     if (tree.tree.nodes.empty()) {
         return false;
     }

@@ -67,8 +67,8 @@ HWY_INLINE void offer(const TriangleNames& names, const TriangleLanes& met, int 
 }
 
 template <class Tally>
-HWY_ATTR void find_closest(const TriangleTree& tree, const Ray& ray, const Tally& tally,
-                           Hit& best) {
+HWY_INLINE void find_closest(const TriangleTree& tree, const Ray& ray, const Tally& tally,
+                             Hit& best) {
     if (tree.blocks.empty()) {
         return;
     }
@@ -87,7 +87,7 @@ HWY_ATTR void find_closest(const TriangleTree& tree, const Ray& ray, const Tally
 }
 
 template <class Tally>
-HWY_ATTR bool find_any(const TriangleTree& tree, const Ray& ray, const Tally& tally) {
+HWY_INLINE bool find_any(const TriangleTree& tree, const Ray& ray, const Tally& tally) {
     if (tree.blocks.empty()) {
         return false;
     }

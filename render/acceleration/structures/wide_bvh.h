@@ -25,11 +25,16 @@ class WideBvh final : public MeasuredStructure {
     [[nodiscard]] TestCounts counts() const override { return counts_.so_far(); }
 
   private:
-    [[nodiscard]] Hit find_closest(const Ray& ray, RayKind kind) const;
+    struct FoundAny {
+        bool found = false;
+        KindCounts counts;
+    };
+    void find_closest_counted(const Ray& safe, RayKind kind, Hit& best) const;
+    [[nodiscard]] bool find_any_counted(const Ray& safe) const;
     template <bool Counting>
-    [[nodiscard]] Hit nearest_plane(const Ray& safe, KindCounts& counts) const;
+    KindCounts find_closest_plane(const Ray& safe, Hit& best) const;
     template <bool Counting>
-    [[nodiscard]] bool meets_plane(const Ray& safe, KindCounts& counts) const;
+    [[nodiscard]] FoundAny find_any_plane(const Ray& safe) const;
 
     StructureOptions options_;
     Primitives planes_;
