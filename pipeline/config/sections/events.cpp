@@ -91,7 +91,7 @@ void add_start(MapSpec<ForceEvent>& s) {
 template <class Action>
 MapSpec<ForceEvent> event_of(std::string name, std::string description) {
     ForceEvent prototype;
-    prototype.action = Action{};
+    prototype.action.emplace<Action>();
     return {std::move(name), std::move(description), prototype};
 }
 
