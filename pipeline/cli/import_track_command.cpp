@@ -5,7 +5,7 @@
 #include "pipeline/cli/light_commands.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/shot_input.h"
-#include "pipeline/config/units.h"
+#include "pipeline/config/quantity.h"
 #include "pipeline/import/import_track.h"
 
 namespace carom::cli {

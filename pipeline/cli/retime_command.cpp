@@ -8,7 +8,7 @@
 #include "pipeline/cli/film_commands.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/shot_input.h"
-#include "pipeline/config/value_types.h"
+#include "pipeline/config/number_types.h"
 #include "pipeline/video/video_format.h"
 
 namespace carom::cli {

@@ -1,11 +1,17 @@
 // Exact fractions that give up instead of overflowing.
 #pragma once
 
+#include <cstdint>
 #include <optional>
-
-#include "pipeline/config/units.h"
+#include <string_view>
 
 namespace carom::pipeline::config {
+
+/// numerator / denominator, denominator > 0, in lowest terms.
+struct Fraction {
+    std::int64_t numerator = 0;
+    std::int64_t denominator = 1;
+};
 
 [[nodiscard]] std::optional<Fraction> make_fraction(std::int64_t numerator,
                                                     std::int64_t denominator);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
 
 namespace carom::pipeline::config {

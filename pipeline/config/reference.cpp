@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/config/sections/sections.h"
+#include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
 
 namespace carom::pipeline {

@@ -1,5 +1,6 @@
 #include "pipeline/config/type_info.h"
 
+#include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
 
 namespace carom::pipeline::config {

@@ -1,12 +1,12 @@
-// Numbers with units: "57.15 mm", "1/48 s", "20 km/h".
+// Units and what they measure.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
+
+#include "pipeline/config/fraction.h"
 
 namespace carom::pipeline::config {
 
@@ -37,20 +37,21 @@ struct Exponents {
     bool operator==(const Exponents&) const = default;
 };
 
-/// numerator / denominator, denominator > 0, in lowest terms.
-struct Fraction {
-    std::int64_t numerator = 0;
-    std::int64_t denominator = 1;
+/// A unit that has a name of its own.
+struct Unit {
+    std::string_view name;
+    Exponents exponents;
+    double value = 1;      // in SI units
+    Fraction exact{0, 1};  // the same (for degrees: in degrees); numerator 0 where there is none
+    bool is_degree = false;
 };
 
-/// A number as it was written.
-struct Quantity {
-    double value = 0;  // in SI units
-    bool has_unit = false;
-    Exponents exponents;            // of its unit
-    std::optional<Fraction> exact;  // the value in SI units, in degrees for an angle given in them
-    bool is_in_degrees = false;
-};
+/// The unit of that name, or nullptr.
+[[nodiscard]] const Unit* find_unit(std::string_view name);
+
+/// The units of exactly these exponents that have a name of their own: "m", "km" ...; all units
+/// without an argument.
+[[nodiscard]] std::vector<std::string> unit_names(const std::optional<Exponents>& of = {});
 
 /// What a dimension is called and how its values are shown.
 struct DimensionInfo {
@@ -65,26 +66,7 @@ struct DimensionInfo {
 
 [[nodiscard]] const DimensionInfo& info(Dimension dimension);
 
-/// The units of exactly these exponents that have a name of their own: "m", "km" ...; all units
-/// without an argument.
-[[nodiscard]] std::vector<std::string> unit_names(const std::optional<Exponents>& of = {});
-
-/// "a length", or "kg m/s" where the exponents have no name.
+/// "a length"; "a quantity of another kind" where the exponents have no name.
 [[nodiscard]] std::string name_of(const Exponents& exponents);
-
-/// "9.81 m/s^2", "30 deg": the shortest decimal that reads back as the same number of the shown
-/// unit.
-[[nodiscard]] std::string show(double value, Dimension dimension);
-
-/// The shortest decimal that reads back as the same number.
-[[nodiscard]] std::string show(double value);
-
-/// Reads a number, a fraction of two numbers, and a unit behind it. Independent of the locale; NaN,
-/// infinities, hexadecimal and numbers too large for a double are refused. The string is what is
-/// wrong, to follow "'duration' ...": "is not a number" ...
-[[nodiscard]] std::variant<Quantity, std::string> parse_quantity(std::string_view text);
-
-/// Whether the text starts like a number (so that a word can be told from a misspelt quantity).
-[[nodiscard]] bool looks_like_number(std::string_view text);
 
 }  // namespace carom::pipeline::config

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
-#include "pipeline/config/units.h"
 
 namespace carom::pipeline::scene_text {
 

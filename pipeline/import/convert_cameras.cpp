@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "pipeline/config/text.h"
-#include "pipeline/config/units.h"
 #include "pipeline/import/conversion.h"
 
 namespace carom::pipeline::scene_text {

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "pipeline/config/config_files.h"
+#include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
-#include "pipeline/config/units.h"
 #include "pipeline/import/conversion.h"
 #include "pipeline/import/track_table.h"
 #include "pipeline/shot/keyed_motion.h"

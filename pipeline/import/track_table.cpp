@@ -8,8 +8,8 @@
 #include <set>
 #include <span>
 
+#include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
-#include "pipeline/config/units.h"
 #include "pipeline/import/csv_lines.h"
 
 namespace carom::pipeline {

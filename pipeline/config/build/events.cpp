@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "pipeline/config/build/builder.h"
-#include "pipeline/config/units.h"
+#include "pipeline/config/show_quantity.h"
 
 namespace carom::pipeline::config {
 

@@ -4,8 +4,8 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/time_map.h"
 #include "pipeline/config/build/builder.h"
+#include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
-#include "pipeline/config/units.h"
 #include "pipeline/video/video_format.h"
 #include "sim/timeline/error.h"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "pipeline/config/build/builder.h"
+#include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
-#include "pipeline/config/units.h"
 #include "sim/start_overlaps.h"
 
 namespace carom::pipeline::config {

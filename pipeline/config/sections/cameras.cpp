@@ -1,5 +1,6 @@
 #include "pipeline/config/sections/camera_values.h"
 #include "pipeline/config/sections/sections.h"
+#include "pipeline/config/show_quantity.h"
 
 namespace carom::pipeline::config {
 

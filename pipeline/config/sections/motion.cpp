@@ -1,6 +1,6 @@
 // An object that is moved by keys.
 #include "pipeline/config/sections/sections.h"
-#include "pipeline/config/units.h"
+#include "pipeline/config/show_quantity.h"
 
 namespace carom::pipeline::config {
 

@@ -1,6 +1,7 @@
 #include <optional>
 
 #include "pipeline/config/sections/sections.h"
+#include "pipeline/config/show_quantity.h"
 
 namespace carom::pipeline::config {
 

@@ -1,9 +1,11 @@
-#include "pipeline/config/units.h"
+#include "pipeline/config/quantity.h"
 
 #include <clocale>
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "pipeline/config/show_quantity.h"
 
 namespace carom::pipeline::config {
 namespace {

@@ -1,0 +1,12 @@
+// Colours as values of keys.
+#pragma once
+
+#include "pipeline/config/map_spec.h"
+#include "sim/timeline/vocabulary.h"
+
+namespace carom::pipeline::config {
+
+/// Linear red, green and blue in `range`, one number for grey, or "#rrggbb" (sRGB-encoded).
+[[nodiscard]] ValueType<Vec3> colour(Range range);
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,60 @@
+// Lists that keys may have as values.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/config/map_spec.h"
+#include "sim/timeline/vocabulary.h"
+
+namespace carom::pipeline::config {
+
+/// Whether `node` is a list of the allowed length; says what is wrong otherwise.
+[[nodiscard]] bool check_list(Reader& reader, const Node& node, const TypeInfo& type);
+
+/// `fewest` to `most` values of one type; most -1: any number.
+template <class V>
+ValueType<std::vector<V>> list_of(ValueType<V> element, int fewest = 0, int most = -1) {
+    ValueType<std::vector<V>> result;
+    result.info.kind = TypeInfo::Kind::list;
+    result.info.elements = {element.info};
+    result.info.fewest = fewest;
+    result.info.most = most;
+    const TypeInfo type = result.info;
+    result.read = [type, element](Reader& reader,
+                                  const Node& node) -> std::optional<std::vector<V>> {
+        if (!check_list(reader, node, type)) {
+            return std::nullopt;
+        }
+        std::vector<V> values;
+        for (std::size_t i = 0; i < node.items.size(); ++i) {
+            const Reader::Scope scope(reader, i, node.items[i].place);
+            if (std::optional<V> value = element.read(reader, node.items[i])) {
+                values.push_back(std::move(*value));
+            }
+        }
+        return values.size() == node.items.size() ? std::optional(std::move(values)) : std::nullopt;
+    };
+    result.show = [element](const std::vector<V>& values) {
+        std::string shown = "[";
+        for (const V& value : values) {
+            shown += (shown.size() > 1 ? ", " : "") + (element.show ? element.show(value) : "");
+        }
+        return shown + "]";
+    };
+    return result;
+}
+
+[[nodiscard]] ValueType<Vec3> vector3(Dimension dimension, Range range = {});
+[[nodiscard]] ValueType<Vec2> vector2(Dimension dimension, Range range = {});
+
+/// Two or three coordinates; without the third z is 0.
+struct Coordinates {
+    Vec3 value;
+    bool has_z = false;
+};
+[[nodiscard]] ValueType<Coordinates> coordinates(Dimension dimension);
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,153 @@
+#include "pipeline/config/number_types.h"
+
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <variant>
+
+#include "pipeline/config/combined_types.h"
+#include "pipeline/config/show_quantity.h"
+#include "pipeline/config/text.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+TypeInfo quantity_info(Dimension dimension, const Range& range) {
+    TypeInfo type;
+    type.kind = TypeInfo::Kind::quantity;
+    type.dimension = dimension;
+    type.range = range;
+    return type;
+}
+
+void report_range(Reader& reader, const Node& node, const TypeInfo& type) {
+    reader.error(node.place, reader.value_name() + " must be " +
+                                 describe(type.range, type.dimension) + ", not " +
+                                 quote(node.text));
+}
+
+std::string show_integer(std::int64_t value) {
+    return std::to_string(value);
+}
+
+/// For an unknown unit without a near one: those that can stand here.
+std::string units_help(const std::string& wrong, const TypeInfo& type) {
+    const bool is_unit = wrong.find("unknown unit") != std::string::npos;
+    if (!is_unit || wrong.find("did you mean") != std::string::npos) {
+        return {};
+    }
+    const std::string& units = info(type.dimension).units;
+    return units.empty() ? " (it is a plain number)" : " (it may be in " + units + ")";
+}
+
+}  // namespace
+
+std::optional<Quantity> read_quantity(Reader& reader, const Node& node, const TypeInfo& type) {
+    if (!node.is_scalar()) {
+        reader.wrong_type(node, describe(type));
+        return std::nullopt;
+    }
+    const std::variant<Quantity, std::string> parsed = parse_quantity(node.text);
+    if (const std::string* wrong = std::get_if<std::string>(&parsed)) {
+        if (*wrong == "is not a number") {
+            reader.wrong_type(node, describe(type));
+        } else {
+            reader.error(node.place, quote(node.text) + " " + *wrong + units_help(*wrong, type));
+        }
+        return std::nullopt;
+    }
+    const Quantity& value = std::get<Quantity>(parsed);
+    if (value.has_unit && value.exponents != info(type.dimension).exponents) {
+        const std::string given = name_of(value.exponents);
+        reader.error(node.place, reader.value_name() + " must be " + describe(type) + ", not " +
+                                     given + " (" + quote(node.text) + ")");
+        return std::nullopt;
+    }
+    if (!type.range.contains(value.value)) {
+        report_range(reader, node, type);
+        return std::nullopt;
+    }
+    return value;
+}
+
+ValueType<double> quantity(Dimension dimension, Range range) {
+    const TypeInfo type = quantity_info(dimension, range);
+    ValueType<double> result;
+    result.info = type;
+    result.read = [type](Reader& reader, const Node& node) -> std::optional<double> {
+        const std::optional<Quantity> value = read_quantity(reader, node, type);
+        return value ? std::optional(value->value) : std::nullopt;
+    };
+    result.show = [dimension](const double& value) { return show(value, dimension); };
+    return result;
+}
+
+Rational to_rational(const Quantity& quantity) {
+    // Larger terms than any real rate or time has would overflow where they are multiplied.
+    constexpr std::int64_t kLargest = 1'000'000'000;
+    const std::optional<Fraction>& exact = quantity.exact;
+    if (exact && std::abs(exact->numerator) <= kLargest && exact->denominator <= kLargest) {
+        return {exact->numerator, exact->denominator};
+    }
+    const double rounded = std::round(quantity.value * kLargest) / kLargest;
+    return rounded == 0 ? Rational() : Rational::nearest(rounded);
+}
+
+ValueType<Rational> exact(Dimension dimension, Range range) {
+    const TypeInfo type = quantity_info(dimension, range);
+    ValueType<Rational> result;
+    result.info = type;
+    result.read = [type](Reader& reader, const Node& node) -> std::optional<Rational> {
+        const std::optional<Quantity> value = read_quantity(reader, node, type);
+        if (!value) {
+            return std::nullopt;
+        }
+        return to_rational(*value);
+    };
+    result.show = [dimension](const Rational& value) {
+        const std::string& unit = info(dimension).unit;
+        return unit.empty() ? value.to_string() : value.to_string() + " " + unit;
+    };
+    return result;
+}
+
+ValueType<std::int64_t> integer64(std::int64_t low, std::int64_t high) {
+    ValueType<std::int64_t> result;
+    result.info.kind = TypeInfo::Kind::integer;
+    result.info.range = between(static_cast<double>(low), static_cast<double>(high));
+    const TypeInfo type = result.info;
+    result.read = [=](Reader& reader, const Node& node) -> std::optional<std::int64_t> {
+        if (!node.is_scalar()) {
+            reader.wrong_type(node, describe(type));
+            return std::nullopt;
+        }
+        std::int64_t value = 0;
+        const char* const begin = node.text.data();
+        const char* const text_end = begin + node.text.size();
+        const auto [end, code] = std::from_chars(begin, text_end, value);
+        const bool is_too_large = code == std::errc::result_out_of_range;
+        if (end != text_end || (code != std::errc() && !is_too_large)) {
+            reader.wrong_type(node, describe(type));
+            return std::nullopt;
+        }
+        if (is_too_large || value < low || value > high) {
+            reader.error(node.place, reader.value_name() + " must be at least " +
+                                         std::to_string(low) + " and at most " +
+                                         std::to_string(high) + ", not " + quote(node.text));
+            return std::nullopt;
+        }
+        return value;
+    };
+    result.show = show_integer;
+    return result;
+}
+
+ValueType<int> integer(int low, int high) {
+    ValueType<int> result = convert<int>(
+        integer64(low, high), [](std::int64_t value) { return static_cast<int>(value); });
+    result.show = [](const int& value) { return show_integer(value); };
+    return result;
+}
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,68 @@
+// Numbers that keys may have as values, and their ranges.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "pipeline/camera/rational.h"
+#include "pipeline/config/map_spec.h"
+#include "pipeline/config/quantity.h"
+
+namespace carom::pipeline::config {
+
+// ---- ranges ---------------------------------------------------------------------------------
+
+inline Range any() {
+    return {};
+}
+inline Range at_least(double low) {
+    return {low, {}, false, false};
+}
+inline Range more_than(double low) {
+    return {low, {}, true, false};
+}
+inline Range between(double low, double high) {
+    return {low, high, false, false};
+}
+inline Range above_up_to(double low, double high) {
+    return {low, high, true, false};
+}
+inline Range from_below(double low, double high) {
+    return {low, high, false, true};
+}
+inline Range inside(double low, double high) {
+    return {low, high, true, true};
+}
+
+// ---- numbers --------------------------------------------------------------------------------
+
+/// A number with a unit of `dimension`, or a plain one in SI units.
+[[nodiscard]] ValueType<double> quantity(Dimension dimension, Range range = {});
+[[nodiscard]] inline ValueType<double> number(Range range = {}) {
+    return quantity(Dimension::none, range);
+}
+[[nodiscard]] inline ValueType<double> length(Range range = {}) {
+    return quantity(Dimension::length, range);
+}
+[[nodiscard]] inline ValueType<double> time(Range range = {}) {
+    return quantity(Dimension::time, range);
+}
+[[nodiscard]] inline ValueType<double> angle(Range range = {}) {
+    return quantity(Dimension::angle, range);
+}
+
+/// The quantity's exact value where its terms are at most 1e9, else the nearest simple fraction.
+[[nodiscard]] Rational to_rational(const Quantity& quantity);
+
+/// A time or frequency kept exactly: "1/48 s", "24000/1001".
+[[nodiscard]] ValueType<Rational> exact(Dimension dimension, Range range = {});
+
+[[nodiscard]] ValueType<std::int64_t> integer64(std::int64_t low, std::int64_t high);
+[[nodiscard]] ValueType<int> integer(int low, int high);
+
+/// The quantity that a scalar holds, if it is one of this dimension and range; problems go to the
+/// reader. For types that are made of several.
+[[nodiscard]] std::optional<Quantity> read_quantity(Reader& reader, const Node& node,
+                                                    const TypeInfo& type);
+
+}  // namespace carom::pipeline::config

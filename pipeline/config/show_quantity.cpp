@@ -1,0 +1,42 @@
+#include "pipeline/config/show_quantity.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace carom::pipeline::config {
+
+std::string show(double value) {
+    const double size = std::abs(value);
+    const auto form = value == 0 || (size >= 1e-4 && size < 1e16) ? std::chars_format::fixed
+                                                                  : std::chars_format::scientific;
+    std::array<char, 64> buffer{};
+    const auto [end, code] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value + 0.0, form);
+    const std::string decimal(buffer.data(), end);
+    // A third or a 240th is shorter as such.
+    const double inverse = std::round(1 / value);
+    const bool is_inverse = value > 0 && value < 1 && inverse < 1e6 && 1 / inverse == value;
+    return is_inverse && decimal.size() > 8 ? "1/" + std::to_string(std::lround(inverse)) : decimal;
+}
+
+std::string show(double value, Dimension dimension) {
+    const DimensionInfo& known = info(dimension);
+    if (dimension == Dimension::length && value != 0 && std::abs(value) < 0.01) {
+        return show(std::round(value * 1e12) / 1e9) + " mm";
+    }
+    if (dimension == Dimension::time && value != 0 && std::abs(value) < 1e-3) {
+        return show(std::round(value * 1e12) / 1e9) + " ms";
+    }
+    double shown = value / known.unit_value;
+    if (dimension == Dimension::angle) {
+        // 30 degrees in radians and back is 29.999999999999996; 0.7 radians are no round degrees.
+        shown = std::round(shown * 1e9) / 1e9;
+        if (show(shown).size() > 8) {
+            return show(value) + " rad";
+        }
+    }
+    return known.unit.empty() ? show(shown) : show(shown) + " " + known.unit;
+}
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,113 @@
+#include "pipeline/config/word_types.h"
+
+#include <algorithm>
+
+#include "pipeline/config/text.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+std::string noun_of(ReferenceKind kind) {
+    switch (kind) {
+        case ReferenceKind::ball:
+            return "a ball";
+        case ReferenceKind::body:
+        case ReferenceKind::simulated:
+        case ReferenceKind::moving:
+            return "a ball or moving object";
+        case ReferenceKind::touchable:
+            return "an object or surface";
+        case ReferenceKind::placed:
+            return "a ball or object";
+        case ReferenceKind::material:
+            return "a material";
+    }
+    return {};
+}
+
+}  // namespace
+
+ValueType<bool> boolean() {
+    ValueType<bool> result;
+    result.info.kind = TypeInfo::Kind::boolean;
+    const TypeInfo type = result.info;
+    result.read = [type](Reader& reader, const Node& node) -> std::optional<bool> {
+        // The core schema of YAML 1.2 (section 10.3.2) knows no yes, no, on and off.
+        const bool is_plain = node.is_scalar() && !node.quoted;
+        if (is_plain && (node.text == "true" || node.text == "True" || node.text == "TRUE")) {
+            return true;
+        }
+        if (is_plain && (node.text == "false" || node.text == "False" || node.text == "FALSE")) {
+            return false;
+        }
+        reader.wrong_type(node, describe(type));
+        return std::nullopt;
+    };
+    result.show = [](const bool& value) { return value ? "true" : "false"; };
+    return result;
+}
+
+ValueType<std::string> text(std::string noun) {
+    ValueType<std::string> result;
+    result.info.kind = TypeInfo::Kind::text;
+    result.info.noun = std::move(noun);
+    const TypeInfo type = result.info;
+    result.read = [type](Reader& reader, const Node& node) -> std::optional<std::string> {
+        if (!node.is_scalar()) {
+            reader.wrong_type(node, describe(type));
+            return std::nullopt;
+        }
+        return node.text;
+    };
+    result.show = [](const std::string& value) { return value; };
+    return result;
+}
+
+ValueType<std::string> name_of(ReferenceKind kind) {
+    ValueType<std::string> result;
+    result.info.kind = TypeInfo::Kind::name;
+    result.info.noun = noun_of(kind);
+    const TypeInfo type = result.info;
+    result.read = [type, kind](Reader& reader, const Node& node) -> std::optional<std::string> {
+        if (!node.is_scalar()) {
+            reader.wrong_type(node, describe(type));
+            return std::nullopt;
+        }
+        reader.refer(kind, node);
+        return node.text;
+    };
+    result.show = [](const std::string& value) { return value; };
+    return result;
+}
+
+ValueType<std::string> file() {
+    ValueType<std::string> result;
+    result.info.kind = TypeInfo::Kind::file;
+    const TypeInfo type = result.info;
+    result.read = [type](Reader& reader, const Node& node) -> std::optional<std::string> {
+        if (!node.is_scalar()) {
+            reader.wrong_type(node, describe(type));
+            return std::nullopt;
+        }
+        std::string path = reader.file(node);
+        return path.empty() ? std::nullopt : std::optional(std::move(path));
+    };
+    return result;
+}
+
+std::optional<std::size_t> read_choice(Reader& reader, const Node& node, const TypeInfo& type) {
+    if (!node.is_scalar()) {
+        reader.wrong_type(node, describe(type));
+        return std::nullopt;
+    }
+    const auto found = std::find(type.choices.begin(), type.choices.end(), node.text);
+    if (found == type.choices.end()) {
+        reader.error(node.place, reader.value_name() + " must be " + describe(type) + ", not " +
+                                     quote(node.text) + hint(node.text, type.choices));
+        return std::nullopt;
+    }
+    return static_cast<std::size_t>(found - type.choices.begin());
+}
+
+}  // namespace carom::pipeline::config

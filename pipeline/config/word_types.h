@@ -1,0 +1,53 @@
+// Words that keys may have as values.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/config/map_spec.h"
+
+namespace carom::pipeline::config {
+
+[[nodiscard]] ValueType<bool> boolean();
+
+/// Any word; `noun` says what it stands for.
+[[nodiscard]] ValueType<std::string> text(std::string noun);
+
+/// The name of something in the shot; checked once everything is read.
+[[nodiscard]] ValueType<std::string> name_of(ReferenceKind kind);
+
+/// An existing file, as an absolute path.
+[[nodiscard]] ValueType<std::string> file();
+
+/// The index of the scalar in `type.choices`.
+[[nodiscard]] std::optional<std::size_t> read_choice(Reader& reader, const Node& node,
+                                                     const TypeInfo& type);
+
+/// One of a few words.
+template <class E>
+ValueType<E> choice(std::vector<std::pair<std::string, E>> choices) {
+    TypeInfo type;
+    type.kind = TypeInfo::Kind::choice;
+    for (const auto& [word, value] : choices) {
+        type.choices.push_back(word);
+    }
+    ValueType<E> result;
+    result.info = type;
+    result.read = [type, choices](Reader& reader, const Node& node) -> std::optional<E> {
+        const std::optional<std::size_t> index = read_choice(reader, node, type);
+        return index ? std::optional<E>(choices[*index].second) : std::nullopt;
+    };
+    result.show = [choices](const E& shown) {
+        for (const auto& [word, value] : choices) {
+            if (value == shown) {
+                return word;
+            }
+        }
+        return std::string();
+    };
+    return result;
+}
+
+}  // namespace carom::pipeline::config
