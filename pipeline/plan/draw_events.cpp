@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/plan/figure_text.h"
 #include "pipeline/plan/plan_drawing.h"
+#include "pipeline/plan/shot_lookup.h"
 
 namespace carom::pipeline {
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/plan/figure_text.h"
 #include "pipeline/plan/footprint.h"
 #include "pipeline/plan/plan_drawing.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pipeline/camera/time_map.h"
+#include "pipeline/plan/figure_text.h"
 #include "pipeline/plan/plan_drawing.h"
 #include "pipeline/plan/time_axis.h"
 

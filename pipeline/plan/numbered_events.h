@@ -14,7 +14,7 @@ struct NumberedEvent {
     double time = 0;  // s, of the first
     Vec3 place{0, 0, 0};
     std::string text;   // "cue → one at 9.7 m/s, cut 12°, one leaves at 9.5 m/s"
-    std::string label;  // for the drawing, short: "9.7 m/s 12°"; may be empty
+    std::string label;  // for the drawing, short: "9.7 m/s, cut 12°"; may be empty
 };
 
 struct NumberedEvents {
@@ -27,18 +27,5 @@ struct NumberedEvents {
 /// and so is a row of objects that knock each other over.
 [[nodiscard]] NumberedEvents number_events(const Shot& shot, const sim::Timeline& timeline,
                                            std::size_t most);
-
-/// The strike of the shot that the event of the timeline came from, or nullptr.
-[[nodiscard]] const sim::Strike* strike_of(const Shot& shot, const sim::Timeline& timeline,
-                                           const sim::Event& event);
-
-/// The body of that name, or nullptr.
-[[nodiscard]] const sim::Body* find_body(const Shot& shot, const std::string& name);
-
-/// "9.7 m/s", "0.04 m/s"
-[[nodiscard]] std::string speed_text(double speed);
-
-/// "1.25 s": three decimals at most.
-[[nodiscard]] std::string time_text(double seconds);
 
 }  // namespace carom::pipeline

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "pipeline/plan/plan_drawing.h"
+#include "pipeline/plan/shot_lookup.h"
 
 namespace carom::pipeline {
 

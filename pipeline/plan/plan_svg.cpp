@@ -7,6 +7,7 @@
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/camera/rig_state.h"
 #include "pipeline/camera/time_map.h"
+#include "pipeline/plan/figure_text.h"
 #include "pipeline/plan/footprint.h"
 #include "pipeline/plan/plan_drawing.h"
 #include "sim/timeline/error.h"

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "pipeline/plan/figure_text.h"
 #include "pipeline/plan/plan_drawing.h"
 #include "pipeline/plan/simplify_line.h"
 #include "pipeline/plan/time_axis.h"

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "pipeline/plan/figure_text.h"
+
 namespace carom::pipeline {
 
 namespace {

@@ -1,0 +1,92 @@
+#include "pipeline/plan/event_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "pipeline/plan/figure_text.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+constexpr double kSteep = 0.5 / 57.295779513082321;  // rad: what is less reads as 0 degrees
+constexpr double kOffCentre = 0.005;                 // of the radius: the same for the tip's place
+
+/// Whether the second object came into the first and not the other way round.
+bool is_turned_round(const ReportedEvent& impact) {
+    return impact.b && (!impact.a || impact.b->before > impact.a->before);
+}
+
+/// What the ball has when stick and cloth have let go of it.
+std::string speed_after(const ReportedEvent& strike) {
+    return speed_text(strike.a ? strike.a->after : strike.event.vector.length());
+}
+
+std::string tip_text(double offset, const char* more, const char* less) {
+    return std::abs(offset) < kOffCentre
+               ? std::string()
+               : ", tip " + radius_share_text(std::abs(offset)) + " " + (offset > 0 ? more : less);
+}
+
+}  // namespace
+
+const std::string& hit_object(const ReportedEvent& impact) {
+    return is_turned_round(impact) ? impact.event.a : impact.event.b;
+}
+
+EventWords impact_words(const ReportedEvent& impact) {
+    const sim::Event& event = impact.event;
+    const bool b_moves_in = is_turned_round(impact);
+    const std::string& mover = b_moves_in ? event.b : event.a;
+    const std::string& other = hit_object(impact);
+    const auto& mover_speed = b_moves_in ? impact.b : impact.a;
+    const auto& other_speed = b_moves_in ? impact.a : impact.b;
+    if (!mover_speed) {
+        return {mover + " → " + other, ""};
+    }
+    if (event.b == "cloth" || event.b == "floor") {
+        return {mover + " lands on the " + event.b, ""};
+    }
+    if (!other_speed) {
+        return {mover + " → " + other + ", " + speed_text(mover_speed->before) + " to " +
+                    speed_text(mover_speed->after),
+                ""};
+    }
+    const std::string cut = impact.cut ? ", cut " + angle_text(*impact.cut) : "";
+    const std::string label = speed_text(mover_speed->before) + cut;
+    return {mover + " → " + other + " at " + label + ", " + other + " leaves at " +
+                speed_text(other_speed->after),
+            label};
+}
+
+EventWords strike_words(const ReportedEvent& event, const sim::Strike* strike) {
+    EventWords words{event.event.a + " struck, leaves at " + speed_after(event),
+                     speed_after(event)};
+    if (strike == nullptr) {
+        return words;
+    }
+    if (strike->elevation > kSteep) {
+        words.text += ", stick " + angle_text(strike->elevation) + " steep";
+    }
+    words.text += tip_text(strike->tip.x, "right", "left");
+    words.text += tip_text(strike->tip.y, "high", "low");
+    if (strike->speed) {
+        words.label = "stick " + speed_text(*strike->speed);
+    }
+    return words;
+}
+
+EventWords lone_words(const sim::Event& event) {
+    if (event.kind == sim::EventKind::potted) {
+        std::string pocket = event.b;
+        std::replace(pocket.begin(), pocket.end(), '_', ' ');
+        return {event.a + " potted, " + pocket, ""};
+    }
+    if (event.kind == sim::EventKind::off_table) {
+        return {event.a + " leaves the table", ""};
+    }
+    return {std::string(to_string(event.kind)) + " on " + event.a, ""};
+}
+
+}  // namespace carom::pipeline
