@@ -131,20 +131,9 @@ class RaysRun final : public KernelRun {
     std::vector<T> t_, u_, v_, triangle_;
 };
 
-template <class T, int kCount>
-std::unique_ptr<KernelRun> make_rays(const Form& form, const TestSet& set) {
-    return with_form(
-        form, [&]<class Kernel, Input kInput, Division kDivision>() -> std::unique_ptr<KernelRun> {
-            return std::make_unique<RaysRun<Kernel, kInput, kDivision, T, kCount>>(set);
-        });
-}
-
 inline std::unique_ptr<KernelRun> make_rays_run_of_target(const Form& form, Precision precision,
                                                           int count, const TestSet& set) {
-    if (precision == Precision::single_precision) {
-        return count == 4 ? make_rays<float, 4>(form, set) : make_rays<float, 8>(form, set);
-    }
-    return count == 4 ? make_rays<double, 4>(form, set) : make_rays<double, 8>(form, set);
+    return make_vector_run<RaysRun>(form, precision, count, set);
 }
 
 }  // namespace carom::render::triangle::HWY_NAMESPACE

@@ -87,20 +87,13 @@ class SingleRun final : public KernelRun {
     std::vector<Best<T>> best_;
 };
 
-template <class T>
-std::unique_ptr<KernelRun> make(const Form& form, const TestSet& set) {
-    return scalar::with_form(
-        form, [&]<class Kernel, Input kInput, Division kDivision>() -> std::unique_ptr<KernelRun> {
-            return std::make_unique<SingleRun<Kernel, kInput, kDivision, T>>(set);
-        });
-}
-
 }  // namespace
 
 std::unique_ptr<KernelRun> make_single_run(const Form& form, Precision precision,
                                            const TestSet& set) {
-    return precision == Precision::single_precision ? make<float>(form, set)
-                                                    : make<double>(form, set);
+    return precision == Precision::single_precision
+               ? scalar::make_in_form<SingleRun, float>(form, set)
+               : scalar::make_in_form<SingleRun, double>(form, set);
 }
 
 std::unique_ptr<KernelRun> make_run(const Variant& variant, const TestSet& set) {

@@ -152,22 +152,10 @@ class TrianglesRun final : public KernelRun {
     std::vector<Best> hits_;
 };
 
-template <class T, int kCount>
-std::unique_ptr<KernelRun> make_triangles(const Form& form, const TestSet& set) {
-    return with_form(
-        form, [&]<class Kernel, Input kInput, Division kDivision>() -> std::unique_ptr<KernelRun> {
-            return std::make_unique<TrianglesRun<Kernel, kInput, kDivision, T, kCount>>(set);
-        });
-}
-
 inline std::unique_ptr<KernelRun> make_triangles_run_of_target(const Form& form,
                                                                Precision precision, int count,
                                                                const TestSet& set) {
-    if (precision == Precision::single_precision) {
-        return count == 4 ? make_triangles<float, 4>(form, set)
-                          : make_triangles<float, 8>(form, set);
-    }
-    return count == 4 ? make_triangles<double, 4>(form, set) : make_triangles<double, 8>(form, set);
+    return make_vector_run<TrianglesRun>(form, precision, count, set);
 }
 
 }  // namespace carom::render::triangle::HWY_NAMESPACE

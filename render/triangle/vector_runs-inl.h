@@ -52,6 +52,18 @@ class RayNumbers {
     std::vector<T> numbers_;
 };
 
+/// A run of this class template; `count`: 4 or 8.
+template <template <class, Input, Division, class, int> class Run>
+std::unique_ptr<KernelRun> make_vector_run(const Form& form, Precision precision, int count,
+                                           const TestSet& set) {
+    if (precision == Precision::single_precision) {
+        return count == 4 ? make_in_form<Run, float, 4>(form, set)
+                          : make_in_form<Run, float, 8>(form, set);
+    }
+    return count == 4 ? make_in_form<Run, double, 4>(form, set)
+                      : make_in_form<Run, double, 8>(form, set);
+}
+
 }  // namespace carom::render::triangle::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -1,5 +1,7 @@
-// clang-format off: these two come before the kernels that use them.
+// These three come before the kernels that use them.
+// clang-format off
 #include "render/triangle/kernels/common.h"
+#include "render/triangle/kernels/axis_plane.h"
 #include "render/triangle/kernels/plane_point.h"
 // clang-format on
 

@@ -40,6 +40,16 @@ std::unique_ptr<KernelRun> with_form(const Form& form, const Make& make) {
     return nullptr;
 }
 
+/// A run of this class template in a form; kCount: none, or how many a run in vectors takes at a
+/// time.
+template <template <class, Input, Division, class, int...> class Run, class T, int... kCount>
+std::unique_ptr<KernelRun> make_in_form(const Form& form, const TestSet& set) {
+    return with_form(
+        form, [&]<class Kernel, Input kInput, Division kDivision>() -> std::unique_ptr<KernelRun> {
+            return std::make_unique<Run<Kernel, kInput, kDivision, T, kCount...>>(set);
+        });
+}
+
 /// What a kernel takes as each input.
 template <class Kernel, Input kInput, class L>
 struct InputChoice {

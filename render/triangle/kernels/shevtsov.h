@@ -20,23 +20,17 @@ struct ShevtsovSoupikovKapustin {
 
     template <class L>
     CAROM_KERNEL static Record<L> prepare(const Corners<L>& corners) {
-        const auto normal = normal_of(corners);
+        Record<L> record;
+        const auto scale = set_axis_and_plane(corners, record);
+        const auto w = record.axis;
         const auto edge_b = corners.b - corners.a;
         const auto edge_c = corners.c - corners.a;
-        const auto& a = corners.a.at;
-        const auto w = L::longest_axis(normal.at);
-        const auto inverse = L::all(1) / L::along(normal.at, w);
-        Record<L> record;
-        record.axis = w;
-        record.normal_u = L::after(normal.at, w) * inverse;
-        record.normal_v = L::before(normal.at, w) * inverse;
-        record.a_u = L::after(a, w);
-        record.a_v = L::before(a, w);
-        record.plane = record.normal_u * record.a_u + record.normal_v * record.a_v + L::along(a, w);
-        record.edge_b_u = L::after(edge_b.at, w) * inverse;
-        record.edge_b_v = L::before(edge_b.at, w) * inverse;
-        record.edge_c_u = L::after(edge_c.at, w) * inverse;
-        record.edge_c_v = L::before(edge_c.at, w) * inverse;
+        record.a_u = L::after(corners.a.at, w);
+        record.a_v = L::before(corners.a.at, w);
+        record.edge_b_u = L::after(edge_b.at, w) * scale;
+        record.edge_b_v = L::before(edge_b.at, w) * scale;
+        record.edge_c_u = L::after(edge_c.at, w) * scale;
+        record.edge_c_v = L::before(edge_c.at, w) * scale;
         return record;
     }
 

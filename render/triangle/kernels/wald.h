@@ -20,25 +20,19 @@ struct Wald {
 
     template <class L>
     CAROM_KERNEL static Record<L> prepare(const Corners<L>& corners) {
-        const auto normal = normal_of(corners);
+        Record<L> record;
+        const auto scale = set_axis_and_plane(corners, record);
+        const auto w = record.axis;
         const auto edge_b = corners.b - corners.a;
         const auto edge_c = corners.c - corners.a;
-        const auto& a = corners.a.at;
-        const auto w = L::longest_axis(normal.at);
-        const auto inverse = L::all(1) / L::along(normal.at, w);
-        const auto a_u = L::after(a, w);
-        const auto a_v = L::before(a, w);
+        const auto a_u = L::after(corners.a.at, w);
+        const auto a_v = L::before(corners.a.at, w);
         const auto zero = L::all(0);
-        Record<L> record;
-        record.axis = w;
-        record.normal_u = L::after(normal.at, w) * inverse;
-        record.normal_v = L::before(normal.at, w) * inverse;
-        record.plane = record.normal_u * a_u + record.normal_v * a_v + L::along(a, w);
-        record.b_u = L::before(edge_c.at, w) * inverse;
-        record.b_v = (zero - L::after(edge_c.at, w)) * inverse;
+        record.b_u = L::before(edge_c.at, w) * scale;
+        record.b_v = (zero - L::after(edge_c.at, w)) * scale;
         record.b_d = zero - (record.b_u * a_u + record.b_v * a_v);
-        record.c_u = (zero - L::before(edge_b.at, w)) * inverse;
-        record.c_v = L::after(edge_b.at, w) * inverse;
+        record.c_u = (zero - L::before(edge_b.at, w)) * scale;
+        record.c_v = L::after(edge_b.at, w) * scale;
         record.c_d = zero - (record.c_u * a_u + record.c_v * a_v);
         return record;
     }

@@ -1,0 +1,16 @@
+/// Begins a record that sees a triangle along the axis w that its normal follows most: w, and the
+/// plane x_w + normal_u x_u + normal_v x_v = plane of a normal scaled so that its part along w
+/// is 1. Returns the scale.
+template <class L, class Record>
+CAROM_KERNEL typename L::Value set_axis_and_plane(const Corners<L>& corners, Record& record) {
+    const auto normal = normal_of(corners);
+    const auto& a = corners.a.at;
+    const auto w = L::longest_axis(normal.at);
+    const auto scale = L::all(1) / L::along(normal.at, w);
+    record.axis = w;
+    record.normal_u = L::after(normal.at, w) * scale;
+    record.normal_v = L::before(normal.at, w) * scale;
+    record.plane =
+        record.normal_u * L::after(a, w) + record.normal_v * L::before(a, w) + L::along(a, w);
+    return scale;
+}
