@@ -5,13 +5,6 @@
 namespace carom::render {
 namespace {
 
-template <class Shape>
-std::vector<Shape> in_order(std::vector<Shape> shapes) {
-    std::stable_sort(shapes.begin(), shapes.end(),
-                     [](const Shape& a, const Shape& b) { return a.object < b.object; });
-    return shapes;
-}
-
 /// Lays shapes into the lanes of blocks; `empty` fills the lanes that stay unused.
 template <class Block, class Shape, class Put>
 std::vector<Block> pack(const std::vector<Shape>& shapes, const Block& empty, const Put& put) {
@@ -114,22 +107,18 @@ std::vector<FrustumBlock> pack_frustums(const std::vector<MappedShape>& shapes) 
 }  // namespace
 
 AnalyticBlocks make_blocks(const ShapeSet& shapes) {
-    std::vector<SphereStretch> still;
-    std::vector<SphereStretch> moving;
-    for (const SphereStretch& sphere : in_order(shapes.spheres)) {
-        (sphere.is_still() ? still : moving).push_back(sphere);
-    }
+    const SpheresByMotion spheres = by_motion(in_object_order(shapes.spheres));
     AnalyticBlocks blocks;
-    blocks.still_spheres = pack_still(still);
-    blocks.moving_spheres = pack_moving(moving);
-    blocks.boxes = pack_boxes(in_order(shapes.boxes));
-    blocks.mapped_balls = pack_mapped(in_order(shapes.mapped_balls));
-    blocks.mapped_boxes = pack_mapped(in_order(shapes.mapped_boxes));
-    blocks.rectangles = pack_mapped(in_order(shapes.rectangles));
-    blocks.triangles = pack_mapped(in_order(shapes.triangles));
-    blocks.disks = pack_mapped(in_order(shapes.disks));
-    blocks.frustums = pack_frustums(in_order(shapes.frustums));
-    blocks.planes = pack_mapped(in_order(shapes.planes));
+    blocks.still_spheres = pack_still(spheres.still);
+    blocks.moving_spheres = pack_moving(spheres.moving);
+    blocks.boxes = pack_boxes(in_object_order(shapes.boxes));
+    blocks.mapped_balls = pack_mapped(in_object_order(shapes.mapped_balls));
+    blocks.mapped_boxes = pack_mapped(in_object_order(shapes.mapped_boxes));
+    blocks.rectangles = pack_mapped(in_object_order(shapes.rectangles));
+    blocks.triangles = pack_mapped(in_object_order(shapes.triangles));
+    blocks.disks = pack_mapped(in_object_order(shapes.disks));
+    blocks.frustums = pack_frustums(in_object_order(shapes.frustums));
+    blocks.planes = pack_mapped(in_object_order(shapes.planes));
     return blocks;
 }
 

@@ -55,10 +55,7 @@ HybridStructure::HybridStructure(const ShapeSet& shapes, std::shared_ptr<const A
 
 void HybridStructure::set_loops(const ShapeSet& shapes) {
     blocks_ = make_blocks(shapes);
-    moving_ = shapes.moving;
-    std::stable_sort(
-        moving_.begin(), moving_.end(),
-        [](const MovingShape& a, const MovingShape& b) { return a.object < b.object; });
+    moving_ = in_object_order(shapes.moving);
 }
 
 // The shapes in their blocks are left out, as for the others.

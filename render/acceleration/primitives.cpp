@@ -1,6 +1,5 @@
 #include "render/acceleration/primitives.h"
 
-#include <algorithm>
 #include <array>
 
 #include "render/acceleration/moving_shape.h"
@@ -11,31 +10,64 @@ namespace carom::render {
 
 using Kind = Primitive::Kind;
 
+namespace {
+
+/// Whether an analytic shape is met nearer than `t`, which is then replaced.
+bool meets(const AnalyticKernels& kernels, const AnalyticBlocks& blocks, const Primitive& shape,
+           const Ray& ray, float& t) {
+    const std::uint32_t block = shape.index / kBlockLanes;
+    const int lane = static_cast<int>(shape.index % kBlockLanes);
+    switch (shape.kind) {
+        case Kind::still_sphere:
+            return kernels.still_sphere(blocks.still_spheres[block], lane, ray, t);
+        case Kind::moving_sphere:
+            return kernels.moving_sphere(blocks.moving_spheres[block], lane, ray, t);
+        case Kind::box:
+            return kernels.box(blocks.boxes[block], lane, ray, t);
+        case Kind::mapped_ball:
+            return kernels.mapped_ball(blocks.mapped_balls[block], lane, ray, t);
+        case Kind::mapped_box:
+            return kernels.mapped_box(blocks.mapped_boxes[block], lane, ray, t);
+        case Kind::rectangle:
+            return kernels.rectangle(blocks.rectangles[block], lane, ray, t);
+        case Kind::triangle:
+            return kernels.triangle(blocks.triangles[block], lane, ray, t);
+        case Kind::disk:
+            return kernels.disk(blocks.disks[block], lane, ray, t);
+        case Kind::frustum:
+            return kernels.frustum(blocks.frustums[block], lane, ray, t);
+        case Kind::plane:
+            return kernels.plane(blocks.planes[block], lane, ray, t);
+        case Kind::moving:
+        case Kind::mesh_triangle:
+            break;
+    }
+    return false;
+}
+
+}  // namespace
+
 /// Pairs each shape with its lane; the blocks hold the same shapes in the same (stable) order.
 template <class Block, class Shape, class Bounds>
-void Primitives::add(Kind kind, const std::vector<Block>& blocks, std::vector<Shape> shapes,
+void Primitives::add(Kind kind, const std::vector<Block>& blocks, const std::vector<Shape>& shapes,
                      const Bounds& bounds) {
-    std::stable_sort(shapes.begin(), shapes.end(),
-                     [](const Shape& a, const Shape& b) { return a.object < b.object; });
-    for (std::uint32_t i = 0; i < shapes.size(); ++i) {
+    std::uint32_t i = 0;
+    for (const Shape& shape : in_object_order(shapes)) {
         CAROM_ASSERT(blocks[i / kBlockLanes].object.values[i % kBlockLanes] ==
-                     static_cast<std::int32_t>(shapes[i].object));
+                     static_cast<std::int32_t>(shape.object));
         (kind == Kind::plane ? planes_ : bounded_)
-            .push_back({kind, i, shapes[i].object, 0, bounds(shapes[i])});
+            .push_back({kind, i, shape.object, 0, bounds(shape)});
+        ++i;
     }
     static_cast<void>(blocks);
 }
 
 Primitives::Primitives(const ShapeSet& shapes, std::span<const MeshEntry> meshes)
     : kernels_(&best_kernels()), blocks_(make_blocks(shapes)), moving_(shapes.moving) {
-    std::vector<SphereStretch> still_spheres;
-    std::vector<SphereStretch> moving_spheres;
-    for (const SphereStretch& sphere : shapes.spheres) {
-        (sphere.is_still() ? still_spheres : moving_spheres).push_back(sphere);
-    }
+    const SpheresByMotion spheres = by_motion(shapes.spheres);
     const auto round = [](const SphereStretch& sphere) { return bounds_of(sphere); };
-    add(Kind::still_sphere, blocks_.still_spheres, still_spheres, round);
-    add(Kind::moving_sphere, blocks_.moving_spheres, moving_spheres, round);
+    add(Kind::still_sphere, blocks_.still_spheres, spheres.still, round);
+    add(Kind::moving_sphere, blocks_.moving_spheres, spheres.moving, round);
     add(Kind::box, blocks_.boxes, shapes.boxes,
         [](const AlignedBox& box) { return bounds_of(box); });
     const auto solid = [](const MappedShape& shape) { return bounds_of(shape, false); };
@@ -79,54 +111,19 @@ std::array<V3f, 3> Primitives::corners(const Primitive& triangle) const {
 }
 
 bool Primitives::closest(const Primitive& shape, const Ray& ray, Hit& hit) const {
-    const std::uint32_t block = shape.index / kBlockLanes;
-    const int lane = static_cast<int>(shape.index % kBlockLanes);
-    const AnalyticBlocks& blocks = blocks_;
-    const AnalyticKernels& kernels = *kernels_;
-    float t = ray.t_max;
-    bool found = false;
-    switch (shape.kind) {
-        case Kind::still_sphere:
-            found = kernels.still_sphere(blocks.still_spheres[block], lane, ray, t);
-            break;
-        case Kind::moving_sphere:
-            found = kernels.moving_sphere(blocks.moving_spheres[block], lane, ray, t);
-            break;
-        case Kind::box:
-            found = kernels.box(blocks.boxes[block], lane, ray, t);
-            break;
-        case Kind::mapped_ball:
-            found = kernels.mapped_ball(blocks.mapped_balls[block], lane, ray, t);
-            break;
-        case Kind::mapped_box:
-            found = kernels.mapped_box(blocks.mapped_boxes[block], lane, ray, t);
-            break;
-        case Kind::rectangle:
-            found = kernels.rectangle(blocks.rectangles[block], lane, ray, t);
-            break;
-        case Kind::triangle:
-            found = kernels.triangle(blocks.triangles[block], lane, ray, t);
-            break;
-        case Kind::disk:
-            found = kernels.disk(blocks.disks[block], lane, ray, t);
-            break;
-        case Kind::frustum:
-            found = kernels.frustum(blocks.frustums[block], lane, ray, t);
-            break;
-        case Kind::plane:
-            found = kernels.plane(blocks.planes[block], lane, ray, t);
-            break;
-        case Kind::moving:
-            return intersect_moving(moving_[shape.index], ray, hit);
-        case Kind::mesh_triangle: {
-            const auto [a, b, c] = corners(shape);
-            const auto met = moller_trumbore(ray, a, b, c);
-            if (met) {
-                hit = {met->t, shape.object, shape.number, met->u, met->v};
-            }
-            return met.has_value();
-        }
+    if (shape.kind == Kind::moving) {
+        return intersect_moving(moving_[shape.index], ray, hit);
     }
+    if (shape.kind == Kind::mesh_triangle) {
+        const auto [a, b, c] = corners(shape);
+        const auto met = moller_trumbore(ray, a, b, c);
+        if (met) {
+            hit = {met->t, shape.object, shape.number, met->u, met->v};
+        }
+        return met.has_value();
+    }
+    float t = ray.t_max;
+    const bool found = meets(*kernels_, blocks_, shape, ray, t);
     if (found) {
         hit = {t, shape.object, 0, 0, 0};
     }

@@ -59,8 +59,8 @@ class Primitives {
 
   private:
     template <class Block, class Shape, class Bounds>
-    void add(Primitive::Kind kind, const std::vector<Block>& blocks, std::vector<Shape> shapes,
-             const Bounds& bounds);
+    void add(Primitive::Kind kind, const std::vector<Block>& blocks,
+             const std::vector<Shape>& shapes, const Bounds& bounds);
     void add_meshes(std::span<const MeshEntry> meshes);
 
     const AnalyticKernels* kernels_ = nullptr;

@@ -2,6 +2,7 @@
 // Object indices are below 2^31.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -77,5 +78,25 @@ struct ShapeSet {
     std::vector<MovingShape> moving;
     std::shared_ptr<const TriangleScene> meshes;  // all still ones; may be null
 };
+
+/// Shapes of any of these types in the order of their objects, those of one object in their own.
+template <class Shape>
+[[nodiscard]] std::vector<Shape> in_object_order(std::vector<Shape> shapes) {
+    std::stable_sort(shapes.begin(), shapes.end(),
+                     [](const Shape& a, const Shape& b) { return a.object < b.object; });
+    return shapes;
+}
+
+/// Spheres that stand still during the frame, and stretches of those that move.
+struct SpheresByMotion {
+    std::vector<SphereStretch> still, moving;
+};
+[[nodiscard]] inline SpheresByMotion by_motion(const std::vector<SphereStretch>& spheres) {
+    SpheresByMotion result;
+    for (const SphereStretch& sphere : spheres) {
+        (sphere.is_still() ? result.still : result.moving).push_back(sphere);
+    }
+    return result;
+}
 
 }  // namespace carom::render
