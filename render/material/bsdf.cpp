@@ -14,14 +14,10 @@ namespace carom::render {
 namespace {
 
 constexpr float kLeastCosine = 1e-4f;
-// Bounds on how seldom the coat or the base is followed when one of both is chosen: a path that
-// meets a light through a coat chosen with probability F would be a firefly (docs: the throw-away
-// prototype gained a factor 1.4 by a lower bound of 0.3).
-constexpr float kLeastChoice = 0.3f;
-constexpr float kMostChoice = 0.8f;
 
-float largest(const V3f& c) {
-    return std::max({c.x, c.y, c.z});
+/// On the side of the normal, not quite along the surface.
+V3f facing(const V3f& w) {
+    return {w.x, w.y, std::max(w.z, kLeastCosine)};
 }
 
 V3f unit(const V3f& v) {
@@ -31,95 +27,23 @@ V3f unit(const V3f& v) {
 }  // namespace
 
 Bsdf::Bsdf(const Surface& surface, const V3f& wo)
-    : surface_(&surface), wo_(surface.frame.from_world(wo)) {
-    wo_.z = std::max(wo_.z, kLeastCosine);
+    : surface_(&surface),
+      wo_(facing(surface.frame.from_world(wo))),
+      lobes_(surface.phong == nullptr ? LobeWeights(surface, wo_.z) : LobeWeights()) {
     if (surface.phong != nullptr) {
         phong_.emplace(*surface.phong, surface.base, surface.from_behind, wo_.normalized());
-        return;
     }
-    const LayerConstants& layers = *surface.layers;
-    if (layers.coat_weight > 0 && !surface.is_inside) {
-        const float reflected = layers.coat_alpha > 0 ? layers.coat_albedo.at(wo_.z)
-                                                      : fresnel_dielectric(wo_.z, layers.coat_ior);
-        coat_ = layers.coat_weight * reflected;
-        has_rough_coat_ = layers.coat_alpha > 0;
-    }
-    weigh_base(1.0f - coat_);
-    if (coat_ > 0) {
-        const float base = largest(diffuse_) + largest(sheen_) +
-                           facets_ * largest(facet_reflectance(wo_.z)) + glass_;
-        coat_choice_ = base > 0 ? std::clamp(coat_ / (coat_ + base), kLeastChoice, kMostChoice) : 1;
-    }
-}
-
-void Bsdf::weigh_base(float base_share) {
-    const LayerConstants& layers = *surface_->layers;
-    float rest = base_share;
-    if (layers.sheen > 0 && !surface_->is_inside) {
-        const float albedo = layers.sheen * layers.sheen_albedo.at(wo_.z);
-        sheen_ = layers.sheen_colour * (layers.sheen * rest);
-        choose_sheen_ = albedo * rest * largest(layers.sheen_colour);
-        rest *= 1.0f - std::min(1.0f, albedo * largest(layers.sheen_colour));
-    }
-    if (layers.transmission > 0) {
-        glass_ = rest * layers.transmission;
-        choose_glass_ = glass_;
-        rest -= glass_;
-    }
-    float below = 1.0f - layers.metal;
-    if (layers.metal > 0 || layers.specular > 0) {
-        facets_ = rest;
-        if (layers.metal > 0) {
-            metal_scale_ = V3f(layers.metal);
-            if (layers.alpha > 0) {
-                // What single scattering loses comes back coloured (Turquin 2019, "Practical
-                // multiple scattering compensation for microfacet models", eq. 16).
-                const float kept = layers.mirror_albedo.at(wo_.z);
-                metal_scale_ *= V3f(1.0f) + surface_->base * ((1.0f - kept) / kept);
-            }
-        }
-        const float highlight =
-            layers.alpha > 0 ? layers.specular_albedo.at(wo_.z)
-                             : (layers.specular > 0 ? fresnel_dielectric(wo_.z, kSpecularIor) : 0);
-        below *= 1.0f - layers.specular * highlight;
-        choose_facets_ = rest * largest(facet_reflectance(wo_.z));
-    }
-    diffuse_ = surface_->base * (rest * below);
-    choose_diffuse_ = largest(diffuse_);
-    is_diffuse_ =
-        choose_sheen_ <= 0 && choose_facets_ <= 0 && choose_glass_ <= 0 && choose_diffuse_ > 0;
-    const float sum = choose_sheen_ + choose_facets_ + choose_diffuse_ + choose_glass_;
-    if (sum > 0) {
-        choose_glass_ /= sum;
-        choose_sheen_ /= sum;
-        choose_facets_ /= sum;
-        choose_diffuse_ /= sum;
-    }
-}
-
-// Of a facet met at `cosine`, metal and highlight together.
-V3f Bsdf::facet_reflectance(float cosine) const {
-    const LayerConstants& layers = *surface_->layers;
-    V3f result{0, 0, 0};
-    if (layers.metal > 0) {
-        result += metal_scale_ * fresnel_schlick(cosine, surface_->base);
-    }
-    if (layers.specular > 0) {
-        result +=
-            V3f((1.0f - layers.metal) * layers.specular * fresnel_dielectric(cosine, kSpecularIor));
-    }
-    return result;
 }
 
 bool Bsdf::can_evaluate(Layers layers) const {
     if (phong_) {
         return layers != Layers::coat && phong_->can_evaluate();
     }
-    const bool coat = layers != Layers::base && has_rough_coat_;
-    const bool facets = facets_ > 0 && surface_->layers->alpha > 0;
-    const bool glass = glass_ > 0 && surface_->layers->glass->alpha > 0;
-    const bool base =
-        layers != Layers::coat && (facets || glass || choose_diffuse_ > 0 || choose_sheen_ > 0);
+    const bool coat = layers != Layers::base && lobes_.has_rough_coat;
+    const bool facets = lobes_.facets > 0 && surface_->layers->alpha > 0;
+    const bool glass = lobes_.glass > 0 && surface_->layers->glass->alpha > 0;
+    const bool base = layers != Layers::coat &&
+                      (facets || glass || lobes_.choose_diffuse > 0 || lobes_.choose_sheen > 0);
     return coat || base;
 }
 
@@ -129,8 +53,8 @@ bool Bsdf::is_broad() const {
     }
     constexpr float kBroad = 0.09f;  // of a facet distribution's width
     const LayerConstants& layers = *surface_->layers;
-    const bool narrow_coat = has_rough_coat_ && layers.coat_alpha < kBroad;
-    const bool narrow_facets = facets_ > 0 && layers.alpha > 0 && layers.alpha < kBroad;
+    const bool narrow_coat = lobes_.has_rough_coat && layers.coat_alpha < kBroad;
+    const bool narrow_facets = lobes_.facets > 0 && layers.alpha > 0 && layers.alpha < kBroad;
     return can_evaluate(Layers::all) && !narrow_coat && !narrow_facets && !transmits();
 }
 
@@ -156,7 +80,7 @@ BsdfValue Bsdf::evaluate_local(Layers layers, const V3f& wi) const {
 
 BsdfValue Bsdf::evaluate_coat(const V3f& wi) const {
     const LayerConstants& layers = *surface_->layers;
-    if (!has_rough_coat_) {
+    if (!lobes_.has_rough_coat) {
         return {};
     }
     const Ggx ggx(layers.coat_alpha);
@@ -169,23 +93,24 @@ BsdfValue Bsdf::evaluate_coat(const V3f& wi) const {
 BsdfValue Bsdf::evaluate_base(const V3f& wi) const {
     BsdfValue result;
     const float cosine = wi.z * kInversePi;
-    result.value = diffuse_ * cosine;
-    result.pdf = choose_diffuse_ * cosine;
-    if (choose_sheen_ > 0) {
-        result.value += sheen_ * sheen_reflection(wo_, wi);
-        result.pdf += choose_sheen_ * (0.5f * kInversePi);
+    result.value = lobes_.diffuse * cosine;
+    result.pdf = lobes_.choose_diffuse * cosine;
+    if (lobes_.choose_sheen > 0) {
+        result.value += lobes_.sheen * sheen_reflection(wo_, wi);
+        result.pdf += lobes_.choose_sheen * (0.5f * kInversePi);
     }
-    if (facets_ > 0 && surface_->layers->alpha > 0) {
+    if (lobes_.facets > 0 && surface_->layers->alpha > 0) {
         const Ggx ggx(surface_->layers->alpha);
         const V3f m = (wo_ + wi).normalized();
-        result.value += facet_reflectance(wo_ ^ m) * (facets_ * ggx.reflection(wo_, wi, m));
-        result.pdf += choose_facets_ * ggx.reflection_pdf(wo_, m);
+        result.value += lobes_.facet_reflectance(*surface_, wo_ ^ m) *
+                        (lobes_.facets * ggx.reflection(wo_, wi, m));
+        result.pdf += lobes_.choose_facets * ggx.reflection_pdf(wo_, m);
     }
-    if (glass_ > 0) {
+    if (lobes_.glass > 0) {
         const auto glass =
             GlassLobe(*surface_->layers->glass, surface_->is_inside, wo_).evaluate(wi);
-        result.value += V3f(glass_ * glass.value);
-        result.pdf += choose_glass_ * glass.pdf;
+        result.value += V3f(lobes_.glass * glass.value);
+        result.pdf += lobes_.choose_glass * glass.pdf;
     }
     return result;
 }
@@ -197,8 +122,8 @@ BsdfValue Bsdf::evaluate_through(Layers layers, const V3f& wi) const {
     }
     const GlassConstants& constants = *surface_->layers->glass;
     const auto glass = GlassLobe(constants, surface_->is_inside, wo_).evaluate(wi);
-    return {constants.tint * (glass_ * glass.value),
-            (1.0f - coat_probability(layers)) * choose_glass_ * glass.pdf};
+    return {constants.tint * (lobes_.glass * glass.value),
+            (1.0f - coat_probability(layers)) * lobes_.choose_glass * glass.pdf};
 }
 
 // A direction counts only if it is on the same side of the surface and of the shading normal's.
@@ -250,12 +175,12 @@ std::optional<BsdfSample> Bsdf::sample_any(Layers layers, const V2f& u) const {
 }
 
 std::optional<BsdfSample> Bsdf::sample_coat(Layers layers, const V2f& u, float probability) const {
-    if (coat_ <= 0) {
+    if (lobes_.coat <= 0) {
         return std::nullopt;
     }
     const float alpha = surface_->layers->coat_alpha;
     if (alpha <= 0) {
-        return mirror(V3f(coat_ / probability));
+        return mirror(V3f(lobes_.coat / probability));
     }
     return finish(layers, mirrored(wo_, Ggx(alpha).sample_visible(wo_, u)));
 }
@@ -272,20 +197,23 @@ std::optional<BsdfSample> Bsdf::sample_base(Layers layers, const V2f& u, float p
         }
         return taken;
     };
-    if (takes(choose_glass_)) {
-        return sample_glass(layers, square, probability * choose_glass_);
+    if (takes(lobes_.choose_glass)) {
+        return sample_glass(layers, square, probability * lobes_.choose_glass);
     }
-    if (takes(choose_facets_ / (1.0f - choose_glass_))) {
+    if (takes(lobes_.choose_facets / (1.0f - lobes_.choose_glass))) {
         const float alpha = surface_->layers->alpha;
         if (alpha <= 0) {
-            return mirror(facet_reflectance(wo_.z) * (facets_ / (probability * choose_facets_)));
+            return mirror(lobes_.facet_reflectance(*surface_, wo_.z) *
+                          (lobes_.facets / (probability * lobes_.choose_facets)));
         }
         return finish(layers, mirrored(wo_, Ggx(alpha).sample_visible(wo_, square)));
     }
-    if (choose_sheen_ > 0 && takes(choose_sheen_ / (choose_sheen_ + choose_diffuse_))) {
+    if (lobes_.choose_sheen > 0 &&
+        takes(lobes_.choose_sheen / (lobes_.choose_sheen + lobes_.choose_diffuse))) {
         return finish(layers, sample_cone(square, 1.0f));  // the whole hemisphere, evenly
     }
-    return choose_diffuse_ > 0 ? finish(layers, sample_cosine_hemisphere(square)) : std::nullopt;
+    return lobes_.choose_diffuse > 0 ? finish(layers, sample_cosine_hemisphere(square))
+                                     : std::nullopt;
 }
 
 std::optional<BsdfSample> Bsdf::sample_glass(Layers layers, const V2f& u, float probability) const {
@@ -295,7 +223,7 @@ std::optional<BsdfSample> Bsdf::sample_glass(Layers layers, const V2f& u, float 
         const V3f wi = glass.sample(u);
         return finish(layers, wi, wi.z < 0);
     }
-    const float weight = glass_ / probability;
+    const float weight = lobes_.glass / probability;
     return u.x < glass.reflectance() ? mirror(V3f(weight))
                                      : pass(glass.refracted(), constants.tint * weight);
 }
@@ -332,7 +260,7 @@ std::optional<BsdfSample> Bsdf::finish(Layers layers, const V3f& wi, bool passes
     }
     if (is_lambert(layers)) {
         const float probability = 1.0f - coat_probability(layers);
-        sample.weight = diffuse_ * (1 / probability);
+        sample.weight = lobes_.diffuse * (1 / probability);
         sample.pdf = probability * wi.z * kInversePi;
         return sample;
     }

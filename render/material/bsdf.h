@@ -7,6 +7,7 @@
 
 #include "render/geometry/ray.h"
 #include "render/geometry/validity.h"
+#include "render/material/lobe_weights.h"
 #include "render/material/material.h"
 #include "render/material/phong_lobes.h"
 #include "render/sampling/warp.h"
@@ -30,16 +31,13 @@ struct BsdfSample {
 };
 
 /// All directions are unit, in world axes, and point away from the surface. Light comes only from
-/// the viewer's side, but through glass. With `wo` the direction to the previous vertex of the
-/// path:
-///   coat = w E(wo) [as a lobe],  below = (1 - w E(wo)) x the rest,
-/// E being the share that the coat reflects: for a smooth coat Fresnel's F(wo) of a mirror.
+/// the viewer's side, but through glass. `wo` is the direction to the previous vertex of the path.
 class Bsdf {
   public:
     Bsdf(const Surface& surface, const V3f& wo);
 
     /// Whether the surface has a coat that can be followed by itself.
-    [[nodiscard]] bool has_coat() const { return coat_ > 0; }
+    [[nodiscard]] bool has_coat() const { return lobes_.coat > 0; }
 
     /// A lobe of albedo / pi.
     struct Diffuse {
@@ -49,7 +47,7 @@ class Bsdf {
     /// What the layers scatter if that is all they do beside mirroring; else nothing.
     [[nodiscard]] std::optional<Diffuse> only_diffuse(Layers layers) const {
         return is_lambert(layers)
-                   ? std::optional(Diffuse{diffuse_, 1.0f - coat_probability(layers)})
+                   ? std::optional(Diffuse{lobes_.diffuse, 1.0f - coat_probability(layers)})
                    : std::nullopt;
     }
 
@@ -60,7 +58,9 @@ class Bsdf {
     [[nodiscard]] bool is_broad() const;
 
     /// Whether light from behind the surface passes through it.
-    [[nodiscard]] bool transmits() const { return glass_ > 0 || (phong_ && phong_->transmits()); }
+    [[nodiscard]] bool transmits() const {
+        return lobes_.glass > 0 || (phong_ && phong_->transmits());
+    }
 
     /// Value and density for light from `wi`; both 0 below the surface, unless it transmits.
     [[nodiscard]] BsdfValue evaluate(Layers layers, const V3f& wi) const {
@@ -85,31 +85,30 @@ class Bsdf {
             return layers == Layers::coat ? BsdfValue{} : evaluate_phong(wi);
         }
         if ((surface_->geometric_normal ^ wi) <= 0) {
-            return glass_ > 0 ? evaluate_through(layers, surface_->frame.from_world(wi))
-                              : BsdfValue{};
+            return lobes_.glass > 0 ? evaluate_through(layers, surface_->frame.from_world(wi))
+                                    : BsdfValue{};
         }
         return is_lambert(layers) ? lambert(layers, surface_->frame.z ^ wi)
                                   : evaluate_local(layers, surface_->frame.from_world(wi));
     }
     [[nodiscard]] std::optional<BsdfSample> sample_any(Layers layers, const V2f& u) const;
     [[nodiscard]] float coat_probability(Layers layers) const {
-        return layers == Layers::coat ? 1.0f : (layers == Layers::base ? 0.0f : coat_choice_);
+        return layers == Layers::coat ? 1.0f : (layers == Layers::base ? 0.0f : lobes_.coat_choice);
     }
     /// Whether a diffuse base is all there is beside mirrors: the common case, and the cheapest.
     [[nodiscard]] bool is_lambert(Layers layers) const {
-        return is_diffuse_ &&
-               (layers == Layers::base || (layers == Layers::all && !has_rough_coat_));
+        return lobes_.is_diffuse &&
+               (layers == Layers::base || (layers == Layers::all && !lobes_.has_rough_coat));
     }
     [[nodiscard]] BsdfValue lambert(Layers layers, float cosine) const {
         const float density = std::max(cosine, 0.0f) * kInversePi;
-        return {diffuse_ * density, (1.0f - coat_probability(layers)) * density};
+        return {lobes_.diffuse * density, (1.0f - coat_probability(layers)) * density};
     }
     [[nodiscard]] BsdfValue evaluate_phong(const V3f& wi) const;
     [[nodiscard]] std::optional<BsdfSample> sample_phong(const V2f& u) const;
     [[nodiscard]] BsdfValue evaluate_coat(const V3f& wi) const;
     [[nodiscard]] BsdfValue evaluate_base(const V3f& wi) const;
     [[nodiscard]] BsdfValue evaluate_through(Layers layers, const V3f& wi) const;
-    [[nodiscard]] V3f facet_reflectance(float cosine) const;
     // From here on directions are in the surface's own axes; `probability`: of having come here.
     [[nodiscard]] BsdfValue evaluate_local(Layers layers, const V3f& wi) const;
     [[nodiscard]] std::optional<BsdfSample> sample_coat(Layers layers, const V2f& u,
@@ -122,26 +121,11 @@ class Bsdf {
     [[nodiscard]] std::optional<BsdfSample> pass(const V3f& wi, const V3f& weight) const;
     [[nodiscard]] std::optional<BsdfSample> finish(Layers layers, const V3f& wi,
                                                    bool passes = false) const;
-    void weigh_base(float base_share);
 
     const Surface* surface_;
     V3f wo_;  // in the surface's axes, z > 0
-    // What each part scatters towards wo.
-    float coat_ = 0;            // share that the coat reflects
-    float coat_choice_ = 0;     // probability of following the coat when one of two is chosen
-    V3f diffuse_{0, 0, 0};      // albedo after all layers above
-    float facets_ = 0;          // scale of metal and highlight after all layers above
-    V3f metal_scale_{0, 0, 0};  // of the metal's own reflectance within `facets_`
-    V3f sheen_{0, 0, 0};
-    float glass_ = 0;  // share that meets the glass after all layers above
-    // Probabilities of the base's lobes, adding up to 1 unless all are 0.
-    float choose_glass_ = 0;
-    float choose_facets_ = 0;
-    float choose_sheen_ = 0;
-    float choose_diffuse_ = 0;
-    bool is_diffuse_ = false;  // the base has no other lobe
-    bool has_rough_coat_ = false;
-    std::optional<PhongLobes> phong_;  // instead of all these
+    LobeWeights lobes_;
+    std::optional<PhongLobes> phong_;  // instead of the lobes
 };
 
 }  // namespace carom::render

@@ -1,5 +1,5 @@
-// Vertices of a wave in lanes, and what their surfaces scatter: the formulas of material/bsdf.cpp
-// and sheen.h. Included once per instruction set.
+// Vertices of a wave in lanes, and what their surfaces scatter: the formulas of
+// material/lobe_weights.cpp, bsdf.cpp and sheen.h. Included once per instruction set.
 #if defined(CAROM_WAVE_VERTICES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_WAVE_VERTICES_INL_H
 #undef CAROM_WAVE_VERTICES_INL_H
