@@ -62,6 +62,11 @@ bool is_bake_file(const std::string& path) {
     if (std::filesystem::path(path).extension() == ".bake") {
         return true;
     }
+    // To open a pipe would wait for somebody to write to it.
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) {
+        return false;
+    }
     std::array<char, 8> head{};
     std::ifstream file(path, std::ios::binary);
     return file.read(head.data(), head.size()) &&

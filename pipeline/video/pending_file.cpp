@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "sim/timeline/atomic_file.h"
 #include "sim/timeline/error.h"
 
 namespace carom::pipeline {
@@ -75,6 +76,7 @@ PendingFile::PendingFile(std::string target) : target_(std::move(target)) {
     if (fs::is_directory(target_, ignored)) {
         throw Error("cannot write '" + target_ + "': it is a folder");
     }
+    check_replaceable(target_);
     remove_leftovers();
     create();
 }

@@ -91,10 +91,17 @@ void flush_folder(const std::string& folder) {
 void write_file_atomically(const std::string& path, std::span<const std::byte> bytes) {
     if (path.empty())
         throw Error("cannot write a file without a name");
+    check_replaceable(path);
     TemporaryFile file(path);
     file.write(bytes);
     file.finish();
     flush_folder(folder_of(path));
+}
+
+void check_replaceable(const std::string& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))
+        throw Error("cannot write '" + path + "': it is a pipe or a device");
 }
 
 }  // namespace carom

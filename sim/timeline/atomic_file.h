@@ -11,4 +11,7 @@ namespace carom {
 /// `path`. Throws Error with the system's reason; no temporary file is left then.
 void write_file_atomically(const std::string& path, std::span<const std::byte> bytes);
 
+/// Throws Error if `path` is a pipe, a device or a socket: a file that takes its name would end it.
+void check_replaceable(const std::string& path);
+
 }  // namespace carom

@@ -1,6 +1,8 @@
 // What check says of shots that are legal but surely not meant, word for word.
 #include <filesystem>
 
+#include <sys/stat.h>
+
 #include "tests/pipeline/cli/end_to_end.h"
 
 namespace carom::cli {
@@ -166,6 +168,15 @@ TEST_F(CheckCommandRun, LimitsAreRaisedByTheEnvironment) {
     raised.environment["CAROM_LIMITS"] = "2";
     const RunResult passed = testing::run_carom({"info", "many.yaml"}, raised);
     EXPECT_THAT(passed.err, Not(HasSubstr("CAROM_LIMITS")));
+}
+
+// Nobody writes to it: to open it would take forever, and the first Ctrl-C would not end it.
+TEST_F(CheckCommandRun, Pipe_IsRefusedAtOnce) {
+    ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+    const RunResult result = run({"check", "pipe"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.err,
+              "pipe: error: the file is not a regular file\ncarom: error: 'pipe' has 1 error\n");
 }
 
 TEST_F(CheckCommandRun, RootConfinesWhatAShotNames) {

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "sim/timeline/error.h"
@@ -72,6 +73,13 @@ TEST(PendingFile, LeftoverOfAKilledProcess_IsRemoved) {
 TEST(PendingFile, Folder_IsRefused) {
     const ScratchFolder folder;
     EXPECT_EQ(message_of(folder.path()), "cannot write '" + folder.path() + "': it is a folder");
+}
+
+TEST(PendingFile, Pipe_IsRefused) {
+    const ScratchFolder folder;
+    const std::string target = folder.path("pipe.mp4");
+    ASSERT_EQ(::mkfifo(target.c_str(), 0600), 0);
+    EXPECT_EQ(message_of(target), "cannot write '" + target + "': it is a pipe or a device");
 }
 
 TEST(PendingFile, MissingFolder_IsNamedWithTheReason) {

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "sim/timeline/error.h"
@@ -85,6 +86,17 @@ TEST_F(AtomicFile, TargetIsAFolder_FailsAndLeavesNothing) {
                 testing::ThrowsMessage<Error>("cannot write '" + (folder_ / "taken").string() +
                                               "': Is a directory"));
     EXPECT_THAT(names(), testing::ElementsAre("taken"));
+}
+
+// As root, a bake written to /dev/null would have taken its place for everybody.
+TEST_F(AtomicFile, PipeOrDevice_IsRefusedAndStays) {
+    const fs::path pipe = folder_ / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THAT([&] { write(pipe, "text"); },
+                testing::ThrowsMessage<Error>("cannot write '" + pipe.string() +
+                                              "': it is a pipe or a device"));
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    EXPECT_THAT(names(), testing::ElementsAre("pipe"));
 }
 
 TEST_F(AtomicFile, MissingFolder_FailsWithTheSystemsReason) {
