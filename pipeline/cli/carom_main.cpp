@@ -19,6 +19,7 @@
 #include "pipeline/cli/plan_command.h"
 #include "pipeline/cli/report_command.h"
 #include "pipeline/cli/schema_command.h"
+#include "pipeline/cli/terminal/standard_descriptors.h"
 
 namespace {
 
@@ -84,6 +85,7 @@ void run(const Command& command, CommandContext& context) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
+    hold_standard_descriptors();
     const auto parsed = parse_command_line({arguments + 1, arguments + argument_count});
     if (const auto* nothing = std::get_if<NothingToRun>(&parsed)) {
         return print(*nothing);
