@@ -23,9 +23,9 @@ std::optional<Vec3> parse_hexadecimal_colour(std::string_view text) {
         return std::nullopt;
     }
     Vec3 colour;
-    for (int channel = 0; channel < 3; ++channel) {
+    const char* begin = text.data() + 1;
+    for (int channel = 0; channel < 3; ++channel, begin += 2) {
         unsigned value = 0;
-        const char* begin = text.data() + 1 + 2 * channel;
         const auto [end, code] = std::from_chars(begin, begin + 2, value, 16);
         if (code != std::errc() || end != begin + 2) {
             return std::nullopt;
@@ -45,7 +45,7 @@ ValueType<Vec3> colour(Range range) {
     hexadecimal.info.noun = "a colour such as \"#1a6b3c\"";
     const TypeInfo type = hexadecimal.info;
     hexadecimal.read = [type](Reader& reader, const Node& node) {
-        const std::optional<Vec3> value = parse_hexadecimal_colour(node.text);
+        std::optional<Vec3> value = parse_hexadecimal_colour(node.text);
         if (!value) {
             reader.wrong_type(node, describe(type));
         }

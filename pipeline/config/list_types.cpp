@@ -19,6 +19,7 @@ ValueType<V> vector_type(Dimension dimension, const Range& range) {
     });
     result.show = [list](const V& vector) {
         std::vector<double> values;
+        values.reserve(kCount);
         for (int i = 0; i < kCount; ++i) {
             values.push_back(vector[i]);
         }

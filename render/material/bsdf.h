@@ -64,7 +64,7 @@ class Bsdf {
 
     /// Value and density for light from `wi`; both 0 below the surface, unless it transmits.
     [[nodiscard]] BsdfValue evaluate(Layers layers, const V3f& wi) const {
-        const BsdfValue result = evaluate_any(layers, wi);
+        BsdfValue result = evaluate_any(layers, wi);
         CAROM_VALIDATE(is_light(result.value) && result.pdf >= 0 && !std::isnan(result.pdf));
         return result;
     }
@@ -72,7 +72,7 @@ class Bsdf {
     /// A direction for the numbers `u` in [0, 1)^2. Empty: absorbed, the contribution is 0. The
     /// weight is below 1 / (probability of the chosen part) for every channel.
     [[nodiscard]] std::optional<BsdfSample> sample(Layers layers, const V2f& u) const {
-        const std::optional<BsdfSample> result = sample_any(layers, u);
+        std::optional<BsdfSample> result = sample_any(layers, u);
         CAROM_VALIDATE(!result || (is_unit(result->direction) && is_light(result->weight)));
         return result;
     }
