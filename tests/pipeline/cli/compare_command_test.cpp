@@ -58,8 +58,8 @@ TEST_F(CompareCommand, FrameOfAShot_IsMeasuredByAllStructures) {
 
 TEST_F(CompareCommand, Growth_IsMeasuredInEveryForm) {
     const RunResult result =
-        run({"compare", "--growth", "spheres", "--largest", "32", "--accelerators",
-             "kdtree,wide_bvh", "--json", "--csv", "g.csv", "--plot", "g.svg", "-o", "g.json"});
+        run({"compare", "--growth", "spheres", "--largest", "32", "--accelerators", "kdtree,embree",
+             "--json", "--csv", "g.csv", "--plot", "g.svg", "-o", "g.json"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out, "g.json\ng.csv\ng.svg\n");
     const auto json = nlohmann::json::parse(text_of("g.json"));
@@ -72,8 +72,8 @@ TEST_F(CompareCommand, Growth_IsMeasuredInEveryForm) {
     EXPECT_FALSE(json["points"][3].contains("primary_boxes"));
     EXPECT_THAT(text_of("g.csv"),
                 StartsWith("growth,structure,shapes,build_seconds,bytes,seconds_per_primary_ray,"));
-    EXPECT_THAT(text_of("g.csv"), HasSubstr("\nspheres,wide_bvh,32,"));
-    EXPECT_THAT(text_of("g.svg"), HasSubstr("<title>wide_bvh</title>"));
+    EXPECT_THAT(text_of("g.csv"), HasSubstr("\nspheres,embree,32,"));
+    EXPECT_THAT(text_of("g.svg"), HasSubstr("<title>embree</title>"));
 }
 
 TEST_F(CompareCommand, WrongUse_IsRefusedWithASentence) {
