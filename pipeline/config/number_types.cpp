@@ -13,14 +13,6 @@ namespace carom::pipeline::config {
 
 namespace {
 
-TypeInfo quantity_info(Dimension dimension, const Range& range) {
-    TypeInfo type;
-    type.kind = TypeInfo::Kind::quantity;
-    type.dimension = dimension;
-    type.range = range;
-    return type;
-}
-
 void report_range(Reader& reader, const Node& node, const TypeInfo& type) {
     reader.error(node.place, reader.value_name() + " must be " +
                                  describe(type.range, type.dimension) + ", not " +
@@ -42,6 +34,14 @@ std::string units_help(const std::string& wrong, const TypeInfo& type) {
 }
 
 }  // namespace
+
+TypeInfo quantity_info(Dimension dimension, const Range& range) {
+    TypeInfo type;
+    type.kind = TypeInfo::Kind::quantity;
+    type.dimension = dimension;
+    type.range = range;
+    return type;
+}
 
 std::optional<Quantity> read_quantity(Reader& reader, const Node& node, const TypeInfo& type) {
     if (!node.is_scalar()) {

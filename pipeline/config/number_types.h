@@ -36,6 +36,9 @@ inline Range inside(double low, double high) {
 
 // ---- numbers --------------------------------------------------------------------------------
 
+/// What messages and the schema say of a number of `dimension` within `range`.
+[[nodiscard]] TypeInfo quantity_info(Dimension dimension, const Range& range);
+
 /// A number with a unit of `dimension`, or a plain one in SI units.
 [[nodiscard]] ValueType<double> quantity(Dimension dimension, Range range = {});
 [[nodiscard]] inline ValueType<double> number(Range range = {}) {

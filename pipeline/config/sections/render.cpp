@@ -11,17 +11,9 @@ using render::RenderSettings;
 
 constexpr double kPi = 3.14159265358979323846;
 
-TypeInfo quantity_type(Dimension dimension, Range range) {
-    TypeInfo type;
-    type.kind = TypeInfo::Kind::quantity;
-    type.dimension = dimension;
-    type.range = range;
-    return type;
-}
-
 /// A rotary shutter's angle as a share of a turn; exact where it was given in degrees.
 ValueType<Rational> shutter_turn() {
-    const TypeInfo type = quantity_type(Dimension::angle, between(0, 20 * kPi));
+    const TypeInfo type = quantity_info(Dimension::angle, between(0, 20 * kPi));
     ValueType<Rational> result;
     result.info = type;
     result.read = [type](Reader& reader, const Node& node) -> std::optional<Rational> {
