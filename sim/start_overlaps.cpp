@@ -9,6 +9,7 @@
 #include "sim/solid_shape.h"
 #include "sim/spatial/convex_touch.h"
 #include "sim/spatial/static_mesh.h"
+#include "sim/timeline/finite.h"
 
 namespace carom::sim {
 namespace {
@@ -105,7 +106,7 @@ std::vector<Aabb> boxes_around_balls(const WorldDescription& world) {
     std::vector<Aabb> boxes;
     for (const Body& body : world.bodies) {
         const auto* sphere = std::get_if<Sphere>(&body.shape);
-        if (sphere == nullptr || body.kind != BodyKind::dynamic)
+        if (sphere == nullptr || body.kind != BodyKind::dynamic || !is_finite(body.pose.position))
             continue;
         boxes.push_back({body.pose.position, body.pose.position});
         boxes.back().grow(sphere->radius);
@@ -197,7 +198,7 @@ std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,
     std::vector<StartOverlap> overlaps;
     for (const Body& body : world.bodies) {
         const auto* sphere = std::get_if<Sphere>(&body.shape);
-        if (sphere == nullptr || body.kind != BodyKind::dynamic)
+        if (sphere == nullptr || body.kind != BodyKind::dynamic || !is_finite(body.pose.position))
             continue;
         const Vec3& centre = body.pose.position;
         const Ball ball{centre, sphere->radius, {centre.x, centre.y}};

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "sim/shape/mass_properties.h"
+#include "sim/timeline/finite.h"
 
 namespace carom::sim {
 namespace {
@@ -26,10 +27,6 @@ class Complaints {
     std::vector<std::string>& list_;
     std::string subject_;
 };
-
-bool is_finite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 std::string millimetres(double metres) {
     std::array<char, 32> text{};

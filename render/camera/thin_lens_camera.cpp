@@ -6,6 +6,7 @@
 
 #include "render/sampling/warp.h"
 #include "sim/timeline/error.h"
+#include "sim/timeline/finite.h"
 
 namespace carom::render {
 namespace {
@@ -14,10 +15,6 @@ constexpr double kSmallestSine = 1e-6;  // between the optical axis and `up`
 
 [[noreturn]] void refuse(const std::string& what) {
     throw Error("camera: " + what);
-}
-
-bool is_finite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 void check(const CameraState& state) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "render/geometry/validity.h"
 #include "sim/timeline/error.h"
 #include "sim/timeline/limits.h"
 
@@ -11,10 +12,6 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
     throw Error("mesh of '" + name + "': " + what);
-}
-
-bool is_finite(const V3f& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 void check_sizes(const MeshShape& shape, const std::string& name) {

@@ -6,8 +6,11 @@
 
 #include "render/geometry/ray.h"
 #include "sim/timeline/assert.h"
+#include "sim/timeline/finite.h"
 
 namespace carom::render {
+
+using carom::is_finite;
 
 [[nodiscard]] inline bool is_finite(const V3f& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);

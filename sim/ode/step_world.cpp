@@ -8,6 +8,7 @@
 #include "sim/ode/process.h"
 #include "sim/timeline/assert.h"
 #include "sim/timeline/error.h"
+#include "sim/timeline/finite.h"
 
 namespace carom::sim::ode {
 namespace {
@@ -37,8 +38,7 @@ double length(const Vec3& v) {
 }
 
 void load(dBodyID body, const MotionState& state) {
-    CAROM_ASSERT(std::isfinite(state.position.x + state.position.y + state.position.z));
-    CAROM_ASSERT(std::isfinite(state.velocity.x + state.velocity.y + state.velocity.z));
+    CAROM_ASSERT(is_finite(state));
     const Vec3& p = state.position;
     const Quat& o = state.orientation;
     const dQuaternion q = {o.r, o.v.x, o.v.y, o.v.z};

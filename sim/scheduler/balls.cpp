@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/timeline/assert.h"
+#include "sim/timeline/finite.h"
+
 namespace carom::sim {
 namespace {
 
@@ -97,6 +100,8 @@ void Balls::begin(Ball& ball, double time, const MotionState& state) {
 void Balls::set_stretch(Ball& ball, const Stretch& stretch) {
     if (ball.is_stepped())
         --stepped_count_;
+    CAROM_VALIDATE(is_finite(stretch.state) && is_finite(stretch.acceleration) &&
+                   is_finite(stretch.angular_acceleration));
     ball.stretch = stretch;
     if (ball.is_stepped())
         ++stepped_count_;

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "sim/timeline/bake_format.h"
+#include "sim/timeline/finite.h"
 #include "sim/timeline/turning.h"
 
 namespace carom::sim {
@@ -9,10 +10,6 @@ namespace carom::sim {
 namespace {
 
 using Problem = std::optional<std::string>;
-
-bool is_finite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 // Beyond these, sampling could overflow. A day's free fall stays far below.
 constexpr double kLargestValue = 1e12;  // m, m/s, rad/s, s

@@ -7,6 +7,7 @@
 
 #include "sim/timeline/assert.h"
 #include "sim/timeline/error.h"
+#include "sim/timeline/finite.h"
 #include "sim/timeline/hermite.h"
 #include "sim/timeline/turning.h"
 
@@ -16,15 +17,10 @@ namespace {
 
 constexpr std::uint32_t kCheckpointSpacing = 16;  // substeps
 
-bool is_finite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-bool is_finite(const Key& key) {
-    return std::isfinite(key.time) && is_finite(key.position) && std::isfinite(key.orientation.r) &&
-           is_finite(key.orientation.v) && is_finite(key.velocity_in) &&
-           is_finite(key.velocity_out) && is_finite(key.angular_velocity_in) &&
-           is_finite(key.angular_velocity_out);
+bool has_finite_values(const Key& key) {
+    return std::isfinite(key.time) && is_finite(key.position) && is_finite(key.orientation) &&
+           is_finite(key.velocity_in) && is_finite(key.velocity_out) &&
+           is_finite(key.angular_velocity_in) && is_finite(key.angular_velocity_out);
 }
 
 Turning turning_between(const Key& from, const Key& to) {
@@ -59,7 +55,7 @@ void Track::check_keys() const {
         const auto refuse = [&](const std::string& what) {
             throw Error("track '" + name_ + "', key " + std::to_string(index) + ": " + what);
         };
-        if (!is_finite(key))
+        if (!has_finite_values(key))
             refuse("a value is not finite");
         const double length2 = key.orientation ^ key.orientation;
         if (!(std::abs(length2 - 1) <= 2e-6))

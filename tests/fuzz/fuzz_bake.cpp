@@ -8,6 +8,7 @@
 
 #include "sim/timeline/bake_format.h"
 #include "sim/timeline/error.h"
+#include "sim/timeline/finite.h"
 
 namespace {
 
@@ -19,10 +20,6 @@ void require(bool condition, const char* what) {
         return;
     std::fprintf(stderr, "an accepted bake: %s\n", what);
     std::abort();
-}
-
-bool is_finite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 void sample(const Track& track, double time) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "pipeline/config/build/builder.h"
@@ -14,7 +15,7 @@ using sim::billiards::TableKind;
 /// A ball with everything known about it.
 struct Ball {
     std::string name;
-    Vec3 position;
+    Vec3 position;  // NaN, so that it overlaps nothing, where the file fails to say it
     bool has_position = false;
     const BallSection* section = nullptr;  // null: as racked
     Place place;
@@ -50,7 +51,8 @@ void add_given_balls(Builder& builder, std::vector<Ball>& balls) {
         auto ball = std::find_if(balls.begin(), balls.end(),
                                  [&](const Ball& b) { return b.name == given.name; });
         if (ball == balls.end()) {
-            balls.push_back({given.name, {}, false, nullptr, given.place});
+            const Vec3 unknown(std::numeric_limits<double>::quiet_NaN());
+            balls.push_back({given.name, unknown, false, nullptr, given.place});
             ball = balls.end() - 1;
         }
         ball->section = &given.value;

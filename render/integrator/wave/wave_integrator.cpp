@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "render/geometry/validity.h"
 #include "sim/timeline/assert.h"
 
 namespace carom::render {
@@ -12,6 +13,26 @@ namespace {
 constexpr int kLastVertex = 4;
 
 constexpr float kLeastCosine = 1e-4f;  // as in bsdf.cpp
+
+/// What the kernels have made of a wave: the paths that go on and the light of the shadow rays.
+[[maybe_unused]] bool is_valid(const PathWave& paths) {
+    for (int i = 0; i < paths.count; ++i) {
+        if (!is_unit(paths.direction.get(i)) || !is_light(paths.throughput.get(i)) ||
+            !is_finite(paths.origin.get(i)) || !(paths.pdf.at[i] >= 0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+[[maybe_unused]] bool is_valid(const ShadowWave& shadows, int vertices) {
+    for (int vertex = 0; vertex < vertices; ++vertex) {
+        if (!is_light(shadows.sum.get(vertex))) {
+            return false;
+        }
+    }
+    return true;
+}
 
 }  // namespace
 
@@ -78,6 +99,7 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
             meet(wave);
             kernels_->take_step({known_, wave.samples, wave.paths(), wave.vertices, wave.shadows,
                                  wave.near_balls, wave.next()});
+            CAROM_VALIDATE(is_valid(wave.next()));
             count.scattered_rays += static_cast<std::uint64_t>(wave.next().count);
             trace_shadows(wave, count);
             for (int k = 0; k < wave.near_balls.count; ++k) {
@@ -239,6 +261,7 @@ void WaveIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
                                               shadows.reach + std::ptrdiff_t{k} * shadows.stride);
     }
     kernels_->sum_light(shadows, vertices);
+    CAROM_VALIDATE(is_valid(shadows, vertices));
     for (int vertex = 0; vertex < vertices; ++vertex) {
         const int path = wave.vertices.path.at[vertex];
         wave.works[wave.paths().slot.at[path]].add(shadows.sum.get(vertex), wave.vertex + 1);

@@ -8,6 +8,7 @@
 
 #include "sim/billiards/table.h"
 #include "sim/timeline/energy.h"
+#include "sim/timeline/finite.h"
 
 namespace carom::sim::test {
 namespace {
@@ -184,9 +185,6 @@ void check_energy(const WorldDescription& world, const Timeline& timeline,
 }
 
 void check_values(const Timeline& timeline, std::vector<std::string>& faults) {
-    const auto is_finite = [](const Vec3& v) {
-        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    };
     for (const Track& track : timeline.tracks) {
         for (const Key& key : track.keys()) {
             if (!is_finite(key.position) || !is_finite(key.velocity_out) ||
