@@ -13,6 +13,7 @@ namespace {
 constexpr double kHalfPiHigh = 1.57079632673412561417e+00;
 constexpr double kHalfPiLow = 6.07710050650619224932e-11;
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kLargestReduced = 1e6;  // rad; up to here the products are exact
 
 /// Taylor series of sin on [-pi/4, pi/4]; the first term left out is below 2e-17.
 double sin_small(double x) {
@@ -34,6 +35,10 @@ double cos_small(double x) {
 }  // namespace
 
 SinCos sin_cos(double angle) {
+    if (!std::isfinite(angle))
+        return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+    if (std::abs(angle) > kLargestReduced)
+        angle = std::remainder(angle, 2 * kPi);  // exact by IEEE 754, but for 2 pi itself
     const double turns = std::floor(angle * (2 / kPi) + 0.5);
     const double x = (angle - turns * kHalfPiHigh) - turns * kHalfPiLow;
     const double s = sin_small(x);

@@ -9,10 +9,11 @@ struct SinCos {
     double cos = 1;
 };
 
-/// For |angle| up to 1e5 rad; within 2 units in the last place of 1.
+/// For |angle| up to 1e6 rad within 2 units in the last place of 1; beyond, those of an angle that
+/// is at most 1e-16 of itself away; NaN if `angle` is not finite.
 [[nodiscard]] SinCos sin_cos(double angle);
 
-/// sin / cos, for |angle| up to 1e5 rad.
+/// sin / cos.
 [[nodiscard]] inline double tangent(double angle) {
     const SinCos at = sin_cos(angle);
     return at.sin / at.cos;

@@ -18,6 +18,25 @@ TEST(SinCos_OverManyTurns, AgreesWithTheLibrary) {
     }
 }
 
+TEST(SinCos_OfVeryLargeAngles, IsThatOfANeighbour) {
+    for (const double angle : {1.1e6, -3e7, 8e9}) {
+        const SinCos own = sin_cos(angle);
+        EXPECT_NEAR(own.sin, std::sin(angle), 1e-16 * std::abs(angle));
+        EXPECT_NEAR(own.cos, std::cos(angle), 1e-16 * std::abs(angle));
+    }
+    for (const double angle : {1e24, -1e300}) {
+        const SinCos own = sin_cos(angle);
+        EXPECT_NEAR(own.sin * own.sin + own.cos * own.cos, 1, 1e-15);
+    }
+}
+
+TEST(SinCos_OfInfinity, IsNotANumber) {
+    for (const double angle : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+        EXPECT_TRUE(std::isnan(sin_cos(angle).sin));
+        EXPECT_TRUE(std::isnan(sin_cos(angle).cos));
+    }
+}
+
 TEST(Exponential_OverItsRange, AgreesWithTheLibrary) {
     for (int i = -6990; i <= 6990; ++i) {
         const double x = i * 0.1;

@@ -132,6 +132,8 @@ TEST(BakeForgery, FilesThatTheFuzzerFound_AreRefused) {
     const std::map<std::string, std::string> sentences{
         // A list of structs at a multiple of four: reading its doubles was undefined behaviour.
         {"misaligned_energy", "a list does not begin at a multiple of eight bytes"},
+        // An angle that overflows: its quarter turns were counted in a whole number.
+        {"infinite_spin", "a track has no name"},
     };
     const std::string folder = CAROM_SOURCE_DIR "/tests/sim/timeline/forged_bakes/";
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
