@@ -6,6 +6,7 @@
 #include "render/geometry/file_text.h"
 #include "render/geometry/obj_file.h"
 #include "render/geometry/ply_file.h"
+#include "render/geometry/validity.h"
 #include "sim/timeline/error.h"
 #include "sim/timeline/limits.h"
 
@@ -17,6 +18,21 @@ constexpr std::streamoff kMaxFileBytes = 1'000'000'000;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
     throw Error("'" + path + "': " + what);
+}
+
+/// Physics, plans and exports take the numbers as they are.
+void check_numbers(MeshShape& mesh, const std::string& path) {
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        if (!is_finite(V3f(mesh.vertices[i]))) {
+            refuse(path, "vertex " + std::to_string(i) + " is not a finite point");
+        }
+    }
+    for (Vec3& normal : mesh.normals) {
+        normal = is_finite(V3f(normal)) ? normal : Vec3(0, 0, 0);
+    }
+    for (Vec2& uv : mesh.uv) {
+        uv = is_finite(V3f(Vec3(uv.x, uv.y, 0))) ? uv : Vec2(0, 0);
+    }
 }
 
 }  // namespace
@@ -41,7 +57,9 @@ std::string read_mesh_text(const std::string& path) {
 }
 
 MeshShape read_mesh(const std::string& path) {
-    return is_ply(path) ? read_ply(path) : read_obj(path);
+    MeshShape mesh = is_ply(path) ? read_ply(path) : read_obj(path);
+    check_numbers(mesh, path);
+    return mesh;
 }
 
 }  // namespace carom::render

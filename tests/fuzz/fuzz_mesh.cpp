@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "render/geometry/mesh_file.h"
+#include "render/geometry/validity.h"
 #include "sim/timeline/error.h"
 
 namespace {
@@ -25,7 +26,11 @@ void require(bool condition, const char* what) {
 void check(const carom::render::MeshShape& mesh) {
     require(!mesh.triangles.empty(), "without a triangle");
     for (const auto& vertex : mesh.vertices)
-        require(std::isfinite(vertex.x + vertex.y + vertex.z), "a vertex");
+        require(carom::render::is_finite(Imath::V3f(vertex)), "a vertex");
+    for (const auto& normal : mesh.normals)
+        require(carom::render::is_finite(Imath::V3f(normal)), "a normal");
+    for (const auto& uv : mesh.uv)
+        require(std::isfinite(uv.x) && std::isfinite(uv.y), "a uv");
     for (const auto& triangle : mesh.triangles) {
         for (const std::uint32_t index : triangle)
             require(index < mesh.vertices.size(), "an index");

@@ -1,5 +1,6 @@
 #include "render/geometry/ply_file.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -47,6 +48,35 @@ constexpr const char* kSquareHeader =
 
 std::string square(const std::string& faces) {
     return std::string(kSquareHeader) + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n" + faces;
+}
+
+// Found by the fuzzer: a plan of such a mesh would have asked where NaN lies on the page.
+TEST_F(PlyFile, VertexThatIsNoNumber_IsRefused) {
+    std::string text =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float "
+        "y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const auto add = [&text](auto value) {
+        text.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    };
+    for (const float coordinate : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, std::nanf(""), 0.f}) {
+        add(coordinate);
+    }
+    add(std::uint8_t{3});
+    for (const std::int32_t index : {0, 1, 2}) {
+        add(index);
+    }
+    EXPECT_EQ(message(text), "vertex 2 is not a finite point");
+}
+
+TEST_F(PlyFile, NormalThatIsNoNumber_IsZero) {
+    const std::string header =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+        "float z\nproperty double nx\nproperty double ny\nproperty double nz\nelement face 1\n"
+        "property list uchar int vertex_indices\nend_header\n";
+    const MeshShape mesh = read(header + "0 0 0 0 0 1\n1 0 0 0 0 1e300\n0 1 0 0 0 1\n3 0 1 2\n");
+    ASSERT_EQ(mesh.normals.size(), 3u);
+    EXPECT_EQ(mesh.normals[0], Vec3(0, 0, 1));
+    EXPECT_EQ(mesh.normals[1], Vec3(0, 0, 0));
 }
 
 TEST_F(PlyFile, Text_PolygonsAreCut) {
