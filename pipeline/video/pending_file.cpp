@@ -32,6 +32,7 @@ fs::path folder_of(const fs::path& target) {
 std::string leftover_prefix(const fs::path& target) {
     return "." + target.filename().string() + ".";
 }
+/// Of `target` as its user calls it: writers go by the extension.
 std::string leftover_suffix(const fs::path& target) {
     return ".part" + target.extension().string();
 }
@@ -71,12 +72,12 @@ void flush_folder(const fs::path& folder) {
 
 }  // namespace
 
-PendingFile::PendingFile(std::string target) : target_(std::move(target)) {
+PendingFile::PendingFile(std::string target)
+    : target_(std::move(target)), file_(replaceable_file(target_)) {
     std::error_code ignored;
-    if (fs::is_directory(target_, ignored)) {
+    if (fs::is_directory(file_, ignored)) {
         throw Error("cannot write '" + target_ + "': it is a folder");
     }
-    check_replaceable(target_);
     remove_leftovers();
     create();
 }
@@ -86,11 +87,11 @@ PendingFile::~PendingFile() {
 }
 
 void PendingFile::create() {
-    const fs::path target(target_);
+    const fs::path target(file_);
     constexpr int kTries = 16;  // a leftover of this name, or a sweep between our open and flock
     for (int i = 0; i < kTries; ++i) {
         const std::string name =
-            leftover_prefix(target) + unique_middle() + leftover_suffix(target);
+            leftover_prefix(target) + unique_middle() + leftover_suffix(target_);
         temporary_path_ = (folder_of(target) / name).string();
         lock_descriptor_ =
             ::open(temporary_path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -111,9 +112,9 @@ void PendingFile::create() {
 }
 
 void PendingFile::remove_leftovers() const {
-    const fs::path target(target_);
+    const fs::path target(file_);
     const std::string prefix = leftover_prefix(target);
-    const std::string suffix = leftover_suffix(target);
+    const std::string suffix = leftover_suffix(target_);
     std::error_code ignored;
     for (fs::directory_iterator entry(folder_of(target), ignored), end; !ignored && entry != end;
          entry.increment(ignored)) {
@@ -135,12 +136,12 @@ void PendingFile::remove_leftovers() const {
 
 void PendingFile::commit() {
     flush_to_disk(temporary_path_, target_);
-    if (::rename(temporary_path_.c_str(), target_.c_str()) != 0) {
+    if (::rename(temporary_path_.c_str(), file_.c_str()) != 0) {
         throw Error("cannot write '" + target_ + "': " + system_text(errno));
     }
     temporary_path_.clear();
     ::close(std::exchange(lock_descriptor_, -1));
-    flush_folder(folder_of(target_));
+    flush_folder(folder_of(file_));
 }
 
 void PendingFile::discard() noexcept {

@@ -24,8 +24,9 @@ class PendingFile {
     [[nodiscard]] const std::string& temporary_path() const { return temporary_path_; }
     [[nodiscard]] const std::string& target() const { return target_; }
 
-    /// Flushes what was written to disk and puts it in the target's place in one step. The file
-    /// must have been closed by its writer. Throws Error; then the target is what it was.
+    /// Flushes what was written to disk and puts it in the target's place in one step; a link
+    /// stays, and leads to it. The file must have been closed by its writer. Throws Error; then the
+    /// target is what it was.
     void commit();
 
   private:
@@ -33,7 +34,8 @@ class PendingFile {
     void remove_leftovers() const;
     void discard() noexcept;
 
-    std::string target_;
+    std::string target_;  // as its user calls it
+    std::string file_;    // the file that is replaced: where links lead
     std::string temporary_path_;
     int lock_descriptor_ = -1;
 };

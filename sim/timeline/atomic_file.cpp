@@ -2,6 +2,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -11,6 +13,8 @@
 #include "sim/timeline/error.h"
 
 namespace carom {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -26,7 +30,7 @@ std::string folder_of(const std::string& path) {
 /// A file under a name of its own that is removed again unless it got its final one.
 class TemporaryFile {
   public:
-    explicit TemporaryFile(std::string target) : target_(std::move(target)) {
+    explicit TemporaryFile(const std::string& path) : path_(path), target_(replaceable_file(path)) {
         // Created exclusively, so that threads and processes never share a name; with the rights
         // that the user's mask gives, which mkstemp does not honour.
         for (int attempt = 0;; ++attempt) {
@@ -36,7 +40,7 @@ class TemporaryFile {
             if (descriptor_ >= 0)
                 return;
             if (errno != EEXIST || attempt == 10'000)
-                fail(target_, errno);
+                fail(path_, errno);
         }
     }
     ~TemporaryFile() {
@@ -54,23 +58,27 @@ class TemporaryFile {
         while (!bytes.empty()) {
             const ::ssize_t size = ::write(descriptor_, bytes.data(), bytes.size());
             if (size < 0 && errno != EINTR)
-                fail(target_, errno);
+                fail(path_, errno);
             if (size > 0)
                 bytes = bytes.subspan(static_cast<std::size_t>(size));
         }
     }
 
+    /// The name that the file takes when it is whole.
+    [[nodiscard]] const std::string& target() const { return target_; }
+
     void finish() {
         if (::fsync(descriptor_) != 0)
-            fail(target_, errno);
+            fail(path_, errno);
         if (::close(std::exchange(descriptor_, -1)) != 0)
-            fail(target_, errno);
+            fail(path_, errno);
         if (::rename(name_.c_str(), target_.c_str()) != 0)
-            fail(target_, errno);
+            fail(path_, errno);
         is_renamed_ = true;
     }
 
   private:
+    std::string path_;  // as its user calls it
     std::string target_;
     std::string name_;
     int descriptor_ = -1;
@@ -91,17 +99,30 @@ void flush_folder(const std::string& folder) {
 void write_file_atomically(const std::string& path, std::span<const std::byte> bytes) {
     if (path.empty())
         throw Error("cannot write a file without a name");
-    check_replaceable(path);
     TemporaryFile file(path);
     file.write(bytes);
     file.finish();
-    flush_folder(folder_of(path));
+    flush_folder(folder_of(file.target()));
 }
 
-void check_replaceable(const std::string& path) {
+std::string replaceable_file(const std::string& path) {
+    constexpr int kMostLinks = 40;  // as Linux
     struct stat status {};
-    if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))
-        throw Error("cannot write '" + path + "': it is a pipe or a device");
+    fs::path file = path;
+    for (int links = 0; ::lstat(file.c_str(), &status) == 0; ++links) {
+        if (!S_ISLNK(status.st_mode)) {
+            if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))
+                throw Error("cannot write '" + path + "': it is a pipe or a device");
+            break;
+        }
+        if (links == kMostLinks)
+            fail(path, ELOOP);
+        std::error_code error;
+        file = file.parent_path() / fs::read_symlink(file, error);  // absolute: without the folder
+        if (error)
+            fail(path, error.value());
+    }
+    return file.string();
 }
 
 }  // namespace carom

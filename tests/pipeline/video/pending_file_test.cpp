@@ -1,5 +1,6 @@
 #include "pipeline/video/pending_file.h"
 
+#include <filesystem>
 #include <optional>
 
 #include <gmock/gmock.h>
@@ -47,6 +48,19 @@ TEST(PendingFile, Abandoned_LeavesNothingAndTheOldTarget) {
     }
     EXPECT_THAT(folder.names(), ElementsAre("a.txt"));
     EXPECT_EQ(read_text(folder.path("a.txt")), "old");
+}
+
+TEST(PendingFile, Link_StaysAndItsFileIsReplaced) {
+    const ScratchFolder folder;
+    write_text(folder.path("stored"), "old");
+    std::filesystem::create_symlink("stored", folder.path("a.png"));
+    PendingFile file(folder.path("a.png"));
+    EXPECT_TRUE(file.temporary_path().ends_with(".png"));
+    write_text(file.temporary_path(), "new");
+    file.commit();
+    EXPECT_THAT(folder.names(), ::testing::UnorderedElementsAre("a.png", "stored"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("a.png")));
+    EXPECT_EQ(read_text(folder.path("stored")), "new");
 }
 
 TEST(PendingFile, TwoForOneTarget_DoNotDisturbEachOther) {

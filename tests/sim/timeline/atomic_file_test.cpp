@@ -88,6 +88,35 @@ TEST_F(AtomicFile, TargetIsAFolder_FailsAndLeavesNothing) {
     EXPECT_THAT(names(), testing::ElementsAre("taken"));
 }
 
+// A link to another disk, say: the name goes on leading there.
+TEST_F(AtomicFile, Link_StaysAndItsFileIsReplaced) {
+    fs::create_directory(folder_ / "far");
+    write(folder_ / "far" / "a", "old");
+    fs::create_symlink("far/a", folder_ / "relative");
+    fs::create_symlink(folder_ / "relative", folder_ / "absolute");
+    write(folder_ / "absolute", "new");
+    EXPECT_EQ(read(folder_ / "far" / "a"), "new");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "relative"));
+    EXPECT_TRUE(fs::is_symlink(folder_ / "absolute"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "far"), {}), 1);
+}
+
+TEST_F(AtomicFile, LinkToNothingYet_MakesTheFile) {
+    fs::create_symlink("b", folder_ / "a");
+    write(folder_ / "a", "text");
+    EXPECT_EQ(read(folder_ / "b"), "text");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "a"));
+}
+
+TEST_F(AtomicFile, CircleOfLinks_IsRefused) {
+    fs::create_symlink("b", folder_ / "a");
+    fs::create_symlink("a", folder_ / "b");
+    EXPECT_THAT([&] { write(folder_ / "a", "text"); },
+                testing::ThrowsMessage<Error>("cannot write '" + (folder_ / "a").string() +
+                                              "': Too many levels of symbolic links"));
+    EXPECT_THAT(names(), testing::UnorderedElementsAre("a", "b"));
+}
+
 // As root, a bake written to /dev/null would have taken its place for everybody.
 TEST_F(AtomicFile, PipeOrDevice_IsRefusedAndStays) {
     const fs::path pipe = folder_ / "pipe";
