@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "sim/timeline/printable.h"
+
 namespace carom::pipeline {
 
 namespace {
@@ -11,16 +13,6 @@ constexpr std::size_t kWidestShownLine = 160;  // characters; longer lines are s
 
 bool is_continuation(char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-
-/// Control characters could move the cursor or hide text on a terminal.
-std::string printable(std::string_view text) {
-    std::string shown;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        shown += (byte < 0x20 && c != '\t') || byte == 0x7F ? '?' : c;
-    }
-    return shown;
 }
 
 /// The text cut into its characters.

@@ -11,6 +11,7 @@
 #include <spdlog/sinks/base_sink.h>
 
 #include "pipeline/cli/terminal/progress_text.h"
+#include "sim/timeline/printable.h"
 
 namespace carom::cli {
 
@@ -106,7 +107,7 @@ class ScreenSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> 
             screen_.write_lines(json_line("level", {level.data(), level.size()}, members));
         } else {
             screen_.write_lines("carom: " + level_word(message.level, screen_.settings().colour) +
-                                text + "\n");
+                                printable_lines(text) + "\n");
         }
     }
     void flush_() override {}

@@ -47,6 +47,14 @@ TEST(Console, Messages_AreLinesWithTheirLevel) {
     EXPECT_EQ(recorder.text, "carom: done {} %s\ncarom: warning: odd\ncarom: error: bad\n");
 }
 
+// A file's name, say.
+TEST(Console, TextOfOthers_CannotSpeakToTheTerminal) {
+    Recorder recorder;
+    Console console(recorder.settings());
+    console.error("no file '\x1b]0;title\x07'");
+    EXPECT_EQ(recorder.text, "carom: error: no file '?]0;title?'\n");
+}
+
 TEST(Console, Quiet_KeepsWarningsAndErrorsOnly) {
     Recorder recorder;
     ConsoleSettings settings = recorder.settings();
