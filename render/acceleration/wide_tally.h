@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 
 #include "render/acceleration/test_counts.h"
 #include "render/acceleration/wide_tree.h"

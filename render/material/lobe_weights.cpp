@@ -7,12 +7,6 @@
 namespace carom::render {
 namespace {
 
-// Bounds on how seldom the coat or the base is followed when one of both is chosen: a path that
-// meets a light through a coat chosen with probability F would be a firefly (docs: the throw-away
-// prototype gained a factor 1.4 by a lower bound of 0.3).
-constexpr float kLeastChoice = 0.3f;
-constexpr float kMostChoice = 0.8f;
-
 float largest(const V3f& c) {
     return std::max({c.x, c.y, c.z});
 }
@@ -31,7 +25,8 @@ LobeWeights::LobeWeights(const Surface& surface, float cosine) {
     if (coat > 0) {
         const float base = largest(diffuse) + largest(sheen) +
                            facets * largest(facet_reflectance(surface, cosine)) + glass;
-        coat_choice = base > 0 ? std::clamp(coat / (coat + base), kLeastChoice, kMostChoice) : 1;
+        coat_choice =
+            base > 0 ? std::clamp(coat / (coat + base), kLeastCoatChoice, kMostCoatChoice) : 1;
     }
 }
 

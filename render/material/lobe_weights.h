@@ -6,6 +6,12 @@
 
 namespace carom::render {
 
+/// Bounds on how seldom the coat or the base is followed when one of both is chosen: a path that
+/// meets a light through a coat chosen with probability F would be a firefly (the throw-away
+/// prototype gained a factor 1.4 by a lower bound of 0.3).
+inline constexpr float kLeastCoatChoice = 0.3f;
+inline constexpr float kMostCoatChoice = 0.8f;
+
 /// Each layer takes from those below it the share that it scatters itself: with `cosine` of the
 /// viewer's direction to the normal, > 0,
 ///   coat = w E(cosine) [as a lobe],  below = (1 - w E(cosine)) x the rest,

@@ -10,6 +10,7 @@
 #include "render/integrator/path_state.h"
 #include "render/integrator/wave/wave_kernels.h"
 #include "render/integrator/wave/wave_lanes-inl.h"
+#include "render/material/lobe_weights.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
@@ -37,8 +38,6 @@ struct VertexLanes {
 };
 
 HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
-    constexpr float kLeastChoice = 0.3f;
-    constexpr float kMostChoice = 0.8f;
     const VertexWave& in = step.vertices;
     const FloatTag d;
     const IntTag di;
@@ -75,7 +74,8 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
     }
     v.scatters = hn::And(v.valid, hn::Gt(base, all(0.f)));
     const M is_coated = hn::Gt(v.coat, all(0.f));
-    const F share = hn::Min(hn::Max(v.coat / (v.coat + base), all(kLeastChoice)), all(kMostChoice));
+    const F share =
+        hn::Min(hn::Max(v.coat / (v.coat + base), all(kLeastCoatChoice)), all(kMostCoatChoice));
     v.coat_choice = select(is_coated, select(hn::Gt(base, all(0.f)), share, all(1.f)), all(0.f));
     v.splits = step.paths.vertex < step.scene.split_vertices ? hn::And(v.valid, is_coated)
                                                              : hn::MaskFromVec(all(0.f));
