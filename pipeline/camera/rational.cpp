@@ -77,9 +77,9 @@ Rational Rational::nearest(double value) {
     }
     // Below 1 the simplest fraction is the reciprocal of the reciprocal's simplest.
     const WideRational exact = exact_value(size < 1 ? 1 / size : size);
-    constexpr std::int64_t parts = 1'000'000'000'000;  // 1e-12 relative
-    const WideRational low = exact * WideRational(parts - 1, parts);
-    const WideRational high = exact * WideRational(parts + 1, parts);
+    constexpr std::int64_t kParts = 1'000'000'000'000;  // 1e-12 relative
+    const WideRational low = exact * WideRational(kParts - 1, kParts);
+    const WideRational high = exact * WideRational(kParts + 1, kParts);
     const Rational found = simplest_between(low, high).narrow();
     const std::int64_t sign = value < 0 ? -1 : 1;
     return size < 1 ? Rational(sign * found.denominator_, found.numerator_)

@@ -16,7 +16,6 @@ constexpr double kRow = 2.6;
 constexpr double kBetweenRows = 1.8;
 constexpr double kBetweenPanels = 9;
 constexpr double kValue = 8;  // room for numbers beyond bars
-constexpr double kText = 2.2;
 
 struct Layout {
     double left = 0, width = 0;  // of the panels

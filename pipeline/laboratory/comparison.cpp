@@ -234,7 +234,8 @@ std::vector<AccelerationKind> structures_from_text(const std::string& text) {
             kinds.push_back(known.kind);
         }
         // The yardstick first.
-        std::ranges::rotate(kinds, std::ranges::find(kinds, AccelerationKind::brute_force));
+        std::rotate(kinds.begin(), std::ranges::find(kinds, AccelerationKind::brute_force),
+                    kinds.end());
         return kinds;
     }
     std::istringstream list(text);
