@@ -129,7 +129,11 @@ std::optional<PhongLobes::Sample> PhongLobes::sample(const V2f& u) const {
     if (diffuse_probability_ <= 0) {
         return std::nullopt;
     }
-    return Sample{sample_cosine_hemisphere(square), V3f(0, 0, 0), false};
+    const V3f direction = sample_cosine_hemisphere(square);
+    if (direction.z <= 0) {
+        return std::nullopt;  // along the surface: of no density
+    }
+    return Sample{direction, V3f(0, 0, 0), false};
 }
 
 bool PhongLobes::can_evaluate() const {

@@ -35,7 +35,7 @@ class PhongLobes {
         V3f weight;  // of a single direction: its share over its probability
         bool is_delta = false;
     };
-    /// Empty: absorbed. Without is_delta the weight is left to `evaluate`.
+    /// Empty: absorbed. Without is_delta the weight is left to `evaluate`, whose pdf is above 0.
     [[nodiscard]] std::optional<Sample> sample(const V2f& u) const;
 
     /// Whether `evaluate` is not 0 everywhere.

@@ -185,7 +185,7 @@ TEST(KeyedMotion, SmoothTurnsAboutAnyAxes_LeadToTheirKeys) {
     for (int i = 0; i < 200; ++i) {
         KeyedMotion motion;
         for (const double time : {0.0, 0.5, 2.0, 2.5, 4.0}) {
-            motion.keys.push_back(rotated(time, 1.8 * Vec3(next(), next(), next())));
+            motion.keys.push_back(rotated(time, 1.8 * Vec3{next(), next(), next()}));
         }
         EXPECT_LE(largest_rest(keyed_track("a", motion)), 1e-12) << i;
     }

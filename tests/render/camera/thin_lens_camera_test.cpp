@@ -37,8 +37,8 @@ CameraSample centre() {
 
 CameraSample random_sample(test::TestRandom& random) {
     CameraSample sample;
-    sample.pixel = V2f(random.unit(), random.unit());
-    sample.lens = V2f(random.unit(), random.unit());
+    sample.pixel = V2f{random.unit(), random.unit()};
+    sample.lens = V2f{random.unit(), random.unit()};
     sample.time = random.unit();
     return sample;
 }
@@ -88,7 +88,7 @@ TEST(ThinLensCamera, NoApertureNoShutter_ExactlyThePinholeRays) {
     for (int i = 0; i < 2000; ++i) {
         CameraSample a = random_sample(random);
         CameraSample b = a;
-        b.lens = V2f(random.unit(), random.unit());
+        b.lens = V2f{random.unit(), random.unit()};
         b.time = random.unit();
         const Ray ray_a = camera.ray(i % kWidth, i % kHeight, a);
         const Ray ray_b = camera.ray(i % kWidth, i % kHeight, b);
@@ -128,7 +128,7 @@ TEST(ThinLensCamera, CircleOfConfusion_HasItsClosedForm) {
         const int samples = 20'000;
         for (int i = 0; i < samples; ++i) {
             CameraSample sample = centre();
-            sample.lens = V2f(random.unit(), random.unit());
+            sample.lens = V2f{random.unit(), random.unit()};
             const float r =
                 (at_depth(camera, camera.ray(320, 180, sample), depth) - middle).length();
             largest = std::max(largest, r);

@@ -77,7 +77,7 @@ TEST(PhongLobes, EverySurface_GivesOffAtMostWhatItGets) {
             constexpr int kSamples = 200'000;
             V3f sum(0, 0, 0);
             for (int i = 0; i < kSamples; ++i) {
-                const auto sample = scattering.sample(V2f(random.unit(), random.unit()));
+                const auto sample = scattering.sample(V2f{random.unit(), random.unit()});
                 if (!sample) {
                     continue;
                 }
@@ -151,7 +151,7 @@ TEST(PhongLobes, Spread_IsKeptAsMeanSquareOfTheAngle) {
     double squares = 0;
     constexpr int kSamples = 50'000;
     for (int i = 0; i < kSamples; ++i) {
-        const auto sample = scattering.sample(V2f(random.unit(), random.unit()));
+        const auto sample = scattering.sample(V2f{random.unit(), random.unit()});
         ASSERT_TRUE(sample);
         const double angle = std::acos(std::min(1.0f, sample->direction.z));
         squares += angle * angle;
@@ -166,7 +166,7 @@ TEST(PhongLobes, ClearGlass_BendsBySnellAndReflectsTotallyWithin) {
         std::vector<V3f> found;
         test::TestRandom random(5);
         for (int i = 0; i < 200; ++i) {
-            const auto sample = scattering.sample(V2f(random.unit(), random.unit()));
+            const auto sample = scattering.sample(V2f{random.unit(), random.unit()});
             if (sample && (found.empty() || (found.back() - sample->direction).length() > 1e-5f)) {
                 found.push_back(sample->direction);
             }

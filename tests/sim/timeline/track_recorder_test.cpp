@@ -116,7 +116,7 @@ TEST(TrackRecorder, Parabola_CostsTwoKeys) {
 TEST(TrackRecorder, RandomSlidingAndRolling_KeepsTheBoundWithFewKeys) {
     test::Numbers numbers(31);
     for (int trial = 0; trial < 15; ++trial) {
-        const Vec3 v = Vec3(numbers.between(-4, 4), numbers.between(-4, 4), 0);
+        const Vec3 v = Vec3{numbers.between(-4, 4), numbers.between(-4, 4), 0};
         const Vec3 w = numbers.vector(150) * Vec3(1, 1, 0);
         const Dense dense = ball_on_cloth(v, w, 3);
         const Track track = reduce(dense);
