@@ -10,6 +10,9 @@ namespace carom::pipeline {
 
 namespace {
 
+// Pictures that x265 delays decoding by, with its pyramid of B frames, which every preset has.
+constexpr std::int64_t kX265Delay = 2;
+
 const AVCodec* find_encoder(Codec codec, const std::string& path) {
     const std::string name(info(codec).encoder);
     const AVCodec* encoder = avcodec_find_encoder_by_name(name.c_str());
@@ -44,6 +47,12 @@ AvPtr<AVCodecContext> open_encoder(const VideoFormat& format, const OutputSettin
     }
     check_av(avcodec_open2(context.get(), encoder, nullptr), "opening the encoder", path);
     return context;
+}
+
+void set_decoding_time(AVPacket& packet, const AVCodecContext& encoder, std::int64_t index) {
+    if (encoder.codec_id == AV_CODEC_ID_HEVC) {
+        packet.dts = index - kX265Delay;
+    }
 }
 
 void fill_frame(AVFrame& frame, std::span<const std::uint16_t> rgb) {

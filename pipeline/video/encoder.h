@@ -17,6 +17,11 @@ namespace carom::pipeline {
                                                  const OutputSettings& output, bool global_header,
                                                  const std::string& path);
 
+/// Decoding times are one frame apart. x265 3.5 leaves those of a film of one or two frames
+/// to what memory held before (Multicorewareinc/x265 issue 781), so that they are set here:
+/// `packet` is the encoder's `index`-th from 0, in its time base.
+void set_decoding_time(AVPacket& packet, const AVCodecContext& encoder, std::int64_t index);
+
 /// Puts a picture (16-bit RGB, encoded as the film is) into `frame`, in the encoder's own pixel
 /// format.
 void fill_frame(AVFrame& frame, std::span<const std::uint16_t> rgb);

@@ -75,6 +75,7 @@ struct VideoWriter::State {
     AVStream* poster = nullptr;  // or none
     std::optional<Hdr10Settings> hdr10;
     std::int64_t frames_written = 0;
+    std::int64_t packets_written = 0;
 };
 
 VideoWriter::State::State(const std::string& path, const VideoFormat& video_format,
@@ -186,6 +187,7 @@ void VideoWriter::State::encode(const AVFrame* picture) {
             return;
         }
         check_av(code, "encoding", path());
+        set_decoding_time(*packet, *encoder, packets_written++);
         packet->stream_index = stream->index;
         packet->duration = 1;  // one frame, in the encoder's time base
         av_packet_rescale_ts(packet.get(), encoder->time_base, stream->time_base);
