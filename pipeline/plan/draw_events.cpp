@@ -27,15 +27,18 @@ Vec2 aim_of(const PlanDrawing& plan, const sim::Event& event, const sim::Strike*
     if (strike->direction) {
         return {std::cos(*strike->direction), std::sin(*strike->direction)};
     }
-    std::optional<Vec3> point = strike->toward_point;
+    const auto towards = [&](const Vec3& point) {
+        return Vec2(point.x - event.place.x, point.y - event.place.y);
+    };
     if (strike->toward) {
         if (const sim::Track* track = plan.timeline.find(*strike->toward)) {
-            point = track->sample(event.time).position;
-        } else if (const sim::Body* body = find_body(plan.shot, *strike->toward)) {
-            point = body->pose.position;
+            return towards(track->sample(event.time).position);
+        }
+        if (const sim::Body* body = find_body(plan.shot, *strike->toward)) {
+            return towards(body->pose.position);
         }
     }
-    return point ? Vec2(point->x - event.place.x, point->y - event.place.y) : aim;
+    return strike->toward_point ? towards(*strike->toward_point) : aim;
 }
 
 void draw_stick(PlanDrawing& plan, const sim::Event& event) {
