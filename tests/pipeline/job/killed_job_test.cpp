@@ -27,9 +27,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kPictures = 9;
 
+constexpr const char* kRunner = CAROM_BINARY_DIR "/tests/carom_job_runner";
+
 std::vector<std::string> job(const std::string& cache, const std::string& video,
                              const std::string& log) {
-    return {CAROM_BINARY_DIR "/tests/carom_job_runner", cache, video, log};
+    return {kRunner, cache, video, log};
 }
 
 std::multiset<std::string> lines_of(const std::string& path) {
@@ -73,12 +75,16 @@ struct Life {
 
 /// The job in a process forked from this one, which has its libraries already (loading them takes
 /// ten times as long as the job). There must be no other threads here; it has a test program of its
-/// own.
+/// own. The thread sanitizer cannot follow threads into a forked process: for it the job is run
+/// from its program.
 class ForkedJob {
   public:
     ForkedJob(const std::string& cache, const std::string& video, const std::string& log)
         : process_(::fork()) {
         if (process_ == 0) {
+#ifdef __SANITIZE_THREAD__
+            ::execl(kRunner, kRunner, cache.c_str(), video.c_str(), log.c_str(), nullptr);
+#endif
             int code = 0;
             try {
                 carom::testing::run_logged_job(cache, video, log);
@@ -88,11 +94,15 @@ class ForkedJob {
             ::_exit(code);
         }
     }
-    ~ForkedJob() { (void)wait(); }
+    ~ForkedJob() {
+        (void)wait();
+    }
     ForkedJob(const ForkedJob&) = delete;
     ForkedJob& operator=(const ForkedJob&) = delete;
 
-    void kill() const { ::kill(process_, SIGKILL); }
+    void kill() const {
+        ::kill(process_, SIGKILL);
+    }
     int wait() {
         if (process_ > 0) {
             ::waitpid(std::exchange(process_, -1), &status_, 0);
