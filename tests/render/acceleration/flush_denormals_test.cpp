@@ -1,10 +1,12 @@
 #include "render/acceleration/flush_denormals.h"
 
 #include <atomic>
+#include <cstddef>
 #include <limits>
 
 #include <gtest/gtest.h>
-#include <tbb/parallel_for.h>
+
+#include "render/threads/thread_arena.h"
 
 namespace carom::render {
 namespace {
@@ -29,7 +31,7 @@ TEST(FlushDenormals, WhileAlive_DenormalsAreZero) {
 TEST(FlushDenormals, InEveryTask_HoldsThereAndLeavesNoTrace) {
     std::atomic<int> surviving = 0;
     std::atomic<int> surviving_within = 0;
-    tbb::parallel_for(0, 500, [&](int) {
+    parallel_for(500, [&](std::size_t) {
         {
             const FlushDenormals mode;
             surviving_within += denormals_survive() ? 1 : 0;
