@@ -39,8 +39,8 @@ bool PictureSupply::try_make(std::size_t picture, const std::stop_token& stop) {
     WorkContext context;
     context.stop = stop;
     context.progress = [this](double share) {
-        constexpr double rendering = 0.999;  // storing is the rest
-        observer_.render_progress((static_cast<double>(reported_frames_) + share * rendering) /
+        constexpr double kRendering = 0.999;  // storing is the rest
+        observer_.render_progress((static_cast<double>(reported_frames_) + share * kRendering) /
                                   static_cast<double>(plan_.picture_of.size()));
     };
     const MadePicture made = maker_.make(plan_.pictures[picture], context);

@@ -176,8 +176,10 @@ double draw_event_list(PlanDrawing& plan, double y) {
     const double column_width = width / columns;
     plan.svg.open("g", {{"id", "list"}});
     for (std::size_t i = 0; i < events.size(); ++i) {
-        const double x = kMargin + column_width * static_cast<double>(i / rows);
-        const double line = y + kLine * (static_cast<double>(i % rows) + 0.5);
+        const std::size_t column = i / static_cast<std::size_t>(rows);
+        const std::size_t row = i % static_cast<std::size_t>(rows);
+        const double x = kMargin + column_width * static_cast<double>(column);
+        const double line = y + kLine * (static_cast<double>(row) + 0.5);
         draw_badge(plan.svg, events[i].number, {x + kBadge, line});
         plan.svg.text("text", time_text(events[i].time),
                       {{"class", "end faint"},

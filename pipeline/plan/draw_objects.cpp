@@ -27,6 +27,7 @@ std::string_view class_of(Motion motion) {
 
 std::vector<Vec2> on_paper(const Sheet& sheet, const std::vector<Vec2>& points) {
     std::vector<Vec2> result;
+    result.reserve(points.size());
     for (const Vec2& point : points) {
         result.push_back(sheet.at(point));
     }

@@ -39,6 +39,7 @@ void draw_still(PlanDrawing& plan, const render::ObjectDescription& object) {
         return;
     }
     std::vector<Vec2> corners;
+    corners.reserve(points.size());
     for (const Vec3& point : points) {
         corners.push_back(plan.sheet.at(point));
     }

@@ -32,6 +32,7 @@ struct Points {
     }
     std::vector<Vec3> operator()(const render::BoxShape& box) const {
         std::vector<Vec3> points;
+        points.reserve(8);
         for (int i = 0; i < 8; ++i) {
             points.push_back(
                 0.5 * box.size *

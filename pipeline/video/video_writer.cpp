@@ -38,7 +38,7 @@ std::map<std::string, std::string> known_tags(const std::map<std::string, std::s
         if (std::find(kKnownTags.begin(), kKnownTags.end(), key) != kKnownTags.end()) {
             tags[key] = value;
         } else {
-            others += (others.empty() ? "" : "; ") + key + "=" + value;
+            others.append(others.empty() ? "" : "; ").append(key).append("=").append(value);
         }
     }
     if (!others.empty()) {
