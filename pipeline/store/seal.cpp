@@ -13,6 +13,7 @@
 
 #include "pipeline/store/file_descriptor.h"
 #include "sim/timeline/error.h"
+#include "sim/timeline/write_all.h"
 
 namespace carom::pipeline {
 namespace {
@@ -58,17 +59,6 @@ std::vector<std::byte> read_whole(int descriptor, const std::string& path) {
     return bytes;
 }
 
-void append(int descriptor, std::span<const std::byte> bytes, const std::string& path) {
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-        const ssize_t count = ::write(descriptor, bytes.data() + done, bytes.size() - done);
-        if (count < 0 && errno != EINTR) {
-            throw Error(system_problem(path, "the frame cannot be written"));
-        }
-        done += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
-    }
-}
-
 }  // namespace
 
 void seal_file(const std::string& path, const Hash128& key) {
@@ -77,7 +67,9 @@ void seal_file(const std::string& path, const Hash128& key) {
         throw Error(system_problem(path, "the frame cannot be written"));
     }
     const std::vector<std::byte> contents = read_whole(file.get(), path);
-    append(file.get(), make_seal(contents, key), path);
+    if (!write_all(file.get(), make_seal(contents, key))) {
+        throw Error(system_problem(path, "the frame cannot be written"));
+    }
     if (::fsync(file.get()) != 0) {
         throw Error(system_problem(path, "the frame cannot be flushed to disk"));
     }

@@ -1,17 +1,23 @@
 #include "render/film/image_file.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <memory>
 #include <span>
+#include <system_error>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "render/film/exr_header.h"
 #include "sim/timeline/assert.h"
 #include "sim/timeline/error.h"
+#include "sim/timeline/write_all.h"
 
 namespace carom::render {
 namespace {
@@ -20,6 +26,7 @@ constexpr float kLargestHalf = 65504;
 constexpr int kMaxEdge = 65'536;  // pixels
 constexpr int kMaxChannels = 256;
 constexpr std::size_t kMaxPixels = std::size_t{1} << 28;
+const std::string kUnwritable = "the picture cannot be written: ";
 constexpr const char* kColourNames[4] = {"R", "G", "B", "A"};
 
 std::size_t pixel_count(const Film& film) {
@@ -82,16 +89,31 @@ void add_metadata(OIIO::ImageSpec& spec, const ImageMetadata& metadata) {
     }
 }
 
+void write_file(const std::string& path, std::span<const std::byte> bytes) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    int error = file >= 0 && write_all(file, bytes) ? 0 : errno;
+    if (file >= 0 && ::close(file) != 0 && error == 0) {
+        error = errno;
+    }
+    if (error != 0) {
+        refuse(path, kUnwritable + std::generic_category().message(error));
+    }
+}
+
 /// `format`: the library's name of it, or a path whose extension says which.
 void write_pixels(const std::string& path, const std::string& format, const OIIO::ImageSpec& spec,
-                  OIIO::TypeDesc type, const void* pixels) {
+                  const OIIO::TypeDesc& type, const void* pixels) {
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
     if (!output) {
         refuse(path, "no picture can be written in that format: " + reason(OIIO::geterror()));
     }
+    // Into memory: the library's own files lose the error of their last write.
+    OIIO::Filesystem::IOVecOutput memory;
+    output->set_ioproxy(&memory);
     if (!output->open(path, spec) || !output->write_image(type, pixels) || !output->close()) {
-        refuse(path, "the picture cannot be written: " + reason(output->geterror()));
+        refuse(path, kUnwritable + reason(output->geterror()));
     }
+    write_file(path, std::as_bytes(std::span(memory.buffer())));
 }
 
 void check_opened(const OIIO::ImageSpec& spec, const std::string& path) {

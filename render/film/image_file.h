@@ -15,7 +15,8 @@ using ImageMetadata = std::map<std::string, std::string>;
 
 /// Half-float RGBA (clamped to +-65504; Inf and NaN are an Error naming the pixel) and the film's
 /// further channels as floats, in one OpenEXR file, ZIP-compressed, with its notes in the header.
-/// Not atomic: callers choose the temporary name. Throws Error.
+/// Not atomic: callers choose the temporary name. Throws Error, for a file that cannot be written
+/// whole, too.
 void write_exr(const Film& film, const std::string& path, const ImageMetadata& metadata = {});
 
 /// Reads what write_exr wrote. Throws Error for anything that is not such a file.

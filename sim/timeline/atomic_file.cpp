@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "sim/timeline/error.h"
+#include "sim/timeline/write_all.h"
 
 namespace carom {
 
@@ -55,13 +56,8 @@ class TemporaryFile {
     TemporaryFile& operator=(TemporaryFile&&) = delete;
 
     void write(std::span<const std::byte> bytes) {
-        while (!bytes.empty()) {
-            const ::ssize_t size = ::write(descriptor_, bytes.data(), bytes.size());
-            if (size < 0 && errno != EINTR)
-                fail(path_, errno);
-            if (size > 0)
-                bytes = bytes.subspan(static_cast<std::size_t>(size));
-        }
+        if (!write_all(descriptor_, bytes))
+            fail(path_, errno);
     }
 
     /// The name that the file takes when it is whole.

@@ -5,7 +5,7 @@
 //   CAROM_FAULT_COUNT=FILE  the number of writes is appended to FILE at the end
 //   CAROM_CLOCK_JUMP=N      from the N-th look on, the clock of the day is an hour late
 // Writes are those to regular files other than the three standard streams, what flushes, cuts and
-// renames them included.
+// renames them included. What a stream of <cstdio> only puts into its buffer is none.
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -15,6 +15,7 @@
 
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <stdio_ext.h>
 #include <sys/stat.h>
 #include <sys/uio.h>
 #include <time.h>
@@ -93,6 +94,11 @@ bool fails(Fault fault) {
     return fault == Fault::full || fault == Fault::io;
 }
 
+/// What a stream holds is to be written, and this fails.
+bool fails_to_flush(FILE* stream) {
+    return ::__fpending(stream) > 0 && fails(fault_of(::fileno(stream)));
+}
+
 size_t halved(Fault fault, size_t size) {
     return fault == Fault::half && size > 1 ? size / 2 : size;
 }
@@ -127,7 +133,40 @@ ssize_t writev(int file, const iovec* parts, int count) {
 
 size_t fwrite(const void* data, size_t size, size_t count, FILE* stream) {
     static const auto call = real<size_t(const void*, size_t, size_t, FILE*)>("fwrite");
-    return fails(fault_of(::fileno(stream))) ? 0 : call(data, size, count, stream);
+    const size_t room = ::__fbufsize(stream) > 0 ? ::__fbufsize(stream) : BUFSIZ;
+    const bool fits = ::__fpending(stream) + size * count < room;
+    return !fits && fails(fault_of(::fileno(stream))) ? 0 : call(data, size, count, stream);
+}
+
+int fflush(FILE* stream) {
+    static const auto call = real<int(FILE*)>("fflush");
+    return stream != nullptr && fails_to_flush(stream) ? EOF : call(stream);
+}
+
+int fseeko64(FILE* stream, off64_t offset, int whence) {
+    static const auto call = real<int(FILE*, off64_t, int)>("fseeko64");
+    return fails_to_flush(stream) ? -1 : call(stream, offset, whence);
+}
+
+int fseeko(FILE* stream, off_t offset, int whence) {
+    return fseeko64(stream, offset, whence);
+}
+
+int fseek(FILE* stream, long offset, int whence) {
+    return fseeko64(stream, offset, whence);
+}
+
+int fclose(FILE* stream) {
+    static const auto call = real<int(FILE*)>("fclose");
+    const bool failed = fails_to_flush(stream);
+    const int reason = errno;
+    if (failed)
+        ::__fpurge(stream);
+    const int result = call(stream);
+    if (!failed)
+        return result;
+    errno = reason;
+    return EOF;
 }
 
 int fsync(int file) {

@@ -19,6 +19,7 @@ namespace carom::render {
 namespace {
 
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 class ImageFile : public testing::Test {
   protected:
@@ -192,6 +193,24 @@ TEST_F(ImageFile, NotFinitePixel_IsRefusedByName) {
 TEST_F(ImageFile, FolderMissing_IsAnError) {
     EXPECT_THROW(write_exr(some_film(16, 16), path("no/such/folder/a.exr")), Error);
     EXPECT_THROW(write_display_image(std::vector<std::uint8_t>(48), 4, 4, path("no/a.png")), Error);
+}
+
+/// Small ones, too, which wait in a buffer for the file to be closed.
+TEST_F(ImageFile, DiskFull_IsAnErrorInEveryFormat) {
+    const std::vector<std::uint8_t> rgb(3 * 16 * 16, 7);
+    for (const std::string name : {"full.exr", "full.png", "full.jpg", "full.bmp", "full.tga"}) {
+        std::filesystem::create_symlink("/dev/full", path(name));
+        EXPECT_THAT(
+            [&] {
+                if (name == "full.exr") {
+                    write_exr(some_film(16, 16), path(name));
+                } else {
+                    write_display_image(rgb, 16, 16, path(name));
+                }
+            },
+            ThrowsMessage<Error>("'" + path(name) +
+                                 "': the picture cannot be written: No space left on device"));
+    }
 }
 
 TEST_F(ImageFile, FileMissing_IsAnError) {
