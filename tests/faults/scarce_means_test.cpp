@@ -82,10 +82,11 @@ TEST_F(ScarceMeans, EverySignalThatEndsAJob_LeavesNothingHalfWritten) {
     std::filesystem::remove(path("whole.mp4"));
     for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
         const std::string cache = "cache_" + std::to_string(signal);
-        RunningProgram program(
-            carom_program(),
-            {"render", "tiny.yaml", "--set", "render.samples=512", "-o", "film.mp4"},
-            options(cache));
+        // Far from its end when the first frame is there.
+        RunningProgram program(carom_program(),
+                               {"render", "tiny.yaml", "--set", "render.samples=512", "--set",
+                                "render.fps=100", "-o", "film.mp4"},
+                               options(cache));
         while (stored_frames(cache) == 0 && !exists("film.mp4"))
             ::usleep(1000);
         program.send(signal);
