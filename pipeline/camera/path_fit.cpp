@@ -43,6 +43,7 @@ std::vector<Sample> check_path(const sim::Track& track, double from, double to) 
         shares.push_back((stretch.start - from) / (to - from));
     }
     std::vector<Sample> samples;
+    samples.reserve(shares.size());
     for (const double share : shares) {
         samples.push_back({{share, 1 - share}, track.sample(from + (to - from) * share).position});
     }

@@ -57,13 +57,13 @@ double eased_lens_radius(const CameraRig& rig, Progress progress, double fov) {
 
 void check_makes_a_picture(const render::CameraState& camera) {
     const Vec3 axis = camera.target - camera.position;
-    constexpr double nearest = 1e-9;  // m
-    if (!(axis.length() > nearest)) {
+    constexpr double kNearest = 1e-9;  // m
+    if (!(axis.length() > kNearest)) {
         throw Error("the camera's position and target are the same point");
     }
-    constexpr double parallel = 1e-6;  // sine of the angle
+    constexpr double kParallel = 1e-6;  // sine of the angle
     if (!(camera.up.length() > 0) ||
-        !(axis.normalized().cross(camera.up.normalized()).length() > parallel)) {
+        !(axis.normalized().cross(camera.up.normalized()).length() > kParallel)) {
         throw Error("the camera looks straight along its up direction");
     }
     if (!(camera.vertical_fov > 0 && camera.vertical_fov < std::numbers::pi)) {

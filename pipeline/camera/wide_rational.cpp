@@ -30,8 +30,8 @@ Int128 multiply(Int128 a, Int128 b) {
 }
 
 Int128 add(Int128 a, Int128 b) {
-    constexpr auto limit = static_cast<Int128>(kLargest);
-    if ((b > 0 && a > limit - b) || (b < 0 && a < -limit - b)) {
+    constexpr auto kLimit = static_cast<Int128>(kLargest);
+    if ((b > 0 && a > kLimit - b) || (b < 0 && a < -kLimit - b)) {
         throw_overflow();
     }
     return a + b;

@@ -169,6 +169,7 @@ std::vector<Problem> camera_problems(const Shot& shot, const ShotSource* source,
     const std::vector<CameraRig> rigs = ready(shot, timeline);
     const std::vector<Ball> balls = balls_of(shot, timeline);
     std::vector<RigLook> looks;
+    looks.reserve(rigs.size());
     for (const CameraRig& rig : rigs) {
         looks.emplace_back(rig, shot.timing, balls, timeline);
     }

@@ -17,6 +17,7 @@ sim::Bake bake_of_shot(const ShotInput& input, const std::string& path, const Ca
         input.shot, cache.folder, talk_about_job(context.console), context.stop, &baked, &warnings);
     context.console.end_progress();
     std::vector<pipeline::Problem> problems;
+    problems.reserve(warnings.size());
     for (const pipeline::SimulationWarning& warning : warnings) {
         problems.push_back(
             pipeline::simulation_problem(warning.sentence, warning.event, input.source.get()));

@@ -56,6 +56,7 @@ std::string array(const std::vector<std::string>& items) {
 
 std::string quoted_array(const std::vector<std::string>& words) {
     std::vector<std::string> items;
+    items.reserve(words.size());
     for (const std::string& word : words) {
         items.push_back(quoted(word));
     }

@@ -37,14 +37,16 @@ std::vector<double> grid_of(const Panel& panel) {
     std::vector<double> values;
     if (!panel.is_square_root) {
         const double step = round_number(panel.highest * kNearestLines / panel.height);
-        for (int i = 1; i * step <= panel.highest * (1 + 1e-9); ++i) {
+        const int lines = static_cast<int>(panel.highest * (1 + 1e-9) / step);
+        for (int i = 1; i <= lines; ++i) {
             values.push_back(i * step);
         }
         return values;
     }
+    constexpr int kDecades = 4;
     double last = panel.top - kNearestLines;
-    for (double decade = std::pow(10, std::floor(std::log10(panel.highest)));
-         decade > 1e-4 * panel.highest; decade /= 10) {
+    double decade = std::pow(10, std::floor(std::log10(panel.highest)));
+    for (int i = 0; i < kDecades; ++i, decade /= 10) {
         for (const double step : {5.0, 2.0, 1.0}) {
             const double value = step * decade;
             const double y = panel.at(value);

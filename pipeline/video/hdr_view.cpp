@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "pipeline/video/code_value.h"
 #include "pipeline/video/glow.h"
 #include "sim/timeline/assert.h"
 
@@ -30,8 +31,7 @@ class PqTable {
         const float at = std::sqrt(std::sqrt(light / static_cast<float>(kPqPeak))) * kSteps;
         const auto index = std::min(static_cast<std::size_t>(at), table_.size() - 2);
         const float share = at - static_cast<float>(index);
-        return static_cast<std::uint16_t>(table_[index] +
-                                          share * (table_[index + 1] - table_[index]) + 0.5F);
+        return nearest_code(table_[index] + share * (table_[index + 1] - table_[index]));
     }
 
   private:

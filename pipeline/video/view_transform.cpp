@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "pipeline/video/code_value.h"
 #include "pipeline/video/dither.h"
 #include "pipeline/video/glow.h"
 #include "pipeline/video/tone_curve.h"
@@ -105,8 +106,7 @@ void transform(const render::Film& film, float gain, const View& view, const Enc
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
         const Colour colour = view(exposed(&film.rgba[4 * pixel], gain));
         for (std::size_t i = 0; i < 3; ++i) {
-            display[3 * pixel + i] =
-                static_cast<std::uint16_t>(encode(colour[i]) * 65535.0F + 0.5F);
+            display[3 * pixel + i] = nearest_code(encode(colour[i]) * 65535.0F);
         }
     }
 }
@@ -122,7 +122,7 @@ void transform_by(const render::OcioView& ocio, const render::Film& film, float 
     ocio.apply(rgb, film.width, film.height);
     for (std::size_t i = 0; i < rgb.size(); ++i) {
         const float signal = rgb[i] > 0 ? std::min(rgb[i], 1.0F) : 0.0F;
-        display[i] = static_cast<std::uint16_t>(signal * 65535.0F + 0.5F);
+        display[i] = nearest_code(signal * 65535.0F);
     }
 }
 

@@ -48,8 +48,8 @@ constexpr std::int64_t kFiner = std::is_same_v<Code, std::uint8_t> ? 1 : 4;
 
 template <class Matrix, class Code>
 void convert_luma_row(const std::uint16_t* rgb, int width, int row, Code* luma) {
-    for (int x = 0; x < width; ++x) {
-        const std::int64_t sum = luma_sum<Matrix>(rgb[3 * x], rgb[3 * x + 1], rgb[3 * x + 2]);
+    for (int x = 0; x < width; ++x, rgb += 3) {
+        const std::int64_t sum = luma_sum<Matrix>(rgb[0], rgb[1], rgb[2]);
         luma[x] = quantised<Code, kLumaDivisor>(
             16 * kFiner<Code>, 219 * kFiner<Code> * sum,
             dither_threshold(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(row)));

@@ -26,6 +26,7 @@ struct LargePages {
         const std::size_t bytes = count * sizeof(T);
         const bool is_large = bytes >= kPage;
         const std::size_t unit = is_large ? kPage : kLine;
+        // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the vector owns it
         void* memory = std::aligned_alloc(unit, (bytes + unit - 1) / unit * unit);
         if (memory == nullptr) {
             throw std::bad_alloc();
@@ -35,7 +36,9 @@ struct LargePages {
         }
         return static_cast<T*>(memory);
     }
-    void deallocate(T* memory, std::size_t /*count*/) { std::free(memory); }
+    void deallocate(T* memory, std::size_t /*count*/) {
+        std::free(memory);  // NOLINT(cppcoreguidelines-owning-memory)
+    }
 
     bool operator==(const LargePages& /*other*/) const { return true; }
 };

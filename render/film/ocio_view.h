@@ -21,6 +21,8 @@ class OcioView {
     /// unreadable, or without the names.
     OcioView(const std::string& config, const OcioNames& names);
     ~OcioView();
+    OcioView(const OcioView&) = delete;
+    OcioView& operator=(const OcioView&) = delete;
     OcioView(OcioView&&) noexcept;
     OcioView& operator=(OcioView&&) noexcept;
 

@@ -134,7 +134,7 @@ MatteRanks AovPlanes::ranks(const PixelMeans& means, const std::vector<float>& i
         seen.push_back({ids[entry.object],
                         static_cast<float>(entry.samples) / static_cast<float>(means.samples)});
     }
-    return ranked(std::move(seen));
+    return ranked(seen);
 }
 
 void AovPlanes::write(int x, int y, const PixelMeans& means) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "sim/timeline/assert.h"
 
@@ -12,22 +13,26 @@ constexpr double kDarkest = 0.01;  // squared luminance that errors are measured
 
 /// Squared relative error of the mean of a pixel's first samples.
 double relative_variance(const PixelSums& pixel, int samples) {
-    constexpr int n = PixelSums::kGroups;
+    constexpr int kCount = PixelSums::kGroups;
     double mean = 0;
     for (const float sum : pixel.groups) {
         mean += static_cast<double>(sum) / samples;
     }
     double squares = 0;
     for (const float sum : pixel.groups) {
-        const double d = static_cast<double>(sum) * n / samples - mean;
+        const double d = static_cast<double>(sum) * kCount / samples - mean;
         squares += d * d;
     }
-    return squares / (n * (n - 1)) / (mean * mean + kDarkest);
+    return squares / (kCount * (kCount - 1)) / (mean * mean + kDarkest);
 }
 
 /// Means over the pixels around each one, without its own.
 std::vector<double> around(const std::vector<double>& values, int width, int height) {
     std::vector<double> result(values.size());
+    const auto place = [&](int x, int y) {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(x);
+    };
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             double sum = 0;
@@ -35,12 +40,12 @@ std::vector<double> around(const std::vector<double>& values, int width, int hei
             for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j) {
                 for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width - 1); ++i) {
                     if (i != x || j != y) {
-                        sum += values[static_cast<std::size_t>(j * width + i)];
+                        sum += values[place(i, j)];
                         count += 1;
                     }
                 }
             }
-            result[static_cast<std::size_t>(y * width + x)] = count > 0 ? sum / count : 0;
+            result[place(x, y)] = count > 0 ? sum / count : 0;
         }
     }
     return result;

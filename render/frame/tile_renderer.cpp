@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "render/integrator/distributed_integrator.h"
 #include "render/integrator/path_integrator.h"
@@ -93,7 +94,7 @@ void TileRenderer::for_each_pixel(int tile, const std::stop_token& stop, const P
 RenderStatistics TileRenderer::render(int tile, const std::stop_token& stop) {
     RenderStatistics count;
     SampleQueue queue = make_queue(stop, count);
-    std::vector<PixelSums> sums(kTileSize * kTileSize);
+    std::vector<PixelSums> sums(std::size_t{kTileSize} * kTileSize);
     std::size_t next = 0;
     for_each_pixel(tile, stop, [&](int x, int y) { ask(x, y, 0, samples_, sums[next++], queue); });
     queue.flush();
@@ -120,7 +121,7 @@ RenderStatistics TileRenderer::finish(int tile, const std::vector<PixelSums>& pi
                                       const std::vector<int>& plan, const std::stop_token& stop) {
     RenderStatistics count;
     SampleQueue queue = make_queue(stop, count);
-    std::vector<PixelSums> sums(kTileSize * kTileSize);
+    std::vector<PixelSums> sums(std::size_t{kTileSize} * kTileSize);
     std::size_t next = 0;
     for_each_pixel(tile, stop, [&](int x, int y) {
         sums[next] = pilot[index(x, y)];

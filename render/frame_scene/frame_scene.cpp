@@ -51,8 +51,12 @@ void add_spheres(ShapeSet& shapes, const RigidMotion& motion, float radius, std:
     for (std::size_t i = 0; i < path.size(); ++i) {
         SphereStretch sphere;
         sphere.path = path[i];
-        sphere.start = i == 0 ? -kInfinity : path[i].start;
-        sphere.end = i + 1 == path.size() ? kInfinity : path[i].end;
+        if (i > 0) {
+            sphere.start = path[i].start;
+        }
+        if (i + 1 < path.size()) {
+            sphere.end = path[i].end;
+        }
         sphere.radius = radius;
         sphere.object = object;
         shapes.spheres.push_back(sphere);

@@ -78,8 +78,8 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec3> corn
     triangles.reserve(corners.size() - 2);
     std::size_t at = 0;
     std::size_t tried = 0;
-    while (ring.size() > 3) {
-        const std::size_t n = ring.size();
+    std::size_t n = ring.size();
+    while (n > 3) {
         // With every corner refused the polygon is degenerate: clip where we stand.
         if (!is_ear(points, ring, at) && ++tried <= n) {
             at = (at + 1) % n;
@@ -88,7 +88,8 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec3> corn
         tried = 0;
         triangles.push_back({ring[(at + n - 1) % n], ring[at], ring[(at + 1) % n]});
         ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at));
-        at %= ring.size();
+        n -= 1;
+        at = at < n ? at : 0;
     }
     triangles.push_back({ring[0], ring[1], ring[2]});
     return triangles;

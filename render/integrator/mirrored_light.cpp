@@ -36,7 +36,11 @@ bool from_point(const TransportScene& scene, std::size_t light, const SpecularPo
                 MirroredLight& mirrored) {
     const DeltaLight& source = scene.lights.delta_light(light);
     const V3f intensity = source.intensity(-mirrored.onward, mirror.to);
-    mirrored.reach = source.is_parallel() ? kInfinity : mirror.to;
+    if (source.is_parallel()) {
+        mirrored.reach = kInfinity;
+    } else {
+        mirrored.reach = mirror.to;
+    }
     mirrored.solid_angle = 1 / DeltaLight::kDeltaPdf;
     mirrored.radiance *= intensity * (mirror.spread * DeltaLight::kDeltaPdf);
     return luminance(intensity) > 0;

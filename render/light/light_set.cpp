@@ -161,7 +161,7 @@ std::optional<LightSet::Choice> LightSet::choose(const V3f& point, const V3f& no
 
 std::optional<LightSample> LightSet::sample(std::size_t light, const V3f& point,
                                             const V2f& u) const {
-    const std::optional<LightSample> result = sample_any(light, point, u);
+    std::optional<LightSample> result = sample_any(light, point, u);
     CAROM_VALIDATE(!result ||
                    (is_unit(result->direction) && result->distance > 0 && result->pdf > 0));
     return result;

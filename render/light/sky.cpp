@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "sim/timeline/error.h"
 
@@ -117,7 +118,8 @@ LinearImage sky_picture(const Sky& sky) {
             const double azimuth = kPi64 - 2 * kPi64 * (column + 0.5) / kColumns;
             const V3f direction(Vec3(std::sin(polar) * std::cos(azimuth),
                                      std::sin(polar) * std::sin(azimuth), std::cos(polar)));
-            V3f& pixel = picture.pixels[static_cast<std::size_t>(row * kColumns + column)];
+            V3f& pixel = picture.pixels[static_cast<std::size_t>(row) * kColumns +
+                                        static_cast<std::size_t>(column)];
             if (row < kRows / 2) {
                 pixel = sky_radiance(sky, direction);
                 const double area = 2 * kPi64 * kPi64 / (double{kColumns} * kRows);

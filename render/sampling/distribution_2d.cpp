@@ -106,7 +106,7 @@ Distribution2D::Distribution2D(std::span<const float> weights, int width, int he
     }
 }
 
-Distribution2D::Sample Distribution2D::sample(V2f u) const {
+Distribution2D::Sample Distribution2D::sample(const V2f& u) const {
     if (mean_ <= 0) {
         return {V2f(0, 0), 0};
     }
@@ -119,7 +119,7 @@ Distribution2D::Sample Distribution2D::sample(V2f u) const {
             density_[row.index * columns + column.index]};
 }
 
-float Distribution2D::pdf(V2f uv) const {
+float Distribution2D::pdf(const V2f& uv) const {
     if (!(uv.x >= 0 && uv.x < 1 && uv.y >= 0 && uv.y < 1) || density_.empty()) {
         return 0;
     }

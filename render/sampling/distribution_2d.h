@@ -24,10 +24,10 @@ class Distribution2D {
     Distribution2D(std::span<const float> weights, int width, int height);
 
     /// With all weights zero the pdf returned is 0 and the point without meaning.
-    [[nodiscard]] Sample sample(V2f u) const;
+    [[nodiscard]] Sample sample(const V2f& u) const;
 
     /// Per area of the unit square; 0 outside it and where the weight is 0.
-    [[nodiscard]] float pdf(V2f uv) const;
+    [[nodiscard]] float pdf(const V2f& uv) const;
 
     /// Mean weight over the square.
     [[nodiscard]] double mean() const { return mean_; }

@@ -76,6 +76,7 @@ template <class Work>
 void for_rows(int count, const Work& work) {
     const int parts = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 16);
     std::vector<std::future<void>> running;
+    running.reserve(static_cast<std::size_t>(parts));
     for (int part = 0; part < parts; ++part) {
         running.push_back(std::async(std::launch::async, [=, &work] {
             for (int row = count * part / parts; row < count * (part + 1) / parts; ++row) {

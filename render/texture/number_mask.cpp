@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -63,7 +64,7 @@ std::shared_ptr<const CoverageMask> draw_number(int number) {
     if (underlined) {
         const int y = top + box.height() + gap;
         for (int row = y; row < y + bar; ++row) {
-            std::fill_n(texels.begin() + row * kNumberMaskSize + left, box.width(),
+            std::fill_n(texels.begin() + std::ptrdiff_t{row} * kNumberMaskSize + left, box.width(),
                         std::uint8_t{255});
         }
     }

@@ -91,9 +91,10 @@ class SingleRun final : public KernelRun {
 
 std::unique_ptr<KernelRun> make_single_run(const Form& form, Precision precision,
                                            const TestSet& set) {
-    return precision == Precision::single_precision
-               ? scalar::make_in_form<SingleRun, float>(form, set)
-               : scalar::make_in_form<SingleRun, double>(form, set);
+    if (precision == Precision::single_precision) {
+        return scalar::make_in_form<SingleRun, float>(form, set);
+    }
+    return scalar::make_in_form<SingleRun, double>(form, set);
 }
 
 std::unique_ptr<KernelRun> make_run(const Variant& variant, const TestSet& set) {

@@ -56,12 +56,17 @@ class RayNumbers {
 template <template <class, Input, Division, class, int> class Run>
 std::unique_ptr<KernelRun> make_vector_run(const Form& form, Precision precision, int count,
                                            const TestSet& set) {
-    if (precision == Precision::single_precision) {
-        return count == 4 ? make_in_form<Run, float, 4>(form, set)
-                          : make_in_form<Run, float, 8>(form, set);
+    const bool is_single = precision == Precision::single_precision;
+    if (is_single && count == 4) {
+        return make_in_form<Run, float, 4>(form, set);
     }
-    return count == 4 ? make_in_form<Run, double, 4>(form, set)
-                      : make_in_form<Run, double, 8>(form, set);
+    if (is_single) {
+        return make_in_form<Run, float, 8>(form, set);
+    }
+    if (count == 4) {
+        return make_in_form<Run, double, 4>(form, set);
+    }
+    return make_in_form<Run, double, 8>(form, set);
 }
 
 }  // namespace carom::render::triangle::HWY_NAMESPACE

@@ -64,24 +64,24 @@ std::array<double, 2> turning_at(double height) {
 }
 
 Surface build_leg(const std::string& name, const Vec2& axis, double floor, double top) {
-    constexpr int rings = 54;
-    constexpr int around = 40;
+    constexpr int kRings = 54;
+    constexpr int kAround = 40;
     SurfaceBuilder builder(name, SurfacePart::leg);
     std::vector<std::vector<SurfaceVertex>> rows;
     const double height = top - floor;
-    for (int ring = 0; ring <= rings; ++ring) {
-        const double share = double(ring) / rings;
+    for (int ring = 0; ring <= kRings; ++ring) {
+        const double share = double(ring) / kRings;
         const auto [radius, slope] = turning_at(share);
         const double down = -slope * kLegRadius / height;
         auto& row = rows.emplace_back();
-        for (int step = 0; step <= around; ++step) {
-            const double angle = 2 * std::numbers::pi * (step % around) / around;
+        for (int step = 0; step <= kAround; ++step) {
+            const double angle = 2 * std::numbers::pi * (step % kAround) / kAround;
             const SinCos at = sin_cos(angle);
             const Vec2 radial(at.cos, at.sin);
             const Vec2 place = axis + kLegRadius * radius * radial;
             row.push_back({{place.x, place.y, floor + share * height},
                            Vec3(radial.x, radial.y, down).normalized(),
-                           {share * height, kLegRadius * 2 * std::numbers::pi * step / around}});
+                           {share * height, kLegRadius * 2 * std::numbers::pi * step / kAround}});
         }
     }
     builder.add_grid(rows);

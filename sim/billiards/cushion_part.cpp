@@ -43,13 +43,13 @@ class CushionSection {
 
     // From the bottom up to the nose.
     [[nodiscard]] Profile undercut() const {
-        constexpr int rows = 4;
+        constexpr int kRows = 4;
         const SinCos lean = sin_cos(undercut_);
         const double open = lean.cos;
         const double up = -lean.sin;
         Profile profile;
-        for (int row = 0; row <= rows; ++row) {
-            const double below = (measures_.nose_height - kBottom) * (rows - row) / rows;
+        for (int row = 0; row <= kRows; ++row) {
+            const double below = (measures_.nose_height - kBottom) * (kRows - row) / kRows;
             profile.push_back({below * tangent(undercut_), measures_.nose_height - below, open, up,
                                -below / open});
         }
@@ -58,12 +58,12 @@ class CushionSection {
 
     // From the nose to the top. These heights are those of a cushion's middle.
     [[nodiscard]] Profile nose() const {
-        constexpr int steps = 10;
+        constexpr int kSteps = 10;
         Profile profile;
-        for (int step = 0; step <= steps; ++step) {
-            const double angle = 0.5 * std::numbers::pi * step / steps;
+        for (int step = 0; step <= kSteps; ++step) {
+            const double angle = 0.5 * std::numbers::pi * step / kSteps;
             const SinCos at = sin_cos(angle);
-            const double open = step == steps ? 0 : at.cos;
+            const double open = step == kSteps ? 0 : at.cos;
             const double up = at.sin;
             profile.push_back({radius_ * (1 - open), measures_.nose_height + radius_ * up, open, up,
                                radius_ * angle});

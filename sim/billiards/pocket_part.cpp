@@ -18,14 +18,14 @@ constexpr double kFloorSpacing = 0.02;   // m
 
 // Round the liner's section: down its inside, along its foot, up its outside, over its rim.
 std::vector<Profile> wall_profile(double bottom, double top) {
-    constexpr int steps = 8;
+    constexpr int kSteps = 8;
     const double half = 0.5 * kLinerThickness;
     Profile rim;
-    for (int step = steps; step >= 0; --step) {
-        const double angle = std::numbers::pi * step / steps;
+    for (int step = kSteps; step >= 0; --step) {
+        const double angle = std::numbers::pi * step / kSteps;
         const SinCos at = sin_cos(angle);
-        const double open = step == steps ? -1 : at.cos;
-        const double up = step == steps ? 0 : at.sin;
+        const double open = step == kSteps ? -1 : at.cos;
+        const double up = step == kSteps ? 0 : at.sin;
         rim.push_back({half * (1 - open), top - half + half * up, open, up, -half * angle});
     }
     const ProfilePlace inner{0, bottom};

@@ -42,8 +42,8 @@ void check_pocket(const PocketMeasures& pocket, const std::string& which, Proble
     problems.require(name + "shelf", pocket.shelf, 0, 0.5);
     problems.require(name + "drop", pocket.drop, 0.03, 1);
     problems.require(name + "lip radius", pocket.lip_radius, 0, 0.5);
-    constexpr double degree = std::numbers::pi / 180;
-    if (!(pocket.jaw_angle >= 95 * degree && pocket.jaw_angle <= 175 * degree))
+    constexpr double kDegree = std::numbers::pi / 180;
+    if (!(pocket.jaw_angle >= 95 * kDegree && pocket.jaw_angle <= 175 * kDegree))
         problems.add("the table's " + name + "jaw angle must be between 95 and 175 degrees");
 }
 

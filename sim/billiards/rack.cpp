@@ -26,8 +26,8 @@ double random_number(std::uint64_t seed, std::uint64_t index) {
         x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
         return x ^ (x >> 31);
     };
-    constexpr std::uint64_t golden = 0x9E3779B97F4A7C15U;
-    const std::uint64_t bits = mix(mix(seed + golden) + (index + 1) * golden);
+    constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15U;
+    const std::uint64_t bits = mix(mix(seed + kGolden) + (index + 1) * kGolden);
     return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 

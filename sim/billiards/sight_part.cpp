@@ -25,10 +25,10 @@ Loop diamond(const Vec2& centre, const Vec2& axis) {
 }
 
 Loop disc(const Vec2& centre) {
-    constexpr int corners = 32;
+    constexpr int kCorners = 32;
     Loop loop;
-    for (int corner = 0; corner < corners; ++corner) {
-        const double angle = 2 * std::numbers::pi * corner / corners;
+    for (int corner = 0; corner < kCorners; ++corner) {
+        const double angle = 2 * std::numbers::pi * corner / kCorners;
         const SinCos at = sin_cos(angle);
         loop.push_back(centre + kDiscRadius * Vec2(at.cos, at.sin));
     }

@@ -145,18 +145,18 @@ Profile straight_profile(ProfilePlace from, ProfilePlace to) {
 }
 
 Profile round_profile(ProfilePlace wall, ProfilePlace level) {
-    constexpr int steps = 8;
+    constexpr int kSteps = 8;
     const double across = level.inside - wall.inside;
     const double rise = level.z - wall.z;
     Profile profile;
-    for (int step = 0; step <= steps; ++step) {
-        const double angle = 0.5 * std::numbers::pi * step / steps;
+    for (int step = 0; step <= kSteps; ++step) {
+        const double angle = 0.5 * std::numbers::pi * step / kSteps;
         // Exact at the ends, so that neighbours share their points bit for bit.
         const SinCos at = sin_cos(angle);
-        const double sine = step == steps ? 1 : at.sin;
-        const double cosine = step == steps ? 0 : at.cos;
-        const double inside = step == steps ? level.inside : wall.inside + across * (1 - cosine);
-        const double z = step == steps ? level.z : wall.z + rise * sine;
+        const double sine = step == kSteps ? 1 : at.sin;
+        const double cosine = step == kSteps ? 0 : at.cos;
+        const double inside = step == kSteps ? level.inside : wall.inside + across * (1 - cosine);
+        const double z = step == kSteps ? level.z : wall.z + rise * sine;
         // Gradient of (x/across)^2 + (y/rise)^2, for a wall whose open side is towards it.
         const double open = cosine / across;
         const double up = sine / rise;

@@ -107,6 +107,7 @@ ode::ImpactBody StepBody::impact_body() const {
 std::vector<StepBody> make_step_bodies(const WorldDescription& world,
                                        const std::vector<Ball>& balls) {
     std::vector<StepBody> bodies;
+    bodies.reserve(balls.size() + world.bodies.size());
     for (const Ball& ball : balls)
         bodies.push_back(ball_body(ball));
     std::size_t track = 0;

@@ -64,11 +64,11 @@ Vec3 nearest_on_face(const Polyhedron& solid, const PolyhedronFace& face, const 
 }
 
 Nearest nearest_on_solid(const Polyhedron& solid, const Vec3& p) {
-    const PolyhedronFace* highest = nullptr;
-    double height = -1e300;
     const auto height_over = [&](const PolyhedronFace& face) {
         return face.normal.dot(p - solid.vertices[face.corners.front()]);
     };
+    const PolyhedronFace* highest = &solid.faces.front();
+    double height = height_over(*highest);
     for (const PolyhedronFace& face : solid.faces) {
         if (height_over(face) > height) {
             height = height_over(face);

@@ -17,15 +17,20 @@ constexpr std::int32_t kOutermost = 1 << 16;
 double rise_time(double c0, double c1, double c2) {
     if (c0 >= 0 && (c1 > 0 || (c1 == 0 && c2 > 0)))
         return 0;
-    if (c2 == 0)
-        return c1 > 0 ? -c0 / c1 : kNever;
+    if (c2 == 0) {
+        if (!(c1 > 0))
+            return kNever;
+        return -c0 / c1;
+    }
     const double discriminant = c1 * c1 - 4 * c2 * c0;
     if (!(discriminant > 0))
         return kNever;
     // Of the two roots the one with a positive slope, without cancellation.
     const double root = std::sqrt(discriminant);
     const double t = c1 > 0 ? -2 * c0 / (root + c1) : (root - c1) / (2 * c2);
-    return t > 0 ? t : kNever;
+    if (t > 0)
+        return t;
+    return kNever;
 }
 
 }  // namespace

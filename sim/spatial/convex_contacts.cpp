@@ -165,7 +165,7 @@ std::optional<ClosestPoints> closest_points(const PlacedShape& a, const PlacedSh
                                             double far) {
     constexpr double kClear = 1e-9;  // m: nearer, and the direction is round-off's
     for (const double depth : {0.0, 0.1, 1.0}) {
-        const std::optional<ClosestPoints> closest = closest_core_points(a, b, depth, far + depth);
+        std::optional<ClosestPoints> closest = closest_core_points(a, b, depth, far + depth);
         if (closest && length(closest->on_a - closest->on_b) > kClear)
             return closest;
     }

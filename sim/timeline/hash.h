@@ -17,7 +17,8 @@ struct Hash128 {
     std::uint64_t high = 0;
     std::uint64_t low = 0;
 
-    auto operator<=>(const Hash128&) const = default;
+    // The check takes the 0 that a defaulted <=> compares with for a null pointer.
+    auto operator<=>(const Hash128&) const = default;  // NOLINT(modernize-use-nullptr)
 
     /// 32 lower-case hexadecimal digits.
     [[nodiscard]] std::string to_string() const;

@@ -25,9 +25,9 @@ std::uint32_t count_substeps(const Vec3& before, const Vec3& after, double durat
     if (perpendicular * duration <= kParallelError)
         return 1;
     const double count = std::ceil(largest * duration / kLargestSubstep);
-    constexpr double most = 1e9;
-    return count < most ? static_cast<std::uint32_t>(std::max(1.0, count))
-                        : static_cast<std::uint32_t>(most);
+    constexpr double kMost = 1e9;
+    return count < kMost ? static_cast<std::uint32_t>(std::max(1.0, count))
+                         : static_cast<std::uint32_t>(kMost);
 }
 
 std::uint64_t turn_substeps(std::span<const Key> keys) {

@@ -16,6 +16,7 @@ std::string joined(const std::vector<std::string>& words, const char* separator)
 
 std::vector<std::string> names_of(const std::vector<CommandInfo>& commands) {
     std::vector<std::string> names;
+    names.reserve(commands.size());
     for (const CommandInfo& command : commands) {
         names.push_back(command.name);
     }

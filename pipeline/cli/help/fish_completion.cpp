@@ -34,17 +34,14 @@ void write(std::ostringstream& out, const CommandInfo& command, const std::strin
     if (!command.commands.empty()) {
         out << line << " -f\n";
     }
+    const std::string none_yet = condition == "true"
+                                     ? "__fish_use_subcommand"
+                                     : condition + "; and not __fish_seen_subcommand_from " + names;
     for (const CommandInfo& below : command.commands) {
-        const std::string none_yet =
-            condition == "true" ? "__fish_use_subcommand"
-                                : condition + "; and not __fish_seen_subcommand_from " + names;
         out << "complete -c carom -n " << quoted(none_yet) << " -f -a " << below.name << " -d "
             << quoted(below.description) << "\n";
     }
-    const std::string own = command.commands.empty() ? condition
-                            : condition == "true"
-                                ? "__fish_use_subcommand"
-                                : condition + "; and not __fish_seen_subcommand_from " + names;
+    const std::string& own = command.commands.empty() ? condition : none_yet;
     for (const OptionInfo& option : command.options) {
         out << "complete -c carom -n " << quoted(own);
         if (!option.short_name.empty()) {
@@ -67,9 +64,10 @@ void write(std::ostringstream& out, const CommandInfo& command, const std::strin
             out << line << " -f -a " << quoted(joined(argument.choices)) << "\n";
         }
     }
+    const std::string seen =
+        (condition == "true" ? "" : condition + "; and ") + "__fish_seen_subcommand_from ";
     for (const CommandInfo& below : command.commands) {
-        const std::string seen = "__fish_seen_subcommand_from " + below.name;
-        write(out, below, condition == "true" ? seen : condition + "; and " + seen);
+        write(out, below, seen + below.name);
     }
 }
 

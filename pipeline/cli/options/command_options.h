@@ -1,7 +1,7 @@
 // The table of options, command by command.
 #pragma once
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's
 class App;
 }
 

@@ -6,17 +6,17 @@ namespace carom::cli {
 
 void add_new(CLI::App& app, Targets& targets) {
     CLI::App& command = *app.add_subcommand("new", "write a starter for a shot");
-    NewCommand& new_ = targets.new_;
-    command.add_option("SHOT", new_.shot, "the file to write; - is standard output")
+    NewCommand& options = targets.new_;
+    command.add_option("SHOT", options.shot, "the file to write; - is standard output")
         ->required()
         ->option_text(" ");
     command
-        .add_option("--template", new_.template_name,
+        .add_option("--template", options.template_name,
                     "break (the default), trick, bank, massé (or masse), jump, dominoes, empty")
         ->option_text("NAME")
         ->check(CLI::IsMember(
             {"break", "trick", "bank", "massé", "masse", "jump", "dominoes", "empty"}));
-    command.add_flag("--force", new_.force, "also over a file that is there");
+    command.add_flag("--force", options.force, "also over a file that is there");
     add_talk(command, targets);
     command.footer(example("  carom new shot.yaml --template jump") +
                    "\nIt is commented, and renders as it is.");

@@ -131,6 +131,7 @@ const MapSpec<OutputSettings>& output_spec() {
               "per channel, 8 or 10; 8 unless told otherwise, 10 with `hdr10`. prores always has "
               "10, ffv1 16");
         std::vector<std::pair<std::string, std::string>> presets;
+        presets.reserve(kEncoderPresets.size());
         for (const EncoderPreset& preset : kEncoderPresets) {
             presets.emplace_back(preset.name, preset.name);
         }

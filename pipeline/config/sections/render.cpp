@@ -31,6 +31,7 @@ ValueType<Rational> shutter_turn() {
 
 std::vector<std::pair<std::string, render::AccelerationKind>> acceleration_names() {
     std::vector<std::pair<std::string, render::AccelerationKind>> names;
+    names.reserve(render::kAccelerationNames.size());
     for (const render::AccelerationName& known : render::kAccelerationNames) {
         names.emplace_back(known.name, known.kind);
     }

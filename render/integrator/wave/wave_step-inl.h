@@ -75,7 +75,8 @@ HWY_INLINE void seek_all(const WaveStep& step, VertexLanes& v, const Numbers& nu
         if (asked % 2 == 0) {
             numbers.set(all_words(PathDimensions::kLightPairs + asked / 2), pair);
         }
-        V2 u{pair[2 * (asked % 2)], pair[2 * (asked % 2) + 1]};
+        const std::size_t half = asked % 2;
+        V2 u{pair[2 * half], pair[2 * half + 1]};
         asked += 1;
         M wanted = v.scatters;
         F expected = all(1.f);

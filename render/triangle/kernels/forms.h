@@ -1,9 +1,10 @@
 /// Calls make.operator()<Kernel, kInput, kDivision>() for a form; null if there is no such form.
 template <class Kernel, Input kInput, class Make>
-auto with_division(Division division, const Make& make) {
-    return division == Division::early
-               ? make.template operator()<Kernel, kInput, Division::early>()
-               : make.template operator()<Kernel, kInput, Division::deferred>();
+std::unique_ptr<KernelRun> with_division(Division division, const Make& make) {
+    if (division == Division::early) {
+        return make.template operator()<Kernel, kInput, Division::early>();
+    }
+    return make.template operator()<Kernel, kInput, Division::deferred>();
 }
 
 template <class Kernel, Input kFirst, Input... kOthers, class Make>
