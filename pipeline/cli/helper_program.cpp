@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "sim/timeline/error.h"
+#include "sim/timeline/write_all.h"
 
 namespace carom::cli {
 
@@ -36,12 +37,8 @@ class MemoryFile {
     [[nodiscard]] int descriptor() const { return descriptor_; }
 
     void fill(std::span<const std::byte> bytes) const {
-        while (!bytes.empty()) {
-            const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-            if (written < 0 && errno != EINTR) {
-                throw Error("cannot write to a file in memory: " + reason_of(errno));
-            }
-            bytes = bytes.subspan(written > 0 ? static_cast<std::size_t>(written) : 0);
+        if (!write_all(descriptor_, bytes)) {
+            throw Error("cannot write to a file in memory: " + reason_of(errno));
         }
         ::lseek(descriptor_, 0, SEEK_SET);
     }

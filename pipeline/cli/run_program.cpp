@@ -3,12 +3,13 @@
 #include <cerrno>
 #include <new>
 #include <optional>
-#include <string_view>
+#include <span>
 #include <system_error>
 
 #include <unistd.h>
 
 #include "pipeline/cli/terminal/interrupts.h"
+#include "sim/timeline/write_all.h"
 
 namespace carom::cli {
 
@@ -72,14 +73,8 @@ ExitCode run_command(const CommandLine& line, const CommandHandler& handler) {
 }
 
 void print_text(const std::string& text) {
-    std::string_view rest = text;
-    while (!rest.empty()) {
-        const ssize_t written = ::write(STDOUT_FILENO, rest.data(), rest.size());
-        if (written < 0 && errno != EINTR) {
-            throw Error("cannot write to standard output: " +
-                        std::generic_category().message(errno));
-        }
-        rest.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
+    if (!write_all(STDOUT_FILENO, std::as_bytes(std::span(text)))) {
+        throw Error("cannot write to standard output: " + std::generic_category().message(errno));
     }
 }
 

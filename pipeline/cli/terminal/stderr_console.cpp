@@ -1,12 +1,12 @@
-#include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <span>
 
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "pipeline/cli/terminal/console.h"
+#include "sim/timeline/write_all.h"
 
 namespace carom::cli {
 
@@ -31,13 +31,8 @@ double steady_seconds() {
 }
 
 void write_to_stderr(std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
-        if (written < 0 && errno != EINTR) {
-            return;  // nobody listens any more; the work goes on
-        }
-        text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
-    }
+    // If nobody listens any more the work goes on.
+    static_cast<void>(write_all(STDERR_FILENO, std::as_bytes(std::span(text))));
 }
 
 }  // namespace
