@@ -6,9 +6,9 @@
 namespace carom::sim {
 
 BakeResult bake(const WorldDescription& world, const WorkContext& context) {
-    const std::vector<std::string> problems = find_problems(world);
+    const std::vector<WorldProblem> problems = find_problems(world);
     if (!problems.empty())
-        throw Error(problems.front());
+        throw Error(problems.front().sentence);
     Scheduler scheduler(world);
     scheduler.run(context);
     BakeResult result;

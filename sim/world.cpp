@@ -13,19 +13,35 @@
 namespace carom::sim {
 namespace {
 
-/// Collects sentences that all begin with the same words.
+/// Collects problems. The sentences about one subject all begin with the same words.
 class Complaints {
   public:
-    explicit Complaints(std::vector<std::string>& list) : list_(list) {}
-    void about(std::string subject) { subject_ = std::move(subject); }
+    explicit Complaints(std::vector<WorldProblem>& list) : list_(list) {}
+
+    void about_contact(const std::string& name) {
+        subject_ = {WorldProblem::Subject::contact, name, 0, name};
+    }
+    void about_other_contact(const std::string& names) {
+        subject_ = {WorldProblem::Subject::world, "", 0, "contact of " + names};
+    }
+    void about_body(const std::string& name) {
+        subject_ = {WorldProblem::Subject::body, name, 0, "body '" + name + "'"};
+    }
+    void about_event(std::size_t index, const std::string& object) {
+        subject_ = {WorldProblem::Subject::event, "", index,
+                    "event " + std::to_string(index + 1) + " on '" + object + "'"};
+    }
     void require(bool holds, const std::string& sentence) {
-        if (!holds)
-            list_.push_back(subject_.empty() ? sentence : subject_ + ": " + sentence);
+        if (holds)
+            return;
+        WorldProblem problem = subject_;
+        problem.sentence += (problem.sentence.empty() ? "" : ": ") + sentence;
+        list_.push_back(std::move(problem));
     }
 
   private:
-    std::vector<std::string>& list_;
-    std::string subject_;
+    std::vector<WorldProblem>& list_;
+    WorldProblem subject_;  // its sentence is what the sentences begin with
 };
 
 std::string millimetres(double metres) {
@@ -45,7 +61,7 @@ bool is_fraction(double value) {
 }
 
 void check_pair(const PairContact& pair, const std::string& name, Complaints& complaints) {
-    complaints.about("contact of " + name);
+    complaints.about_other_contact(name);
     complaints.require(is_fraction(pair.restitution), "restitution has to be in [0, 1]");
     complaints.require(is_not_negative(pair.friction), "friction has to be 0 or more");
     complaints.require(is_not_negative(pair.rolling_friction),
@@ -53,16 +69,16 @@ void check_pair(const PairContact& pair, const std::string& name, Complaints& co
 }
 
 void check_contact_law(const ContactLaw& law, Complaints& complaints) {
-    complaints.about("ball_cloth");
+    complaints.about_contact("ball_cloth");
     complaints.require(is_not_negative(law.ball_cloth.sliding_friction) &&
                            is_not_negative(law.ball_cloth.rolling_friction) &&
                            is_not_negative(law.ball_cloth.spinning_friction),
                        "friction has to be 0 or more");
     complaints.require(is_fraction(law.ball_cloth.restitution), "restitution has to be in [0, 1]");
-    complaints.about("ball_ball");
+    complaints.about_contact("ball_ball");
     complaints.require(is_fraction(law.ball_ball.restitution), "restitution has to be in [0, 1]");
     complaints.require(is_not_negative(law.ball_ball.friction), "friction has to be 0 or more");
-    complaints.about("ball_cushion");
+    complaints.about_contact("ball_cushion");
     complaints.require(is_fraction(law.ball_cushion.restitution),
                        "restitution has to be in [0, 1]");
     complaints.require(is_not_negative(law.ball_cushion.friction), "friction has to be 0 or more");
@@ -120,7 +136,7 @@ void check_shape(const Body& body, Complaints& complaints) {
 }
 
 void check_body(const Body& body, Complaints& complaints) {
-    complaints.about("body '" + body.name + "'");
+    complaints.about_body(body.name);
     complaints.require(!body.name.empty(), "the name is empty");
     check_shape(body, complaints);
     if (body.kind == BodyKind::dynamic)
@@ -146,7 +162,7 @@ void check_overlaps(const WorldDescription& world, Complaints& complaints) {
             const double depth = a->radius + b->radius - std::sqrt(d.dot(d));
             if (depth < 1e-9 * (a->radius + b->radius))
                 continue;
-            complaints.about("body '" + world.bodies[j].name + "'");
+            complaints.about_body(world.bodies[j].name);
             complaints.require(false, "it overlaps '" + world.bodies[i].name + "' by " +
                                           millimetres(depth) + " at the start");
         }
@@ -159,7 +175,7 @@ class EventChecker {
         : world_(world), complaints_(complaints) {}
 
     void check(const ForceEvent& event, std::size_t index) {
-        complaints_.about("event " + std::to_string(index + 1) + " on '" + event.object + "'");
+        complaints_.about_event(index, event.object);
         complaints_.require(is_dynamic(event.object),
                             "there is no body of that name that can move");
         complaints_.require(is_not_negative(event.time), "its time has to be 0 or more");
@@ -259,18 +275,18 @@ class EventChecker {
 };
 
 void check_table(const WorldDescription& world, Complaints& complaints,
-                 std::vector<std::string>& problems) {
+                 std::vector<WorldProblem>& problems) {
     if (!world.table)
         return;
     for (const std::string& sentence : billiards::find_problems(*world.table))
-        problems.push_back("table: " + sentence);
+        problems.push_back({WorldProblem::Subject::world, "", 0, "table: " + sentence});
     if (!world.table->has_cushions)
         return;
     for (const Body& body : world.bodies) {
         const auto* sphere = std::get_if<Sphere>(&body.shape);
         if (sphere == nullptr || body.kind != BodyKind::dynamic)
             continue;
-        complaints.about("body '" + body.name + "'");
+        complaints.about_body(body.name);
         complaints.require(world.table->nose_height < 2 * sphere->radius,
                            "the ball would roll under the cushion, whose nose is higher than it");
     }
@@ -278,8 +294,8 @@ void check_table(const WorldDescription& world, Complaints& complaints,
 
 }  // namespace
 
-std::vector<std::string> find_problems(const WorldDescription& world) {
-    std::vector<std::string> problems;
+std::vector<WorldProblem> find_problems(const WorldDescription& world) {
+    std::vector<WorldProblem> problems;
     Complaints complaints(problems);
     complaints.require(is_finite(world.gravity), "gravity has to be finite");
     complaints.require(is_positive(world.duration) && world.duration <= 3600,

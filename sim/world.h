@@ -90,8 +90,17 @@ struct WorldDescription {
     std::vector<ForceEvent> events;
 };
 
-/// All that is wrong with a description, one sentence each, naming the body or event; empty if
-/// it can be simulated. `bake` throws Error with the first of these.
-[[nodiscard]] std::vector<std::string> find_problems(const WorldDescription& world);
+/// Something that is wrong with a description, and which part of it is meant.
+struct WorldProblem {
+    enum class Subject { world, contact, body, event };
+    Subject subject = Subject::world;
+    std::string name;       // contact: "ball_cloth", "ball_ball" ...; body: its name
+    std::size_t event = 0;  // event: its index in `events`
+    std::string sentence;   // complete, and it names the subject
+};
+
+/// Everything that is wrong with a description; empty if it can be simulated. `bake` throws Error
+/// with the first sentence of these.
+[[nodiscard]] std::vector<WorldProblem> find_problems(const WorldDescription& world);
 
 }  // namespace carom::sim

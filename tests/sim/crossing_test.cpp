@@ -177,12 +177,12 @@ TEST(Trigger_Potted, FiresAfterTheBallHasFallen) {
 TEST(Crossing_WithAFaultyLine, IsAProblem) {
     const WorldDescription world =
         world_of(rolling(0, 0, {1, 0, 0}), 1, when_crossing("cue", {1, 1}, {1, 1}));
-    EXPECT_EQ(find_problems(world).at(0),
+    EXPECT_EQ(problem_sentences(world).at(0),
               "event 1 on 'marker': the line of its trigger needs two different ends");
     WorldDescription still =
         world_of(rolling(0, 0, {1, 0, 0}), 1, when_crossing("cue", {1, 0}, {1, 1}));
     still.bodies[0].kind = BodyKind::fixed;
-    EXPECT_EQ(find_problems(still).at(0),
+    EXPECT_EQ(problem_sentences(still).at(0),
               "event 1 on 'marker': it waits for 'cue' to cross a line, which never moves");
 }
 

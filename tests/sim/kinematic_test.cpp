@@ -262,7 +262,7 @@ TEST(KinematicBody_WithoutAPath, IsAProblem) {
     world.bodies = {pusher(Box{{1, 1, 1}}, straight({{0, {0, 0, 0}}, {1, {1, 0, 0}}}))};
     world.bodies[0].path.reset();
     EXPECT_EQ(
-        find_problems(world),
+        problem_sentences(world),
         std::vector<std::string>{"body 'pusher': a path is for a kinematic body, which needs one"});
 }
 

@@ -58,7 +58,7 @@ TEST(Rack_OfEveryKind, StandsStillUntilItIsBroken) {
     for (const Game& game : kGames) {
         for (const double gap : {0.0, 3e-5, 5e-4}) {
             const WorldDescription world = broken(game, gap, 11);
-            ASSERT_TRUE(find_problems(world).empty()) << find_problems(world)[0];
+            ASSERT_TRUE(find_problems(world).empty()) << find_problems(world)[0].sentence;
             const BakeResult result = bake(world);
             const std::string what = std::string(game.size) + " " + game.target;
             EXPECT_TRUE(result.warnings.empty()) << what << " " << result.warnings[0];

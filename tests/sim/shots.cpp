@@ -82,6 +82,13 @@ const Event* find_event(const Timeline& timeline, EventKind kind, const std::str
     return nullptr;
 }
 
+std::vector<std::string> problem_sentences(const WorldDescription& world) {
+    std::vector<std::string> sentences;
+    for (const WorldProblem& problem : find_problems(world))
+        sentences.push_back(problem.sentence);
+    return sentences;
+}
+
 int count_events(const Timeline& timeline, EventKind kind) {
     int count = 0;
     for (const Event& event : timeline.events)

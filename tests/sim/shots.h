@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sim/bake.h"
 
@@ -37,6 +38,9 @@ inline constexpr double kGravity = 9.81;
 /// The first event of that kind about `a` (and `b`, unless empty); nullptr if there is none.
 [[nodiscard]] const Event* find_event(const Timeline& timeline, EventKind kind,
                                       const std::string& a, const std::string& b = {});
+
+/// What `find_problems` says, sentence by sentence.
+[[nodiscard]] std::vector<std::string> problem_sentences(const WorldDescription& world);
 
 [[nodiscard]] int count_events(const Timeline& timeline, EventKind kind);
 

@@ -263,7 +263,7 @@ TEST(World_WithBadSolids, SaysWhatIsWrong) {
         solid("a", Capsule{0, 1}, {0, 0, 0}), solid("b", Cylinder{1, -1}, {0, 0, 0}),
         solid("c", ConvexHull{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {0, 0, 0}),
         solid("d", ConvexHull{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0})};
-    EXPECT_EQ(find_problems(world),
+    EXPECT_EQ(problem_sentences(world),
               (std::vector<std::string>{
                   "body 'a': radius and length of a capsule have to be greater than 0",
                   "body 'b': radius and height of a cylinder have to be greater than 0",

@@ -15,7 +15,7 @@ std::string first_problem(const std::function<void(WorldDescription&)>& spoil) {
     world.bodies = {ball("cue", 0, 0), ball("one", 0.5, 0)};
     world.events = {strike_towards("cue", "one", 2)};
     spoil(world);
-    const std::vector<std::string> problems = find_problems(world);
+    const std::vector<std::string> problems = problem_sentences(world);
     return problems.empty() ? "" : problems.front();
 }
 

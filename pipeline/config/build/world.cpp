@@ -10,18 +10,19 @@ namespace carom::pipeline::config {
 
 namespace {
 
-/// The place that a sentence of the simulation is about: a pair of materials by the key that it
-/// begins with, a body by its quoted name.
-Place place_of(const std::string& problem, const Builder& builder) {
-    for (const char* key : {"ball_cloth", "ball_ball", "ball_cushion"}) {
-        if (problem.starts_with(key)) {
-            return builder.place_of({"physics", key});
+/// Where the part of the shot stands that a problem of the simulation is about.
+Place place_of(const sim::WorldProblem& problem, const Builder& builder) {
+    switch (problem.subject) {
+        case sim::WorldProblem::Subject::contact:
+            return builder.place_of({"physics", problem.name});
+        case sim::WorldProblem::Subject::event:
+            return builder.file.events.at(problem.event).place;
+        case sim::WorldProblem::Subject::body: {
+            const auto placed = builder.placed.find(problem.name);
+            return placed != builder.placed.end() ? placed->second : builder.root.place;
         }
-    }
-    for (const auto& [name, place] : builder.placed) {
-        if (problem.find("'" + name + "'") != std::string::npos) {
-            return place;
-        }
+        case sim::WorldProblem::Subject::world:
+            break;
     }
     return builder.root.place;
 }
@@ -57,8 +58,8 @@ void check_world(Builder& builder) {
         return;  // the same again in other words
     }
     check_pairs(builder);
-    for (const std::string& problem : sim::find_problems(builder.shot.world)) {
-        builder.reader.error(place_of(problem, builder), problem);
+    for (const sim::WorldProblem& problem : sim::find_problems(builder.shot.world)) {
+        builder.reader.error(place_of(problem, builder), problem.sentence);
     }
 }
 
