@@ -85,7 +85,7 @@ void run_info(const InfoCommand& command, CommandContext& context) {
     check_output_folder(command.output);
     const ShotInput input = read_shot_input(command.input, context.console);
     const std::string text =
-        command.resolved ? pipeline::explained_yaml(*input.source)
+        command.resolved ? pipeline::explained_yaml(*input.source, input.shot)
                          : line("shot", input.shot.name) + film_lines(input.shot) +
                                world_lines(input.shot) + file_lines(input.shot, *input.source);
     write_text_output(command.output.empty() ? "-" : command.output, text);

@@ -6,6 +6,7 @@
 #include "pipeline/config/load_shot.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/source_set.h"
+#include "pipeline/config/table_node.h"
 
 namespace carom::pipeline {
 
@@ -63,7 +64,11 @@ bool holds_maps(const Node& node) {
 
 class Explainer {
   public:
-    explicit Explainer(const ShotSource& source) : source_(source) {}
+    Explainer(const ShotSource& source, const Shot& shot) : source_(source) {
+        if (shot.world.table) {
+            table_ = table_node(*shot.world.table);
+        }
+    }
 
     std::string text() && {
         write_map(source_.root(), &shot_spec().info(), "", "");
@@ -87,15 +92,16 @@ class Explainer {
     }
 
     /// What follows "key:" or "-": `first` is that, `indent` what lines below begin with.
+    /// `standard` holds the measures of the table part that `node` describes, or is nullptr.
     void write_value(const Node& node, const TypeInfo* type, const std::string& first,
-                     const std::string& indent) {
+                     const std::string& indent, const Node* standard = nullptr) {
         if (node.is_map() && !node.entries.empty()) {
             const TypeInfo* element = element_of(type, TypeInfo::Kind::named);
             if (first.ends_with("-")) {
                 write_map(node, map_of(type), first + " ", indent, element);
             } else {
                 text_ += first + "\n";
-                write_map(node, map_of(type), indent, indent, element);
+                write_map(node, map_of(type), indent, indent, element, standard);
             }
         } else if (node.is_sequence() && holds_maps(node)) {
             text_ += first + "\n";
@@ -110,16 +116,50 @@ class Explainer {
 
     /// The first line begins with `first`, the others with `indent`.
     void write_map(const Node& node, const MapInfo* info, const std::string& first,
-                   const std::string& indent, const TypeInfo* named = nullptr) {
+                   const std::string& indent, const TypeInfo* named = nullptr,
+                   const Node* standard = nullptr) {
         std::string begin = first;
         for (const Entry& entry : node.entries) {
             const KeyInfo* key = info != nullptr ? key_of(*info, entry.key) : nullptr;
             write_value(entry.value, key != nullptr ? &key->type : named,
-                        begin + emit_key(entry.key) + ":", indent + "  ");
+                        begin + emit_key(entry.key) + ":", indent + "  ",
+                        measures_of(node, entry.key, standard));
             begin = indent;
+        }
+        if (standard != nullptr) {
+            write_measures(*standard, node, indent);
         }
         if (info != nullptr) {
             write_defaults(*info, &node, indent);
+        }
+    }
+
+    /// The measures of the table, or of the part `key` of it, whose measures `standard` are.
+    [[nodiscard]] const Node* measures_of(const Node& parent, const std::string& key,
+                                          const Node* standard) const {
+        if (&parent == &source_.root() && key == "table") {
+            return &table_;
+        }
+        const Entry* part = standard != nullptr ? standard->find(key) : nullptr;
+        return part != nullptr && part->value.is_map() ? &part->value : nullptr;
+    }
+
+    /// The measures that `given` leaves to the table's kind and size, as comments: they are rounded
+    /// here, and a shot that gave them would be another one to the last digit.
+    void write_measures(const Node& standard, const Node& given, const std::string& indent) {
+        for (const Entry& entry : standard.entries) {
+            if (given.find(entry.key) != nullptr) {
+                continue;
+            }
+            const std::string line =
+                indent + (indent.find('#') == std::string::npos ? "# " : "") + entry.key + ":";
+            if (entry.value.is_map()) {
+                text_ += line + "\n";
+                write_measures(entry.value, {},
+                               line.substr(0, line.size() - entry.key.size() - 1) + "  ");
+            } else {
+                write_line(line + " " + entry.value.text, "of the table's kind and size");
+            }
         }
     }
 
@@ -150,6 +190,7 @@ class Explainer {
     }
 
     const ShotSource& source_;
+    Node table_;  // the measures of the shot's table
     std::string text_;
 };
 
@@ -188,9 +229,9 @@ bool take_out_refused(std::string& text) {
 
 }  // namespace
 
-std::string explained_yaml(const ShotSource& source) {
+std::string explained_yaml(const ShotSource& source, const Shot& shot) {
     constexpr int kMostRounds = 100;  // a hundred problems are told at a time
-    std::string text = Explainer(source).text();
+    std::string text = Explainer(source, shot).text();
     for (int round = 0; round < kMostRounds && take_out_refused(text); ++round) {
     }
     return text;

@@ -198,7 +198,7 @@ void add_sampling(MapSpec<RenderSection>& s) {
                                      {"blackman_harris", render::PixelFilter::blackman_harris}}),
         "of the pixels");
     add("filter_width", &RenderSettings::filter_width, number(between(0.5, 8)),
-        "full width in pixels; box: 1");
+        "full width in pixels; box: 1. The Gaussian's standard deviation is a sixth of it");
     add("acceleration", &RenderSettings::acceleration,
         choice<render::AccelerationKind>(acceleration_names()),
         "structure that finds what a ray hits: `hybrid` is the fastest, the others are for "

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 std::string explained(const LoadResult& loaded) {
-    return loaded.source ? explained_yaml(*loaded.source) : std::string();
+    return loaded.source ? explained_yaml(*loaded.source, *loaded.shot) : std::string();
 }
 
 TEST(Explain, Values_SayWhichLineOrOptionGaveThem) {
@@ -51,6 +51,40 @@ cameras:
     EXPECT_THAT(text, Not(HasSubstr("fov:")));  // the focal length stands in its place
     EXPECT_THAT(text, ContainsRegex("\n    sensor: 0.024 m +# default\n"));
 }
+
+TEST(Explain, Table_ShowsTheMeasuresOfItsKindAndSize) {
+    const LoadResult loaded = load_shot_text(R"(carom: 1
+table: {kind: snooker, rail_height: 45 mm, pockets: {corner: {drop: 130 mm}}}
+balls: {cue: {at: [0, 0]}}
+)",
+                                             "s.yaml");
+    const std::string text = explained(loaded);
+    EXPECT_THAT(text, ContainsRegex("\n  rail_height: 45 mm +# s.yaml:2\n"));
+    EXPECT_THAT(text,
+                ContainsRegex("\n      drop: 130 mm +# s.yaml:2\n      # mouth: 0.088 m +# of "
+                              "the table's kind and size\n"));
+    EXPECT_THAT(text, ContainsRegex("\n    # side:\n    #   mouth: 0.12 m +# of the table's kind"));
+    EXPECT_THAT(text, ContainsRegex("\n  # length: 3.569 m +# of the table's kind and size\n"));
+    EXPECT_THAT(text, ContainsRegex("\n  # cushion_height: 0.028 m +# of the table's kind"));
+}
+
+class ExplainedTable : public testing::TestWithParam<const char*> {};
+
+TEST_P(ExplainedTable, ReadsBackAsTheSameTable) {
+    const LoadResult original = load_shot_text(
+        "carom: 1\ntable: {" + std::string(GetParam()) + "}\nballs: {cue: {at: [0, 0]}}\n",
+        "s.yaml");
+    ASSERT_TRUE(original.shot);
+    const LoadResult again = load_shot_text(explained(original), "again.yaml");
+    ASSERT_TRUE(again.shot) << explained(original);
+    EXPECT_EQ(again.shot->world.table, original.shot->world.table) << explained(original);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ExplainedTable,
+                         testing::Values("kind: pool", "kind: pool, size: 8 ft",
+                                         "kind: pool, size: 7 ft", "kind: pool, pockets: none",
+                                         "kind: snooker", "kind: carom", "kind: cloth",
+                                         "kind: custom, length: 2 m, width: 1 m"));
 
 class ExplainedExample : public testing::TestWithParam<const char*> {};
 
