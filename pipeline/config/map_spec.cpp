@@ -21,10 +21,26 @@ std::vector<std::string> quoted(const std::vector<std::string>& words) {
     return result;
 }
 
+/// What was probably meant by something that only looks like a key; empty if nothing is known.
+std::string explain_odd_key(const Entry& entry) {
+    if (entry.key == "<<") {
+        return " (carom has no merge keys; an alias stands for a whole value, and 'include' lays "
+               "one file over another)";
+    }
+    const bool is_number = !entry.key.empty() && entry.key[0] >= '0' && entry.key[0] <= '9';
+    if (is_number && entry.value.is_null()) {
+        return " (a comma ends the value before it; decimals are written with a point, as in 3.5)";
+    }
+    return {};
+}
+
 /// Reports a key that the map does not have; the key that was probably meant.
 std::optional<std::string> report_unknown(Reader& reader, const Entry& entry, const MapInfo& info) {
     const std::vector<std::string> known = info.key_names();
-    std::string help = hint(entry.key, known);
+    std::string help = explain_odd_key(entry);
+    if (help.empty()) {
+        help = hint(entry.key, known);
+    }
     if (help.empty() && known.size() <= kMostListedKeys) {
         help = known.size() == 1 ? " (the only key is " + known[0] + ")"
                                  : " (the keys are " + join(known, "and") + ")";

@@ -28,6 +28,20 @@ std::string unknown_unit(std::string_view name) {
     return "has the unknown unit " + quote(name) + hint(name, unit_names());
 }
 
+/// What is wrong with `rest`, which follows the number `number` and is neither a unit nor the
+/// other half of a fraction; empty if it may be a unit.
+std::string find_foreign_notation(std::string_view number, std::string_view rest) {
+    if (const std::optional<OddSpace> space = find_odd_space(rest)) {
+        return "has " + space->name + " behind its number; write an ordinary space";
+    }
+    const bool has_digit = rest.size() > 1 && is_digit(rest[1]);
+    if (has_digit && rest.front() == ',') {
+        const std::string meant = std::string(number) + "." + std::string(rest.substr(1));
+        return "has a decimal comma; write " + quote(meant);
+    }
+    return {};
+}
+
 /// Length of the decimal number that `text` starts with; 0 if it does not.
 std::size_t number_length(std::string_view text) {
     std::size_t i = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
@@ -175,6 +189,11 @@ std::variant<Quantity, std::string> parse_quantity(std::string_view text) {
     const std::size_t length = number_length(text);
     if (length == 0) {
         return "is not a number";
+    }
+    const std::string wrong_notation =
+        find_foreign_notation(text.substr(0, length), text.substr(length));
+    if (!wrong_notation.empty()) {
+        return wrong_notation;
     }
     std::optional<Number> number = take_number(text, length);
     if (!number) {

@@ -1,6 +1,7 @@
 #include "pipeline/config/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "pipeline/config/source_set.h"
@@ -10,6 +11,20 @@ namespace carom::pipeline::config {
 namespace {
 
 constexpr std::size_t kLongestQuote = 60;  // bytes
+
+struct SpaceName {
+    std::string_view character;
+    std::string_view name;
+};
+
+// Names of the Unicode Character Database, in words for a sentence.
+constexpr std::array kOddSpaces{
+    SpaceName{"\u00A0", "a no-break space (U+00A0)"},
+    SpaceName{"\u2007", "a figure space (U+2007)"},
+    SpaceName{"\u2009", "a thin space (U+2009)"},
+    SpaceName{"\u202F", "a narrow no-break space (U+202F)"},
+    SpaceName{"\u3000", "an ideographic space (U+3000)"},
+};
 
 /// Distance of the optimal string alignment, three rows at a time.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -94,6 +109,17 @@ std::optional<std::string> nearest_name(std::string_view name, std::span<const s
 std::string hint(std::string_view name, std::span<const std::string> known) {
     const std::optional<std::string> nearest = nearest_name(name, known);
     return nearest ? " (did you mean '" + *nearest + "'?)" : std::string();
+}
+
+std::optional<OddSpace> find_odd_space(std::string_view text) {
+    std::optional<OddSpace> first;
+    for (const SpaceName& space : kOddSpaces) {
+        const std::size_t offset = text.find(space.character);
+        if (offset != std::string_view::npos && (!first || offset < first->offset)) {
+            first = {offset, space.character.size(), std::string(space.name)};
+        }
+    }
+    return first;
 }
 
 std::size_t find_invalid_utf8(std::string_view text) {

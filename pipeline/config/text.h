@@ -25,6 +25,16 @@ namespace carom::pipeline::config {
 /// " (did you mean 'position'?)", or nothing.
 [[nodiscard]] std::string hint(std::string_view name, std::span<const std::string> known);
 
+/// A character that looks like a space and does not separate words as a space does.
+struct OddSpace {
+    std::size_t offset = 0;  // of its first byte in the text
+    std::size_t length = 0;  // in bytes
+    std::string name;        // "a no-break space (U+00A0)"
+};
+
+/// The first of them in the text; empty if there is none.
+[[nodiscard]] std::optional<OddSpace> find_odd_space(std::string_view text);
+
 /// The first byte that is not part of valid UTF-8, or a NUL; npos if there is none.
 [[nodiscard]] std::size_t find_invalid_utf8(std::string_view text);
 

@@ -149,6 +149,9 @@ void TreeBuilder::put_key(Open& level, const Node& node) {
     if (!node.is_scalar()) {
         refuse(node.place, "a key must be a plain word");
     }
+    if (const std::optional<OddSpace> space = find_odd_space(node.text); space && !node.quoted) {
+        refuse(node.place, "this key contains " + space->name + "; write an ordinary space");
+    }
     level.has_key = true;
     level.key = node.text;
     level.key_place = node.place;
