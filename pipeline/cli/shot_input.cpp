@@ -56,6 +56,17 @@ pipeline::LoadResult load_carried_shot(const sim::Bake& bake, const InputOptions
     return changed;
 }
 
+/// The file to fix, in quotes: what was to be read, or the camera file if all errors are in that.
+std::string faulty_file(const InputOptions& input, const std::vector<pipeline::Problem>& problems) {
+    const auto is_elsewhere = [&](const pipeline::Problem& problem) {
+        return problem.severity == pipeline::Severity::error &&
+               problem.place.file != input.camera_file;
+    };
+    const bool is_camera_file =
+        !input.camera_file.empty() && std::none_of(problems.begin(), problems.end(), is_elsewhere);
+    return "'" + (is_camera_file ? input.camera_file : input.path) + "'";
+}
+
 }  // namespace
 
 bool is_bake_file(const std::string& path) {
@@ -104,7 +115,8 @@ ShotInput read_shot_input(const InputOptions& input, Console& console) {
     CheckedInput checked = load_shot_input(input);
     report_problems(checked.problems, console);
     if (!checked.input) {
-        throw InputError("'" + input.path + "' has " + count_text(checked.problems));
+        throw InputError(faulty_file(input, checked.problems) + " has " +
+                         count_text(checked.problems));
     }
     return std::move(*checked.input);
 }

@@ -74,5 +74,14 @@ TEST_F(RetimeCommands, OtherCamera_FilmsTheBakeAndTellsHowTrueItsWayIs) {
     EXPECT_EQ(run({"frame", "tiny.bake", "--camera", "other.yaml", "--frame", "4"}).exit_code, 2);
 }
 
+TEST_F(RetimeCommands, ErrorsOfACameraFile_AreCountedUnderItsOwnName) {
+    write_text(path("other.yaml"), "cameras: [{name: chase, video: [0 s, 1 s], scene: 0 s}]\n");
+    ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
+    const RunResult result = run({"render", "tiny.bake", "--camera", "other.yaml", "-o", "b.mp4"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("other.yaml:1:11: error: "));
+    EXPECT_THAT(result.err, HasSubstr("carom: error: 'other.yaml' has 2 errors\n"));
+}
+
 }  // namespace
 }  // namespace carom::cli
