@@ -1,0 +1,84 @@
+# shellcheck shell=bash
+# Stages of work that take long, for scripts to source: one line for each, how far it is, and the full output in a file.
+
+# Where a person watches, a line is drawn over itself; elsewhere there is a line now and then.
+stage_interval=${CAROM_PROGRESS_INTERVAL:-10}  # seconds
+stage_child=
+
+stage_say() { printf 'carom: %s\n' "$*" >&2; }
+
+# take_turn FILE WHAT: waits until no other call holds the lock FILE, which stays open as descriptor 9.
+take_turn() {
+  exec 9>"$1"
+  flock -n 9 && return
+  stage_say "another call is $2; waiting for it"
+  flock 9
+}
+
+# How far apt-get is, from what it writes to its status descriptor, the file LOG.status: "downloading 34 %".
+apt_progress() {
+  tail -n 1 "$1.status" 2>/dev/null | sed -nE \
+    -e 's/^dlstatus:[^:]*:([0-9]+)[^:]*:.*/downloading \1 %/p' \
+    -e 's/^pmstatus:.*:([0-9]+)(\.[0-9]+)?:.*/unpacking and setting up \1 %/p'
+}
+
+# How far ninja is: "12 of 480".
+ninja_progress() { tail -n 1 "$1" | sed -nE 's|^\[([0-9]+)/([0-9]+)\].*|\1 of \2|p'; }
+
+no_progress() { :; }
+
+stage_erase_line() { if [ -t 2 ]; then printf '\r\033[K' >&2; fi; }
+
+stage_show() {  # NAME PROGRESS
+  if [ -t 2 ]; then
+    printf '\r\033[K%.*s' "$(($(tput cols 2>/dev/null || echo 80) - 1))" "carom: $1${2:+: $2}" >&2
+  elif [ -n "$2" ]; then
+    stage_say "$1: $2"
+  fi
+}
+
+# What a person needs to see of a log that ends in an error: from the first line that names one, or the last lines.
+stage_telling_lines() {
+  local first
+  first=$(grep -nE -m 1 '^(FAILED:|ninja: (error|fatal)|CMake Error|E: |dpkg: error)' "$1" | cut -d: -f1)
+  if [ -n "$first" ]; then tail -n "+$first" "$1" | head -n 30; else tail -n 15 "$1"; fi
+}
+
+stage_interrupted() {
+  trap '' INT TERM HUP
+  kill "$stage_child" 2>/dev/null || true  # in a terminal it has heard Ctrl-C itself
+  wait "$stage_child" 2>/dev/null || true
+  stage_erase_line
+  stage_say "interrupted"
+  exit 130
+}
+
+# run_stage NAME LOG PROGRESS COMMAND...: runs COMMAND with its output in the file LOG; PROGRESS LOG prints how far it is.
+# Ends the script, with the telling lines of LOG, if COMMAND fails.
+run_stage() {
+  local name=$1 log=$2 progress=$3 next=$((SECONDS + stage_interval)) status=0
+  shift 3
+  : >"$log.status"
+  if [ ! -t 2 ]; then stage_say "$name"; fi
+  trap stage_interrupted INT TERM HUP
+  # A command in the background would not hear Ctrl-C.
+  env --default-signal=INT,QUIT "$@" >"$log" 2>&1 9>&- &
+  stage_child=$!
+  while kill -0 "$stage_child" 2>/dev/null; do
+    if [ -t 2 ]; then
+      stage_show "$name" "$("$progress" "$log")"
+    elif [ "$SECONDS" -ge "$next" ]; then
+      stage_show "$name" "$("$progress" "$log")"
+      next=$((SECONDS + stage_interval))
+    fi
+    sleep 0.2
+  done
+  wait "$stage_child" || status=$?
+  trap - INT TERM HUP
+  stage_erase_line
+  rm -f "$log.status"
+  [ "$status" -ne 0 ] || return 0
+  stage_say "$name failed; all that it printed is in $log. What tells most:"
+  stage_telling_lines "$log" >&2
+  exit 1
+}
