@@ -25,14 +25,14 @@ apt_progress() {
 # How far ninja is: "12 of 480".
 ninja_progress() { tail -n 1 "$1" | sed -nE 's|^\[([0-9]+)/([0-9]+)\].*|\1 of \2|p'; }
 
-no_progress() { :; }
+no_progress() { :; }  # nobody knows
 
 stage_erase_line() { if [ -t 2 ]; then printf '\r\033[K' >&2; fi; }
 
 stage_show() {  # NAME PROGRESS
   if [ -t 2 ]; then
-    printf '\r\033[K%.*s' "$(($(tput cols 2>/dev/null || echo 80) - 1))" "carom: $1${2:+: $2}" >&2
-  elif [ -n "$2" ]; then
+    printf '\r\033[K%.*s' "$(($(tput cols 2>/dev/null || echo 80) - 1))" "carom: $1: $2" >&2
+  else
     stage_say "$1: $2"
   fi
 }
@@ -56,7 +56,7 @@ stage_interrupted() {
 # run_stage NAME LOG PROGRESS COMMAND...: runs COMMAND with its output in the file LOG; PROGRESS LOG prints how far it is.
 # Ends the script, with the telling lines of LOG, if COMMAND fails.
 run_stage() {
-  local name=$1 log=$2 progress=$3 next=$((SECONDS + stage_interval)) status=0
+  local name=$1 log=$2 progress=$3 begin=$SECONDS next=$((SECONDS + stage_interval)) status=0 far
   shift 3
   : >"$log.status"
   if [ ! -t 2 ]; then stage_say "$name"; fi
@@ -65,10 +65,9 @@ run_stage() {
   env --default-signal=INT,QUIT "$@" >"$log" 2>&1 9>&- &
   stage_child=$!
   while kill -0 "$stage_child" 2>/dev/null; do
-    if [ -t 2 ]; then
-      stage_show "$name" "$("$progress" "$log")"
-    elif [ "$SECONDS" -ge "$next" ]; then
-      stage_show "$name" "$("$progress" "$log")"
+    if [ -t 2 ] || [ "$SECONDS" -ge "$next" ]; then
+      far=$("$progress" "$log")
+      stage_show "$name" "${far:-$((SECONDS - begin)) s}"
       next=$((SECONDS + stage_interval))
     fi
     sleep 0.2
