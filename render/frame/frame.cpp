@@ -1,9 +1,11 @@
 #include "render/frame/frame.h"
 
+#include <chrono>
 #include <mutex>
 #include <vector>
 
 #include "render/acceleration/flush_denormals.h"
+#include "render/frame/adaptive_progress.h"
 #include "render/frame/check_settings.h"
 #include "render/frame/prepared_scene.h"
 #include "render/frame/sample_plan.h"
@@ -14,12 +16,11 @@
 namespace carom::render {
 namespace {
 
-/// Counts finished tiles and tells the caller, one call at a time, how far from `start` to `end`
-/// they have come.
+/// Counts finished tiles and tells the caller, one call at a time.
 class TileProgress {
   public:
-    TileProgress(const ProgressCallback& callback, int tiles, double start, double end)
-        : callback_(callback), tiles_(tiles), start_(start), end_(end) {}
+    TileProgress(const ProgressCallback& callback, int tiles)
+        : callback_(callback), tiles_(tiles) {}
 
     void finish_tile() {
         if (!callback_) {
@@ -27,28 +28,21 @@ class TileProgress {
         }
         const std::lock_guard<std::mutex> lock(mutex_);
         finished_ += 1;
-        callback_(start_ + (end_ - start_) * finished_ / tiles_);
+        callback_(static_cast<double>(finished_) / tiles_);
     }
 
   private:
     const ProgressCallback& callback_;
     int tiles_;
-    double start_;
-    double end_;
     int finished_ = 0;
     std::mutex mutex_;
 };
 
-struct Share {
-    double start = 0;
-    double end = 1;
-};
-
-/// `render_tile` for each tile, in parallel; its counts are added to `total`, in the tiles' order.
-template <class RenderTile>
-void for_all_tiles(int tiles, const Share& share, const WorkContext& context,
-                   RenderStatistics& total, const RenderTile& render_tile) {
-    TileProgress progress(context.progress, tiles, share.start, share.end);
+/// `render_tile` for each of 0 to `tiles` - 1, in parallel, and `tile_done` for each that was not
+/// stopped; the counts are added to `total` in this order.
+template <class RenderTile, class TileDone>
+void for_all_tiles(int tiles, const WorkContext& context, RenderStatistics& total,
+                   const RenderTile& render_tile, const TileDone& tile_done) {
     std::vector<RenderStatistics> counts(static_cast<std::size_t>(tiles));
     parallel_for(counts.size(), [&](std::size_t tile) {
         if (context.stop.stop_requested()) {
@@ -57,7 +51,7 @@ void for_all_tiles(int tiles, const Share& share, const WorkContext& context,
         const FlushDenormals flush;
         counts[tile] = render_tile(static_cast<int>(tile));
         if (!context.stop.stop_requested()) {
-            progress.finish_tile();
+            tile_done(static_cast<int>(tile));
         }
     });
     if (context.stop.stop_requested()) {
@@ -68,18 +62,43 @@ void for_all_tiles(int tiles, const Share& share, const WorkContext& context,
     }
 }
 
+void render_evenly(TileRenderer& renderer, const WorkContext& context, RenderStatistics& total) {
+    TileProgress progress(context.progress, renderer.tile_count());
+    for_all_tiles(
+        renderer.tile_count(), context, total,
+        [&](int tile) { return renderer.render(tile, context.stop); },
+        [&](int) { progress.finish_tile(); });
+}
+
 void render_adaptively(TileRenderer& renderer, const RenderSettings& settings,
                        const WorkContext& context, RenderStatistics& total) {
-    // How much the first samples are of all is known only after them.
-    constexpr double kPilotShare = 0.3;
+    using Clock = std::chrono::steady_clock;
     const int tiles = renderer.tile_count();
+    AdaptiveProgress progress(context.progress, settings, tiles);
     std::vector<PixelSums> pilot(static_cast<std::size_t>(settings.width) *
                                  static_cast<std::size_t>(settings.height));
-    for_all_tiles(tiles, {0, kPilotShare}, context, total,
-                  [&](int tile) { return renderer.begin(tile, pilot, context.stop); });
+    std::vector<double> seconds(static_cast<std::size_t>(tiles));
+    for_all_tiles(
+        tiles, context, total,
+        [&](int n) {
+            const Clock::time_point begin = Clock::now();
+            const RenderStatistics count =
+                renderer.begin(progress.nth_tile(n), pilot, context.stop);
+            seconds[static_cast<std::size_t>(n)] =
+                std::chrono::duration<double>(Clock::now() - begin).count();
+            return count;
+        },
+        [&](int n) {
+            const int tile = progress.nth_tile(n);
+            progress.first_samples_done(tile, renderer.deviations(tile, pilot),
+                                        seconds[static_cast<std::size_t>(n)]);
+        });
     const std::vector<int> plan = plan_samples(pilot, settings);
-    for_all_tiles(tiles, {kPilotShare, 1}, context, total,
-                  [&](int tile) { return renderer.finish(tile, pilot, plan, context.stop); });
+    progress.set_plan(renderer.further_samples(plan));
+    for_all_tiles(
+        tiles, context, total,
+        [&](int tile) { return renderer.finish(tile, pilot, plan, context.stop); },
+        [&](int tile) { progress.tile_done(tile); });
 }
 
 /// The images of lights in balls, as well sampled as the picture is on average.
@@ -128,8 +147,7 @@ Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks
     if (renderer.is_adaptive()) {
         render_adaptively(renderer, settings, context, film.statistics);
     } else {
-        for_all_tiles(renderer.tile_count(), {}, context, film.statistics,
-                      [&](int tile) { return renderer.render(tile, context.stop); });
+        render_evenly(renderer, context, film.statistics);
     }
     add_reflections(renderer, settings, context, film.statistics);
     film.aovs = aovs.take();

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kDarkest = 0.01;  // squared luminance that errors are measured against at least
 
-/// Squared relative error of the mean of a pixel's first samples.
+}  // namespace
+
 double relative_variance(const PixelSums& pixel, int samples) {
     constexpr int kCount = PixelSums::kGroups;
     double mean = 0;
@@ -25,6 +26,8 @@ double relative_variance(const PixelSums& pixel, int samples) {
     }
     return squares / (kCount * (kCount - 1)) / (mean * mean + kDarkest);
 }
+
+namespace {
 
 /// Means over the pixels around each one, without its own.
 std::vector<double> around(const std::vector<double>& values, int width, int height) {
@@ -51,22 +54,38 @@ std::vector<double> around(const std::vector<double>& values, int width, int hei
     return result;
 }
 
-/// Samples of a pixel of the given standard deviation, before rounding.
-double share_of(double deviation, double scale, const RenderSettings& settings) {
+}  // namespace
+
+double wanted_samples(double deviation, double scale, const RenderSettings& settings) {
     return std::clamp(scale * deviation, static_cast<double>(settings.samples),
                       static_cast<double>(std::max(settings.max_samples, settings.samples)));
 }
+
+namespace {
 
 double mean_square_error(const std::vector<double>& deviations, double scale,
                          const RenderSettings& settings) {
     double sum = 0;
     for (const double deviation : deviations) {
-        sum += deviation * deviation / share_of(deviation, scale, settings);
+        sum += deviation * deviation / wanted_samples(deviation, scale, settings);
     }
     return sum / static_cast<double>(deviations.size());
 }
 
 }  // namespace
+
+double samples_per_deviation(const std::vector<double>& deviations,
+                             const RenderSettings& settings) {
+    // Halving: the error falls as the scale grows.
+    const double target = settings.noise * settings.noise;
+    double low = 0;
+    double high = 1e9;
+    for (int step = 0; step < 50; ++step) {
+        const double middle = step < 20 ? std::sqrt((low + 1) * high) : 0.5 * (low + high);
+        (mean_square_error(deviations, middle, settings) > target ? low : high) = middle;
+    }
+    return high;
+}
 
 std::vector<int> plan_samples(const std::vector<PixelSums>& pilot, const RenderSettings& settings) {
     CAROM_ASSERT(settings.noise > 0 && settings.samples % PixelSums::kGroups == 0);
@@ -79,19 +98,12 @@ std::vector<int> plan_samples(const std::vector<PixelSums>& pilot, const RenderS
     for (double& value : deviations) {
         value = std::sqrt(value * settings.samples);  // of one sample
     }
-    // Halving: the error falls as the scale grows.
-    const double target = settings.noise * settings.noise;
-    double low = 0;
-    double high = 1e9;
-    for (int step = 0; step < 50; ++step) {
-        const double middle = step < 20 ? std::sqrt((low + 1) * high) : 0.5 * (low + high);
-        (mean_square_error(deviations, middle, settings) > target ? low : high) = middle;
-    }
+    const double scale = samples_per_deviation(deviations, settings);
     const int quantum = settings.samples / PixelSums::kGroups;
     std::vector<int> plan;
     plan.reserve(pilot.size());
     for (const double deviation : deviations) {
-        const double wanted = share_of(deviation, high, settings);
+        const double wanted = wanted_samples(deviation, scale, settings);
         plan.push_back(static_cast<int>(std::ceil(wanted / quantum - 1e-6)) * quantum);
     }
     return plan;

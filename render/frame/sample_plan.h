@@ -8,6 +8,18 @@
 
 namespace carom::render {
 
+/// The squared relative error of the mean of a pixel's first `samples` samples.
+[[nodiscard]] double relative_variance(const PixelSums& pixel, int samples);
+
+/// By how much the standard deviation of a pixel's samples is multiplied to give its number of
+/// samples, if `deviations` are those of all pixels.
+[[nodiscard]] double samples_per_deviation(const std::vector<double>& deviations,
+                                           const RenderSettings& settings);
+
+/// Samples of a pixel of the given standard deviation, before rounding.
+[[nodiscard]] double wanted_samples(double deviation, double samples_per_deviation,
+                                    const RenderSettings& settings);
+
 /// Samples for every pixel, row by row, between `settings.samples`, which `pilot` holds already,
 /// and `settings.max_samples`: as few as bring the root mean square of the pixels' relative errors,
 ///   sqrt(mean over pixels of variance / (luminance^2 + 0.01)),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "render/frame/sample_plan.h"
 #include "render/integrator/distributed_integrator.h"
 #include "render/integrator/path_integrator.h"
 #include "render/integrator/wave/wave_integrator.h"
@@ -115,6 +116,40 @@ RenderStatistics TileRenderer::begin(int tile, std::vector<PixelSums>& pilot,
     });
     queue.flush();
     return count;
+}
+
+std::vector<double> TileRenderer::deviations(int tile, const std::vector<PixelSums>& pilot) const {
+    constexpr int kBlock = 4;  // pixels a side
+    constexpr int kBlocks = kTileSize / kBlock;
+    std::vector<double> variances(std::size_t{kBlocks} * kBlocks);
+    std::vector<int> pixels(variances.size());
+    for_each_pixel(tile, {}, [&](int x, int y) {
+        const auto block =
+            static_cast<std::size_t>(y % kTileSize / kBlock * kBlocks + x % kTileSize / kBlock);
+        variances[block] += relative_variance(pilot[index(x, y)], settings_.samples);
+        pixels[block] += 1;
+    });
+    std::vector<double> result;
+    for (std::size_t block = 0; block < variances.size(); ++block) {
+        if (pixels[block] > 0) {
+            result.push_back(std::sqrt(variances[block] / pixels[block] * settings_.samples));
+        }
+    }
+    return result;
+}
+
+std::vector<double> TileRenderer::further_samples(const std::vector<int>& plan) const {
+    std::vector<double> further;
+    for (int tile = 0; tile < tile_count(); ++tile) {
+        double planned = 0;
+        int pixels = 0;
+        for_each_pixel(tile, {}, [&](int x, int y) {
+            planned += plan[index(x, y)];
+            pixels += 1;
+        });
+        further.push_back(planned / pixels / settings_.samples - 1);
+    }
+    return further;
 }
 
 RenderStatistics TileRenderer::finish(int tile, const std::vector<PixelSums>& pilot,

@@ -38,6 +38,11 @@ class TileRenderer {
     /// For adaptive sampling: the first samples of each pixel into `pilot`, ...
     [[nodiscard]] RenderStatistics begin(int tile, std::vector<PixelSums>& pilot,
                                          const std::stop_token& stop);
+    /// Standard deviations of the samples of some of the tile's pixels, means over blocks of 4x4.
+    [[nodiscard]] std::vector<double> deviations(int tile,
+                                                 const std::vector<PixelSums>& pilot) const;
+    /// By tile, how many samples `plan` gives beyond the first ones, as a multiple of these.
+    [[nodiscard]] std::vector<double> further_samples(const std::vector<int>& plan) const;
     /// ... and the others up to the number in `plan`, into the film. Both row by row.
     [[nodiscard]] RenderStatistics finish(int tile, const std::vector<PixelSums>& pilot,
                                           const std::vector<int>& plan,

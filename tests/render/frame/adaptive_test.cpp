@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include <gtest/gtest.h>
 
+#include "render/frame/adaptive_progress.h"
 #include "render/frame/sample_plan.h"
 #include "render/threads/thread_arena.h"
 #include "tests/render/scene_builder.h"
@@ -67,6 +69,79 @@ TEST(SamplePlan, OwnSamples_HaveNoSayButInTheCommonScale) {
     const std::vector<int> plan = plan_samples(pilot, settings);
     EXPECT_EQ(plan[odd], plan[0]);          // as one whose neighbourhood is like all others
     EXPECT_GT(plan[odd + 1], 2 * plan[0]);  // which has seen it
+}
+
+class Progress : public testing::Test {
+  protected:
+    static constexpr int kTiles = 32;
+
+    /// All tiles take a second for their first samples; every pixel's samples deviate by this.
+    void begin_tiles(int from, int to, double deviation) {
+        for (int n = from; n < to; ++n) {
+            progress_.first_samples_done(progress_.nth_tile(n), std::vector<double>(16, deviation),
+                                         1);
+        }
+    }
+
+    std::vector<double> shares_;
+    ProgressCallback callback_ = [this](double share) { shares_.push_back(share); };
+    AdaptiveProgress progress_{callback_, plan_settings(512, 16, 0.02), kTiles};
+};
+
+TEST_F(Progress, FirstSamples_AreTheShareThatTheirNoiseSays) {
+    const double deviation = 0.02 * std::sqrt(64);  // reaches the noise of 0.02 by 64 samples
+    begin_tiles(0, 1, deviation);
+    EXPECT_TRUE(shares_.empty()) << "one tile says too little";
+    begin_tiles(1, 8, deviation);
+    EXPECT_NEAR(shares_.back(), 8.0 / kTiles / 4, 1e-6);
+    begin_tiles(8, kTiles, deviation);
+    EXPECT_NEAR(shares_.back(), 0.25, 1e-6);
+    progress_.set_plan(std::vector<double>(kTiles, 3));
+    for (int tile = 0; tile < kTiles / 2; ++tile) {
+        progress_.tile_done(tile);
+    }
+    EXPECT_NEAR(shares_.back(), 0.25 + 0.5 * 0.75, 1e-6);
+    for (int tile = kTiles / 2; tile < kTiles; ++tile) {
+        progress_.tile_done(tile);
+    }
+    EXPECT_EQ(shares_.back(), 1);
+    EXPECT_TRUE(std::is_sorted(shares_.begin(), shares_.end()));
+}
+
+TEST_F(Progress, QuietFrame_IsDoneWithItsFirstSamples) {
+    begin_tiles(0, kTiles / 2, 1e-6);
+    EXPECT_NEAR(shares_.back(), 0.5, 1e-6);
+    begin_tiles(kTiles / 2, kTiles, 1e-6);
+    EXPECT_NEAR(shares_.back(), 1, 1e-6);
+}
+
+TEST_F(Progress, PlanThatAsksForMoreThanExpected_HoldsTheShareWhereItIs) {
+    begin_tiles(0, kTiles, 1e-6);
+    progress_.set_plan(std::vector<double>(kTiles, 1));
+    progress_.tile_done(0);
+    EXPECT_NEAR(shares_.back(), 1, 1e-6);
+    EXPECT_TRUE(std::is_sorted(shares_.begin(), shares_.end()));
+}
+
+TEST_F(Progress, Tiles_AreVisitedOnceAndEarlyOnesEverywhere) {
+    for (const int tiles : {1, 2, 3, 60, 919, 920, 8160}) {
+        const ProgressCallback nobody;
+        const AdaptiveProgress progress(nobody, plan_settings(16, 16, 0.02), tiles);
+        std::vector<int> order;
+        for (int n = 0; n < tiles; ++n) {
+            order.push_back(progress.nth_tile(n));
+        }
+        if (tiles > 50) {  // any half of the frame has its part of the first sixteenth
+            const int early = tiles / 16;
+            const auto upper = std::count_if(order.begin(), order.begin() + early,
+                                             [&](int tile) { return tile < tiles / 2; });
+            EXPECT_NEAR(static_cast<double>(upper), early / 2.0, 2) << tiles;
+        }
+        std::sort(order.begin(), order.end());
+        for (int n = 0; n < tiles; ++n) {
+            ASSERT_EQ(order[static_cast<std::size_t>(n)], n) << tiles;
+        }
+    }
 }
 
 /// A ball between a lamp and the floor: noisy in the penumbra and out of focus, quiet elsewhere.
