@@ -11,10 +11,11 @@ namespace {
 sim::Bake bake_of_shot(const ShotInput& input, const std::string& path, const CacheOptions& cache,
                        CommandContext& context) {
     const BakeReason reason(input.shot, path, cache.folder);
-    bool baked = false;
+    auto origin = pipeline::BakeOrigin::made;
     std::vector<pipeline::SimulationWarning> warnings;
-    sim::Bake bake = pipeline::bake_or_reuse(
-        input.shot, cache.folder, talk_about_job(context.console), context.stop, &baked, &warnings);
+    sim::Bake bake =
+        pipeline::bake_or_reuse(input.shot, cache.folder, talk_about_job(context.console),
+                                context.stop, &origin, &warnings);
     context.console.end_progress();
     std::vector<pipeline::Problem> problems;
     problems.reserve(warnings.size());
@@ -23,7 +24,7 @@ sim::Bake bake_of_shot(const ShotInput& input, const std::string& path, const Ca
             pipeline::simulation_problem(warning.sentence, warning.event, input.source.get()));
     }
     report_problems(problems, context.console);
-    context.console.info(reason.text(baked));
+    context.console.info(reason.text(origin));
     reason.remember();
     return bake;
 }

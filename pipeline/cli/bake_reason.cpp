@@ -53,8 +53,11 @@ BakeReason::BakeReason(const pipeline::Shot& shot, const std::string& shot_path,
     }
 }
 
-std::string BakeReason::text(bool baked) const {
-    if (!baked) {
+std::string BakeReason::text(pipeline::BakeOrigin origin) const {
+    if (origin == pipeline::BakeOrigin::replaced) {
+        return "simulated the shot again: the bake that was kept could not be used";
+    }
+    if (origin == pipeline::BakeOrigin::kept) {
         return last_hash_ == hash_
                    ? "the physics is unchanged: using the bake that was kept"
                    : "this physics was simulated before: using the bake that was kept";

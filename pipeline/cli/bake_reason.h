@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "pipeline/job/film_job.h"
 #include "pipeline/shot/shot.h"
 
 namespace carom::cli {
@@ -15,7 +16,7 @@ class BakeReason {
                const std::string& cache_folder);
 
     /// "simulated the shot again: its physics has changed (events[0].strike.speed)"
-    [[nodiscard]] std::string text(bool baked) const;
+    [[nodiscard]] std::string text(pipeline::BakeOrigin origin) const;
 
     /// Next time this is the last time. What cannot be written is not remembered.
     void remember() const;

@@ -128,8 +128,8 @@ std::optional<sim::Bake> find_kept_bake(const Shot& shot, const std::string& cac
 }
 
 sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
-                        const JobObserver& observer, const std::stop_token& stop, bool* baked,
-                        std::vector<SimulationWarning>* warnings) {
+                        const JobObserver& observer, const std::stop_token& stop,
+                        BakeOrigin* origin, std::vector<SimulationWarning>* warnings) {
     std::vector<SimulationWarning> heard;
     const auto tell = [&] {
         if (warnings != nullptr) {
@@ -140,9 +140,12 @@ sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
             warn(observer, warning.sentence);
         }
     };
+    const Hash128 physics_hash = sim::physics_hash(shot.world);
+    std::error_code ignored;
+    const bool is_there = fs::exists(bake_path(cache_folder, physics_hash), ignored);
     std::optional<sim::Bake> kept = find_kept_bake(shot, cache_folder, observer, heard);
-    if (baked != nullptr) {
-        *baked = !kept;
+    if (origin != nullptr) {
+        *origin = kept ? BakeOrigin::kept : is_there ? BakeOrigin::replaced : BakeOrigin::made;
     }
     if (kept) {
         tell();
@@ -156,7 +159,6 @@ sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
     sim::BakeResult result = sim::bake(shot.world, context);
     heard = warnings_of(result);
     tell();
-    const Hash128 physics_hash = sim::physics_hash(shot.world);
     sim::Bake bake{std::move(result.timeline), physics_hash, shot.resolved_text, shot.assets};
     try {
         keep(bake, heard, bake_path(cache_folder, physics_hash));

@@ -54,12 +54,19 @@ struct SimulationWarning {
     int event = -1;  // of the shot's world, that it is about; -1: none
 };
 
+/// How a shot's bake was come by.
+enum class BakeOrigin {
+    kept,      // by an earlier command
+    made,      // simulated now
+    replaced,  // simulated now because the kept one is damaged, which a warning says
+};
+
 /// The kept bake if its physics hash fits, else a new one, which is kept; with this shot's text,
 /// assets and keyed motions. A kept bake that is damaged is replaced; what the simulation warned of
 /// is told again, or goes to `warnings`. Throws Error, Stopped.
 [[nodiscard]] sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
                                       const JobObserver& observer, const std::stop_token& stop,
-                                      bool* baked = nullptr,
+                                      BakeOrigin* origin = nullptr,
                                       std::vector<SimulationWarning>* warnings = nullptr);
 
 /// The kept bake with the shot's text, assets and keyed motions, if there is one; its warnings.

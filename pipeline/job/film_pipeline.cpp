@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "pipeline/job/cache_keeper.h"
+#include "pipeline/job/damage_report.h"
 #include "pipeline/job/exported_frame.h"
 #include "pipeline/job/film_encoder.h"
 #include "pipeline/job/job_frames.h"
@@ -15,8 +16,12 @@
 namespace carom::pipeline {
 namespace {
 
-FrameStore open_store(const FilmJobOptions& options, ObserverGate& observer) {
-    FrameStore store(frames_folder(options));
+FrameStore open_store(const FilmJobOptions& options, ObserverGate& observer,
+                      DamageReport& damages) {
+    FrameStore store(frames_folder(options),
+                     [&damages](const std::string& path, const std::string& damage) {
+                         damages.add(path, damage);
+                     });
     if (!store.can_claim()) {
         observer.warning("the cache '" + frames_folder(options) +
                          "' cannot be locked; a second process would render the same frames again");
@@ -27,6 +32,16 @@ FrameStore open_store(const FilmJobOptions& options, ObserverGate& observer) {
 void mark_used(const FilmPlan& plan, const FrameStore& store) {
     for (const FilmPlan::Picture& picture : plan.pictures) {
         store.mark_used(picture.key);
+    }
+}
+
+// The film is made of all chunks, so that the frames of the others are not thrown out to make room.
+void mark_other_chunks(const FilmSource& source, const FilmJobOptions& options,
+                       const FrameStore& store, const std::stop_token& stop) {
+    if (options.chunk.of > 1 && options.cache_limit != kNoLimit) {
+        FilmJobOptions all = options;
+        all.chunk = {};
+        mark_used(plan_film(source, job_frames(source.shot(), all), stop), store);
     }
 }
 
@@ -41,7 +56,7 @@ void await_pictures(const FilmPlan& plan, const FrameStore& store, PictureBoard&
         if (store.holds_whole(plan.pictures[i].key)) {
             ++i;
         } else {
-            store.discard(plan.pictures[i].key);
+            store.discard_damaged(plan.pictures[i].key);
             board.request_again(i);
         }
     }
@@ -91,11 +106,13 @@ FilmJobResult make_film_with(const RenderFunction& render, const Shot& shot,
                              const JobObserver& observer, const std::stop_token& stop) {
     const std::vector<std::int64_t> frames = job_frames(shot, options);
     ObserverGate gate(observer);
-    const FrameStore store = open_store(options, gate);
+    DamageReport damages(gate);
+    const FrameStore store = open_store(options, gate, damages);
     const FilmSource source(shot, timeline);
     const FilmPlan plan = plan_film(source, frames, stop);
     CacheKeeper keeper(cache_of(options), options.cache_limit, gate);
     mark_used(plan, store);
+    mark_other_chunks(source, options, store, stop);
     keeper.prune();
 
     // A film that cannot be written is heard of before anything is rendered.
@@ -133,7 +150,8 @@ render::Film make_frame_with(const RenderFunction& render, const Shot& shot,
                              const FilmJobOptions& options, const JobObserver& observer,
                              const std::stop_token& stop) {
     ObserverGate gate(observer);
-    const FrameStore store = open_store(options, gate);
+    DamageReport damages(gate);
+    const FrameStore store = open_store(options, gate, damages);
     const FilmSource source(shot, timeline);
     const FilmPlan plan = plan_film(source, {frame}, stop);
     mark_used(plan, store);

@@ -75,7 +75,8 @@ bool locks_work(const std::string& folder) {
 
 }  // namespace
 
-FrameStore::FrameStore(std::string folder) : folder_(std::move(folder)) {
+FrameStore::FrameStore(std::string folder, DamageObserver on_damage)
+    : folder_(std::move(folder)), on_damage_(std::move(on_damage)) {
     create_folder(folder_);
     can_claim_ = locks_work(folder_ + "/locks");
     if (can_claim_) {
@@ -97,8 +98,18 @@ bool FrameStore::holds_whole(const Hash128& key) const {
     return check_seal(path_of(key), key) == SealState::whole;
 }
 
-void FrameStore::discard(const Hash128& key) const {
-    ::unlink(path_of(key).c_str());
+void FrameStore::discard_damaged(const Hash128& key) const {
+    const std::string path = path_of(key);
+    if (check_seal(path, key) == SealState::damaged) {
+        discard(path, damage_text(path, key));
+    }
+}
+
+void FrameStore::discard(const std::string& path, const std::string& damage) const {
+    if (on_damage_) {
+        on_damage_(path, damage);
+    }
+    ::unlink(path.c_str());
 }
 
 void FrameStore::mark_used(const Hash128& key) const {
@@ -111,15 +122,15 @@ std::optional<render::Film> FrameStore::read(const Hash128& key) const {
         case SealState::missing:
             return std::nullopt;
         case SealState::damaged:
-            ::unlink(path.c_str());
+            discard(path, damage_text(path, key));
             return std::nullopt;
         case SealState::whole:
             break;
     }
     try {
         return render::read_exr(path);
-    } catch (const Error&) {
-        ::unlink(path.c_str());
+    } catch (const Error& error) {
+        discard(path, std::string("it cannot be decoded: ") + error.what());
         return std::nullopt;
     }
 }

@@ -1,6 +1,7 @@
 // Finished frames on disk, under their keys.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,8 +35,13 @@ class FrameClaim {
 ///   FOLDER/locks/             claims
 class FrameStore {
   public:
+    /// Hears of a stored frame that turned out to be damaged, before its file is removed: the file
+    /// and a sentence without its full stop, "its contents have changed since it was written". Any
+    /// thread that uses the store may call it.
+    using DamageObserver = std::function<void(const std::string& path, const std::string& damage)>;
+
     /// Creates the folder if need be; throws Error if that fails.
-    explicit FrameStore(std::string folder);
+    explicit FrameStore(std::string folder, DamageObserver on_damage = {});
 
     /// Whether claims keep other processes off; false where the file system has no locks. Every
     /// claim is granted then, and the same frame may be rendered twice.
@@ -48,8 +54,8 @@ class FrameStore {
     /// the folder cannot be read.
     [[nodiscard]] bool holds_whole(const Hash128& key) const;
 
-    /// Removes the frame, if it is there: its file is damaged.
-    void discard(const Hash128& key) const;
+    /// Removes the frame, if it is there and damaged.
+    void discard_damaged(const Hash128& key) const;
 
     /// Notes that the frame, if it is there, is used now: it will be among the last to be pruned.
     void mark_used(const Hash128& key) const;
@@ -68,7 +74,10 @@ class FrameStore {
     [[nodiscard]] std::string path_of(const Hash128& key) const;
 
   private:
+    void discard(const std::string& path, const std::string& damage) const;
+
     std::string folder_;
+    DamageObserver on_damage_;
     bool can_claim_ = true;
 };
 

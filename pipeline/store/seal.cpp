@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -75,22 +76,55 @@ void seal_file(const std::string& path, const Hash128& key) {
     }
 }
 
-SealState check_seal(const std::string& path, const Hash128& key) {
+namespace {
+
+/// Nothing if there is no such file.
+std::optional<std::vector<std::byte>> read_sealed(const std::string& path) {
     const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!file.is_open()) {
         if (errno == ENOENT || errno == ENOTDIR) {
-            return SealState::missing;
+            return std::nullopt;
         }
         throw Error(system_problem(path, "the frame cannot be read"));
     }
-    const std::vector<std::byte> bytes = read_whole(file.get(), path);
-    if (bytes.size() < kSealSize) {
+    return read_whole(file.get(), path);
+}
+
+}  // namespace
+
+SealState check_seal(const std::string& path, const Hash128& key) {
+    const std::optional<std::vector<std::byte>> bytes = read_sealed(path);
+    if (!bytes) {
+        return SealState::missing;
+    }
+    if (bytes->size() < kSealSize) {
         return SealState::damaged;
     }
-    const std::span<const std::byte> whole(bytes);
-    const Seal expected = make_seal(whole.first(bytes.size() - kSealSize), key);
+    const std::span<const std::byte> whole(*bytes);
+    const Seal expected = make_seal(whole.first(bytes->size() - kSealSize), key);
     return std::ranges::equal(whole.last(kSealSize), expected) ? SealState::whole
                                                                : SealState::damaged;
+}
+
+std::string damage_text(const std::string& path, const Hash128& key) {
+    const std::optional<std::vector<std::byte>> bytes = read_sealed(path);
+    if (!bytes) {
+        return "it is gone";
+    }
+    if (bytes->size() < kSealSize) {
+        return "it has " + std::to_string(bytes->size()) + " bytes, too few for a frame";
+    }
+    const std::span<const std::byte> whole(*bytes);
+    const std::span<const std::byte> seal = whole.last(kSealSize);
+    const Seal expected = make_seal(whole.first(bytes->size() - kSealSize), key);
+    constexpr std::size_t kKeyEnd = kMark.size() + 2 * sizeof(std::uint64_t);
+    if (!std::ranges::equal(seal.first(kMark.size()), std::span(expected).first(kMark.size()))) {
+        return "its end is missing or overwritten";
+    }
+    if (!std::ranges::equal(seal.first(kKeyEnd), std::span(expected).first(kKeyEnd))) {
+        return "it is another frame, or its end is overwritten";
+    }
+    return "its contents have changed since it was written";
 }
 
 }  // namespace carom::pipeline

@@ -16,4 +16,7 @@ enum class SealState { whole, damaged, missing };
 /// Throws Error if the file is there but cannot be read.
 [[nodiscard]] SealState check_seal(const std::string& path, const Hash128& key);
 
+/// What is wrong with a file that check_seal calls damaged: "it has 12 bytes, too few for a frame".
+[[nodiscard]] std::string damage_text(const std::string& path, const Hash128& key);
+
 }  // namespace carom::pipeline

@@ -19,6 +19,7 @@ using carom::testing::read_text;
 using carom::testing::ScratchFolder;
 using carom::testing::write_text;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class NoSimulation : public ::testing::Test {
   protected:
@@ -131,6 +132,20 @@ TEST_F(NoSimulation, ChangeOfPhysics_SimulatesAndSaysWhatChanged) {
     said_.clear();
     run_render(render("shot.yaml", "film.mp4"), context_);
     EXPECT_THAT(said_, HasSubstr("simulated the shot again: its bake was not there any more"));
+}
+
+TEST_F(NoSimulation, DamagedBake_IsSimulatedAgainAndSaidToBeThere) {
+    for (const auto& entry : std::filesystem::directory_iterator(path("cache/bakes"))) {
+        if (entry.path().extension() == ".bake") {
+            std::filesystem::resize_file(entry.path(), 500);
+        }
+    }
+    said_.clear();
+    run_render(render("shot.yaml", "film.mp4"), context_);
+    EXPECT_THAT(said_, HasSubstr("the kept bake cannot be used, baking again: "));
+    EXPECT_THAT(said_,
+                HasSubstr("simulated the shot again: the bake that was kept could not be used"));
+    EXPECT_THAT(said_, Not(HasSubstr("not there any more")));
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ Shot make_shot() {
 struct Baking {
     sim::Bake bake;
     bool baked = false;
+    BakeOrigin origin = BakeOrigin::kept;
     std::vector<std::string> warnings;
     double last_share = -1;
 };
@@ -56,7 +57,8 @@ Baking run(const Shot& shot, const std::string& cache) {
         EXPECT_EQ(stage, "bake");
         result.last_share = share;
     };
-    result.bake = bake_or_reuse(shot, cache, observer, {}, &result.baked);
+    result.bake = bake_or_reuse(shot, cache, observer, {}, &result.origin);
+    result.baked = result.origin != BakeOrigin::kept;
     return result;
 }
 
@@ -68,7 +70,7 @@ TEST(BakeJob, SecondTime_TakesTheKeptBakeAndWarnsAgain) {
     const ScratchFolder cache;
     const Shot shot = make_shot();
     const Baking first = run(shot, cache.path());
-    EXPECT_TRUE(first.baked);
+    EXPECT_EQ(first.origin, BakeOrigin::made);
     EXPECT_EQ(first.last_share, 1);
     ASSERT_EQ(first.warnings.size(), 1u);
     EXPECT_EQ(first.bake.shot_text, "carom: 1");
@@ -110,7 +112,7 @@ TEST(BakeJob, DamagedBake_IsReplaced) {
     for (const std::string& text : {damaged, whole.substr(0, whole.size() / 3), std::string()}) {
         write_text(path, text);
         const Baking again = run(shot, cache.path());
-        EXPECT_TRUE(again.baked);
+        EXPECT_EQ(again.origin, BakeOrigin::replaced);
         EXPECT_EQ(again.bake, first.bake);
         EXPECT_THAT(again.warnings, ElementsAre(HasSubstr("cannot be used, baking again: "),
                                                 first.warnings.front()));

@@ -155,6 +155,42 @@ TEST(FilmPipeline, DamagedAndVanishedFrames_AreMadeAgain) {
     EXPECT_EQ(studio.video("again.mkv"), video);
 }
 
+TEST(FilmPipeline, DamagedFrames_AreToldOfTheFirstFewByName) {
+    Studio studio;
+    (void)studio.film();
+    const FrameStore store = studio.store();
+    const auto path = [&](std::int64_t frame) { return store.path_of(studio.key(frame)); };
+    std::string bytes = read_text(path(1));
+    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+    const std::string another = read_text(path(2));
+    write_text(path(0), "not a frame");
+    write_text(path(1), bytes);
+    write_text(path(3), another);
+    fs::resize_file(path(4), 100);
+    fs::resize_file(path(5), 100);
+    std::vector<std::string> warnings;
+    studio.observer.on_warning = [&](const std::string& text) { warnings.push_back(text); };
+    const std::string begin = "the stored frame '";
+    const std::string again = "' is damaged and is rendered again: ";
+    const auto expected = ElementsAre(
+        begin + path(0) + again + "it has 11 bytes, too few for a frame",
+        begin + path(1) + again + "its contents have changed since it was written",
+        begin + path(3) + again + "it is another frame, or its end is overwritten",
+        "2 more stored frames were damaged; 'carom cache verify' reads everything that is stored");
+    FilmJobOptions options = studio.options("again.mkv");
+    EXPECT_EQ(studio.film("again.mkv").rendered, 5);
+    EXPECT_THAT(warnings, expected);
+    warnings.clear();
+    EXPECT_EQ(studio.film("whole.mkv").rendered, 0);
+    EXPECT_THAT(warnings, IsEmpty());
+    // The same when nothing is encoded.
+    fs::resize_file(path(4), 100);
+    options.output.clear();
+    EXPECT_EQ(studio.film(studio.renderer.function(), options).rendered, 1);
+    EXPECT_THAT(warnings,
+                ElementsAre(begin + path(4) + again + "its end is missing or overwritten"));
+}
+
 TEST(FilmPipeline, CacheThatVanishesMidway_IsFilledAgain) {
     Studio plain, studio;
     (void)plain.film();
@@ -382,7 +418,7 @@ TEST(FramePipeline, OneFrame_IsStoredAndSharedWithTheFilm) {
     Studio studio;
     const auto frame = [&] {
         return make_frame_with(studio.renderer.function(), studio.shot, studio.timeline, 3,
-                               studio.options(), {}, {});
+                               studio.options(), studio.observer, {});
     };
     const render::Film first = frame();
     EXPECT_EQ(first.width, 32);
@@ -390,7 +426,12 @@ TEST(FramePipeline, OneFrame_IsStoredAndSharedWithTheFilm) {
     EXPECT_EQ(studio.renderer.rendered().size(), 1u);
     EXPECT_EQ(studio.film().rendered, kPictures - 1);
     write_text(studio.store().path_of(studio.key(3)), "damaged");
+    std::string warning;
+    studio.observer.on_warning = [&](const std::string& text) { warning = text; };
     EXPECT_EQ(frame().rgba, first.rgba);
+    EXPECT_EQ(warning,
+              "the stored frame '" + studio.store().path_of(studio.key(3)) +
+                  "' is damaged and is rendered again: it has 7 bytes, too few for a frame");
 }
 
 }  // namespace

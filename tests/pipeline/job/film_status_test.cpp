@@ -144,6 +144,20 @@ TEST(CacheLimit, FramesOfOlderFilms_GoFirst) {
     EXPECT_EQ(farm.status().missing.size(), 4U);
 }
 
+TEST(CacheLimit, FramesOfTheOtherChunks_Stay) {
+    Farm farm;
+    FilmJobOptions chunk = farm.options();
+    chunk.cache_limit = 1000;
+    chunk.chunk = {1, 3};
+    EXPECT_EQ(farm.render(chunk).rendered, 4);
+    for (const CacheEntry& entry : list_cache(farm.folder.path("cache"))) {
+        fs::last_write_time(entry.path, fs::file_time_type::clock::now() - std::chrono::hours(5));
+    }
+    chunk.chunk = {2, 3};
+    EXPECT_EQ(farm.render(chunk).rendered, 4);
+    EXPECT_THAT(farm.status().missing, ElementsAre(8, 9, 10, 11));
+}
+
 TEST(CacheLimit, FilmLargerThanIt_IsMadeAndSaysSo) {
     Farm farm;
     FilmJobOptions options = farm.options("film.mkv");

@@ -59,9 +59,9 @@ TEST(KeyedFilm, ChangedKeys_AreFilmedWithoutAnotherBake) {
     const Shot stands = strip("-0.5");
     const sim::Bake first = bake_or_reuse(moves, folder.path(), {}, {});
     EXPECT_EQ(sim::physics_hash(moves.world), sim::physics_hash(stands.world));
-    bool baked = true;
-    sim::Bake second = bake_or_reuse(stands, folder.path(), {}, {}, &baked);
-    EXPECT_FALSE(baked);
+    auto origin = BakeOrigin::made;
+    sim::Bake second = bake_or_reuse(stands, folder.path(), {}, {}, &origin);
+    EXPECT_EQ(origin, BakeOrigin::kept);
     ASSERT_EQ(second.timeline.tracks.size(), 1u);
     EXPECT_EQ(second.timeline.tracks[0], stands.keyed[0]);
     const render::Film film = picture(stands, second, folder);

@@ -1,0 +1,26 @@
+#include "pipeline/job/damage_report.h"
+
+namespace carom::pipeline {
+namespace {
+
+constexpr int kMostNamed = 3;
+
+}  // namespace
+
+void DamageReport::add(const std::string& path, const std::string& damage) {
+    const std::scoped_lock lock(mutex_);
+    if (++count_ <= kMostNamed) {
+        observer_.warning("the stored frame '" + path +
+                          "' is damaged and is rendered again: " + damage);
+    }
+}
+
+DamageReport::~DamageReport() {
+    if (const int others = count_ - kMostNamed; others > 0) {
+        observer_.warning(std::to_string(others) +
+                          (others == 1 ? " more stored frame was" : " more stored frames were") +
+                          " damaged; 'carom cache verify' reads everything that is stored");
+    }
+}
+
+}  // namespace carom::pipeline

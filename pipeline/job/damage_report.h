@@ -1,0 +1,31 @@
+// Tells of stored frames that turned out to be damaged.
+#pragma once
+
+#include <mutex>
+#include <string>
+
+#include "pipeline/job/observer_gate.h"
+
+namespace carom::pipeline {
+
+/// A warning for each of the first few and, when the report is destroyed at the end of the job, one
+/// line for all others: a disk that fails must be heard of, and must not fill the screen. Any
+/// thread may call at any time.
+class DamageReport {
+  public:
+    explicit DamageReport(ObserverGate& observer) : observer_(observer) {}
+    ~DamageReport();
+    DamageReport(const DamageReport&) = delete;
+    DamageReport& operator=(const DamageReport&) = delete;
+    DamageReport(DamageReport&&) = delete;
+    DamageReport& operator=(DamageReport&&) = delete;
+
+    void add(const std::string& path, const std::string& damage);
+
+  private:
+    ObserverGate& observer_;
+    std::mutex mutex_;
+    int count_ = 0;
+};
+
+}  // namespace carom::pipeline
