@@ -17,7 +17,7 @@ take_turn() {
 
 # How far apt-get is, from what it writes to its status descriptor, the file LOG.status: "downloading 34 %".
 apt_progress() {
-  tail -n 1 "$1.status" 2>/dev/null | sed -nE \
+  tail -n 1 "$1.status" | sed -nE \
     -e 's/^dlstatus:[^:]*:([0-9]+)[^:]*:.*/downloading \1 %/p' \
     -e 's/^pmstatus:.*:([0-9]+)(\.[0-9]+)?:.*/unpacking and setting up \1 %/p'
 }
@@ -58,6 +58,7 @@ stage_interrupted() {
 run_stage() {
   local name=$1 log=$2 progress=$3 begin=$SECONDS next=$((SECONDS + stage_interval)) status=0 far
   shift 3
+  : >"$log"
   : >"$log.status"
   if [ ! -t 2 ]; then stage_say "$name"; fi
   trap stage_interrupted INT TERM HUP
@@ -66,7 +67,7 @@ run_stage() {
   stage_child=$!
   while kill -0 "$stage_child" 2>/dev/null; do
     if [ -t 2 ] || [ "$SECONDS" -ge "$next" ]; then
-      far=$("$progress" "$log")
+      far=$("$progress" "$log" 2>/dev/null) || far=
       stage_show "$name" "${far:-$((SECONDS - begin)) s}"
       next=$((SECONDS + stage_interval))
     fi
