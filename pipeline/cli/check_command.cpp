@@ -89,13 +89,16 @@ void check_motion(ShotInput& input, const CheckCommand& command, CommandContext&
     }
 }
 
-void check_film(const pipeline::Shot& shot, std::vector<Problem>& problems) {
-    Problem problem;
-    problem.message = pipeline::check_video_format(
+/// The film that `carom render` writes unless told otherwise; pictures and other codecs may take
+/// what it cannot.
+void check_film_file(const ShotInput& input, std::vector<Problem>& problems) {
+    const pipeline::Shot& shot = input.shot;
+    const std::string problem = pipeline::check_film_size(
         {shot.render.width, shot.render.height, shot.timing.fps}, shot.output,
         shot.name + pipeline::default_extension(shot.output));
-    if (!problem.message.empty()) {
-        problems.push_back(std::move(problem));
+    if (!problem.empty()) {
+        problems.push_back(
+            input.source->problem_at({"render", "size"}, pipeline::Severity::warning, problem));
     }
 }
 
@@ -113,7 +116,7 @@ void run_check(const CheckCommand& command, CommandContext& context) {
     CheckedInput checked = load_shot_input(command.input);
     std::vector<Problem>& problems = checked.problems;
     if (checked.input) {
-        check_film(checked.input->shot, problems);
+        check_film_file(*checked.input, problems);
         if (!command.quick && !pipeline::has_errors(problems)) {
             check_motion(*checked.input, command, context, problems);
         }

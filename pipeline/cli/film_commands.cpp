@@ -143,12 +143,13 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
                          "' when all chunks are there, or write pictures (shot.####.exr)");
     }
     if (makes_film) {
-        check_film(input.shot, path);
+        check_film(input, path, context.console);
     }
     FilmJobOptions options = job_options(command.cache, command.frames, command.chunk);
     options.output = path;
     options.threads = command.threads;
-    const std::int64_t frames = count_job_frames(input.shot, options, command.frames);
+    const std::int64_t frames =
+        count_job_frames(input.shot, options, command.frames, context.console);
     if (frames == 0) {
         context.console.info("chunk " + command.chunk + " has no frames");
         return;
@@ -175,10 +176,11 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
 void run_mux(const MuxCommand& command, CommandContext& context) {
     ShotInput input = read_shot_input(command.input, context.console);
     const std::string path = film_path(command.output, command.input, input.shot);
-    check_film(input.shot, path);
+    check_film(input, path, context.console);
     FilmJobOptions options = job_options(command.cache, command.frames, {});
     options.output = path;
-    const std::int64_t frames = count_job_frames(input.shot, options, command.frames);
+    const std::int64_t frames =
+        count_job_frames(input.shot, options, command.frames, context.console);
     const sim::Bake bake = bake_of(input, command.input, command.cache, context);
     const pipeline::FilmJobResult result = pipeline::mux_film(
         input.shot, bake, options, talk_about_job(context.console, frames), context.stop);

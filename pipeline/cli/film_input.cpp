@@ -37,12 +37,17 @@ std::int64_t film_frames(const Shot& shot) {
 }
 
 std::int64_t count_job_frames(const Shot& shot, const FilmJobOptions& options,
-                              const std::string& text) {
+                              const std::string& text, Console& console) {
     const std::int64_t all = film_frames(shot);
     const std::vector<std::int64_t> frames = options.frames.frames(all);
     if (frames.empty()) {
         throw InputError("none of the film's frames, 0 to " + std::to_string(all - 1) +
                          ", is in --frames " + text);
+    }
+    if (options.frames.last() >= all) {
+        console.warning("--frames " + text +
+                        " goes past the film's end, which has the frames 0 to " +
+                        std::to_string(all - 1));
     }
     return std::ssize(options.chunk.part_of(frames));
 }
@@ -51,9 +56,16 @@ std::string film_path(const std::string& given, const InputOptions& input, const
     return output_or_default(given, input.path, pipeline::default_extension(shot.output));
 }
 
-void check_film(const Shot& shot, const std::string& path) {
-    const std::string problem = pipeline::check_video_format(
-        {shot.render.width, shot.render.height, shot.timing.fps}, shot.output, path);
+void check_film(const ShotInput& input, const std::string& path, Console& console) {
+    const Shot& shot = input.shot;
+    const pipeline::VideoFormat format{shot.render.width, shot.render.height, shot.timing.fps};
+    const std::string problem = pipeline::check_video_format(format, shot.output, path);
+    if (!problem.empty() && problem == pipeline::check_film_size(format, shot.output, path)) {
+        report_problems(
+            {input.source->problem_at({"render", "size"}, pipeline::Severity::error, problem)},
+            console);
+        throw InputError("cannot write '" + path + "'");
+    }
     if (!problem.empty()) {
         throw InputError(problem);
     }

@@ -68,6 +68,12 @@ class Explainer {
         if (shot.world.table) {
             table_ = table_node(*shot.world.table);
         }
+        const Entry* section = source.root().find("render");
+        const Entry* scaled = section != nullptr ? section->value.find("short_side") : nullptr;
+        if (scaled != nullptr) {
+            short_side_ = &scaled->value;
+            picture_ = std::to_string(shot.render.width) + "x" + std::to_string(shot.render.height);
+        }
     }
 
     std::string text() && {
@@ -87,8 +93,10 @@ class Explainer {
     /// "shot.yaml:14", "--set".
     [[nodiscard]] std::string origin_of(const Node& node) const {
         const SourcePlace place = source_.sources().describe(node.place);
-        return place.file.starts_with("--") ? place.file
-                                            : place.file + ":" + std::to_string(place.line);
+        const std::string origin = place.file.starts_with("--")
+                                       ? place.file
+                                       : place.file + ":" + std::to_string(place.line);
+        return &node == short_side_ ? origin + ", makes the picture " + picture_ : origin;
     }
 
     /// What follows "key:" or "-": `first` is that, `indent` what lines below begin with.
@@ -190,7 +198,9 @@ class Explainer {
     }
 
     const ShotSource& source_;
-    Node table_;  // the measures of the shot's table
+    Node table_;                        // the measures of the shot's table
+    const Node* short_side_ = nullptr;  // of the shot, if it has one
+    std::string picture_;               // its size after that
     std::string text_;
 };
 

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "pipeline/config/layers.h"
 #include "pipeline/config/merge.h"
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/text.h"
@@ -111,12 +112,12 @@ std::optional<Node> Gatherer::read(int source, std::vector<OpenFile>& trail, boo
         problems_.error(quality.place, "'quality' must be the name of a preset");
     } else if (is_root && use_quality && quality.is_scalar()) {
         if (std::optional<Node> preset = read_preset(quality.text, quality.place, trail)) {
-            merge(base, std::move(*preset));
+            lay_over(base, std::move(*preset));
         }
     } else if (!is_root && quality.is_scalar()) {
         own->entries.push_back({"quality", quality.place, std::move(quality)});
     }
-    merge(base, std::move(*own));
+    lay_over(base, std::move(*own));
     return base;
 }
 
@@ -138,7 +139,7 @@ Node Gatherer::merge_includes(const Node& own, std::vector<OpenFile>& trail) {
         }
         std::optional<Node> included = read_included(name, trail);
         if (included) {
-            merge(base, std::move(*included));
+            lay_over(base, std::move(*included));
         } else {
             is_whole_ = false;
         }
@@ -326,20 +327,20 @@ Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folder
         const int source = sources.add({"--quality", root_folder, options.quality});
         const Place place = sources.place_at(source, 0, options.quality.size());
         if (std::optional<Node> preset = gatherer.read_preset(options.quality, place, trail)) {
-            merge(*root, std::move(*preset));
+            lay_over(*root, std::move(*preset));
         }
     }
     if (!options.camera_file.empty()) {
         const int source = sources.add({"--camera", root_folder, options.camera_file});
         const Place place = sources.place_at(source, 0, options.camera_file.size());
         if (std::optional<Node> cameras = gatherer.read_camera_file(options.camera_file, place)) {
-            merge(*root, std::move(*cameras));
+            lay_over(*root, std::move(*cameras));
         }
     }
     for (const std::string& override_text : options.overrides) {
         // Paths in an override are those of the shot.
         const int source = sources.add({"--set", root_folder, override_text});
-        apply_override(*root, sources, source, problems);
+        lay_override_over(*root, sources, source, problems);
     }
     // The version comes first, as people write it.
     const auto version = std::find_if(root->entries.begin(), root->entries.end(),

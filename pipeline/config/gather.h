@@ -27,7 +27,8 @@ struct Gathered {
 /// of the command line (which takes the place of the shot's), the camera file with what it
 /// includes, --set. A camera that includes a file is laid over the one that this has. A camera file
 /// says `cameras` and at most changes `render`, `output`, `lights` and `materials`, so that a bake
-/// still fits. The keys `include` and `quality` are used up.
+/// still fits. A `render.size` that is stronger than a `render.short_side` removes it. The keys
+/// `include` and `quality` are used up.
 [[nodiscard]] Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folders,
                               const GatherOptions& options, ProblemList& problems);
 

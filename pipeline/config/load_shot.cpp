@@ -1,8 +1,10 @@
 #include "pipeline/config/load_shot.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "pipeline/config/build/build_shot.h"
 #include "pipeline/config/config_files.h"
@@ -92,6 +94,25 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
     return result;
 }
 
+namespace {
+
+/// What is said of a folder that was given as a shot, with a file in it that may be meant.
+std::string folder_problem(const std::string& path) {
+    std::vector<std::string> shots;
+    std::error_code code;
+    for (fs::directory_iterator entry(path, code), end; !code && entry != end;
+         entry.increment(code)) {
+        if (entry->path().extension() == ".yaml") {
+            shots.push_back(entry->path().string());
+        }
+    }
+    const auto first = std::ranges::min_element(shots);
+    return "this is a folder, not a shot" +
+           (first == shots.end() ? "" : "; a file in it is " + quote(*first));
+}
+
+}  // namespace
+
 LoadResult load_shot(const std::string& path, const std::vector<std::string>& overrides,
                      const std::string& quality, const std::string& camera_file,
                      const std::string& root) {
@@ -99,7 +120,9 @@ LoadResult load_shot(const std::string& path, const std::vector<std::string>& ov
     if (!read_text_file(path, YamlLimits{}.bytes, text)) {
         Problem problem;
         problem.place.file = path;
-        problem.message = "the file " + text;
+        std::error_code ignored;
+        problem.message =
+            fs::is_directory(path, ignored) ? folder_problem(path) : "the file " + text;
         return {std::nullopt, {problem}, nullptr};
     }
     return load_shot_text(text, path, overrides, quality, camera_file, root);

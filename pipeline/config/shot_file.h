@@ -140,6 +140,7 @@ struct ShutterSection {
 
 struct RenderSection {
     render::RenderSettings settings;
+    std::optional<int> short_side;  // pixels that the size is scaled to
     Rational fps{24};
     ShutterSection shutter;
 };

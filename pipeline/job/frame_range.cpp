@@ -63,6 +63,15 @@ FrameRange::Stretch parse_stretch(std::string_view part) {
 
 }  // namespace
 
+std::int64_t FrameRange::last() const {
+    std::int64_t result = -1;
+    for (const Stretch& stretch : stretches) {
+        const std::int64_t beyond = (stretch.last - stretch.first) % stretch.step;
+        result = std::max(result, stretch.last - beyond);
+    }
+    return result;
+}
+
 std::vector<std::int64_t> FrameRange::frames(std::int64_t count) const {
     std::vector<Stretch> wanted = stretches;
     if (wanted.empty()) {

@@ -17,6 +17,9 @@ struct FrameRange {
     };
     std::vector<Stretch> stretches;
 
+    /// The last frame that is asked for, which the film may not have; -1 for all frames.
+    [[nodiscard]] std::int64_t last() const;
+
     /// The frames in [0, count), ascending, each once.
     [[nodiscard]] std::vector<std::int64_t> frames(std::int64_t count) const;
 };

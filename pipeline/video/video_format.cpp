@@ -8,6 +8,7 @@
 #include "pipeline/video/container.h"
 #include "pipeline/video/encoder_presets.h"
 #include "pipeline/video/image_sequence.h"
+#include "pipeline/video/picture_kind.h"
 
 namespace carom::pipeline {
 
@@ -50,7 +51,8 @@ std::string check_size(const VideoFormat& format, Codec codec) {
         return to_string(codec) + " with " + (limits.halves_height ? "4:2:0" : "4:2:2") +
                " colour needs even " + (limits.halves_height ? "sizes" : "widths") + ", not " +
                size + "; the nearest are " + size_text(width - even_width, height - even_height) +
-               " and " + size_text(width + even_width, height + even_height);
+               " and " + size_text(width + even_width, height + even_height) +
+               ", and pictures (film.####.png) or codec ffv1 (.mkv) can have any size";
     }
     const std::int64_t macroblocks = std::int64_t{(width + 15) / 16} * ((height + 15) / 16);
     if (limits.has_levels && macroblocks > kMostMacroblocks) {
@@ -128,9 +130,21 @@ std::string check_encoder(const OutputSettings& output) {
     return {};
 }
 
+/// "shot.####.png" for "shot.png".
+std::string sequence_pattern(const std::string& path) {
+    const std::filesystem::path given(path);
+    const std::string name = given.stem().string() + ".####" + given.extension().string();
+    return (given.parent_path() / name).string();
+}
+
 std::string check_path(Codec codec, const std::string& path) {
     const Container* container = find_container(path);
     const std::string extension = std::filesystem::path(path).extension().string();
+    if (container == nullptr && is_picture_path(path)) {
+        return "'" + path +
+               "' is a single picture, which cannot hold a film; write a picture per " +
+               "frame to '" + sequence_pattern(path) + "', or one frame with 'carom frame'";
+    }
     if (container == nullptr) {
         return "cannot tell what film to write from '" + path + "'" +
                (extension.empty() ? ", which has no extension" : "") + "; there are " +
@@ -144,6 +158,11 @@ std::string check_path(Codec codec, const std::string& path) {
 }
 
 }  // namespace
+
+std::string check_film_size(const VideoFormat& format, const OutputSettings& output,
+                            const std::string& path) {
+    return is_image_sequence(path) ? "" : check_size(format, codec_for(output, path));
+}
 
 std::string check_video_format(const VideoFormat& format, const OutputSettings& output,
                                const std::string& path) {

@@ -20,6 +20,10 @@ struct VideoFormat {
 [[nodiscard]] std::string check_video_format(const VideoFormat& format,
                                              const OutputSettings& output, const std::string& path);
 
+/// Empty, or what check_video_format says of the size alone. The path must be one that it accepts.
+[[nodiscard]] std::string check_film_size(const VideoFormat& format, const OutputSettings& output,
+                                          const std::string& path);
+
 /// The extension that a film of these settings has unless told otherwise, with its dot: ".mp4".
 [[nodiscard]] std::string default_extension(const OutputSettings& output);
 

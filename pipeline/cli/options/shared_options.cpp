@@ -17,7 +17,8 @@ void add_changes(CLI::App& app, InputOptions& input) {
                    "repeated")
         ->option_text("KEY=VALUE")
         ->allow_extra_args(false);
-    app.add_option("--quality", input.quality, "a preset: draft, preview or final")
+    app.add_option("--quality", input.quality,
+                   "a preset, which keeps the picture's shape: draft, preview or final")
         ->option_text("NAME");
     app.add_option("--root", input.root,
                    "refuse a shot that names files outside of this folder, links followed (carom's "

@@ -46,7 +46,9 @@ void build_objects(Builder& builder);
 void build_table_scene(Builder& builder);  // its geometry
 void build_look(Builder& builder);         // materials and lights
 void build_events(Builder& builder);
-void build_film(Builder& builder);  // cameras, timing, render and output settings
+void build_film(Builder& builder);    // cameras, timing, render and output settings
+void check_output(Builder& builder);  // what a film's file cannot be, what its overlay cannot show
+void check_poster(Builder& builder);  // after the cameras, which say how long the film is
 void check_references(Builder& builder);
 void check_placement(Builder& builder);  // overlaps, balls in cushions
 void check_world(Builder& builder);      // what the simulation itself would refuse

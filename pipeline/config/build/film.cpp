@@ -4,9 +4,9 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/time_map.h"
 #include "pipeline/config/build/builder.h"
+#include "pipeline/config/picture_size.h"
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
-#include "pipeline/video/video_format.h"
 #include "sim/timeline/error.h"
 
 namespace carom::pipeline::config {
@@ -113,17 +113,25 @@ void check_exposure(Builder& builder) {
     }
 }
 
-void check_output(Builder& builder) {
-    const Shot& shot = builder.shot;
-    const std::string film = "film" + default_extension(shot.output);
-    const std::string problem = check_video_format(
-        {shot.render.width, shot.render.height, shot.timing.fps}, shot.output, film);
-    if (problem.empty()) {
+/// Scales the picture to its `short_side`.
+void apply_short_side(Builder& builder) {
+    const std::optional<int>& short_side = builder.file.render.short_side;
+    if (!short_side) {
         return;
     }
-    const bool is_its_size = check_video_format({1280, 720, 24}, shot.output, film).empty();
-    builder.reader.error(
-        is_its_size ? builder.place_of({"render", "size"}) : builder.place_of({"output"}), problem);
+    render::RenderSettings& render = builder.shot.render;
+    const PictureSize size = scaled_to_short_side({render.width, render.height}, *short_side);
+    if (std::max(size.width, size.height) > kLongestSide) {
+        builder.reader.error(builder.place_of({"render", "short_side"}),
+                             "a short side of " + std::to_string(*short_side) +
+                                 " makes the picture " + std::to_string(size.width) + "x" +
+                                 std::to_string(size.height) + ", and no side may have more than " +
+                                 std::to_string(kLongestSide) +
+                                 " pixels; take a smaller one, or give 'size' alone");
+        return;
+    }
+    render.width = size.width;
+    render.height = size.height;
 }
 
 }  // namespace
@@ -132,6 +140,7 @@ void build_film(Builder& builder) {
     const RenderSection& render = builder.file.render;
     Shot& shot = builder.shot;
     shot.render = render.settings;
+    apply_short_side(builder);
     shot.output = builder.file.output;
     shot.timing.fps = render.fps;
     shot.timing.shutter.exposure = exposure_of(render.shutter, render.fps);
@@ -151,6 +160,7 @@ void build_film(Builder& builder) {
         check_sequence(builder);
         if (!builder.reader.has_error()) {
             check_scene_times(builder);
+            check_poster(builder);
         }
     }
 }

@@ -1,4 +1,5 @@
 #include "pipeline/config/fraction.h"
+#include "pipeline/config/picture_size.h"
 #include "pipeline/config/sections/sections.h"
 #include "render/scene/acceleration_names.h"
 
@@ -121,14 +122,13 @@ ValueType<ShutterSection> bare_shutter() {
     return result;
 }
 
-struct Size {
-    int width = 0;
-    int height = 0;
-};
+ValueType<int> side() {
+    return integer(kShortestSide, kLongestSide);
+}
 
-ValueType<Size> size() {
-    return convert<Size>(list_of(integer(16, 16384), 2, 2), [](const std::vector<int>& values) {
-        return Size{values[0], values[1]};
+ValueType<PictureSize> size() {
+    return convert<PictureSize>(list_of(side(), 2, 2), [](const std::vector<int>& values) {
+        return PictureSize{values[0], values[1]};
     });
 }
 
@@ -222,11 +222,16 @@ const MapSpec<RenderSection>& render_spec() {
         MapSpec<RenderSection> s("render", "How each frame is computed.");
         s.set(
             "size", size(),
-            [](RenderSection& r, const Size& size) {
+            [](RenderSection& r, const PictureSize& size) {
                 r.settings.width = size.width;
                 r.settings.height = size.height;
             },
             "width and height in pixels", "[1280, 720]");
+        s.key("short_side", &RenderSection::short_side, side(),
+              "scales the picture until its shorter side has this many pixels; it keeps the shape "
+              "of `size`, and both sides are rounded to even numbers. The quality presets use it. "
+              "A `size` that is given over it, by a file that includes it or by `--set`, is taken "
+              "as it is");
         s.key("fps", &RenderSection::fps, exact(Dimension::frequency, above_up_to(0, 1000)),
               "frames per second of video; exact, so 24000/1001 is itself");
         s.key(

@@ -109,6 +109,44 @@ TEST_F(FilmCommands, FramesOption_PicksFrames) {
     }
 }
 
+TEST_F(FilmCommands, FramesBeyondTheFilm_AreWarnedOf) {
+    const RunResult result = run({"render", "tiny.yaml", "--frames", "4-99"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_THAT(result.err,
+                HasSubstr("carom: warning: --frames 4-99 goes past the film's end, which "
+                          "has the frames 0 to 5\n"));
+    EXPECT_EQ(decode_video(path("tiny.mp4")).frames.size(), 2U);
+}
+
+TEST_F(FilmCommands, OddSize_IsRefusedOnlyWhereTheFileCannotHaveIt) {
+    const std::vector<std::string> odd{"--set", "render.size=[65, 35]", "--frames", "0"};
+    const auto render = [&](const std::string& output) {
+        std::vector<std::string> arguments{"render", "tiny.yaml", "-o", output};
+        arguments.insert(arguments.end(), odd.begin(), odd.end());
+        return run(arguments);
+    };
+    EXPECT_EQ(render("a.####.png").exit_code, 0);
+    EXPECT_EQ(render("a.####.exr").exit_code, 0);
+    EXPECT_EQ(run({"frame", "tiny.yaml", "-o", "a.png", "--set", "render.size=[65, 35]"}).exit_code,
+              0);
+    EXPECT_EQ(run({"check", "tiny.yaml", "--quick"}).exit_code, 0);
+    const std::string rest =
+        " with 4:2:0 colour needs even sizes, not 65x35; the nearest are 64x34 and 66x36, and "
+        "pictures (film.####.png) or codec ffv1 (.mkv) can have any size\n"
+        "    1 | render.size=[65, 35]\n      |        ^~~~\n";
+    for (const auto& [file, codec] :
+         {std::pair<std::string, std::string>{"a.mp4", "h264"}, {"a.webm", "vp9"}}) {
+        const RunResult result = render(file);
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_EQ(result.err, "--set:1:8: error: " + codec + rest + "carom: error: cannot write '" +
+                                  file + "'\n");
+    }
+    const RunResult check = run({"check", "tiny.yaml", "--quick", "--set", "render.size=[65, 35]"});
+    EXPECT_EQ(check.exit_code, 0);
+    EXPECT_EQ(check.err, "--set:1:8: warning: h264" + rest +
+                             "carom: 'tiny.yaml' has no errors, but 1 warning\n");
+}
+
 TEST_F(FilmCommands, OutputThatCannotBe_IsRefusedBeforeTheWork) {
     const RunResult extension = run({"render", "tiny.yaml", "-o", "film.avi"});
     EXPECT_EQ(extension.exit_code, 2);

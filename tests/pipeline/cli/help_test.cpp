@@ -73,9 +73,9 @@ TEST_F(Help, Bash_CompletesValuesAndFiles) {
 TEST_F(Help, Zsh_TakesItsCompletion) {
     ASSERT_EQ(run({"completion", "zsh", "-o", "_carom"}).exit_code, 0);
     EXPECT_THAT(text_of("_carom"), StartsWith("#compdef carom\n"));
-    EXPECT_THAT(
-        text_of("_carom"),
-        HasSubstr("'--quality[a preset\\: draft, preview or final]:NAME:(draft preview final)'"));
+    EXPECT_THAT(text_of("_carom"),
+                HasSubstr("'--quality[a preset, which keeps the picture'\\''s shape\\: draft, "
+                          "preview or final]:NAME:(draft preview final)'"));
     EXPECT_EQ(shell("zsh -f -c 'autoload -U compinit; compinit -u -d ./dump; source ./_carom; "
                     "print $_comps[carom]; whence -w _carom_cache_prune'"),
               0);

@@ -38,6 +38,17 @@ render: {samples: 16}
     EXPECT_THAT(text, Not(HasSubstr("rack:")));  // there is none
 }
 
+TEST(Explain, ShortSide_SaysWhatPictureItMakes) {
+    const std::string text = explained(
+        load_shot_text("carom: 1\nrender:\n  size: [1024, 768]\n  short_side: 540\n", "s.yaml"));
+    EXPECT_THAT(text, ContainsRegex("\n  size: \\[1024, 768\\] +# s.yaml:3\n"));
+    EXPECT_THAT(text,
+                ContainsRegex("\n  short_side: 540 +# s.yaml:4, makes the picture 720x540\n"));
+    const LoadResult again = load_shot_text(text, "again.yaml");
+    ASSERT_TRUE(again.shot);
+    EXPECT_EQ(again.shot->render.width, 720);
+}
+
 TEST(Explain, DefaultsWithoutMeaningHere_AreLeftOut) {
     const LoadResult loaded = load_shot_text(R"(carom: 1
 lights: {sky: {environment: 0.5}}

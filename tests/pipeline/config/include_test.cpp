@@ -161,9 +161,19 @@ TEST_F(Include, DeviceOrFolder_IsNotRead) {
     EXPECT_THAT(all_problems(device), HasSubstr("included file '/dev/zero' is not a regular file"));
     EXPECT_THAT(all_problems(load_shot("/dev/zero")),
                 "/dev/zero: error: the file is not a regular file\n");
-    EXPECT_THAT(all_problems(load_shot(folder_.string())), HasSubstr("the file is a folder"));
+    EXPECT_THAT(all_problems(load_shot(folder_.string())),
+                HasSubstr("this is a folder, not a shot"));
     EXPECT_THAT(all_problems(load_shot((folder_ / "none.yaml").string())),
                 HasSubstr("the file does not exist"));
+    const std::string folder = (folder_ / "shots").string();
+    fs::create_directories(folder);
+    EXPECT_THAT(all_problems(load_shot(folder)),
+                HasSubstr("error: this is a folder, not a shot\n"));
+    write("shots/b.yaml", "");
+    write("shots/a.yaml", "");
+    EXPECT_THAT(all_problems(load_shot(folder)),
+                HasSubstr("error: this is a folder, not a shot; a file in it is '" + folder +
+                          "/a.yaml'\n"));
 }
 
 TEST_F(Include, LargeFile_IsNotRead) {
@@ -195,10 +205,45 @@ TEST_F(Include, QualityOfTheCommandLine_ReplacesTheShotsAndItsOwnValues) {
     EXPECT_EQ(load_file(path, {"render.samples=5"}, "fast").render.samples, 5);
 }
 
-TEST_F(Include, PresetsOfTheTree_AllLoad) {
-    for (const char* quality : {"draft", "preview", "final"}) {
-        EXPECT_GT(load("carom: 1\n" + kCamera, {}, quality).render.samples, 0) << quality;
-    }
+TEST_F(Include, PresetsOfTheTree_ScaleTheShotsOwnSize) {
+    const auto sizes = [](const std::string& render) {
+        std::string text;
+        for (const char* quality : {"draft", "preview", "final"}) {
+            const Shot shot = load("carom: 1\n" + render + kCamera, {}, quality);
+            text +=
+                std::to_string(shot.render.width) + "x" + std::to_string(shot.render.height) + " ";
+        }
+        return text;
+    };
+    EXPECT_EQ(sizes(""), "640x360 640x360 1920x1080 ");
+    EXPECT_EQ(sizes("render: {size: [320, 180]}\n"), "640x360 640x360 1920x1080 ");
+    EXPECT_EQ(sizes("render: {size: [1024, 768]}\n"), "480x360 480x360 1440x1080 ");
+    EXPECT_EQ(sizes("render: {size: [1080, 1920]}\n"), "360x640 360x640 1080x1920 ");
+    EXPECT_EQ(sizes("render: {size: [1999, 1001]}\n"), "718x360 718x360 2156x1080 ");
+}
+
+TEST_F(Include, SizeAboveAShortSide_CountsAsItStands) {
+    const auto size = [this](const std::string& base, const std::string& render,
+                             const std::vector<std::string>& overrides = {},
+                             const std::string& quality = {}) {
+        write("base.yaml", base);
+        const Shot shot =
+            load_file(write("shot.yaml", "carom: 1\ninclude: base.yaml\n" + render + kCamera),
+                      overrides, quality);
+        return std::pair(shot.render.width, shot.render.height);
+    };
+    const std::string square = "render: {size: [500, 500]}\n";
+    EXPECT_EQ(size(square, "", {"render.size=[801, 601]"}, "final"), std::pair(801, 601));
+    EXPECT_EQ(size(square, "", {"render.size[0]=1000"}, "final"), std::pair(1000, 500));
+    EXPECT_EQ(size(square, "", {"render={size: [801, 601]}"}, "final"), std::pair(801, 601));
+    EXPECT_EQ(size(square, "", {"render.size=[800, 600]", "render.short_side=90"}, "final"),
+              std::pair(120, 90));
+    EXPECT_EQ(size(square, "", {"render.samples=4"}, "final"), std::pair(1080, 1080));
+    EXPECT_EQ(size("render: {short_side: 90}\n", "render: {size: [800, 600]}\n"),
+              std::pair(800, 600));
+    EXPECT_EQ(size("render: {short_side: 90}\n", "render: {samples: 2}\n"), std::pair(160, 90));
+    EXPECT_EQ(size(square, "render: {short_side: 90}\n"), std::pair(90, 90));
+    EXPECT_EQ(size(square, "render: {size: [800, 600], short_side: 90}\n"), std::pair(120, 90));
 }
 
 TEST_F(Include, Overrides_AreTheStrongest) {

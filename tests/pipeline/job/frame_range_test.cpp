@@ -33,6 +33,12 @@ TEST(FrameRange, BeyondTheFilm_IsCutOff) {
     EXPECT_THAT(parse_frame_range("7").frames(5), IsEmpty());
 }
 
+TEST(FrameRange, Last_IsTheLargestThatIsAskedFor) {
+    EXPECT_EQ(parse_frame_range("0-47,12").last(), 47);
+    EXPECT_EQ(parse_frame_range("0-10x4").last(), 8);
+    EXPECT_EQ(FrameRange{}.last(), -1);
+}
+
 TEST(FrameRange, Empty_IsTheWholeFilm) {
     EXPECT_THAT(FrameRange{}.frames(3), ElementsAre(0, 1, 2));
     EXPECT_THAT(FrameRange{}.frames(0), IsEmpty());

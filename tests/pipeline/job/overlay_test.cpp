@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "pipeline/job/film_pipeline.h"
+#include "pipeline/video/overlay_extent.h"
 #include "render/film/image_file.h"
 #include "tests/pipeline/job/tiny_shot.h"
 #include "tests/pipeline/video/scratch_folder.h"
@@ -77,6 +78,29 @@ TEST(PictureText, Corners_AreWhereTheySay) {
     EXPECT_LT(high.right, 195);
     EXPECT_GT(high.top, 5);
     EXPECT_LT(high.bottom, 40);
+}
+
+TEST(OverlayExtent, IsWhereItsLastLetterEnds) {
+    constexpr int kWidth = 1200;
+    constexpr int kHeight = 600;
+    for (const OverlayItem item :
+         {OverlayItem::frame, OverlayItem::scene_time, OverlayItem::speed}) {
+        OverlaySettings settings;
+        settings.show = {item};
+        settings.size = 0.1;
+        std::vector<std::uint8_t> rgb(std::size_t{kWidth} * kHeight * 3, 0);
+        PlannedFrame frame;
+        frame.number = 123456;
+        frame.scene_time = frame.speed = 123.4567;
+        render::draw_text(overlay_text(settings, frame), rgb, kWidth, kHeight);
+        int right = 0;
+        for (std::size_t i = 0; i < rgb.size(); i += 3) {
+            right = std::max(right, rgb[i] > 128 ? static_cast<int>(i / 3 % kWidth) + 1 : 0);
+        }
+        const double end = overlay_extent(settings).width * kHeight;
+        EXPECT_LE(right, end);
+        EXPECT_GT(right, end - 0.3 * settings.size * kHeight) << "within half a letter";
+    }
 }
 
 TEST(PictureText, WhatDoesNotFit_IsCutOff) {

@@ -27,10 +27,10 @@ TEST(CheckVideoFormat, OrdinaryFilms_AreFine) {
 TEST(CheckVideoFormat, OddSize_NamesTheNearestEvenOnes) {
     EXPECT_EQ(check(641, 361, "a.mp4"),
               "h264 with 4:2:0 colour needs even sizes, not 641x361; the nearest are 640x360 and "
-              "642x362");
+              "642x362, and pictures (film.####.png) or codec ffv1 (.mkv) can have any size");
     EXPECT_EQ(check(640, 361, "a.mp4"),
               "h264 with 4:2:0 colour needs even sizes, not 640x361; the nearest are 640x360 and "
-              "640x362");
+              "640x362, and pictures (film.####.png) or codec ffv1 (.mkv) can have any size");
 }
 
 TEST(CheckVideoFormat, TooSmallOrLarge_NamesTheLimits) {
@@ -49,6 +49,13 @@ TEST(CheckVideoFormat, UnknownExtension_ListsWhatThereIs) {
               std::string("cannot tell what film to write from 'break', which has no extension; "
                           "there are ") +
                   kAll);
+}
+
+TEST(CheckVideoFormat, SinglePicture_OffersOnePerFrame) {
+    EXPECT_EQ(
+        check(640, 360, "out/a.png"),
+        "'out/a.png' is a single picture, which cannot hold a film; write a picture per frame "
+        "to 'out/a.####.png', or one frame with 'carom frame'");
 }
 
 TEST(CheckVideoFormat, CodecInForeignContainer_ListsWhatThereIs) {

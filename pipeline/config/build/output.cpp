@@ -1,0 +1,66 @@
+// What is wrong with the film that the frames become.
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/config/build/builder.h"
+#include "pipeline/config/show_quantity.h"
+#include "pipeline/video/overlay_extent.h"
+#include "pipeline/video/video_format.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+/// What does not fit is cut off at the picture's edge.
+void check_overlay(Builder& builder) {
+    const Shot& shot = builder.shot;
+    const OverlaySettings& overlay = shot.output.overlay;
+    if (overlay.show.empty()) {
+        return;
+    }
+    const double picture_width = static_cast<double>(shot.render.width) / shot.render.height;
+    const OverlayExtent extent = overlay_extent(overlay);
+    const double excess = std::max(extent.width / picture_width, extent.height);
+    if (excess <= 1) {
+        return;
+    }
+    const double largest = std::floor(overlay.size / excess * 1000) / 1000;
+    builder.reader.warning(builder.place_of({"output", "overlay"}),
+                           std::string("the overlay runs off the picture's ") +
+                               (extent.height > 1 ? "upper or lower" : "right or left") +
+                               " edge; the largest 'size' that fits is " +
+                               show(largest, Dimension::none));
+}
+
+}  // namespace
+
+/// Whether a film can have the picture's size depends on the file that it is written to, which only
+/// the command knows.
+void check_output(Builder& builder) {
+    const Shot& shot = builder.shot;
+    const std::string film = "film" + default_extension(shot.output);
+    const std::string problem = check_video_format({1280, 720, shot.timing.fps}, shot.output, film);
+    if (!problem.empty()) {
+        const bool is_its_rate = check_video_format({1280, 720, 24}, shot.output, film).empty();
+        builder.reader.error(
+            is_its_rate ? builder.place_of({"render", "fps"}) : builder.place_of({"output"}),
+            problem);
+    }
+    check_overlay(builder);
+}
+
+void check_poster(Builder& builder) {
+    const Shot& shot = builder.shot;
+    const double end =
+        static_cast<double>(frame_count(shot.cameras, shot.timing)) / shot.timing.fps.to_double();
+    if (shot.output.poster && *shot.output.poster >= end) {
+        builder.reader.warning(builder.place_of({"output", "poster"}),
+                               "the poster's time of " +
+                                   show(*shot.output.poster, Dimension::time) +
+                                   " is not within the film, which ends at " +
+                                   show(end, Dimension::time) + "; its last frame is taken");
+    }
+}
+
+}  // namespace carom::pipeline::config

@@ -1,0 +1,38 @@
+#include "pipeline/video/overlay_extent.h"
+
+#include <algorithm>
+
+namespace carom::pipeline {
+
+namespace {
+
+// As render/film/picture_text.cpp draws: in lines of the overlay's size.
+constexpr double kMargin = 0.6;  // from the corner, in both directions
+// DejaVu Sans Mono's advance (1233 of 2048 units per em) in a font of 0.78 of the line's height.
+constexpr double kLetterWidth = 0.78 * 1233 / 2048;
+
+/// Letters of the line that overlay_text (pipeline/job/overlay.h) makes.
+int letters_of(OverlayItem item) {
+    switch (item) {
+        case OverlayItem::frame:
+            return 12;  // "frame     12"
+        case OverlayItem::scene_time:
+            return 16;  // "scene   1.2345 s"
+        case OverlayItem::speed:
+            return 15;  // "speed   0.1250x"
+    }
+    return 0;
+}
+
+}  // namespace
+
+OverlayExtent overlay_extent(const OverlaySettings& settings) {
+    int letters = 0;
+    for (const OverlayItem item : settings.show) {
+        letters = std::max(letters, letters_of(item));
+    }
+    return {settings.size * (kMargin + kLetterWidth * letters),
+            settings.size * (kMargin + static_cast<double>(settings.show.size()))};
+}
+
+}  // namespace carom::pipeline
