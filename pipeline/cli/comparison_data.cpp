@@ -40,7 +40,7 @@ void add_tests(JsonMembers& members, const render::TestCounts& tests) {
 std::string row_object(const ComparedStructure& row) {
     JsonMembers members;
     members.add("structure", row.name)
-        .add("shadow_rays", name_of(row.shadow_rays))
+        .add("shadow_query", name_of(row.shadow_rays))
         .add("build_seconds", row.build_seconds)
         .add("bytes", signed_of(row.bytes))
         .add("cpu_seconds", row.cpu_seconds)
@@ -116,8 +116,8 @@ std::string comparison_json(const Comparison& comparison) {
 }
 
 std::string comparison_csv(const Comparison& comparison) {
-    pipeline::CsvText csv(
-        csv_header("scene,structure,shadow_rays,build_seconds,bytes,cpu_seconds,computed,counted"));
+    pipeline::CsvText csv(csv_header(
+        "scene,structure,shadow_query,build_seconds,bytes,cpu_seconds,computed,counted"));
     for (const ComparedStructure& row : comparison.rows) {
         csv.add(comparison.name).add(row.name).add(name_of(row.shadow_rays));
         csv.add(row.build_seconds)

@@ -1,5 +1,7 @@
 // `carom compare`, as a user runs it.
 #include <csignal>
+#include <set>
+#include <sstream>
 #include <thread>
 
 #include <nlohmann/json.hpp>
@@ -17,6 +19,27 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 class CompareCommand : public EndToEnd {};
+
+std::vector<std::string> fields_of(const std::string& line) {
+    std::vector<std::string> fields;
+    std::istringstream rest(line + ",");
+    for (std::string field; std::getline(rest, field, ',');) {
+        fields.push_back(field);
+    }
+    return fields;
+}
+
+/// Every column has a name of its own, and every row a field for each.
+void expect_well_formed(const std::string& csv) {
+    std::istringstream lines(csv);
+    std::string line;
+    ASSERT_TRUE(std::getline(lines, line));
+    const std::vector<std::string> names = fields_of(line);
+    EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size()) << line;
+    while (std::getline(lines, line)) {
+        EXPECT_EQ(fields_of(line).size(), names.size()) << line;
+    }
+}
 
 TEST_F(CompareCommand, Scene_PrintsATable) {
     const RunResult result = run({"compare", "--scene", "sphere_cube", "--size", "16x16",
@@ -48,8 +71,10 @@ TEST_F(CompareCommand, FrameOfAShot_IsMeasuredByAllStructures) {
     EXPECT_EQ(brute["primary_objects"], json["shapes"].get<int>() * 16 * 16 * 4);
     EXPECT_FALSE(json["structures"][12].contains("primary_objects"));
     const std::string csv = text_of("t.csv");
-    EXPECT_THAT(csv, StartsWith("scene,structure,shadow_rays,build_seconds,bytes,cpu_seconds,"
+    EXPECT_THAT(csv, StartsWith("scene,structure,shadow_query,build_seconds,bytes,cpu_seconds,"
                                 "computed,counted,primary_rays,primary_objects,"));
+    expect_well_formed(csv);
+    EXPECT_EQ(brute["shadow_query"], "any");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 14);
     EXPECT_THAT(csv, HasSubstr("\ntiny,embree,any,"));
     EXPECT_THAT(text_of("t.svg"), HasSubstr("wide_bvh"));
@@ -73,6 +98,7 @@ TEST_F(CompareCommand, Growth_IsMeasuredInEveryForm) {
     EXPECT_THAT(text_of("g.csv"),
                 StartsWith("growth,structure,shapes,build_seconds,bytes,seconds_per_primary_ray,"));
     EXPECT_THAT(text_of("g.csv"), HasSubstr("\nspheres,embree,32,"));
+    expect_well_formed(text_of("g.csv"));
     EXPECT_THAT(text_of("g.svg"), HasSubstr("<title>embree</title>"));
 }
 
@@ -163,6 +189,7 @@ TEST_F(CompareCommand, Triangles_AreMeasuredInEveryForm) {
     EXPECT_THAT(
         csv, StartsWith("kernel,input,division,precision,packing,random_rate,worst_rate,"
                         "distance_error,weight_error,edge_slips\nwald,record,early,float,single,"));
+    expect_well_formed(csv);
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 40);
     EXPECT_THAT(text_of("t.png"), StartsWith("\x89PNG"));
 }
