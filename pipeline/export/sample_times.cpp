@@ -9,7 +9,6 @@ namespace carom::pipeline {
 
 namespace {
 
-constexpr double kHighestRate = 1e6;    // Hz
 constexpr double kMostSamples = 1e7;    // about 2 GB of text
 constexpr double kShareOfAStep = 1e-9;  // so that the end is included despite rounding
 

@@ -1,8 +1,27 @@
 // Commands that tell of a shot without rendering it.
+#include <cstdlib>
+
 #include "pipeline/cli/options/command_options.h"
 #include "pipeline/cli/options/shared_options.h"
+#include "pipeline/export/sample_times.h"
 
 namespace carom::cli {
+
+namespace {
+
+/// Empty if the text is a rate that sample_times takes.
+std::string rate_problem(const std::string& text) {
+    char* end = nullptr;
+    const double rate = std::strtod(text.c_str(), &end);
+    const bool is_number = !text.empty() && *end == '\0';
+    if (is_number && rate > 0 && rate <= pipeline::kHighestRate) {
+        return {};
+    }
+    return "'" + text + "' is not a number of samples per second above 0 and at most " +
+           std::to_string(static_cast<int>(pipeline::kHighestRate)) + ", as 240";
+}
+
+}  // namespace
 
 void add_bake(CLI::App& app, Targets& targets) {
     CLI::App& command = *app.add_subcommand("bake", "simulate a shot, without a picture");
@@ -54,7 +73,7 @@ void add_export(CLI::App& app, Targets& targets) {
         .add_option("--rate", command_options.rate,
                     "samples per second, evenly; else the keys of each track (.csv, .json)")
         ->option_text("HZ")
-        ->check(CLI::PositiveNumber);
+        ->check(rate_problem);
     command
         .add_option("--events", command_options.events,
                     "a second table: impacts, rolling, pottings, force events")

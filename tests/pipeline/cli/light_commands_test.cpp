@@ -138,6 +138,18 @@ TEST_F(LightCommands, ExportAtARate_SamplesEvenly) {
     EXPECT_THAT(results(), IsEmpty());
 }
 
+TEST_F(LightCommands, ExportAtAnImpossibleRate_IsRefusedInOneLine) {
+    for (const std::string rate : {"0", "-5", "1e7", "nan", "fast", "240Hz", ""}) {
+        const RunResult result = run({"export", "tiny.yaml", "--rate=" + rate, "-o", "-"});
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(result.err, "carom: error: --rate: '" + rate +
+                                  "' is not a number of samples per second above 0 and at most "
+                                  "1000000, as 240\n"
+                                  "'carom export --help' says what there is\n");
+    }
+}
+
 TEST_F(LightCommands, ExportOfEventsAlone_WritesNoTracks) {
     EXPECT_EQ(run({"export", "tiny.yaml", "--events", "e.csv"}).out, "e.csv\n");
     EXPECT_THAT(results(), ElementsAre("e.csv"));
