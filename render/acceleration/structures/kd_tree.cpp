@@ -15,7 +15,7 @@ constexpr std::size_t kPlaces = 32;
 constexpr std::size_t kFew = 2;       // are not split
 constexpr float kPlaneCost = 0.3f;    // of a node, in tests of a shape and its box
 constexpr float kEmptyBonus = 0.8f;   // of the cost, for cutting off empty space
-constexpr double kMostCopies = 0.75;  // of a median's members, that may lie on both sides
+constexpr double kMostCopies = 0.75;  // of a node's members, that may lie on both sides
 
 struct Plane {
     int axis = 0;
@@ -27,25 +27,8 @@ struct Builder {
     int deepest = 0;
 
     [[nodiscard]] std::optional<Plane> best_plane(const Members& members, const Box& region) const;
-
-    template <KdSplit split>
     std::uint32_t build(const Members& members, const Box& region, int depth);
 };
-
-std::optional<Plane> median_plane(const std::vector<Box>& boxes, const Members& members,
-                                  const Box& region) {
-    const auto axis = static_cast<int>(region.majorAxis());
-    std::vector<float> middles;
-    for (const std::uint32_t member : members) {
-        middles.push_back(boxes[member].center()[axis]);
-    }
-    const auto middle = middles.begin() + static_cast<std::ptrdiff_t>(middles.size() / 2);
-    std::nth_element(middles.begin(), middle, middles.end());
-    if (!(*middle > region.min[axis] && *middle < region.max[axis])) {
-        return std::nullopt;
-    }
-    return Plane{axis, *middle};
-}
 
 // How many boxes begin before each place and how many end behind it says what is on either side.
 std::optional<Plane> Builder::best_plane(const Members& members, const Box& region) const {
@@ -91,13 +74,11 @@ std::optional<Plane> Builder::best_plane(const Members& members, const Box& regi
     return best;
 }
 
-template <KdSplit split>
 std::uint32_t Builder::build(const Members& members, const Box& region, int depth) {
     if (members.size() <= kFew || depth >= deepest) {
         return tree.add_leaf(members);
     }
-    const auto plane = split == KdSplit::median ? median_plane(tree.boxes, members, region)
-                                                : best_plane(members, region);
+    const auto plane = best_plane(members, region);
     if (!plane) {
         return tree.add_leaf(members);
     }
@@ -124,8 +105,8 @@ std::uint32_t Builder::build(const Members& members, const Box& region, int dept
     Box right = region;
     left.max[plane->axis] = plane->place;
     right.min[plane->axis] = plane->place;
-    const std::uint32_t low_node = build<split>(low, left, depth + 1);
-    const std::uint32_t high_node = build<split>(high, right, depth + 1);
+    const std::uint32_t low_node = build(low, left, depth + 1);
+    const std::uint32_t high_node = build(high, right, depth + 1);
     tree.nodes[index].low = low_node;
     tree.nodes[index].high = high_node;
     return index;
@@ -133,9 +114,7 @@ std::uint32_t Builder::build(const Members& members, const Box& region, int dept
 
 }  // namespace
 
-template <KdSplit split>
-KdTree<split>::KdTree(const Primitives& primitives)
-    : tree_({V3f(1, 0, 0), V3f(0, 1, 0), V3f(0, 0, 1)}) {
+KdTree::KdTree(const Primitives& primitives) : tree_({V3f(1, 0, 0), V3f(0, 1, 0), V3f(0, 0, 1)}) {
     tree_.boxes = swept_boxes(primitives);
     Members all(tree_.boxes.size());
     std::iota(all.begin(), all.end(), 0u);
@@ -145,12 +124,8 @@ KdTree<split>::KdTree(const Primitives& primitives)
     if (!all.empty()) {
         // The depth that Havran 2000, "Heuristic ray shooting algorithms", section 4.5, arrived at.
         const double levels = std::log2(static_cast<double>(all.size()));
-        Builder{tree_, 8 + static_cast<int>(1.3 * levels)}.template build<split>(all, tree_.bounds,
-                                                                                 0);
+        Builder{tree_, 8 + static_cast<int>(1.3 * levels)}.build(all, tree_.bounds, 0);
     }
 }
-
-template class KdTree<KdSplit::median>;
-template class KdTree<KdSplit::surface_area>;
 
 }  // namespace carom::render

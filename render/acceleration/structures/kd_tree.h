@@ -5,14 +5,8 @@
 
 namespace carom::render {
 
-enum class KdSplit {
-    median,  // through the middle one of the boxes' middles, across the longest axis
-    /// Where the surface area heuristic expects the fewest tests (MacDonald and Booth 1990,
-    /// "Heuristics for ray tracing using space subdivision"), among 32 places for each axis.
-    surface_area
-};
-
-template <KdSplit split>
+/// Each plane stands where the surface area heuristic expects the fewest tests (MacDonald and Booth
+/// 1990, "Heuristics for ray tracing using space subdivision"), among 32 places for each axis.
 class KdTree {
   public:
     explicit KdTree(const Primitives& primitives);
@@ -26,8 +20,5 @@ class KdTree {
   private:
     PlanesTree<3> tree_;
 };
-
-extern template class KdTree<KdSplit::median>;
-extern template class KdTree<KdSplit::surface_area>;
 
 }  // namespace carom::render

@@ -3,6 +3,7 @@
 #include "render/acceleration/structures/brute_force.h"
 #include "render/acceleration/structures/bsp_tree.h"
 #include "render/acceleration/structures/kd_tree.h"
+#include "render/acceleration/structures/median_kd_tree.h"
 #include "render/acceleration/structures/octree.h"
 #include "render/acceleration/structures/primitive_structure.h"
 #include "render/acceleration/structures/r_tree.h"
@@ -28,9 +29,9 @@ std::unique_ptr<MeasuredStructure> make_structure(AccelerationKind kind, const S
         case AccelerationKind::octree:
             return over.operator()<Octree>();
         case AccelerationKind::kd_tree:
-            return over.operator()<KdTree<KdSplit::surface_area>>();
+            return over.operator()<KdTree>();
         case AccelerationKind::kd_tree_median:
-            return over.operator()<KdTree<KdSplit::median>>();
+            return over.operator()<MedianKdTree>();
         case AccelerationKind::bsp_tree:
             return over.operator()<BspTree>();
         case AccelerationKind::r_tree:

@@ -196,6 +196,59 @@ TEST_P(Laboratory, ShadowRaysThatDoNotStop_TestMore) {
     EXPECT_LT(stops->counts().total().objects, goes_on->counts().total().objects);
 }
 
+RandomScene row_of_spheres(std::uint32_t count) {
+    RandomScene scene;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        SphereStretch sphere;
+        sphere.path.c[0] = V3f(static_cast<float>(i), 0, 0);
+        sphere.radius = 0.4f;
+        sphere.object = i;
+        scene.shapes.spheres.push_back(sphere);
+    }
+    return scene;
+}
+
+Ray down_at(float x) {
+    Ray ray;
+    ray.kind = RayKind::primary;
+    ray.origin = V3f(x, 0, 3);
+    ray.direction = V3f(0, 0, -1);
+    return ray;
+}
+
+// Halves of equal number: of eight spheres in a row, pairs are two levels below the root. Every
+// sphere is in one leaf, whose box is that of the pair.
+TEST(LaboratoryOfMedianKdTree, RowOfSpheres_IsHalvedByNumberIntoPairs) {
+    const RandomScene scene = row_of_spheres(8);
+    const auto structure = make(scene, AccelerationKind::kd_tree_median, {.counts = true});
+    Hit hit;
+    ASSERT_TRUE(structure->closest_hit(down_at(5), hit));
+    EXPECT_EQ(hit.object, 5u);
+    const TestCounts counts = structure->counts();
+    EXPECT_EQ(counts[RayKind::primary].nodes, 2u);    // of eight spheres and of four
+    EXPECT_EQ(counts[RayKind::primary].boxes, 4u);    // two in each
+    EXPECT_EQ(counts[RayKind::primary].objects, 2u);  // both of the leaf
+}
+
+// Long shapes side by side overlap any plane across them: a tree that cuts space names them again
+// and again, one that divides the shapes does not.
+TEST(LaboratoryOfMedianKdTree, ManyShapesInOnePlace_AreEachInOneLeaf) {
+    RandomScene scene;
+    for (std::uint32_t i = 0; i < 1000; ++i) {
+        SphereStretch sphere;
+        sphere.path.c[0] = V3f(0.001f * static_cast<float>(i), 0, 0);
+        sphere.radius = 0.5f;
+        sphere.object = i;
+        scene.shapes.spheres.push_back(sphere);
+    }
+    const auto structure = make(scene, AccelerationKind::kd_tree_median, {.counts = true});
+    Hit hit;
+    ASSERT_TRUE(structure->closest_hit(down_at(0.5f), hit));
+    EXPECT_LE(structure->counts()[RayKind::primary].objects, 1000u);
+    EXPECT_LE(structure->counts()[RayKind::primary].boxes, 2u * 511);
+    EXPECT_LT(structure->bytes(), 1000u * 100);
+}
+
 // Five spheres fit into one leaf: its box is the only one, and empty lanes are nobody's tests.
 TEST(LaboratoryOfWideBvh, OneLeaf_CountsItsShapes) {
     RandomScene scene;
