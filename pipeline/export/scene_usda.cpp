@@ -24,6 +24,14 @@ std::string array_of(const Range& values, Text text) {
     return result + "]";
 }
 
+std::string display_name(const std::string& name) {
+    return "displayName = " + usda_string(name);
+}
+
+std::string with_schema(const std::string& schema) {
+    return "prepend apiSchemas = [\"" + schema + "\"]";
+}
+
 std::string index_text(std::uint32_t index) {
     return std::to_string(index);
 }
@@ -34,7 +42,7 @@ class UsdaWriter {
 
     std::string run() {
         write_head();
-        text_.open("def Xform \"shot\"", "displayName = " + usda_string(scene_.name));
+        text_.open("def Xform \"shot\"", {display_name(scene_.name)});
         write_materials();
         for (const ExportPart& part : scene_.parts) {
             write_part(part);
@@ -64,10 +72,10 @@ class UsdaWriter {
         text_.line(")");
     }
 
-    void open(const std::string& head, const std::string& name, const char* schemas = nullptr) {
-        std::string metadata = "displayName = " + usda_string(name);
-        if (schemas != nullptr) {
-            metadata += std::string("; prepend apiSchemas = [\"") + schemas + "\"]";
+    void open(const std::string& head, const std::string& name, const char* schema = nullptr) {
+        UsdaText::Metadata metadata{display_name(name)};
+        if (schema != nullptr) {
+            metadata.push_back(with_schema(schema));
         }
         text_.open(head + " \"" + names_.unique(name) + "\"", metadata);
     }
@@ -88,7 +96,7 @@ class UsdaWriter {
         }
         text_.line(type_and_name + ".timeSamples = {");
         for (std::size_t i = 0; i < times.size(); ++i) {
-            text_.line("    " + usda_number(code(times[i])) + ": " + texts[i] + ",");
+            text_.line("    " + usda_time_code(code(times[i])) + ": " + texts[i] + ",");
         }
         text_.line("}");
     }
@@ -119,7 +127,7 @@ class UsdaWriter {
             const std::string path = path_of(material_names_.size() - 1);
             const std::string surface = path.substr(0, path.size() - 1) + "/surface";
             text_.open("def Material \"" + material_names_.back() + "\"",
-                       "displayName = " + usda_string(material.name));
+                       {display_name(material.name)});
             text_.line("token outputs:surface.connect = " + surface + ".outputs:surface>");
             text_.open("def Shader \"surface\"");
             text_.line("uniform token info:id = \"UsdPreviewSurface\"");
@@ -149,8 +157,8 @@ class UsdaWriter {
         text_.line("uniform bool doubleSided = 1");
         text_.line("point3f[] points = " + array_of(part.mesh.vertices, point));
         if (!part.mesh.normals.empty()) {
-            text_.line("normal3f[] normals = " + array_of(part.mesh.normals, point) +
-                       " (interpolation = \"vertex\")");
+            text_.line("normal3f[] normals = " + array_of(part.mesh.normals, point),
+                       {"interpolation = \"vertex\""});
         }
         const std::vector<std::uint32_t> threes(part.mesh.triangles.size(), 3);
         text_.line("int[] faceVertexCounts = " + array_of(threes, index_text));
@@ -174,7 +182,7 @@ class UsdaWriter {
             faces.push_back(static_cast<std::uint32_t>(patch.first + i));
         }
         text_.open("def GeomSubset \"field_" + std::to_string(number) + "\"",
-                   "prepend apiSchemas = [\"MaterialBindingAPI\"]");
+                   {with_schema("MaterialBindingAPI")});
         text_.line("uniform token elementType = \"face\"");
         text_.line("uniform token familyName = \"materialBind\"");
         text_.line("int[] indices = " + array_of(faces, index_text));
@@ -193,7 +201,10 @@ class UsdaWriter {
             return camera.sensor_height / (2 * std::tan(keys[i].state.vertical_fov / 2));
         };
         const auto value = [](double v) { return usda_number(static_cast<float>(v)); };
-        open("def Camera", camera.name);
+        // It moves by a prim of its own around it: three.js animates no others.
+        open("def Xform", camera.name);
+        write_keys(way);
+        open("def Camera", camera.name + "_lens");
         number("horizontalAperture", kTenths * camera.sensor_height * scene_.aspect);
         number("verticalAperture", kTenths * camera.sensor_height);
         attribute("float focalLength", way.times,
@@ -204,7 +215,7 @@ class UsdaWriter {
             const double radius = keys[i].state.lens_radius;
             return value(radius > 0 ? focal_length(i) / (2 * radius) : 0);
         });
-        write_keys(way);
+        text_.close();
         text_.close();
     }
 
@@ -265,9 +276,9 @@ class UsdaWriter {
     }
 
     void open_light(const std::string& type, const std::string& name, const Vec3& strength,
-                    const char* schemas = nullptr) {
+                    const char* schema = nullptr) {
         const double largest = std::max({1e-12, strength.x, strength.y, strength.z});
-        open("def " + type, name, schemas);
+        open("def " + type, name, schema);
         text_.line("color3f inputs:color = " + usda_tuple(strength / largest));
         number("inputs:intensity", largest);
     }

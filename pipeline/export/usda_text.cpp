@@ -38,6 +38,14 @@ std::string usda_number(float value) {
     return shortest(value);
 }
 
+std::string usda_time_code(double value) {
+    std::array<char, 512> digits{};  // the longest double has 326 characters
+    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(),
+                                            value + 0.0, std::chars_format::fixed);
+    CAROM_ASSERT(error == std::errc());
+    return {digits.data(), end};
+}
+
 std::string usda_tuple(const Vec3& v) {
     return tuple_of(v);
 }
@@ -84,9 +92,22 @@ void UsdaText::line(std::string_view text) {
     text_ += '\n';
 }
 
-void UsdaText::open(std::string_view head, std::string_view metadata) {
-    line(metadata.empty() ? std::string(head)
-                          : std::string(head) + " (" + std::string(metadata) + ")");
+void UsdaText::line(std::string_view text, const Metadata& metadata) {
+    if (metadata.empty()) {
+        line(text);
+        return;
+    }
+    line(std::string(text) + " (");
+    ++depth_;
+    for (const std::string& entry : metadata) {
+        line(entry);
+    }
+    --depth_;
+    line(")");
+}
+
+void UsdaText::open(std::string_view head, const Metadata& metadata) {
+    line(head, metadata);
     line("{");
     ++depth_;
 }

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/timeline/vocabulary.h"
 
@@ -13,6 +14,8 @@ namespace carom::pipeline {
 /// The shortest text that reads back as the same number; 0 for -0.
 [[nodiscard]] std::string usda_number(double value);
 [[nodiscard]] std::string usda_number(float value);
+/// Without an exponent, which not every reader expects in the key of a time sample.
+[[nodiscard]] std::string usda_time_code(double value);
 [[nodiscard]] std::string usda_tuple(const Vec3& v);
 [[nodiscard]] std::string usda_tuple(const Imath::V3f& v);
 [[nodiscard]] std::string usda_tuple(const Quat& q);  // (w, x, y, z), rounded to float
@@ -31,9 +34,14 @@ class UsdaNames {
 /// Lines, indented by how many blocks are open.
 class UsdaText {
   public:
+    using Metadata = std::vector<std::string>;  // "key = value" each
+
     void line(std::string_view text);
-    /// "def Mesh "cue" (metadata) {"; metadata may be empty.
-    void open(std::string_view head, std::string_view metadata = {});
+    /// The line, then its metadata in parentheses, one entry to a line: USD itself also takes
+    /// entries side by side, but three.js reads them line by line.
+    void line(std::string_view text, const Metadata& metadata);
+    /// The beginning of a prim: def Mesh "cue" ( metadata ) {. The metadata may be empty.
+    void open(std::string_view head, const Metadata& metadata = {});
     void close();
     [[nodiscard]] std::string finish() { return std::move(text_); }
 

@@ -1,6 +1,8 @@
 #include "pipeline/export/scene_usda.h"
 
 #include <cmath>
+#include <regex>
+#include <sstream>
 
 #include <gmock/gmock.h>
 
@@ -95,13 +97,15 @@ TEST(SceneUsda, Materials_HaveTheirColours) {
 }
 
 TEST(SceneUsda, Cameras_ChangeTheirLens) {
-    const UsdaAttribute& lens = prim("seat").attributes.at("focalLength");
+    EXPECT_EQ(prim("seat").type, "Xform");
+    EXPECT_EQ(prim("seat/seat_lens").type, "Camera");
+    const UsdaAttribute& lens = prim("seat/seat_lens").attributes.at("focalLength");
     ASSERT_EQ(lens.samples.size(), 6U);
     // Backwards: scene time 0.1 s is the end of the film's stretch, 20 degrees.
     EXPECT_NEAR(lens.samples[0].first, 1, 1e-9);
     EXPECT_NEAR(lens.samples[0].second.number(), 10 * 0.012 / std::tan(std::acos(-1.0) / 18), 1e-5);
-    EXPECT_NEAR(prim("seat").attributes.at("fStop").value.number(), 4, 1e-6);
-    EXPECT_NEAR(prim("seat").attributes.at("verticalAperture").value.number(), 0.24, 1e-7);
+    EXPECT_NEAR(prim("seat/seat_lens").attributes.at("fStop").value.number(), 4, 1e-6);
+    EXPECT_NEAR(prim("seat/seat_lens").attributes.at("verticalAperture").value.number(), 0.24, 1e-7);
 }
 
 TEST(SceneUsda, Lights_AreTheirOwnKind) {
@@ -129,7 +133,55 @@ TEST(SceneUsda, OfATable_IsWholeToo) {
     EXPECT_NE(file.at("/shot/table_cloth"), nullptr);
     EXPECT_EQ(file.at("/shot/table_cloth")->metadata.at("displayName").text, "table/cloth");
     EXPECT_EQ(file.at("/shot/b_8")->type, "Mesh");  // names have no '-', and are each once
-    EXPECT_EQ(file.at("/shot/b_8_2")->type, "Camera");
+    EXPECT_EQ(file.at("/shot/b_8_2")->type, "Xform");
+    EXPECT_EQ(file.at("/shot/b_8_2/b_8_lens")->type, "Camera");
+}
+
+// three.js reads line by line, and finds an empty scene where entries stand side by side.
+TEST(SceneUsda, Metadata_HasALineForEachEntry) {
+    std::istringstream text(scene_to_usda(sample().scene));
+    const std::regex whole_line(
+        R"( +(displayName = "[^"]*"|prepend apiSchemas = \["\w+"\]|interpolation = "vertex"))");
+    int entries = 0;
+    for (std::string line; std::getline(text, line);) {
+        for (const char* key : {"displayName", "apiSchemas", "interpolation"}) {
+            if (line.find(key) != std::string::npos) {
+                EXPECT_TRUE(std::regex_match(line, whole_line)) << line.substr(0, 200);
+                ++entries;
+            }
+        }
+    }
+    EXPECT_GT(entries, 20);
+}
+
+TEST(UsdaText, Metadata_StandsInLinesOfItsOwn) {
+    UsdaText text;
+    text.open("def Mesh \"cue\"", {"displayName = \"cue\"", "active = true"});
+    text.line("normal3f[] normals = []", {"interpolation = \"vertex\""});
+    text.open("def Scope \"none\"");
+    text.close();
+    text.close();
+    EXPECT_EQ(text.finish(), R"(#usda 1.0
+def Mesh "cue" (
+    displayName = "cue"
+    active = true
+)
+{
+    normal3f[] normals = [] (
+        interpolation = "vertex"
+    )
+    def Scope "none"
+    {
+    }
+}
+)");
+}
+
+TEST(UsdaText, TimeCodes_HaveNoExponent) {
+    EXPECT_EQ(usda_time_code(1e-7), "0.0000001");
+    EXPECT_EQ(usda_time_code(-0.0), "0");
+    EXPECT_EQ(usda_time_code(4e7), "40000000");
+    EXPECT_EQ(usda_time_code(0.1), "0.1");
 }
 
 TEST(UsdaText, Strings_AreQuoted) {
