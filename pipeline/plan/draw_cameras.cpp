@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "pipeline/plan/camera_ruler.h"
 #include "pipeline/plan/footprint.h"
 #include "pipeline/plan/plan_drawing.h"
 
@@ -9,6 +10,7 @@ namespace carom::pipeline {
 namespace {
 
 constexpr double kText = 2.4;
+constexpr double kBold = 1.15;  // times as wide as other letters
 
 /// What the camera sees as far as its target or the cloth, whichever is nearer, with the camera
 /// itself: an outline seen from above.
@@ -78,16 +80,20 @@ void draw_way(PlanDrawing& plan, const PlanRig& rig) {
 
 void draw_cameras(PlanDrawing& plan) {
     plan.svg.open("g", {{"id", "cameras"}});
+    const std::optional<CameraRuler> ruler = camera_ruler(plan);
     for (const PlanRig& rig : plan.rigs) {
         plan.svg.open("g");
         plan.svg.text("title", "camera " + rig.rig->name);
         draw_cone(plan, rig, rig.states.front());
         draw_cone(plan, rig, rig.states.back());
         draw_way(plan, rig);
+        if (ruler) {
+            draw_ruler(plan, rig, *ruler);
+        }
         plan.svg.close();
     }
     for (const PlanRig& rig : plan.rigs) {
-        const Vec2 size(text_width(rig.rig->name, kText), 3);
+        const Vec2 size(kBold * text_width(rig.rig->name, kText), 3);
         const Vec2 corner =
             plan.labels.place(plan.sheet.at(rig.states.front().position), size, 1.5);
         plan.svg.text("text", rig.rig->name,

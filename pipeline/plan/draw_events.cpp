@@ -119,6 +119,22 @@ void draw_number(PlanDrawing& plan, const NumberedEvent& event) {
     plan.svg.close();
 }
 
+/// What the list does not have; empty if it has everything.
+std::string without_number_text(const NumberedEvents& events) {
+    const int count = events.gentle + events.left_out;
+    if (count == 0) {
+        return {};
+    }
+    std::string text = std::to_string(count) + (count == 1 ? " impact" : " impacts");
+    if (events.left_out == 0) {
+        text += " below " + speed_text(kLeastNumberedSpeed);
+    } else {
+        text += ", the gentlest,";
+    }
+    return text + (count == 1 ? " has no number; 'carom report' has it."
+                              : " have no number; 'carom report' has them all.");
+}
+
 }  // namespace
 
 double text_width(const std::string& text, double font_size) {
@@ -160,9 +176,6 @@ void draw_event_numbers(PlanDrawing& plan) {
 
 double draw_event_list(PlanDrawing& plan, double y) {
     const auto& events = plan.events.events;
-    if (events.empty()) {
-        return y;
-    }
     const double width = kPageWidth - 2 * kMargin;
     double widest = 0;
     for (const NumberedEvent& event : events) {
@@ -189,12 +202,10 @@ double draw_event_list(PlanDrawing& plan, double y) {
                       {{"x", svg_number(x + kBefore)}, {"y", svg_number(line + 0.95)}});
     }
     double bottom = y + kLine * rows;
-    if (plan.events.left_out > 0) {
+    if (const std::string text = without_number_text(plan.events); !text.empty()) {
         bottom += kLine;
         plan.svg.text(
-            "text",
-            std::to_string(plan.events.left_out) +
-                " lighter touches have no number; 'carom report' has them all.",
+            "text", text,
             {{"class", "faint"}, {"x", svg_number(kMargin)}, {"y", svg_number(bottom - 1)}});
     }
     plan.svg.close();

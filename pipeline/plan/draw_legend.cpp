@@ -1,5 +1,9 @@
 #include <algorithm>
+#include <set>
 
+#include "pipeline/plan/camera_ruler.h"
+#include "pipeline/plan/colour_ramp.h"
+#include "pipeline/plan/figure_text.h"
 #include "pipeline/plan/plan_drawing.h"
 
 namespace carom::pipeline {
@@ -45,9 +49,14 @@ void draw_text(SvgText& svg, const std::string& text, const Vec2& at) {
         {{"x", svg_number(at.x)}, {"y", svg_number(at.y + 0.85)}, {"style", "font-size:2.4px"}});
 }
 
-void draw_balls(PlanDrawing& plan, Flow& flow) {
+/// `left_out`: places among the objects.
+void draw_balls(PlanDrawing& plan, const std::set<std::size_t>& left_out, Flow& flow) {
     std::size_t solids = 0;
-    for (const PlanObject& object : plan.objects) {
+    for (std::size_t i = 0; i < plan.objects.size(); ++i) {
+        if (left_out.contains(i)) {
+            continue;
+        }
+        const PlanObject& object = plan.objects[i];
         const std::string& name = object.track->name();
         if (!object.radius && ++solids > kMostObjects) {
             continue;
@@ -110,6 +119,56 @@ void draw_states(PlanDrawing& plan, Flow& flow) {
     plan.svg.leaf("circle", ring);
 }
 
+void draw_camera_entries(PlanDrawing& plan, Flow& flow) {
+    const std::string camera = "a camera's path, and what it sees at both ends";
+    const Vec2 at = flow.next(10 + text_width(camera, kText));
+    plan.svg.leaf("path", {{"class", "cone"},
+                           {"fill", rig_colour(0)},
+                           {"stroke", rig_colour(0)},
+                           {"d", svg_path({at, at + Vec2(8, -1.7), at + Vec2(8, 1.7)}, true)}});
+    plan.svg.leaf("circle", {{"cx", svg_number(at.x)},
+                             {"cy", svg_number(at.y)},
+                             {"r", "0.9"},
+                             {"fill", rig_colour(0)}});
+    draw_text(plan.svg, camera, at + Vec2(9.5, 0));
+    const std::optional<CameraRuler> ruler = camera_ruler(plan);
+    if (!ruler) {
+        return;
+    }
+    const std::string text = "where it is: a tick for " + frame_step_text(ruler->frame_step) +
+                             ", an arrow the way it looks each " + time_text(ruler->time_step) +
+                             " of the film";
+    const Vec2 path = flow.next(10 + text_width(text, kText));
+    std::string ticks = svg_path({path, path + Vec2(8, 0)}, false);
+    for (int i = 0; i <= 8; ++i) {
+        ticks += " " + svg_path({path + Vec2(i, -0.55), path + Vec2(i, 0.55)}, false);
+    }
+    plan.svg.leaf("path", {{"class", "tick"}, {"stroke", rig_colour(0)}, {"d", ticks}});
+    plan.svg.leaf("path", {{"class", "view"},
+                           {"stroke", rig_colour(0)},
+                           {"d", svg_path({path + Vec2(4, 0), path + Vec2(6, -2)}, false)}});
+    draw_text(plan.svg, text, path + Vec2(9.5, 0));
+}
+
+/// A bar of the ramp's colours between the names of its ends.
+void draw_ramp(PlanDrawing& plan, const ColourRamp& ramp, Flow& flow) {
+    constexpr double kBar = 24;
+    constexpr int kSteps = 24;
+    const std::string first = plan.objects[ramp.members.front()].track->name();
+    const std::string last = plan.objects[ramp.members.back()].track->name();
+    const double before = text_width(first, kText) + 1.6;
+    const Vec2 at = flow.next(before + kBar + 1 + text_width(last, kText));
+    draw_text(plan.svg, first, at);
+    for (int i = 0; i < kSteps; ++i) {
+        plan.svg.leaf("rect", {{"fill", ramp.colour_at(i / (kSteps - 1.0))},
+                               {"x", svg_number(at.x + before + kBar * i / kSteps)},
+                               {"y", svg_number(at.y - 0.9)},
+                               {"width", svg_number(kBar / kSteps + 0.05)},
+                               {"height", "1.8"}});
+    }
+    draw_text(plan.svg, last, at + Vec2(before + kBar + 1, 0));
+}
+
 bool has_motion(const PlanDrawing& plan, Motion motion) {
     return std::any_of(plan.objects.begin(), plan.objects.end(), [&](const PlanObject& object) {
         return std::any_of(object.motion.begin(), object.motion.end(),
@@ -119,16 +178,23 @@ bool has_motion(const PlanDrawing& plan, Motion motion) {
 
 }  // namespace
 
-double draw_names(PlanDrawing& plan, double y) {
+double draw_names(PlanDrawing& plan, std::span<const ColourRamp> ramps, double y) {
     Flow flow(y);
-    draw_balls(plan, flow);
+    std::set<std::size_t> in_ramps;
+    for (const ColourRamp& ramp : ramps) {
+        in_ramps.insert(ramp.members.begin(), ramp.members.end());
+    }
+    draw_balls(plan, in_ramps, flow);
+    for (const ColourRamp& ramp : ramps) {
+        draw_ramp(plan, ramp, flow);
+    }
     return flow.bottom();
 }
 
 double draw_legend(PlanDrawing& plan, double y) {
     Flow flow(y);
     plan.svg.open("g", {{"id", "legend"}});
-    draw_balls(plan, flow);
+    draw_balls(plan, {}, flow);
     flow.new_line();
     draw_states(plan, flow);
     draw_line_style(plan, flow, "sliding", "sliding");
@@ -137,18 +203,8 @@ double draw_legend(PlanDrawing& plan, double y) {
     if (has_motion(plan, Motion::moving)) {
         draw_line_style(plan, flow, "moving", "an object's centre");
     }
-    const std::string camera = "a camera's way, and what it sees at both ends";
     if (!plan.rigs.empty()) {
-        const Vec2 at = flow.next(10 + text_width(camera, kText));
-        plan.svg.leaf("path", {{"class", "cone"},
-                               {"fill", rig_colour(0)},
-                               {"stroke", rig_colour(0)},
-                               {"d", svg_path({at, at + Vec2(8, -1.7), at + Vec2(8, 1.7)}, true)}});
-        plan.svg.leaf("circle", {{"cx", svg_number(at.x)},
-                                 {"cy", svg_number(at.y)},
-                                 {"r", "0.9"},
-                                 {"fill", rig_colour(0)}});
-        draw_text(plan.svg, camera, at + Vec2(9.5, 0));
+        draw_camera_entries(plan, flow);
     }
     plan.svg.close();
     return flow.bottom();

@@ -42,26 +42,26 @@ EventWords impact_words(const ReportedEvent& impact) {
     const std::string& other = hit_object(impact);
     const auto& mover_speed = b_moves_in ? impact.b : impact.a;
     const auto& other_speed = b_moves_in ? impact.a : impact.b;
-    if (!mover_speed) {
-        return {mover + " → " + other, ""};
+    EventWords words;
+    words.brief = mover + " → " + other;
+    if (mover_speed && (event.b == "cloth" || event.b == "floor")) {
+        words.brief = mover + " lands on the " + event.b;
+    } else if (mover_speed && !other_speed) {
+        words.brief +=
+            ", " + speed_text(mover_speed->before) + " to " + speed_text(mover_speed->after);
     }
-    if (event.b == "cloth" || event.b == "floor") {
-        return {mover + " lands on the " + event.b, ""};
+    words.text = words.brief;
+    if (mover_speed && other_speed) {
+        const std::string cut = impact.cut ? ", cut " + angle_text(*impact.cut) : "";
+        words.label = speed_text(mover_speed->before) + cut;
+        words.brief += " at " + words.label;
+        words.text = words.brief + ", " + other + " leaves at " + speed_text(other_speed->after);
     }
-    if (!other_speed) {
-        return {mover + " → " + other + ", " + speed_text(mover_speed->before) + " to " +
-                    speed_text(mover_speed->after),
-                ""};
-    }
-    const std::string cut = impact.cut ? ", cut " + angle_text(*impact.cut) : "";
-    const std::string label = speed_text(mover_speed->before) + cut;
-    return {mover + " → " + other + " at " + label + ", " + other + " leaves at " +
-                speed_text(other_speed->after),
-            label};
+    return words;
 }
 
 EventWords strike_words(const ReportedEvent& event, const sim::Strike* strike) {
-    EventWords words{event.event.a + " struck, leaves at " + speed_after(event),
+    EventWords words{event.event.a + " struck, leaves at " + speed_after(event), "",
                      speed_after(event)};
     if (strike == nullptr) {
         return words;
@@ -81,12 +81,12 @@ EventWords lone_words(const sim::Event& event) {
     if (event.kind == sim::EventKind::potted) {
         std::string pocket = event.b;
         std::replace(pocket.begin(), pocket.end(), '_', ' ');
-        return {event.a + " potted, " + pocket, ""};
+        return {event.a + " potted, " + pocket, "", ""};
     }
     if (event.kind == sim::EventKind::off_table) {
-        return {event.a + " leaves the table", ""};
+        return {event.a + " leaves the table", "", ""};
     }
-    return {std::string(to_string(event.kind)) + " on " + event.a, ""};
+    return {std::string(to_string(event.kind)) + " on " + event.a, "", ""};
 }
 
 }  // namespace carom::pipeline

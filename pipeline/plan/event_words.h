@@ -10,6 +10,7 @@ namespace carom::pipeline {
 
 struct EventWords {
     std::string text;   // "cue → one at 9.7 m/s, cut 12°, one leaves at 9.5 m/s"
+    std::string brief;  // of an impact: the same without what comes after it
     std::string label;  // for the drawing, short: "9.7 m/s, cut 12°"; may be empty
 };
 

@@ -17,6 +17,8 @@ using sim::EventKind;
 
 constexpr double kSameMoment = 2e-3;   // s: a rack's burst is one event
 constexpr double kRowPause = 0.5;      // s, between the touches of a row of objects
+constexpr double kSlow = 0.25;         // m/s: impacts of this speed ...
+constexpr double kSlowPause = 0.05;    // s: ... that follow each other so closely are one event
 constexpr double kLandingSpeed = 0.5;  // m/s, of what hits the cloth hard enough to be told
 
 bool is_ball(const sim::Body* body) {
@@ -38,6 +40,9 @@ struct Group {
 class Grouping {
   public:
     Grouping(const Shot& shot, const sim::Timeline& timeline) : shot_(shot), timeline_(timeline) {}
+
+    /// How many impacts were too gentle to be told; after groups().
+    [[nodiscard]] int gentle() const { return gentle_; }
 
     std::vector<Group> groups() {
         for (const ReportedEvent& row : report_of(timeline_).events) {
@@ -89,13 +94,18 @@ class Grouping {
         if (!among_balls && !touched_.insert(std::minmax(event.a, event.b)).second) {
             return;  // objects that lean on each other touch a thousand times
         }
+        const double speed = impact_speed(row);
         const bool is_row = a != nullptr && b != nullptr && !is_ball(a) && !is_ball(b);
-        if (Group* group = group_of(event, is_row)) {
+        if (Group* group = group_of(event, is_row, speed)) {
             ++group->count;
             group->end = event.time;
             group->weight = std::max(group->weight, event.normal_impulse);
             group->who.insert({event.a, event.b});
             group->last = group->last == event.a ? event.b : event.a;
+            return;
+        }
+        if (among_balls && speed < kLeastNumberedSpeed) {
+            ++gentle_;
             return;
         }
         Group group;
@@ -109,12 +119,21 @@ class Grouping {
         groups_.push_back(std::move(group));
     }
 
+    /// Of the faster one on arriving, m/s; very high where it is not known.
+    static double impact_speed(const ReportedEvent& row) {
+        if (!row.a && !row.b) {
+            return 1e9;
+        }
+        return std::max(row.a ? row.a->before : 0, row.b ? row.b->before : 0);
+    }
+
     static bool is_landing(const Event& event, const sim::Body* body) {
         return is_ball(body) && event.normal_impulse > kLandingSpeed * body->mass;
     }
 
     /// The group that an impact belongs to, if it is none of its own.
-    Group* group_of(const Event& event, bool is_row) {
+    Group* group_of(const Event& event, bool is_row, double speed) {
+        const double longest_pause = speed < kSlow ? kSlowPause : kSameMoment;
         for (auto group = groups_.rbegin(); group != groups_.rend(); ++group) {
             const double pause = event.time - group->end;
             if (pause > kRowPause) {
@@ -126,7 +145,7 @@ class Grouping {
             if (is_impact && is_row && group->is_row) {
                 return &*group;
             }
-            if (is_impact && !is_row && !group->is_row && shares && pause < kSameMoment) {
+            if (is_impact && !is_row && !group->is_row && shares && pause < longest_pause) {
                 return &*group;
             }
             if (group->first.event.kind == EventKind::strike && event.b == "cloth" &&
@@ -147,13 +166,14 @@ class Grouping {
             }
             group.words.label = std::to_string(group.count) + " touches";
         } else if (group.first.event.kind == EventKind::impact && group.count > 1) {
-            group.words.text += ", and " + std::to_string(group.count - 1) + " more in " +
-                                milliseconds_text(group.end - group.first.event.time);
+            group.words.text = group.words.brief + ", and " + std::to_string(group.count - 1) +
+                               " more in " + milliseconds_text(group.end - group.first.event.time);
         }
     }
 
     const Shot& shot_;
     const sim::Timeline& timeline_;
+    int gentle_ = 0;
     std::vector<Group> groups_;
     std::set<std::pair<std::string, std::string>> touched_;
 };
@@ -161,8 +181,10 @@ class Grouping {
 }  // namespace
 
 NumberedEvents number_events(const Shot& shot, const sim::Timeline& timeline, std::size_t most) {
-    std::vector<Group> groups = Grouping(shot, timeline).groups();
+    Grouping grouping(shot, timeline);
+    std::vector<Group> groups = grouping.groups();
     NumberedEvents result;
+    result.gentle = grouping.gentle();
     while (groups.size() > most) {
         const auto lightest =
             std::min_element(groups.begin(), groups.end(),

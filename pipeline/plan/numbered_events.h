@@ -17,14 +17,19 @@ struct NumberedEvent {
     std::string label;  // for the drawing, short: "9.7 m/s, cut 12°"; may be empty
 };
 
+/// Balls that meet more gently have no number of their own, m/s.
+inline constexpr double kLeastNumberedSpeed = 0.05;
+
 struct NumberedEvents {
     std::vector<NumberedEvent> events;  // in order of time
     int left_out = 0;                   // lighter ones, beyond `most`
+    int gentle = 0;                     // impacts of balls slower than kLeastNumberedSpeed
 };
 
 /// Strikes and other force events, touches of balls, objects and cushions, landings, pottings,
 /// balls that leave the table. What happens within milliseconds (a rack that bursts) is one event,
-/// and so is a row of objects that knock each other over.
+/// and so are slow impacts that pass from ball to ball within hundredths of a second (a cluster
+/// that is nudged), and a row of objects that knock each other over.
 [[nodiscard]] NumberedEvents number_events(const Shot& shot, const sim::Timeline& timeline,
                                            std::size_t most);
 

@@ -43,7 +43,9 @@ text{font-family:"DejaVu Sans",Verdana,sans-serif;font-size:2.6px}
 .prop{stroke-width:.14;fill-opacity:.8}
 .overhead{stroke-width:.14;stroke-dasharray:.6 .6;fill-opacity:.08}
 .cone{stroke-width:.16;fill-opacity:.07;stroke-opacity:.75}
-.way{stroke-width:.45;fill:none}
+.way{stroke-width:.35;fill:none}
+.tick{stroke-width:.14;fill:none}
+.long-tick,.view{stroke-width:.3;fill:none}
 .bar{fill-opacity:.22;stroke-width:.25}
 )";
 

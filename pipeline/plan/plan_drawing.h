@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/plan/colour_ramp.h"
 #include "pipeline/plan/label_placer.h"
 #include "pipeline/plan/motion_stretches.h"
 #include "pipeline/plan/numbered_events.h"
@@ -74,8 +75,8 @@ void draw_event_numbers(PlanDrawing& plan);
 /// These begin at `y` (mm) and return where the next part may.
 [[nodiscard]] double draw_time_axes(PlanDrawing& plan, double y);
 [[nodiscard]] double draw_legend(PlanDrawing& plan, double y);
-/// The names of all objects with their colours.
-[[nodiscard]] double draw_names(PlanDrawing& plan, double y);
+/// The names of all objects with their colours; `ramps` refer to places among them.
+[[nodiscard]] double draw_names(PlanDrawing& plan, std::span<const ColourRamp> ramps, double y);
 [[nodiscard]] double draw_event_list(PlanDrawing& plan, double y);
 
 /// A ball's face at a place on the paper: its colour, stripe and number.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "pipeline/plan/colour_ramp.h"
 #include "pipeline/plan/figure_text.h"
 #include "pipeline/plan/plan_drawing.h"
 #include "pipeline/plan/simplify_line.h"
@@ -158,8 +159,15 @@ double top_speed(const PlanObject& object) {
     return top;
 }
 
-void draw_speed(PlanDrawing& plan, const PlanObject& object, const TimeAxis& axis,
-                const Panel& panel) {
+/// An object that moves, and the colour of its curve.
+struct Moving {
+    double top = 0;  // speed, m/s
+    const PlanObject* object = nullptr;
+    std::string colour;
+};
+
+void draw_speed(PlanDrawing& plan, const Moving& moving, const TimeAxis& axis, const Panel& panel) {
+    const PlanObject& object = *moving.object;
     SpeedCurve curve(axis, panel);
     curve.follow(*object.track, std::min(object.gone, plan.timeline.end_time));
     const std::string& way = curve.way();
@@ -170,14 +178,14 @@ void draw_speed(PlanDrawing& plan, const PlanObject& object, const TimeAxis& axi
         plan.svg.leaf("path", {{"class", "casing curve"}, {"d", way}});
     }
     plan.svg.leaf("path", {{"class", object.radius ? "path curve" : "path moving"},
-                           {"stroke", object.paint.colour},
+                           {"stroke", moving.colour},
                            {"d", way}});
     if (object.paint.is_striped) {
         plan.svg.leaf("path", {{"class", "stripe curve"}, {"d", way}});
     }
     if (object.gone < plan.timeline.end_time) {
         plan.svg.leaf("circle", {{"class", "ball"},
-                                 {"fill", object.paint.colour},
+                                 {"fill", moving.colour},
                                  {"cx", svg_number(curve.last().x)},
                                  {"cy", svg_number(curve.last().y)},
                                  {"r", "0.9"}});
@@ -185,25 +193,52 @@ void draw_speed(PlanDrawing& plan, const PlanObject& object, const TimeAxis& axi
     plan.svg.close();
 }
 
-/// What is no ball first, then the highest, so that the curves of slow balls stay visible.
-void draw_speeds(PlanDrawing& plan, const TimeAxis& axis) {
-    std::vector<std::pair<double, const PlanObject*>> moving;
-    for (const PlanObject& object : plan.objects) {
-        const double top = top_speed(object);
-        if (top > kStill) {
-            moving.emplace_back(top, &object);
+/// Of the objects that move: those that look alike get a colour each.
+std::vector<ColourRamp> ramps_of(const PlanDrawing& plan) {
+    std::vector<RampEntry> entries;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < plan.objects.size(); ++i) {
+        if (top_speed(plan.objects[i]) > kStill) {
+            entries.push_back({plan.objects[i].paint, plan.objects[i].radius.has_value()});
+            places.push_back(i);
         }
     }
+    std::vector<ColourRamp> ramps = colour_ramps(entries);
+    for (ColourRamp& ramp : ramps) {
+        for (std::size_t& member : ramp.members) {
+            member = places[member];
+        }
+    }
+    return ramps;
+}
+
+std::vector<Moving> moving_objects(const PlanDrawing& plan, std::span<const ColourRamp> ramps) {
+    std::vector<Moving> all;
+    for (const PlanObject& object : plan.objects) {
+        all.push_back({top_speed(object), &object, object.paint.colour});
+    }
+    for (const ColourRamp& ramp : ramps) {
+        for (std::size_t place = 0; place < ramp.members.size(); ++place) {
+            all[ramp.members[place]].colour = ramp.colour(place);
+        }
+    }
+    std::erase_if(all, [](const Moving& one) { return one.top <= kStill; });
+    return all;
+}
+
+/// What is not a ball first, then the fastest, so that the curves of slow balls stay visible.
+void draw_speeds(PlanDrawing& plan, std::span<const ColourRamp> ramps, const TimeAxis& axis) {
+    std::vector<Moving> moving = moving_objects(plan, ramps);
     std::stable_sort(moving.begin(), moving.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
-    const Panel panel{kTop, kSpeedHeight, moving.empty() ? 1 : 1.02 * moving.front().first, true};
+                     [](const Moving& a, const Moving& b) { return a.top > b.top; });
+    const Panel panel{kTop, kSpeedHeight, moving.empty() ? 1 : 1.02 * moving.front().top, true};
     std::stable_partition(moving.begin(), moving.end(),
-                          [](const auto& one) { return !one.second->radius; });
+                          [](const Moving& one) { return !one.object->radius; });
     plan.svg.open("g", {{"id", "speeds"}});
     draw_panel(plan.svg, panel, axis, "speed, m/s",
                "square-root scale; a dot where an object is potted");
-    for (const auto& [top, object] : moving) {
-        draw_speed(plan, *object, axis, panel);
+    for (const Moving& one : moving) {
+        draw_speed(plan, one, axis, panel);
     }
     plan.svg.close();
 }
@@ -266,13 +301,14 @@ std::string report_plot_svg(const Shot& shot, const sim::Timeline& timeline, Pla
     plan.svg.text("text", "speed and energy over scene time",
                   {{"class", "end faint"}, {"x", svg_number(kPageWidth - kMargin)}, {"y", "13"}});
     const TimeAxis axis{timeline.start_time, timeline.end_time};
-    draw_speeds(plan, axis);
+    const std::vector<ColourRamp> ramps = ramps_of(plan);
+    draw_speeds(plan, ramps, axis);
     double y = kTop + kSpeedHeight + kBetween;
     draw_energy(plan, axis, y);
     y += kEnergyHeight + 2;
     y = draw_event_marks(plan.svg, axis, plan.events.events, y);
     draw_time_axis(plan.svg, axis, y, "scene");
-    y = draw_names(plan, y + 6) + 4;
+    y = draw_names(plan, ramps, y + 6) + 4;
     y = draw_event_list(plan, y) + 6;
     return svg_page(plan.svg.finish(), shot.name + ": speed and energy", page, y);
 }

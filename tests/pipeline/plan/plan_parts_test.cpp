@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "pipeline/plan/colour_ramp.h"
 #include "pipeline/plan/footprint.h"
 #include "pipeline/plan/label_placer.h"
 #include "pipeline/plan/motion_stretches.h"
@@ -102,6 +103,22 @@ TEST(LabelPlacer, ManyLabelsOfOnePlace_LieBesideEachOther) {
                 << "labels " << i << " and " << j;
         }
     }
+}
+
+TEST(ColourRamps, ThingsOfOnePaint_ShareOne) {
+    const ObjectPaint red{"#ff0000", false, 0};
+    const ObjectPaint blue{"#0000ff", false, 0};
+    const std::vector<RampEntry> entries{{red, true},  {blue, false}, {red, true},
+                                         {red, false}, {red, true},   {blue, false}};
+    const std::vector<ColourRamp> ramps = colour_ramps(entries);
+    ASSERT_EQ(ramps.size(), 2U);  // the red thing that is not a ball is alone
+    EXPECT_THAT(ramps[0].members, ::testing::ElementsAre(0, 2, 4));
+    EXPECT_TRUE(ramps[0].is_warm);
+    EXPECT_THAT(ramps[1].members, ::testing::ElementsAre(1, 5));
+    EXPECT_FALSE(ramps[1].is_warm);
+    EXPECT_EQ(ramps[0].colour(0), ramps[0].colour_at(0));
+    EXPECT_EQ(ramps[0].colour(2), ramps[0].colour_at(1));
+    EXPECT_NE(ramps[0].colour(1), ramps[0].colour(2));
 }
 
 }  // namespace

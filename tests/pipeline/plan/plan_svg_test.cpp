@@ -1,6 +1,8 @@
 // The whole drawing of shots that were baked.
 #include "pipeline/plan/plan_svg.h"
 
+#include <set>
+
 #include <gmock/gmock.h>
 
 #include "pipeline/camera/frame_plan.h"
@@ -180,6 +182,92 @@ TEST(NumberedEvents, OfARowOfTiles_OneForTheRow) {
     EXPECT_THAT(events.events[0].text, ::testing::StartsWith("cue → d1 at "));
     EXPECT_THAT(events.events[1].text, ::testing::StartsWith("d1 … d4: "));
     EXPECT_LT(events.events.size(), 8U);
+}
+
+/// A cue ball at `speed` on a bare cloth, with balls at the given places on its line.
+Baked balls_in_line(double speed, const std::vector<double>& places) {
+    std::string text =
+        "carom: 1\nsimulation: {duration: 1 s}\ntable: {kind: cloth}\n"
+        "cameras: [{name: a, video: [0 s, 1 s], scene: [0 s, 1 s], position: [0, -1, 1], target: "
+        "[0, 0, 0]}]\nballs:\n  cue: {at: [0, 0], velocity: [" +
+        std::to_string(speed) + ", 0, 0]}\n";
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        text += "  b" + std::to_string(i + 1) + ": {at: [" + std::to_string(places[i]) + ", 0]}\n";
+    }
+    return baked(load_shot_text(text, "line.yaml"));
+}
+
+TEST(NumberedEvents, GentleImpact_IsOnlyCounted) {
+    const Baked gentle = balls_in_line(0.04, {0.0592});
+    const NumberedEvents events = number_events(gentle.shot, gentle.timeline, 30);
+    EXPECT_TRUE(events.events.empty());
+    EXPECT_EQ(events.gentle, 1);
+    EXPECT_THAT(plan_svg(gentle.shot, gentle.timeline),
+                HasSubstr(">1 impact below 0.05 m/s has no number; 'carom report' has it.<"));
+    const Baked quick = balls_in_line(0.5, {0.0592});
+    EXPECT_EQ(number_events(quick.shot, quick.timeline, 30).gentle, 0);
+}
+
+// Gaps of 2 mm: a slow nudge takes 10 ms from ball to ball.
+TEST(NumberedEvents, SlowImpactsOfACluster_AreOne) {
+    const Baked cluster = balls_in_line(0.2, {0.0592, 0.1184, 0.1776});
+    const NumberedEvents events = number_events(cluster.shot, cluster.timeline, 30);
+    ASSERT_EQ(events.events.size(), 1U);
+    EXPECT_THAT(events.events[0].text, HasSubstr("cue → b1 at 0.18 m/s, cut 0°"));
+    EXPECT_THAT(events.events[0].text, HasSubstr(", and 2 more in "));
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+        ++count;
+    }
+    return count;
+}
+
+TEST(ReportPlot, ThingsThatLookAlike_HaveAColourEachAlongTheirRow) {
+    const Baked line = balls_in_line(1, {0.06, 0.12, 0.18, 0.24});
+    Shot shot = line.shot;
+    for (render::ObjectDescription& object : shot.scene.objects) {
+        object.material = shot.scene.objects.front().material;
+    }
+    const std::string svg = report_plot_svg(shot, line.timeline);
+    expect_well_formed(svg);
+    std::set<std::string> colours;
+    for (std::size_t at = svg.find("path curve"); at != std::string::npos;
+         at = svg.find("path curve", at + 1)) {
+        const std::size_t stroke = svg.find("stroke=\"", at) + 8;
+        colours.insert(svg.substr(stroke, 7));
+    }
+    EXPECT_EQ(colours.size(), count_of(svg, "path curve"));
+    EXPECT_GE(colours.size(), 4U);
+    EXPECT_EQ(count_of(svg, ">cue<"), 1U);  // the names of the ends alone
+    EXPECT_EQ(count_of(svg, ">b4<"), 1U);
+    EXPECT_EQ(count_of(svg, ">b2<"), 0U);
+}
+
+TEST(PlanSvg, CameraOnAnOrbit_HasATickForEachFrame) {
+    const Baked orbit = baked(load_shot_text(
+        "carom: 1\nsimulation: {duration: 0.2 s}\n"
+        "balls: {cue: {at: [0, 0, 1]}}\nrender: {fps: 24}\n"
+        "cameras:\n"
+        "  - {name: round, video: [0 s, 2 s], scene: [0 s, 0.1 s], target: [0, 0, 1], "
+        "position: {orbit: [0, 0, 1], radius: 0.4 m, angles: [0 deg, 270 deg]}}\n"
+        "  - {name: still, video: [2 s, 3 s], scene: [0 s, 0.1 s], target: [0, 0, 1], "
+        "position: [0, -0.5, 1]}\n",
+        "orbit.yaml"));
+    const std::string svg = plan_svg(orbit.shot, orbit.timeline);
+    expect_well_formed(svg);
+    EXPECT_THAT(svg, HasSubstr("a tick for each frame, an arrow the way it looks each 0.5 s"));
+    const std::size_t cameras = svg.find("id=\"cameras\"");
+    const std::size_t at = svg.find("class=\"tick\"", cameras);
+    ASSERT_NE(at, std::string::npos);
+    const std::string ticks = svg.substr(at, svg.find("/>", at) - at);
+    EXPECT_EQ(count_of(ticks, "M"), 48U);
+    // Of the one that moves alone: one in the drawing, one in the legend.
+    EXPECT_EQ(count_of(svg, "class=\"tick\""), 2U);
+    EXPECT_EQ(count_of(svg, "class=\"view\""), 5U + 1);
+    EXPECT_THAT(svg, HasSubstr(">1.5 s</text>"));
 }
 
 }  // namespace
