@@ -105,7 +105,8 @@ TEST(SceneUsda, Cameras_ChangeTheirLens) {
     EXPECT_NEAR(lens.samples[0].first, 1, 1e-9);
     EXPECT_NEAR(lens.samples[0].second.number(), 10 * 0.012 / std::tan(std::acos(-1.0) / 18), 1e-5);
     EXPECT_NEAR(prim("seat/seat_lens").attributes.at("fStop").value.number(), 4, 1e-6);
-    EXPECT_NEAR(prim("seat/seat_lens").attributes.at("verticalAperture").value.number(), 0.24, 1e-7);
+    EXPECT_NEAR(prim("seat/seat_lens").attributes.at("verticalAperture").value.number(), 0.24,
+                1e-7);
 }
 
 TEST(SceneUsda, Lights_AreTheirOwnKind) {
