@@ -205,11 +205,12 @@ void run_frame(const FrameCommand& command, CommandContext& context) {
         input.shot, bake, frame, options, talk_about_job(context.console, 1), context.stop);
     context.console.end_progress();
     tell_rays(input.shot, film.statistics, context.console);
+    const pipeline::PlannedFrame planned =
+        pipeline::plan_frame(frame, input.shot.cameras, input.shot.timing, bake.timeline);
     pipeline::write_picture(
         film, view, path, pipeline::exported_frame_metadata(input.shot, bake.timeline, frame, film),
-        pipeline::overlay_text(
-            input.shot.output.overlay,
-            pipeline::plan_frame(frame, input.shot.cameras, input.shot.timing, bake.timeline)));
+        pipeline::overlay_text(input.shot.output.overlay, planned),
+        pipeline::exr_standard_attributes(input.shot, planned));
     print_path(path);
 }
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdio>
 
-#include "pipeline/camera/frame_plan.h"
 #include "render/acceleration/analytic_kernels.h"
+#include "render/camera/camera_matrices.h"
 #include "render/frame/frame.h"
 
 namespace carom::pipeline {
@@ -89,6 +89,15 @@ render::ImageMetadata exported_frame_metadata(const Shot& shot, const sim::Timel
                                    " s, " + metadata["samples"] + " samples, renderer revision " +
                                    metadata["renderer_revision"];
     return metadata;
+}
+
+render::ExrStandardAttributes exr_standard_attributes(const Shot& shot,
+                                                      const PlannedFrame& planned) {
+    const render::CameraMatrices camera = render::camera_matrices(
+        planned.camera_open, planned.camera_close, shot.render.width, shot.render.height);
+    return {camera.world_to_camera, camera.world_to_ndc,
+            static_cast<int>(shot.timing.fps.numerator()),
+            static_cast<int>(shot.timing.fps.denominator())};
 }
 
 std::map<std::string, std::string> video_metadata(const Shot& shot) {

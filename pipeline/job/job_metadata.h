@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "pipeline/camera/frame_plan.h"
 #include "pipeline/shot/shot.h"
 #include "render/film/image_file.h"
 
@@ -21,6 +22,10 @@ namespace carom::pipeline {
                                                             const sim::Timeline& timeline,
                                                             std::int64_t frame,
                                                             const render::Film& film = {});
+
+/// Of the same frame, for an OpenEXR file: the camera of `planned` and the film's frame rate.
+[[nodiscard]] render::ExrStandardAttributes exr_standard_attributes(const Shot& shot,
+                                                                    const PlannedFrame& planned);
 
 /// Of a video: the shot's name and the settings that a viewer may ask about.
 [[nodiscard]] std::map<std::string, std::string> video_metadata(const Shot& shot);

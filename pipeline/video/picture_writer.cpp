@@ -32,13 +32,15 @@ void write_whole(const std::string& path, const Write& write) {
 }  // namespace
 
 void write_picture(const render::Film& film, const DisplayView& view, const std::string& path,
-                   const render::ImageMetadata& metadata, const render::PictureText& text) {
+                   const render::ImageMetadata& metadata, const render::PictureText& text,
+                   const std::optional<render::ExrStandardAttributes>& standard) {
     if (is_linear_picture(path)) {
         // OpenImageIO writes the time of writing otherwise: the same frame, other bytes.
         render::ImageMetadata dated = metadata;
         dated.emplace("DateTime", "1970:01:01 00:00:00");
-        write_whole(
-            path, [&](const std::string& temporary) { render::write_exr(film, temporary, dated); });
+        write_whole(path, [&](const std::string& temporary) {
+            render::write_exr(film, temporary, dated, standard);
+        });
         return;
     }
     std::vector<std::uint8_t> display = view.to_8(film);

@@ -23,15 +23,17 @@ struct AttributeType {
     std::string_view name;
     std::size_t length = 0;  // 0: any
 };
-constexpr std::array<AttributeType, 9> kTypes{{{"string"},
-                                               {"chlist"},
-                                               {"compression", 1},
-                                               {"lineOrder", 1},
-                                               {"box2i", 16},
-                                               {"float", 4},
-                                               {"v2f", 8},
-                                               {"int", 4},
-                                               {"chromaticities", 32}}};
+constexpr std::array<AttributeType, 11> kTypes{{{"string"},
+                                                {"chlist"},
+                                                {"compression", 1},
+                                                {"lineOrder", 1},
+                                                {"box2i", 16},
+                                                {"float", 4},
+                                                {"v2f", 8},
+                                                {"int", 4},
+                                                {"m44f", 64},
+                                                {"rational", 8},
+                                                {"chromaticities", 32}}};
 /// Deflate packs a byte into a thousandth of one at best (RFC 1951: 258 bytes in two bits).
 constexpr double kMostPacked = 1100;
 

@@ -1,12 +1,14 @@
 #include "render/film/image_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <system_error>
 
 #include <OpenImageIO/filesystem.h>
@@ -89,6 +91,16 @@ void add_metadata(OIIO::ImageSpec& spec, const ImageMetadata& metadata) {
     }
 }
 
+void add_standard(OIIO::ImageSpec& spec, const ExrStandardAttributes& standard) {
+    constexpr float kRec709[8] = {0.64f, 0.33f, 0.30f,   0.60f,     // ITU-R BT.709-6, item 1.4:
+                                  0.15f, 0.06f, 0.3127f, 0.3290f};  // red, green, blue, white
+    spec.attribute("worldToCamera", OIIO::TypeMatrix, standard.world_to_camera.getValue());
+    spec.attribute("worldToNDC", OIIO::TypeMatrix, standard.world_to_ndc.getValue());
+    const int fps[2] = {standard.fps_numerator, standard.fps_denominator};
+    spec.attribute("framesPerSecond", OIIO::TypeRational, fps);
+    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), kRec709);
+}
+
 void write_file(const std::string& path, std::span<const std::byte> bytes) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     int error = file >= 0 && write_all(file, bytes) ? 0 : errno;
@@ -144,6 +156,13 @@ Film::Notes notes_in(const OIIO::ImageSpec& spec) {
     return notes;
 }
 
+/// Earlier versions stored these channels without the last part of their names.
+std::string present_name(const std::string& channel) {
+    constexpr std::array<std::string_view, 3> kOld{"object_id", "material_id", "variance"};
+    const bool is_old = std::find(kOld.begin(), kOld.end(), channel) != kOld.end();
+    return is_old ? channel + ".X" : channel;
+}
+
 Film deinterleave(const OIIO::ImageSpec& spec, std::span<const float> pixels) {
     Film film;
     film.width = spec.width;
@@ -153,7 +172,7 @@ Film deinterleave(const OIIO::ImageSpec& spec, std::span<const float> pixels) {
     const std::size_t count = pixel_count(film);
     film.rgba.resize(4 * count);
     for (std::size_t c = 4; c < channels; ++c) {
-        film.aovs.push_back({spec.channelnames[c], std::vector<float>(count)});
+        film.aovs.push_back({present_name(spec.channelnames[c]), std::vector<float>(count)});
     }
     for (std::size_t p = 0; p < count; ++p) {
         const float* in = &pixels[p * channels];
@@ -167,7 +186,8 @@ Film deinterleave(const OIIO::ImageSpec& spec, std::span<const float> pixels) {
 
 }  // namespace
 
-void write_exr(const Film& film, const std::string& path, const ImageMetadata& metadata) {
+void write_exr(const Film& film, const std::string& path, const ImageMetadata& metadata,
+               const std::optional<ExrStandardAttributes>& standard) {
     check_sizes(film);
     const std::vector<float> pixels = interleave(film, path);
     const int channels = static_cast<int>(4 + film.aovs.size());
@@ -188,6 +208,9 @@ void write_exr(const Film& film, const std::string& path, const ImageMetadata& m
     spec.attribute("oiio:ColorSpace", "Linear");
     add_metadata(spec, metadata);
     add_metadata(spec, film.notes);
+    if (standard) {
+        add_standard(spec, *standard);
+    }
     write_pixels(path, "openexr", spec, OIIO::TypeFloat, pixels.data());
 }
 

@@ -16,13 +16,15 @@ struct Aov {
     bool is_seen_by_centre;
 };
 
+// A name of more than one letter ends in ".X" or the like: compositors take what is before the last
+// dot for a layer and drop channels that have none.
 constexpr std::array<Aov, 7> kAovs{{{"depth", {"Z"}, true},
                                     {"normal", {"N.X", "N.Y", "N.Z"}, false},
                                     {"albedo", {"albedo.R", "albedo.G", "albedo.B"}, false},
                                     {"motion", {"motion.X", "motion.Y"}, true},
-                                    {"object_id", {"object_id"}, true},
-                                    {"material_id", {"material_id"}, true},
-                                    {"variance", {"variance"}, false}}};
+                                    {"object_id", {"object_id.X"}, true},
+                                    {"material_id", {"material_id.X"}, true},
+                                    {"variance", {"variance.X"}, false}}};
 
 constexpr std::string_view kObjectMatte = "cryptomatte_object";
 constexpr std::string_view kMaterialMatte = "cryptomatte_material";

@@ -48,9 +48,9 @@ struct PixelMeans {
 ///   normal     N.X N.Y N.Z       world axes, towards the camera; mean over the samples
 ///   albedo     albedo.R .G .B    base colour; mean over the samples
 ///   motion     motion.X .Y       pixels (right, down) that the point moves from open to close
-///   object_id  object_id         1 + index in the scene's objects, then its lights; 0: nothing
-///   material_id material_id      1 + index in the scene's materials; 0: nothing, or a light
-///   variance   variance          of the pixel's mean luminance, as if samples were independent
+///   object_id  object_id.X       1 + index in the scene's objects, then its lights; 0: nothing
+///   material_id material_id.X    1 + index in the scene's materials; 0: nothing, or a light
+///   variance   variance.X        of the pixel's mean luminance, as if samples were independent
 ///   cryptomatte_object, cryptomatte_material
 ///              CryptoObject00.R ... mattes by the names of objects and materials (cryptomatte.h)
 /// Depth, motion, object and material belong to what the pixel's centre sees through the centre of

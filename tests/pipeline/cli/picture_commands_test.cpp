@@ -1,4 +1,5 @@
 // What `carom frame` writes, read back by OpenImageIO as a compositor would.
+#include <Imath/ImathMatrix.h>
 #include <OpenImageIO/imageio.h>
 
 #include "tests/pipeline/cli/end_to_end.h"
@@ -89,9 +90,9 @@ TEST_F(PictureCommands, Exr_HasChannelsMattesAndWhatItIs) {
                                             "albedo.B",
                                             "motion.X",
                                             "motion.Y",
-                                            "object_id",
-                                            "material_id",
-                                            "variance",
+                                            "object_id.X",
+                                            "material_id.X",
+                                            "variance.X",
                                             "CryptoObject00.R",
                                             "CryptoObject02.A",
                                             "CryptoMaterial00.R"};
@@ -107,6 +108,13 @@ TEST_F(PictureCommands, Exr_HasChannelsMattesAndWhatItIs) {
     EXPECT_EQ(exr.spec.get_string_attribute("scene_time"), "0.2");
     EXPECT_EQ(exr.spec.get_string_attribute("samples"), "4");
     EXPECT_NE(exr.spec.get_string_attribute("carom_version"), "");
+    Imath::M44f world_to_ndc;
+    ASSERT_TRUE(exr.spec.getattribute("worldToNDC", OIIO::TypeMatrix, &world_to_ndc));
+    // What a pixel's depth and the matrix say of the cloth is where the cloth is.
+    const int low_right = 64 * 30 + 60;
+    const float depth = exr.at(low_right, "Z");
+    const Imath::V3f ndc(60.5f / 64, 30.5f / 36, 1 - 0.001f / depth);
+    EXPECT_NEAR((ndc * world_to_ndc.inverse()).z, 0, 2e-3);
     EXPECT_THAT(exr.spec.get_string_attribute("cryptomatte/3ae39a5/manifest").c_str(),
                 HasSubstr("\"cue\":\""));
     for (int i = 0; i < 64 * 36; ++i) {

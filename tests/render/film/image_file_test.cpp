@@ -121,6 +121,48 @@ TEST_F(ImageFile, Notes_ComeBackAndAreReadByOthers) {
     EXPECT_EQ(spec.channelformat(4), OIIO::TypeFloat);
 }
 
+// As another program's reader sees them: types and names are those of the standard.
+TEST_F(ImageFile, StandardAttributes_AreReadByOthersAndByUs) {
+    ExrStandardAttributes standard;
+    for (int i = 0; i < 16; ++i) {
+        standard.world_to_camera[i / 4][i % 4] = static_cast<float>(i);
+        standard.world_to_ndc[i / 4][i % 4] = static_cast<float>(100 + i);
+    }
+    standard.fps_numerator = 24000;
+    standard.fps_denominator = 1001;
+    write_exr(some_film(16, 9), path("a.exr"), {{"shot", "break"}}, standard);
+    const std::string file = bytes(path("a.exr"));
+    // How an attribute begins: two zero-terminated texts and a little-endian length.
+    const auto start = [](const std::string& name, const std::string& type, char size) {
+        return name + '\0' + type + '\0' + size + std::string(3, '\0');
+    };
+    EXPECT_THAT(file, HasSubstr(start("worldToCamera", "m44f", 64)));
+    EXPECT_THAT(file, HasSubstr(start("worldToNDC", "m44f", 64)));
+    EXPECT_THAT(file, HasSubstr(start("framesPerSecond", "rational", 8)));
+    EXPECT_THAT(file, HasSubstr(start("chromaticities", "chromaticities", 32)));
+    const auto input = OIIO::ImageInput::open(path("a.exr"));
+    ASSERT_TRUE(input);
+    const OIIO::ImageSpec spec = input->spec();
+    Imath::M44f matrix;
+    ASSERT_TRUE(spec.getattribute("worldtocamera", OIIO::TypeMatrix, &matrix));
+    EXPECT_EQ(matrix, standard.world_to_camera);
+    EXPECT_EQ(read_exr(path("a.exr")).rgba.size(), 4u * 16 * 9);
+}
+
+// A store that an earlier version filled goes on being of use.
+TEST_F(ImageFile, ChannelsNamedAsOfOld_AreReadUnderTheirPresentNames) {
+    Film film = some_film(4, 3);
+    film.aovs = {{"Z", std::vector<float>(12, 1)},
+                 {"object_id", std::vector<float>(12, 2)},
+                 {"variance", std::vector<float>(12, 3)}};
+    write_exr(film, path("a.exr"));
+    std::vector<std::string> names;
+    for (const Channel& channel : read_exr(path("a.exr")).aovs) {
+        names.push_back(channel.name);
+    }
+    EXPECT_THAT(names, testing::UnorderedElementsAre("Z", "object_id.X", "variance.X"));
+}
+
 TEST_F(ImageFile, DisplayFormats_HoldTheSamePictureAndSayWhatItIs) {
     std::vector<std::uint8_t> rgb;
     for (int i = 0; i < 32 * 24; ++i) {
