@@ -9,6 +9,7 @@
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
+#include "pipeline/config/closing_check.h"
 #include "pipeline/config/syntax_problem.h"
 #include "pipeline/config/text.h"
 #include "pipeline/config/tree_builder.h"
@@ -75,6 +76,11 @@ std::optional<Node> parse_yaml(const SourceSet& sources, int source, ProblemList
     }
     std::string text = sources.at(source).text;
     std::fill_n(text.begin(), std::min(skipped_bytes, text.size()), ' ');
+    if (const std::optional<ClosingProblem> problem = find_closing_problem(text)) {
+        problems.error(sources.place_at(source, problem->offset, problem->length),
+                       problem->message);
+        return std::nullopt;
+    }
     TextBuffer buffer(text);
     std::istream stream(&buffer);
     TreeBuilder builder(sources, source, problems, limits);

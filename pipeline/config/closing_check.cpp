@@ -1,0 +1,319 @@
+#include "pipeline/config/closing_check.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "pipeline/config/text.h"
+
+namespace carom::pipeline::config {
+
+namespace {
+
+constexpr std::size_t kNowhere = std::string_view::npos;
+
+bool is_blank(char c) {
+    return c == ' ' || c == '\t';
+}
+
+bool is_line_end(char c) {
+    return c == '\n' || c == '\r';
+}
+
+/// Goes through a text token by token, just well enough to know which quotes open a quoted text,
+/// which brackets a list or a map, and how far their key (or dash) is indented.
+class ClosingFinder {
+  public:
+    explicit ClosingFinder(std::string_view text) : text_(text) {}
+
+    std::optional<ClosingProblem> find() {
+        while (at_ < text_.size() && !problem_) {
+            if (at_ == line_start_ && begin_line()) {
+                continue;
+            }
+            read_token();
+        }
+        return std::move(problem_);
+    }
+
+  private:
+    [[nodiscard]] char peek(std::size_t ahead = 0) const {
+        return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\n';
+    }
+    [[nodiscard]] bool ends_word(std::size_t ahead) const {
+        return is_blank(peek(ahead)) || is_line_end(peek(ahead));
+    }
+    [[nodiscard]] int column(std::size_t offset) const {
+        return static_cast<int>(offset - line_start_);
+    }
+    [[nodiscard]] std::size_t line_end(std::size_t offset) const {
+        return std::min(text_.find('\n', offset), text_.size());
+    }
+    [[nodiscard]] std::size_t line_number(std::size_t offset) const {
+        return 1 + static_cast<std::size_t>(std::count(
+                       text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
+    }
+
+    [[nodiscard]] bool in_flow() const { return !open_.empty(); }
+
+    void go_to_next_line() {
+        at_ = line_end(at_);
+        at_ += at_ < text_.size() ? 1 : 0;
+        line_start_ = at_;
+    }
+
+    /// "---" or "...".
+    [[nodiscard]] bool begins_document() const {
+        const std::string_view start = text_.substr(at_, 3);
+        return (start == "---" || start == "...") && ends_word(3);
+    }
+
+    /// True if nothing of the line's beginning is left to read.
+    bool begin_line() {
+        const std::size_t first = text_.find_first_not_of(" \t\r", at_);
+        if (first == kNowhere || text_[first] == '\n') {
+            go_to_next_line();
+            return true;
+        }
+        if (begins_document()) {
+            parent_ = -1;
+            is_plain_open_ = false;
+            at_ += 3;
+            return true;
+        }
+        at_ = first;
+        return in_flow() ? continue_flow() : begin_block_line();
+    }
+
+    /// The same on a line within brackets.
+    bool continue_flow() {
+        const bool continues = std::exchange(is_plain_open_, false) && peek() != '#';
+        if (column(at_) <= parent_ && peek() != '#') {
+            return check_open_brackets();
+        }
+        if (continues && std::string_view(",]}[{:").find(peek()) == kNowhere) {
+            read_plain();
+            return true;
+        }
+        return false;
+    }
+
+    /// The same on any other line.
+    bool begin_block_line() {
+        if (is_plain_open_ && peek() != '#' && column(at_) > plain_parent_) {
+            go_to_next_line();
+            return true;
+        }
+        is_plain_open_ = false;
+        if (column(at_) <= parent_ && peek() != '-') {
+            // What was indented deeper has ended. A bracket here belongs to no key; its lines must
+            // not be mistaken for those that follow.
+            const bool is_bracket = peek() == '[' || peek() == '{';
+            parent_ = std::max(column(at_) - 1, is_bracket ? 0 : -1);
+        }
+        return false;
+    }
+
+    void read_token() {
+        const char c = peek();
+        if (c == '\n' || (c == '#' && (column(at_) == 0 || is_blank(text_[at_ - 1])))) {
+            go_to_next_line();
+        } else if (is_blank(c) || c == '\r') {
+            ++at_;
+        } else if (c == '\'' || c == '"') {
+            read_quoted();
+        } else if (!in_flow() && (c == '-' || c == '?') && ends_word(1)) {
+            parent_ = column(at_++);
+        } else if (c == ':' && (in_flow() || ends_word(1))) {
+            parent_ = in_flow() ? parent_ : token_column_;
+            ++at_;
+        } else if (c == '[' || c == '{') {
+            open_.push_back(at_++);
+        } else if (in_flow() && (c == ']' || c == '}')) {
+            close_bracket();
+        } else if (in_flow() && c == ',') {
+            ++at_;
+        } else if (c == '&' || c == '*' || c == '!') {
+            skip_property();
+        } else if (!in_flow() && (c == '|' || c == '>')) {
+            skip_block_text();
+        } else {
+            read_plain();
+        }
+    }
+
+    [[nodiscard]] std::string opened(std::size_t bracket) const {
+        return std::string("this '") + text_[bracket] + "'";
+    }
+
+    void close_bracket() {
+        const std::size_t bracket = open_.back();
+        if ((text_[bracket] == '[') != (peek() == ']')) {
+            const std::string closed_by = std::string(" is closed by a '") + peek() + "'";
+            const std::size_t line = line_number(at_);
+            at_ = bracket;
+            report(opened(bracket) + closed_by +
+                       (line == line_number(bracket) ? "" : " on line " + std::to_string(line)),
+                   1);
+            return;
+        }
+        open_.pop_back();
+        ++at_;
+    }
+
+    /// On a line that is not indented deeper than the key of the open brackets: it must begin with
+    /// their closing ones. True if it does not.
+    bool check_open_brackets() {
+        if (peek() == ']' || peek() == '}') {
+            return false;
+        }
+        const std::string line = std::to_string(line_number(at_));
+        at_ = open_.back();
+        report(opened(at_) + " is not closed before line " + line +
+                   ", which is not indented deeper than its key",
+               1);
+        return true;
+    }
+
+    /// An anchor, an alias or a tag.
+    void skip_property() {
+        token_column_ = column(at_);
+        const std::string_view ends = in_flow() ? " \t\r\n,[]{}" : " \t\r\n";
+        at_ = std::min(text_.find_first_of(ends, at_ + 1), text_.size());
+    }
+
+    void skip_block_text() {
+        for (go_to_next_line(); at_ < text_.size(); go_to_next_line()) {
+            const std::size_t first = text_.find_first_not_of(" \r", at_);
+            const bool is_empty = first == kNowhere || text_[first] == '\n';
+            if (!is_empty && column(first) <= parent_) {
+                return;
+            }
+        }
+    }
+
+    /// Up to its end on this line.
+    void read_plain() {
+        token_column_ = column(at_);
+        plain_parent_ = parent_;
+        ++at_;
+        while (at_ < text_.size() && !is_line_end(peek())) {
+            const bool is_value =
+                peek() == ':' && (ends_word(1) || (in_flow() && (peek(1) == ',' || peek(1) == ']' ||
+                                                                 peek(1) == '}')));
+            if (is_value || (peek() == '#' && is_blank(text_[at_ - 1])) ||
+                (in_flow() && std::string_view(",[]{}").find(peek()) != kNowhere)) {
+                return;
+            }
+            ++at_;
+        }
+        is_plain_open_ = true;
+    }
+
+    /// Where the text that starts at the quote `at_` is closed; nowhere if it is not.
+    [[nodiscard]] std::size_t find_closing_quote() const {
+        const char mark = peek();
+        for (std::size_t i = at_ + 1; i < text_.size(); ++i) {
+            if (mark == '"' && text_[i] == '\\') {
+                ++i;
+            } else if (text_[i] == mark) {
+                if (mark == '"' || i + 1 >= text_.size() || text_[i + 1] != mark) {
+                    return i;
+                }
+                ++i;  // '' is an apostrophe
+            }
+        }
+        return kNowhere;
+    }
+
+    /// The first line between the quotes that is not indented as a continuation; nowhere if all
+    /// are.
+    [[nodiscard]] std::size_t find_shallow_line(std::size_t close) const {
+        for (std::size_t end = text_.find('\n', at_); end < close; end = text_.find('\n', end)) {
+            const std::size_t start = ++end;
+            const std::size_t first = text_.find_first_not_of(" \t\r", start);
+            const std::size_t indent = text_.find_first_not_of(' ', start);
+            if (first != kNowhere && text_[first] != '\n' &&
+                static_cast<int>(indent - start) <= parent_) {
+                return start;
+            }
+        }
+        return kNowhere;
+    }
+
+    void read_quoted() {
+        const std::size_t close = find_closing_quote();
+        if (close == kNowhere) {
+            report("the quote opened here is never closed");
+            return;
+        }
+        const std::size_t shallow = find_shallow_line(close);
+        if (shallow != kNowhere) {
+            report(not_on_its_line(close) +
+                   "; the lines of a quoted text must be indented deeper than its key, and line " +
+                   std::to_string(line_number(shallow)) + " is not");
+            return;
+        }
+        token_column_ = column(at_);
+        check_behind(close);
+        const std::size_t last_line_end = text_.rfind('\n', close);
+        if (last_line_end != kNowhere && last_line_end >= line_start_) {
+            line_start_ = last_line_end + 1;
+        }
+        at_ = close + 1;
+    }
+
+    [[nodiscard]] std::string not_on_its_line(std::size_t close) const {
+        return "the quote opened here is not closed on its line but only on line " +
+               std::to_string(line_number(close));
+    }
+
+    /// What follows the closing quote must be the end of the value.
+    void check_behind(std::size_t close) {
+        std::size_t next = close + 1;
+        while (next < text_.size() && is_blank(text_[next])) {
+            ++next;
+        }
+        const bool is_end = next >= text_.size() || is_line_end(text_[next]) ||
+                            std::string_view(",]}:").find(text_[next]) != kNowhere ||
+                            (text_[next] == '#' && next > close + 1);
+        if (is_end) {
+            return;
+        }
+        const std::size_t end = std::min(text_.find_first_of("\r\n", next), text_.size());
+        const std::string behind = quote(text_.substr(next, end - next));
+        if (text_.find('\n', at_) < close) {
+            report(not_on_its_line(close) + ", where " + behind + " follows");
+            return;
+        }
+        const bool is_single = peek() == '\'';
+        at_ = next;
+        report(behind + " follows a closing quote; is a quote or a comma missing?" +
+               (is_single ? " An apostrophe in single quotes is written twice: ''" : ""));
+    }
+
+    /// About what stands at `at_`, up to the line's end unless a length is given.
+    void report(const std::string& message, std::size_t length = kNowhere) {
+        const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+        problem_ = ClosingProblem{at_, std::clamp<std::size_t>(end - at_, 1, length),
+                                  "YAML syntax: " + message};
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    std::size_t line_start_ = 0;
+    std::vector<std::size_t> open_;  // brackets, the innermost last
+    int parent_ = -1;       // column of the key or dash whose value comes next; -1: the document
+    int token_column_ = 0;  // where the last scalar began
+    bool is_plain_open_ = false;  // the next line may continue a text without quotes ...
+    int plain_parent_ = -1;       // ... of the key in this column
+    std::optional<ClosingProblem> problem_;
+};
+
+}  // namespace
+
+std::optional<ClosingProblem> find_closing_problem(std::string_view text) {
+    return ClosingFinder(text).find();
+}
+
+}  // namespace carom::pipeline::config
