@@ -23,6 +23,24 @@ std::string show_integer(std::int64_t value) {
     return std::to_string(value);
 }
 
+/// "'direction' is an angle and needs a unit; write '30 deg'"
+void report_missing_unit(Reader& reader, const Node& node, const TypeInfo& type, double value) {
+    constexpr double kTurn = 6.283185307179586;
+    const auto with = [&](const std::string& unit) { return quote(node.text + " " + unit); };
+    std::string forms = with(type.needed_unit);
+    if (type.dimension == Dimension::angle && std::abs(value) <= kTurn) {
+        forms += " or " + with("rad");
+    } else if (type.dimension == Dimension::angular_speed) {
+        forms += " or " + with("rpm");
+    } else if (type.dimension == Dimension::density) {
+        forms += " or " + with("g/cm^3");
+    } else if (type.dimension == Dimension::length && std::abs(value) < 1) {
+        forms += " or " + with("m");
+    }
+    reader.error(node.place, reader.value_name() + " is " + info(type.dimension).name +
+                                 " and needs a unit; write " + forms);
+}
+
 /// For an unknown unit without a near one: those that can stand here.
 std::string units_help(const std::string& wrong, const TypeInfo& type) {
     const bool is_unit = wrong.find("unknown unit") != std::string::npos;
@@ -40,6 +58,7 @@ TypeInfo quantity_info(Dimension dimension, const Range& range) {
     type.kind = TypeInfo::Kind::quantity;
     type.dimension = dimension;
     type.range = range;
+    type.needed_unit = info(dimension).needs_unit ? info(dimension).unit : "";
     return type;
 }
 
@@ -64,6 +83,10 @@ std::optional<Quantity> read_quantity(Reader& reader, const Node& node, const Ty
                                      given + " (" + quote(node.text) + ")");
         return std::nullopt;
     }
+    if (!value.has_unit && value.value != 0 && !type.needed_unit.empty()) {
+        report_missing_unit(reader, node, type, value.value);
+        return std::nullopt;
+    }
     if (!type.range.contains(value.value)) {
         report_range(reader, node, type);
         return std::nullopt;
@@ -71,16 +94,31 @@ std::optional<Quantity> read_quantity(Reader& reader, const Node& node, const Ty
     return value;
 }
 
-ValueType<double> quantity(Dimension dimension, Range range) {
-    const TypeInfo type = quantity_info(dimension, range);
+namespace {
+
+ValueType<double> quantity_of(const TypeInfo& type) {
     ValueType<double> result;
     result.info = type;
     result.read = [type](Reader& reader, const Node& node) -> std::optional<double> {
         const std::optional<Quantity> value = read_quantity(reader, node, type);
         return value ? std::optional(value->value) : std::nullopt;
     };
-    result.show = [dimension](const double& value) { return show(value, dimension); };
+    result.show = [dimension = type.dimension](const double& value) {
+        return show(value, dimension);
+    };
     return result;
+}
+
+}  // namespace
+
+ValueType<double> quantity(Dimension dimension, Range range) {
+    return quantity_of(quantity_info(dimension, range));
+}
+
+ValueType<double> lens_length(Range range) {
+    TypeInfo type = quantity_info(Dimension::length, range);
+    type.needed_unit = "mm";
+    return quantity_of(type);
 }
 
 Rational to_rational(const Quantity& quantity) {

@@ -39,7 +39,8 @@ inline Range inside(double low, double high) {
 /// What messages and the schema say of a number of `dimension` within `range`.
 [[nodiscard]] TypeInfo quantity_info(Dimension dimension, const Range& range);
 
-/// A number with a unit of `dimension`, or a plain one in SI units.
+/// A number with a unit of `dimension`; or a plain one in SI units, unless the dimension needs a
+/// unit.
 [[nodiscard]] ValueType<double> quantity(Dimension dimension, Range range = {});
 [[nodiscard]] inline ValueType<double> number(Range range = {}) {
     return quantity(Dimension::none, range);
@@ -50,6 +51,8 @@ inline Range inside(double low, double high) {
 [[nodiscard]] inline ValueType<double> time(Range range = {}) {
     return quantity(Dimension::time, range);
 }
+/// A length of a camera's lens, which photographers say in millimetres, so that it needs a unit.
+[[nodiscard]] ValueType<double> lens_length(Range range = {});
 [[nodiscard]] inline ValueType<double> angle(Range range = {}) {
     return quantity(Dimension::angle, range);
 }

@@ -17,11 +17,14 @@ constexpr const char* kIntroduction = R"(# The keys of a shot
 
 This page is made from the table of keys that the program itself reads; a test holds them together.
 
-A plain number is in SI units. A text may carry a unit: `57.15 mm`, `30 deg`, `1/48 s`, `20 km/h`,
-`6 oz`; units multiply and divide (`kg/m^3`, `N m`). Fractions and decimals of times and rates are
-kept exactly. Colours are linear red, green and blue, one number for grey, or `"#1a6b3c"`
+A number may carry a unit: `57.15 mm`, `30 deg`, `1/48 s`, `20 km/h`, `6 oz`; units multiply and
+divide (`kg/m^3`, `N m`). A plain number is in SI units. Angles, angular velocities, densities and
+the lengths of a camera's lens have no plain numbers except 0, because readers would take them to be
+in different units: the tables say "with unit". Fractions and decimals of times and rates are kept
+exactly. Colours are linear red, green and blue, one number for grey, or `"#1a6b3c"`
 (sRGB-encoded). `null` takes a key of an included file away. In ranges a round bracket leaves the
-end itself out.
+end itself out. A text in quotes may continue on further lines only if these are indented deeper
+than its key; a quote that is not closed is an error.
 
 )";
 
@@ -97,9 +100,8 @@ std::string describe_type(const TypeInfo& type) {
             return describe_list(type);
         case TypeInfo::Kind::quantity:
             text = info(type.dimension).name;
-            return with_range(
-                type.dimension == Dimension::none ? "number" : text.substr(text.find(' ') + 1),
-                type);
+            text = type.dimension == Dimension::none ? "number" : text.substr(text.find(' ') + 1);
+            return with_range(text + (type.needed_unit.empty() ? "" : " with unit"), type);
         case TypeInfo::Kind::integer:
             return with_range("whole number", type);
         case TypeInfo::Kind::boolean:

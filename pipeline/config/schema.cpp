@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/config/quantity_schema.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
@@ -69,28 +70,11 @@ std::string any_of(const std::vector<std::string>& alternatives) {
 
 // ---- scalars --------------------------------------------------------------------------------
 
-constexpr const char* kNumber = R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)";
-
-/// "(m|km|cm)" for what has units of its own; else any product and quotient of units.
-std::string unit_pattern(Dimension dimension) {
-    const std::vector<std::string> own = unit_names(info(dimension).exponents);
-    const bool is_simple = dimension == Dimension::length || dimension == Dimension::mass ||
-                           dimension == Dimension::time || dimension == Dimension::angle;
-    const auto one_of = [](const std::vector<std::string>& names) {
-        std::string pattern;
-        for (const std::string& name : names) {
-            pattern += (pattern.empty() ? "" : "|") + name;
-        }
-        return "(" + pattern + ")";
-    };
-    if (is_simple) {
-        return one_of(own);
+/// A plain number within the range; only 0 where others need a unit. Empty: none can stand.
+std::string plain_number_schema(const TypeInfo& type) {
+    if (!type.needed_unit.empty()) {
+        return type.range.contains(0) ? object({{"const", "0"}}) : std::string();
     }
-    const std::string unit = one_of(unit_names()) + R"((\^-?[0-9]+)?)";
-    return "(1/)?" + unit + R"((\s*[*/ ]\s*)" + unit + ")*";
-}
-
-std::string quantity_schema(const TypeInfo& type) {
     Members number{{"type", quoted("number")}};
     if (type.range.low) {
         number.emplace_back(type.range.low_open ? "exclusiveMinimum" : "minimum",
@@ -100,12 +84,11 @@ std::string quantity_schema(const TypeInfo& type) {
         number.emplace_back(type.range.high_open ? "exclusiveMaximum" : "maximum",
                             show(*type.range.high));
     }
-    std::string pattern = std::string(R"(^\s*)") + kNumber + R"((\s*/\s*)" + kNumber + ")?";
-    if (type.dimension != Dimension::none) {
-        pattern += R"((\s*)" + unit_pattern(type.dimension) + ")?";
-    }
-    return any_of({object(number),
-                   object({{"type", quoted("string")}, {"pattern", quoted(pattern + R"(\s*$)")}})});
+    return object(number);
+}
+
+std::string text_of(const std::string& pattern) {
+    return object({{"type", quoted("string")}, {"pattern", quoted(pattern)}});
 }
 
 std::string integer_schema(const TypeInfo& type) {
@@ -162,6 +145,9 @@ class Schema {
                 (described_ > 0 ? ",\n" : "") + ("    " + quoted(known.name)) + ": " + definition;
             ++described_;
         }
+        for (const Shared& shared : shared_) {
+            json += ",\n    " + quoted(shared.name) + ": " + shared.definition;
+        }
         return json + "\n  }\n}\n";
     }
 
@@ -171,6 +157,37 @@ class Schema {
         bool is_whole = false;
         std::string name;
     };
+
+    /// A definition that many keys have in common.
+    struct Shared {
+        std::string name;
+        std::string definition;
+    };
+
+    /// Refers to `definition`; its name begins with `noun` ("a length").
+    std::string shared(std::string noun, const std::string& definition) {
+        std::replace(noun.begin(), noun.end(), ' ', '-');
+        int of_this_noun = 1;
+        for (const Shared& known : shared_) {
+            if (known.definition == definition) {
+                return object({{"$ref", quoted("#/definitions/" + known.name)}});
+            }
+            of_this_noun += known.name.starts_with(noun + "-text-") ? 1 : 0;
+        }
+        shared_.push_back({noun + "-text-" + std::to_string(of_this_noun), definition});
+        return object({{"$ref", quoted("#/definitions/" + shared_.back().name)}});
+    }
+
+    std::string quantity_schema(const TypeInfo& type) {
+        const std::string& noun = info(type.dimension).name;
+        std::string text =
+            shared(noun, text_of(dimension_pattern(type.dimension, !type.needed_unit.empty())));
+        if (type.range.low || type.range.high) {
+            text = object({{"allOf", array({text, shared(noun, text_of(range_pattern(type)))})}});
+        }
+        const std::string number = plain_number_schema(type);
+        return number.empty() ? text : any_of({number, text});
+    }
 
     std::string reference(const MapInfo& map, bool is_whole) {
         const auto known = std::find_if(maps_.begin(), maps_.end(), [&](const Known& k) {
@@ -314,6 +331,7 @@ class Schema {
     }
 
     std::vector<Known> maps_;
+    std::vector<Shared> shared_;
     std::size_t described_ = 0;
 };
 

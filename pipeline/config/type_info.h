@@ -38,6 +38,7 @@ struct TypeInfo {
     Kind kind = Kind::text;
     Dimension dimension = Dimension::none;
     Range range;
+    std::string needed_unit;  // quantity: one that fits, where a plain number is refused; else ""
     std::vector<std::string> choices;
     std::vector<TypeInfo> elements;
     int fewest = 0;

@@ -10,7 +10,8 @@
 
 namespace carom::pipeline::config {
 
-/// What a value measures; decides which units it may carry. A plain number is in the SI unit.
+/// What a value measures; decides which units it may carry. A plain number is in the SI unit, where
+/// plain numbers are taken.
 enum class Dimension {
     none,
     length,
@@ -62,6 +63,9 @@ struct DimensionInfo {
     std::string units;      // "m, cm, mm, in, ft": for messages and the reference
     std::string unit;       // in which ranges and defaults are shown: "m", "deg"
     double unit_value = 1;  // of that unit in SI units
+    /// Whether a plain number (other than 0) is refused, because some readers would take it to be
+    /// in `unit` and others in the SI unit or in another common one.
+    bool needs_unit = false;
 };
 
 [[nodiscard]] const DimensionInfo& info(Dimension dimension);

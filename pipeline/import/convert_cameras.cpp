@@ -181,7 +181,7 @@ void write_lens(std::ostringstream& out, const Rig& rig, Conversion& conversion)
     const double samples = settings ? settings->dof_samples.value_or(0) : 0;
     if (dof_c > 0 && samples > 1) {
         const double radius = conversion.axes.length(dof_c);
-        out << "    aperture: " << yaml(std::min(radius, 10.0)) << "\n";
+        out << "    aperture: " << yaml(std::min(radius, 10.0)) << " m\n";
         conversion.note(
             "dof_c is the radius of a lens evenly filled with rays; what is focused on is a plane");
     }

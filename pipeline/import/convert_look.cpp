@@ -66,7 +66,7 @@ class PhongText {
 
     std::string spread(const char* key, const Real& given, const char* name) {
         const double value = clamped(given, 0, 0, kWidestSpread, name);
-        return value > 0 ? std::string(", ") + key + ": " + yaml(value) : std::string();
+        return value > 0 ? std::string(", ") + key + ": " + yaml(value) + " rad" : std::string();
     }
 
     const PhongInfo& phong_;

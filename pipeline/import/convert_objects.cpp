@@ -179,7 +179,8 @@ std::string physics(const Object& object, Conversion& conversion) {
         return "physics: fixed";
     }
     if (object.uses_physics) {
-        return "physics: {material: ball, density: " + yaml(conversion.options.density) + "}";
+        return "physics: {material: ball, density: " + yaml(conversion.options.density) +
+               " kg/m^3}";
     }
     return {};
 }

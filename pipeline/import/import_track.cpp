@@ -242,7 +242,7 @@ class Motion {
 std::string turn_text(const Vec3& turn) {
     const double angle = turn.length();
     const Vec3 axis = angle > 0 ? turn / angle : Vec3(0, 0, 1);
-    return "{axis: " + yaml(axis) + ", angle: " + yaml(angle) + "}";
+    return "{axis: " + yaml(axis) + ", angle: " + yaml(angle) + " rad}";
 }
 
 std::string motion_text(const std::vector<MotionKey>& keys, bool is_linear,

@@ -29,8 +29,10 @@ class Dice {
     [[nodiscard]] std::string magnitude(double low, double high) {
         return text(low * std::pow(high / low, share()));
     }
-    [[nodiscard]] std::string vector(double low, double high) {
-        return "[" + number(low, high) + ", " + number(low, high) + ", " + number(low, high) + "]";
+    [[nodiscard]] std::string vector(double low, double high, const std::string& unit = "") {
+        const std::string end = unit.empty() ? "" : " " + unit;
+        return "[" + number(low, high) + end + ", " + number(low, high) + end + ", " +
+               number(low, high) + end + "]";
     }
     [[nodiscard]] std::string colour() { return chance(0.2) ? number(0, 1) : vector(0, 1); }
     [[nodiscard]] std::string point(double x, double y, double low, double high) {

@@ -81,7 +81,7 @@ class FilmWriter {
             line("  " + name + ": {phong: {diffuse: " + surface_texture() +
                  ", specular: " + dice_.colour() + ", shininess: " + dice_.magnitude(1, 1e5) +
                  ", reflectance: " + dice_.colour() +
-                 ", reflectance_spread: " + dice_.number(0, 0.5) +
+                 ", reflectance_spread: " + dice_.number(0, 0.5) + " rad" +
                  ", transmittance: " + dice_.colour() + ", index: " + dice_.number(0.5, 3) + "}}");
             return;
         }
@@ -123,7 +123,7 @@ class FilmWriter {
             keys += dice_.chance(0.15) ? ", " + dice_.number(0.1, 0.5) + "]" : "]";
             if (dice_.chance(0.4))
                 keys += ", velocity: [" + dice_.number(-8, 8) + ", " + dice_.number(-8, 8) +
-                        "], spin: " + dice_.vector(-100, 100);
+                        "], spin: " + dice_.vector(-100, 100, "rad/s");
             if (dice_.chance(0.4))
                 keys += ", look: " + a_material();
             line("  " + name + ": {" + keys + "}");
@@ -167,7 +167,7 @@ class FilmWriter {
         return "motion: {easing: " + dice_.pick({"smooth", "linear"}) +
                ", keys: [{at: " + dice_.number(0, 0.3) + "}, {at: " + dice_.number(0.4, 1) +
                ", position: " + dice_.point(0.5, 0.5, 0.1, 0.6) +
-               ", turn: {axis: [0, 0.1, 1], angle: " + dice_.number(-9, 9) + "}}]}";
+               ", turn: {axis: [0, 0.1, 1], angle: " + dice_.number(-9, 9) + " rad}}]}";
     }
 
     void objects() {
@@ -183,13 +183,13 @@ class FilmWriter {
                                ", 0.38, " + dice_.number(0.25, 0.6) +
                                "], material: " + a_material();
             if (dice_.chance(0.5))
-                keys += ", rotate: " + dice_.vector(-3, 3);
+                keys += ", rotate: " + dice_.vector(-3, 3, "rad");
             if (role == 1)
                 keys += ", physics: fixed";
             if (role == 2)
                 keys += ", physics: {density: " + dice_.magnitude(50, 9000) +
-                        ", velocity: " + dice_.vector(-2, 2) + ", spin: " + dice_.vector(-20, 20) +
-                        "}";
+                        " kg/m^3, velocity: " + dice_.vector(-2, 2) +
+                        ", spin: " + dice_.vector(-20, 20, "rad/s") + "}";
             if (role >= 3)
                 keys += ", " + motion();
             if (role == 4)
@@ -232,8 +232,8 @@ class FilmWriter {
                 case 0:
                     line("  - strike: {ball: " + one_of(balls_) + ", " + moment() +
                          ", direction: " + dice_.number(0, 6.2) +
-                         ", speed: " + dice_.magnitude(0.1, 12) +
-                         ", elevation: " + dice_.number(0, 1.2) + ", tip: [" +
+                         " rad, speed: " + dice_.magnitude(0.1, 12) +
+                         ", elevation: " + dice_.number(0, 1.2) + " rad, tip: [" +
                          dice_.number(-0.5, 0.5) + ", " + dice_.number(-0.5, 0.5) + "]}");
                     break;
                 case 1:
@@ -251,8 +251,9 @@ class FilmWriter {
                          ", newton_metres: " + dice_.vector(-0.02, 0.02) + "}");
                     break;
                 default:
-                    line("  - velocity: {object: " + object + ", " + moment() + ", linear: " +
-                         dice_.vector(-3, 3) + ", angular: " + dice_.vector(-50, 50) + "}");
+                    line("  - velocity: {object: " + object + ", " + moment() +
+                         ", linear: " + dice_.vector(-3, 3) +
+                         ", angular: " + dice_.vector(-50, 50, "rad/s") + "}");
             }
         }
     }
@@ -265,7 +266,7 @@ class FilmWriter {
             const std::vector<std::string> kinds{
                 "point: " + dice_.vector(0, 5) + ", " + at,
                 "spot: " + dice_.vector(0, 20) + ", " + at +
-                    ", facing: [0.1, 0.2, -1], angle: [0.3, 0.6]",
+                    ", facing: [0.1, 0.2, -1], angle: [0.3 rad, 0.6 rad]",
                 "directional: " + dice_.vector(0, 3) + ", facing: [" + dice_.number(-1, 1) +
                     ", 0.3, -1]",
                 "rectangle: [" + dice_.magnitude(0.01, 2) + ", " + dice_.magnitude(0.01, 2) +
@@ -286,8 +287,8 @@ class FilmWriter {
         switch (dice_.below(5)) {
             case 0:
                 return "{orbit: [0, 0, 0.1], radius: [" + dice_.number(0.5, 2) + ", " +
-                       dice_.number(0.5, 2) + "], angles: [" + dice_.number(-6, 6) + ", " +
-                       dice_.number(-6, 6) + "], offset: [0, 0, 0.7]}";
+                       dice_.number(0.5, 2) + "], angles: [" + dice_.number(-6, 6) + " rad, " +
+                       dice_.number(-6, 6) + " rad], offset: [0, 0, 0.7]}";
             case 1:
                 return "{bezier: [" + dice_.point(2, 2, 0.3, 2) + ", " + dice_.point(2, 2, 0.3, 2) +
                        ", " + dice_.point(2, 2, 0.3, 2) +
@@ -306,7 +307,7 @@ class FilmWriter {
         line("    position: " + camera_path());
         line("    target: " + (dice_.chance(0.3) ? "{follow: " + one_of(moving_) + "}"
                                                  : std::string("[0, 0.01, 0.02]")));
-        line("    fov: " + dice_.number(0.2, 1.6));
+        line("    fov: " + dice_.number(0.2, 1.6) + " rad");
         line("    focus: " + dice_.pick({"auto", "0.8", "b0"}));
         line("    aperture: " + dice_.pick({"0", "0.002", "0.05"}));
         line("    blades: " + dice_.pick({"0", "5"}));

@@ -53,9 +53,16 @@ void add_floor(const Named<ObjectSection>& object, Builder& builder) {
     builder.shot.world.floor_height = object.value.at.z;
 }
 
+/// Whether the key is there, be its value right or wrong.
+bool has_physics_key(const std::string& object, const char* key, const Builder& builder) {
+    const Place section = builder.place_of({"objects", object, "physics"});
+    return builder.place_of({"objects", object, "physics", key}) != section;
+}
+
 void check_mass(const Named<ObjectSection>& object, Builder& builder) {
     const ObjectPhysics& physics = *object.value.physics;
-    if (physics.kind == BodyKind::dynamic && !physics.density && !physics.mass) {
+    if (physics.kind == BodyKind::dynamic && !has_physics_key(object.name, "density", builder) &&
+        !has_physics_key(object.name, "mass", builder)) {
         builder.reader.error(builder.place_of({"objects", object.name, "physics"}),
                              "object '" + object.name +
                                  "' moves, so its 'physics' needs either "

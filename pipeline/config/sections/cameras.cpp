@@ -30,7 +30,7 @@ ValueType<Focus> focus() {
 }
 
 ValueType<Aperture> lens_radius() {
-    ValueType<Aperture> result = convert<Aperture>(length(between(0, 10)), [](double value) {
+    ValueType<Aperture> result = convert<Aperture>(lens_length(between(0, 10)), [](double value) {
         return Aperture{value, false};
     });
     result.show = [](const Aperture& value) { return show(value.value, Dimension::length); };
@@ -154,9 +154,9 @@ void add_time(MapSpec<CameraRig>& s) {
 void add_lens(MapSpec<CameraRig>& s) {
     s.key("fov", &CameraRig::vertical_fov, eased("fov", angle(inside(0, kPi))),
           "vertical field of view: one value, [start, end] or {from, to, easing}");
-    s.key("focal_length", &CameraRig::focal_length, eased("focal_length", length(inside(0, 10))),
+    s.key("focal_length", &CameraRig::focal_length, eased("focal_length", lens_length(inside(0, 10))),
           "instead of `fov`; like fov");
-    s.key("sensor", &CameraRig::sensor_height, length(inside(0, 10)),
+    s.key("sensor", &CameraRig::sensor_height, lens_length(inside(0, 10)),
           "height of the picture in the camera, for `focal_length` and `f_number`");
     s.key("focus", &CameraRig::focus, eased("focus", focus()),
           "a distance, `auto` (the target) or a ball or object; like fov");

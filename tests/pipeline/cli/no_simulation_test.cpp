@@ -28,7 +28,7 @@ class NoSimulation : public ::testing::Test {
         std::string text = carom::testing::tiny_shot();
         text.insert(text.find("lights:"),
                     "objects: {tile: {box: [0.02, 0.02, 0.05], at: [0, 0.3, 0.2], physics: "
-                    "{density: 700}}}\n");
+                    "{density: 700 kg/m^3}}}\n");
         write_text(path("shot.yaml"), text);
         BakeCommand bake;
         bake.input.path = path("shot.yaml");

@@ -12,7 +12,7 @@ const std::string kShot =
     "carom: 1\n"
     "simulation: {duration: 2 s}\n"
     "balls: {cue: {at: [0, 0], look: {number: 1}}, one: {at: [1, 0]}}\n"
-    "objects: {tile: {box: [1, 1, 1], material: brass, physics: {density: 700}}}\n"
+    "objects: {tile: {box: [1, 1, 1], material: brass, physics: {density: 700 kg/m^3}}}\n"
     "events: [{strike: {ball: cue, speed: 3}}, {impulse: {object: one}}]\n"
     "cameras: [{fov: 3}]\n";
 

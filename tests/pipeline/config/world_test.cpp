@@ -124,8 +124,8 @@ TEST(Objects, Physics_MakesBodies) {
     const Shot shot = load_sections(
         "objects:\n"
         "  tile: {box: [10 mm, 30 mm, 60 mm], at: [0.4, 0, 0.03],\n"
-        "         physics: {density: 700, material: lacquer, velocity: [1, 0, 0], spin: [0, 0, "
-        "2]}}\n"
+        "         physics: {density: 700 kg/m^3, material: lacquer, velocity: [1, 0, 0],\n"
+        "                   spin: [0, 0, 2 rad/s]}}\n"
         "  bead: {sphere: 1 cm, at: [0.5, 0, 0.03], physics: {mass: 5 g}}\n"
         "  wall: {rectangle: [2, 1], at: [3, 0, 0], rotate: [0, -90 deg, 0], physics: fixed}\n"
         "  ramp: {mesh: files/triangle.obj, scale: 0.5, at: [0, 3, 0], physics: {kind: fixed}}\n"
@@ -253,11 +253,11 @@ TEST(Objects, Solids_CollideAsTheyAreSeen) {
     const Shot shot = load_sections(
         "objects:\n"
         "  roller: {cylinder: {radius: 2 cm, height: 10 cm}, at: [0, 0, 1],\n"
-        "           physics: {density: 800}}\n"
+        "           physics: {density: 800 kg/m^3}}\n"
         "  pill: {capsule: {radius: 2 cm, length: 6 cm}, at: [1, 0, 1], physics: {mass: 0.1}}\n"
         "  post: {cylinder: {radius: 5 cm, height: 1 m}, physics: fixed}\n"
         "  wedge: {hull: [[0, 0, 0], [0.3, 0, 0], [0, 0.3, 0], [0, 0, 0.3]], at: [2, 0, 1],\n"
-        "          rotate: [0, 0, 90 deg], physics: {density: 600}}\n");
+        "          rotate: [0, 0, 90 deg], physics: {density: 600 kg/m^3}}\n");
     const auto& cylinder = std::get<sim::Cylinder>(body(shot, "roller").shape);
     EXPECT_EQ(cylinder.radius, 0.02);
     EXPECT_EQ(cylinder.height, 0.1);

@@ -27,9 +27,9 @@ ball_set: {kind: pool}
 balls:
   cue: {at: [-0.3, 0]}
   one: {at: [0.1, 0.01]}
-  nine: {at: [0.3, 0.3], spin: [0, 0, 300]}
+  nine: {at: [0.3, 0.3], spin: [0, 0, 300 rad/s]}
 objects:
-  tile: {box: [0.01, 0.03, 0.06], at: [0.5, 0, 0.2], physics: {density: 700}, material: clear}
+  tile: {box: [0.01, 0.03, 0.06], at: [0.5, 0, 0.2], physics: {density: 700 kg/m^3}, material: clear}
   wheel: {box: [0.1, 0.02, 0.02], at: [0, 0.4, 0.1],
           motion: {easing: linear, keys: [{at: 0 s}, {at: 0.5 s, turn: {axis: [0, 0, 1], angle: 720 deg}}]}}
   tip: {cone: {radius: 0.1, height: 0.2}, at: [0.2, -0.4, 0.1]}

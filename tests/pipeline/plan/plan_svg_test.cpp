@@ -174,7 +174,7 @@ TEST(NumberedEvents, OfARowOfTiles_OneForTheRow) {
         "[0, 0, 0]}]\nobjects:\n";
     for (int i = 1; i <= 4; ++i) {
         text += "  d" + std::to_string(i) + ": {box: [10 mm, 32 mm, 60 mm], at: [" +
-                std::to_string(0.032 * i) + ", 0, 0.03], physics: {density: 1800}}\n";
+                std::to_string(0.032 * i) + ", 0, 0.03], physics: {density: 1800 kg/m^3}}\n";
     }
     const Baked row = baked(load_shot_text(text, "row.yaml"));
     const NumberedEvents events = number_events(row.shot, row.timeline, 30);
