@@ -2,6 +2,7 @@
 
 #include "pipeline/config/combined_types.h"
 #include "pipeline/config/number_types.h"
+#include "pipeline/config/text.h"
 
 namespace carom::pipeline::config {
 
@@ -28,6 +29,42 @@ ValueType<V> vector_type(Dimension dimension, const Range& range) {
     return result;
 }
 
+/// Characters between two neighbours in brackets on one line; 0 if they are not that.
+int gap_between(const Node& first, const Node& second) {
+    const bool is_one_line = first.is_scalar() && second.is_scalar() &&
+                             first.place.source == second.place.source &&
+                             first.place.line == second.place.line;
+    return is_one_line ? second.place.column - first.place.column - first.place.length : 0;
+}
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// "[0,3, 1]" is a list of three numbers, which the person who wrote it may not know.
+void warn_of_decimal_comma(Reader& reader, const Node& node) {
+    const Node* before_comma = nullptr;
+    const Node* behind_comma = nullptr;
+    bool has_blank = false;  // behind another comma
+    for (std::size_t i = 1; i < node.items.size(); ++i) {
+        const Node& first = node.items[i - 1];
+        const Node& second = node.items[i];
+        const int gap = gap_between(first, second);
+        has_blank = has_blank || gap > 1;
+        if (gap == 1 && !first.text.empty() && !second.text.empty() &&
+            is_digit(first.text.back()) && is_digit(second.text.front())) {
+            before_comma = &first;
+            behind_comma = &second;
+        }
+    }
+    if (before_comma != nullptr && has_blank) {
+        reader.warning(before_comma->place,
+                       quote(before_comma->text + "," + behind_comma->text) +
+                           " is two numbers; write a point if a decimal number is meant, and a "
+                           "blank behind the comma if not");
+    }
+}
+
 }  // namespace
 
 bool check_list(Reader& reader, const Node& node, const TypeInfo& type) {
@@ -42,6 +79,9 @@ bool check_list(Reader& reader, const Node& node, const TypeInfo& type) {
         reader.error(node.place, reader.value_name() + " must be " + allowed + ", not of " +
                                      std::to_string(count));
         return false;
+    }
+    if (type.elements.at(0).kind == TypeInfo::Kind::quantity) {
+        warn_of_decimal_comma(reader, node);
     }
     return true;
 }
