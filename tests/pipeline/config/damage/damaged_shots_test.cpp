@@ -1,0 +1,144 @@
+// A shot with one damaged character means the same as before, or there is an error or a warning
+// that points to the damage. CAROM_DAMAGED_SHOTS says how many damages are tried,
+// CAROM_FIRST_DAMAGED_SHOT with which shot to begin.
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "tests/pipeline/config/damage/damage.h"
+#include "tests/pipeline/config/damage/meaning.h"
+#include "tests/pipeline/config/damage/random_shot.h"
+#include "tests/pipeline/config/damage/survivors.h"
+
+namespace carom::testing {
+namespace {
+
+using pipeline::LoadResult;
+using pipeline::Problem;
+
+constexpr int kDamagesPerShot = 25;
+
+int setting(const char* name, int otherwise) {
+    const char* text = std::getenv(name);
+    return text != nullptr ? std::atoi(text) : otherwise;
+}
+
+LoadResult load(const std::string& text) {
+    return pipeline::load_shot_text(text, "/nowhere/shot.yaml");
+}
+
+std::string told(const LoadResult& result) {
+    std::string text;
+    for (const Problem& problem : result.problems) {
+        text += format(problem);
+    }
+    return text;
+}
+
+/// Whether the message offers a word that only the damaged line has: what is named wrongly there is
+/// missed where it is used, with "did you mean 'b-all_0'?".
+bool offers_damaged_word(const Problem& problem, const Damage& damage) {
+    const std::string word = pipeline::suggestion(problem);
+    return !word.empty() && damage.new_line.find(word) != std::string::npos &&
+           damage.old_line.find(word) == std::string::npos;
+}
+
+/// Whether one of the problems points into the damaged construct, or offers what stands there.
+bool is_blamed(const LoadResult& result, const Damage& damage) {
+    for (const Problem& problem : result.problems) {
+        const int line = problem.place.line;
+        if ((line >= damage.first_line && line <= damage.last_line) ||
+            offers_damaged_word(problem, damage)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+struct Tally {
+    int at_line = 0;
+    int in_construct = 0;
+    int same = 0;
+    std::map<std::string, int> survivors;
+};
+
+void check(const LoadResult& whole, const Damage& damage, Tally& tally) {
+    SCOPED_TRACE(damage.what + " in line " + std::to_string(damage.line) + ":\n" + damage.new_line);
+    const LoadResult result = load(damage.text);
+    if (!result.problems.empty()) {
+        EXPECT_TRUE(is_blamed(result, damage)) << told(result) << damage.text;
+        Damage exact = damage;
+        exact.first_line = exact.last_line = damage.line;
+        ++(is_blamed(result, exact) ? tally.at_line : tally.in_construct);
+        return;
+    }
+    const std::vector<Difference> found = differences(whole, result);
+    if (found.empty()) {
+        ++tally.same;
+        return;
+    }
+    const std::string kind = survivor_kind(found);
+    ++tally.survivors[kind];
+    if (kind.empty()) {
+        std::string changes;
+        for (const Difference& difference : found) {
+            changes += difference.path + ": '" + difference.before + "' became '" +
+                       difference.after + "'\n";
+        }
+        ADD_FAILURE() << "no word of it; " << changes << damage.text;
+    }
+}
+
+TEST(DamagedShots, AreFoundOrMeanTheSame) {
+    const int first = setting("CAROM_FIRST_DAMAGED_SHOT", 1);
+    const int count = setting("CAROM_DAMAGED_SHOTS", 500);
+    const int most_failures = setting("CAROM_MOST_FAILURES", 1);
+    Tally tally;
+    int failures = 0;
+    for (int shot = 0; shot * kDamagesPerShot < count && failures < most_failures; ++shot) {
+        SCOPED_TRACE("CAROM_FIRST_DAMAGED_SHOT=" + std::to_string(first + shot));
+        Dice dice(static_cast<std::uint64_t>(first + shot));
+        const std::string text = write_yaml(random_shot(dice), dice);
+        const LoadResult whole = load(text);
+        ASSERT_EQ(told(whole), "") << text;
+        for (int i = 0; i < kDamagesPerShot && failures < most_failures; ++i) {
+            const Damage one = damage(text, dice);
+            const int before = ::testing::UnitTest::GetInstance()
+                                   ->current_test_info()
+                                   ->result()
+                                   ->total_part_count();
+            check(whole, one, tally);
+            failures += ::testing::UnitTest::GetInstance()
+                                    ->current_test_info()
+                                    ->result()
+                                    ->total_part_count() > before
+                            ? 1
+                            : 0;
+        }
+    }
+    std::printf("%d told at the line, %d within the construct, %d the same\n", tally.at_line,
+                tally.in_construct, tally.same);
+    for (const auto& [kind, number] : tally.survivors) {
+        std::printf("%d %s\n", number, kind.empty() ? "NOT FOUND" : kind.c_str());
+    }
+    EXPECT_GT(tally.at_line, 4 * tally.in_construct);
+}
+
+TEST(DamagedShots, EverySurvivorHasAReason) {
+    std::ifstream file(CAROM_SOURCE_DIR "/tests/pipeline/config/damage/survivors.txt");
+    std::set<std::string> reasoned;
+    for (std::string line; std::getline(file, line);) {
+        const std::size_t colon = line.find(": ");
+        if (!line.starts_with("#") && colon != std::string::npos) {
+            reasoned.insert(line.substr(0, colon));
+        }
+    }
+    const std::vector<std::string> known = survivor_kinds();
+    EXPECT_EQ(reasoned, std::set<std::string>(known.begin(), known.end()));
+}
+
+}  // namespace
+}  // namespace carom::testing

@@ -1,0 +1,67 @@
+#include "tests/pipeline/config/damage/survivors.h"
+
+#include <variant>
+
+#include "pipeline/config/quantity.h"
+
+namespace carom::testing {
+
+namespace {
+
+using pipeline::config::Quantity;
+
+/// One quantity became another that its key takes, too.
+bool is_other_quantity(const Difference& difference) {
+    const auto before = pipeline::config::parse_quantity(difference.before);
+    const auto after = pipeline::config::parse_quantity(difference.after);
+    return difference.is_scalar && std::holds_alternative<Quantity>(before) &&
+           std::holds_alternative<Quantity>(after);
+}
+
+/// A text that only people read has one character more, less or another.
+bool is_other_text(const Difference& difference) {
+    const std::string& path = difference.path;
+    return difference.is_scalar && (path == "output.title" || path.ends_with("].name"));
+}
+
+/// Something that nothing refers to has another name.
+bool is_other_name(const Difference& difference) {
+    const std::string& path = difference.path;
+    return difference.is_renamed &&
+           (path == "balls" || path == "objects" || path == "lights" || path == "materials");
+}
+
+struct Kind {
+    const char* name;
+    bool (*holds)(const Difference&);
+};
+
+constexpr Kind kKinds[] = {
+    {"another quantity", is_other_quantity},
+    {"another text", is_other_text},
+    {"another name", is_other_name},
+};
+
+}  // namespace
+
+std::vector<std::string> survivor_kinds() {
+    std::vector<std::string> names;
+    for (const Kind& kind : kKinds) {
+        names.emplace_back(kind.name);
+    }
+    return names;
+}
+
+std::string survivor_kind(const std::vector<Difference>& differences) {
+    if (differences.size() != 1) {
+        return {};
+    }
+    for (const Kind& kind : kKinds) {
+        if (kind.holds(differences[0])) {
+            return kind.name;
+        }
+    }
+    return {};
+}
+
+}  // namespace carom::testing
