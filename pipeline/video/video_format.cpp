@@ -72,60 +72,67 @@ std::string check_rate(const Rational& fps) {
     return {};
 }
 
-std::string check_quality(const OutputSettings& output, Codec codec) {
+SettingProblem check_quality(const OutputSettings& output, Codec codec) {
     const CodecInfo& codec_info = info(codec);
     if (codec_info.worst_crf <= 0) {
         return {};  // has one quality of its own; what other codecs were told does not matter
     }
     if (output.crf && output.bit_rate) {
-        return "crf and bit_rate exclude each other: the one fixes the quality, the other the size";
+        return {{"crf", "bit_rate"},
+                "crf and bit_rate exclude each other: the one fixes the quality, the other the "
+                "size"};
     }
     if (output.crf && !(*output.crf >= 0 && *output.crf <= codec_info.worst_crf)) {
-        return "crf must be from 0 (" + std::string(codec == Codec::hevc ? "best" : "lossless") +
-               ") to " + std::to_string(static_cast<int>(codec_info.worst_crf)) + " (worst)";
+        return {{"crf", "codec"},
+                "crf must be from 0 (" + std::string(codec == Codec::hevc ? "best" : "lossless") +
+                    ") to " + std::to_string(static_cast<int>(codec_info.worst_crf)) + " (worst)"};
     }
     if (output.bit_rate &&
         !(*output.bit_rate >= kLeastBitRate && *output.bit_rate <= kMostBitRate)) {
-        return "bit_rate must be from 10 kbit/s to 1 Gbit/s";
+        return {{"bit_rate"}, "bit_rate must be from 10 kbit/s to 1 Gbit/s"};
     }
     return {};
 }
 
-std::string check_bits(const OutputSettings& output, Codec codec) {
+SettingProblem check_bits(const OutputSettings& output, Codec codec) {
     if (output.bits && !info(codec).has_choice_of_bits && *output.bits != info(codec).bits) {
-        return to_string(codec) + " always has " + std::to_string(info(codec).bits) +
-               " bits per channel; leave out 'bits'";
+        return {{"bits", "codec"},
+                to_string(codec) + " always has " + std::to_string(info(codec).bits) +
+                    " bits per channel; leave out 'bits'"};
     }
     if (output.bits && *output.bits != 8 && *output.bits != 10) {
-        return "bits must be 8 or 10, not " + std::to_string(*output.bits);
+        return {{"bits"}, "bits must be 8 or 10, not " + std::to_string(*output.bits)};
     }
     if (!output.hdr10) {
         return {};
     }
     if (codec != Codec::hevc) {
-        return "hdr10 is for codec hevc, not " + to_string(codec);
+        return {{"codec", "hdr10"}, "hdr10 is for codec hevc, not " + to_string(codec)};
     }
     if (output.bits == 8) {
-        return "hdr10 has 10 bits per channel, not 8";
+        return {{"bits", "hdr10"}, "hdr10 has 10 bits per channel, not 8"};
     }
     if (!(output.hdr10->peak >= 400 && output.hdr10->peak <= 10000 && output.hdr10->white > 0 &&
           output.hdr10->white <= output.hdr10->peak)) {
-        return "hdr10 needs a peak from 400 to 10000 cd/m^2 and a white above 0 and up to the peak";
+        return {{"hdr10"},
+                "hdr10 needs a peak from 400 to 10000 cd/m^2 and a white above 0 and up to the "
+                "peak"};
     }
     return {};
 }
 
-std::string check_encoder(const OutputSettings& output) {
+SettingProblem check_encoder(const OutputSettings& output) {
     if (output.threads < 1 || output.threads > kMostThreads) {
-        return "the encoder's threads must be from 1 to " + std::to_string(kMostThreads) +
-               ", not " + std::to_string(output.threads);
+        return {{"threads"},
+                "the encoder's threads must be from 1 to " + std::to_string(kMostThreads) +
+                    ", not " + std::to_string(output.threads)};
     }
     if (find_preset(output.preset) == nullptr) {
         std::string text = "unknown encoder preset '" + output.preset + "'; there are ";
         for (const EncoderPreset& preset : kEncoderPresets) {
             text += (&preset == kEncoderPresets.data() ? "" : ", ") + std::string(preset.name);
         }
-        return text;
+        return {{"preset"}, text};
     }
     return {};
 }
@@ -164,6 +171,15 @@ std::string check_film_size(const VideoFormat& format, const OutputSettings& out
     return is_image_sequence(path) ? "" : check_size(format, codec_for(output, path));
 }
 
+SettingProblem find_setting_problem(const OutputSettings& output, const std::string& path) {
+    const Codec codec = codec_for(output, path);
+    SettingProblem problem = check_quality(output, codec);
+    if (problem.sentence.empty()) {
+        problem = check_bits(output, codec);
+    }
+    return problem.sentence.empty() ? check_encoder(output) : problem;
+}
+
 std::string check_video_format(const VideoFormat& format, const OutputSettings& output,
                                const std::string& path) {
     if (is_image_sequence(path)) {
@@ -172,7 +188,7 @@ std::string check_video_format(const VideoFormat& format, const OutputSettings& 
     const Codec codec = codec_for(output, path);
     for (const std::string& problem :
          {check_path(codec, path), check_size(format, codec), check_rate(format.fps),
-          check_quality(output, codec), check_bits(output, codec), check_encoder(output)}) {
+          find_setting_problem(output, path).sentence}) {
         if (!problem.empty()) {
             return problem;
         }

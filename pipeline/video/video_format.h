@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "pipeline/camera/rational.h"
 #include "pipeline/video/output_settings.h"
@@ -19,6 +20,16 @@ struct VideoFormat {
 /// sequence's (image_sequence.h) is checked as one.
 [[nodiscard]] std::string check_video_format(const VideoFormat& format,
                                              const OutputSettings& output, const std::string& path);
+
+/// A setting that the film's codec cannot take.
+struct SettingProblem {
+    std::vector<std::string> keys;  // of `output` that cannot stand together, or the one at fault
+    std::string sentence;           // empty: all is well
+};
+
+/// The part of check_video_format that is about the settings alone, not about size, rate and path.
+[[nodiscard]] SettingProblem find_setting_problem(const OutputSettings& output,
+                                                  const std::string& path);
 
 /// Empty, or what check_video_format says of the size alone. The path must be one that it accepts.
 [[nodiscard]] std::string check_film_size(const VideoFormat& format, const OutputSettings& output,

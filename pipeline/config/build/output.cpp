@@ -35,6 +35,31 @@ void check_overlay(Builder& builder) {
 
 }  // namespace
 
+/// How much a value's place overrides others: an option's, then the shot's own, then a file's that
+/// it includes.
+int precedence(const Builder& builder, const Place& place) {
+    if (place.source < 0) {
+        return -1;
+    }
+    const bool is_option = builder.reader.sources().at(place.source).name.starts_with("--");
+    return is_option ? 2 : place.source == 0 ? 1 : 0;  // the first source is the shot
+}
+
+/// Of the keys of `output` that cannot stand together, the one that was given over the others.
+Place place_of_setting(const Builder& builder, const std::vector<std::string>& keys) {
+    Place last = builder.place_of({"output"});
+    int highest = -1;
+    const Entry* output = builder.root.find("output");
+    for (const std::string& key : keys) {
+        const Entry* entry = output != nullptr ? output->value.find(key) : nullptr;
+        if (entry != nullptr && precedence(builder, entry->value.place) > highest) {
+            highest = precedence(builder, entry->value.place);
+            last = entry->value.place;
+        }
+    }
+    return last;
+}
+
 /// Whether a film can have the picture's size depends on the file that it is written to, which only
 /// the command knows.
 void check_output(Builder& builder) {
@@ -42,10 +67,10 @@ void check_output(Builder& builder) {
     const std::string film = "film" + default_extension(shot.output);
     const std::string problem = check_video_format({1280, 720, shot.timing.fps}, shot.output, film);
     if (!problem.empty()) {
-        const bool is_its_rate = check_video_format({1280, 720, 24}, shot.output, film).empty();
-        builder.reader.error(
-            is_its_rate ? builder.place_of({"render", "fps"}) : builder.place_of({"output"}),
-            problem);
+        const SettingProblem setting = find_setting_problem(shot.output, film);
+        builder.reader.error(setting.sentence.empty() ? builder.place_of({"render", "fps"})
+                                                      : place_of_setting(builder, setting.keys),
+                             problem);
     }
     check_overlay(builder);
 }
