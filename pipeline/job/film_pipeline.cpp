@@ -35,13 +35,23 @@ void mark_used(const FilmPlan& plan, const FrameStore& store) {
     }
 }
 
-// The film is made of all chunks, so that the frames of the others are not thrown out to make room.
-void mark_other_chunks(const FilmSource& source, const FilmJobOptions& options,
-                       const FrameStore& store, const std::stop_token& stop) {
-    if (options.chunk.of > 1 && options.cache_limit != kNoLimit) {
-        FilmJobOptions all = options;
-        all.chunk = {};
-        mark_used(plan_film(source, job_frames(source.shot(), all), stop), store);
+// A job that makes a part of a film leaves room for the others, which it does not need itself:
+// films are put together from parts. Planning a thousand frames takes 50 ms.
+void mark_whole_film(const FilmSource& source, const FilmPlan& part, const FilmJobOptions& options,
+                     const FrameStore& store, const std::stop_token& stop) {
+    mark_used(part, store);
+    const std::vector<std::int64_t> frames = job_frames(source.shot(), {});
+    if (options.cache_limit == kNoLimit || part.frames.size() == frames.size()) {
+        return;
+    }
+    for (const std::int64_t frame : frames) {
+        try {
+            mark_used(plan_film(source, {frame}, stop), store);
+        } catch (const Stopped&) {
+            throw;
+        } catch (const Error&) {
+            continue;  // a frame that makes no picture stops only those who want it
+        }
     }
 }
 
@@ -111,8 +121,7 @@ FilmJobResult make_film_with(const RenderFunction& render, const Shot& shot,
     const FilmSource source(shot, timeline);
     const FilmPlan plan = plan_film(source, frames, stop);
     CacheKeeper keeper(cache_of(options), options.cache_limit, gate);
-    mark_used(plan, store);
-    mark_other_chunks(source, options, store, stop);
+    mark_whole_film(source, plan, options, store, stop);
     keeper.prune();
 
     // A film that cannot be written is heard of before anything is rendered.
@@ -154,8 +163,8 @@ render::Film make_frame_with(const RenderFunction& render, const Shot& shot,
     const FrameStore store = open_store(options, gate, damages);
     const FilmSource source(shot, timeline);
     const FilmPlan plan = plan_film(source, {frame}, stop);
-    mark_used(plan, store);
     CacheKeeper keeper(cache_of(options), options.cache_limit, gate);
+    mark_whole_film(source, plan, options, store, stop);
     keeper.prune();
     PictureBoard board(plan.pictures.size());
     board.reader_done();

@@ -144,17 +144,30 @@ TEST(CacheLimit, FramesOfOlderFilms_GoFirst) {
     EXPECT_EQ(farm.status().missing.size(), 4U);
 }
 
-TEST(CacheLimit, FramesOfTheOtherChunks_Stay) {
+TEST(CacheLimit, OtherPartsOfTheFilm_Stay) {
     Farm farm;
-    FilmJobOptions chunk = farm.options();
-    chunk.cache_limit = 1000;
-    chunk.chunk = {1, 3};
-    EXPECT_EQ(farm.render(chunk).rendered, 4);
-    for (const CacheEntry& entry : list_cache(farm.folder.path("cache"))) {
-        fs::last_write_time(entry.path, fs::file_time_type::clock::now() - std::chrono::hours(5));
-    }
-    chunk.chunk = {2, 3};
-    EXPECT_EQ(farm.render(chunk).rendered, 4);
+    const auto age_all = [&] {
+        for (const CacheEntry& entry : list_cache(farm.folder.path("cache"))) {
+            fs::last_write_time(entry.path,
+                                fs::file_time_type::clock::now() - std::chrono::hours(5));
+        }
+    };
+    FilmJobOptions options = farm.options();
+    options.cache_limit = 1000;
+    options.chunk = {1, 3};
+    EXPECT_EQ(farm.render(options).rendered, 4);
+    age_all();
+    options.chunk = {2, 3};
+    EXPECT_EQ(farm.render(options).rendered, 4);
+    EXPECT_THAT(farm.status().missing, ElementsAre(8, 9, 10, 11));
+    age_all();
+    options.chunk = {};
+    options.frames = parse_frame_range("0-1");
+    EXPECT_EQ(farm.render(options).rendered, 0);
+    EXPECT_THAT(farm.status().missing, ElementsAre(8, 9, 10, 11));
+    age_all();
+    (void)make_frame_with(farm.renderer.function(), farm.shot, farm.bake.timeline, 0, options, {},
+                          {});
     EXPECT_THAT(farm.status().missing, ElementsAre(8, 9, 10, 11));
 }
 

@@ -227,6 +227,23 @@ TEST(AdaptiveSampling, ReachesItsTargetWithFewerSamplesThanEvenOnes) {
     EXPECT_LT(error_of(film), 0.8 * error_of(render(1, even)));
 }
 
+TEST(AdaptiveSampling, FrameThatNeedsNoMore_HasItsProgressInItsFirstSamples) {
+    const Spots scene;
+    const RenderSettings settings = plan_settings(96, 64, 1);
+    const PreparedScene prepared(scene.builder.scene, settings);
+    std::vector<double> shares;
+    WorkContext context;
+    context.progress = [&](double share) { shares.push_back(share); };
+    const Film film = render_frame(prepared, {}, scene.frame, settings, context);
+    EXPECT_EQ(film.statistics.camera_rays, 96u * 64 * 16);
+    constexpr std::size_t kTiles = 6 * 4;
+    ASSERT_GT(shares.size(), kTiles);
+    for (std::size_t i = 0; i < kTiles; ++i) {
+        EXPECT_NEAR(shares[i], static_cast<double>(i + 1) / kTiles, 1e-9);
+    }
+    EXPECT_EQ(shares.back(), 1);
+}
+
 TEST(AdaptiveSampling, OneThreadAndTwo_GiveTheSameBits) {
     const Spots scene;
     const RenderSettings settings = plan_settings(32, 24, 0.03);
