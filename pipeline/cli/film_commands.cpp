@@ -103,6 +103,9 @@ void tell_status(const pipeline::FilmStatus& status) {
     if (!status.missing.empty()) {
         text += "to render: " + pipeline::frames_text(status.missing) + "\n";
     }
+    if (!status.damaged.empty()) {
+        text += "of these stored, but damaged: " + pipeline::frames_text(status.damaged) + "\n";
+    }
     text += std::to_string(status.frames.size()) + " frames, " +
             std::to_string(status.stored.size()) + " there, " +
             std::to_string(status.missing.size()) + " to render";

@@ -13,11 +13,13 @@ FilmStatus status_of(const FilmPlan& plan, const FrameStore& store, const std::s
     FilmStatus status;
     status.frames = plan.frames;
     std::vector<bool> is_there;
+    std::vector<bool> is_damaged;
     for (const FilmPlan::Picture& picture : plan.pictures) {
         if (stop.stop_requested()) {
             throw Stopped();
         }
         is_there.push_back(store.holds_whole(picture.key));
+        is_damaged.push_back(!is_there.back() && store.contains(picture.key));
         status.pictures += is_there.back() ? 0 : 1;
     }
     for (std::size_t i = 0; i < plan.frames.size(); ++i) {
@@ -25,6 +27,9 @@ FilmStatus status_of(const FilmPlan& plan, const FrameStore& store, const std::s
         const bool is_whole =
             is_there[plan.picture_of[i]] && (blend == nullptr || is_there[blend->picture]);
         (is_whole ? status.stored : status.missing).push_back(plan.frames[i]);
+        if (is_damaged[plan.picture_of[i]] || (blend != nullptr && is_damaged[blend->picture])) {
+            status.damaged.push_back(plan.frames[i]);
+        }
     }
     return status;
 }
@@ -44,7 +49,10 @@ FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOpt
     if (!status.missing.empty()) {
         throw Error(std::to_string(status.missing.size()) + " of " +
                     std::to_string(status.frames.size()) +
-                    " frames are not in the cache: " + frames_text(status.missing));
+                    " frames are not in the cache: " + frames_text(status.missing) +
+                    (status.damaged.empty()
+                         ? ""
+                         : " (stored, but damaged: " + frames_text(status.damaged) + ")"));
     }
     const auto refuse = [](const FrameInputs&, const WorkContext&) -> render::Film {
         throw Error("a frame vanished from the cache while the film was being written");

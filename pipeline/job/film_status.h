@@ -14,6 +14,7 @@ struct FilmStatus {
     std::vector<std::int64_t> stored;   // of these, whole in the store
     std::vector<std::int64_t> missing;  // the others ...
     std::int64_t pictures = 0;          // ... and how many pictures they show
+    std::vector<std::int64_t> damaged;  // of the missing ones, those with a file that is not whole
 };
 
 /// Renders nothing; reads every frame that is there, to be sure. Throws Error, Stopped.

@@ -103,7 +103,8 @@ TEST(MuxFilm, DamagedFrame_IsNamedAndMadeAgainByItsChunk) {
     std::string bytes = read_text(farm.frame_path(5));
     bytes[100] = static_cast<char>(bytes[100] ^ 1);
     write_text(farm.frame_path(5), bytes);
-    EXPECT_EQ(mux_problem(farm), "1 of 12 frames are not in the cache: 5");
+    EXPECT_THAT(farm.status().damaged, ElementsAre(5));
+    EXPECT_EQ(mux_problem(farm), "1 of 12 frames are not in the cache: 5 (stored, but damaged: 5)");
     EXPECT_FALSE(fs::exists(farm.folder.path("film.mkv")));
     EXPECT_EQ(farm.render_chunk(1, 1).rendered, 1);
     EXPECT_EQ(mux_problem(farm), "none");
