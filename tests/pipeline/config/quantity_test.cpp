@@ -105,7 +105,7 @@ TEST(ParseQuantity, WhatIsNoNumber_IsRefused) {
         EXPECT_EQ(refused(text), "is not a number") << text;
     }
     EXPECT_EQ(refused("0x10"), "has the unknown unit 'x'");
-    EXPECT_EQ(refused("1,5"), "has the unknown unit ',5'");
+    EXPECT_EQ(refused("1,5"), "has a decimal comma; write '1.5'");
     EXPECT_EQ(refused("1e999"), "is too large a number");
     EXPECT_EQ(refused("1e308 km"), "is too large a number");
     EXPECT_EQ(refused("1/0 s"), "divides by zero");
