@@ -22,15 +22,15 @@ render::Film read_picture(std::size_t picture, const FilmPlan& plan, const Frame
     }
 }
 
-}  // namespace
-
-void encode_film(FilmSink& sink, const FilmPlan& plan, const FrameStore& store, PictureBoard& board,
-                 ObserverGate& observer, const std::stop_token& stop) {
+/// Shows the film's frames in order, from the first to the last, to `take(frame, picture,
+/// same_as_before)`.
+template <class Take>
+void show_frames(const FilmPlan& plan, const FrameStore& store, PictureBoard& board,
+                 const std::stop_token& stop, Take take) {
     constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
     std::size_t shown = kNone;  // the picture in `film`, if it is one as it is
     render::Film film;
-    const std::size_t frames = plan.picture_of.size();
-    for (std::size_t i = 0; i < frames; ++i) {
+    for (std::size_t i = 0; i < plan.picture_of.size(); ++i) {
         const std::size_t picture = plan.picture_of[i];
         const bool same_as_before = shown == picture && plan.blend_of(i) == nullptr;
         if (!same_as_before) {
@@ -44,10 +44,30 @@ void encode_film(FilmSink& sink, const FilmPlan& plan, const FrameStore& store, 
         if (stop.stop_requested()) {
             throw Stopped();
         }
-        sink.add(plan.frames[i], film, same_as_before);
-        // The last step is the trailer's.
-        observer.encode_progress(static_cast<double>(i + 1) / static_cast<double>(frames + 1));
+        take(plan.frames[i], film, same_as_before);
     }
+}
+
+}  // namespace
+
+void encode_film(FilmSink& sink, const FilmPlan& plan, const FrameStore& store, PictureBoard& board,
+                 ObserverGate& observer, const std::stop_token& stop) {
+    const std::size_t rounds = sink.wants_preview() ? 2 : 1;
+    // The last step is the trailer's.
+    const auto steps = static_cast<double>(rounds * plan.picture_of.size() + 1);
+    double done = 0;
+    if (sink.wants_preview()) {
+        show_frames(plan, store, board, stop,
+                    [&](std::int64_t frame, const render::Film& picture, bool is_same) {
+                        sink.preview(frame, picture, is_same);
+                        observer.encode_progress(++done / steps);
+                    });
+    }
+    show_frames(plan, store, board, stop,
+                [&](std::int64_t frame, const render::Film& picture, bool is_same) {
+                    sink.add(frame, picture, is_same);
+                    observer.encode_progress(++done / steps);
+                });
     sink.finish();
     observer.encode_progress(1);
 }

@@ -12,7 +12,8 @@
 namespace carom::pipeline {
 
 /// Takes the film's frames in order as soon as the board announces them, always as the store holds
-/// them, to the sink and finishes it. Throws Error, Stopped.
+/// them, to the sink and finishes it; twice if the sink wants to see them before. Throws Error,
+/// Stopped.
 void encode_film(FilmSink& sink, const FilmPlan& plan, const FrameStore& store, PictureBoard& board,
                  ObserverGate& observer, const std::stop_token& stop);
 

@@ -11,6 +11,7 @@
 #include "pipeline/job/overlay.h"
 #include "pipeline/video/hdr_view.h"
 #include "pipeline/video/image_sequence.h"
+#include "pipeline/video/light_meter.h"
 #include "pipeline/video/pending_file.h"
 #include "pipeline/video/picture_writer.h"
 #include "pipeline/video/video_writer.h"
@@ -38,34 +39,36 @@ class VideoSink : public FilmSink {
           shot_(source.shot()),
           path_(path),
           view_(shot_.output),
-          poster_(poster_frame(shot_, plan)),
-          writer_(path, {shot_.render.width, shot_.render.height, shot_.timing.fps}, shot_.output,
-                  video_metadata(shot_)) {}
+          poster_(poster_frame(shot_, plan)) {
+        open();
+    }
+
+    /// HDR10 states the film's light in the file's head.
+    [[nodiscard]] bool wants_preview() const override { return shot_.output.hdr10.has_value(); }
+
+    void preview(std::int64_t frame, const render::Film& picture, bool same_as_before) override {
+        meter_.add(signal_of(frame, picture, same_as_before));
+        light_is_stated_ = false;
+    }
 
     void add(std::int64_t frame, const render::Film& picture, bool same_as_before) override {
-        if (!same_as_before) {
-            display_ = shot_.output.hdr10 ? to_hdr10(picture, shot_.output) : view_.to_16(picture);
+        if (!light_is_stated_) {
+            writer_.reset();  // what it opened with did not know the light
+            open();
         }
-        if (shot_.output.overlay.show.empty()) {
-            writer_.write(display_);
-        } else {
-            written_ = display_;
-            render::draw_text(overlay_text(shot_.output.overlay, source_.layers(frame).front()),
-                              written_, shot_.render.width, shot_.render.height, white_);
-            writer_.write(written_);
-        }
+        writer_->write(signal_of(frame, picture, same_as_before));
         if (frame != poster_) {
             return;
         }
-        if (writer_.has_poster()) {
-            writer_.set_poster(view_.to_8(picture));
+        if (writer_->has_poster()) {
+            writer_->set_poster(view_.to_8(picture));
         } else {
             poster_picture_ = picture;
         }
     }
 
     void finish() override {
-        writer_.finish();
+        writer_->finish();
         if (poster_picture_) {
             const std::filesystem::path path(path_);
             const std::string name = path.stem().string() + "-poster.jpg";
@@ -74,6 +77,30 @@ class VideoSink : public FilmSink {
     }
 
   private:
+    void open() {
+        VideoFormat format{shot_.render.width, shot_.render.height, shot_.timing.fps};
+        if (!light_is_stated_) {
+            format.light = meter_.levels();
+            light_is_stated_ = true;
+        }
+        writer_ = std::make_unique<VideoWriter>(path_, format, shot_.output, video_metadata(shot_));
+    }
+
+    /// The frame as it is written, overlay included.
+    const std::vector<std::uint16_t>& signal_of(std::int64_t frame, const render::Film& picture,
+                                                bool same_as_before) {
+        if (!same_as_before) {
+            display_ = shot_.output.hdr10 ? to_hdr10(picture, shot_.output) : view_.to_16(picture);
+        }
+        if (shot_.output.overlay.show.empty()) {
+            return display_;
+        }
+        written_ = display_;
+        render::draw_text(overlay_text(shot_.output.overlay, source_.layers(frame).front()),
+                          written_, shot_.render.width, shot_.render.height, white_);
+        return written_;
+    }
+
     /// The signal of white letters: 1 of a display's signal, or paper white in HDR.
     static std::uint16_t overlay_white(const OutputSettings& output) {
         constexpr double kLargest = 65535;
@@ -90,7 +117,9 @@ class VideoSink : public FilmSink {
     std::vector<std::uint16_t> display_;
     std::vector<std::uint16_t> written_;  // with the overlay
     std::uint16_t white_ = overlay_white(shot_.output);
-    VideoWriter writer_;
+    LightMeter meter_;
+    bool light_is_stated_ = true;  // in the writer, or not to be
+    std::unique_ptr<VideoWriter> writer_;
 };
 
 class SequenceSink : public FilmSink {
@@ -103,9 +132,11 @@ class SequenceSink : public FilmSink {
 
     void add(std::int64_t frame, const render::Film& picture, bool /*same_as_before*/) override {
         const render::Film exported = exported_frame(picture, source_, frame);
+        const PlannedFrame planned = source_.layers(frame).front();
         write_picture(exported, view_, path_in_sequence(pattern_, frame),
                       exported_frame_metadata(source_.shot(), source_.timeline(), frame, exported),
-                      overlay_text(source_.shot().output.overlay, source_.layers(frame).front()));
+                      overlay_text(source_.shot().output.overlay, planned),
+                      exr_standard_attributes(source_.shot(), planned));
     }
 
     void finish() override {}

@@ -18,6 +18,12 @@ class FilmSink {
     FilmSink(const FilmSink&) = delete;
     FilmSink& operator=(const FilmSink&) = delete;
 
+    /// Whether it has to see all frames before the first is added.
+    [[nodiscard]] virtual bool wants_preview() const { return false; }
+    /// A frame that will be added later, with the same arguments. Throws Error.
+    virtual void preview(std::int64_t /*frame*/, const render::Film& /*picture*/,
+                         bool /*same_as_before*/) {}
+
     /// `picture` as the store holds it; the same object as before if it shows the same. Throws
     /// Error.
     virtual void add(std::int64_t frame, const render::Film& picture, bool same_as_before) = 0;

@@ -76,4 +76,9 @@ void fill_frame(AVFrame& frame, std::span<const std::uint16_t> rgb) {
     }
 }
 
+YuvPlanes<std::uint16_t> yuv10_planes(AVFrame& frame) {
+    CAROM_ASSERT(frame.format == AV_PIX_FMT_YUV420P10 || frame.format == AV_PIX_FMT_YUV422P10);
+    return yuv_planes<std::uint16_t>(frame);
+}
+
 }  // namespace carom::pipeline

@@ -8,6 +8,7 @@
 #include "pipeline/video/av_library.h"
 #include "pipeline/video/output_settings.h"
 #include "pipeline/video/video_format.h"
+#include "pipeline/video/yuv_conversion.h"
 
 namespace carom::pipeline {
 
@@ -25,5 +26,8 @@ void set_decoding_time(AVPacket& packet, const AVCodecContext& encoder, std::int
 /// Puts a picture (16-bit RGB, encoded as the film is) into `frame`, in the encoder's own pixel
 /// format.
 void fill_frame(AVFrame& frame, std::span<const std::uint16_t> rgb);
+
+/// Of a frame in 10-bit Y'CbCr.
+[[nodiscard]] YuvPlanes<std::uint16_t> yuv10_planes(AVFrame& frame);
 
 }  // namespace carom::pipeline

@@ -84,7 +84,8 @@ void set_h264(AVCodecContext& context, const OutputSettings& output, const std::
 
 /// x265 counts its threads in two ways: those of the pool do not change the bytes, frames that are
 /// coded at the same time do. It would print, and name its version and settings in the stream.
-void set_hevc(AVCodecContext& context, const OutputSettings& output, const std::string& path) {
+void set_hevc(AVCodecContext& context, const VideoFormat& format, const OutputSettings& output,
+              const std::string& path) {
     const bool ten_bits = bits_of(output, Codec::hevc) == 10;
     context.pix_fmt = ten_bits ? AV_PIX_FMT_YUV420P10 : AV_PIX_FMT_YUV420P;
     set_option(context, "preset", output.preset, path);
@@ -95,7 +96,7 @@ void set_hevc(AVCodecContext& context, const OutputSettings& output, const std::
         parameters += ":ctu=16:max-tu-size=16";  // a picture must hold one block
     }
     if (output.hdr10) {
-        parameters += ":" + x265_hdr10(*output.hdr10);
+        parameters += ":" + x265_hdr10(*output.hdr10, light_levels(format, *output.hdr10));
     }
     set_option(context, "x265-params", parameters, path);
 }
@@ -150,7 +151,7 @@ void set_encoder_options(AVCodecContext& context, Codec codec, const VideoFormat
             set_h264(context, output, path);
             break;
         case Codec::hevc:
-            set_hevc(context, output, path);
+            set_hevc(context, format, output, path);
             break;
         case Codec::av1:
             set_av1(context, output, path);
@@ -168,13 +169,17 @@ void set_encoder_options(AVCodecContext& context, Codec codec, const VideoFormat
 }
 
 /// SMPTE ST 2086 in steps of 0.00002 and 0.0001 cd/m^2: a display with P3 primaries and D65 white
-/// that goes from 0.005 cd/m^2 to the peak. The brightest light of the film is known (no pixel
-/// exceeds the peak), its mean light is not before its last frame: 0 (CTA-861.3, P.1).
-std::string x265_hdr10(const Hdr10Settings& settings) {
+/// that goes from 0.005 cd/m^2 to the peak.
+std::string x265_hdr10(const Hdr10Settings& settings, const LightLevels& light) {
     const auto peak = std::llround(settings.peak);
     return "hdr10=1:hdr10-opt=1:master-display=G(13250,34500)B(7500,3000)R(34000,16000)"
            "WP(15635,16450)L(" +
-           std::to_string(peak * 10000) + ",50):max-cll=" + std::to_string(peak) + ",0";
+           std::to_string(peak * 10000) + ",50):max-cll=" + std::to_string(light.brightest) + "," +
+           std::to_string(light.brightest_mean);
+}
+
+LightLevels light_levels(const VideoFormat& format, const Hdr10Settings& settings) {
+    return format.light.value_or(LightLevels{static_cast<int>(std::lround(settings.peak)), 0});
 }
 
 }  // namespace carom::pipeline

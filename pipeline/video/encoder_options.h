@@ -15,6 +15,9 @@ void set_encoder_options(AVCodecContext& context, Codec codec, const VideoFormat
                          const OutputSettings& output, const std::string& path);
 
 /// "max-cll=...": light levels and mastering display of an HDR10 film, as x265 takes them.
-[[nodiscard]] std::string x265_hdr10(const Hdr10Settings& settings);
+[[nodiscard]] std::string x265_hdr10(const Hdr10Settings& settings, const LightLevels& light);
+
+/// What the format says of the film's light; else no more than that no pixel exceeds the peak.
+[[nodiscard]] LightLevels light_levels(const VideoFormat& format, const Hdr10Settings& settings);
 
 }  // namespace carom::pipeline

@@ -14,6 +14,9 @@ namespace carom::pipeline {
 namespace {
 
 constexpr double kPqPeak = 10000;  // cd/m^2
+// SMPTE ST 2084:2014, section 5.2.
+constexpr double kM1 = 2610.0 / 16384, kM2 = 2523.0 / 4096 * 128;
+constexpr double kC1 = 3424.0 / 4096, kC2 = 2413.0 / 4096 * 32, kC3 = 2392.0 / 4096 * 32;
 
 /// pq_encode times 65535 as a table that is even in the fourth root of light, over which the curve
 /// is smooth, interpolated linearly: within 1/20 of a 10-bit step everywhere.
@@ -69,10 +72,13 @@ Colour shown(const float* rgba, float gain, double peak) {
 }  // namespace
 
 double pq_encode(double light) {
-    constexpr double kM1 = 2610.0 / 16384, kM2 = 2523.0 / 4096 * 128;
-    constexpr double kC1 = 3424.0 / 4096, kC2 = 2413.0 / 4096 * 32, kC3 = 2392.0 / 4096 * 32;
     const double power = std::pow(std::clamp(light / kPqPeak, 0.0, 1.0), kM1);
     return std::pow((kC1 + kC2 * power) / (1 + kC3 * power), kM2);
+}
+
+double pq_decode(double signal) {
+    const double power = std::pow(std::clamp(signal, 0.0, 1.0), 1 / kM2);
+    return kPqPeak * std::pow(std::max(power - kC1, 0.0) / (kC2 - kC3 * power), 1 / kM1);
 }
 
 double below_peak(double light, double peak) {

@@ -13,6 +13,9 @@ namespace carom::pipeline {
 /// equation 5.2).
 [[nodiscard]] double pq_encode(double light);
 
+/// Its inverse (equation 4.1): the signal to light, cd/m^2.
+[[nodiscard]] double pq_decode(double signal);
+
 /// What a display shows for scene light that would have `light` cd/m^2: itself up to half the peak,
 /// above that p - (p/2) exp(-(light - p/2) / (p/2)), which goes on with slope 1 and nears the peak.
 [[nodiscard]] double below_peak(double light, double peak);

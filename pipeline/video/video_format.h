@@ -1,6 +1,7 @@
 // What a film's file is: size, rate and container, and whether its codec can take them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,10 +10,17 @@
 
 namespace carom::pipeline {
 
+/// The light of a whole film, cd/m^2, as HDR10 states it (CTA-861.3: MaxCLL and MaxFALL).
+struct LightLevels {
+    int brightest = 0;       // pixel
+    int brightest_mean = 0;  // of a picture; 0: not known
+};
+
 struct VideoFormat {
     int width = 0;  // pixels; even where colour is subsampled (check_video_format says so)
     int height = 0;
     Rational fps{24};
+    std::optional<LightLevels> light = {};  // for hdr10; if it is known
 };
 
 /// Empty, or a sentence that says what the codec cannot take and what to do about it. Needs no

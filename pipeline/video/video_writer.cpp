@@ -13,6 +13,9 @@ extern "C" {
 
 #include "pipeline/video/container.h"
 #include "pipeline/video/encoder.h"
+#include "pipeline/video/encoder_options.h"
+#include "pipeline/video/hdr_view.h"
+#include "pipeline/video/peak_limit.h"
 #include "pipeline/video/pending_file.h"
 #include "pipeline/video/poster.h"
 #include "sim/timeline/assert.h"
@@ -129,7 +132,8 @@ T& side_data(AVStream& stream, AVPacketSideDataType type, std::size_t size,
 }
 
 /// What x265 writes into the stream (encoder_options.h), for the container's own boxes.
-void describe_hdr10(AVStream& stream, const Hdr10Settings& settings, const std::string& path) {
+void describe_hdr10(AVStream& stream, const Hdr10Settings& settings, const LightLevels& levels,
+                    const std::string& path) {
     const auto chroma = [](int steps) { return AVRational{steps, 50000}; };
     auto& display = side_data<AVMasteringDisplayMetadata>(
         stream, AV_PKT_DATA_MASTERING_DISPLAY_METADATA, sizeof(AVMasteringDisplayMetadata), path);
@@ -148,7 +152,8 @@ void describe_hdr10(AVStream& stream, const Hdr10Settings& settings, const std::
     auto& light = side_data<AVContentLightMetadata>(stream, AV_PKT_DATA_CONTENT_LIGHT_LEVEL,
                                                     sizeof(AVContentLightMetadata), path);
     light = {};
-    light.MaxCLL = static_cast<unsigned>(std::llround(settings.peak));
+    light.MaxCLL = static_cast<unsigned>(levels.brightest);
+    light.MaxFALL = static_cast<unsigned>(levels.brightest_mean);
 }
 
 void VideoWriter::State::describe_stream() {
@@ -164,7 +169,7 @@ void VideoWriter::State::describe_stream() {
         stream->codecpar->codec_tag = MKTAG('h', 'v', 'c', '1');  // Apple's players take no hev1
     }
     if (hdr10) {
-        describe_hdr10(*stream, *hdr10, path());
+        describe_hdr10(*stream, *hdr10, light_levels(format, *hdr10), path());
     }
 }
 
@@ -225,6 +230,10 @@ void VideoWriter::write(std::span<const std::uint16_t> rgb) {
     // The encoder may still hold the last picture: then this gives the frame a new buffer.
     check_av(av_frame_make_writable(state.frame.get()), "making room for a frame", state.path());
     fill_frame(*state.frame, rgb);
+    if (state.hdr10) {
+        limit_to_peak(yuv10_planes(*state.frame), state.format.width, state.format.height,
+                      pq_encode(state.hdr10->peak));
+    }
     state.frame->pts = state.frames_written++;
     state.encode(state.frame.get());
 }

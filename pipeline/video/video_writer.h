@@ -16,9 +16,10 @@ namespace carom::pipeline {
 /// library: the same bytes. For one thread at a time; several writers may work at once.
 ///
 /// h264, hevc, av1, vp9: 4:2:0 in 8 or 10 bits; prores: profile 422 HQ; all of them BT.709 in
-/// limited range, or BT.2020 with PQ for hdr10. ffv1: the 16-bit RGB without loss. In .mp4 and .mov
-/// moov comes before mdat, and HEVC is tagged hvc1. Frame n has the time n / fps, exactly in .mp4
-/// and .mov, rounded to Matroska's milliseconds in .mkv and .webm.
+/// limited range, or BT.2020 with PQ for hdr10 (nothing beyond its peak: peak_limit.h). ffv1: the
+/// 16-bit RGB without loss. In .mp4 and .mov moov comes before mdat, and HEVC is tagged hvc1. Frame
+/// n has the time n / fps, exactly in .mp4 and .mov, rounded to Matroska's milliseconds in .mkv and
+/// .webm.
 class VideoWriter {
   public:
     /// `metadata`: keys that containers know ("title", "artist", "date", "description" ...) are

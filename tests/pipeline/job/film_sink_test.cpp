@@ -2,6 +2,7 @@
 #include "pipeline/job/film_sink.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -89,6 +90,36 @@ TEST(ImageSequence, ReversedTime_TurnsTheMotionRound) {
     EXPECT_EQ(value(back, "motion.Y"), 0);
     EXPECT_FALSE(std::signbit(value(back, "motion.Y")));
     EXPECT_EQ(value(back, "Z"), 2);
+}
+
+// The container's own box: two 16-bit numbers, the high byte first.
+TEST(Hdr10, Film_StatesTheLightOfItsBrightestFrames) {
+    Export job;
+    job.shot.output.codec = Codec::hevc;
+    job.shot.output.hdr10 = Hdr10Settings{1000, 203};
+    const std::string path = job.folder.path("film.mp4");
+    FilmJobOptions options;
+    options.output = path;
+    options.cache_folder = job.folder.path("cache");
+    std::atomic<int> rendered = 0;
+    const auto render = [&](const FrameInputs& inputs, const WorkContext&) {
+        render::Film film = fake_picture(job.shot, inputs);
+        std::fill(film.rgba.begin(), film.rgba.end(), 0.1F * static_cast<float>(++rendered));
+        std::fill_n(film.rgba.begin(), 4, 1.0F);
+        return film;
+    };
+    options.frames = parse_frame_range("2-10x4");
+    ASSERT_EQ(make_film_with(render, job.shot, tiny_timeline(), options, {}, {}).rendered, 3);
+    const std::string file = carom::testing::read_text(path);
+    const std::size_t at = file.find("clli");
+    ASSERT_NE(at, std::string::npos);
+    const auto number = [&](std::size_t from) {
+        return 256 * static_cast<unsigned char>(file[from]) +
+               static_cast<unsigned char>(file[from + 1]);
+    };
+    const double pixels = job.shot.render.width * job.shot.render.height;
+    EXPECT_EQ(number(at + 4), 203);
+    EXPECT_NEAR(number(at + 6), 203 * (0.3 * (pixels - 1) + 1) / pixels, 0.6);
 }
 
 TEST(Poster, ContainerWithoutAPlace_HasItBeside) {

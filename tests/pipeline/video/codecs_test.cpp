@@ -239,17 +239,35 @@ TEST(Hdr10, Film_IsTaggedAndNamesItsMasteringDisplay) {
     for (const char* extension : {".mp4", ".mkv"}) {
         const ScratchFolder folder;
         Film film = film_of({Codec::hevc, 10, extension, "", "", ""});
-        film.output.hdr10 = Hdr10Settings{1500, 203};
+        film.output.hdr10 = Hdr10Settings{5000, 203};  // the disc has 3900 cd/m^2
         const DecodedVideo video = decode_video(film.write(folder));
         EXPECT_EQ(video.pixel_format, "yuv420p10le");
         EXPECT_EQ(video.primaries, "bt2020");
         EXPECT_EQ(video.transfer, "smpte2084");
         EXPECT_EQ(video.matrix, "bt2020nc");
-        EXPECT_DOUBLE_EQ(video.peak, 1500);
+        EXPECT_DOUBLE_EQ(video.peak, 5000);
         // Matroska's demuxer passes it on only together with the mean, which is not known.
-        EXPECT_EQ(video.max_light, std::string(extension) == ".mp4" ? 1500 : 0);
+        EXPECT_EQ(video.max_light, std::string(extension) == ".mp4" ? 5000 : 0);
         ASSERT_EQ(video.frames.size(), static_cast<std::size_t>(film.frames));
         EXPECT_GT(psnr(video.frames[3].rgb, moving_disc(film.width, film.height, 3)), 38);
+    }
+}
+
+TEST(Hdr10, Film_StatesItsLightIfItIsKnown) {
+    for (const char* name : {"film.mp4", "film.mkv"}) {
+        const ScratchFolder folder;
+        OutputSettings output;
+        output.codec = Codec::hevc;
+        output.hdr10 = Hdr10Settings{1500, 203};
+        VideoWriter writer(folder.path(name), {128, 72, 24, LightLevels{812, 133}}, output);
+        for (int i = 0; i < 3; ++i) {
+            writer.write(moving_disc(128, 72, i));
+        }
+        writer.finish();
+        const DecodedVideo video = decode_video(folder.path(name));
+        EXPECT_DOUBLE_EQ(video.peak, 1500) << name;
+        EXPECT_EQ(video.max_light, 812) << name;
+        EXPECT_EQ(video.max_mean_light, 133) << name;
     }
 }
 

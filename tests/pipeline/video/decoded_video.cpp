@@ -100,8 +100,9 @@ void describe(const AVStream& stream, DecodedVideo& video) {
     }
     const void* light = av_stream_get_side_data(&stream, AV_PKT_DATA_CONTENT_LIGHT_LEVEL, nullptr);
     if (light != nullptr) {
-        video.max_light =
-            static_cast<int>(static_cast<const AVContentLightMetadata*>(light)->MaxCLL);
+        const auto& levels = *static_cast<const AVContentLightMetadata*>(light);
+        video.max_light = static_cast<int>(levels.MaxCLL);
+        video.max_mean_light = static_cast<int>(levels.MaxFALL);
     }
 }
 

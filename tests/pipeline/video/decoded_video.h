@@ -30,6 +30,7 @@ struct DecodedVideo {
     std::string tag;                                         // the container's name of the codec
     double peak = 0;                                         // of the mastering display, cd/m^2
     int max_light = 0;                                       // MaxCLL, cd/m^2
+    int max_mean_light = 0;                                  // MaxFALL, cd/m^2
     std::vector<std::uint8_t> poster;                        // the picture attached: a JPEG
     std::map<std::string, std::string> metadata;
     std::vector<DecodedFrame> frames;  // in order of presentation
