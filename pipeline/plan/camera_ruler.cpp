@@ -120,7 +120,10 @@ class RulerOfRig {
                                                     back - 0.5 * kArrowHead * across},
                                                    true)}});
         }
-        plan_.labels.keep_free({place.at - Vec2(0.6), place.at + Vec2(0.6)}, 0.5);
+        for (int i = 0; i <= 4; ++i) {
+            const Vec2 on = place.at + (tip - place.at) * (i / 4.0);
+            plan_.labels.keep_free({on - Vec2(0.6), on + Vec2(0.6)}, 1);
+        }
     }
 
     void draw_time(const Place& place, double time) {
