@@ -105,7 +105,7 @@ class ClosingFinder {
             return true;
         }
         is_plain_open_ = false;
-        if (column(at_) <= parent_ && peek() != '-') {
+        if (column(at_) <= parent_ && peek() != '-' && peek() != '#') {
             // What was indented deeper has ended. A bracket here belongs to no key; its lines must
             // not be mistaken for those that follow.
             const bool is_bracket = peek() == '[' || peek() == '{';
@@ -229,7 +229,9 @@ class ClosingFinder {
     /// The first line between the quotes that is not indented as a continuation; nowhere if all
     /// are.
     [[nodiscard]] std::size_t find_shallow_line(std::size_t close) const {
-        for (std::size_t end = text_.find('\n', at_); end < close; end = text_.find('\n', end)) {
+        const std::string_view inside = text_.substr(0, close);
+        for (std::size_t end = inside.find('\n', at_); end != kNowhere;
+             end = inside.find('\n', end)) {
             const std::size_t start = ++end;
             const std::size_t first = text_.find_first_not_of(" \t\r", start);
             const std::size_t indent = text_.find_first_not_of(' ', start);
@@ -256,9 +258,12 @@ class ClosingFinder {
         }
         token_column_ = column(at_);
         check_behind(close);
-        const std::size_t last_line_end = text_.rfind('\n', close);
-        if (last_line_end != kNowhere && last_line_end >= line_start_) {
-            line_start_ = last_line_end + 1;
+        if (problem_) {
+            return;
+        }
+        const std::size_t last_line_end = text_.substr(at_, close - at_).rfind('\n');
+        if (last_line_end != kNowhere) {
+            line_start_ = at_ + last_line_end + 1;
         }
         at_ = close + 1;
     }
@@ -282,7 +287,7 @@ class ClosingFinder {
         }
         const std::size_t end = std::min(text_.find_first_of("\r\n", next), text_.size());
         const std::string behind = quote(text_.substr(next, end - next));
-        if (text_.find('\n', at_) < close) {
+        if (text_.substr(at_, close - at_).find('\n') != kNowhere) {
             report(not_on_its_line(close) + ", where " + behind + " follows");
             return;
         }

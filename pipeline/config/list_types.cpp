@@ -37,8 +37,8 @@ int gap_between(const Node& first, const Node& second) {
     return is_one_line ? second.place.column - first.place.column - first.place.length : 0;
 }
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
+bool belongs_to_number(char c) {
+    return (c >= '0' && c <= '9') || c == '.';
 }
 
 /// "[0,3, 1]" is a list of three numbers, which the person who wrote it may not know.
@@ -52,7 +52,7 @@ void warn_of_decimal_comma(Reader& reader, const Node& node) {
         const int gap = gap_between(first, second);
         has_blank = has_blank || gap > 1;
         if (gap == 1 && !first.text.empty() && !second.text.empty() &&
-            is_digit(first.text.back()) && is_digit(second.text.front())) {
+            belongs_to_number(first.text.back()) && belongs_to_number(second.text.front())) {
             before_comma = &first;
             behind_comma = &second;
         }

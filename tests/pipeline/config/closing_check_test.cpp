@@ -56,6 +56,9 @@ TEST(ClosingCheck, BracketsOverLinesThatAreNotIndented_AreAProblem) {
     EXPECT_EQ(problem_of("- a: [1\n  b: 2\n"),
               "5 YAML syntax: this '[' is not closed before line 2, which is not indented deeper "
               "than its key");
+    EXPECT_EQ(problem_of("a:\n# remark\n  [b: 1\nc: 2\n"),
+              "14 YAML syntax: this '[' is not closed before line 4, which is not indented deeper "
+              "than its key");
     EXPECT_EQ(problem_of("a:\n{ b: 1\n  c: 2\nd: 3\n"),
               "3 YAML syntax: this '{' is not closed before line 4, which is not indented deeper "
               "than its key");
@@ -72,6 +75,14 @@ TEST(ClosingCheck, OverIndentedLines_IsFine) {
     EXPECT_EQ(problem_of("a:\n  b: \"one\n\n    two\\\n    three\"\n  c: 1\n"), "fine");
     EXPECT_EQ(problem_of("a: {b: 'one\n  two', c: 1}\n"), "fine");
     EXPECT_EQ(problem_of("'one\ntwo'\n"), "fine");
+}
+
+TEST(ClosingCheck, AMillionQuotesOnALine_AreReadInNoTime) {
+    std::string text = "a: [";
+    for (int i = 0; i < 1'000'000; ++i) {
+        text += "'',";
+    }
+    EXPECT_EQ(problem_of(text + "]\n"), "fine");
 }
 
 TEST(ClosingCheck, QuotesThatOpenNothing_AreFine) {

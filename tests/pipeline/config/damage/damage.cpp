@@ -40,10 +40,10 @@ const std::vector<Kind>& kinds() {
         };
     };
     static const std::vector<Kind> all{
-        {"quote", "'\"", any_of("'\"")},     {"bracket", "[]{}", any_of("[]{}")},
-        {"colon", ":", any_of(":")},         {"comma", ",", any_of(",")},
-        {"dash", "-", any_of("-")},          {"indentation", " ", is_indentation},
-        {"unit", "mskgdeinrptoc/", is_unit},
+        {"quote", "'\"", any_of("'\"")},  {"bracket", "[]{}", any_of("[]{}")},
+        {"colon", ":", any_of(":")},      {"comma", ",", any_of(",")},
+        {"dash", "-", any_of("-")},       {"indentation", " \t", is_indentation},
+        {"line end", "\n", any_of("\n")}, {"unit", "mskgdeinrptoc/", is_unit},
     };
     return all;
 }
@@ -107,14 +107,14 @@ Damage damage(const std::string& text, Dice& dice) {
     const std::vector<std::size_t> places = places_of(kind, text);
     const int action = places.empty() ? 1 : dice.below(3);  // delete, insert, replace
     std::size_t at = static_cast<std::size_t>(dice.below(static_cast<int>(text.size())));
-    if (action != 1 || (kind.holds == nullptr)) {
+    if (action != 1) {
         at = places[static_cast<std::size_t>(dice.below(static_cast<int>(places.size())))];
-    } else if (kind.characters == " ") {
+    } else if (kind.characters.starts_with(' ')) {
         at = line_start_near(text, at);
     } else if (kind.characters.size() > 4 && !places.empty()) {
         at = places[static_cast<std::size_t>(dice.below(static_cast<int>(places.size())))];
     }
-    const std::string all = "'\"[]{}:,-";
+    const std::string all = "'\"[]{}:,- \t";
     const std::string& from = action == 2 && kind.characters.size() < 5 ? all : kind.characters;
     const char put = from[static_cast<std::size_t>(dice.below(static_cast<int>(from.size())))];
     Damage result;
@@ -124,8 +124,11 @@ Damage damage(const std::string& text, Dice& dice) {
                           text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
     static constexpr std::array kActions{"deleted", "inserted", "replaced"};
     result.what = std::string(kind.name) + " " + kActions[static_cast<std::size_t>(action)] +
-                  (action == 0 ? "" : std::string(" with ") + put);
+                  (action == 0   ? ""
+                   : put == '\n' ? " with a line end"
+                                 : std::string(" with ") + put);
     find_construct(text, result);
+    result.last_line += action == 1 && put == '\n' ? 1 : 0;
     return result;
 }
 

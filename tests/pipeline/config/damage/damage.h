@@ -22,7 +22,7 @@ struct Damage {
 };
 
 /// Deletes, inserts or replaces a quote, a bracket, a colon, a comma, a dash, a blank of the
-/// indentation or a letter of a unit.
+/// indentation, a line end or a letter of a unit.
 [[nodiscard]] Damage damage(const std::string& text, Dice& dice);
 
 }  // namespace carom::testing

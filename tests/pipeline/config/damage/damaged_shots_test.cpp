@@ -80,7 +80,7 @@ void check(const LoadResult& whole, const Damage& damage, Tally& tally) {
         ++tally.same;
         return;
     }
-    const std::string kind = survivor_kind(found);
+    const std::string kind = survivor_kind(found, damage);
     ++tally.survivors[kind];
     if (kind.empty()) {
         std::string changes;

@@ -13,7 +13,8 @@ class ShotMaker {
     Yaml make() {
         shot_.add("carom", "1");
         shot_.add("simulation", simulation());
-        shot_.add("table", Yaml().add("kind", dice_.pick({"pool", "snooker", "carom"})));
+        shot_.add("table", Yaml().add("kind", dice_.pick({"pool", "snooker", "carom", "carom",
+                                                          "carom", "carom"})));
         if (dice_.chance(0.4)) {
             shot_.add("physics", physics());
         }

@@ -11,7 +11,7 @@ namespace {
 using pipeline::config::Quantity;
 
 /// One quantity became another that its key takes, too.
-bool is_other_quantity(const Difference& difference) {
+bool is_other_quantity(const Difference& difference, const Damage& /*damage*/) {
     const auto before = pipeline::config::parse_quantity(difference.before);
     const auto after = pipeline::config::parse_quantity(difference.after);
     return difference.is_scalar && std::holds_alternative<Quantity>(before) &&
@@ -19,27 +19,34 @@ bool is_other_quantity(const Difference& difference) {
 }
 
 /// A text that only people read has one character more, less or another.
-bool is_other_text(const Difference& difference) {
+bool is_other_text(const Difference& difference, const Damage& /*damage*/) {
     const std::string& path = difference.path;
     return difference.is_scalar && (path == "output.title" || path.ends_with("].name"));
 }
 
 /// Something that nothing refers to has another name.
-bool is_other_name(const Difference& difference) {
+bool is_other_name(const Difference& difference, const Damage& /*damage*/) {
     const std::string& path = difference.path;
     return difference.is_renamed &&
            (path == "balls" || path == "objects" || path == "lights" || path == "materials");
 }
 
+/// A line was joined to the remark above it.
+bool is_remark(const Difference& difference, const Damage& damage) {
+    return damage.what.starts_with("line end") && damage.old_line.find('#') != std::string::npos &&
+           !difference.is_scalar && difference.after.empty();
+}
+
 struct Kind {
     const char* name;
-    bool (*holds)(const Difference&);
+    bool (*holds)(const Difference&, const Damage&);
 };
 
 constexpr Kind kKinds[] = {
     {"another quantity", is_other_quantity},
     {"another text", is_other_text},
     {"another name", is_other_name},
+    {"a remark", is_remark},
 };
 
 }  // namespace
@@ -52,12 +59,12 @@ std::vector<std::string> survivor_kinds() {
     return names;
 }
 
-std::string survivor_kind(const std::vector<Difference>& differences) {
+std::string survivor_kind(const std::vector<Difference>& differences, const Damage& damage) {
     if (differences.size() != 1) {
         return {};
     }
     for (const Kind& kind : kKinds) {
-        if (kind.holds(differences[0])) {
+        if (kind.holds(differences[0], damage)) {
             return kind.name;
         }
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/pipeline/config/damage/damage.h"
 #include "tests/pipeline/config/damage/meaning.h"
 
 namespace carom::testing {
@@ -12,6 +13,7 @@ namespace carom::testing {
 [[nodiscard]] std::vector<std::string> survivor_kinds();
 
 /// The kind of a damage that changed a shot in this way; empty if it should have been found.
-[[nodiscard]] std::string survivor_kind(const std::vector<Difference>& differences);
+[[nodiscard]] std::string survivor_kind(const std::vector<Difference>& differences,
+                                        const Damage& damage);
 
 }  // namespace carom::testing
