@@ -33,8 +33,7 @@ bool is_other_name(const Difference& difference, const Damage& /*damage*/) {
 
 /// A line was joined to the remark above it.
 bool is_remark(const Difference& difference, const Damage& damage) {
-    return damage.what.starts_with("line end") && damage.old_line.find('#') != std::string::npos &&
-           !difference.is_scalar && difference.after.empty();
+    return joins_remark(damage) && !difference.is_scalar && difference.after.empty();
 }
 
 struct Kind {
@@ -50,6 +49,11 @@ constexpr Kind kKinds[] = {
 };
 
 }  // namespace
+
+bool joins_remark(const Damage& damage) {
+    return damage.what.starts_with("line end") && !damage.what.ends_with("a line end") &&
+           damage.old_line.find('#') != std::string::npos;
+}
 
 std::vector<std::string> survivor_kinds() {
     std::vector<std::string> names;
