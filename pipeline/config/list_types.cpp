@@ -1,5 +1,7 @@
 #include "pipeline/config/list_types.h"
 
+#include <variant>
+
 #include "pipeline/config/combined_types.h"
 #include "pipeline/config/number_types.h"
 #include "pipeline/config/text.h"
@@ -41,18 +43,24 @@ bool belongs_to_number(char c) {
     return (c >= '0' && c <= '9') || c == '.';
 }
 
+/// Whether the two would be one number without the comma between them.
+bool could_be_one(const Node& first, const Node& second) {
+    return !first.text.empty() && !second.text.empty() && belongs_to_number(first.text.back()) &&
+           belongs_to_number(second.text.front()) &&
+           std::holds_alternative<Quantity>(parse_quantity(first.text + second.text));
+}
+
 /// "[0,3, 1]" is a list of three numbers, which the person who wrote it may not know.
 void warn_of_decimal_comma(Reader& reader, const Node& node) {
     const Node* before_comma = nullptr;
     const Node* behind_comma = nullptr;
-    bool has_blank = false;  // behind another comma
+    bool has_blank = false;  // or a line end behind another comma
     for (std::size_t i = 1; i < node.items.size(); ++i) {
         const Node& first = node.items[i - 1];
         const Node& second = node.items[i];
         const int gap = gap_between(first, second);
-        has_blank = has_blank || gap > 1;
-        if (gap == 1 && !first.text.empty() && !second.text.empty() &&
-            belongs_to_number(first.text.back()) && belongs_to_number(second.text.front())) {
+        has_blank = has_blank || gap != 1;
+        if (gap == 1 && could_be_one(first, second)) {
             before_comma = &first;
             behind_comma = &second;
         }

@@ -32,7 +32,7 @@ namespace {
 class Writer {
   public:
     explicit Writer(Dice& dice)
-        : dice_(dice), step_(2 + dice.below(3)), dashes_are_indented_(dice.chance(0.7)) {}
+        : dice_(dice), step_(1 + dice.below(4)), dashes_are_indented_(dice.chance(0.7)) {}
 
     std::string text(const Yaml& map) && {
         write_map(map, 0, "");

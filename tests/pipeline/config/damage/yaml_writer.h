@@ -33,7 +33,7 @@ struct Yaml {
     [[nodiscard]] bool holds_map() const;
 };
 
-/// The map as a document: in blocks or brackets, indented by two to four blanks, with or without
+/// The map as a document: in blocks or brackets, indented by one to four blanks, with or without
 /// quotes, remarks and empty lines, as the dice fall.
 [[nodiscard]] std::string write_yaml(const Yaml& map, Dice& dice);
 
