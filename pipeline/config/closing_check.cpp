@@ -118,7 +118,7 @@ class ClosingFinder {
         const char c = peek();
         if (c == '\n' || (c == '#' && (column(at_) == 0 || is_blank(text_[at_ - 1])))) {
             go_to_next_line();
-        } else if (is_blank(c) || c == '\r') {
+        } else if (is_blank(c) || c == '\r' || (in_flow() && c == ',')) {
             ++at_;
         } else if (c == '\'' || c == '"') {
             read_quoted();
@@ -131,8 +131,6 @@ class ClosingFinder {
             open_.push_back(at_++);
         } else if (in_flow() && (c == ']' || c == '}')) {
             close_bracket();
-        } else if (in_flow() && c == ',') {
-            ++at_;
         } else if (c == '&' || c == '*' || c == '!') {
             skip_property();
         } else if (!in_flow() && (c == '|' || c == '>')) {

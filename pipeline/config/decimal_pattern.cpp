@@ -71,7 +71,8 @@ void add_first_differences(std::vector<std::string>& forms, const std::string& b
         if (!here.empty()) {
             const std::string rest =
                 is_fraction ? "[0-9]*" : any_digits(bound.size() - i - 1) + R"((\.[0-9]*)?)";
-            forms.push_back(before + bound.substr(0, i) + here + rest);
+            forms.push_back(before);
+            forms.back().append(bound, 0, i).append(here).append(rest);
         }
     }
 }

@@ -92,7 +92,8 @@ std::string compound_unit_pattern(Dimension dimension) {
     for (const Exponents& one : measured()) {
         add_powers(forms, one, wanted);
         const std::string same = one_of_units(one) + kAnyPower;
-        forms.push_back(same + separator + same);
+        forms.push_back(same);
+        forms.back().append(separator).append(same);
         for (const Exponents& other : measured()) {
             if (!(one == other)) {
                 add_products(forms, one, other, wanted);
