@@ -78,6 +78,7 @@ void find_construct(const std::string& text, Damage& damage) {
     while (last < count && (indent_of(lines[last]) < 0 || indent_of(lines[last]) > parent)) {
         ++last;
     }
+    damage.parent_line = lines[first];
     damage.old_line = lines[at];
     damage.new_line = lines_of(damage.text)[at];
     damage.first_line = first + 1;

@@ -17,6 +17,7 @@ struct Damage {
     /// noticed only there. The lines of the whole text where the damaged line has no parent.
     int first_line = 0;
     int last_line = 0;
+    std::string parent_line;  // as the first of them is
     std::string old_line;
     std::string new_line;
 };

@@ -46,12 +46,28 @@ bool offers_damaged_word(const Problem& problem, const Damage& damage) {
            damage.old_line.find(word) == std::string::npos;
 }
 
-/// Whether one of the problems points into the damaged construct, or offers what stands there.
+/// "ball_1" of the line "  ball_1: {at: ...".
+std::string key_of(const std::string& line) {
+    const std::size_t first = line.find_first_not_of(" -");
+    const std::size_t colon = line.find(':');
+    return first < colon && colon != std::string::npos ? line.substr(first, colon - first) : "";
+}
+
+/// Whether the message says that the damaged ball overlaps another: it is told at the later one.
+bool names_overlapping(const Problem& problem, const Damage& damage) {
+    const auto is_named = [&](const std::string& name) {
+        return !name.empty() && problem.message.find("'" + name + "'") != std::string::npos;
+    };
+    return problem.message.find(" overlap by ") != std::string::npos &&
+           (is_named(key_of(damage.parent_line)) || is_named(key_of(damage.old_line)));
+}
+
+/// Whether one of the problems points into the damaged construct, or names what stands there.
 bool is_blamed(const LoadResult& result, const Damage& damage) {
     for (const Problem& problem : result.problems) {
         const int line = problem.place.line;
         if ((line >= damage.first_line && line <= damage.last_line) ||
-            offers_damaged_word(problem, damage)) {
+            offers_damaged_word(problem, damage) || names_overlapping(problem, damage)) {
             return true;
         }
     }
