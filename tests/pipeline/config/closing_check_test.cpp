@@ -56,8 +56,8 @@ TEST(ClosingCheck, BracketsOverLinesThatAreNotIndented_AreAProblem) {
     EXPECT_EQ(problem_of("- a: [1\n  b: 2\n"),
               "5 YAML syntax: this '[' is not closed before line 2, which is not indented deeper "
               "than its key");
-    EXPECT_EQ(problem_of("a:\n# remark\n  [b: 1\nc: 2\n"),
-              "14 YAML syntax: this '[' is not closed before line 4, which is not indented deeper "
+    EXPECT_EQ(problem_of("a:\n# comment\n  [b: 1\nc: 2\n"),
+              "15 YAML syntax: this '[' is not closed before line 4, which is not indented deeper "
               "than its key");
     EXPECT_EQ(problem_of("a:\n{ b: 1\n  c: 2\nd: 3\n"),
               "3 YAML syntax: this '{' is not closed before line 4, which is not indented deeper "
@@ -66,7 +66,7 @@ TEST(ClosingCheck, BracketsOverLinesThatAreNotIndented_AreAProblem) {
 
 TEST(ClosingCheck, BracketsOverIndentedLines_AreFine) {
     EXPECT_EQ(problem_of("a: [1,\n  {b: 1,\n c: 2}\n]\nd: {\n}\n"), "fine");
-    EXPECT_EQ(problem_of("a:\n  b: [\n    1,\n# remark\n\n    2\n  ]\n"), "fine");
+    EXPECT_EQ(problem_of("a:\n  b: [\n    1,\n# comment\n\n    2\n  ]\n"), "fine");
     EXPECT_EQ(problem_of("{a: 1,\nb: [2,\n3]}\n"), "fine");
 }
 

@@ -34,7 +34,7 @@ struct Kind {
 };
 
 const std::vector<Kind>& kinds() {
-    const auto any_of = [](std::string characters) {
+    const auto any_of = [](const std::string& characters) {
         return [characters](const std::string& text, std::size_t i) {
             return characters.find(text[i]) != std::string::npos;
         };
@@ -108,15 +108,14 @@ Damage damage(const std::string& text, Dice& dice) {
     const std::vector<std::size_t> places = places_of(kind, text);
     const int action = places.empty() ? 1 : dice.below(3);  // delete, insert, replace
     std::size_t at = static_cast<std::size_t>(dice.below(static_cast<int>(text.size())));
-    if (action != 1) {
+    const bool is_unit_kind = kind.characters.size() > 4;
+    if (action != 1 || (is_unit_kind && !places.empty())) {
         at = places[static_cast<std::size_t>(dice.below(static_cast<int>(places.size())))];
     } else if (kind.characters.starts_with(' ')) {
         at = line_start_near(text, at);
-    } else if (kind.characters.size() > 4 && !places.empty()) {
-        at = places[static_cast<std::size_t>(dice.below(static_cast<int>(places.size())))];
     }
     const std::string all = "'\"[]{}:,- \t";
-    const std::string& from = action == 2 && kind.characters.size() < 5 ? all : kind.characters;
+    const std::string& from = action == 2 && !is_unit_kind ? all : kind.characters;
     const char put = from[static_cast<std::size_t>(dice.below(static_cast<int>(from.size())))];
     Damage result;
     result.text = text;

@@ -31,9 +31,9 @@ bool is_other_name(const Difference& difference, const Damage& /*damage*/) {
            (path == "balls" || path == "objects" || path == "lights" || path == "materials");
 }
 
-/// A line was joined to the remark above it.
-bool is_remark(const Difference& difference, const Damage& damage) {
-    return joins_remark(damage) && !difference.is_scalar && difference.after.empty();
+/// A line was joined to the comment above it.
+bool is_comment(const Difference& difference, const Damage& damage) {
+    return joins_comment(damage) && !difference.is_scalar && difference.after.empty();
 }
 
 struct Kind {
@@ -45,12 +45,12 @@ constexpr Kind kKinds[] = {
     {"another quantity", is_other_quantity},
     {"another text", is_other_text},
     {"another name", is_other_name},
-    {"a remark", is_remark},
+    {"a comment", is_comment},
 };
 
 }  // namespace
 
-bool joins_remark(const Damage& damage) {
+bool joins_comment(const Damage& damage) {
     return damage.what.starts_with("line end") && !damage.what.ends_with("a line end") &&
            damage.old_line.find('#') != std::string::npos;
 }

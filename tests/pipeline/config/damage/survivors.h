@@ -12,9 +12,9 @@ namespace carom::testing {
 /// The kinds that survivors() knows; survivors.txt says why each of them is let be.
 [[nodiscard]] std::vector<std::string> survivor_kinds();
 
-/// Whether the damage joined a line to the remark above it. Then problems are told where that line
-/// is missed, which may be anywhere.
-[[nodiscard]] bool joins_remark(const Damage& damage);
+/// Whether the damage joined a line to the comment above it. Then problems are reported where that
+/// line is missed, which may be anywhere.
+[[nodiscard]] bool joins_comment(const Damage& damage);
 
 /// The kind of a damage that changed a shot in this way; empty if it should have been found.
 [[nodiscard]] std::string survivor_kind(const std::vector<Difference>& differences,

@@ -73,7 +73,7 @@ class Writer {
     void end_line() {
         text_ += dice_.chance(0.05) ? "  # it's so\n" : "\n";
         if (dice_.chance(0.03)) {
-            text_ += dice_.chance(0.5) ? "\n" : "# a remark: {\"\n";
+            text_ += dice_.chance(0.5) ? "\n" : "# a comment: {\"\n";
         }
     }
 

@@ -34,7 +34,7 @@ struct Yaml {
 };
 
 /// The map as a document: in blocks or brackets, indented by one to four blanks, with or without
-/// quotes, remarks and empty lines, as the dice fall.
+/// quotes, comments and empty lines, as the dice fall.
 [[nodiscard]] std::string write_yaml(const Yaml& map, Dice& dice);
 
 }  // namespace carom::testing
