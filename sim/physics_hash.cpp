@@ -8,7 +8,7 @@ namespace carom::sim {
 namespace {
 
 /// Counts up with every change to the simulation that can change a bake.
-constexpr std::int64_t kSimulationRevision = 9;
+constexpr std::int64_t kSimulationRevision = 10;
 
 template <typename T, typename Add>
 void add_optional(Hasher& hasher, const std::optional<T>& value, Add add) {

@@ -58,9 +58,14 @@ const std::string& Actions::name_of(std::uint32_t body) const {
 void Actions::change(std::uint32_t body, double time, const MotionState& before,
                      const MotionState& after) {
     if (stepped_.all()[body].is_ball) {
-        if (balls_.all()[body].is_lying)
-            stepped_.wake_near(before.position, balls_.all()[body].radius, time);
-        balls_.change(body, time, before, after);
+        const Ball& ball = balls_.all()[body];
+        if (ball.is_lying)
+            stepped_.wake_near(before.position, ball.radius, time);
+        if (ball.is_lying || ball.is_stepped()) {
+            balls_.change_stepped(body, time, before, after);
+        } else {
+            balls_.change(body, time, before, after);
+        }
     } else {
         stepped_.change_box(body, time, after.velocity, after.angular_velocity);
     }

@@ -5,6 +5,9 @@
 namespace carom::sim {
 namespace {
 
+/// A ball that ODE carries turns on the spot if its surface is faster than this (m/s).
+constexpr double kLeastTurning = 0.01;
+
 GroundLaw ground_law(const PairContact& pair) {
     return {{pair.friction, pair.rolling_friction, 0}, pair.restitution, pair.friction};
 }
@@ -28,10 +31,20 @@ Ball make_ball(const Body& body, double radius, const Surroundings& around) {
     ball.floor_law = ground_law(around.law.between(body.material, "floor"));
     ball.stretch.state = {body.pose.position, body.pose.orientation, body.velocity,
                           body.angular_velocity};
+    ball.rested_at = body.pose.position;
     return ball;
 }
 
 }  // namespace
+
+bool Ball::has_left() const {
+    if (!is_stepped())
+        return !is_still();
+    const Vec3 way = stretch.state.position - rested_at;
+    const Vec3& spin = stretch.state.angular_velocity;
+    return way.dot(way) > kLeastMove * kLeastMove ||
+           spin.dot(spin) * radius * radius > kLeastTurning * kLeastTurning;
+}
 
 double ground_height(Ground ground, const Surroundings& around) {
     return ground == Ground::floor ? around.floor_height.value_or(0) : 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ struct GroundLaw {
     double friction = 0;
 };
 
+/// What ODE carries has moved when a point of it is this far (m) from where it last rested: more
+/// than a body sinks in or closes a gap when it is put down.
+inline constexpr double kLeastMove = 2e-4;
+
 struct Ball {
     std::string name;
     std::string material;
@@ -31,10 +36,14 @@ struct Ball {
     bool is_lying = false;         // at rest where ODE left it, on something else than a ground
     bool is_potted = false;
     bool is_off_table = false;
-    std::uint32_t version = 0;  // counts its stretches: older predictions are void
+    std::optional<std::size_t> flight_event;  // of the log: its last flight began
+    Vec3 rested_at{0, 0, 0};                  // its centre when it last rested, or at the start
+    std::uint32_t version = 0;                // counts its stretches: older predictions are void
 
     [[nodiscard]] bool is_still() const { return stretch.kind == MotionKind::resting; }
     [[nodiscard]] bool is_stepped() const { return stretch.kind == MotionKind::stepped; }
+    /// It moves, and if ODE carries it, it has moved visibly since it last rested.
+    [[nodiscard]] bool has_left() const;
     [[nodiscard]] BallBody body_at(double time) const {
         return {mass, radius, stretch.state_at(time)};
     }

@@ -65,6 +65,12 @@ void Balls::change(std::uint32_t index, double time, const MotionState& before, 
     recording_.add_break(ball.track, time, before, ball.stretch.state);
 }
 
+void Balls::change_stepped(std::uint32_t index, double time, const MotionState& before,
+                           const MotionState& after) {
+    carry(index, time, after);
+    recording_.add_break(balls_[index].track, time, before, after);
+}
+
 void Balls::settle(Ball& ball, double time, MotionState& state) {
     if (ball.ground == Ground::none)
         return;
@@ -93,6 +99,8 @@ void Balls::begin(Ball& ball, double time, const MotionState& state) {
     const MotionKind kind = ball.stretch.kind;
     set_stretch(ball, next_stretch(ball, time, state, around_));
     ball.is_lying = false;
+    if (ball.stretch.kind == MotionKind::flying && kind != MotionKind::flying)
+        ball.flight_event = recording_.events().size();
     if (ball.stretch.kind != kind)
         recording_.log(event_of(ball.stretch.kind), time, ball.name, ball.stretch.state.position);
 }
@@ -103,6 +111,8 @@ void Balls::set_stretch(Ball& ball, const Stretch& stretch) {
     CAROM_VALIDATE(is_finite(stretch.state) && is_finite(stretch.acceleration) &&
                    is_finite(stretch.angular_acceleration));
     ball.stretch = stretch;
+    if (ball.is_still())
+        ball.rested_at = stretch.state.position;
     if (ball.is_stepped())
         ++stepped_count_;
     note_change(ball);
@@ -141,7 +151,14 @@ void Balls::fall(std::uint32_t index, double time) {
     go_on(index, time);
 }
 
+void Balls::retract_flight(const Ball& ball, double time) {
+    if (ball.stretch.kind == MotionKind::flying && ball.flight_event &&
+        time - recording_.events()[*ball.flight_event].time < kLeastFlight)
+        recording_.retract(*ball.flight_event);
+}
+
 void Balls::hand_to_ode(std::uint32_t index, double time) {
+    retract_flight(balls_[index], time);
     carry(index, time, balls_[index].stretch.state_at(time));
 }
 
@@ -175,6 +192,17 @@ void Balls::note_sunk(std::uint32_t index, double time, const Vec3& centre) {
     } else {
         ball.is_off_table = true;
         recording_.log(EventKind::off_table, time, ball.name, centre);
+    }
+}
+
+void Balls::warn_of_jammed() const {
+    for (const Ball& ball : balls_) {
+        const int pocket = around_.pocket_below(ball.stretch.state.position);
+        if (!ball.is_still() || ball.is_potted || ball.is_off_table || pocket < 0)
+            continue;
+        recording_.warn("'" + ball.name + "' is not potted: it rests in the mouth of pocket '" +
+                        around_.table.pockets[static_cast<std::size_t>(pocket)].name +
+                        "' on the balls that fell in before");
     }
 }
 

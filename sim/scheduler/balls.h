@@ -16,6 +16,9 @@ inline constexpr double kLandingSpeed = 0.01;
 /// Impacts at less than this (m/s) are not written down: a ball that its spin presses against
 /// something makes thousands.
 inline constexpr double kQuietSpeed = 4 * kLeastSeparation;
+/// A ball that ODE gets back sooner than this (s) did not leave what it lies or rolls on: a hop of
+/// 0.1 mm takes as long.
+inline constexpr double kLeastFlight = 0.01;
 
 class Balls {
   public:
@@ -31,6 +34,10 @@ class Balls {
     /// Ball `index` went from state `before` to `after` in an instant. A ball on a level surface
     /// that is pressed into it bounces at once; one that rises fast enough leaves it.
     void change(std::uint32_t index, double time, const MotionState& before, MotionState after);
+
+    /// The same of a ball that touches more than level ground: ODE finds out whether it leaves that.
+    void change_stepped(std::uint32_t index, double time, const MotionState& before,
+                        const MotionState& after);
 
     /// Its stretch ended by itself; the next one begins.
     void go_on(std::uint32_t index, double time);
@@ -49,6 +56,8 @@ class Balls {
     /// The ball's centre is below the cloth: it is potted or off the table. Written down the first
     /// time.
     void note_sunk(std::uint32_t index, double time, const Vec3& centre);
+    /// Warns of balls that rest over a pocket's hole: what fell in before holds them up.
+    void warn_of_jammed() const;
     /// Shows the straight path that it takes during a step that ODE is trying.
     void show_step(std::uint32_t index, double time, const MotionState& state) {
         carry(index, time, state);
@@ -70,6 +79,7 @@ class Balls {
     void settle(Ball& ball, double time, MotionState& state);
     void begin(Ball& ball, double time, const MotionState& state);
     void note_change(Ball& ball);
+    void retract_flight(const Ball& ball, double time);
     void set_stretch(Ball& ball, const Stretch& stretch);
 
     const Surroundings& around_;

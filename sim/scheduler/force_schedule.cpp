@@ -23,7 +23,7 @@ bool fires(const Trigger& trigger, const Event& event) {
                     (event.a == trigger.b && event.b == trigger.a));
         case Trigger::Kind::potted:
             return event.kind == EventKind::potted && event.a == trigger.a;
-        case Trigger::Kind::resting:   // asked for by notice_rest
+        case Trigger::Kind::resting:   // RestWatch sees to it
         case Trigger::Kind::crossing:  // told by notice_crossing
             return false;
     }
@@ -38,11 +38,10 @@ std::string described(const Trigger& trigger) {
             return "'" + trigger.a + "' was never potted";
         case Trigger::Kind::crossing:
             return "'" + trigger.a + "' never crossed the line";
-        case Trigger::Kind::resting:
+        case Trigger::Kind::resting:  // RestWatch knows the reason
             break;
     }
-    return trigger.a.empty() ? "not everything came to rest"
-                             : "'" + trigger.a + "' never came to rest";
+    return {};
 }
 
 }  // namespace
@@ -51,7 +50,8 @@ int kick_count(double duration) {
     return static_cast<int>(std::min(1e6, std::max(1.0, std::ceil(duration / kKickInterval))));
 }
 
-ForceSchedule::ForceSchedule(const std::vector<ForceEvent>& events) : events_(events) {
+ForceSchedule::ForceSchedule(const std::vector<ForceEvent>& events)
+    : events_(events), rests_(events) {
     for (std::size_t i = 0; i < events.size(); ++i) {
         if (!events[i].trigger) {
             due_.insert({events[i].time + events[i].after, i, -1});
@@ -71,6 +71,10 @@ double ForceSchedule::next_time() const {
     return next;
 }
 
+bool ForceSchedule::is_due(double now) const {
+    return !due_.empty() && due_.begin()->time <= now;
+}
+
 std::vector<DueAction> ForceSchedule::take_due(double now) {
     while (!watch_from_.empty() && watch_from_.begin()->first <= now)
         watch_from_.erase(watch_from_.begin());
@@ -78,8 +82,12 @@ std::vector<DueAction> ForceSchedule::take_due(double now) {
     while (!due_.empty() && due_.begin()->time <= now) {
         const DueAction action = *due_.begin();
         due_.erase(due_.begin());
-        if (action.kick < 0)
+        if (action.kick < 0) {
             add_kicks(action);
+            rests_.note_action(action.event);
+        } else if (--kicks_left_[action.event] == 0) {
+            kicks_left_.erase(action.event);
+        }
         taken.push_back(action);
     }
     return taken;
@@ -90,6 +98,7 @@ void ForceSchedule::add_kicks(const DueAction& begin) {
     if (duration <= 0)
         return;
     const int count = kick_count(duration);
+    kicks_left_[begin.event] = count;
     for (int i = 0; i < count; ++i)
         due_.insert({begin.time + (i + 0.5) * duration / count, begin.event, i});
 }
@@ -111,25 +120,29 @@ void ForceSchedule::notice_crossing(std::size_t event, double time) {
         due_.insert({time + events_[event].after, event, -1});
 }
 
-void ForceSchedule::notice_rest(double now, const RestingQuery& is_resting) {
-    for (auto it = waiting_.begin(); it != waiting_.end();) {
-        const ForceEvent& force = events_[*it];
-        if (now >= force.time && force.trigger->kind == Trigger::Kind::resting &&
-            is_resting(force.trigger->a)) {
-            due_.insert({now + force.after, *it, -1});
-            it = waiting_.erase(it);
-        } else {
-            ++it;
-        }
+void ForceSchedule::notice_rest(double now, const MotionQuery& query) {
+    for (const std::size_t event : rests_.take_rested(now, query)) {
+        waiting_.erase(event);
+        due_.insert({now + events_[event].after, event, -1});
     }
+}
+
+bool ForceSchedule::is_pushing(const std::string& name) const {
+    return std::any_of(kicks_left_.begin(), kicks_left_.end(), [&](const auto& acting) {
+        return name.empty() || events_[acting.first].object == name;
+    });
 }
 
 std::vector<std::pair<std::string, int>> ForceSchedule::unmet_triggers() const {
     std::vector<std::pair<std::string, int>> sentences;
-    for (const std::size_t i : waiting_)
-        sentences.emplace_back("event " + std::to_string(i + 1) + " on '" + events_[i].object +
-                                   "' never happened: " + described(*events_[i].trigger),
-                               static_cast<int>(i));
+    for (const std::size_t i : waiting_) {
+        const Trigger& trigger = *events_[i].trigger;
+        const bool is_rest = trigger.kind == Trigger::Kind::resting;
+        sentences.emplace_back(
+            "event " + std::to_string(i + 1) + " on '" + events_[i].object +
+                "' never happened: " + (is_rest ? rests_.reason(i) : described(trigger)),
+            static_cast<int>(i));
+    }
     return sentences;
 }
 

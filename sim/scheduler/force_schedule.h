@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "sim/force_event.h"
+#include "sim/scheduler/rest_watch.h"
 #include "sim/timeline/event.h"
 
 namespace carom::sim {
@@ -30,21 +31,25 @@ struct DueAction {
 
 class ForceSchedule {
   public:
-    /// Whether an object rests now; asked with an empty name: whether all do.
-    using RestingQuery = std::function<bool(const std::string&)>;
-
     explicit ForceSchedule(const std::vector<ForceEvent>& events);
 
     /// When something has to be done or watched next; infinity if nothing is left.
     [[nodiscard]] double next_time() const;
 
+    [[nodiscard]] bool is_due(double now) const;
+
     /// What is due at `now`, in order; it is taken off the schedule.
     [[nodiscard]] std::vector<DueAction> take_due(double now);
 
-    /// Lets triggers see what was logged, and who rests.
+    /// Lets triggers see what was logged.
     void notice(const Event& event);
     void notice_crossing(std::size_t event, double time);
-    void notice_rest(double now, const RestingQuery& is_resting);
+
+    /// Lets triggers see who moves and who rests.
+    void notice_rest(double now, const MotionQuery& query);
+    [[nodiscard]] bool waits_for_rest() const { return !rests_.is_empty(); }
+    /// A force or torque acts on the object, and more of it is to come. Empty name: on any object.
+    [[nodiscard]] bool is_pushing(const std::string& name) const;
 
     /// Triggers that never happened, as sentences; their events.
     [[nodiscard]] std::vector<std::pair<std::string, int>> unmet_triggers() const;
@@ -55,6 +60,8 @@ class ForceSchedule {
     const std::vector<ForceEvent>& events_;
     std::set<DueAction> due_;
     std::set<std::size_t> waiting_;  // for their triggers
+    RestWatch rests_;
+    std::map<std::size_t, int> kicks_left_;  // of the forces and torques that act now
     std::set<std::pair<double, std::size_t>> watch_from_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/scheduler/lasting_states.h"
+
 namespace carom::sim {
 
 Recording::Recording(const WorldDescription& world) {
@@ -95,7 +97,11 @@ Timeline Recording::take_timeline(double end_time) {
     timeline.end_time = end_time;
     for (TrackRecorder& recorder : recorders_)
         timeline.tracks.push_back(recorder.finish());
-    timeline.events = std::move(events_);
+    for (std::size_t i = 0; i < events_.size(); ++i) {
+        if (!retracted_.contains(i))
+            timeline.events.push_back(std::move(events_[i]));
+    }
+    keep_lasting_states(timeline.events);
     timeline.energy = std::move(energy_);
     return timeline;
 }

@@ -1,6 +1,7 @@
 // What a simulation writes down: tracks, events, energy.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ class Recording {
              const std::string& b = {});
     void log_action(EventKind kind, double time, double end_time, const std::string& a,
                     const Vec3& place, const Vec3& vector);
+    /// The event turned out not to have happened: the timeline will be without it.
+    void retract(std::size_t event) { retracted_.insert(event); }
     void add_energy(const EnergySample& sample);
     /// `event`: the one of the description that it is about, by index; -1: none.
     void warn(std::string sentence, int event = -1);
@@ -49,6 +52,7 @@ class Recording {
     std::vector<TrackRecorder> recorders_;
     std::vector<Written> last_;
     std::vector<Event> events_;
+    std::set<std::size_t> retracted_;
     std::vector<EnergySample> energy_;
     std::vector<std::string> warnings_;
     std::vector<int> warned_events_;

@@ -41,7 +41,7 @@ Scheduler::Scheduler(const WorldDescription& world)
       actions_(world, balls_, stepped_, recording_),
       lines_(world.events, stepped_.all()) {}
 
-void Scheduler::run(const WorkContext& context) {
+bool Scheduler::run(const WorkContext& context, std::uint64_t most_steps) {
     const auto overlaps =
         find_start_overlaps(world_, around_.has_cushions ? &around_.table : nullptr);
     if (!overlaps.empty())
@@ -52,6 +52,8 @@ void Scheduler::run(const WorkContext& context) {
     while (now_ < world_.duration) {
         if (context.stop.stop_requested())
             throw Stopped();
+        if (steps_ > most_steps)
+            return false;
         run_window();
         const double share = now_ / world_.duration;
         if (context.progress && share >= reported + 0.01) {
@@ -62,14 +64,15 @@ void Scheduler::run(const WorkContext& context) {
     conclude();
     if (context.progress && reported < 1)
         context.progress(1.0);
+    return true;
 }
 
 void Scheduler::run_window() {
     ++round_;
     begin_count();
     measure_energy();
-    act();
     stepped_.follow_paths(now_);
+    act();
     if (stepped_.is_active()) {
         const double fine = std::min(world_.step, kLongestCoarseStep) / 4;
         // Equal parts, lest the last one be round-off.
@@ -80,8 +83,10 @@ void Scheduler::run_window() {
     find_boxes();
     find_lines_of_boxes();
     const std::optional<Touch> last = meet_all();
-    if (stepped_.is_trying())
+    if (stepped_.is_trying()) {
+        steps_ += stepped_.step_size();
         stepped_.commit(window_end_);
+    }
     now_ = window_end_;
     if (last)
         resolver_.resolve(*last);
@@ -96,6 +101,7 @@ std::optional<Touch> Scheduler::meet_all() {
         queue_.pop();
         if (!is_valid(touch))
             continue;
+        ++steps_;
         if (touch.kind == TouchKind::cell_crossing || touch.kind == TouchKind::look_again) {
             look_on(touch);
             continue;
@@ -129,8 +135,8 @@ double Scheduler::window_end_from(double now) const {
 }
 
 void Scheduler::act() {
-    schedule_.notice_rest(now_, [this](const std::string& name) { return is_resting(name); });
     for (;;) {
+        notice_rest();
         const std::vector<DueAction> due = schedule_.take_due(now_);
         if (due.empty())
             break;
@@ -244,29 +250,43 @@ void Scheduler::meet(const Touch& touch) {
 
 void Scheduler::notice_events() {
     const std::vector<Event>& events = recording_.events();
-    bool something_rests = false;
-    for (; noticed_events_ < events.size(); ++noticed_events_) {
+    for (; noticed_events_ < events.size(); ++noticed_events_)
         schedule_.notice(events[noticed_events_]);
-        something_rests = something_rests || events[noticed_events_].kind == EventKind::resting;
-    }
-    if (something_rests)
-        schedule_.notice_rest(now_, [this](const std::string& name) { return is_resting(name); });
+    notice_rest();
     // A trigger may have called for something before this window's end.
     window_end_ = std::max(now_, std::min(window_end_, schedule_.next_time()));
 }
 
+/// What is due at this instant comes first: it may set things in motion.
+void Scheduler::notice_rest() {
+    if (!schedule_.waits_for_rest() || schedule_.is_due(now_))
+        return;
+    schedule_.notice_rest(now_, {[this](const std::string& name) { return is_moving(name); },
+                                 [this](const std::string& name) { return is_resting(name); }});
+}
+
 bool Scheduler::is_resting(const std::string& name) const {
+    if (schedule_.is_pushing(name))
+        return false;
     if (name.empty())
         return balls_.all_rest() && stepped_.all_rest();
-    for (const StepBody& body : stepped_.all()) {
-        if (!body.is_ball && body.name == name)
-            return !body.is_awake;
-    }
-    for (const Ball& ball : balls_.all()) {
-        if (ball.name == name)
-            return ball.is_still();
+    for (std::size_t i = 0; i < stepped_.all().size(); ++i) {
+        if (stepped_.all()[i].name == name)
+            return i < balls_.all().size() ? balls_.all()[i].is_still()
+                                           : !stepped_.all()[i].is_awake;
     }
     return true;  // fixed bodies
+}
+
+bool Scheduler::is_moving(const std::string& name) const {
+    const std::vector<StepBody>& bodies = stepped_.all();
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const bool is_named = name.empty() || bodies[i].name == name;
+        if (is_named &&
+            (i < balls_.all().size() ? balls_.all()[i].has_left() : bodies[i].has_left()))
+            return true;
+    }
+    return false;
 }
 
 void Scheduler::measure_energy() {
@@ -293,6 +313,7 @@ void Scheduler::conclude() {
         recording_.warn(std::move(sentence), event);
     for (auto& [sentence, event] : schedule_.unmet_triggers())
         recording_.warn(std::move(sentence), event);
+    balls_.warn_of_jammed();
     for (const std::string& sentence : guard_.messages())
         recording_.warn(sentence);
 }

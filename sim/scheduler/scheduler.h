@@ -2,6 +2,7 @@
 // touch after the other.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,8 +27,9 @@ class Scheduler {
   public:
     explicit Scheduler(const WorldDescription& world);
 
-    /// Throws Stopped when asked to stop.
-    void run(const WorkContext& context);
+    /// False if it would have taken more than `most_steps` (see bake_within); then there are no
+    /// results. Throws Stopped when asked to stop.
+    [[nodiscard]] bool run(const WorkContext& context, std::uint64_t most_steps);
 
     [[nodiscard]] Timeline take_timeline() { return recording_.take_timeline(world_.duration); }
     [[nodiscard]] std::vector<std::string> take_warnings() { return recording_.take_warnings(); }
@@ -50,6 +52,7 @@ class Scheduler {
     void begin_count();
     [[nodiscard]] Outlook outlook() const;
     void notice_events();
+    void notice_rest();
     void measure_energy();
     void add_energy();
     [[nodiscard]] bool needs_step(const Touch& touch) const;
@@ -57,6 +60,7 @@ class Scheduler {
     [[nodiscard]] bool is_valid(const Touch& touch) const;
     [[nodiscard]] double window_end_from(double now) const;
     [[nodiscard]] bool is_resting(const std::string& name) const;
+    [[nodiscard]] bool is_moving(const std::string& name) const;
 
     ode::ThreadGuard guard_;
     const WorldDescription& world_;
@@ -75,6 +79,7 @@ class Scheduler {
     double next_energy_time_ = 0;
     std::size_t noticed_events_ = 0;
     std::size_t touches_in_window_ = 0;
+    std::uint64_t steps_ = 0;   // as bake_within counts them
     std::uint32_t round_ = 0;   // counts the windows
     bool is_capped_ = false;    // for the rest of this window
     bool was_stepping_ = true;  // in the last window, or there was none

@@ -53,6 +53,7 @@ StepBody solid_body(const Body& from, const SolidShape& solid, std::size_t track
     body.state = {from.pose.position, from.pose.orientation * solid.principal, from.velocity,
                   from.angular_velocity};
     body.is_in = body.is_awake = true;
+    body.rested_at = {body.state.position, body.state.orientation};
     return body;
 }
 
@@ -77,6 +78,14 @@ Aabb StepBody::bounds() const {
 
 double StepBody::farthest_speed() const {
     return length(state.velocity) + reach() * length(state.angular_velocity);
+}
+
+bool StepBody::has_left() const {
+    if (!is_awake || is_kinematic())
+        return is_awake;
+    const Quat turn = state.orientation * rested_at.orientation.inverse();
+    const double moved = length(state.position - rested_at.position);
+    return moved + 2 * reach() * length(turn.v) > kLeastMove;
 }
 
 Vec3 StepBody::velocity_at(const Vec3& point) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,6 +32,9 @@ struct StepBody {
     MotionState state;      // when it is in: at the end of the last step, along principal axes
     ConvexMotion motion;    // of what is no ball during the step being tried
     double slow_since = 0;  // scene time since when it has hardly moved
+    double least_speed = std::numeric_limits<double>::infinity();  // of its farthest point since
+                                                                   // then, m/s
+    Pose rested_at;  // of what is not a ball: where it last rested, or at the start
     std::shared_ptr<const KinematicPath> path;  // of a kinematic body
     int free_steps = 0;  // of a ball: steps since it last touched more than the ground
 
@@ -47,6 +51,13 @@ struct StepBody {
     [[nodiscard]] Aabb bounds() const;
     /// A bound for the speed of any of its points, m/s.
     [[nodiscard]] double farthest_speed() const;
+    /// Its time of hardly moving begins anew.
+    void begin_rest(double time) {
+        slow_since = time;
+        least_speed = std::numeric_limits<double>::infinity();
+    }
+    /// It moves, and unless keys move it, it has moved visibly since it last rested. Not of a ball.
+    [[nodiscard]] bool has_left() const;
     [[nodiscard]] Vec3 velocity_at(const Vec3& point) const;
     [[nodiscard]] double kinetic_energy() const;
     /// Seen from what moves with `frame`, which may turn, too.

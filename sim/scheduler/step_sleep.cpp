@@ -1,5 +1,6 @@
 #include "sim/scheduler/step_sleep.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace carom::sim {
@@ -9,6 +10,8 @@ namespace {
 constexpr double kSleepSpeed = 0.01;
 constexpr double kBallSleepDelay = 0.1;
 constexpr double kBoxSleepDelay = 0.12;
+/// What has become faster than it was by more than this (m/s) in the meantime is about to move.
+constexpr double kRisingSpeed = 5e-4;
 /// A sleeper wakes when something comes against it faster than this (m/s).
 constexpr double kWakeSpeed = 0.01;
 
@@ -20,7 +23,7 @@ double length(const Vec3& v) {
 
 void StepSleep::wake(StepBody& body, double time) {
     body.is_awake = true;
-    body.slow_since = time;
+    body.begin_rest(time);
     body.free_steps = 0;
     recording_.keep(body.track, time, body.seen(body.state));
     if (body.is_ball)
@@ -59,25 +62,51 @@ bool StepSleep::wake_by_touch(const std::vector<FoundContact>& contacts, double 
     return is_changed;
 }
 
-bool StepSleep::is_tired(StepBody& body, const std::vector<FoundContact>& contacts,
-                         double time) const {
-    const int me = static_cast<int>(&body - bodies_.data());
+bool StepSleep::is_slow(const StepBody& body, int number, const SolvedContacts& solved) const {
     bool has_contact = false;
     bool is_slow = body.farthest_speed() < kSleepSpeed;
-    for (const FoundContact& found : contacts) {
-        if (found.contact.first != me && found.other != me)
+    for (const FoundContact& found : solved.contacts) {
+        if (found.contact.first != number && found.other != number)
             continue;
         has_contact = true;
-        const int partner = found.contact.first == me ? found.other : found.contact.first;
+        const int partner = found.contact.first == number ? found.other : found.contact.first;
         if (partner < 0)
             continue;
         const StepBody& other = bodies_[static_cast<std::size_t>(partner)];
         const bool is_moved = other.is_kinematic() && other.is_awake;
         is_slow = is_slow && !is_moved && other.farthest_speed() < kSleepSpeed;
     }
-    if (!is_slow || !has_contact)
-        body.slow_since = time;
-    return time - body.slow_since > (body.is_ball ? kBallSleepDelay : kBoxSleepDelay);
+    return is_slow && has_contact;
+}
+
+/// The body and all that it touches have stable support.
+bool StepSleep::is_held_up(const StepBody& body, int number, const SolvedContacts& solved) const {
+    if (!is_stably_supported(body, number, solved, gravity_))
+        return false;
+    return std::all_of(
+        solved.contacts.begin(), solved.contacts.end(), [&](const FoundContact& found) {
+            if (found.contact.first != number && found.other != number)
+                return true;
+            const int partner = found.contact.first == number ? found.other : found.contact.first;
+            if (partner < 0)
+                return true;
+            const StepBody& other = bodies_[static_cast<std::size_t>(partner)];
+            return !other.is_awake || other.is_kinematic() ||
+                   is_stably_supported(other, partner, solved, gravity_);
+        });
+}
+
+bool StepSleep::is_tired(StepBody& body, const SolvedContacts& solved, double time) const {
+    const int number = static_cast<int>(&body - bodies_.data());
+    const double speed = body.farthest_speed();
+    if (!is_slow(body, number, solved))
+        body.begin_rest(time);
+    body.least_speed = std::min(body.least_speed, speed);
+    const double rested = time - body.slow_since;
+    if (rested <= (body.is_ball ? kBallSleepDelay : kBoxSleepDelay))
+        return false;
+    const bool is_rising = speed > body.least_speed + kRisingSpeed;
+    return (!is_rising && is_held_up(body, number, solved)) || rested > time_to_tip(body, gravity_);
 }
 
 }  // namespace carom::sim

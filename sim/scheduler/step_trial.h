@@ -7,6 +7,7 @@
 #include "sim/scheduler/contact_finder.h"
 #include "sim/scheduler/step_body.h"
 #include "sim/scheduler/step_bounces.h"
+#include "sim/scheduler/support.h"
 
 namespace carom::sim {
 
@@ -28,6 +29,7 @@ class StepTrial {
     [[nodiscard]] double end() const { return end_; }
     /// What touches half-way and stays in touch.
     [[nodiscard]] const std::vector<FoundContact>& contacts() const { return contacts_; }
+    [[nodiscard]] SolvedContacts solved() const { return {contacts_, impulses_, end_ - start_}; }
     /// The numbers of the moving bodies, and in the same order what the step does to them.
     [[nodiscard]] const std::vector<int>& moving() const { return moving_; }
     [[nodiscard]] const std::vector<ode::StepMotion>& motions() const { return motions_; }

@@ -18,7 +18,7 @@ SteppedBodies::SteppedBodies(const WorldDescription& world, const Surroundings& 
       recording_(recording),
       finder_(around),
       bodies_(make_step_bodies(world, balls.all())),
-      sleep_(bodies_, balls, recording),
+      sleep_(bodies_, balls, recording, around.gravity),
       bounces_(bodies_, sleep_, finder_, world_, balls, recording),
       trial_(world_, finder_, bounces_, around.gravity, bodies_) {
     for (const StepBody& body : bodies_)
@@ -30,7 +30,7 @@ void SteppedBodies::start(double time) {
         if (body.is_ball)
             continue;
         body.motion = {body.shape.get(), time, body.state};
-        body.slow_since = time;
+        body.begin_rest(time);
         if (!body.is_kinematic())
             recording_.keep(body.track, time, body.seen(body.state));
     }
@@ -73,7 +73,7 @@ void SteppedBodies::adopt_balls(double time) {
         if (body.is_in)
             body.state = ball.stretch.state_at(time);
         if (is_new) {
-            body.slow_since = time;
+            body.begin_rest(time);
             body.free_steps = 0;
         }
     }
@@ -140,8 +140,9 @@ void SteppedBodies::stay(double time) {
 }
 
 void SteppedBodies::settle_box(StepBody& body, double end) {
-    if (sleep_.is_tired(body, trial_.contacts(), end)) {
+    if (sleep_.is_tired(body, trial_.solved(), end)) {
         body.is_awake = false;
+        body.rested_at = {body.state.position, body.state.orientation};
         recording_.add(body.track, end, body.seen(body.state));
         body.state.velocity = body.state.angular_velocity = {0, 0, 0};
         recording_.keep(body.track, end, body.seen(body.state));
@@ -172,7 +173,7 @@ Ground SteppedBodies::ground_under(const StepBody& ball, bool& touches_other) co
 
 void SteppedBodies::settle_ball(StepBody& body, double end) {
     const auto number = static_cast<std::uint32_t>(&body - bodies_.data());
-    const bool is_tired = sleep_.is_tired(body, trial_.contacts(), end);
+    const bool is_tired = sleep_.is_tired(body, trial_.solved(), end);
     bool touches_other = false;
     const Ground ground = ground_under(body, touches_other);
     MotionState& state = body.state;
@@ -212,7 +213,7 @@ void SteppedBodies::change_box(std::uint32_t number, double time, const Vec3& ve
     body.motion = {body.shape.get(), time, body.state};
     if (!body.is_awake)
         sleep_.wake(body, time);
-    body.slow_since = time;
+    body.begin_rest(time);
 }
 
 void SteppedBodies::add_energy(EnergySample& sample) const {

@@ -1,4 +1,5 @@
 // Force events and triggers.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -65,6 +66,71 @@ TEST(Force_PushingARollingBall, AcceleratesItByFiveSevenths) {
     world.events = {event_on("cue", 0, Force{{newtons, 0, 0}, 1, {0, 0, 0}, Axes::world})};
     const double expected = 5.0 / 7 * newtons / kMass;
     EXPECT_NEAR(state_at(bake(world).timeline, "cue", 1).velocity.x, expected, 1e-3 * expected);
+}
+
+std::vector<EventKind> kinds_of(const Timeline& timeline, const std::string& object) {
+    std::vector<EventKind> kinds;
+    for (const Event& event : timeline.events) {
+        if (event.a == object)
+            kinds.push_back(event.kind);
+    }
+    return kinds;
+}
+
+/// Behind each of the four hundred impulses the ball slides for a moment and rolls again.
+TEST(Force_OnARollingBall, LeavesItRollingInTheLog) {
+    WorldDescription world = cloth_world(3);
+    world.bodies = {ball("cue", 0, 0), ball("one", 0, 1, {1, 0, 0})};
+    world.events = {event_on("cue", 0.5, Force{{0.5, 0, 0}, 0.2, {0, 0, 0}, Axes::world}),
+                    event_on("one", 1, Torque{{0, 0.01, 0}, 0.2, Axes::world})};
+    const Timeline timeline = bake(world).timeline;
+    EXPECT_EQ(kinds_of(timeline, "cue"),
+              (std::vector<EventKind>{EventKind::force, EventKind::rolling}));
+    EXPECT_EQ(kinds_of(timeline, "one"),
+              (std::vector<EventKind>{EventKind::rolling, EventKind::torque}));
+}
+
+TEST(Force_ThatIsStrong, MakesTheBallSlideUntilItEnds) {
+    WorldDescription world = cloth_world(2);
+    world.bodies = {ball("cue", 0, 0)};
+    world.events = {event_on("cue", 0.5, Force{{10, 0, 0}, 0.1, {0, 0, 0}, Axes::world})};
+    const Timeline timeline = bake(world).timeline;
+    EXPECT_EQ(kinds_of(timeline, "cue"),
+              (std::vector<EventKind>{EventKind::force, EventKind::sliding, EventKind::rolling}));
+    EXPECT_GT(find_event(timeline, EventKind::rolling, "cue")->time, 0.6);
+}
+
+/// A slab of 0.1 m with a ball on it.
+WorldDescription ball_on_a_slab() {
+    WorldDescription world = cloth_world(3);
+    Body slab;
+    slab.name = "slab";
+    slab.shape = Box{{1, 0.4, 0.1}};
+    slab.material = "wood";
+    slab.kind = BodyKind::fixed;
+    slab.pose.position = {0, 0, 0.05};
+    world.bodies = {slab, ball("cue", 0.2, 0)};
+    world.bodies[1].pose.position.z = 0.1 + kRadius;
+    return world;
+}
+
+TEST(BallOnASolid_SetInMotion, RollsAndIsNotAirborne) {
+    WorldDescription world = ball_on_a_slab();
+    SetVelocity roll;
+    roll.linear = Vec3(-0.1, 0, 0);
+    world.events = {event_on("cue", 0.5, roll),
+                    event_on("cue", 1, Force{{0.05, 0, 0}, 0.2, {0, 0, 0}, Axes::world})};
+    EXPECT_EQ(kinds_of(bake(world).timeline, "cue"),
+              (std::vector<EventKind>{EventKind::resting, EventKind::velocity, EventKind::force}));
+}
+
+TEST(BallOnASolid_ThrownUp, IsAirborne) {
+    WorldDescription world = ball_on_a_slab();
+    SetVelocity jump;
+    jump.linear = Vec3(0, 0, 1);
+    world.events = {event_on("cue", 0.5, jump)};
+    const std::vector<EventKind> kinds = kinds_of(bake(world).timeline, "cue");
+    EXPECT_EQ(std::count(kinds.begin(), kinds.end(), EventKind::airborne), 1);
 }
 
 TEST(Torque_AboutTheVertical, SpinsTheBall) {
@@ -154,15 +220,6 @@ TEST(Trigger_AllResting, FiresWhenTheLastBallStops) {
     EXPECT_EQ(impulse->time, resting->time);
 }
 
-TEST(Trigger_RestingFromTheStart, FiresAtItsOwnTime) {
-    WorldDescription world = cloth_world(1);
-    world.bodies = {ball("cue", 0, 0)};
-    ForceEvent event = event_on("cue", 0.4, Impulse{{0.01, 0, 0}, {0, 0, 0}, Axes::world});
-    event.trigger = Trigger{Trigger::Kind::resting, "cue", ""};
-    world.events = {event};
-    EXPECT_NEAR(find_event(bake(world).timeline, EventKind::impulse, "cue")->time, 0.4, 1e-12);
-}
-
 TEST(Trigger_ThatNeverHappens, IsWarnedOf) {
     WorldDescription world = cloth_world(0.5);
     world.bodies = {ball("cue", 0, 0), ball("one", 1, 0)};
@@ -182,6 +239,18 @@ TEST(Bake_StoppedBeforeItBegins, ThrowsStopped) {
     WorkContext context;
     context.stop = source.get_token();
     EXPECT_THROW((void)bake(world, context), Stopped);
+}
+
+TEST(BakeWithin_ANumberOfSteps, GivesTheSameBakeOrNone) {
+    WorldDescription world = nine_ball_world(2);
+    world.events = {strike_towards("cue", "one", 6)};
+    std::uint64_t most = 1;
+    while (!bake_within(most, world))
+        most *= 2;
+    EXPECT_GT(most, 100U);  // touches alone
+    EXPECT_EQ(bake_within(most, world)->timeline.events, bake(world).timeline.events);
+    EXPECT_FALSE(bake_within(most / 2, world));
+    EXPECT_FALSE(bake_within(0, world));
 }
 
 TEST(Bake_Progress, RisesToOne) {

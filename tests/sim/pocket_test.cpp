@@ -151,5 +151,30 @@ TEST(Ball_RollingAlongTheCushion, PassesTheSidePocketOrFallsIn) {
     EXPECT_GT(state_at(result.timeline, "one", 0.4).position.x, -0.2);
 }
 
+/// A pocket holds a few balls. Those above them are not potted, and that is said.
+TEST(Pocket_ThatIsFull, IsWarnedOf) {
+    const Table& table = kTables[0];
+    WorldDescription world;
+    world.duration = 6;
+    world.table = billiards::standard_table(table.kind, table.size);
+    const auto pocket = billiards::build_table(*world.table, table.radius).pockets.at(0);
+    for (int i = 0; i < 6; ++i) {
+        world.bodies.push_back(ball("b" + std::to_string(i), pocket.centre.x, pocket.centre.y));
+        world.bodies.back().pose.position.z = 0.05 + 0.0575 * i;
+    }
+    const BakeResult result = bake(world);
+    std::vector<std::string> expected;
+    for (const Body& body : world.bodies) {
+        const Vec3 end = state_at(result.timeline, body.name, 6).position;
+        const bool is_potted = find_event(result.timeline, EventKind::potted, body.name) != nullptr;
+        if (!is_potted && (Vec2(end.x, end.y) - pocket.centre).length() < pocket.radius)
+            expected.push_back("'" + body.name +
+                               "' is not potted: it rests in the mouth of pocket '" + pocket.name +
+                               "' on the balls that fell in before");
+    }
+    EXPECT_FALSE(expected.empty());
+    EXPECT_EQ(result.warnings, expected);
+}
+
 }  // namespace
 }  // namespace carom::sim::test

@@ -1,0 +1,124 @@
+#include "sim/scheduler/lasting_states.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "sim/scheduler/force_schedule.h"
+
+namespace carom::sim {
+namespace {
+
+bool is_state(EventKind kind) {
+    switch (kind) {
+        case EventKind::sliding:
+        case EventKind::rolling:
+        case EventKind::spinning:
+        case EventKind::resting:
+        case EventKind::airborne:
+            return true;
+        default:
+            return false;
+    }
+}
+
+/// One force or torque, and when its impulses come.
+class ImpulseTrain {
+  public:
+    explicit ImpulseTrain(const Event& event)
+        : start_(event.time),
+          duration_(event.end_time - event.time),
+          count_(kick_count(duration_)) {}
+
+    /// A state may begin between the first impulse and one interval behind the last one.
+    [[nodiscard]] bool holds(double time) const {
+        return time >= start_ && time < start_ + duration_ + interval();
+    }
+    /// A state from `begin` to `end` is over before the next impulse comes.
+    [[nodiscard]] bool has_passed(double begin, double end) const {
+        const double number = std::floor((begin - start_) / interval() + 0.5 + kSameImpulse);
+        return end < start_ + (number + 0.5 - kSameImpulse) * interval();
+    }
+
+  private:
+    /// Times that differ by less than this part of an interval are the same.
+    static constexpr double kSameImpulse = 1e-6;
+
+    [[nodiscard]] double interval() const { return duration_ / count_; }
+
+    double start_, duration_;
+    int count_;
+};
+
+using Trains = std::map<std::string, std::vector<ImpulseTrain>>;
+
+Trains trains_of(const std::vector<Event>& events) {
+    Trains trains;
+    for (const Event& event : events) {
+        if (event.kind == EventKind::force || event.kind == EventKind::torque)
+            trains[event.a].emplace_back(event);
+    }
+    return trains;
+}
+
+/// The train that acts on the object of this event, or nullptr.
+const ImpulseTrain* train_at(const Trains& trains, const Event& event) {
+    const auto found = trains.find(event.a);
+    if (found == trains.end())
+        return nullptr;
+    const auto train = std::find_if(found->second.begin(), found->second.end(),
+                                    [&](const ImpulseTrain& t) { return t.holds(event.time); });
+    return train == found->second.end() ? nullptr : &*train;
+}
+
+/// Marks the states of one ball that do not last.
+void mark_passing(const std::vector<Event>& events, const Trains& trains,
+                  std::vector<char>& is_dropped) {
+    std::map<std::string, std::size_t> next;  // the state that each ball has next
+    for (std::size_t i = events.size(); i-- > 0;) {
+        if (!is_state(events[i].kind))
+            continue;
+        const auto after = next.find(events[i].a);
+        const ImpulseTrain* train = train_at(trains, events[i]);
+        is_dropped[i] = train != nullptr && after != next.end() &&
+                        train->has_passed(events[i].time, events[after->second].time);
+        next[events[i].a] = i;
+    }
+}
+
+/// Marks the states during a force that only repeat the one that is kept before them.
+void mark_repeated(const std::vector<Event>& events, const Trains& trains,
+                   std::vector<char>& is_dropped) {
+    std::map<std::string, EventKind> state;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        if (!is_state(events[i].kind) || is_dropped[i] != 0)
+            continue;
+        const auto before = state.find(events[i].a);
+        is_dropped[i] = before != state.end() && before->second == events[i].kind &&
+                        train_at(trains, events[i]) != nullptr;
+        state[events[i].a] = events[i].kind;
+    }
+}
+
+}  // namespace
+
+void keep_lasting_states(std::vector<Event>& events) {
+    const Trains trains = trains_of(events);
+    if (trains.empty())
+        return;
+    std::vector<char> is_dropped(events.size(), 0);
+    mark_passing(events, trains, is_dropped);
+    mark_repeated(events, trains, is_dropped);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        if (is_dropped[i] == 0) {
+            if (kept != i)
+                events[kept] = std::move(events[i]);
+            ++kept;
+        }
+    }
+    events.resize(kept);
+}
+
+}  // namespace carom::sim

@@ -1,0 +1,143 @@
+#include "sim/scheduler/support.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/spatial/axes.h"
+
+namespace carom::sim {
+namespace {
+
+/// A contact pushes a body up, or sideways, if its normal sinks by less than this sine; else
+/// something lies on the body there.
+constexpr double kLoadSlope = 0.05;
+/// A weight this far (m) beside the only point or line below it is straight above it.
+constexpr double kBesideLine = 1e-6;
+/// The axis of what lies on its side rises by less than this sine.
+constexpr double kLevelAxis = 0.01;
+
+double length(const Vec3& v) {
+    return std::sqrt(v.dot(v));
+}
+
+double cross(const Vec2& a, const Vec2& b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+/// Seen along `up`.
+class GroundPlan {
+  public:
+    explicit GroundPlan(const Vec3& up) {
+        const Vec3 other = std::abs(up.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+        right_ = up.cross(other);
+        right_ /= length(right_);
+        forward_ = up.cross(right_);
+    }
+    [[nodiscard]] Vec2 operator()(const Vec3& p) const { return {p.dot(right_), p.dot(forward_)}; }
+
+  private:
+    Vec3 right_, forward_;
+};
+
+/// Corners of the convex hull counter-clockwise (Andrew, Another efficient algorithm for convex
+/// hulls in two dimensions, Inf. Process. Lett. 9, 1979). One or two corners where all points lie
+/// in a point or a line.
+std::vector<Vec2> hull_of(std::vector<Vec2> points) {
+    if (points.size() < 2)
+        return points;
+    std::sort(points.begin(), points.end(),
+              [](const Vec2& a, const Vec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    std::vector<Vec2> hull;
+    for (const bool is_lower : {true, false}) {
+        const std::size_t start = hull.size();
+        for (const Vec2& point : points) {
+            while (hull.size() >= start + 2 &&
+                   cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0)
+                hull.pop_back();
+            hull.push_back(point);
+        }
+        hull.pop_back();  // it begins the other half
+        if (is_lower)
+            std::reverse(points.begin(), points.end());
+    }
+    return hull;
+}
+
+double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+    const Vec2 along = b - a;
+    const double square = along.dot(along);
+    const double share = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0;
+    return (p - a - along * share).length();
+}
+
+double distance_to_outline(const Vec2& p, const std::vector<Vec2>& hull) {
+    double least = (p - hull.front()).length();
+    for (std::size_t i = 0; i < hull.size(); ++i)
+        least = std::min(least, distance_to_segment(p, hull[i], hull[(i + 1) % hull.size()]));
+    return least;
+}
+
+bool is_inside(const Vec2& p, const std::vector<Vec2>& hull) {
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const Vec2& corner = hull[i];
+        if (cross(hull[(i + 1) % hull.size()] - corner, p - corner) <= 0)
+            return false;
+    }
+    return hull.size() >= 3;
+}
+
+/// It may roll without rising or sinking.
+bool is_round_below(const StepBody& body, const Vec3& up) {
+    if (body.is_ball)
+        return true;
+    const ConvexShape::Kind kind = body.shape->kind();
+    if (kind != ConvexShape::Kind::capsule && kind != ConvexShape::Kind::cylinder)
+        return false;
+    return std::abs(to_world(body.state.orientation, Vec3(0, 0, 1)).dot(up)) < kLevelAxis;
+}
+
+}  // namespace
+
+bool is_stably_supported(const StepBody& body, int number, const SolvedContacts& solved,
+                         const Vec3& gravity) {
+    const double strength = length(gravity);
+    if (strength == 0)
+        return true;
+    const Vec3 up = gravity * (-1 / strength);
+    const GroundPlan plan(up);
+    const Vec2 centre = plan(body.state.position);
+    double weight = body.mass * strength * solved.duration;  // all as impulses during the step
+    Vec2 moment = centre * weight;
+    double lever = 0;
+    bool is_carried = false;
+    std::vector<Vec2> points;
+    for (std::size_t i = 0; i < solved.contacts.size(); ++i) {
+        const ode::StepContact& contact = solved.contacts[i].contact;
+        if (contact.first != number && solved.contacts[i].other != number)
+            continue;
+        points.push_back(plan(contact.point));
+        const double rise = contact.normal.dot(up) * (contact.first == number ? 1 : -1);
+        if (rise > -kLoadSlope) {
+            is_carried = true;
+            lever = std::max(lever, contact.rolling_lever);
+        } else {
+            const double load = -rise * std::max(solved.impulses[i].normal, 0.0);
+            weight += load;
+            moment += plan(contact.point) * load;
+        }
+    }
+    if (!is_carried)
+        return false;
+    const std::vector<Vec2> hull = hull_of(points);
+    if (is_inside(centre, hull) || is_inside(moment / weight, hull))
+        return true;
+    return is_round_below(body, up) && distance_to_outline(centre, hull) <= kBesideLine + lever;
+}
+
+double time_to_tip(const StepBody& body, const Vec3& gravity) {
+    constexpr double kGrowth = 34.5;  // e^34.5 = 10^15
+    // The length of a rod of this reach is 2 reach.
+    return kGrowth * std::sqrt(4 * body.reach() / (3 * length(gravity)));
+}
+
+}  // namespace carom::sim
