@@ -83,6 +83,22 @@ double length_between(const Track& track, const Key& from, const Key& to) {
     return length;
 }
 
+/// What keys move is often fastest between two of them.
+void find_top_speed_between(const Track& track, const Key& from, const Key& to,
+                            ReportedObject& object) {
+    constexpr double kFaster = 1.001;  // than at any key: more than what rounds off a free motion
+    const double duration = to.time - from.time;
+    const int steps = std::clamp(static_cast<int>(duration * kPathRate), 4, kMostPathSteps);
+    for (int i = 1; i < steps; ++i) {
+        const double time = from.time + duration * i / steps;
+        const double speed = track.sample(time).velocity.length();
+        if (speed > kFaster * object.top_speed + kStill) {
+            object.top_speed = speed;
+            object.top_time = time;
+        }
+    }
+}
+
 void measure_motion(const Track& track, ReportedObject& object) {
     const auto keys = track.keys();
     const double start_height = keys.front().position.z;
@@ -96,20 +112,38 @@ void measure_motion(const Track& track, ReportedObject& object) {
         }
         if (i + 1 < keys.size()) {
             object.path += length_between(track, key, keys[i + 1]);
+            find_top_speed_between(track, key, keys[i + 1], object);
             const sim::Bounds bounds = track.position_bounds(key.time, keys[i + 1].time);
             object.rise = std::max(object.rise, bounds.high.z - start_height);
         }
     }
 }
 
+/// Since when an object has stood where its last key has it; the track's start if it never moved.
+double stopped_at(const Track& track) {
+    const auto keys = track.keys();
+    std::size_t i = keys.size() - 1;
+    const auto stands = [&](const Key& from, const Key& to) {
+        return from.position == to.position && from.orientation == to.orientation &&
+               from.velocity_out.length() <= kStill && to.velocity_in.length() <= kStill &&
+               from.angular_velocity_out.length() <= kStill &&
+               to.angular_velocity_in.length() <= kStill;
+    };
+    while (i > 0 && stands(keys[i - 1], keys[i])) {
+        --i;
+    }
+    return keys[i].time;
+}
+
 void tell_fate(const Timeline& timeline, const Track& track, ReportedObject& object) {
     const Key& last = track.keys().back();
+    // Behind its last key an object stands, as one that is moved by keys does when they end.
+    const bool has_stopped = last.time < timeline.end_time - kSameTime;
     object.place = last.position;
-    object.speed = last.velocity_in.length();
-    object.fate = object.speed > kStill                        ? Fate::moves
-                  : last.angular_velocity_in.length() > kStill ? Fate::spins
-                                                               : Fate::rests;
-    object.fate_time = timeline.start_time;
+    object.speed = has_stopped ? 0 : last.velocity_in.length();
+    const double spin = has_stopped ? 0 : last.angular_velocity_in.length();
+    object.fate = object.speed > kStill ? Fate::moves : spin > kStill ? Fate::spins : Fate::rests;
+    object.fate_time = std::max(timeline.start_time, stopped_at(track));
     for (const Event& event : timeline.events) {
         if (event.a != object.name && event.b != object.name) {
             continue;

@@ -104,6 +104,32 @@ TEST(ShotReport, Objects_HavePathSpeedAndEnd) {
     EXPECT_EQ(two.path, 0);
 }
 
+/// Keys move it at 2 m/s for a quarter of a second, and it stands from then on.
+TEST(ShotReport, KeyedObjectBehindItsLastKey_IsAtRest) {
+    sim::Timeline timeline = cut_shot();
+    timeline.tracks.emplace_back("pusher",
+                                 std::vector<Key>{key(0.5, {0, 0, 0}, {0, 0, 0}, {2, 0, 0}),
+                                                  key(0.75, {0.5, 0, 0}, {2, 0, 0}, {0, 0, 0})});
+    const ReportedObject& pusher = report_of(timeline).objects.back();
+    EXPECT_EQ(pusher.fate, Fate::rests);
+    EXPECT_EQ(pusher.fate_time, 0.75);
+    EXPECT_EQ(pusher.speed, 0);
+    EXPECT_THAT(report_text(report_of(timeline)), HasSubstr("at rest since 0.750 s"));
+}
+
+/// It starts and stops gently: fastest half-way, at 1.5 times its mean speed.
+TEST(ShotReport, KeyedObject_HasItsTopSpeedBetweenTwoKeys) {
+    sim::Timeline timeline = cut_shot();
+    timeline.tracks.emplace_back("lift",
+                                 std::vector<Key>{key(0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}),
+                                                  key(1, {0, 0, 0.4}, {0, 0, 0}, {0, 0, 0}),
+                                                  key(2, {0, 0, 0.4}, {0, 0, 0}, {0, 0, 0})});
+    const ReportedObject& lift = report_of(timeline).objects.back();
+    EXPECT_NEAR(lift.top_speed, 0.6, 1e-3);
+    EXPECT_NEAR(lift.top_time, 0.5, 0.02);
+    EXPECT_EQ(lift.fate_time, 1);
+}
+
 TEST(ShotReport, Energy_IsGivenAfterForceEvents) {
     const ShotReport report = report_of(cut_shot());
     ASSERT_EQ(report.energy.size(), 3U + 9U);  // every 0.2 s between the ends
