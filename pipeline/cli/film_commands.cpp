@@ -70,6 +70,16 @@ std::size_t sampled_lights(const Shot& shot) {
         }));
 }
 
+/// "81 frames, 12 of them". The frames of a cross-fade are mixed from two pictures each: where
+/// there are more pictures than frames, those are what is counted.
+std::string counts_text(const pipeline::FilmJobResult& result) {
+    const std::string frames = std::to_string(result.frames) + " frames";
+    const std::string made_of = result.pictures > result.frames
+                                    ? " made of " + std::to_string(result.pictures) + " pictures"
+                                    : std::string();
+    return frames + made_of + ", " + std::to_string(result.rendered) + " of them";
+}
+
 /// The distributed integrator's rays by kind, of what was rendered now.
 void tell_rays(const Shot& shot, const render::RenderStatistics& count, Console& console) {
     if (shot.render.integrator != render::IntegratorKind::distributed || count.camera_rays == 0) {
@@ -167,8 +177,7 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
         input.shot, bake, options, talk_about_job(context.console, frames), context.stop);
     context.console.end_progress();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    context.console.info(std::to_string(result.frames) + " frames, " +
-                         std::to_string(result.rendered) + " of them rendered now, in " +
+    context.console.info(counts_text(result) + " rendered now, in " +
                          duration_text(elapsed.count()));
     tell_rays(input.shot, result.counts, context.console);
     if (makes_film) {

@@ -40,7 +40,9 @@ struct FilmJobOptions {
 
 struct FilmJobResult {
     std::int64_t frames = 0;
-    std::int64_t rendered = 0;  // the others came from the store, or show what one of these does
+    std::int64_t pictures = 0;  // that make up the frames: a cross-fade's frame mixes two, and
+                                // frames that show the same share one
+    std::int64_t rendered = 0;  // of the pictures; the others came from the store
     render::RenderStatistics counts{};  // the rays of those rendered
 };
 

@@ -151,7 +151,8 @@ FilmJobResult make_film_with(const RenderFunction& render, const Shot& shot,
         failure ? std::rethrow_exception(failure) : throw Stopped();
     }
     keeper.prune();
-    return {static_cast<std::int64_t>(frames.size()), supply.rendered(), supply.counts()};
+    return {static_cast<std::int64_t>(frames.size()),
+            static_cast<std::int64_t>(plan.pictures.size()), supply.rendered(), supply.counts()};
 }
 
 render::Film make_frame_with(const RenderFunction& render, const Shot& shot,

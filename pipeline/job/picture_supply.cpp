@@ -47,7 +47,10 @@ bool PictureSupply::try_make(std::size_t picture, const std::stop_token& stop) {
     if (made.origin == PictureOrigin::held) {
         return false;
     }
-    rendered_ += made.origin == PictureOrigin::rendered ? 1 : 0;
+    if (made.origin == PictureOrigin::rendered && !is_rendered_[picture]) {
+        is_rendered_[picture] = true;
+        ++rendered_;
+    }
     counts_ += made.counts;
     report(picture, made);
     board_.mark_ready(picture);

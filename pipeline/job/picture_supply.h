@@ -26,12 +26,14 @@ class PictureSupply {
           observer_(observer),
           keeper_(keeper),
           is_reported_(plan.pictures.size(), false),
+          is_rendered_(plan.pictures.size(), false),
           repairs_(plan.pictures.size(), 0) {}
 
     /// Returns when the reader of the board is done. Throws Error, Stopped.
     void run(const std::stop_token& stop);
 
-    /// How many pictures were rendered, not found.
+    /// How many pictures were rendered, not found. One that is rendered a second time, because what
+    /// was kept of it is damaged or gone, counts once.
     [[nodiscard]] std::int64_t rendered() const { return rendered_; }
     /// The rays of these.
     [[nodiscard]] const render::RenderStatistics& counts() const { return counts_; }
@@ -49,6 +51,7 @@ class PictureSupply {
     CacheKeeper* keeper_;
     std::deque<std::size_t> held_;  // by other processes
     std::vector<bool> is_reported_;
+    std::vector<bool> is_rendered_;
     std::vector<int> repairs_;
     std::int64_t reported_frames_ = 0;
     std::int64_t rendered_ = 0;
