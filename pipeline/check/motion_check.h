@@ -17,6 +17,11 @@ namespace carom::pipeline {
 [[nodiscard]] Problem simulation_problem(const std::string& sentence, int event,
                                          const ShotSource* source);
 
+/// Balls that leave the part of an unbounded cloth that is drawn: a warning each. `source`: as
+/// above.
+[[nodiscard]] std::vector<Problem> cloth_problems(const Shot& shot, const ShotSource* source,
+                                                  const sim::Timeline& timeline);
+
 /// Cameras inside balls, and focused on what is behind them: warnings. A frame that makes no
 /// picture is an error. Each once for a camera, with its first and last frame; of films of more
 /// than 2000 frames as many are looked at, evenly. `source`: of the shot as it was read; nullptr if

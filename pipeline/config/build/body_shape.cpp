@@ -130,9 +130,14 @@ std::optional<sim::BodyShape> body_shape(const Named<ObjectSection>& object, Bui
         return pushing_hull(object, builder);
     }
     if (object.value.physics->kind == BodyKind::dynamic) {
+        const bool is_mesh = std::holds_alternative<render::MeshShape>(shape);
+        const std::string way_out =
+            is_mesh ? "; what falls and collides is a 'box', 'sphere', 'capsule', 'cylinder' or "
+                      "'hull': a 'hull' of the mesh's outermost corners moves like it"
+                    : "";
         builder.reader.error(object.value.shape_place,
                              "a " + shape_name(shape) + " cannot move: object '" + object.name +
-                                 "' needs 'physics: fixed' or 'physics: false'");
+                                 "' needs 'physics: fixed' or 'physics: false'" + way_out);
         return std::nullopt;
     }
     if (auto still = still_mesh(shape)) {

@@ -54,6 +54,8 @@ Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
     check_references(builder);
     check_placement(builder);
     check_world(builder);
+    warn_of_places(builder);
+    warn_of_coplanar(builder);
     return std::move(builder.shot);
 }
 

@@ -51,6 +51,8 @@ void check_output(Builder& builder);  // what a film's file cannot be, what its 
 void check_poster(Builder& builder);  // after the cameras, which say how long the film is
 void check_references(Builder& builder);
 void check_placement(Builder& builder);  // overlaps, balls in cushions
+void warn_of_places(Builder& builder);   // balls far away or under the table
+void warn_of_coplanar(Builder& builder);
 void check_world(Builder& builder);      // what the simulation itself would refuse
 
 /// The balls of the rack; none after a problem.

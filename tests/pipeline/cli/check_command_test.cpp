@@ -107,6 +107,43 @@ carom: 's.yaml' has no errors, but 1 warning
     EXPECT_THAT(frame.err, HasSubstr("s.yaml:13:5: warning: camera 'seat' is focused on 'one'"));
 }
 
+TEST_F(CheckCommandRun, BallThatLeavesTheDrawnCloth_IsWarnedOf) {
+    write_text(path("s.yaml"), R"(carom: 1
+simulation: {duration: 3 s}
+table: {kind: cloth}
+balls:
+  cue: {at: [2.5, 0], velocity: [2, 0, 0]}
+  one: {at: [0, 2.5], velocity: [0.1, 0.1, 0]}
+cameras:
+  - {name: seat, video: [0 s, 0.6 s], scene: [0 s, 0.6 s], position: [0, -1, 0.8], target: [0, 0.5, 0]}
+)");
+    EXPECT_EQ(
+        said(),
+        R"(s.yaml:5:3: warning: 'cue' leaves the cloth that is drawn, 6 m square, at 0.291 s; it rolls on over nothing
+    5 |   cue: {at: [2.5, 0], velocity: [2, 0, 0]}
+      |   ^~~
+carom: 's.yaml' has no errors, but 1 warning
+)");
+}
+
+/// Steps are counted, not seconds: what is said does not depend on the machine or its load.
+TEST_F(CheckCommandRun, SimulationOfManySteps_IsLeftToBake) {
+    std::string shot = "carom: 1\nsimulation: {duration: 0.12 s}\ntable: {kind: cloth}\nobjects:\n";
+    for (int i = 0; i < 120; ++i) {
+        shot += "  d" + std::to_string(i) + ": {box: [8 mm, 25 mm, 50 mm], at: [" +
+                std::to_string(0.02 * i) + ", 0, 0.025], physics: {density: 900}}\n";
+    }
+    write_text(path("s.yaml"), shot + R"(cameras:
+  - {name: seat, video: [0 s, 0.1 s], scene: [0 s, 0.1 s], position: [0, -1, 0.8], target: [0, 0.5, 0]}
+)");
+    const std::string left_alone =
+        "carom: its motion was not looked at: simulating it takes more than 15 million steps; "
+        "after 'carom bake' the bake that it keeps is looked at\n";
+    EXPECT_EQ(said(), left_alone + "carom: 's.yaml' has no errors\n");
+    EXPECT_EQ(run({"bake", "s.yaml"}).exit_code, 0);
+    EXPECT_EQ(said(), "carom: 's.yaml' has no errors\n");
+}
+
 TEST_F(CheckCommandRun, CameraThatMakesNoPicture_IsAnError) {
     write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 3}", "[0, 0.5, 0]");
     EXPECT_EQ(
