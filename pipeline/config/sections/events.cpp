@@ -68,7 +68,11 @@ const MapSpec<Trigger>& trigger_spec() {
                 trigger.kind = Trigger::Kind::resting;
                 trigger.a = std::move(name);
             },
-            "an object, or `all`, comes to rest");
+            "an object, or `all`, comes to rest: it has moved since the start of the shot, and now "
+            "it "
+            "rests. Several events that wait for the same thing take turns in the order of the "
+            "list: "
+            "each needs a motion that begins after the event before it");
         s.set(
             "crossing", record(crossing_spec()),
             [](Trigger& trigger, Trigger crossing) { trigger = std::move(crossing); },

@@ -95,7 +95,9 @@ const MapSpec<TableSection>& table_spec() {
                                  {"carom", TableKind::carom},
                                  {"cloth", TableKind::cloth},
                                  {"custom", TableKind::custom}}),
-              "`cloth` is an unbounded cloth without cushions; `custom` needs length and width");
+              "`cloth` has no cushions and no end, and is drawn 6 m square; `custom` needs length "
+              "and "
+              "width");
         s.key("size", &TableSection::size, text("a table size such as 9 ft"),
               "pool: 7 ft, 8 ft, 9 ft; snooker: 12 ft; carom: 10 ft");
         s.key("length", &TableSection::length, length(between(0.1, 20)),

@@ -119,7 +119,7 @@ cameras:
 )");
     EXPECT_EQ(
         said(),
-        R"(s.yaml:5:3: warning: 'cue' leaves the cloth that is drawn, 6 m square, at 0.291 s; it rolls on over nothing
+        R"(s.yaml:5:3: warning: 'cue' leaves the cloth that is drawn, 6 m square, at 0.292 s; it rolls on over nothing
     5 |   cue: {at: [2.5, 0], velocity: [2, 0, 0]}
       |   ^~~
 carom: 's.yaml' has no errors, but 1 warning
