@@ -335,9 +335,9 @@ TEST(Objects, StillOnes_StandInTheWorld) {
 TEST(Objects, EveryShape_HasItsMeasures) {
     const Shot shot = load_sections(
         "objects:\n"
-        "  sail: {triangle: [[0, 0, 1], [1, 0, 1], [0, 2, 1]]}\n"
+        "  sail: {triangle: [[0, 0, 2], [1, 0, 2], [0, 2, 1]]}\n"
         "  sheet: {parallelogram: [[0, 0, 1], [1, 0, 1], [0.5, 2, 1]]}\n"
-        "  plate: {disk: 20 cm, at: [0, 0, 1]}\n"
+        "  plate: {disk: 20 cm, at: [0, 0, 1.1]}\n"
         "  can: {cylinder: {radius: 5 cm, height: 10 cm}, at: [0, 0, 1]}\n"
         "  hat: {cone: {radius: 5 cm, height: 10 cm}, at: [0, 0, 1]}\n"
         "  cup: {cone: {radius: 3 cm, top_radius: 4 cm, height: 10 cm}, at: [0, 0, 1]}\n");
