@@ -11,8 +11,11 @@ namespace {
 /// A contact pushes a body up, or sideways, if its normal sinks by less than this sine; else
 /// something lies on the body there.
 constexpr double kLoadSlope = 0.05;
-/// A weight this far (m) beside the only point or line below it is straight above it.
-constexpr double kBesideLine = 1e-6;
+/// A weight this far (m) beside the only point or line below it is straight above it: for what may
+/// roll there, and for what balances there. Of the latter no more than rounding is forgiven: it
+/// stands as exactly as it was put.
+constexpr double kBesideRolling = 1e-6;
+constexpr double kBesideBalanced = 1e-12;
 /// The axis of what lies on its side rises by less than this sine.
 constexpr double kLevelAxis = 0.01;
 
@@ -131,7 +134,8 @@ bool is_stably_supported(const StepBody& body, int number, const SolvedContacts&
     const std::vector<Vec2> hull = hull_of(points);
     if (is_inside(centre, hull) || is_inside(moment / weight, hull))
         return true;
-    return is_round_below(body, up) && distance_to_outline(centre, hull) <= kBesideLine + lever;
+    const double beside = distance_to_outline(centre, hull);
+    return beside <= (is_round_below(body, up) ? kBesideRolling + lever : kBesideBalanced);
 }
 
 double time_to_tip(const StepBody& body, const Vec3& gravity) {

@@ -15,6 +15,7 @@ using carom::testing::EndToEnd;
 using carom::testing::run_carom;
 using carom::testing::RunningProgram;
 using carom::testing::RunResult;
+using carom::testing::write_text;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -65,6 +66,23 @@ TEST_F(FilmCommands, SecondRender_TakesBakeAndFramesThatAreThere) {
     EXPECT_THAT(again.err, HasSubstr("using the bake that was kept"));
     EXPECT_THAT(again.err, HasSubstr("6 frames, 0 of them rendered now"));
     EXPECT_EQ(text_of("a.mp4"), text_of("b.mp4"));
+}
+
+/// In a cross-fade each frame is mixed from two pictures.
+TEST_F(FilmCommands, FilmWithACrossFade_CountsPicturesBesideFrames) {
+    write_text(path("fade.yaml"), R"(carom: 1
+table: {kind: cloth}
+simulation: {duration: 1 s}
+balls: {cue: {at: [0, 0], velocity: [1, 0, 0]}}
+cameras:
+  - {name: a, video: [0 s, 0.6 s], scene: [0 s, 0.6 s], position: [-2, 0, 1], target: [0, 0, 0]}
+  - {name: b, video: [0.3 s, 1 s], scene: [0.3 s, 1 s], position: [2, 0, 1], target: [0, 0, 0], fade: 0.3 s}
+render: {size: [16, 16], fps: 10, samples: 1}
+)");
+    EXPECT_THAT(run({"render", "fade.yaml"}).err,
+                HasSubstr("carom: 10 frames made of 12 pictures, 12 of them rendered now, in "));
+    EXPECT_THAT(run({"render", "fade.yaml"}).err,
+                HasSubstr("carom: 10 frames made of 12 pictures, 0 of them rendered now, in "));
 }
 
 TEST_F(FilmCommands, Quiet_SaysNothingButTheResult) {

@@ -85,6 +85,19 @@ TEST(FadeFilm, Frames_GoFromOneCameraToTheOther) {
     }
 }
 
+/// The camera moves, so that every picture is another one.
+TEST(FadeFilm, Pictures_AreCountedBesideTheFrames) {
+    FadeJob job;
+    for (CameraRig& rig : job.shot.cameras) {
+        rig.position = BezierPath{{{{1, -0.8, 0.3}, "", 0}, {{3, -0.8, 0.3}, "", 0}}};
+    }
+    const FilmJobResult result = job.film("f.mkv");
+    EXPECT_EQ(result.frames, 12);
+    EXPECT_GT(result.pictures, 12);
+    EXPECT_EQ(result.rendered, result.pictures);
+    EXPECT_EQ(job.film("f.mkv").pictures, result.pictures);
+}
+
 TEST(FadeFilm, SingleFrame_IsTheOneOfTheFilm) {
     FadeJob job;
     const render::Film film =
