@@ -88,8 +88,9 @@ TEST(FadeFilm, Frames_GoFromOneCameraToTheOther) {
 /// The camera moves, so that every picture is another one.
 TEST(FadeFilm, Pictures_AreCountedBesideTheFrames) {
     FadeJob job;
-    for (CameraRig& rig : job.shot.cameras) {
-        rig.position = BezierPath{{{{1, -0.8, 0.3}, "", 0}, {{3, -0.8, 0.3}, "", 0}}};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double y = i == 0 ? -0.8 : -0.9;
+        job.shot.cameras[i].position = BezierPath{{{{1, y, 0.3}, "", 0}, {{3, y, 0.3}, "", 0}}};
     }
     const FilmJobResult result = job.film("f.mkv");
     EXPECT_EQ(result.frames, 12);
