@@ -1,5 +1,7 @@
 #include "render/frame/sample_queue.h"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include "sim/timeline/assert.h"
@@ -12,10 +14,10 @@ SampleQueue::SampleQueue(const Setting& setting, std::stop_token stop, RenderSta
       count_(count),
       workspace_(setting.integrator.make_workspace()),
       batch_(std::make_unique<CameraBatch>()),
-      results_(setting.size) {
-    CAROM_ASSERT(setting.size <= CameraBatch::kMost);
-    tasks_.reserve(setting.size);
-    pixels_.reserve(setting.size);
+      results_(kSize) {
+    CAROM_ASSERT(setting.traced_at_once > 0);
+    tasks_.reserve(kSize);
+    pixels_.reserve(kSize);
 }
 
 void SampleQueue::ask(const SampleStream& stream, const SampleIndex& index, PixelSums& sums,
@@ -27,20 +29,34 @@ void SampleQueue::ask(const SampleStream& stream, const SampleIndex& index, Pixe
     batch_->reversed_sample[i] = static_cast<std::int32_t>(stream.reversed_sample());
     tasks_.push_back({Ray{}, stream, index});
     pixels_.push_back({&sums, group});
-    if (tasks_.size() == setting_.size) {
+    if (tasks_.size() == kSize) {
         flush();
     }
 }
 
-void SampleQueue::flush() {
-    if (!stop_.stop_requested()) {
-        batch_->count = static_cast<int>(tasks_.size());
-        make_rays(setting_.camera, setting_.fixings, *batch_);
-        for (std::size_t i = 0; i < tasks_.size(); ++i) {
-            tasks_[i].ray = batch_->ray(static_cast<int>(i));
+bool SampleQueue::trace() {
+    if (stop_.stop_requested()) {
+        return false;
+    }
+    batch_->count = static_cast<int>(tasks_.size());
+    make_rays(setting_.camera, setting_.fixings, *batch_);
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+        tasks_[i].ray = batch_->ray(static_cast<int>(i));
+    }
+    for (std::size_t from = 0; from < tasks_.size(); from += setting_.traced_at_once) {
+        if (stop_.stop_requested()) {
+            return false;
         }
-        setting_.integrator.samples(tasks_, setting_.pixel_spread, results_, workspace_.get(),
+        const std::size_t size = std::min(setting_.traced_at_once, tasks_.size() - from);
+        setting_.integrator.samples(std::span(tasks_).subspan(from, size), setting_.pixel_spread,
+                                    std::span(results_).subspan(from, size), workspace_.get(),
                                     count_);
+    }
+    return true;
+}
+
+void SampleQueue::flush() {
+    if (trace()) {
         for (std::size_t i = 0; i < tasks_.size(); ++i) {
             pixels_[i].sums->add(results_[i], pixels_[i].group);
             if (setting_.counts_objects) {

@@ -21,8 +21,8 @@ class SampleQueue {
         const ThinLensCamera& camera;
         CameraFixings fixings;
         float pixel_spread;
-        std::size_t size;     // how many samples wait at most, up to CameraBatch::kMost
-        bool counts_objects;  // that samples have met
+        std::size_t traced_at_once;  // samples between two looks whether to stop
+        bool counts_objects;         // that samples have met
     };
     SampleQueue(const Setting& setting, std::stop_token stop, RenderStatistics& count);
 
@@ -33,6 +33,13 @@ class SampleQueue {
     void flush();
 
   private:
+    /// How many samples wait at most. Camera rays are made for all of them together, even if the
+    /// integrator takes one at a time: a vector of lanes costs the same for one ray as for all.
+    static constexpr std::size_t kSize = CameraBatch::kMost;
+
+    /// Whether all of `results_` was filled before a stop was requested.
+    [[nodiscard]] bool trace();
+
     struct Pixel {
         PixelSums* sums;
         int group;

@@ -13,8 +13,8 @@
 namespace carom::render {
 namespace {
 
-// Samples that are traced together, between looks whether to stop; one of the distributed
-// integrator is a tree of rays.
+// Samples that are traced between two looks whether to stop; one of the distributed integrator is a
+// tree of rays.
 constexpr std::size_t kPathSamplesAtOnce = CameraBatch::kMost;
 
 PathSettings path_settings(const RenderSettings& settings) {

@@ -1,0 +1,68 @@
+// Camera rays are made in vectors, whatever the integrator takes at a time.
+#include "render/frame/sample_queue.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/render/scene_builder.h"
+
+namespace carom::render {
+namespace {
+
+/// Adds nothing but remembers what it was asked for.
+class CountingIntegrator final : public Integrator {
+  public:
+    [[nodiscard]] RadianceSample sample(const Ray& /*ray*/, float /*spread*/,
+                                        const SampleStream& /*stream*/,
+                                        const SampleIndex& /*index*/,
+                                        RenderStatistics& /*count*/) const override {
+        return {};
+    }
+    void samples(std::span<const CameraTask> tasks, float /*spread*/,
+                 std::span<RadianceSample> results, Workspace* /*workspace*/,
+                 RenderStatistics& /*count*/) const override {
+        EXPECT_EQ(tasks.size(), results.size());
+        sizes.push_back(tasks.size());
+        if (sizes.size() == stop_after) {
+            stop.request_stop();
+        }
+    }
+
+    mutable std::vector<std::size_t> sizes;
+    mutable std::stop_source stop;
+    std::size_t stop_after = 0;
+};
+
+/// What the integrator is asked for when so many samples come in, at most `at_once` at a time.
+std::vector<std::size_t> asked_for(int samples, std::size_t at_once,
+                                   CountingIntegrator& integrator) {
+    const CameraState state = test::camera(Vec3(0, -2, 1), Vec3(0, 0, 0), 0.6);
+    const ThinLensCamera camera(state, state, 16, 16, 0, PixelFilter::box, 1);
+    RenderStatistics count;
+    SampleQueue queue({integrator, camera, {}, 0.001f, at_once, false}, integrator.stop.get_token(),
+                      count);
+    PixelSums sums;
+    for (int i = 0; i < samples; ++i) {
+        queue.ask(SampleStream(1, 3, 4, static_cast<std::uint32_t>(i)), {3, 4, i}, sums);
+    }
+    return integrator.sizes;
+}
+
+TEST(SampleQueue, RaysOfManySamples_AreMadeTogetherAndTracedAFewAtATime) {
+    CountingIntegrator waiting;
+    EXPECT_TRUE(asked_for(CameraBatch::kMost - 1, 1, waiting).empty());
+    CountingIntegrator one;
+    EXPECT_EQ(asked_for(CameraBatch::kMost, 1, one),
+              std::vector<std::size_t>(CameraBatch::kMost, 1));
+    CountingIntegrator all;
+    EXPECT_EQ(asked_for(CameraBatch::kMost, CameraBatch::kMost, all),
+              std::vector<std::size_t>{CameraBatch::kMost});
+}
+
+TEST(SampleQueue, StopBetweenSamples_LeavesTheOthersOut) {
+    CountingIntegrator integrator;
+    integrator.stop_after = 3;
+    EXPECT_EQ(asked_for(2 * CameraBatch::kMost, 1, integrator), std::vector<std::size_t>(3, 1));
+}
+
+}  // namespace
+}  // namespace carom::render
