@@ -28,7 +28,9 @@ struct VertexLanes {
     F coat;
     F coat_choice;
     V3 diffuse;
-    bool has_sheen;  // some of them
+    M has_sheen;
+    bool any_sheen;  // only whether the work for sheen can be left out: no lane's numbers depend on
+                     // it
     V3 sheen;
     F choose_sheen;  // probability of the base being sampled by it
     M scatters;      // has a base that is not black
@@ -59,14 +61,15 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
     }
     const F rest = all(1.f) - v.coat;
     const F sheen_share = load(in.sheen_share, first);
-    v.has_sheen = !hn::AllFalse(d, hn::And(v.valid, hn::Gt(sheen_share, all(0.f))));
+    v.has_sheen = hn::Gt(sheen_share, all(0.f));
+    v.any_sheen = !hn::AllFalse(d, hn::And(v.valid, v.has_sheen));
     v.diffuse = load(in.base, first) * rest;
     v.sheen = all(V3f(0, 0, 0));
     v.choose_sheen = all(0.f);
     F base = largest(v.diffuse);
-    if (v.has_sheen) {
+    if (v.any_sheen) {
         v.diffuse = load(in.base, first) * (rest * (all(1.f) - hn::Min(all(1.f), sheen_share)));
-        v.sheen = load(in.sheen, first) * rest;
+        v.sheen = select(v.has_sheen, load(in.sheen, first) * rest, v.sheen);
         const F by_sheen = sheen_share * rest;
         const F by_both = by_sheen + largest(v.diffuse);
         v.choose_sheen = select(hn::Gt(by_both, all(0.f)), by_sheen / by_both, all(0.f));
@@ -104,21 +107,22 @@ struct BaseLanes {
 HWY_INLINE BaseLanes base_towards(const VertexLanes& v, const V3& wi, F cosine) {
     BaseLanes base{cosine * all(kInversePi), all(0.f), all(0.f)};
     base.pdf = base.diffuse;
-    if (v.has_sheen) {
+    if (v.any_sheen) {
         const V3 h = v.wo + wi;
         const F height = v.wo_z + cosine;
         const F sine2 = hn::Max(all(0.f), all(1.f) - height * height / dot(h, h));
         const F density = all(2.5f * kInversePi) * sine2 * hn::Sqrt(sine2);
         base.sheen = density * cosine / (all(4.f) * (cosine + v.wo_z - cosine * v.wo_z));
-        base.pdf =
+        const F by_both =
             (all(1.f) - v.choose_sheen) * base.diffuse + v.choose_sheen * all(0.5f * kInversePi);
+        base.pdf = select(v.has_sheen, by_both, base.diffuse);
     }
     return base;
 }
 
 HWY_INLINE V3 value_of(const VertexLanes& v, const BaseLanes& base) {
     const V3 diffuse = v.diffuse * base.diffuse;
-    return v.has_sheen ? diffuse + v.sheen * base.sheen : diffuse;
+    return v.any_sheen ? select(v.has_sheen, diffuse + v.sheen * base.sheen, diffuse) : diffuse;
 }
 
 }  // namespace carom::render::HWY_NAMESPACE

@@ -34,6 +34,42 @@ constexpr float kLeastCosine = 1e-4f;  // as in bsdf.cpp
     return true;
 }
 
+template <class Values>
+void append(const Values& more, int more_count, Values& values, int count) {
+    std::copy_n(more.at, more_count, values.at + count);
+}
+
+void append(const Floats3& more, int more_count, Floats3& values, int count) {
+    append(more.x, more_count, values.x, count);
+    append(more.y, more_count, values.y, count);
+    append(more.z, more_count, values.z, count);
+}
+
+/// A sample's branches then follow each other in an order that neither the width of vectors nor the
+/// other samples of the wave decide, and so does the sum of what they gather.
+void append(const PathWave& more, PathWave& paths) {
+    const auto add = [&](auto PathWave::*field) {
+        append(more.*field, more.count, paths.*field, paths.count);
+    };
+    add(&PathWave::slot);
+    add(&PathWave::branch);
+    add(&PathWave::origin);
+    add(&PathWave::direction);
+    add(&PathWave::time);
+    add(&PathWave::throughput);
+    add(&PathWave::width);
+    add(&PathWave::spread);
+    add(&PathWave::last_position);
+    add(&PathWave::last_normal);
+    add(&PathWave::pdf);
+    add(&PathWave::total_importance);
+    add(&PathWave::environment_samples);
+    add(&PathWave::is_delta);
+    add(&PathWave::connects);
+    add(&PathWave::connected_ball);
+    paths.count += more.count;
+}
+
 }  // namespace
 
 struct WaveIntegrator::Wave final : Integrator::Workspace {
@@ -41,6 +77,7 @@ struct WaveIntegrator::Wave final : Integrator::Workspace {
     PathWave of_even_vertices{}, of_odd_vertices{};
     PathWave& paths() { return vertex % 2 == 0 ? of_even_vertices : of_odd_vertices; }
     PathWave& next() { return vertex % 2 == 0 ? of_odd_vertices : of_even_vertices; }
+    PathWave scattered{};  // on their way to `next`
     int vertex = 0;
     VertexWave vertices{};
     ShadowWave shadows{};
@@ -98,7 +135,8 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
         while (wave.paths().count > 0) {
             meet(wave);
             kernels_->take_step({known_, wave.samples, wave.paths(), wave.vertices, wave.shadows,
-                                 wave.near_balls, wave.next()});
+                                 wave.near_balls, wave.next(), wave.scattered});
+            append(wave.scattered, wave.next());
             CAROM_VALIDATE(is_valid(wave.next()));
             count.scattered_rays += static_cast<std::uint64_t>(wave.next().count);
             trace_shadows(wave, count);

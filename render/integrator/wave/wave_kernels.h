@@ -15,7 +15,10 @@ struct WaveStep {
     const VertexWave& vertices;
     ShadowWave& shadows;     // towards sampled lights, radiance times the paths' throughput
     VertexList& near_balls;  // vertices that seek light by way of a ball (caustics.h)
-    PathWave& next;          // paths from here on; appended to
+    // Paths from here on, in the order of the vertices: by coats, and by bases. Two lists, since
+    // the order of one list would depend on how many vertices a vector holds.
+    PathWave& mirrored;
+    PathWave& scattered;
 };
 
 struct WaveKernels {
@@ -23,7 +26,7 @@ struct WaveKernels {
     /// path, object, distance and `position`, the shape's middle, are known. Spoils later ones.
     void (*find_surfaces)(const WaveScene& scene, const PathWave& paths, VertexWave& vertices,
                           bool are_boxes, int first, int last);
-    /// Fills `shadows`, `near_balls` and `next`.
+    /// Fills `shadows`, `near_balls`, `mirrored` and `scattered`.
     void (*take_step)(const WaveStep& step);
     /// Sums up for each of the first `vertices` vertices the rays that still reach their light.
     void (*sum_light)(ShadowWave& shadows, int vertices);

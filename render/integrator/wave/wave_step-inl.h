@@ -145,9 +145,9 @@ struct Onward {
     I is_delta, connects, ball;
 };
 
+/// The lanes that `goes` names, at the end of `next`.
 HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const Onward& onward, F width,
-                        M goes) {
-    PathWave& next = step.next;
+                        M goes, PathWave& next) {
     const int at = next.count;
     store_some(gather(step.paths.slot, v.path), goes, next.slot, at);
     store_some(onward.branch, goes, next.branch, at);
@@ -199,7 +199,7 @@ HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const V2& u,
         const M sought = is_equal(gather(step.paths.connects, v.path), one);
         mirrored.ball = hn::IfThenElse(hn::RebindMask(di, sought), object, hn::Set(di, -1));
         const F side = dot(v.geometric_normal, mirrored.direction);
-        proceed(step, v, mirrored, width, hn::And(coats, hn::Gt(side, all(0.f))));
+        proceed(step, v, mirrored, width, hn::And(coats, hn::Gt(side, all(0.f))), step.mirrored);
     }
 
     const M bases = hn::AndNot(takes_coat, v.scatters);
@@ -207,7 +207,7 @@ HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const V2& u,
     const F u_x = select(stretches, stretched(u.x, v.coat_choice), u.x);
     const F probability = base_probability(v);
     V3 wi = sample_cosine_hemisphere({u_x, u.y});
-    if (v.has_sheen) {
+    if (v.any_sheen) {
         const M by_sheen = hn::Lt(u_x, v.choose_sheen);
         const F rest =
             select(hn::Lt(v.choose_sheen, all(1.f)), stretched(u_x, v.choose_sheen), u_x);
@@ -219,8 +219,12 @@ HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const V2& u,
     scattered.direction = unit(v.frame.to_world(wi));
     const BaseLanes base = base_towards(v, scattered.direction, hn::Max(wi.z, all(0.f)));
     scattered.pdf = probability * base.pdf;
-    scattered.weight = v.has_sheen ? value_of(v, base) * (all(1.f) / scattered.pdf)
-                                   : v.diffuse * (all(1.f) / probability);
+    // The diffuse lobe alone is sampled in proportion to its value, which leaves its albedo.
+    scattered.weight = v.diffuse * (all(1.f) / probability);
+    if (v.any_sheen) {
+        scattered.weight =
+            select(v.has_sheen, value_of(v, base) * (all(1.f) / scattered.pdf), scattered.weight);
+    }
     const F lobe = hn::Min(all(kLobeShare) / hn::Sqrt(scattered.pdf), all(kWidestSpread));
     scattered.spread = hn::Max(spread, lobe);
     scattered.branch = hn::IfThenElse(hn::RebindMask(di, splits), branch + branch + one, branch);
@@ -229,7 +233,7 @@ HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const V2& u,
     scattered.ball = hn::Set(di, -1);
     const F side = dot(v.geometric_normal, scattered.direction);
     const M above = hn::And(hn::Gt(wi.z, all(0.f)), hn::Gt(side, all(0.f)));
-    proceed(step, v, scattered, width, hn::And(bases, above));
+    proceed(step, v, scattered, width, hn::And(bases, above), step.scattered);
 }
 
 inline HWY_ATTR void take_step(const WaveStep& step) {
@@ -240,8 +244,9 @@ inline HWY_ATTR void take_step(const WaveStep& step) {
     step.shadows.stride = vertex == 0 ? kWaveSamples + 16 : kWaveStorage;
     step.shadows.count = 0;
     step.near_balls.count = 0;
-    step.next.count = 0;
-    step.next.vertex = vertex + 1;
+    step.mirrored.count = 0;
+    step.scattered.count = 0;
+    step.mirrored.vertex = step.scattered.vertex = vertex + 1;
     const bool connects = step.scene.caustics && vertex < PathDimensions::kConnectingVertices &&
                           vertex < step.scene.max_bounces && !step.scene.ball_x.empty();
     for (int first = 0; first < vertices.count; first += lane_count()) {

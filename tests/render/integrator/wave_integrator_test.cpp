@@ -240,10 +240,16 @@ TEST(WaveIntegrator, Samples_DoNotDependOnTheirCompany) {
     }
 }
 
+// Balls on cloth with sheen: paths of both share their vectors.
 std::vector<float> small_picture() {
     SceneBuilder builder;
     add_table(builder);
     add_lights(builder);
+    StandardMaterial nap;
+    nap.base = Vec3(0.1, 0.3, 0.2);
+    nap.sheen = 0.3;
+    builder.material("nap", nap);
+    builder.object("bed", render::BoxShape{Vec3(1, 1, 0.02)}, Vec3(0, 0, 0), "nap");
     const render::RenderSettings settings = small_settings(kSide, kSide, 16);
     const render::PreparedScene prepared(builder.scene, settings);
     render::FrameInput frame = still_frame(camera(Vec3(0.3, -1.6, 1.1), Vec3(0, 0, 0.05), 0.8));
