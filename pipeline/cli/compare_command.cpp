@@ -39,7 +39,6 @@ LaboratoryScene scene_of_shot(const CompareCommand& command, CommandContext& con
     const sim::Bake bake = bake_of(input, command.input, command.cache, context);
     const pipeline::FilmSource source(input.shot, bake.timeline);
     pipeline::FrameInputs inputs = source.inputs(frame);
-    inputs.frame.seed = source.key(inputs).low;
     LaboratoryScene scene;
     scene.name = input.shot.name;
     scene.what = "frame " + std::to_string(frame);

@@ -17,7 +17,7 @@ std::vector<PlannedFrame> FilmSource::layers(std::int64_t frame) const {
 }
 
 FrameInputs FilmSource::inputs(const PlannedFrame& layer) const {
-    return frame_inputs(layer, shot_.timing.shutter, shot_.scene, timeline_);
+    return frame_inputs(layer, shot_.timing.shutter, shot_.scene, timeline_, shot_.render.seed);
 }
 
 Hash128 FilmSource::key(const FrameInputs& inputs) const {

@@ -23,8 +23,7 @@ MadePicture PictureMaker::make(const FilmPlan::Picture& picture, const WorkConte
         throw Stopped();
     }
     const auto begin = std::chrono::steady_clock::now();
-    FrameInputs inputs = source_.inputs(source_.layers(picture.frame).at(picture.layer));
-    inputs.frame.seed = picture.key.low;
+    const FrameInputs inputs = source_.inputs(source_.layers(picture.frame).at(picture.layer));
     FrameGrace grace(context.stop, expected_seconds_);
     WorkContext frame_context;
     frame_context.stop = grace.token();

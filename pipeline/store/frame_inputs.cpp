@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/store/frame_seed.h"
 #include "sim/timeline/error.h"
 
 namespace carom::pipeline {
@@ -40,7 +41,8 @@ sim::Track standing_still(const sim::Track& track, double scene_time) {
 }  // namespace
 
 FrameInputs frame_inputs(const PlannedFrame& frame, const Shutter& shutter,
-                         const render::SceneDescription& scene, const sim::Timeline& timeline) {
+                         const render::SceneDescription& scene, const sim::Timeline& timeline,
+                         std::uint64_t render_seed) {
     FrameInputs inputs;
     bool moves = false;
     for (const render::ObjectDescription& object : scene.objects) {
@@ -66,6 +68,7 @@ FrameInputs frame_inputs(const PlannedFrame& frame, const Shutter& shutter,
     inputs.frame.scene_open = moves ? frame.scene_open : 0;
     inputs.frame.scene_close = moves ? frame.scene_close : 0;
     inputs.frame.switch_ratio = shutter.switch_ratio;
+    inputs.frame.seed = frame_seed(render_seed, inputs.frame);
     return inputs;
 }
 

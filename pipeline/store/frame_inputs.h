@@ -2,6 +2,7 @@
 // timeline and made canonical.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "pipeline/camera/camera_rig.h"
@@ -17,12 +18,13 @@ namespace carom::pipeline {
 /// same have the same inputs, and render to the same bits, whatever their scene time.
 struct FrameInputs {
     std::vector<sim::Track> tracks;  // those that the scene names, in order of first mention
-    render::FrameInput frame;        // its seed is 0 until the key is known
+    render::FrameInput frame;
 };
 
-/// Throws Error naming a track that the timeline lacks.
+/// `render_seed`: chooses the frame's noise (frame_seed.h). Throws Error naming a track that the
+/// timeline lacks.
 [[nodiscard]] FrameInputs frame_inputs(const PlannedFrame& frame, const Shutter& shutter,
                                        const render::SceneDescription& scene,
-                                       const sim::Timeline& timeline);
+                                       const sim::Timeline& timeline, std::uint64_t render_seed);
 
 }  // namespace carom::pipeline

@@ -4,18 +4,13 @@
 #include <array>
 #include <cstdint>
 
+#include "pipeline/store/camera_hash.h"
 #include "pipeline/store/frame_inputs.h"
 #include "render/acceleration/analytic_kernels.h"
 #include "render/frame/aov_planes.h"
 
 namespace carom::pipeline {
 namespace {
-
-void add_camera(Hasher& hasher, const render::CameraState& camera) {
-    hasher.add(camera.position).add(camera.target).add(camera.up).add(camera.roll);
-    hasher.add(camera.vertical_fov).add(camera.focus_distance).add(camera.lens_radius);
-    hasher.add(camera.blades).add(camera.blade_rotation);
-}
 
 void add_distributed(Hasher& hasher, const render::DistributedSettings& settings) {
     hasher.add(settings.pixel_samples).add(settings.blur_samples).add(settings.lens_samples);
@@ -25,7 +20,7 @@ void add_distributed(Hasher& hasher, const render::DistributedSettings& settings
 }
 
 void add_settings(Hasher& hasher, const render::RenderSettings& settings) {
-    hasher.add(settings.width).add(settings.height);
+    hasher.add(settings.width).add(settings.height).add(settings.seed);
     hasher.add(static_cast<std::int32_t>(settings.integrator));
     // What one integrator ignores would only keep its frames from being shared.
     if (settings.integrator == render::IntegratorKind::distributed) {
@@ -103,7 +98,7 @@ void add_motion(Hasher& hasher, const render::SceneDescription& scene, const Fra
 Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& scene,
                   const Hash128& scene_hash, const render::RenderSettings& settings) {
     Hasher hasher;
-    hasher.add("carom frame, key format 1");
+    hasher.add("carom frame, key format 2");
     hasher.add(std::int32_t{render::kRendererRevision}).add(render::simd_tier());
     hasher.add(scene_hash);
     add_settings(hasher, settings);
@@ -121,7 +116,8 @@ Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& sce
 Hash128 frame_key(const PlannedFrame& frame, const Shutter& shutter,
                   const render::SceneDescription& scene, const Hash128& scene_hash,
                   const render::RenderSettings& settings, const sim::Timeline& timeline) {
-    return frame_key(frame_inputs(frame, shutter, scene, timeline), scene, scene_hash, settings);
+    return frame_key(frame_inputs(frame, shutter, scene, timeline, settings.seed), scene,
+                     scene_hash, settings);
 }
 
 }  // namespace carom::pipeline

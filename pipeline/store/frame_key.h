@@ -17,7 +17,7 @@ namespace carom::pipeline {
 
 /// Hash of: tracks cut to the shutter interval, camera values, `scene_hash`, render settings, the
 /// renderer's revision and SIMD tier. Neither the bake nor names nor the frame's number enter. The
-/// frame's seed is the key's low half.
+/// frame's seed follows from these (frame_seed.h), so it does not enter by itself.
 [[nodiscard]] Hash128 frame_key(const PlannedFrame& frame, const Shutter& shutter,
                                 const render::SceneDescription& scene, const Hash128& scene_hash,
                                 const render::RenderSettings& settings,

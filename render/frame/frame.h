@@ -16,7 +16,7 @@
 namespace carom::render {
 
 /// Bumped whenever the renderer's pixels change for the same inputs.
-inline constexpr int kRendererRevision = 9;
+inline constexpr int kRendererRevision = 10;
 
 /// A frame's own inputs besides scene and tracks. Canonical: scene_open <= scene_close.
 struct FrameInput {
@@ -27,7 +27,7 @@ struct FrameInput {
     /// Share of the exposure spent opening and closing (together), [0, 1]: 0 is a box, 1 a
     /// triangle.
     double switch_ratio = 0;
-    std::uint64_t seed = 0;
+    std::uint64_t seed = 0;  // of all random numbers: what chooses the noise
 };
 
 /// What all frames of a shot share: meshes, textures, the structure over still shapes. Immutable;

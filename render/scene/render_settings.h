@@ -1,6 +1,7 @@
 // How a frame is computed. Every field can change the pixels and is part of a frame's key.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,7 @@ struct RenderSettings {
     PixelFilter filter = PixelFilter::blackman_harris;
     double filter_width = 1.5;  // full width in pixels, [0.5, 8]; box: 1
     AccelerationKind acceleration = AccelerationKind::hybrid;
+    std::uint64_t seed = 0;         // chooses the noise and nothing else
     std::vector<std::string> aovs;  // by the names in render/frame/aov_planes.h
 
     bool operator==(const RenderSettings&) const = default;

@@ -202,8 +202,14 @@ void add_sampling(MapSpec<RenderSection>& s) {
     add("acceleration", &RenderSettings::acceleration,
         choice<render::AccelerationKind>(acceleration_names()),
         "structure that finds what a ray hits: `hybrid` is the fastest, the others are for "
-        "comparison "
-        "(docs/laboratory.md); does not change the picture");
+        "comparison (docs/laboratory.md); the picture stays the same but for the last bits");
+    s.set(
+        "seed", integer64(0, (std::int64_t{1} << 53U) - 1),
+        [](RenderSection& r, std::int64_t seed) {
+            r.settings.seed = static_cast<std::uint64_t>(seed);
+        },
+        "chooses the noise and nothing else: another seed gives the same picture with other noise",
+        "0");
 }
 
 std::vector<std::pair<std::string, std::string>> aov_names() {

@@ -222,7 +222,7 @@ TEST(Render, Settings_FillEveryField) {
         load_sections(
             "render: {size: [640, 360], samples: 16, max_bounces: 2, clamp: 8, filter: gaussian,\n"
             "         filter_width: 2, acceleration: embree, aovs: [depth, variance],\n"
-            "         integrator: path}\n")
+            "         integrator: path, seed: 12}\n")
             .render;
     EXPECT_EQ(r.width, 640);
     EXPECT_EQ(r.height, 360);
@@ -232,6 +232,7 @@ TEST(Render, Settings_FillEveryField) {
     EXPECT_EQ(r.filter, render::PixelFilter::gaussian);
     EXPECT_EQ(r.filter_width, 2);
     EXPECT_EQ(r.acceleration, render::AccelerationKind::embree);
+    EXPECT_EQ(r.seed, 12U);
     EXPECT_THAT(r.aovs, testing::ElementsAre("depth", "variance"));
     EXPECT_EQ(load_sections("").render, render::RenderSettings{});
 }

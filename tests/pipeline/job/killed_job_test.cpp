@@ -43,18 +43,17 @@ std::multiset<std::string> lines_of(const std::string& path) {
     return lines;
 }
 
-/// Seeds of the frames under their final names: the low halves of their keys.
+/// Keys of the frames under their final names.
 std::set<std::string> finished(const std::string& cache) {
-    std::set<std::string> seeds;
+    std::set<std::string> keys;
     if (fs::exists(cache + "/frames")) {
         for (const auto& entry : fs::recursive_directory_iterator(cache + "/frames")) {
             if (entry.path().extension() == ".exr") {
-                const std::string low = entry.path().stem().string().substr(16);
-                seeds.insert(std::to_string(std::stoull(low, nullptr, 16)));
+                keys.insert(entry.path().stem().string());
             }
         }
     }
-    return seeds;
+    return keys;
 }
 
 /// Kills the job some time after that many renderings began, unless it ends before.

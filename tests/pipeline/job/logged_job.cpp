@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "pipeline/job/film_pipeline.h"
+#include "pipeline/job/film_plan.h"
 #include "tests/pipeline/job/tiny_shot.h"
 
 namespace carom::testing {
@@ -15,8 +16,10 @@ namespace carom::testing {
 void run_logged_job(const std::string& cache, const std::string& video, const std::string& log) {
     const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
     const pipeline::Shot shot = tiny_shot();
+    const sim::Timeline timeline = tiny_timeline();
+    const pipeline::FilmSource source(shot, timeline);
     const auto render = [&](const pipeline::FrameInputs& inputs, const WorkContext&) {
-        const std::string line = std::to_string(inputs.frame.seed) + "\n";
+        const std::string line = source.key(inputs).to_string() + "\n";
         if (::write(file, line.data(), line.size()) < 0) {
             ::_exit(2);
         }
@@ -30,7 +33,7 @@ void run_logged_job(const std::string& cache, const std::string& video, const st
     observer.on_warning = [&](const std::string& text) {
         std::ofstream(log + ".warnings", std::ios::app) << text << '\n';
     };
-    (void)pipeline::make_film_with(render, shot, tiny_timeline(), options, observer, {});
+    (void)pipeline::make_film_with(render, shot, timeline, options, observer, {});
     ::close(file);
 }
 

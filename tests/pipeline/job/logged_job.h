@@ -6,7 +6,7 @@
 namespace carom::testing {
 
 /// Makes the film with a fake renderer that takes 8 ms per picture. `log`, made at once, gets a
-/// line with the seed of every picture when its rendering begins, `log`.warnings
+/// line with the key of every picture when its rendering begins, `log`.warnings
 /// what the job warns of. Throws Error.
 void run_logged_job(const std::string& cache, const std::string& video, const std::string& log);
 

@@ -188,6 +188,7 @@ TEST(FrameKey, WhateverIsSeen_ChangesIt) {
         {"filter_width", [](Inputs& i) { i.settings.filter_width = 2; }},
         {"acceleration",
          [](Inputs& i) { i.settings.acceleration = render::AccelerationKind::embree; }},
+        {"seed", [](Inputs& i) { i.settings.seed = 1; }},
         {"aovs", [](Inputs& i) { i.settings.aovs = {"depth"}; }},
         {"path", [](Inputs& i) { i.cue[1].position.y = 1e-5; }},
         {"velocity", [](Inputs& i) { i.cue[0].velocity_out.y = 1e-5; }},
@@ -253,18 +254,42 @@ TEST(FrameKey, FrozenTime_IsThePoseAlone) {
 
 TEST(FrameInputs, TracksThatRest_AreOneKey) {
     Inputs i;
-    const FrameInputs moving = frame_inputs(i.frame, i.shutter, i.scene, i.timeline());
+    const FrameInputs moving = frame_inputs(i.frame, i.shutter, i.scene, i.timeline(), 0);
     ASSERT_EQ(moving.tracks.size(), 2u);
     EXPECT_EQ(moving.tracks[0], *i.timeline().find("cue"));
     EXPECT_EQ(moving.tracks[1].keys().size(), 1u);
     EXPECT_EQ(moving.frame.scene_open, 0.4);
     i.frame.scene_open = 3;
     i.frame.scene_close = 3.5;
-    const FrameInputs resting = frame_inputs(i.frame, i.shutter, i.scene, i.timeline());
+    const FrameInputs resting = frame_inputs(i.frame, i.shutter, i.scene, i.timeline(), 0);
     EXPECT_EQ(resting.tracks[0].keys().size(), 1u);
     EXPECT_EQ(resting.tracks[0].keys()[0].position, Vec3(1, 0, 0.03));
     EXPECT_EQ(resting.frame.scene_open, 0);
     EXPECT_EQ(resting.frame.scene_close, 0);
+}
+
+// A film of a frozen scene, or one that is retimed: the noise is that of what is shown.
+TEST(FrameInputs, Seed_IsThatOfSceneTimeAndCamera) {
+    const auto seed = [](const Change& change, std::uint64_t render_seed = 0) {
+        Inputs i;
+        change(i);
+        return frame_inputs(i.frame, i.shutter, i.scene, i.timeline(), render_seed).frame.seed;
+    };
+    const std::uint64_t usual = seed([](Inputs&) {});
+    EXPECT_EQ(usual, seed([](Inputs& i) { i.frame.number = 77; }));
+    EXPECT_EQ(usual, seed([](Inputs& i) { i.frame.video_time = 9; }));
+    EXPECT_EQ(usual, seed([](Inputs& i) { i.cue[1].position.y = 1; }));
+    EXPECT_EQ(usual, seed([](Inputs& i) { i.scene.objects[2].material = "blue"; }));
+    EXPECT_NE(usual, seed([](Inputs&) {}, 1));
+    EXPECT_NE(usual, seed([](Inputs& i) { i.frame.scene_open = 0.41; }));
+    const auto frozen = [&](double camera) {
+        return seed([&](Inputs& i) {
+            i.frame.scene_open = i.frame.scene_close = 1;
+            i.frame.camera_open.position.x = camera;
+        });
+    };
+    EXPECT_NE(frozen(0), frozen(0.01));
+    EXPECT_EQ(frozen(0.01), frozen(0.01));
 }
 
 TEST(FrameInputs, SpinningInPlace_IsMotion) {
@@ -272,14 +297,15 @@ TEST(FrameInputs, SpinningInPlace_IsMotion) {
     i.one = {
         make_key(0, {2, 0.1, 0.03}, {0, 0, 0}, {0, 0, 1}),
         make_key(1, {2, 0.1, 0.03}, {0, 0, 0}, {0, 0, 1}, {std::cos(0.5), 0, 0, std::sin(0.5)})};
-    EXPECT_EQ(frame_inputs(i.frame, i.shutter, i.scene, i.timeline()).tracks[1].keys().size(), 2u);
+    EXPECT_EQ(frame_inputs(i.frame, i.shutter, i.scene, i.timeline(), 0).tracks[1].keys().size(),
+              2u);
 }
 
 TEST(FrameInputs, MissingTrack_IsAnErrorNamingBoth) {
     Inputs i;
     i.scene.objects[2].track = "two";
     try {
-        (void)frame_inputs(i.frame, i.shutter, i.scene, i.timeline());
+        (void)frame_inputs(i.frame, i.shutter, i.scene, i.timeline(), 0);
         FAIL();
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),

@@ -1,0 +1,53 @@
+#include "tests/pipeline/job/example_frames.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "pipeline/config/load_shot.h"
+#include "pipeline/job/film_job.h"
+#include "render/frame/frame.h"
+#include "sim/timeline/error.h"
+
+namespace carom::testing {
+
+std::vector<std::string> example_files() {
+    std::vector<std::string> files;
+    const std::string folder = std::string(CAROM_SOURCE_DIR) + "/examples";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (entry.path().extension() == ".yaml") {
+            files.push_back(entry.path().string());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+ExampleFilm::ExampleFilm(const std::string& path, const std::string& bakes) {
+    pipeline::LoadResult loaded = pipeline::load_shot(path);
+    if (!loaded.shot) {
+        throw Error("the example " + path + " has errors");
+    }
+    shot = std::move(*loaded.shot);
+    shot.render.width = 160;
+    shot.render.height = 90;
+    shot.render.samples = 4;
+    shot.render.noise = 0;
+    shot.render.aovs.clear();
+    timeline_ = pipeline::bake_or_reuse(shot, bakes, {}, {}).timeline;
+}
+
+std::int64_t ExampleFilm::frame_count() const {
+    return pipeline::frame_count(shot.cameras, shot.timing);
+}
+
+pipeline::FrameInputs ExampleFilm::inputs(std::int64_t frame) const {
+    return pipeline::FilmSource(shot, timeline_).inputs(frame);
+}
+
+render::Film ExampleFilm::render(std::int64_t frame) const {
+    const pipeline::FrameInputs all = inputs(frame);
+    return render::render_frame(render::PreparedScene(shot.scene, shot.render), all.tracks,
+                                all.frame, shot.render);
+}
+
+}  // namespace carom::testing
