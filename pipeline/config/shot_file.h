@@ -122,6 +122,7 @@ struct LightSection {
     double rotation = 0;
     Vec3 radiance{1, 1, 1};
     double strength = 1;
+    render::Falloff falloff = render::Falloff::inverse_square;
 };
 
 struct EventSection {

@@ -98,7 +98,7 @@ std::string yaml_rotation(const Vec3& x, const Vec3& y, const Vec3& z) {
            " deg}";
 }
 
-Vec3 bright_point(const SceneModel& scene) {
+Vec3 middle_of_moving_spheres(const SceneModel& scene) {
     for (const bool moving_only : {true, false}) {
         Vec3 sum(0, 0, 0);
         int count = 0;

@@ -68,9 +68,9 @@ class Names {
 [[nodiscard]] std::string cameras_section(Conversion& conversion, double& duration);
 [[nodiscard]] std::string render_section(Conversion& conversion);
 
-/// The point at which lights are as bright as the scene text means them: the middle of the moving
-/// spheres, or of all, or the first camera's target. In the author's units.
-[[nodiscard]] Vec3 bright_point(const SceneModel& scene);
+/// The middle of the moving spheres, or of all, or the first camera's target: what the scene is
+/// about. In the author's units.
+[[nodiscard]] Vec3 middle_of_moving_spheres(const SceneModel& scene);
 
 // ---- YAML ------------------------------------------------------------------------------------
 

@@ -108,17 +108,18 @@ std::string diffuse_picture(const Material& material, Conversion& conversion) {
 
 // ---- lights ---------------------------------------------------------------------------------
 
-std::string strength_note() {
-    return "light falls off with the square of the distance; lights are as bright as the text says "
-           "where the moving spheres start";
-}
+// What the lights of the format give does not depend on the distance. A surface of the diffuse
+// colour k that faces one of them is seen as k times the light's colour, so its irradiance is pi
+// times the colour: a rectangle and a bulb give it by having the colour for a radiance.
+constexpr const char* kFalloff = ", falloff: none";
 
 /// At right angles to the unit vector.
 Vec3 beside(const Vec3& v, const Vec3& axis) {
     return v - axis * axis.dot(v);
 }
 
-std::string rectangle_light(const Light& light, const Vec3& bright, Conversion& conversion) {
+/// `towards`: a point on the side to which it shines.
+std::string rectangle_light(const Light& light, const Vec3& towards, Conversion& conversion) {
     const Axes& axes = conversion.axes;
     const double width = light.x->length();
     const Vec3 u = *light.x / std::max(width, 1e-300);
@@ -135,42 +136,33 @@ std::string rectangle_light(const Light& light, const Vec3& bright, Conversion& 
                         ": its edges are not at right angles; y was straightened");
     }
     const Vec3 middle = *light.position + *light.x / 2 + across / 2;
-    const Vec3 way = bright - middle;
     Vec3 normal = u.cross(across / breadth);
-    normal = normal.dot(way) < 0 ? -normal : normal;
+    normal = normal.dot(towards - middle) < 0 ? -normal : normal;
     conversion.note("light_rect " + quote(light.name.text) + " shines to one side only");
-    const double distance2 = std::max(way.dot(way), 1e-12);
-    const double cosine = std::max(0.1, normal.dot(way) / std::sqrt(distance2));
     // The light's own first axis, as the format has it, and the turn from there.
     const Vec3 n = axes.direction(normal);
     const Vec3 level = Vec3(0, 0, 1).cross(n);
     const Vec3 u0 = level.dot(level) < 1e-12 ? Vec3(1, 0, 0) : level.normalized();
     const Vec3 our_u = axes.direction(u);
     const double roll = std::atan2(our_u.dot(n.cross(u0)), our_u.dot(u0)) * 180 / kPi;
-    const double scale = kPi * distance2 / (width * breadth * cosine);
     return "rectangle: [" + yaml(axes.length(width)) + ", " + yaml(axes.length(breadth)) +
            "], at: " + yaml(axes.place(middle)) + ", facing: " + yaml(n) + ", roll: " + yaml(roll) +
-           " deg, radiance: " + yaml(light.colour.value_or(Vec3(1, 1, 1)) * scale);
+           " deg, radiance: " + yaml(light.colour.value_or(Vec3(1, 1, 1))) + kFalloff;
 }
 
-std::string light_text(const Light& light, const Vec3& bright, Conversion& conversion) {
+std::string light_text(const Light& light, const Vec3& towards, Conversion& conversion) {
     const Axes& axes = conversion.axes;
     const Vec3 colour = light.colour.value_or(Vec3(1, 1, 1));
-    const double distance = (bright - *light.position).length();
     switch (light.kind) {
         case LightKind::rectangle:
-            return rectangle_light(light, bright, conversion);
-        case LightKind::bulb: {
-            const double ratio = std::max(distance, 2 * *light.radius) / *light.radius;
+            return rectangle_light(light, towards, conversion);
+        case LightKind::bulb:
             return "sphere: " + yaml(axes.length(*light.radius)) +
-                   ", at: " + yaml(axes.place(*light.position)) +
-                   ", radiance: " + yaml(colour * (ratio * ratio));
-        }
-        case LightKind::point: {
-            const double metres = axes.length(std::max(distance, 1e-6));
-            return "point: " + yaml(colour * (kPi * metres * metres)) +
-                   ", at: " + yaml(axes.place(*light.position));
-        }
+                   ", at: " + yaml(axes.place(*light.position)) + ", radiance: " + yaml(colour) +
+                   kFalloff;
+        case LightKind::point:
+            return "point: " + yaml(colour * kPi) + ", at: " + yaml(axes.place(*light.position)) +
+                   kFalloff;
     }
     return {};
 }
@@ -205,14 +197,13 @@ std::string lights_section(Conversion& conversion) {
         conversion.note("the text has no lights: there is one over the camera");
         lights.push_back(light_over_camera(conversion));
     }
-    conversion.note(strength_note());
-    const Vec3 bright = bright_point(conversion.scene);
+    const Vec3 towards = middle_of_moving_spheres(conversion.scene);
     std::ostringstream out;
     Names names;
     out << "lights:\n";
     for (const Light& light : lights) {
         out << "  " << names.claim(light.name.text) << ": {"
-            << light_text(light, bright, conversion) << "}\n";
+            << light_text(light, towards, conversion) << "}\n";
     }
     return out.str();
 }

@@ -142,10 +142,12 @@ class SceneHasher {
     void add(const render::RectangleLight& light) {
         hasher_.add(light.centre).add(light.edge_u).add(light.edge_v).add(light.normal);
         hasher_.add(light.radiance);
+        add(light.falloff);
     }
 
     void add(const render::SphereLight& light) {
         hasher_.add(light.centre).add(light.radius).add(light.radiance);
+        add(light.falloff);
     }
 
     void add(const render::EnvironmentLight& light) {
@@ -157,11 +159,17 @@ class SceneHasher {
         }
     }
 
-    void add(const render::PointLight& light) { hasher_.add(light.position).add(light.intensity); }
+    void add(render::Falloff falloff) { hasher_.add(static_cast<std::int32_t>(falloff)); }
+
+    void add(const render::PointLight& light) {
+        hasher_.add(light.position).add(light.intensity);
+        add(light.falloff);
+    }
 
     void add(const render::SpotLight& light) {
         hasher_.add(light.position).add(light.direction).add(light.intensity);
         hasher_.add(light.inner_angle).add(light.outer_angle);
+        add(light.falloff);
     }
 
     void add(const render::DirectionalLight& light) {

@@ -199,7 +199,7 @@ void DirectLight::seek_block(std::size_t light, const std::array<V2f, 4>& u,
         const float pdf = LightBlock::kSize * block->pdf[k];
         const float ratio = lobe->probability * density / pdf;
         const float value = density / (pdf * (1 + ratio * ratio));  // by the power heuristic
-        share[k] = side > 0 ? value : 0;
+        share[k] = side > 0 ? value * lamp.gain(block->pdf[k]) : 0;
     }
     const V3f scattered = lobe->albedo * lamp.radiance();
     for (std::size_t k = 0; k < LightBlock::kSize; ++k) {
@@ -261,7 +261,13 @@ float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float 
 V3f DirectLight::met(const Path& path, const Hit& hit) const {
     const std::size_t light = scene_.light_of(hit);
     const V3f radiance = scene_.lights.emitted(light, -path.ray.direction);
-    return is_dark(radiance) ? radiance : radiance * weight_of_meeting(path, light, hit.t, 0);
+    if (is_dark(radiance)) {
+        return radiance;
+    }
+    const float gain = path.last.is_delta ? 1.0f
+                                          : scene_.lights.gain(light, path.last.position,
+                                                               path.ray.direction, hit.t);
+    return radiance * (gain * weight_of_meeting(path, light, hit.t, 0));
 }
 
 V3f DirectLight::met_object(const Path& path, const Hit& hit, const V3f& radiance,

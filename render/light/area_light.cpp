@@ -30,6 +30,7 @@ RectangleEmitter::RectangleEmitter(const RectangleLight& light)
       edge_v_(light.edge_v),
       normal_(light.normal),
       radiance_(light.radiance),
+      fades_(light.falloff == Falloff::inverse_square),
       area_(4.0f * edge_u_.length() * edge_v_.length()),
       half_diagonal_((edge_u_ + edge_v_).length()) {}
 
@@ -91,6 +92,9 @@ float RectangleEmitter::importance(const V3f& point, const V3f& normal) const {
         return 0;
     }
     const float cosine = surface_cosine((way ^ normal) / distance, half_diagonal_ / distance);
+    if (!fades_) {
+        return luminance(radiance_) * kPi * cosine;
+    }
     // No closer than the light is large: the solid angle does not grow without end.
     return luminance(radiance_) * area_ * cosine * (height / distance) /
            std::max(distance2, 0.25f * area_);
@@ -109,7 +113,10 @@ std::optional<float> RectangleEmitter::distance_along(const V3f& /*origin*/,
 }
 
 SphereEmitter::SphereEmitter(const SphereLight& light)
-    : centre_(light.centre), radiance_(light.radiance), radius_(static_cast<float>(light.radius)) {}
+    : centre_(light.centre),
+      radiance_(light.radiance),
+      fades_(light.falloff == Falloff::inverse_square),
+      radius_(static_cast<float>(light.radius)) {}
 
 std::optional<LightSample> SphereEmitter::sample(const V3f& point, const V2f& u) const {
     const V3f way = centre_ - point;
@@ -146,7 +153,8 @@ float SphereEmitter::importance(const V3f& point, const V3f& normal) const {
     if (distance <= radius_) {
         return 0;
     }
-    const float solid_angle = 2.0f * kPi * one_minus_cos_of_sphere(radius_, distance);
+    const float solid_angle =
+        fades_ ? 2.0f * kPi * one_minus_cos_of_sphere(radius_, distance) : kPi;
     return luminance(radiance_) * solid_angle *
            surface_cosine((way ^ normal) / distance, radius_ / distance);
 }

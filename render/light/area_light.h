@@ -55,6 +55,11 @@ class RectangleEmitter {
     [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance) const;
     /// On the side that shines.
     [[nodiscard]] const V3f& radiance() const { return radiance_; }
+    [[nodiscard]] bool fades() const { return fades_; }
+    /// By how much brighter than it is seen the light is for a surface to which it comes along a
+    /// direction with the density `pdf` of `sample`. Other than 1 if it does not fade: then every
+    /// point gets the irradiance pi x radiance x the mean cosine to the light.
+    [[nodiscard]] float gain(float pdf) const { return fades_ ? 1.0f : kPi * pdf; }
     /// Towards `direction`, which points away from the light.
     [[nodiscard]] V3f emitted(const V3f& direction) const;
     [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
@@ -75,6 +80,7 @@ class RectangleEmitter {
 
   private:
     V3f centre_, edge_u_, edge_v_, normal_, radiance_;
+    bool fades_;
     float area_;
     float half_diagonal_;
 };
@@ -92,6 +98,9 @@ class SphereEmitter {
     [[nodiscard]] float intensity() const { return luminance(radiance_) * kPi * radius_ * radius_; }
     [[nodiscard]] const V3f& centre() const { return centre_; }
     [[nodiscard]] const V3f& radiance() const { return radiance_; }
+    [[nodiscard]] bool fades() const { return fades_; }
+    /// As RectangleEmitter's.
+    [[nodiscard]] float gain(float pdf) const { return fades_ ? 1.0f : kPi * pdf; }
     [[nodiscard]] float radius() const { return radius_; }
 
     /// A point of a disk across the light's middle, large enough that every ray from within `reach`
@@ -105,6 +114,7 @@ class SphereEmitter {
 
   private:
     V3f centre_, radiance_;
+    bool fades_;
     float radius_;
 };
 

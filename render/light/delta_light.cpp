@@ -6,17 +6,23 @@
 namespace carom::render {
 
 DeltaLight::DeltaLight(const PointLight& light)
-    : position_(light.position), power_(light.intensity) {}
+    : fades_(light.falloff == Falloff::inverse_square),
+      position_(light.position),
+      power_(light.intensity) {}
 
 DeltaLight::DeltaLight(const SpotLight& light)
-    : position_(light.position),
+    : fades_(light.falloff == Falloff::inverse_square),
+      position_(light.position),
       direction_(light.direction.normalized()),
       power_(light.intensity),
       inner_cosine_(static_cast<float>(std::cos(light.inner_angle))),
       outer_cosine_(static_cast<float>(std::cos(light.outer_angle))) {}
 
 DeltaLight::DeltaLight(const DirectionalLight& light)
-    : is_parallel_(true), direction_(light.direction.normalized()), power_(light.irradiance) {}
+    : is_parallel_(true),
+      fades_(false),
+      direction_(light.direction.normalized()),
+      power_(light.irradiance) {}
 
 float DeltaLight::share_at(float cosine) const {
     if (cosine >= inner_cosine_) {
@@ -50,7 +56,8 @@ V3f DeltaLight::radiance(const LightSample& sample) const {
         return power_ * kDeltaPdf;
     }
     const float share = share_at(-(sample.direction ^ direction_));
-    return power_ * (share / (sample.distance * sample.distance)) * kDeltaPdf;
+    const float distance2 = fades_ ? sample.distance * sample.distance : 1.0f;
+    return power_ * (share / distance2) * kDeltaPdf;
 }
 
 V3f DeltaLight::source(const V3f& centre, float reach) const {
@@ -59,8 +66,8 @@ V3f DeltaLight::source(const V3f& centre, float reach) const {
 }
 
 V3f DeltaLight::intensity(const V3f& direction, float distance) const {
-    return is_parallel_ ? power_ * (distance * distance)
-                        : power_ * share_at(direction ^ direction_);
+    const float share = is_parallel_ ? 1.0f : share_at(direction ^ direction_);
+    return power_ * (fades_ ? share : share * (distance * distance));
 }
 
 float DeltaLight::irradiance_within(const V3f& centre, float reach) const {
@@ -77,7 +84,7 @@ float DeltaLight::irradiance_within(const V3f& centre, float reach) const {
     const bool is_dark =
         outer_cosine_ > -1 && angle_of((way ^ direction_) / distance) >
                                   angle_of(outer_cosine_) + std::asin(reach / distance);
-    return is_dark ? 0.0f : luminance(power_) / (distance * distance);
+    return is_dark ? 0.0f : luminance(power_) / (fades_ ? distance * distance : 1.0f);
 }
 
 float DeltaLight::importance(const V3f& point, const V3f& normal) const {

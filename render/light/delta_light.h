@@ -28,7 +28,8 @@ class DeltaLight {
     /// own place; for parallel light one so far away that directions differ by up to 1e-5 rad.
     [[nodiscard]] V3f source(const V3f& centre, float reach) const;
     [[nodiscard]] bool is_parallel() const { return is_parallel_; }
-    /// W/sr of `source` along the unit `direction` at something `distance` away.
+    /// W/sr of `source` along the unit `direction` at something `distance` away: of light that does
+    /// not fade, the intensity that gives its irradiance there.
     [[nodiscard]] V3f intensity(const V3f& direction, float distance) const;
     /// The most luminous irradiance within `reach` of `centre`, about; 0 if all of it is dark or
     /// the light is in its midst.
@@ -42,9 +43,10 @@ class DeltaLight {
 
   private:
     bool is_parallel_ = false;
+    bool fades_ = true;  // with the square of the distance; parallel light does not
     V3f position_{0, 0, 0};
     V3f direction_{0, 0, -1};     // in which it shines
-    V3f power_;                   // W/sr, or W/m^2 of parallel light
+    V3f power_;                   // W/sr, or W/m^2 of light that does not fade
     float inner_cosine_ = -2.0f;  // a point light shines everywhere
     float outer_cosine_ = -2.0f;
 };

@@ -189,8 +189,23 @@ V3f LightSet::radiance(std::size_t light, const LightSample& sample) const {
     if (is_delta(light)) {
         return delta_lights_[light - first_delta()].radiance(sample);
     }
-    return is_environment(light) ? environment_.radiance(sample)
-                                 : emitted(light, -sample.direction);
+    if (is_environment(light)) {
+        return environment_.radiance(sample);
+    }
+    return std::visit(
+        [&](const auto& emitter) {
+            return emitter.emitted(-sample.direction) * emitter.gain(sample.pdf);
+        },
+        area_lights_[light]);
+}
+
+float LightSet::gain(std::size_t light, const V3f& point, const V3f& direction,
+                     float distance) const {
+    return std::visit(
+        [&](const auto& emitter) {
+            return emitter.fades() ? 1.0f : emitter.gain(emitter.pdf(point, direction, distance));
+        },
+        area_lights_[light]);
 }
 
 float LightSet::pdf(std::size_t light, const V3f& point, const V3f& direction, float distance,

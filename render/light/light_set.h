@@ -68,7 +68,7 @@ class LightSet {
     [[nodiscard]] std::optional<LightSample> sample(std::size_t light, const V3f& point,
                                                     const V2f& u) const;
 
-    /// Radiance that arrives along a sample of that light if nothing is in the way.
+    /// Radiance that arrives at a surface along a sample of that light if nothing is in the way.
     [[nodiscard]] V3f radiance(std::size_t light, const LightSample& sample) const;
 
     /// Of any light but one without a surface: density of `sample` (1/sr, given that light) for a
@@ -77,8 +77,13 @@ class LightSet {
     [[nodiscard]] float pdf(std::size_t light, const V3f& point, const V3f& direction,
                             float distance, float cosine = 0) const;
 
-    /// Radiance of an area light towards the unit `direction`, away from it.
+    /// Radiance of an area light towards the unit `direction`, away from it, as cameras and clear
+    /// mirrors see it.
     [[nodiscard]] V3f emitted(std::size_t light, const V3f& direction) const;
+    /// By how much brighter an area light is for a surface at `point` that scatters what comes from
+    /// `direction`, where the light is `distance` away: 1 unless it does not fade.
+    [[nodiscard]] float gain(std::size_t light, const V3f& point, const V3f& direction,
+                             float distance) const;
 
     [[nodiscard]] const AreaLight& area_light(std::size_t light) const {
         return area_lights_[light];

@@ -92,6 +92,13 @@ struct ObjectDescription {
 
 // ---- lights ---------------------------------------------------------------------------------
 
+/// How the light of a lamp grows weaker with distance. `none` is for looks that the physics of
+/// light does not allow: what the lamp gives to a surface does not depend on how far away it is. It
+/// gives each surface that faces it the irradiance pi x radiance, if it has a surface, and
+/// otherwise its strength in W/m^2, at every distance. Cameras and clear mirrors see it with its
+/// radiance.
+enum class Falloff { inverse_square, none };
+
 /// One-sided: radiates from the side of its normal. Seen by the camera and in reflections as such.
 struct RectangleLight {
     Vec3 centre{0, 0, 1};
@@ -99,12 +106,14 @@ struct RectangleLight {
     Vec3 edge_v{0, 0.5, 0};
     Vec3 normal{0, 0, -1};   // unit, orthogonal to both
     Vec3 radiance{1, 1, 1};  // W/(m^2 sr)
+    Falloff falloff = Falloff::inverse_square;
 };
 
 struct SphereLight {
     Vec3 centre{0, 0, 1};
     double radius = 0.05;  // m, > 0
     Vec3 radiance{1, 1, 1};
+    Falloff falloff = Falloff::inverse_square;
 };
 
 /// The clear sky of Preetham, Shirley and Smits 1999 (render/light/sky.h), without the sun itself.
@@ -126,7 +135,8 @@ struct EnvironmentLight {
 /// Shines from one point in all directions. Never seen, in mirrors neither.
 struct PointLight {
     Vec3 position{0, 0, 1};
-    Vec3 intensity{1, 1, 1};  // W/sr
+    Vec3 intensity{1, 1, 1};  // W/sr; W/m^2 without falloff
+    Falloff falloff = Falloff::inverse_square;
 };
 
 /// A point light within a cone: all of it within the inner angle, nothing outside the outer one,
@@ -134,9 +144,10 @@ struct PointLight {
 struct SpotLight {
     Vec3 position{0, 0, 1};
     Vec3 direction{0, 0, -1};  // of the axis
-    Vec3 intensity{1, 1, 1};   // W/sr
+    Vec3 intensity{1, 1, 1};   // W/sr; W/m^2 without falloff
     double inner_angle = 0.3;  // rad, from the axis, [0, outer_angle]
     double outer_angle = 0.4;  // rad, (0, pi]
+    Falloff falloff = Falloff::inverse_square;
 };
 
 /// Parallel light from infinitely far away. Never seen.

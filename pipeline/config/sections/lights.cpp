@@ -27,6 +27,7 @@ render::RectangleLight rectangle_light(const LightSection& keys) {
     light.edge_v = (v0 * c - u0 * s) * (keys.rectangle->y / 2);
     light.normal = normal;
     light.radiance = keys.radiance * keys.strength;
+    light.falloff = keys.falloff;
     return light;
 }
 
@@ -105,13 +106,14 @@ void check_kind(Reader& reader, const Node& node, LightSection& keys) {
     } else if (node.find("rectangle") != nullptr) {
         refuse_keys(reader, node, "a rectangle", {"rotation", "angle"});
     } else if (node.find("environment") != nullptr) {
-        refuse_keys(reader, node, "an environment", {"at", "facing", "roll", "angle"});
+        refuse_keys(reader, node, "an environment", {"at", "facing", "roll", "angle", "falloff"});
     } else if (node.find("point") != nullptr) {
         refuse_keys(reader, node, "a point", {"facing", "roll", "rotation", "angle", "radiance"});
     } else if (node.find("spot") != nullptr) {
         refuse_keys(reader, node, "a spot", {"roll", "rotation", "radiance"});
     } else if (node.find("directional") != nullptr) {
-        refuse_keys(reader, node, "a directional", {"at", "roll", "rotation", "angle", "radiance"});
+        refuse_keys(reader, node, "a directional",
+                    {"at", "roll", "rotation", "angle", "radiance", "falloff"});
     }
     if (keys.angle.inner > keys.angle.outer || keys.angle.outer <= 0) {
         reader.error(node.find("angle")->value.place,
@@ -157,6 +159,12 @@ const MapSpec<LightSection>& light_spec() {
               "in W/(m^2 sr); multiplies an environment's picture");
         s.key("strength", &LightSection::strength, number(between(0, kBrightest)),
               "multiplies the radiance");
+        s.key("falloff", &LightSection::falloff,
+              choice<render::Falloff>({{"inverse_square", render::Falloff::inverse_square},
+                                       {"none", render::Falloff::none}}),
+              "how the light of a point, spot, rectangle or sphere fades with distance: `none` "
+              "gives every surface that faces it pi times the radiance in W/m^2, or a point's or "
+              "spot's number in W/m^2, however far away it is, which no real lamp does");
         s.exactly_one_of({"point", "spot", "directional", "rectangle", "sphere", "environment"});
         s.check(check_kind);
         return s;
@@ -169,12 +177,14 @@ LightDescription to_light(const LightSection& keys) {
     if (keys.rectangle) {
         result.light = rectangle_light(keys);
     } else if (keys.sphere) {
-        result.light = render::SphereLight{keys.at, *keys.sphere, keys.radiance * keys.strength};
+        result.light =
+            render::SphereLight{keys.at, *keys.sphere, keys.radiance * keys.strength, keys.falloff};
     } else if (keys.point) {
-        result.light = render::PointLight{keys.at, *keys.point * keys.strength};
+        result.light = render::PointLight{keys.at, *keys.point * keys.strength, keys.falloff};
     } else if (keys.spot) {
-        result.light = render::SpotLight{keys.at, keys.facing, *keys.spot * keys.strength,
-                                         keys.angle.inner, keys.angle.outer};
+        result.light =
+            render::SpotLight{keys.at,          keys.facing,      *keys.spot * keys.strength,
+                              keys.angle.inner, keys.angle.outer, keys.falloff};
     } else if (keys.directional) {
         result.light = render::DirectionalLight{keys.facing, *keys.directional * keys.strength};
     } else if (keys.environment) {

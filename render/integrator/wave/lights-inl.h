@@ -25,6 +25,10 @@ struct LightLanes {
     M valid;
 };
 
+HWY_INLINE V3 radiance_of(const WaveLight& light, F pdf) {
+    return light.fades ? all(light.radiance) : all(light.radiance) * (all(kPi) * pdf);
+}
+
 HWY_INLINE LightLanes sample_rectangle(const WaveLight& light, const V3& point, const V2& u) {
     const F a = all(2.f) * u.x - all(1.f);
     const F b = all(2.f) * u.y - all(1.f);
@@ -32,8 +36,8 @@ HWY_INLINE LightLanes sample_rectangle(const WaveLight& light, const V3& point, 
     const F height = hn::Neg(dot(way, all(light.normal)));
     const F distance2 = dot(way, way);
     const F distance = hn::Sqrt(distance2);
-    return {way * (all(1.f) / distance), distance,
-            distance2 * distance / (height * all(light.area)), all(light.radiance),
+    const F pdf = distance2 * distance / (height * all(light.area));
+    return {way * (all(1.f) / distance), distance, pdf, radiance_of(light, pdf),
             hn::Gt(height, all(0.f))};
 }
 
@@ -47,9 +51,9 @@ HWY_INLINE LightLanes sample_sphere(const WaveLight& light, const V3& point, con
     const F sine2 = local.x * local.x + local.y * local.y;
     const F inside = hn::Sqrt(hn::Max(all(0.f), radius * radius - distance2 * sine2));
     const Basis basis = basis_around(way * (all(1.f) / distance));
-    return {unit(basis.to_world(local)), hn::Max(all(0.f), distance * local.z - inside),
-            all(1.f) / (all(2 * kPi) * one_minus_cos), all(light.radiance),
-            hn::Gt(distance2, radius * radius)};
+    const F pdf = all(1.f) / (all(2 * kPi) * one_minus_cos);
+    return {unit(basis.to_world(local)), hn::Max(all(0.f), distance * local.z - inside), pdf,
+            radiance_of(light, pdf), hn::Gt(distance2, radius * radius)};
 }
 
 HWY_INLINE F surface_cosine(F cosine, F reach) {
@@ -64,6 +68,10 @@ HWY_INLINE F importance_of_rectangle(const WaveLight& light, const V3& point, co
     const F height = hn::Neg(dot(way, all(light.normal)));
     const F cosine =
         surface_cosine(dot(way, normal) / distance, all(light.half_diagonal) / distance);
+    if (!light.fades) {
+        return select(hn::Gt(height, all(0.f)), all(luminance(light.radiance) * kPi) * cosine,
+                      all(0.f));
+    }
     const F value = all(luminance(light.radiance) * light.area) * cosine * (height / distance) /
                     hn::Max(distance2, all(0.25f * light.area));
     return select(hn::Gt(height, all(0.f)), value, all(0.f));
@@ -73,7 +81,8 @@ HWY_INLINE F importance_of_sphere(const WaveLight& light, const V3& point, const
     const V3 way = all(light.centre) - point;
     const F distance = hn::Max(hn::Sqrt(dot(way, way)), all(1e-6f));
     const F radius = all(light.radius);
-    const F solid_angle = all(2.0f * kPi) * one_minus_cos_of_sphere(radius, distance);
+    const F solid_angle =
+        light.fades ? all(2.0f * kPi) * one_minus_cos_of_sphere(radius, distance) : all(kPi);
     const F value = all(luminance(light.radiance)) * solid_angle *
                     surface_cosine(dot(way, normal) / distance, radius / distance);
     return select(hn::Gt(distance, radius), value, all(0.f));

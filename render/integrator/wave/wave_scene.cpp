@@ -20,6 +20,7 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
         light.edge_v = rectangle->edge_v();
         light.normal = rectangle->normal();
         light.radiance = rectangle->radiance();
+        light.fades = rectangle->fades();
         light.area = 4.0f * light.edge_u.length() * light.edge_v.length();
         light.half_diagonal = (light.edge_u + light.edge_v).length();
         light.samples = first_vertex_samples(lights, index);
@@ -28,6 +29,7 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
         light.kind = WaveLight::Kind::sphere;
         light.centre = sphere.centre();
         light.radiance = sphere.radiance();
+        light.fades = sphere.fades();
         light.radius = sphere.radius();
     }
     return light;

@@ -23,6 +23,7 @@ struct WaveLight {
     float radius = 0;         // of a sphere
     int samples = 1;          // at a path's first vertex
     bool is_environment = false;
+    bool fades = true;  // area_light.h's gain
 };
 
 /// Objects by number, an array for each of their numbers.

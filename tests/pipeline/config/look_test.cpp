@@ -246,6 +246,31 @@ TEST(Lights, EveryKind_FillsItsFields) {
     EXPECT_DOUBLE_EQ(room.rotation, 1.5707963267948966);
 }
 
+TEST(Lights, WithoutFalloff_AreMarked) {
+    const Shot shot = load_sections(
+        "lights:\n"
+        "  lamp: {rectangle: [1.2, 0.4], falloff: none}\n"
+        "  bulb: {sphere: 5 cm, falloff: none}\n"
+        "  spark: {point: 3, falloff: none}\n"
+        "  torch: {spot: 3, falloff: none}\n"
+        "  usual: {point: 3}\n");
+    const auto falloff = [&](std::size_t light) {
+        return std::visit(
+            [](const auto& l) {
+                if constexpr (requires { l.falloff; }) {
+                    return l.falloff;
+                } else {
+                    return render::Falloff::inverse_square;
+                }
+            },
+            shot.scene.lights.at(light).light);
+    };
+    for (std::size_t light = 0; light < 4; ++light) {
+        EXPECT_EQ(falloff(light), render::Falloff::none) << light;
+    }
+    EXPECT_EQ(falloff(4), render::Falloff::inverse_square);
+}
+
 TEST(Lights, Picture_IsAnAsset) {
     const Shot shot =
         load_sections("lights: {sky: {environment: files/picture.png, strength: 0.4}}\n");

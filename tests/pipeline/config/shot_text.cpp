@@ -88,10 +88,10 @@ struct ColourWriter {
 struct LightWriter {
     Writer& out;
     void operator()(const render::RectangleLight& l) const {
-        out.line(l.centre, l.edge_u, l.edge_v, l.normal, l.radiance);
+        out.line(l.centre, l.edge_u, l.edge_v, l.normal, l.radiance, l.falloff);
     }
     void operator()(const render::SphereLight& l) const {
-        out.line(l.centre, l.radius, l.radiance);
+        out.line(l.centre, l.radius, l.radiance, l.falloff);
     }
     void operator()(const render::EnvironmentLight& l) const {
         out.line(l.radiance, l.image, l.rotation);
@@ -99,9 +99,11 @@ struct LightWriter {
             out.line("sky", l.sky->sun, l.sky->turbidity, l.sky->ground);
         }
     }
-    void operator()(const render::PointLight& l) const { out.line(l.position, l.intensity); }
+    void operator()(const render::PointLight& l) const {
+        out.line(l.position, l.intensity, l.falloff);
+    }
     void operator()(const render::SpotLight& l) const {
-        out.line(l.position, l.direction, l.intensity, l.inner_angle, l.outer_angle);
+        out.line(l.position, l.direction, l.intensity, l.inner_angle, l.outer_angle, l.falloff);
     }
     void operator()(const render::DirectionalLight& l) const {
         out.line(l.direction, l.irradiance);
@@ -197,7 +199,7 @@ std::string shot_text(const Shot& shot) {
              shutter.switch_ratio);
     const render::RenderSettings& r = shot.render;
     out.line("render", r.width, r.height, r.integrator, r.samples, r.max_bounces, r.clamp, r.filter,
-             r.filter_width, r.acceleration);
+             r.filter_width, r.acceleration, r.seed);
     const render::DistributedSettings& d = r.distributed;
     out.line("distributed", d.pixel_samples, d.blur_samples, d.lens_samples, d.shadow_samples,
              d.reflection_samples, d.refraction_samples, d.recursion_limit, d.falloff,

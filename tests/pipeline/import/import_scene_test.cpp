@@ -159,23 +159,29 @@ TEST(ImportSample, Forces_BecomeImpulsesThatGiveTheAuthorsVelocity) {
     EXPECT_NEAR_VEC(impulse.newton_seconds / body->mass, velocity, 1e-6 * velocity.length());
 }
 
-TEST(ImportSample, Lights_GiveTheirColourWhereTheSpheresStart) {
+// The format's lights do not fade, and a diffuse surface k that faces one is seen as k times its
+// colour.
+TEST(ImportSample, Lights_GiveTheirColourAtEveryDistance) {
     const Shot shot = sample();
     const auto& bulb = std::get<render::SphereLight>(shot.scene.lights[1].light);
-    const Vec3 middle(0.5, -0.5, 0.0401);
-    const double distance = (bulb.centre - middle).length();
-    EXPECT_NEAR_VEC(bulb.radiance * std::pow(bulb.radius / distance, 2), Vec3(0.4, 0.35, 0.3),
-                    1e-6);
+    EXPECT_EQ(bulb.falloff, render::Falloff::none);
+    EXPECT_EQ(bulb.radiance, Vec3(0.4, 0.35, 0.3));
+    EXPECT_NEAR(bulb.radius, 0.04, 1e-12);
     const auto& lamp = std::get<render::RectangleLight>(shot.scene.lights[0].light);
+    EXPECT_EQ(lamp.falloff, render::Falloff::none);
+    EXPECT_EQ(lamp.radiance, Vec3(0.9, 0.9, 0.8));
     EXPECT_NEAR_VEC(lamp.centre, Vec3(0.7, -0.5, 0.8), 1e-9);
     EXPECT_NEAR(lamp.edge_u.length(), 0.2, 1e-9);
     EXPECT_NEAR(std::abs(lamp.edge_u.normalized().x), 1, 1e-9);
     EXPECT_NEAR_VEC(lamp.normal, Vec3(0, 0, -1), 1e-9);
-    const Vec3 way = middle - lamp.centre;
-    const double area = 4 * lamp.edge_u.length() * lamp.edge_v.length();
-    const double cosine = lamp.normal.dot(way.normalized());
-    EXPECT_NEAR_VEC(lamp.radiance * (area * cosine / (M_PI * way.dot(way))), Vec3(0.9, 0.9, 0.8),
-                    1e-6);
+}
+
+TEST(Import, PointLight_GivesItsColourAtEveryDistance) {
+    const Shot shot = shot_of(kCamera + "light_point P { position { 0 90 0 } color { 1 0.5 0 } }");
+    const auto& point = std::get<render::PointLight>(shot.scene.lights.at(0).light);
+    EXPECT_EQ(point.falloff, render::Falloff::none);
+    EXPECT_NEAR_VEC(point.intensity, Vec3(M_PI, M_PI / 2, 0), 1e-8);
+    EXPECT_NEAR_VEC(point.position, Vec3(0, 0, 0.9), 1e-12);
 }
 
 TEST(Import, BoxesAndRectangles_StandWhereTheirVerticesSay) {
@@ -237,6 +243,9 @@ TEST(Import, WithoutLights_OneHangsOverTheCamera) {
     EXPECT_TRUE(has_note(result, "one over the camera"));
     const Shot shot = shot_of(result);
     ASSERT_EQ(shot.scene.lights.size(), 1U);
+    const auto& light = std::get<render::PointLight>(shot.scene.lights[0].light);
+    EXPECT_EQ(light.falloff, render::Falloff::none);
+    EXPECT_NEAR_VEC(light.intensity, Vec3(M_PI), 1e-8);
 }
 
 TEST(Import, MissingPictures_AreReplacedByTheColourAndNoted) {

@@ -24,6 +24,12 @@ Hash128 hash_of(const render::Shape& shape, const render::ColourSource& base = V
     return hash_scene(make_scene(shape, base));
 }
 
+template <class Light>
+void add_without_falloff(render::SceneDescription& scene, Light light) {
+    light.falloff = render::Falloff::none;
+    scene.lights.push_back({"a", light});
+}
+
 void expect_all_different(const std::vector<Hash128>& hashes) {
     for (std::size_t i = 0; i < hashes.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
@@ -170,6 +176,10 @@ TEST(SceneHash, MaterialAndLights_AllCount) {
         [](auto& s) {
             s.lights.push_back({"a", render::DirectionalLight{}});
         },
+        [](auto& s) { add_without_falloff(s, render::PointLight{}); },
+        [](auto& s) { add_without_falloff(s, render::SpotLight{}); },
+        [](auto& s) { add_without_falloff(s, render::RectangleLight{}); },
+        [](auto& s) { add_without_falloff(s, render::SphereLight{}); },
         [](auto& s) {
             s.lights.push_back({"a", render::DirectionalLight{{0, 1, -1}, {1, 1, 1}}});
         },

@@ -44,6 +44,10 @@ std::vector<Case> cases() {
     return {{{"point", PointLight{{0, 3, 4}, {50, 50, 50}}}, 50.0 / 25 * 0.8},
             {{"spot", SpotLight{{0, 3, 4}, {0, -3, -4}, {50, 50, 50}, 0.2, 0.3}}, 50.0 / 25 * 0.8},
             {{"spot beside", SpotLight{{0, 3, 4}, {0, 0, -4}, {50, 50, 50}, 0.2, 0.3}}, 0},
+            {{"point without falloff", PointLight{{0, 3, 4}, {5, 5, 5}, Falloff::none}}, 5 * 0.8},
+            {{"spot without falloff",
+              SpotLight{{0, 3, 4}, {0, -3, -4}, {5, 5, 5}, 0.2, 0.3, Falloff::none}},
+             5 * 0.8},
             {{"sun", DirectionalLight{{0, -3, -4}, {2, 2, 2}}}, 2 * 0.8}};
 }
 

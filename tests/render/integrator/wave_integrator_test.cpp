@@ -77,6 +77,20 @@ std::vector<WaveCase> wave_cases() {
                          point.intensity = Vec3(0.4, 0.5, 0.6);
                          builder.scene.lights.push_back({"point", point});
                      })});
+    cases.push_back(
+        {"LightsWithoutFalloff", [](SceneBuilder& builder) {
+             add_lights(builder);
+             for (render::LightDescription& light : builder.scene.lights) {
+                 if (auto* lamp = std::get_if<render::RectangleLight>(&light.light)) {
+                     lamp->falloff = render::Falloff::none;
+                 } else if (auto* bulb = std::get_if<render::SphereLight>(&light.light)) {
+                     bulb->falloff = render::Falloff::none;
+                 }
+             }
+             builder.scene.lights.push_back(
+                 {"point",
+                  render::PointLight{Vec3(0.4, -0.4, 0.7), Vec3(1, 2, 3), render::Falloff::none}});
+         }});
     cases.push_back({"SkyWithSun", [](SceneBuilder& builder) {
                          render::EnvironmentLight sky;
                          sky.sky = render::Sky{};

@@ -29,6 +29,18 @@ TEST(PointLight, Irradiance_FallsWithTheSquareOfTheDistance) {
     EXPECT_EQ(sample->distance, 3);
 }
 
+TEST(PointLight, WithoutFalloff_GivesTheSameAtEveryDistance) {
+    const DeltaLight light(PointLight{{1, 2, 3}, {10, 20, 40}, Falloff::none});
+    for (const float distance : {0.1f, 1.0f, 2.5f, 30.0f}) {
+        EXPECT_EQ(irradiance(light, V3f(1, 2 + distance, 3)), V3f(10, 20, 40));
+        EXPECT_NEAR(light.importance(V3f(1, 2 + distance, 3), V3f(0, -1, 0)),
+                    luminance(V3f(10, 20, 40)), 1e-4);
+        // In a ball that mirrors it: the intensity that gives this irradiance there.
+        EXPECT_NEAR(light.intensity(V3f(0, 1, 0), distance).x / (distance * distance), 10, 1e-4);
+    }
+    EXPECT_NEAR(light.irradiance_within(V3f(1, 50, 3), 1), luminance(V3f(10, 20, 40)), 1e-4);
+}
+
 TEST(SpotLight, Cone_IsFullInsideDarkOutsideAndSmoothBetween) {
     SpotLight spot;
     spot.position = Vec3(0, 0, 2);
