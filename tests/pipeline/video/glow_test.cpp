@@ -71,16 +71,37 @@ TEST(Glow, Point_IsRoundAndFallsOffAsTheInverseSquare) {
         ASSERT_NEAR(right, glowing.rgba[at(film, 100, 100 - r)], 1e-5F * right);
         last = right;
     }
-    for (const int r : {7, 14, 28}) {  // along the diagonal, too
-        const int leg = static_cast<int>(std::lround(r * 0.70710678));
-        const float diagonal = glowing.rgba[at(film, 100 + leg, 100 + leg)];
-        EXPECT_NEAR(diagonal, glowing.rgba[at(film, 100 + r, 100)], 0.12F * diagonal) << r;
-    }
     // From the narrowest to the widest bell the mean slope over logarithms is near -2.
     const double slope = std::log(static_cast<double>(glowing.rgba[at(film, 102, 100)] /
                                                       glowing.rgba[at(film, 132, 100)])) /
                          std::log(2.0 / 32.0);
     EXPECT_NEAR(slope, -2, 0.4);
+}
+
+// Along the diagonals, too: out to three deviations of the widest Gaussian, in sizes at which all,
+// some and none of the three are made of smaller pictures.
+TEST(Glow, Halo_IsAsBrightInAllDirections) {
+    for (const double deviation : {10.0, 24.0, 50.0}) {
+        const int middle = static_cast<int>(4.6 * deviation);
+        render::Film film = even_film(2 * middle + 1, 2 * middle + 1, 0);
+        film.rgba[at(film, middle, middle)] = 1e4F;
+        const render::Film glowing = with_glow(film, {1, deviation / film.height});
+        const auto along_row = [&](double distance) {  // a parabola through three logarithms
+            const int near = static_cast<int>(std::lround(distance));
+            const auto log_at = [&](int x) {
+                return std::log(static_cast<double>(glowing.rgba[at(film, middle + x, middle)]));
+            };
+            const double a = log_at(near - 1), b = log_at(near), c = log_at(near + 1);
+            const double t = distance - near;
+            return std::exp(b + t * (c - a) / 2 + t * t * (a + c - 2 * b) / 2);
+        };
+        for (int leg = 3; leg * M_SQRT2 < 3 * deviation; ++leg) {
+            const auto diagonal =
+                static_cast<double>(glowing.rgba[at(film, middle + leg, middle + leg)]);
+            const double expected = along_row(leg * M_SQRT2);
+            EXPECT_NEAR(diagonal, expected, 0.008 * expected) << deviation << ", " << leg;
+        }
+    }
 }
 
 TEST(Glow, Deviation_IsTheRadius) {

@@ -1,0 +1,238 @@
+#include "pipeline/video/gaussian_blur.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace carom::pipeline {
+
+namespace {
+
+constexpr double kReach = 4;          // of the Gaussian, deviations
+constexpr double kCellsPerSigma = 2;  // of a reduced picture, at least
+
+// Lines that are filtered side by side: the sums of several lines do not wait for each other.
+constexpr std::size_t kLanes = 16;
+using Lanes = std::array<float, kLanes>;
+
+/// A map of `size` numbers, each from at most `taps` of `count` neighbours, the first of which is
+/// `first(i)`.
+LineMap line_map(std::size_t size, std::size_t count, std::size_t taps, const auto& first,
+                 const auto& weight) {
+    LineMap map;
+    map.taps = std::min(taps, count);
+    const auto last = static_cast<double>(count - map.taps);
+    for (std::size_t i = 0; i < size; ++i) {
+        map.first.push_back(static_cast<std::size_t>(std::clamp(first(i), 0.0, last)));
+        for (std::size_t tap = 0; tap < map.taps; ++tap) {
+            map.weights.push_back(static_cast<float>(weight(i, map.first.back() + tap)));
+        }
+    }
+    return map;
+}
+
+/// Sum of f over the places of number `i` of a line of `count` and of its images: beyond the ends
+/// the line is mirrored, ... 1 0 | 0 1 2 ... n-1 | n-1 n-2 ..., again and again. `reach`: how far
+/// beyond the ends f is not 0.
+double sum_over_images(std::size_t i, std::size_t count, double reach, const auto& f) {
+    const auto period = 2 * static_cast<double>(count);
+    const double turns = std::ceil(reach / period) + 1;
+    double sum = 0;
+    for (double turn = -turns; turn <= turns; ++turn) {
+        sum += f(static_cast<double>(i) + turn * period) +
+               f(-1 - static_cast<double>(i) + turn * period);
+    }
+    return sum;
+}
+
+/// Integral of the cubic B-spline up to x. It is not 0 from -2 to 2.
+double spline_integral(double x) {
+    const double r = std::min(std::abs(x), 2.0);
+    const double half = r < 1 ? r * (2.0 / 3 + r * r * (r / 8 - 1.0 / 3))
+                              : 0.5 - (2 - r) * (2 - r) * (2 - r) * (2 - r) / 24;
+    return x < 0 ? 0.5 - half : 0.5 + half;
+}
+
+/// A line of `pixels` in fewer, longer cells, and back. A pixel and a cell have to do with each
+/// other by the mean over the pixel of the cubic B-spline around the cell's middle: so a point
+/// keeps its place and gets the same variance wherever it lies between the cells, the sum is kept,
+/// and what is even stays even.
+class Cells {
+  public:
+    Cells(std::size_t pixels, std::size_t cells)
+        : pixels_(pixels),
+          cells_(cells),
+          length_(static_cast<double>(pixels) / static_cast<double>(cells)) {}
+
+    [[nodiscard]] LineMap reduction() const {
+        const auto taps = static_cast<std::size_t>(std::ceil(4 * length_)) + 2;
+        return line_map(
+            cells_, pixels_, taps,
+            [&](std::size_t cell) { return (static_cast<double>(cell) - 1.5) * length_ - 1; },
+            [&](std::size_t cell, std::size_t pixel) { return share(pixel, cell) / length_; });
+    }
+
+    [[nodiscard]] LineMap enlargement() const {
+        constexpr std::size_t kTaps = 6;
+        return line_map(
+            pixels_, cells_, kTaps,
+            [&](std::size_t pixel) { return static_cast<double>(pixel) / length_ - 2.5; },
+            [&](std::size_t pixel, std::size_t cell) { return share(pixel, cell); });
+    }
+
+    /// The variance of a Gaussian on the cells that together with the way there and back makes
+    /// `variance`, in squared pixels: a spline's is 1/3 of a squared cell, a pixel's breadth 1/12.
+    [[nodiscard]] double variance_left(double variance) const {
+        return (variance - 2 * (length_ * length_ / 3 + 1.0 / 12)) / (length_ * length_);
+    }
+
+  private:
+    [[nodiscard]] double share(std::size_t pixel, std::size_t cell) const {
+        const double from = static_cast<double>(pixel) / length_ - 0.5;
+        const double to = static_cast<double>(pixel + 1) / length_ - 0.5;
+        return length_ * sum_over_images(cell, cells_, 3, [&](double place) {
+                   return spline_integral(to - place) - spline_integral(from - place);
+               });
+    }
+
+    std::size_t pixels_;
+    std::size_t cells_;
+    double length_;  // of a cell, pixels
+};
+
+/// Weights at the distances 0, 1, ... of a Gaussian, adding up to 1 over both sides. A narrow one
+/// is three numbers that have its variance, which the Gaussian's values between so few pixels lack.
+std::vector<double> gaussian_weights(double variance) {
+    constexpr double kFewPixels = 0.36;
+    if (variance < kFewPixels) {
+        return {1 - variance, variance / 2};
+    }
+    const auto reach = static_cast<std::size_t>(std::ceil(kReach * std::sqrt(variance)));
+    std::vector<double> weights;
+    double sum = 0;
+    for (std::size_t n = 0; n <= reach; ++n) {
+        const auto distance = static_cast<double>(n);
+        weights.push_back(std::exp(-0.5 * distance * distance / variance));
+        sum += (n == 0 ? 1 : 2) * weights.back();
+    }
+    for (double& weight : weights) {
+        weight /= sum;
+    }
+    return weights;
+}
+
+LineMap gaussian(std::size_t count, double variance) {
+    const std::vector<double> weights = gaussian_weights(variance);
+    const auto far = static_cast<double>(weights.size() - 1);
+    return line_map(
+        count, count, 2 * weights.size() - 1,
+        [&](std::size_t i) { return static_cast<double>(i) - far; },
+        [&](std::size_t i, std::size_t j) {
+            return sum_over_images(j, count, far, [&](double place) {
+                const double distance = std::abs(place - static_cast<double>(i));
+                return distance <= far ? weights[static_cast<std::size_t>(distance)] : 0.0;
+            });
+        });
+}
+
+/// The cells that a line is reduced to; all of its pixels where that would gain nothing.
+std::size_t cells_for(std::size_t pixels, double deviation) {
+    const double length = std::floor(deviation / kCellsPerSigma);
+    return length < 2 ? pixels
+                      : static_cast<std::size_t>(std::ceil(static_cast<double>(pixels) / length));
+}
+
+void apply(const LineMap& map, const std::vector<Lanes>& line, std::vector<Lanes>& result) {
+    result.resize(map.first.size());
+    for (std::size_t i = 0; i < map.first.size(); ++i) {
+        Lanes sum{};
+        for (std::size_t tap = 0; tap < map.taps; ++tap) {
+            const float weight = map.weights[i * map.taps + tap];
+            const Lanes& value = line[map.first[i] + tap];
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                sum[k] += weight * value[k];
+            }
+        }
+        result[i] = sum;
+    }
+}
+
+/// Value i of line k stands at i * stride + k * lane_stride.
+struct Lines {
+    std::size_t count, stride, lane_stride;
+};
+
+/// Up to kLanes lines through all maps.
+void run(const std::vector<LineMap>& maps, const float* from, const Lines& in, float* to,
+         const Lines& out, std::size_t lanes) {
+    std::vector<Lanes> line(in.count);
+    std::vector<Lanes> next;
+    for (std::size_t i = 0; i < in.count; ++i) {
+        for (std::size_t k = 0; k < lanes; ++k) {
+            line[i][k] = from[i * in.stride + k * in.lane_stride];
+        }
+    }
+    for (const LineMap& map : maps) {
+        apply(map, line, next);
+        line.swap(next);
+    }
+    for (std::size_t i = 0; i < out.count; ++i) {
+        for (std::size_t k = 0; k < lanes; ++k) {
+            to[i * out.stride + k * out.lane_stride] = line[i][k];
+        }
+    }
+}
+
+Plane sized(std::size_t width, std::size_t height) {
+    return {width, height, std::vector<float>(width * height)};
+}
+
+Plane on_rows(const std::vector<LineMap>& maps, const Plane& plane) {
+    Plane result = sized(maps.back().first.size(), plane.height);
+    for (std::size_t y = 0; y < plane.height; y += kLanes) {
+        run(maps, &plane.values[y * plane.width], {plane.width, 1, plane.width},
+            &result.values[y * result.width], {result.width, 1, result.width},
+            std::min(kLanes, plane.height - y));
+    }
+    return result;
+}
+
+Plane on_columns(const std::vector<LineMap>& maps, const Plane& plane) {
+    Plane result = sized(plane.width, maps.back().first.size());
+    for (std::size_t x = 0; x < plane.width; x += kLanes) {
+        run(maps, &plane.values[x], {plane.height, plane.width, 1}, &result.values[x],
+            {result.height, result.width, 1}, std::min(kLanes, plane.width - x));
+    }
+    return result;
+}
+
+}  // namespace
+
+GaussianBlur::GaussianBlur(std::size_t width, std::size_t height, double deviation) {
+    const std::size_t columns = cells_for(width, deviation);
+    const std::size_t rows = cells_for(height, deviation);
+    const Cells across(width, columns);
+    const Cells down(height, rows);
+    const double variance = deviation * deviation;
+    if (columns < width) {
+        along_rows_.push_back(across.reduction());
+        along_rows_.push_back(gaussian(columns, across.variance_left(variance)));
+        back_.push_back(across.enlargement());
+    } else {
+        along_rows_.push_back(gaussian(columns, variance));
+    }
+    if (rows < height) {
+        along_columns_.push_back(down.reduction());
+        along_columns_.push_back(gaussian(rows, down.variance_left(variance)));
+        along_columns_.push_back(down.enlargement());
+    } else {
+        along_columns_.push_back(gaussian(rows, variance));
+    }
+}
+
+Plane GaussianBlur::blurred(const Plane& plane) const {
+    const Plane result = on_columns(along_columns_, on_rows(along_rows_, plane));
+    return back_.empty() ? result : on_rows(back_, result);
+}
+
+}  // namespace carom::pipeline
