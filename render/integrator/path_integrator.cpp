@@ -17,6 +17,9 @@ constexpr std::uint32_t kBranchesOfOneCoat = 1u << (kMostSplits + 1);
 constexpr int kRouletteVertex = 5;
 constexpr float kLeastSurvival = 0.2f;
 
+// Probability of being followed further of a path within glass that has had all its bounces.
+constexpr float kSurvivalInGlass = 0.95f;
+
 constexpr float kLeastCosine = 0.05f;
 
 float largest(const V3f& c) {
@@ -52,6 +55,8 @@ PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& 
     CAROM_ASSERT(settings.split_vertices >= 0 && settings.split_vertices <= kMostSplits);
     has_emission_ = std::any_of(scene.materials.begin(), scene.materials.end(),
                                 [](const Material& material) { return material.is_emissive(); });
+    has_glass_ = std::any_of(scene.materials.begin(), scene.materials.end(),
+                             [](const Material& material) { return material.is_transmissive(); });
 }
 
 RadianceSample PathIntegrator::sample(const Ray& camera_ray, float pixel_spread,
@@ -127,13 +132,18 @@ bool PathIntegrator::meet(Path& path, const Hit& hit, PathWork& work) const {
     if (has_emission_) {
         add_emission(path, hit, work);
     }
-    if (path.vertex > settings_.max_bounces || !survives(path, work)) {
+    const bool is_spent = path.vertex > settings_.max_bounces;
+    if ((is_spent && !has_glass_) || !survives(path, work)) {
         return false;
     }
     const V3f wo = -path.ray.direction;
     const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
     path.width += path.spread * hit.t;
     const Surface surface = resolve(path, point);
+    if (is_spent && !(surface.from_behind && scene_.materials[point.material].is_transmissive() &&
+                      survives_in_glass(path, work))) {
+        return false;
+    }
     if (surface.is_inside) {
         path.throughput *= surface.layers->glass->left_after(hit.t);
     }
@@ -211,6 +221,17 @@ bool PathIntegrator::survives(Path& path, const PathWork& work) const {
         return false;
     }
     path.throughput /= survival;
+    return true;
+}
+
+// A path that ended within glass would darken it, the frosted kind most: so it is followed until it
+// leaves, by roulette, whatever the number of its bounces.
+bool PathIntegrator::survives_in_glass(Path& path, const PathWork& work) const {
+    constexpr int kMostVertices = static_cast<int>(PathDimensions::kVertices) - 1;
+    if (path.vertex >= kMostVertices || work.dimensions.further(path).y >= kSurvivalInGlass) {
+        return false;
+    }
+    path.throughput /= kSurvivalInGlass;
     return true;
 }
 

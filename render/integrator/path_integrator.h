@@ -13,8 +13,10 @@
 namespace carom::render {
 
 struct PathSettings {
-    int max_bounces = 4;  // [0, 64]; 0: light seen and light scattered once
-    float clamp = 0;      // bound on a sample's indirect light, 0: none
+    /// [0, 64]; 0: light seen and light scattered once. Paths that are within glass then are
+    /// followed until they leave it.
+    int max_bounces = 4;
+    float clamp = 0;  // bound on a sample's indirect light, 0: none
     /// At so many first vertices, at most 2, the coat and what lies below it are both followed.
     int split_vertices = 2;
     int glossy_samples = 4;  // see ShadingVertex, for coats that the camera sees, [1, 16]
@@ -80,6 +82,7 @@ class PathIntegrator final : public Integrator {
                                PathWork& work) const;
     [[nodiscard]] bool is_sought(const Path& path, const Hit& hit) const;
     [[nodiscard]] bool survives(Path& path, const PathWork& work) const;
+    [[nodiscard]] bool survives_in_glass(Path& path, const PathWork& work) const;
 
     TransportScene scene_;
     DirectLight direct_;
@@ -87,6 +90,7 @@ class PathIntegrator final : public Integrator {
     const LightReflections* reflections_;
     PathSettings settings_;
     bool has_emission_ = false;  // some object shines by its material
+    bool has_glass_ = false;     // some object lets light through
 };
 
 }  // namespace carom::render

@@ -43,6 +43,19 @@ float microfacet_albedo(float alpha, float cosine, const Reflectance& reflectanc
     });
 }
 
+// Of sin^n over [angle, pi/2], by the midpoint rule over the part where it is above 1e-12.
+double integral_of_sine_power(double exponent, double angle) {
+    constexpr int kSteps = 256;
+    constexpr double kQuarterTurn = 1.5707963267948966;
+    const double from = std::max(angle, kQuarterTurn - 7.5 / std::sqrt(exponent + 1));
+    const double step = (kQuarterTurn - from) / kSteps;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        sum += std::pow(std::sin(from + (i + 0.5) * step), exponent);
+    }
+    return sum * step;
+}
+
 }  // namespace
 
 template <class Albedo>
@@ -92,6 +105,18 @@ AlbedoTable AlbedoTable::of_sheen() {
             const V3f wi(sine * angle.cosine, sine * angle.sine, u.x);
             return 2.0f * kPi * sheen_reflection(wo, wi);
         });
+    });
+}
+
+// Tilting the surface by d(angle) cuts off, along the half circle where it passes through the lobe,
+//   (n + 1) / (2 pi) sin^n(angle) d(angle) x integral of cos^(n + 1) over that half circle,
+// and at a right angle half of the lobe is left: so the share is
+//   1/2 + 1/2 x integral of sin^n over [angle, pi/2] / integral of sin^n over [0, pi/2].
+AlbedoTable AlbedoTable::of_cosine_lobe(double exponent) {
+    const double whole = integral_of_sine_power(exponent, 0);
+    return build([&](float cosine) {
+        const double angle = std::acos(std::min(1.0, static_cast<double>(cosine)));
+        return static_cast<float>(0.5 + 0.5 * integral_of_sine_power(exponent, angle) / whole);
     });
 }
 

@@ -18,6 +18,9 @@ class AlbedoTable {
     /// reflects or lets through.
     [[nodiscard]] static AlbedoTable of_glass(float alpha, float index);
     [[nodiscard]] static AlbedoTable of_sheen();
+    /// A lobe cos^n around an axis, `exponent` n >= 0: the share of it that lies on the axis' side
+    /// of the surface, over the cosine of the axis to the normal.
+    [[nodiscard]] static AlbedoTable of_cosine_lobe(double exponent);
 
     [[nodiscard]] float at(float cosine) const;
 

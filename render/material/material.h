@@ -80,6 +80,11 @@ class Material {
     /// Of such a material: what it mirrors at an angle with this cosine, as Bsdf has it.
     [[nodiscard]] V3f mirror_reflectance(float cosine) const;
 
+    /// Whether it is a boundary that light passes.
+    [[nodiscard]] bool is_transmissive() const {
+        return layers_.glass != nullptr || (is_phong_ && phong_.transmittance != V3f(0, 0, 0));
+    }
+
     /// Whether a diffuse base is all there is, but for sheen and a smooth coat over it: no other
     /// lobe, no glass, no light of its own.
     [[nodiscard]] bool is_plain() const {

@@ -13,7 +13,14 @@ double reflectance_straight_on(double index) {
 constexpr double kHighlightIndex = 1.5;
 constexpr double kSharpestAlpha = 1e-3;
 
+constexpr double kSharpest = 1e6;  // exponent beyond which a lobe is one direction
+
 }  // namespace
+
+CosineLobe CosineLobe::of_spread(double spread) {
+    const double exponent = spread > 0 ? 2 / (spread * spread) : kSharpest;
+    return exponent < kSharpest ? CosineLobe(exponent) : CosineLobe();
+}
 
 PhongModel phong_model(const PhongMaterial& description) {
     PhongModel model;
@@ -26,6 +33,9 @@ PhongModel phong_model(const PhongMaterial& description) {
     model.transmittance = V3f(description.transmittance);
     model.transmittance_spread = static_cast<float>(description.transmittance_spread);
     model.index = static_cast<float>(description.index);
+    model.highlight_lobe = CosineLobe(description.shininess + 1);
+    model.mirrored_lobe = CosineLobe::of_spread(description.reflectance_spread);
+    model.through_lobe = CosineLobe::of_spread(description.transmittance_spread);
     return model;
 }
 

@@ -2,9 +2,23 @@
 #pragma once
 
 #include "render/geometry/ray.h"
+#include "render/material/albedo_table.h"
 #include "render/scene/material_description.h"
 
 namespace carom::render {
+
+/// The shape of light that is scattered around one direction: cos^n of the angle to it.
+struct CosineLobe {
+    CosineLobe() = default;
+    explicit CosineLobe(double n)
+        : exponent(static_cast<float>(n)), kept(AlbedoTable::of_cosine_lobe(n)) {}
+    /// The lobe whose mean square of the angle is that of the classic model's rays, n = 2 / s^2 for
+    /// the standard deviation s in rad.
+    static CosineLobe of_spread(double spread);
+
+    float exponent = -1;  // n; -1: the direction alone
+    AlbedoTable kept;     // share on the right side of the surface, by the cosine of the direction
+};
 
 /// The part of a phong surface that does not vary: everything but the texture's colour, `base`.
 struct PhongModel {
@@ -19,6 +33,9 @@ struct PhongModel {
     V3f transmittance{0, 0, 0};
     float transmittance_spread = 0;
     float index = 1;  // inside over outside
+    // For path tracing of a phong surface: around the mirrored direction, the same, and the
+    // refracted direction.
+    CosineLobe highlight_lobe, mirrored_lobe, through_lobe;
 
     [[nodiscard]] V3f diffuse_colour(const V3f& base) const { return base * diffuse_share; }
     [[nodiscard]] V3f ambient_colour(const V3f& base) const {

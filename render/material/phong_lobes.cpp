@@ -11,16 +11,15 @@
 namespace carom::render {
 namespace {
 
-constexpr float kSharpest = 1e6f;   // exponent beyond which a lobe is one direction
 constexpr float kBroadest = 32.0f;  // exponent up to which a lobe is wide
 
 float largest(const V3f& c) {
     return std::max({c.x, c.y, c.z});
 }
 
-float exponent_of(float spread) {
-    const float exponent = spread > 0 ? 2 / (spread * spread) : kSharpest;
-    return exponent < kSharpest ? exponent : -1.0f;
+/// A half turn of `w` about the unit `axis`.
+V3f turned(const V3f& w, const V3f& axis) {
+    return axis * (2 * (axis ^ w)) - w;
 }
 
 /// Where light that goes out to the unit `wo` comes from on the other side (Snell); empty at total
@@ -35,32 +34,39 @@ std::optional<V3f> refracted(const V3f& wo, float index) {
 
 }  // namespace
 
+PhongLobes::Lobe::Lobe(const V3f& the_share, const V3f& the_axis, const CosineLobe& shape)
+    : share(the_share),
+      axis(the_axis),
+      exponent(shape.exponent),
+      kept(shape.exponent < 0 ? 1.0f : shape.kept.at(std::abs(the_axis.z))) {}
+
 float PhongLobes::Lobe::density(const V3f& wi) const {
     const float cosine = axis ^ wi;
     return cosine > 0 ? (exponent + 1) * (0.5f * kInversePi) * std::pow(cosine, exponent) : 0.0f;
+}
+
+float PhongLobes::Lobe::pdf(const V3f& wi) const {
+    return density(wi) * (has_on_its_side(turned(wi, axis)) ? 1.0f : 2.0f);
 }
 
 V3f PhongLobes::Lobe::sampled(const V2f& u) const {
     const float cosine = std::pow(1 - u.x, 1 / (exponent + 1));
     const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
     const SinCos azimuth = sin_cos_turn(u.y);
-    return OrthonormalBasis::around(axis)
-        .to_world(V3f(sine * azimuth.cosine, sine * azimuth.sine, cosine))
-        .normalized();
+    const V3f wi = OrthonormalBasis::around(axis)
+                       .to_world(V3f(sine * azimuth.cosine, sine * azimuth.sine, cosine))
+                       .normalized();
+    return has_on_its_side(wi) ? wi : turned(wi, axis).normalized();
 }
 
 PhongLobes::PhongLobes(const PhongModel& model, const V3f& base, bool from_behind, const V3f& wo)
     : diffuse_(model.diffuse_colour(base)) {
     const V3f mirror(-wo.x, -wo.y, wo.z);
-    highlight_ = {model.specular, mirror, model.shininess, 0};
-    mirrored_ = {model.reflectance_colour(base), mirror, exponent_of(model.reflectance_spread), 0};
+    highlight_ = Lobe(model.specular, mirror, model.highlight_lobe);
+    mirrored_ = Lobe(model.reflectance_colour(base), mirror, model.mirrored_lobe);
     if (largest(model.transmittance) > 0) {
         const auto beyond = refracted(wo, from_behind ? 1 / model.index : model.index);
-        if (beyond) {
-            through_ = {model.transmittance, *beyond, exponent_of(model.transmittance_spread), 0};
-        } else {
-            mirrored_.share += model.transmittance;
-        }
+        through_ = Lobe(model.transmittance, beyond.value_or(mirror), model.through_lobe);
     }
     const float total = largest(diffuse_ + highlight_.share + mirrored_.share + through_.share);
     if (total > 1) {
@@ -81,23 +87,20 @@ PhongLobes::PhongLobes(const PhongModel& model, const V3f& base, bool from_behin
 
 PhongLobes::Value PhongLobes::evaluate(const V3f& wi) const {
     Value result;
-    const auto add = [&](const Lobe& lobe, float scale) {
-        if (lobe.probability > 0 && !lobe.is_delta()) {
-            const float density = lobe.density(wi);
-            result.value += lobe.share * (density * scale);
-            result.pdf += lobe.probability * density;
+    const auto add = [&](const Lobe& lobe) {
+        if (lobe.probability > 0 && !lobe.is_delta() && lobe.has_on_its_side(wi)) {
+            result.value += lobe.share * (lobe.density(wi) / lobe.kept);
+            result.pdf += lobe.probability * lobe.pdf(wi);
         }
     };
     if (wi.z > 0) {
         const float cosine = wi.z * kInversePi;
         result.value = diffuse_ * cosine;
         result.pdf = diffuse_probability_ * cosine;
-        // The highlight's density is (n + 1) / (2 pi), its value (n + 2) / (2 pi) times the cosine.
-        add(highlight_, (highlight_.exponent + 2) / (highlight_.exponent + 1) * wi.z);
-        add(mirrored_, 1);
-    } else {
-        add(through_, 1);
     }
+    add(highlight_);
+    add(mirrored_);
+    add(through_);
     return result;
 }
 
@@ -121,8 +124,8 @@ std::optional<PhongLobes::Sample> PhongLobes::sample(const V2f& u) const {
             return Sample{lobe->axis, lobe->share / lobe->probability, true};
         }
         const V3f direction = lobe->sampled(square);
-        if ((direction.z > 0) != (lobe != &through_)) {
-            return std::nullopt;  // strayed to the wrong side
+        if (!lobe->has_on_its_side(direction)) {
+            return std::nullopt;  // by rounding, along the surface
         }
         return Sample{direction, V3f(0, 0, 0), false};
     }

@@ -64,11 +64,11 @@ StandardMaterial white() {
 
 /// A ball in a room that shines 1 from everywhere, as a picture.
 Film ball_in_furnace(const StandardMaterial& material, bool moving, double lens_radius,
-                     int bounces = 4) {
+                     int bounces = 4, int samples = 64) {
     SceneBuilder builder;
     builder.material("skin", material).environment(1);
     builder.sphere("ball", 0.5, Vec3(0, 0, 0), "skin", "ball");
-    RenderSettings settings = small_settings(24, 24, 64);
+    RenderSettings settings = small_settings(24, 24, samples);
     settings.max_bounces = bounces;
     CameraState state = camera(Vec3(0, -3, 0), Vec3(0, 0, 0), 0.45);
     state.lens_radius = lens_radius;
@@ -113,6 +113,47 @@ TEST(Furnace, FrostedGlassBall_CannotBeSeen) {
         const double mean = test::mean_red(ball_in_furnace(glass, false, 0, 40));
         EXPECT_LT(mean, 1.003) << roughness;
         EXPECT_GT(mean, 0.99) << roughness;
+    }
+}
+
+// Light that is within the glass when a path has had its bounces still comes out.
+TEST(Furnace, GlassBalls_CannotBeSeenWithFewBouncesEither) {
+    StandardMaterial glass = white();
+    glass.transmission = 1;
+    for (const double roughness : {0.0, 0.5}) {
+        glass.roughness = roughness;
+        for (const int bounces : {1, 4}) {
+            const double mean = test::mean_red(ball_in_furnace(glass, false, 0, bounces, 256));
+            EXPECT_NEAR(mean, 1, 0.01) << roughness << ", bounces " << bounces;
+        }
+    }
+}
+
+// Highlights, gloss and frosting of phong surfaces, whose shares add up to 1.
+TEST(Furnace, WhitePhongBalls_CannotBeSeen) {
+    PhongMaterial shiny, glossy, frosted;
+    shiny.diffuse = Vec3(0.6, 0.6, 0.6);
+    shiny.specular = Vec3(0.4, 0.4, 0.4);
+    shiny.shininess = 20;
+    glossy.diffuse = Vec3(0.2, 0.2, 0.2);
+    glossy.reflectance = Vec3(0.8, 0.8, 0.8);
+    glossy.reflectance_spread = 0.3;
+    frosted.diffuse = Vec3(0, 0, 0);
+    frosted.transmittance = Vec3(0.9, 0.9, 0.9);
+    frosted.transmittance_spread = 0.3;
+    frosted.reflectance = Vec3(0.1, 0.1, 0.1);
+    frosted.reflectance_spread = 0.2;
+    frosted.index = 1.5;
+    for (const PhongMaterial& material : {shiny, glossy, frosted}) {
+        SceneBuilder builder;
+        builder.phong("skin", material).environment(1);
+        builder.sphere("ball", 0.5, Vec3(0, 0, 0), "skin");
+        RenderSettings settings = small_settings(24, 24, 1024);
+        settings.max_bounces = 4;
+        const FrameInput frame = still_frame(camera(Vec3(0, -3, 0), Vec3(0, 0, 0), 0.3));
+        const double mean = test::mean_red(
+            render_frame(PreparedScene(builder.scene, settings), {}, frame, settings));
+        EXPECT_NEAR(mean, 1, 0.005);
     }
 }
 

@@ -126,18 +126,61 @@ TEST(PhongLobes, DiffuseShare_IsLamberts) {
     EXPECT_NEAR(value.pdf, std::cos(0.9) / M_PI, 1e-6);
 }
 
-// Lafortune and Willems' highlight is the same for light that goes the other way.
-TEST(PhongLobes, Highlight_IsReciprocal) {
-    const Named shiny = materials()[1];
-    const double a = 0.3;
-    const double b = 0.8;
-    const V3f mirrored_b(-direction(b).x, -direction(b).y, direction(b).z);
-    const V3f mirrored_a(-direction(a).x, -direction(a).y, direction(a).z);
-    const double forth =
-        static_cast<double>(lobes(shiny, a).evaluate(mirrored_b).value.x) / std::cos(b);
-    const double back =
-        static_cast<double>(lobes(shiny, b).evaluate(mirrored_a).value.x) / std::cos(a);
-    EXPECT_NEAR(forth, back, 1e-5);
+/// What comes back from a room that shines 1 from everywhere, per channel.
+V3f albedo(const PhongLobes& scattering) {
+    test::TestRandom random(7);
+    constexpr int kSamples = 200'000;
+    V3f sum(0, 0, 0);
+    for (int i = 0; i < kSamples; ++i) {
+        const auto sample = scattering.sample(V2f{random.unit(), random.unit()});
+        if (sample && !sample->is_delta) {
+            const PhongLobes::Value value = scattering.evaluate(sample->direction);
+            sum += value.value / value.pdf;
+        }
+    }
+    return sum / kSamples;
+}
+
+// Highlights, gloss and frosting keep what their file says at every angle of view, also where a
+// part of the lobe would pass below the surface.
+TEST(PhongLobes, EveryLobe_HoldsItsShareAtEveryAngle) {
+    std::vector<std::pair<const char*, PhongMaterial>> list;
+    for (const double shininess : {1.0, 20.0, 400.0}) {
+        PhongMaterial material;
+        material.specular = Vec3(0.8, 0.8, 0.8);
+        material.shininess = shininess;
+        list.emplace_back("highlight", material);
+    }
+    for (const double spread : {0.05, 0.3, 0.8}) {
+        PhongMaterial glossy, frosted;
+        glossy.reflectance = Vec3(0.8, 0.8, 0.8);
+        glossy.reflectance_spread = spread;
+        list.emplace_back("glossy", glossy);
+        frosted.transmittance = Vec3(0.8, 0.8, 0.8);
+        frosted.transmittance_spread = spread;
+        frosted.index = 1.3;
+        list.emplace_back("frosted", frosted);
+    }
+    for (auto& [name, material] : list) {
+        material.diffuse = Vec3(0, 0, 0);
+        for (const double angle : {0.05, 0.7, 1.2, 1.5}) {
+            const PhongLobes scattering(phong_model(material), V3f(0), false, direction(angle));
+            EXPECT_NEAR(albedo(scattering).x, 0.8, 0.006)
+                << name << " of " << material.shininess << ", "
+                << material.reflectance_spread + material.transmittance_spread << " at " << angle;
+        }
+    }
+}
+
+TEST(PhongLobes, HighlightSeenStraightOn_IsThatOfLafortuneAndWillems) {
+    const Named shiny = materials()[1];  // n = 12, k_s 0.7
+    for (const double angle : {0.1, 0.4, 0.9}) {
+        const double c = std::cos(angle);
+        const double diffuse = 0.3 * c / M_PI;
+        const double highlight = 0.7 * 14 / (2 * M_PI) * std::pow(c, 12) * c;
+        const PhongLobes::Value value = lobes(shiny, 0).evaluate(direction(angle));
+        EXPECT_NEAR(value.value.x, diffuse + highlight, 1e-4 * (diffuse + highlight)) << angle;
+    }
 }
 
 // A spread lobe keeps the mean square of the angle that the classic model's rays have.
