@@ -35,7 +35,8 @@ class Balls {
     /// that is pressed into it bounces at once; one that rises fast enough leaves it.
     void change(std::uint32_t index, double time, const MotionState& before, MotionState after);
 
-    /// The same of a ball that touches more than level ground: ODE finds out whether it leaves that.
+    /// The same of a ball that touches more than level ground: ODE finds out whether it leaves
+    /// that.
     void change_stepped(std::uint32_t index, double time, const MotionState& before,
                         const MotionState& after);
 

@@ -53,7 +53,7 @@ void check_references(Builder& builder);
 void check_placement(Builder& builder);  // overlaps, balls in cushions
 void warn_of_places(Builder& builder);   // balls far away or under the table
 void warn_of_coplanar(Builder& builder);
-void check_world(Builder& builder);      // what the simulation itself would refuse
+void check_world(Builder& builder);  // what the simulation itself would refuse
 
 /// The balls of the rack; none after a problem.
 [[nodiscard]] std::vector<sim::billiards::PlacedBall> place_rack(Builder& builder);
