@@ -37,8 +37,8 @@ class SteppedBodies {
     /// that were apart, earlier: the time that is returned is the step's end.
     double try_step(double now, double until);
 
-    /// How many bodies the trial moves, and how many pairs there are among their contacts, which are
-    /// all solved for at once: what a step costs grows with these.
+    /// How many bodies the trial moves, and how many pairs there are among their contacts, which
+    /// are all solved for at once: what a step costs grows with these.
     [[nodiscard]] std::size_t step_size() const {
         return trial_.moving().size() + trial_.contacts().size() * trial_.contacts().size();
     }

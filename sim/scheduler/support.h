@@ -21,8 +21,8 @@ struct SolvedContacts {
 /// holds it, too: it would have to be lifted. (Such bodies may still be about to tip together; that
 /// shows in their rising speed, which StepSleep looks at.) A ball, and a capsule or cylinder on its
 /// side, may also rest on one point or line straight below: there it is in neutral equilibrium, and
-/// rolling resistance may hold it a little beside. What is balanced there exactly, as far as numbers
-/// can tell, stands, too. `number`: of the body. True without gravity.
+/// rolling resistance may hold it a little beside. What is balanced there exactly, as far as
+/// numbers can tell, stands, too. `number`: of the body. True without gravity.
 [[nodiscard]] bool is_stably_supported(const StepBody& body, int number,
                                        const SolvedContacts& solved, const Vec3& gravity);
 
