@@ -309,7 +309,7 @@ class FilmWriter {
                                                  : std::string("[0, 0.01, 0.02]")));
         line("    fov: " + dice_.number(0.2, 1.6) + " rad");
         line("    focus: " + dice_.pick({"auto", "0.8", "b0"}));
-        line("    aperture: " + dice_.pick({"0", "0.002", "0.05"}));
+        line("    aperture: " + dice_.pick({"0", "0.002 m", "0.05 m"}));
         line("    blades: " + dice_.pick({"0", "5"}));
     }
 
