@@ -1,6 +1,7 @@
 #include "pipeline/config/sections/camera_values.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/show_quantity.h"
+#include "pipeline/config/text.h"
 
 namespace carom::pipeline::config {
 
@@ -29,10 +30,27 @@ ValueType<Focus> focus() {
     return result;
 }
 
+/// A plain number for the radius of a lens: most often an f-number is meant. False for others.
+bool is_refused_radius(Reader& reader, const Node& node) {
+    const auto parsed = parse_quantity(node.text);
+    const auto* value = std::get_if<Quantity>(&parsed);
+    if (!node.is_scalar() || value == nullptr || value->has_unit || value->value == 0) {
+        return false;
+    }
+    reader.error(node.place,
+                 reader.value_name() + " is the radius of the lens and needs a unit; write " +
+                     quote(node.text + " mm") + " (an f-number is given as 'f_number')");
+    return true;
+}
+
 ValueType<Aperture> lens_radius() {
     ValueType<Aperture> result = convert<Aperture>(lens_length(between(0, 10)), [](double value) {
         return Aperture{value, false};
     });
+    result.read = [read = result.read](Reader& reader,
+                                       const Node& node) -> std::optional<Aperture> {
+        return is_refused_radius(reader, node) ? std::nullopt : read(reader, node);
+    };
     result.show = [](const Aperture& value) { return show(value.value, Dimension::length); };
     return result;
 }
@@ -154,8 +172,8 @@ void add_time(MapSpec<CameraRig>& s) {
 void add_lens(MapSpec<CameraRig>& s) {
     s.key("fov", &CameraRig::vertical_fov, eased("fov", angle(inside(0, kPi))),
           "vertical field of view: one value, [start, end] or {from, to, easing}");
-    s.key("focal_length", &CameraRig::focal_length, eased("focal_length", lens_length(inside(0, 10))),
-          "instead of `fov`; like fov");
+    s.key("focal_length", &CameraRig::focal_length,
+          eased("focal_length", lens_length(inside(0, 10))), "instead of `fov`; like fov");
     s.key("sensor", &CameraRig::sensor_height, lens_length(inside(0, 10)),
           "height of the picture in the camera, for `focal_length` and `f_number`");
     s.key("focus", &CameraRig::focus, eased("focus", focus()),
