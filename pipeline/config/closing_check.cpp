@@ -106,10 +106,10 @@ class ClosingFinder {
         }
         is_plain_open_ = false;
         if (column(at_) <= parent_ && peek() != '-' && peek() != '#') {
-            // What was indented deeper has ended. A bracket here belongs to no key; its lines must
-            // not be mistaken for those that follow.
-            const bool is_bracket = peek() == '[' || peek() == '{';
-            parent_ = std::max(column(at_) - 1, is_bracket ? 0 : -1);
+            // What was indented deeper has ended. A bracket or a quote here is not the value of a
+            // key above; it must not take the keys that follow for its own lines.
+            const bool is_opening = std::string_view("[{'\"").find(peek()) != kNowhere;
+            parent_ = std::max(column(at_) - 1, is_opening ? 0 : -1);
         }
         return false;
     }

@@ -31,6 +31,7 @@ TEST(ClosingCheck, OverLinesThatAreNotIndented_IsAProblem) {
     EXPECT_EQ(problem_of("- a: \"x\n  b: \"y\"\n"), "5" + later + "2" + shallow + "2 is not");
     EXPECT_EQ(problem_of("- 'x\n- 'y'\n"), "2" + later + "2" + shallow + "2 is not");
     EXPECT_EQ(problem_of("a: [1, 'x, 2]\nb: ['y']\n"), "7" + later + "2" + shallow + "2 is not");
+    EXPECT_EQ(problem_of("a: 1\n'b\nc: 'd'\n"), "5" + later + "3" + shallow + "3 is not");
     EXPECT_EQ(problem_of("a:\n  'x\ny'\n"), "5" + later + "3" + shallow + "3 is not");
     EXPECT_EQ(problem_of("---\na: 'x\nb: 'y'\n"), "7" + later + "3" + shallow + "3 is not");
 }
