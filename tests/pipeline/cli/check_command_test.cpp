@@ -131,7 +131,7 @@ TEST_F(CheckCommandRun, SimulationOfManySteps_IsLeftToBake) {
     std::string shot = "carom: 1\nsimulation: {duration: 0.12 s}\ntable: {kind: cloth}\nobjects:\n";
     for (int i = 0; i < 120; ++i) {
         shot += "  d" + std::to_string(i) + ": {box: [8 mm, 25 mm, 50 mm], at: [" +
-                std::to_string(0.02 * i) + ", 0, 0.025], physics: {density: 900}}\n";
+                std::to_string(0.02 * i) + ", 0, 0.025], physics: {density: 900 kg/m^3}}\n";
     }
     write_text(path("s.yaml"), shot + R"(cameras:
   - {name: seat, video: [0 s, 0.1 s], scene: [0 s, 0.1 s], position: [0, -1, 0.8], target: [0, 0.5, 0]}
