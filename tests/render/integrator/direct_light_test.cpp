@@ -76,7 +76,7 @@ TEST(DirectLight, FrostedGlass_EveryStrategyHasTheSameMean) {
         path.max_bounces = 4;
         return test::picture_luminance(builder.scene,
                                        test::camera(Vec3(0, -2.2, 0.6), Vec3(0, -0.6, 0.35), 0.3),
-                                       path, 24, 24);
+                                       path, 24, 96);
     };
     const Estimate both = of(DirectStrategy::both);
     const Estimate lights = of(DirectStrategy::lights_only);
