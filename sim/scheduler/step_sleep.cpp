@@ -10,6 +10,9 @@ namespace {
 constexpr double kSleepSpeed = 0.01;
 constexpr double kBallSleepDelay = 0.1;
 constexpr double kBoxSleepDelay = 0.12;
+/// What leans on something without having stable support, and does not slide for that long (s), is
+/// held by friction.
+constexpr double kLeaningSleepDelay = 0.5;
 /// What has become faster than it was by more than this (m/s) in the meantime is about to move.
 constexpr double kRisingSpeed = 5e-4;
 /// A sleeper wakes when something comes against it faster than this (m/s).
@@ -106,7 +109,9 @@ bool StepSleep::is_tired(StepBody& body, const SolvedContacts& solved, double ti
     if (rested <= (body.is_ball ? kBallSleepDelay : kBoxSleepDelay))
         return false;
     const bool is_rising = speed > body.least_speed + kRisingSpeed;
-    return (!is_rising && is_held_up(body, number, solved)) || rested > time_to_tip(body, gravity_);
+    const bool is_held = is_held_up(body, number, solved) ||
+                         (rested > kLeaningSleepDelay && leans(number, solved, gravity_));
+    return (!is_rising && is_held) || rested > time_to_tip(body, gravity_);
 }
 
 }  // namespace carom::sim

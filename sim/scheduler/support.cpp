@@ -16,6 +16,8 @@ constexpr double kLoadSlope = 0.05;
 /// stands as exactly as it was put.
 constexpr double kBesideRolling = 1e-6;
 constexpr double kBesideBalanced = 1e-12;
+/// A contact is level whose normal rises by more than this sine.
+constexpr double kLevelNormal = 0.99;
 /// The axis of what lies on its side rises by less than this sine.
 constexpr double kLevelAxis = 0.01;
 
@@ -136,6 +138,20 @@ bool is_stably_supported(const StepBody& body, int number, const SolvedContacts&
         return true;
     const double beside = distance_to_outline(centre, hull);
     return beside <= (is_round_below(body, up) ? kBesideRolling + lever : kBesideBalanced);
+}
+
+bool leans(int number, const SolvedContacts& solved, const Vec3& gravity) {
+    const double strength = length(gravity);
+    for (std::size_t i = 0; i < solved.contacts.size(); ++i) {
+        const ode::StepContact& contact = solved.contacts[i].contact;
+        if (contact.first != number && solved.contacts[i].other != number)
+            continue;
+        const double sign = contact.first == number ? 1 : -1;
+        const double rise = -sign * contact.normal.dot(gravity) / strength;
+        if (solved.impulses[i].normal > 0 && rise > -kLoadSlope && rise < kLevelNormal)
+            return true;
+    }
+    return false;
 }
 
 double time_to_tip(const StepBody& body, const Vec3& gravity) {

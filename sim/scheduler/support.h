@@ -26,6 +26,13 @@ struct SolvedContacts {
 [[nodiscard]] bool is_stably_supported(const StepBody& body, int number,
                                        const SolvedContacts& solved, const Vec3& gravity);
 
+/// Whether the body leans on something: a contact that carries it pushes aside as well as up. Then
+/// friction may hold it with its centre of mass beside its support (Bretl and Lall, Testing static
+/// equilibrium for legged robots, IEEE Trans. Robotics 24, 2008), which `is_stably_supported` does
+/// not see; but what friction does not hold slides at once, where what is balanced on level ground
+/// departs from rest ever so slowly at first.
+[[nodiscard]] bool leans(int number, const SolvedContacts& solved, const Vec3& gravity);
+
 /// How long (s) a body that is only balanced takes to fall, however well it is balanced: rounding
 /// errors grow by a factor of 10^15 in this time. A slender rod on its end tips at the rate
 /// sqrt(3 g / (2 L)), L its length, and everything else of that size more slowly by a small factor.
