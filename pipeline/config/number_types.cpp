@@ -26,13 +26,14 @@ std::string show_integer(std::int64_t value) {
 /// "'direction' is an angle and needs a unit; write '30 deg'"
 void report_missing_unit(Reader& reader, const Node& node, const TypeInfo& type, double value) {
     constexpr double kTurn = 6.283185307179586;
+    constexpr double kDensest = 23;  // g/cm^3; osmium has 22.6
     const auto with = [&](const std::string& unit) { return quote(node.text + " " + unit); };
     std::string forms = with(type.needed_unit);
     if (type.dimension == Dimension::angle && std::abs(value) <= kTurn) {
         forms += " or " + with("rad");
     } else if (type.dimension == Dimension::angular_speed) {
         forms += " or " + with("rpm");
-    } else if (type.dimension == Dimension::density) {
+    } else if (type.dimension == Dimension::density && value < kDensest) {
         forms += " or " + with("g/cm^3");
     } else if (type.dimension == Dimension::length && std::abs(value) < 1) {
         forms += " or " + with("m");
