@@ -23,7 +23,8 @@ TEST(RandomShots_OfEveryKind, EndAndBreakNoLaw) {
     const std::uint64_t count = number_from("CAROM_RANDOM_SHOTS", 150);
     for (std::uint64_t number = first; number < first + count; ++number) {
         const WorldDescription world = random_shot(number);
-        ASSERT_TRUE(find_problems(world).empty()) << number << ": " << find_problems(world)[0].sentence;
+        ASSERT_TRUE(find_problems(world).empty())
+            << number << ": " << find_problems(world)[0].sentence;
         try {
             for (const std::string& fault : find_faults(world, bake(world)))
                 ADD_FAILURE() << "shot " << number << ": " << fault;
