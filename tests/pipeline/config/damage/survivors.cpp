@@ -50,6 +50,31 @@ constexpr Kind kKinds[] = {
 
 }  // namespace
 
+namespace {
+
+std::string parent_of(const std::string& path) {
+    return path.substr(0, path.rfind('.'));
+}
+
+/// A key went from a map to that map's parent or the other way: where maps are indented by one
+/// blank, a blank more or less is enough.
+bool is_other_parent(const std::vector<Difference>& differences, const Damage& damage) {
+    if (differences.size() != 2 || !damage.what.starts_with("indentation")) {
+        return false;
+    }
+    const bool gone_first = differences[0].after.empty();
+    const Difference& gone = differences[gone_first ? 0 : 1];
+    const Difference& come = differences[gone_first ? 1 : 0];
+    const std::string from = parent_of(gone.path);
+    const std::string into = parent_of(come.path);
+    return !gone.before.empty() && gone.after.empty() && come.before.empty() &&
+           gone.before == come.after && (parent_of(from) == into || parent_of(into) == from);
+}
+
+constexpr const char* kOtherParent = "another parent";
+
+}  // namespace
+
 bool joins_comment(const Damage& damage) {
     return damage.what.starts_with("line end") && !damage.what.ends_with("a line end") &&
            damage.old_line.find('#') != std::string::npos;
@@ -60,10 +85,14 @@ std::vector<std::string> survivor_kinds() {
     for (const Kind& kind : kKinds) {
         names.emplace_back(kind.name);
     }
+    names.emplace_back(kOtherParent);
     return names;
 }
 
 std::string survivor_kind(const std::vector<Difference>& differences, const Damage& damage) {
+    if (is_other_parent(differences, damage)) {
+        return kOtherParent;
+    }
     if (differences.size() != 1) {
         return {};
     }
