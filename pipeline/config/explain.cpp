@@ -159,14 +159,14 @@ class Explainer {
             if (given.find(entry.key) != nullptr) {
                 continue;
             }
-            const std::string line =
-                indent + (indent.find('#') == std::string::npos ? "# " : "") + entry.key + ":";
+            const bool is_in_comment = indent.find('#') != std::string::npos;
+            const std::string begin = is_in_comment ? indent : indent + "# ";
             if (entry.value.is_map()) {
-                text_ += line + "\n";
-                write_measures(entry.value, {},
-                               line.substr(0, line.size() - entry.key.size() - 1) + "  ");
+                text_ += begin + entry.key + ":\n";
+                write_measures(entry.value, {}, begin + "  ");
             } else {
-                write_line(line + " " + entry.value.text, "of the table's kind and size");
+                write_line(begin + entry.key + ": " + entry.value.text,
+                           "of the table's kind and size");
             }
         }
     }

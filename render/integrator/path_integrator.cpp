@@ -138,10 +138,12 @@ bool PathIntegrator::meet(Path& path, const Hit& hit, PathWork& work) const {
     }
     const V3f wo = -path.ray.direction;
     const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
+    if (is_spent && !scene_.materials[point.material].is_transmissive()) {
+        return false;
+    }
     path.width += path.spread * hit.t;
     const Surface surface = resolve(path, point);
-    if (is_spent && !(surface.from_behind && scene_.materials[point.material].is_transmissive() &&
-                      survives_in_glass(path, work))) {
+    if (is_spent && !(surface.from_behind && survives_in_glass(path, work))) {
         return false;
     }
     if (surface.is_inside) {
