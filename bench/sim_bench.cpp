@@ -28,8 +28,9 @@ WorldDescription break_of(billiards::RackKind kind, double duration) {
     world.duration = duration;
     world.table = billiards::standard_table(billiards::TableKind::pool, "9 ft");
     world.bodies.push_back(ball("cue", {-0.75, 0.12, kRadius}));
-    for (const auto& placed : billiards::rack(kind, *world.table, kRadius, {3e-5, 7}))
+    for (const auto& placed : billiards::rack(kind, *world.table, kRadius, {3e-5, 7})) {
         world.bodies.push_back(ball(placed.name, placed.position));
+    }
     Strike strike;
     strike.speed = 9.2;
     strike.toward = "one";
@@ -87,8 +88,9 @@ void growth(benchmark::State& state, bool has_pockets) {
             impacts += event.kind == EventKind::impact ? 1 : 0;
             has_left = has_left || (!has_pockets && event.kind == EventKind::airborne);
         }
-        if (!result.warnings.empty() || has_left || impacts < world.bodies.size())
+        if (!result.warnings.empty() || has_left || impacts < world.bodies.size()) {
             state.SkipWithError("the crowd went wrong");
+        }
         benchmark::DoNotOptimize(result);
     }
     state.counters["impacts_per_ball"] =
@@ -102,8 +104,9 @@ void break_shot(benchmark::State& state, billiards::RackKind kind) {
     const WorldDescription world = break_of(kind, 10);
     for (auto _ : state) {
         const BakeResult result = bake(world);
-        if (!result.warnings.empty() || result.timeline.events.size() < 50)
+        if (!result.warnings.empty() || result.timeline.events.size() < 50) {
             state.SkipWithError("the break went wrong");
+        }
         benchmark::DoNotOptimize(result);
     }
     state.counters["per_1000_simulated_s"] =

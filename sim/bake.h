@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/timeline/hash.h"
-#include "sim/timeline/progress.h"
+#include "core/hash.h"
+#include "core/progress.h"
 #include "sim/timeline/timeline.h"
 #include "sim/world.h"
 

@@ -35,8 +35,9 @@ const PairContact& ContactLaw::between(const std::string& a, const std::string& 
     const std::string& first = a <= b ? a : b;
     const std::string& second = a <= b ? b : a;
     const auto found = pairs.find({first, second});
-    if (found != pairs.end())
+    if (found != pairs.end()) {
         return found->second;
+    }
     const PairContact* law = built_in(first, second);
     return law != nullptr ? *law : otherwise;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::sim {
 

@@ -13,8 +13,9 @@ constexpr std::int64_t kSimulationRevision = 10;
 template <typename T, typename Add>
 void add_optional(Hasher& hasher, const std::optional<T>& value, Add add) {
     hasher.add(value.has_value());
-    if (value)
+    if (value) {
         add(*value);
+    }
 }
 
 void add(Hasher& hasher, const PairContact& pair) {
@@ -79,17 +80,20 @@ struct ShapeHash {
     }
     void operator()(const ConvexHull& hull) const {
         hasher.add(std::uint64_t{hull.points.size()});
-        for (const Vec3& point : hull.points)
+        for (const Vec3& point : hull.points) {
             hasher.add(point);
+        }
     }
     void operator()(const TriangleMesh& mesh) const {
         hasher.add(std::uint64_t{mesh.vertices.size()});
-        for (const Vec3& vertex : mesh.vertices)
+        for (const Vec3& vertex : mesh.vertices) {
             hasher.add(vertex);
+        }
         hasher.add(std::uint64_t{mesh.triangles.size()});
         for (const auto& triangle : mesh.triangles) {
-            for (const std::uint32_t index : triangle)
+            for (const std::uint32_t index : triangle) {
                 hasher.add(index);
+            }
         }
     }
 };
@@ -117,8 +121,9 @@ void add(Hasher& hasher, const Body& body) {
         .add(body.pose.orientation)
         .add(body.velocity)
         .add(body.angular_velocity);
-    if (body.path && body.path->track)
+    if (body.path && body.path->track) {
         add(hasher, *body.path);
+    }
 }
 
 struct ActionHash {
@@ -185,11 +190,13 @@ Hash128 physics_hash(const WorldDescription& world) {
                  [&](const billiards::TableMeasures& table) { add(hasher, table); });
     add_optional(hasher, world.floor_height, [&](double height) { hasher.add(height); });
     hasher.add(std::uint64_t{world.bodies.size()});
-    for (const Body& body : world.bodies)
+    for (const Body& body : world.bodies) {
         add(hasher, body);
+    }
     hasher.add(std::uint64_t{world.events.size()});
-    for (const ForceEvent& event : world.events)
+    for (const ForceEvent& event : world.events) {
         add(hasher, event);
+    }
     return hasher.finish();
 }
 

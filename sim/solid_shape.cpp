@@ -26,13 +26,16 @@ struct ShapeOf {
     }
     std::optional<SolidShape> operator()(const ConvexHull& points) const {
         std::optional<Polyhedron> hull = convex_hull(points.points);
-        if (!hull)
+        if (!hull) {
             return std::nullopt;
+        }
         const MassProperties properties = mass_properties(*hull);
-        for (Vec3& vertex : hull->vertices)
+        for (Vec3& vertex : hull->vertices) {
             vertex = to_body(properties.principal, vertex - properties.centre);
-        for (PolyhedronFace& face : hull->faces)
+        }
+        for (PolyhedronFace& face : hull->faces) {
             face.normal = to_body(properties.principal, face.normal);
+        }
         return SolidShape{std::make_shared<const ConvexShape>(ConvexShape::hull(std::move(*hull))),
                           properties.principal, properties.inertia};
     }

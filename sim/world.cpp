@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
+#include "core/finite.h"
 #include "sim/shape/mass_properties.h"
-#include "sim/timeline/finite.h"
 
 namespace carom::sim {
 namespace {
@@ -32,8 +32,9 @@ class Complaints {
                     "event " + std::to_string(index + 1) + " on '" + object + "'"};
     }
     void require(bool holds, const std::string& sentence) {
-        if (holds)
+        if (holds) {
             return;
+        }
         WorldProblem problem = subject_;
         problem.sentence += (problem.sentence.empty() ? "" : ": ") + sentence;
         list_.push_back(std::move(problem));
@@ -83,24 +84,28 @@ void check_contact_law(const ContactLaw& law, Complaints& complaints) {
                        "restitution has to be in [0, 1]");
     complaints.require(is_not_negative(law.ball_cushion.friction), "friction has to be 0 or more");
     check_pair(law.otherwise, "other materials", complaints);
-    for (const auto& [names, pair] : law.pairs)
+    for (const auto& [names, pair] : law.pairs) {
         check_pair(pair, "'" + names.first + "' and '" + names.second + "'", complaints);
+    }
 }
 
 void check_hull(const ConvexHull& shape, Complaints& complaints) {
     for (const Vec3& point : shape.points) {
-        if (!is_finite(point))
+        if (!is_finite(point)) {
             return complaints.require(false, "every point of a convex hull has to be finite");
+        }
     }
     const std::optional<Polyhedron> hull = convex_hull(shape.points);
     complaints.require(hull.has_value(),
                        "a convex hull needs at least four points that do not lie in a plane");
-    if (!hull)
+    if (!hull) {
         return;
+    }
     const Vec3 centre = mass_properties(*hull).centre;
     double reach = 0;
-    for (const Vec3& vertex : hull->vertices)
+    for (const Vec3& vertex : hull->vertices) {
         reach = std::max(reach, std::sqrt(vertex.dot(vertex)));
+    }
     complaints.require(std::sqrt(centre.dot(centre)) <= 1e-6 * reach,
                        "the points of a convex hull have to be given about its centre of mass");
 }
@@ -123,13 +128,15 @@ void check_shape(const Body& body, Complaints& complaints) {
     } else if (const auto* mesh = std::get_if<TriangleMesh>(&body.shape)) {
         complaints.require(body.kind == BodyKind::fixed, "a mesh has to be fixed");
         bool vertices_fit = true;
-        for (const Vec3& vertex : mesh->vertices)
+        for (const Vec3& vertex : mesh->vertices) {
             vertices_fit = vertices_fit && is_finite(vertex);
+        }
         complaints.require(vertices_fit, "every vertex has to be finite");
         bool indices_fit = true;
         for (const auto& triangle : mesh->triangles) {
-            for (const std::uint32_t index : triangle)
+            for (const std::uint32_t index : triangle) {
                 indices_fit = indices_fit && index < mesh->vertices.size();
+            }
         }
         complaints.require(indices_fit, "a triangle names a vertex that the mesh does not have");
     }
@@ -139,8 +146,9 @@ void check_body(const Body& body, Complaints& complaints) {
     complaints.about_body(body.name);
     complaints.require(!body.name.empty(), "the name is empty");
     check_shape(body, complaints);
-    if (body.kind == BodyKind::dynamic)
+    if (body.kind == BodyKind::dynamic) {
         complaints.require(is_positive(body.mass), "mass has to be greater than 0");
+    }
     complaints.require((body.kind == BodyKind::kinematic) == (body.path && body.path->track),
                        "a path is for a kinematic body, which needs one");
     const Quat& q = body.pose.orientation;
@@ -156,12 +164,14 @@ void check_overlaps(const WorldDescription& world, Complaints& complaints) {
         for (std::size_t j = i + 1; j < world.bodies.size(); ++j) {
             const auto* a = std::get_if<Sphere>(&world.bodies[i].shape);
             const auto* b = std::get_if<Sphere>(&world.bodies[j].shape);
-            if (a == nullptr || b == nullptr)
+            if (a == nullptr || b == nullptr) {
                 continue;
+            }
             const Vec3 d = world.bodies[i].pose.position - world.bodies[j].pose.position;
             const double depth = a->radius + b->radius - std::sqrt(d.dot(d));
-            if (depth < 1e-9 * (a->radius + b->radius))
+            if (depth < 1e-9 * (a->radius + b->radius)) {
                 continue;
+            }
             complaints.about_body(world.bodies[j].name);
             complaints.require(false, "it overlaps '" + world.bodies[i].name + "' by " +
                                           millimetres(depth) + " at the start");
@@ -180,8 +190,9 @@ class EventChecker {
                             "there is no body of that name that can move");
         complaints_.require(is_not_negative(event.time), "its time has to be 0 or more");
         complaints_.require(is_not_negative(event.after), "the delay has to be 0 or more");
-        if (event.trigger)
+        if (event.trigger) {
             check_trigger(*event.trigger);
+        }
         object_ = &event.object;
         std::visit([this](const auto& action) { check_action(action); }, event.action);
     }
@@ -189,8 +200,9 @@ class EventChecker {
   private:
     [[nodiscard]] const Body* find(const std::string& name) const {
         for (const Body& body : world_.bodies) {
-            if (body.name == name)
+            if (body.name == name) {
                 return &body;
+            }
         }
         return nullptr;
     }
@@ -276,16 +288,20 @@ class EventChecker {
 
 void check_table(const WorldDescription& world, Complaints& complaints,
                  std::vector<WorldProblem>& problems) {
-    if (!world.table)
+    if (!world.table) {
         return;
-    for (const std::string& sentence : billiards::find_problems(*world.table))
+    }
+    for (const std::string& sentence : billiards::find_problems(*world.table)) {
         problems.push_back({WorldProblem::Subject::world, "", 0, "table: " + sentence});
-    if (!world.table->has_cushions)
+    }
+    if (!world.table->has_cushions) {
         return;
+    }
     for (const Body& body : world.bodies) {
         const auto* sphere = std::get_if<Sphere>(&body.shape);
-        if (sphere == nullptr || body.kind != BodyKind::dynamic)
+        if (sphere == nullptr || body.kind != BodyKind::dynamic) {
             continue;
+        }
         complaints.about_body(body.name);
         complaints.require(world.table->nose_height < 2 * sphere->radius,
                            "the ball would roll under the cushion, whose nose is higher than it");
@@ -313,8 +329,9 @@ std::vector<WorldProblem> find_problems(const WorldDescription& world) {
     }
     check_overlaps(world, complaints);
     EventChecker checker(world, complaints);
-    for (std::size_t i = 0; i < world.events.size(); ++i)
+    for (std::size_t i = 0; i < world.events.size(); ++i) {
         checker.check(world.events[i], i);
+    }
     return problems;
 }
 

@@ -9,12 +9,12 @@
 #include <variant>
 #include <vector>
 
+#include "core/pose.h"
 #include "sim/billiards/table.h"
 #include "sim/contact_law.h"
 #include "sim/force_event.h"
 #include "sim/timeline/track.h"
 #include "sim/timeline/track_recorder.h"
-#include "sim/timeline/vocabulary.h"
 
 namespace carom::sim {
 

@@ -4,13 +4,13 @@
 #include <tuple>
 #include <utility>
 
+#include "core/error.h"
 #include "pipeline/camera/arc_length.h"
 #include "pipeline/camera/bezier.h"
 #include "pipeline/camera/easing.h"
 #include "pipeline/camera/ellipse.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/camera/spline.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/vectors.h"
 #include "pipeline/camera/rational.h"
-#include "sim/timeline/vocabulary.h"
 
 namespace carom::pipeline {
 

@@ -1,8 +1,8 @@
 // What can be walked along.
 #pragma once
 
+#include "core/vectors.h"
 #include "pipeline/camera/progress.h"
-#include "sim/timeline/vocabulary.h"
 
 namespace carom::pipeline {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/error.h"
 #include "pipeline/camera/exposure.h"
 #include "pipeline/camera/rig_state.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/error.h"
 #include "pipeline/camera/bezier.h"
 #include "pipeline/camera/camera_path.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

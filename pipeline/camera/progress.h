@@ -1,7 +1,7 @@
 // How far a rig has come, told from both ends so that a reversed rig computes the same bits.
 #pragma once
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::pipeline {
 

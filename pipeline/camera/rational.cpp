@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/error.h"
 #include "pipeline/camera/wide_rational.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/error.h"
 #include "pipeline/camera/time_map.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

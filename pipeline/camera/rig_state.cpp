@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/error.h"
 #include "pipeline/camera/easing.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::pipeline {
 namespace {

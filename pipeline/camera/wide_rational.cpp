@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::pipeline {
 namespace {

@@ -6,11 +6,11 @@
 #include <map>
 #include <optional>
 
+#include "core/error.h"
 #include "pipeline/camera/exposure.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/camera/rig_state.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

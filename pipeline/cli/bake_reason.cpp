@@ -6,11 +6,11 @@
 #include <iterator>
 #include <span>
 
+#include "core/atomic_file.h"
+#include "core/error.h"
 #include "pipeline/config/changed_keys.h"
 #include "pipeline/store/cache_folder.h"
 #include "sim/bake.h"
-#include "sim/timeline/atomic_file.h"
-#include "sim/timeline/error.h"
 
 namespace carom::cli {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "pipeline/drawing/svg_picture.h"
-#include "sim/timeline/error.h"
 
 namespace {
 

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <span>
 
+#include "core/atomic_file.h"
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
-#include "sim/timeline/atomic_file.h"
 
 namespace carom::cli {
 

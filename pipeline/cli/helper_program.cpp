@@ -11,8 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "sim/timeline/error.h"
-#include "sim/timeline/write_all.h"
+#include "core/error.h"
+#include "core/write_all.h"
 
 namespace carom::cli {
 

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <span>
 
+#include "core/atomic_file.h"
 #include "pipeline/cli/run_program.h"
-#include "sim/timeline/atomic_file.h"
 
 namespace carom::cli {
 

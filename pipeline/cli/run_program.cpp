@@ -8,8 +8,8 @@
 
 #include <unistd.h>
 
+#include "core/write_all.h"
 #include "pipeline/cli/terminal/interrupts.h"
-#include "sim/timeline/write_all.h"
 
 namespace carom::cli {
 

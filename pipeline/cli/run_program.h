@@ -5,10 +5,10 @@
 #include <stop_token>
 #include <string>
 
+#include "core/error.h"
 #include "pipeline/cli/commands.h"
 #include "pipeline/cli/exit_code.h"
 #include "pipeline/cli/terminal/console.h"
-#include "sim/timeline/error.h"
 
 namespace carom::cli {
 

@@ -1,8 +1,8 @@
 // Colours as values of keys.
 #pragma once
 
+#include "core/vectors.h"
 #include "pipeline/config/map_spec.h"
-#include "sim/timeline/vocabulary.h"
 
 namespace carom::pipeline::config {
 

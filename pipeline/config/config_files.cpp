@@ -9,8 +9,8 @@
 #include <optional>
 #include <system_error>
 
+#include "core/limits.h"
 #include "pipeline/config/text.h"
-#include "sim/timeline/limits.h"
 
 namespace carom::pipeline::config {
 

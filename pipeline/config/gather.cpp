@@ -5,11 +5,11 @@
 #include <system_error>
 #include <utility>
 
+#include "core/limits.h"
 #include "pipeline/config/layers.h"
 #include "pipeline/config/merge.h"
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/text.h"
-#include "sim/timeline/limits.h"
 
 namespace carom::pipeline::config {
 

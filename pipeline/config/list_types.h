@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/vectors.h"
 #include "pipeline/config/map_spec.h"
-#include "sim/timeline/vocabulary.h"
 
 namespace carom::pipeline::config {
 

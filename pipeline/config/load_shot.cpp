@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/error.h"
 #include "pipeline/config/build/build_shot.h"
 #include "pipeline/config/config_files.h"
 #include "pipeline/config/emit_yaml.h"
@@ -13,7 +14,6 @@
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/text.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

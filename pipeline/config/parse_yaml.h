@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/limits.h"
 #include "pipeline/config/node.h"
 #include "pipeline/config/problem_list.h"
-#include "sim/timeline/limits.h"
 
 namespace carom::pipeline::config {
 

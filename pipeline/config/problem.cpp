@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "sim/timeline/printable.h"
+#include "core/printable.h"
 
 namespace carom::pipeline {
 

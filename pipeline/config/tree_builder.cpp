@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/limits.h"
 #include "pipeline/config/text.h"
 #include "pipeline/config/token.h"
-#include "sim/timeline/limits.h"
 
 namespace carom::pipeline::config {
 

@@ -7,7 +7,7 @@
 #include <cairo.h>
 #include <librsvg/rsvg.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::pipeline {
 

@@ -7,6 +7,7 @@
 
 #include <Imath/ImathMatrixAlgo.h>
 
+#include "core/error.h"
 #include "pipeline/camera/exposure.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/camera/rig_state.h"
@@ -15,7 +16,6 @@
 #include "pipeline/export/painted_sphere.h"
 #include "pipeline/export/shape_mesh.h"
 #include "render/geometry/smooth_normals.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

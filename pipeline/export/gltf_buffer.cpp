@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::pipeline {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::pipeline {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 #include "sim/timeline/rotation.h"
 
 namespace carom::pipeline {

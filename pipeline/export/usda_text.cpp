@@ -3,7 +3,7 @@
 #include <array>
 #include <charconv>
 
-#include "sim/timeline/assert.h"
+#include "core/assert.h"
 
 namespace carom::pipeline {
 

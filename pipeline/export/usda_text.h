@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::pipeline {
 

@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <sstream>
 
+#include "core/limits.h"
 #include "pipeline/config/config_files.h"
 #include "pipeline/config/problem_list.h"
 #include "pipeline/config/text.h"
 #include "pipeline/import/conversion.h"
 #include "pipeline/import/read_scene.h"
 #include "pipeline/import/scene_words.h"
-#include "sim/timeline/limits.h"
 
 namespace carom::pipeline {
 

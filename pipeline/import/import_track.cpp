@@ -5,14 +5,14 @@
 #include <filesystem>
 #include <sstream>
 
+#include "core/error.h"
+#include "core/limits.h"
 #include "pipeline/config/config_files.h"
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
 #include "pipeline/import/conversion.h"
 #include "pipeline/import/track_table.h"
 #include "pipeline/shot/keyed_motion.h"
-#include "sim/timeline/error.h"
-#include "sim/timeline/limits.h"
 #include "sim/timeline/rotation.h"
 
 namespace carom::pipeline {

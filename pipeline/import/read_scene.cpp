@@ -1,8 +1,8 @@
 #include "pipeline/import/read_scene.h"
 
+#include "core/limits.h"
 #include "pipeline/config/text.h"
 #include "pipeline/import/scene_reader.h"
-#include "sim/timeline/limits.h"
 
 namespace carom::pipeline::scene_text {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/vectors.h"
 #include "pipeline/config/source_set.h"
-#include "sim/timeline/vocabulary.h"
 
 namespace carom::pipeline::scene_text {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/vectors.h"
 #include "pipeline/config/problem_list.h"
-#include "sim/timeline/vocabulary.h"
 
 namespace carom::pipeline {
 

@@ -6,12 +6,12 @@
 #include <iterator>
 #include <span>
 
+#include "core/atomic_file.h"
+#include "core/error.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/store/cache_entry.h"
 #include "pipeline/store/cache_folder.h"
 #include "sim/bake.h"
-#include "sim/timeline/atomic_file.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "core/error.h"
 #include "pipeline/store/cache_care.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

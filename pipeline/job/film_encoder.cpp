@@ -3,8 +3,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/error.h"
 #include "pipeline/job/mixed_film.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <thread>
 
+#include "core/error.h"
 #include "pipeline/job/cache_keeper.h"
 #include "pipeline/job/damage_report.h"
 #include "pipeline/job/exported_frame.h"
@@ -11,7 +12,6 @@
 #include "pipeline/job/job_frames.h"
 #include "pipeline/job/mixed_film.h"
 #include "pipeline/job/picture_supply.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

@@ -1,8 +1,8 @@
 #include "pipeline/job/film_plan.h"
 
+#include "core/error.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/store/frame_key.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

@@ -6,10 +6,10 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/hash.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/store/frame_inputs.h"
-#include "sim/timeline/hash.h"
 
 namespace carom::pipeline {
 

@@ -1,10 +1,10 @@
 #include "pipeline/job/film_status.h"
 
+#include "core/error.h"
 #include "pipeline/job/film_pipeline.h"
 #include "pipeline/job/film_plan.h"
 #include "pipeline/job/job_frames.h"
 #include "pipeline/store/frame_store.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::pipeline {
 namespace {

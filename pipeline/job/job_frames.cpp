@@ -1,8 +1,8 @@
 #include "pipeline/job/job_frames.h"
 
+#include "core/error.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/store/cache_folder.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

@@ -2,9 +2,9 @@
 
 #include <chrono>
 
+#include "core/error.h"
 #include "pipeline/job/frame_grace.h"
 #include "pipeline/job/job_metadata.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

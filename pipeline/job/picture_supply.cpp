@@ -1,6 +1,6 @@
 #include "pipeline/job/picture_supply.h"
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::pipeline {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <functional>
 
+#include "core/progress.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/store/frame_inputs.h"
 #include "render/film/film.h"
-#include "sim/timeline/progress.h"
 
 namespace carom::pipeline {
 

@@ -6,9 +6,9 @@
 #include <sstream>
 #include <utility>
 
+#include "core/error.h"
 #include "pipeline/laboratory/frame_meter.h"
 #include "render/scene/acceleration_names.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

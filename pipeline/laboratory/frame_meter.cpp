@@ -1,7 +1,7 @@
 #include "pipeline/laboratory/frame_meter.h"
 
+#include "core/cpu_time.h"
 #include "render/frame/frame.h"
-#include "sim/timeline/cpu_time.h"
 
 namespace carom::pipeline {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cpu_time.h"
+#include "core/error.h"
 #include "pipeline/laboratory/frame_meter.h"
 #include "pipeline/laboratory/growth_rays.h"
 #include "render/acceleration/flush_denormals.h"
 #include "render/frame_scene/frame_scene.h"
 #include "render/frame_scene/static_geometry.h"
-#include "sim/timeline/cpu_time.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

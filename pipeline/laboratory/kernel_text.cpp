@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "core/error.h"
 #include "pipeline/laboratory/text_table.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "core/error.h"
 #include "pipeline/laboratory/scene_parts.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

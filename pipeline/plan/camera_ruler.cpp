@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "pipeline/camera/exposure.h"
 #include "pipeline/camera/rig_state.h"
 #include "pipeline/camera/time_map.h"
 #include "pipeline/plan/figure_text.h"
 #include "pipeline/plan/time_axis.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "pipeline/camera/exposure.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/camera/rig_state.h"
@@ -10,7 +11,6 @@
 #include "pipeline/plan/figure_text.h"
 #include "pipeline/plan/footprint.h"
 #include "pipeline/plan/plan_drawing.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

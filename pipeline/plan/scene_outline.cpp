@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "core/error.h"
 #include "render/geometry/mesh_file.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

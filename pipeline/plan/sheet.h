@@ -1,7 +1,7 @@
 // Where a place of the scene is on the paper.
 #pragma once
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::pipeline {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sim/timeline/assert.h"
+#include "core/assert.h"
 
 namespace carom::pipeline {
 

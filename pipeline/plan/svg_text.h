@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::pipeline {
 

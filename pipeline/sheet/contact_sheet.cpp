@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/assert.h"
 #include "render/film/picture_text.h"
-#include "sim/timeline/assert.h"
 
 namespace carom::pipeline {
 

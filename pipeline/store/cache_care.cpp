@@ -2,10 +2,10 @@
 
 #include <filesystem>
 
+#include "core/error.h"
 #include "pipeline/store/lock_file.h"
 #include "pipeline/store/seal.h"
 #include "sim/timeline/bake_file.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

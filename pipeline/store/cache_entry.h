@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/timeline/hash.h"
+#include "core/hash.h"
 
 namespace carom::pipeline {
 

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/error.h"
 #include "pipeline/store/cache_care.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

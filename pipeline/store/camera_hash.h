@@ -1,8 +1,8 @@
 // A camera's values within a hash.
 #pragma once
 
+#include "core/hash.h"
 #include "render/camera/camera_state.h"
-#include "sim/timeline/hash.h"
 
 namespace carom::pipeline {
 

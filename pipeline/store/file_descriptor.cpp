@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::pipeline {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/error.h"
 #include "pipeline/store/frame_seed.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

@@ -1,12 +1,12 @@
 // A frame's identity: the hash of its own inputs and nothing else.
 #pragma once
 
+#include "core/hash.h"
 #include "pipeline/camera/camera_rig.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/store/frame_inputs.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
-#include "sim/timeline/hash.h"
 #include "sim/timeline/timeline.h"
 
 namespace carom::pipeline {

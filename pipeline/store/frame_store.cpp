@@ -8,11 +8,11 @@
 
 #include <unistd.h>
 
+#include "core/error.h"
 #include "pipeline/store/cache_entry.h"
 #include "pipeline/store/file_descriptor.h"
 #include "pipeline/store/lock_file.h"
 #include "pipeline/store/seal.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

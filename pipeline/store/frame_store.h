@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "core/hash.h"
 #include "pipeline/store/cache_folder.h"
 #include "render/film/film.h"
 #include "render/film/image_file.h"
-#include "sim/timeline/hash.h"
 
 namespace carom::pipeline {
 

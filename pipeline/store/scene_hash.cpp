@@ -3,8 +3,8 @@
 #include <map>
 #include <string>
 
+#include "core/error.h"
 #include "pipeline/store/frame_key.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

@@ -12,9 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/error.h"
+#include "core/write_all.h"
 #include "pipeline/store/file_descriptor.h"
-#include "sim/timeline/error.h"
-#include "sim/timeline/write_all.h"
 
 namespace carom::pipeline {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/timeline/hash.h"
+#include "core/hash.h"
 
 namespace carom::pipeline {
 

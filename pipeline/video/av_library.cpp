@@ -4,7 +4,7 @@
 #include <cstdarg>
 #include <mutex>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::pipeline {
 

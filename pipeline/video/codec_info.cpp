@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "core/assert.h"
 #include "pipeline/video/container.h"
-#include "sim/timeline/assert.h"
 
 namespace carom::pipeline {
 

@@ -1,10 +1,10 @@
 #include "pipeline/video/encoder.h"
 
+#include "core/assert.h"
+#include "core/error.h"
 #include "pipeline/video/codec_info.h"
 #include "pipeline/video/encoder_options.h"
 #include "pipeline/video/yuv_conversion.h"
-#include "sim/timeline/assert.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/assert.h"
 #include "pipeline/video/gaussian_blur.h"
-#include "sim/timeline/assert.h"
 
 namespace carom::pipeline {
 

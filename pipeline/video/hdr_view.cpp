@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/assert.h"
 #include "pipeline/video/code_value.h"
 #include "pipeline/video/glow.h"
-#include "sim/timeline/assert.h"
 
 namespace carom::pipeline {
 

@@ -12,8 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "sim/timeline/atomic_file.h"
-#include "sim/timeline/error.h"
+#include "core/atomic_file.h"
+#include "core/error.h"
 
 namespace carom::pipeline {
 

@@ -1,8 +1,8 @@
 #include "pipeline/video/picture_writer.h"
 
+#include "core/error.h"
 #include "pipeline/video/pending_file.h"
 #include "pipeline/video/picture_kind.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

@@ -4,7 +4,7 @@ extern "C" {
 #include <libswscale/swscale.h>
 }
 
-#include "sim/timeline/assert.h"
+#include "core/assert.h"
 
 namespace carom::pipeline {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/timeline/assert.h"
+#include "core/assert.h"
 
 namespace carom::pipeline {
 

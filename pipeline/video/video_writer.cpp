@@ -11,6 +11,8 @@ extern "C" {
 #include <libavutil/mastering_display_metadata.h>
 }
 
+#include "core/assert.h"
+#include "core/error.h"
 #include "pipeline/video/container.h"
 #include "pipeline/video/encoder.h"
 #include "pipeline/video/encoder_options.h"
@@ -18,8 +20,6 @@ extern "C" {
 #include "pipeline/video/peak_limit.h"
 #include "pipeline/video/pending_file.h"
 #include "pipeline/video/poster.h"
-#include "sim/timeline/assert.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

@@ -7,12 +7,12 @@
 #include <cstdlib>
 #include <string>
 
+#include "core/assert.h"
+#include "core/error.h"
 #include "pipeline/video/code_value.h"
 #include "pipeline/video/dither.h"
 #include "pipeline/video/glow.h"
 #include "pipeline/video/tone_curve.h"
-#include "sim/timeline/assert.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 

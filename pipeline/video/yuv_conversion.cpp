@@ -4,8 +4,8 @@
 #include <array>
 #include <type_traits>
 
+#include "core/assert.h"
 #include "pipeline/video/dither.h"
-#include "sim/timeline/assert.h"
 
 namespace carom::pipeline {
 

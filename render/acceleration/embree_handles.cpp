@@ -4,9 +4,9 @@
 
 #include <tbb/task_arena.h>
 
+#include "core/assert.h"
+#include "core/error.h"
 #include "render/geometry/ray.h"
-#include "sim/timeline/assert.h"
-#include "sim/timeline/error.h"
 
 namespace carom::render {
 namespace {

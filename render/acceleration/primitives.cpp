@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "core/assert.h"
 #include "render/acceleration/moving_shape.h"
 #include "render/triangle/moller_trumbore.h"
-#include "sim/timeline/assert.h"
 
 namespace carom::render {
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <optional>
 
-#include "sim/timeline/assert.h"
+#include "core/assert.h"
 
 namespace carom::render {
 namespace {

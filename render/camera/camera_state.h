@@ -1,7 +1,7 @@
 // The values of a thin-lens camera at one instant.
 #pragma once
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::render {
 

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <string>
 
+#include "core/error.h"
+#include "core/finite.h"
 #include "render/sampling/warp.h"
-#include "sim/timeline/error.h"
-#include "sim/timeline/finite.h"
 
 namespace carom::render {
 namespace {

@@ -16,10 +16,10 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "core/assert.h"
+#include "core/error.h"
+#include "core/write_all.h"
 #include "render/film/exr_header.h"
-#include "sim/timeline/assert.h"
-#include "sim/timeline/error.h"
-#include "sim/timeline/write_all.h"
 
 namespace carom::render {
 namespace {

@@ -7,8 +7,8 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 
-#include "sim/timeline/assert.h"
-#include "sim/timeline/error.h"
+#include "core/assert.h"
+#include "core/error.h"
 
 namespace carom::render {
 namespace {

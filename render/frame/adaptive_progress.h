@@ -4,8 +4,8 @@
 #include <mutex>
 #include <vector>
 
+#include "core/progress.h"
 #include "render/scene/render_settings.h"
-#include "sim/timeline/progress.h"
 
 namespace carom::render {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <sstream>
 
+#include "core/error.h"
 #include "render/frame/aov_planes.h"
 #include "render/integrator/distributed_ray_counts.h"
-#include "sim/timeline/error.h"
 
 namespace carom::render {
 namespace {

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <vector>
 
+#include "core/error.h"
 #include "render/acceleration/flush_denormals.h"
 #include "render/frame/adaptive_progress.h"
 #include "render/frame/check_settings.h"
@@ -11,7 +12,6 @@
 #include "render/frame/sample_plan.h"
 #include "render/frame/tile_renderer.h"
 #include "render/threads/thread_arena.h"
-#include "sim/timeline/error.h"
 
 namespace carom::render {
 namespace {

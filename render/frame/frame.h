@@ -5,12 +5,12 @@
 #include <memory>
 #include <span>
 
+#include "core/progress.h"
 #include "render/acceleration/structures/structure_cost.h"
 #include "render/camera/camera_state.h"
 #include "render/film/film.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
-#include "sim/timeline/progress.h"
 #include "sim/timeline/timeline.h"
 
 namespace carom::render {

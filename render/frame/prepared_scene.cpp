@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "core/error.h"
 #include "render/frame_scene/still_triangles.h"
-#include "sim/timeline/error.h"
 
 namespace carom::render {
 namespace {

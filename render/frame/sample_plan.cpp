@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/timeline/assert.h"
+#include "core/assert.h"
 
 namespace carom::render {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "sim/timeline/assert.h"
+#include "core/assert.h"
 
 namespace carom::render {
 

@@ -6,15 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "core/assert.h"
+#include "core/cpu_time.h"
+#include "core/error.h"
 #include "render/acceleration/embree_structure.h"
 #include "render/acceleration/hybrid_structure.h"
 #include "render/acceleration/moving_shape.h"
 #include "render/acceleration/structures/make_structure.h"
 #include "render/frame_scene/static_geometry_data.h"
 #include "render/frame_scene/surface.h"
-#include "sim/timeline/assert.h"
-#include "sim/timeline/cpu_time.h"
-#include "sim/timeline/error.h"
 
 namespace carom::render {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/error.h"
 #include "render/geometry/mesh_file.h"
 #include "render/geometry/smooth_normals.h"
-#include "sim/timeline/error.h"
 
 namespace carom::render {
 namespace {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "core/assert.h"
+#include "core/cpu_time.h"
+#include "core/error.h"
 #include "render/acceleration/hybrid_structure.h"
 #include "render/frame_scene/static_geometry_data.h"
-#include "sim/timeline/assert.h"
-#include "sim/timeline/cpu_time.h"
-#include "sim/timeline/error.h"
 
 namespace carom::render {
 namespace {

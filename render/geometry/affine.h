@@ -1,6 +1,7 @@
 // Affine maps in float, and where the scene's doubles are narrowed to them.
 #pragma once
 
+#include "core/pose.h"
 #include "render/geometry/ray.h"
 
 namespace carom::render {

@@ -3,12 +3,12 @@
 #include <fstream>
 #include <ios>
 
+#include "core/error.h"
+#include "core/limits.h"
 #include "render/geometry/file_text.h"
 #include "render/geometry/obj_file.h"
 #include "render/geometry/ply_file.h"
 #include "render/geometry/validity.h"
-#include "sim/timeline/error.h"
-#include "sim/timeline/limits.h"
 
 namespace carom::render {
 

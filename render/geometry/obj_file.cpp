@@ -9,11 +9,11 @@
 
 #include <tiny_obj_loader.h>
 
+#include "core/error.h"
+#include "core/limits.h"
 #include "render/geometry/file_text.h"
 #include "render/geometry/polygon.h"
 #include "render/geometry/triangle_mesh.h"
-#include "sim/timeline/error.h"
-#include "sim/timeline/limits.h"
 
 namespace carom::render {
 namespace {

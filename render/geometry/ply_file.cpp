@@ -6,12 +6,12 @@
 #include <fstream>
 #include <span>
 
+#include "core/error.h"
+#include "core/limits.h"
 #include "render/geometry/file_text.h"
 #include "render/geometry/ply_values.h"
 #include "render/geometry/polygon.h"
 #include "render/geometry/triangle_mesh.h"
-#include "sim/timeline/error.h"
-#include "sim/timeline/limits.h"
 
 namespace carom::render {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::render {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::render {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::render {
 

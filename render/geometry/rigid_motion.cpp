@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/assert.h"
 #include "render/geometry/trigonometry.h"
-#include "sim/timeline/assert.h"
 #include "sim/timeline/rotation.h"
 
 namespace carom::render {

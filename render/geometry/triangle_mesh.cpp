@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
+#include "core/error.h"
+#include "core/limits.h"
 #include "render/geometry/validity.h"
-#include "sim/timeline/error.h"
-#include "sim/timeline/limits.h"
 
 namespace carom::render {
 namespace {

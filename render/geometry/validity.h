@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "core/assert.h"
+#include "core/finite.h"
 #include "render/geometry/ray.h"
-#include "sim/timeline/assert.h"
-#include "sim/timeline/finite.h"
 
 namespace carom::render {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <variant>
 
-#include "sim/timeline/assert.h"
+#include "core/assert.h"
 
 namespace carom::render {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "sim/timeline/assert.h"
+#include "core/assert.h"
 
 namespace carom::render {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "render/geometry/validity.h"
 #include "render/sampling/reuse.h"
-#include "sim/timeline/error.h"
 
 namespace carom::render {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::render {
 

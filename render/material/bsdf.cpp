@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/assert.h"
 #include "render/material/fresnel.h"
 #include "render/material/microfacet.h"
 #include "render/material/sheen.h"
 #include "render/sampling/reuse.h"
 #include "render/sampling/warp.h"
-#include "sim/timeline/assert.h"
 
 namespace carom::render {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "sim/timeline/assert.h"
+#include "core/assert.h"
 
 namespace carom::render {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::render {
 

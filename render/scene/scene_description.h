@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/vectors.h"
 #include "render/scene/material_description.h"
-#include "sim/timeline/vocabulary.h"
 
 namespace carom::render {
 

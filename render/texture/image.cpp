@@ -5,8 +5,8 @@
 #include <Imath/half.h>
 #include <OpenImageIO/imagebuf.h>
 
-#include "sim/timeline/error.h"
-#include "sim/timeline/limits.h"
+#include "core/error.h"
+#include "core/limits.h"
 
 namespace carom::render {
 namespace {

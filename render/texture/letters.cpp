@@ -6,7 +6,7 @@
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::render {
 

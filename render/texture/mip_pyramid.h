@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/timeline/assert.h"
+#include "core/assert.h"
 
 namespace carom::render {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "render/texture/letters.h"
-#include "sim/timeline/error.h"
 
 namespace carom::render {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/assert.h"
 #include "render/texture/cloth_tiles.h"
-#include "sim/timeline/assert.h"
 
 namespace carom::render {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/progress.h"
 #include "render/triangle/variant.h"
-#include "sim/timeline/progress.h"
 
 namespace carom::render::triangle {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "sim/billiards/parts.h"
 #include "sim/billiards/surface_builder.h"
-#include "sim/numeric/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -39,8 +39,9 @@ constexpr std::array<std::array<double, 2>, 13> kTurning{{{0.00, 0.62},
                                                           {1.00, 1.00}}};
 
 double turning_slope(std::size_t index) {
-    if (index == 0 || index + 1 == kTurning.size())
+    if (index == 0 || index + 1 == kTurning.size()) {
         return 0;
+    }
     const auto& before = kTurning[index - 1];
     const auto& after = kTurning[index + 1];
     return (after[1] - before[1]) / (after[0] - before[0]);
@@ -49,8 +50,9 @@ double turning_slope(std::size_t index) {
 // Radius and its slope against height, by cubic Hermite pieces through the turning's points.
 std::array<double, 2> turning_at(double height) {
     std::size_t index = 0;
-    while (index + 2 < kTurning.size() && kTurning[index + 1][0] <= height)
+    while (index + 2 < kTurning.size() && kTurning[index + 1][0] <= height) {
         ++index;
+    }
     const auto& [h0, r0] = kTurning[index];
     const auto& [h1, r1] = kTurning[index + 1];
     const double h = h1 - h0;
@@ -87,8 +89,9 @@ Surface build_leg(const std::string& name, const Vec2& axis, double floor, doubl
     builder.add_grid(rows);
     const auto add_lid = [&](const std::vector<SurfaceVertex>& row, double facing) {
         std::vector<Vec3> rim;
-        for (std::size_t index = 0; index + 1 < row.size(); ++index)
+        for (std::size_t index = 0; index + 1 < row.size(); ++index) {
             rim.push_back(row[index].position);
+        }
         builder.add_polygon(rim, {0, 0, facing});
     };
     add_lid(rows.front(), -1);
@@ -112,8 +115,9 @@ Surface build_apron(const TableLayout& layout) {
                                               {kApronBack, bottom},
                                               {kApronBack, kApronTop}}};
     const PlanPath path = outer_path(layout);
-    for (std::size_t index = 0; index < places.size(); ++index)
+    for (std::size_t index = 0; index < places.size(); ++index) {
         builder.sweep(path, straight_profile(places[index], places[(index + 1) % places.size()]));
+    }
     return std::move(builder).finish();
 }
 
@@ -122,13 +126,14 @@ std::vector<Surface> build_legs(const TableLayout& layout) {
     const double bottom = apron_bottom(layout.measures);
     const int gaps = std::max(1, static_cast<int>(std::floor(2 * reach.x / kFeetApart)));
     std::vector<Surface> legs;
-    for (int row = 0; row < 2; ++row)
+    for (int row = 0; row < 2; ++row) {
         for (int gap = 0; gap <= gaps; ++gap) {
             // In pairs at the ends and evenly between.
             const Vec2 axis(-reach.x + 2 * reach.x * gap / gaps, row == 0 ? -reach.y : reach.y);
             legs.push_back(build_leg("leg_" + std::to_string(legs.size() + 1), axis,
                                      -layout.measures.height, bottom + kLegInside));
         }
+    }
     return legs;
 }
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "sim/billiards/parts.h"
 #include "sim/billiards/surface_builder.h"
-#include "sim/numeric/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -32,8 +32,9 @@ class CushionSection {
 
     [[nodiscard]] double top_at(const Vec2& position) const {
         const double d = (position - side_.origin).dot(side_.outward);
-        if (d >= measures_.cushion_width - 1e-9)
+        if (d >= measures_.cushion_width - 1e-9) {
             return measures_.rail_height;
+        }
         return measures_.nose_height + radius_ + slope_ * (d - radius_);
     }
 
@@ -76,8 +77,9 @@ class CushionSection {
                                                       const ProfilePoint& point) const {
         const double share = (point.z - measures_.nose_height) / radius_;
         return row_along(path, point, [&](const PathPoint& place, SurfaceVertex& vertex) {
-            if (share <= 0)
+            if (share <= 0) {
                 return;
+            }
             const double top = top_at(place.inside(radius_));
             if (point.normal_open == 0) {
                 vertex.position.z = top;
@@ -107,13 +109,16 @@ std::vector<Vec3> end_column(const Rows& undercut, const Rows& nose, bool is_end
     std::vector<Vec3> column;
     const auto add = [&](const std::vector<SurfaceVertex>& row) {
         const Vec3& position = (is_end ? row.back() : row.front()).position;
-        if (column.empty() || column.back() != position)
+        if (column.empty() || column.back() != position) {
             column.push_back(position);
+        }
     };
-    for (const auto& row : undercut)
+    for (const auto& row : undercut) {
         add(row);
-    for (const auto& row : nose)
+    }
+    for (const auto& row : nose) {
         add(row);
+    }
     return column;
 }
 
@@ -139,16 +144,19 @@ class CushionClosure {
         const Vec2 end = path.back().inside(at_to);
         const int count =
             std::max(1, static_cast<int>(std::ceil((end - begin).length() / kLongestStep)));
-        for (int step = 0; step <= count; ++step)
+        for (int step = 0; step <= count; ++step) {
             back_line_.push_back(step == count ? end
                                                : begin + (end - begin) * (double(step) / count));
+        }
     }
 
     void add_top() {
         Loop outline = inside_outline(path_, section_.radius());
-        for (std::size_t index = back_line_.size(); index-- > 0;)
-            if (back_line_[index] != outline.front() && back_line_[index] != outline.back())
+        for (std::size_t index = back_line_.size(); index-- > 0;) {
+            if (back_line_[index] != outline.front() && back_line_[index] != outline.back()) {
                 outline.push_back(back_line_[index]);
+            }
+        }
         const Triangulation region = triangulate(std::span(&outline, 1), kTopSpacing);
         std::vector<std::uint32_t> ids;
         for (const Vec2& point : region.points) {
@@ -157,32 +165,38 @@ class CushionClosure {
                                         section_.top_normal(),
                                         {local.dot(side_.along), local.dot(side_.outward)}}));
         }
-        for (const auto& [a, b, c] : region.triangles)
+        for (const auto& [a, b, c] : region.triangles) {
             builder_.add_triangle(ids[a], ids[b], ids[c]);
+        }
     }
 
     void add_back(const std::vector<Vec3>& from_column, const std::vector<Vec3>& to_column) {
         std::vector<Vec3> corners;
-        if (from_is_mitred_)
+        if (from_is_mitred_) {
             corners.push_back(in_space(back_line_.front(), kBottom));
-        else
+        } else {
             corners = from_column;
-        for (const Vec2& point : back_line_)
+        }
+        for (const Vec2& point : back_line_) {
             corners.push_back(in_space(point, rail_height_));
-        if (to_is_mitred_)
+        }
+        if (to_is_mitred_) {
             corners.push_back(in_space(back_line_.back(), kBottom));
-        else
+        } else {
             corners.insert(corners.end(), to_column.rbegin(), to_column.rend());
+        }
         corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
         builder_.add_polygon(corners, in_space(side_.outward, 0));
     }
 
     void add_underside() {
         Loop outline = inside_outline(path_, section_.inside_at_bottom());
-        if (to_is_mitred_)
+        if (to_is_mitred_) {
             outline.push_back(back_line_.back());
-        if (from_is_mitred_)
+        }
+        if (from_is_mitred_) {
             outline.push_back(back_line_.front());
+        }
         builder_.add_level(std::span(&outline, 1), kBottom, false, HUGE_VAL);
     }
 
@@ -241,8 +255,9 @@ void add_faces(const CushionLayout& cushion, double cushion_width, TableGeometry
     const SideFrame& side = cushion.side;
     const auto add_face = [&](const Vec2& from, const Vec2& to, bool is_jaw) {
         const Vec2 way = to - from;
-        if (way.length() > 1e-9)
+        if (way.length() > 1e-9) {
             geometry.faces.push_back({from, to, Vec2(-way.y, way.x).normalized(), is_jaw});
+        }
     };
     const auto add_jaw = [&](const Jaw& jaw, double tip, double radius, double sign) {
         // From the rail to the lip for the first jaw of a cushion, the other way for the second.
@@ -265,11 +280,13 @@ void add_faces(const CushionLayout& cushion, double cushion_width, TableGeometry
         add_jaw(*cushion.jaw_from, from, cushion.lip_radius_from, -1);
         from += cushion.jaw_from->lip_reach;
     }
-    if (cushion.jaw_to)
+    if (cushion.jaw_to) {
         to -= cushion.jaw_to->lip_reach;
+    }
     add_face(side.at(from, 0), side.at(to, 0), false);
-    if (cushion.jaw_to)
+    if (cushion.jaw_to) {
         add_jaw(*cushion.jaw_to, cushion.to, cushion.lip_radius_to, 1);
+    }
 }
 
 Surface build_cushion(const TableLayout& layout, const CushionLayout& cushion,
@@ -279,11 +296,13 @@ Surface build_cushion(const TableLayout& layout, const CushionLayout& cushion,
     const PlanPath path = nose_path(cushion, measures.cushion_width);
     SurfaceBuilder builder(name, SurfacePart::cushion);
     Rows undercut;
-    for (const ProfilePoint& point : section.undercut())
+    for (const ProfilePoint& point : section.undercut()) {
         undercut.push_back(row_along(path, point));
+    }
     Rows nose;
-    for (const ProfilePoint& point : section.nose())
+    for (const ProfilePoint& point : section.nose()) {
         nose.push_back(section.nose_row(path, point));
+    }
     builder.add_grid(undercut);
     builder.add_grid(nose);
 
@@ -293,10 +312,12 @@ Surface build_cushion(const TableLayout& layout, const CushionLayout& cushion,
     closure.add_top();
     closure.add_back(from_column, to_column);
     closure.add_underside();
-    if (!cushion.jaw_from)
+    if (!cushion.jaw_from) {
         closure.add_mitre(from_column, false);
-    if (!cushion.jaw_to)
+    }
+    if (!cushion.jaw_to) {
         closure.add_mitre(to_column, true);
+    }
     return std::move(builder).finish();
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::sim::billiards {
 
@@ -15,8 +15,9 @@ constexpr double kSmallestArea = 1e-14;  // m^2, doubled: below it three points 
 
 double signed_area(const Loop& loop) {
     double sum = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
         sum += doubled_area({0, 0}, loop[i], loop[(i + 1) % loop.size()]);
+    }
     return sum;
 }
 
@@ -36,13 +37,15 @@ class Outline {
                 points_.push_back(point);
             }
             // Material on the left: the outside counter-clockwise, holes clockwise.
-            if ((signed_area(loops[i]) > 0) != (i == 0))
+            if ((signed_area(loops[i]) > 0) != (i == 0)) {
                 std::reverse(ring.begin(), ring.end());
+            }
             rings_.push_back(std::move(ring));
         }
         walk_ = rings_[0];
-        for (std::size_t i = 1; i < rings_.size(); ++i)
+        for (std::size_t i = 1; i < rings_.size(); ++i) {
             join(rings_[i]);
+        }
     }
 
     [[nodiscard]] std::vector<std::array<Index, 3>> clip() {
@@ -61,8 +64,9 @@ class Outline {
                 corner = (corner + 1) % walk_.size();
                 continue;
             }
-            if (++failures > count)
+            if (++failures > count) {
                 throw Error("an outline of the table crosses itself");
+            }
             corner = after;
         }
         triangles.push_back({walk_[0], walk_[1], walk_[2]});
@@ -71,10 +75,13 @@ class Outline {
 
   private:
     [[nodiscard]] bool is_blocked(const Vec2& a, const Vec2& b) const {
-        for (const std::vector<Index>& ring : rings_)
-            for (std::size_t i = 0; i < ring.size(); ++i)
-                if (do_cross(a, b, points_[ring[i]], points_[ring[(i + 1) % ring.size()]]))
+        for (const std::vector<Index>& ring : rings_) {
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                if (do_cross(a, b, points_[ring[i]], points_[ring[(i + 1) % ring.size()]])) {
                     return true;
+                }
+            }
+        }
         return false;
     }
 
@@ -83,7 +90,7 @@ class Outline {
         std::size_t best_ring = 0;
         std::size_t best_walk = 0;
         double best = HUGE_VAL;
-        for (std::size_t r = 0; r < ring.size(); r += 4)
+        for (std::size_t r = 0; r < ring.size(); r += 4) {
             for (std::size_t w = 0; w < walk_.size(); ++w) {
                 const Vec2 way = points_[walk_[w]] - points_[ring[r]];
                 const double distance = way.dot(way);
@@ -93,11 +100,14 @@ class Outline {
                     best_walk = w;
                 }
             }
-        if (best == HUGE_VAL)
+        }
+        if (best == HUGE_VAL) {
             throw Error("an outline of the table crosses itself");
+        }
         std::vector<Index> detour;
-        for (std::size_t i = 0; i <= ring.size(); ++i)
+        for (std::size_t i = 0; i <= ring.size(); ++i) {
             detour.push_back(ring[(best_ring + i) % ring.size()]);
+        }
         detour.push_back(walk_[best_walk]);
         walk_.insert(walk_.begin() + static_cast<std::ptrdiff_t>(best_walk) + 1, detour.begin(),
                      detour.end());
@@ -107,18 +117,21 @@ class Outline {
         const Vec2& a = points_[walk_[before]];
         const Vec2& b = points_[walk_[corner]];
         const Vec2& c = points_[walk_[after]];
-        if (doubled_area(a, b, c) <= kSmallestArea)
+        if (doubled_area(a, b, c) <= kSmallestArea) {
             return false;
+        }
         const auto [low_x, high_x] = std::minmax({a.x, b.x, c.x});
         const auto [low_y, high_y] = std::minmax({a.y, b.y, c.y});
         for (const Index index : walk_) {
             const Vec2& p = points_[index];
             if (p.x < low_x || p.x > high_x || p.y < low_y || p.y > high_y || p == a || p == b ||
-                p == c)
+                p == c) {
                 continue;
+            }
             if (doubled_area(a, b, p) >= 0 && doubled_area(b, c, p) >= 0 &&
-                doubled_area(c, a, p) >= 0)
+                doubled_area(c, a, p) >= 0) {
                 return false;
+            }
         }
         return true;
     }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/numeric/elementary.h"
+#include "core/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -51,8 +51,9 @@ std::vector<PocketLayout> place_pockets(const TableLayout& layout) {
         }
     };
     const auto add_side = [&](const char* name, double y) {
-        if (const auto& measures = layout.measures.side_pocket)
+        if (const auto& measures = layout.measures.side_pocket) {
             pockets.push_back(place_pocket(name, *measures, {0, y * layout.nose.y}, {0, y}, false));
+        }
     };
     add_corner("corner_left_front", -1, -1);
     add_side("side_front", -1);
@@ -110,10 +111,12 @@ Jaw jaw_of(const PocketMeasures& pocket, bool is_corner, double cushion_width) {
     const double whole = cushion_width / turn.sin;
     jaw.length = whole;
     // Parallel jaws have their throat everywhere.
-    if (std::abs(across) > 2e-9)
+    if (std::abs(across) > 2e-9) {
         jaw.length = std::min(whole, (pocket.mouth - pocket.throat) / across);
-    if (std::abs(jaw.length - whole) < 1e-9)
+    }
+    if (std::abs(jaw.length - whole) < 1e-9) {
         jaw.length = whole;
+    }
     jaw.end = {jaw.length * turn.cos, jaw.length == whole ? cushion_width : jaw.length * turn.sin};
     jaw.lip_reach = pocket.lip_radius * tangent(jaw.turn / 2);
     return jaw;

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "sim/billiards/layout.h"
 #include "sim/billiards/table.h"
-#include "sim/numeric/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -99,16 +99,21 @@ TableMeasures carom_table() {
 }  // namespace
 
 std::optional<TableMeasures> standard_table(TableKind kind, std::string_view size) {
-    if (kind == TableKind::pool && size == "9 ft")
+    if (kind == TableKind::pool && size == "9 ft") {
         return pool_table(100 * kInch, 50 * kInch);  // WPA, section 4
-    if (kind == TableKind::pool && size == "8 ft")
+    }
+    if (kind == TableKind::pool && size == "8 ft") {
         return pool_table(92 * kInch, 46 * kInch);  // WPA, section 4
-    if (kind == TableKind::pool && size == "7 ft")
+    }
+    if (kind == TableKind::pool && size == "7 ft") {
         return pool_table(78 * kInch, 39 * kInch);  // BCA Equipment Specifications 2008
-    if (kind == TableKind::snooker && size == "12 ft")
+    }
+    if (kind == TableKind::snooker && size == "12 ft") {
         return snooker_table();
-    if (kind == TableKind::carom && size == "10 ft")
+    }
+    if (kind == TableKind::carom && size == "10 ft") {
         return carom_table();
+    }
     if (kind == TableKind::cloth && size.empty()) {
         TableMeasures cloth;
         cloth.kind = TableKind::cloth;

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "sim/numeric/elementary.h"
-#include "sim/timeline/assert.h"
+#include "core/assert.h"
+#include "core/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -61,13 +61,15 @@ PathBuilder& PathBuilder::line_to(const Vec2& point) {
     CAROM_ASSERT(!points_.empty());
     const Vec2 from = points_.back().position;
     const double length = (point - from).length();
-    if (length < 1e-9)
+    if (length < 1e-9) {
         return *this;
+    }
     const Vec2 normal = open_normal((point - from) / length);
     const int count = std::max(1, static_cast<int>(std::ceil(length / longest_step_ - 1e-9)));
-    for (int step = 1; step <= count; ++step)
+    for (int step = 1; step <= count; ++step) {
         append(step == count ? point : from + (point - from) * (double(step) / count), normal,
                normal);
+    }
     return *this;
 }
 
@@ -82,8 +84,9 @@ void PathBuilder::append_arc(const Vec2& centre, double radius, double begin_ang
         const SinCos at = sin_cos(angle);
         return Vec2(at.cos, at.sin);
     };
-    for (int step = 1; step <= count; ++step)
+    for (int step = 1; step <= count; ++step) {
         append(centre + radius * radial(step), sign * radial(step - 1), sign * radial(step));
+    }
 }
 
 PathBuilder& PathBuilder::arc_to(const Vec2& end, const Vec2& centre, bool is_counter_clockwise) {
@@ -91,10 +94,12 @@ PathBuilder& PathBuilder::arc_to(const Vec2& end, const Vec2& centre, bool is_co
     const Vec2 b = end - centre;
     const double begin_angle = angle_of(a.x, a.y);
     double turn = angle_of(a.dot(b), cross(a, b));
-    if (is_counter_clockwise && turn < 0)
+    if (is_counter_clockwise && turn < 0) {
         turn += 2 * kPi;
-    if (!is_counter_clockwise && turn > 0)
+    }
+    if (!is_counter_clockwise && turn > 0) {
         turn -= 2 * kPi;
+    }
     append_arc(centre, a.length(), begin_angle, turn);
     points_.back().position = end;
     return *this;
@@ -126,8 +131,9 @@ PathBuilder& PathBuilder::round(const Vec2& tip, double radius, const Vec2& next
 }
 
 void PathBuilder::set_mitres() {
-    for (PathPoint& point : points_)
+    for (PathPoint& point : points_) {
         point.mitre = mitre_of(point.normal_in, point.normal_out);
+    }
 }
 
 PlanPath PathBuilder::finish(const Vec2& cut_at_start, const Vec2& cut_at_end) {

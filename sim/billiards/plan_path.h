@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::sim::billiards {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "sim/billiards/parts.h"
 #include "sim/billiards/surface_builder.h"
-#include "sim/numeric/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -49,8 +49,9 @@ void add_wing(SurfaceBuilder& builder, const SideFrame& side, double from, doubl
     const std::vector<Profile> profiles{
         straight_profile(top, foot), straight_profile(foot, back_foot),
         straight_profile(back_foot, back_top), straight_profile(back_top, top)};
-    for (const Profile& profile : profiles)
+    for (const Profile& profile : profiles) {
         builder.sweep(path, profile);
+    }
     const auto add_end = [&](const PathPoint& point, const Vec2& facing) {
         builder.add_polygon(profile_at(point, profiles), {facing.x, facing.y, 0});
     };
@@ -68,8 +69,9 @@ Surface build_pocket_liner(const TableLayout& layout, const PocketLayout& pocket
     // Under the cloth all round.
     const PlanPath circle = circle_path(centre, radius);
     for (const Profile& profile :
-         wall_profile(-pocket.pocket.drop - kBelowFloor, -0.5 * kSlateEdge))
+         wall_profile(-pocket.pocket.drop - kBelowFloor, -0.5 * kSlateEdge)) {
         builder.sweep(circle, profile);
+    }
 
     // Above it, only where the pocket is cut into wood.
     const SideFrame* first = nullptr;
@@ -98,8 +100,9 @@ Surface build_pocket_liner(const TableLayout& layout, const PocketLayout& pocket
         PathBuilder(OpenSide::left, kLongestStep).start(begin).arc_to(end, centre, true).finish();
     const std::vector<Profile> wall =
         wall_profile(-0.6 * kSlateEdge, layout.measures.rail_height + kRimAboveRail);
-    for (const Profile& profile : wall)
+    for (const Profile& profile : wall) {
         builder.sweep(arc, profile);
+    }
     const auto add_end = [&](const PathPoint& point, double sign) {
         const Vec2 radial = (point.position - centre).normalized();
         builder.add_polygon(profile_at(point, wall), {sign * radial.y, -sign * radial.x, 0});

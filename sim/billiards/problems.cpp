@@ -2,8 +2,8 @@
 #include <cstdio>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "sim/billiards/parts.h"
-#include "sim/numeric/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -20,8 +20,9 @@ class Problems {
   public:
     // A measure between two limits; false too if it is not a number.
     bool require(const std::string& name, double value, double low, double high) {
-        if (value >= low && value <= high)
+        if (value >= low && value <= high) {
             return true;
+        }
         add("the table's " + name + " must be between " + millimetres(low) + " and " +
             millimetres(high));
         return false;
@@ -43,25 +44,30 @@ void check_pocket(const PocketMeasures& pocket, const std::string& which, Proble
     problems.require(name + "drop", pocket.drop, 0.03, 1);
     problems.require(name + "lip radius", pocket.lip_radius, 0, 0.5);
     constexpr double kDegree = std::numbers::pi / 180;
-    if (!(pocket.jaw_angle >= 95 * kDegree && pocket.jaw_angle <= 175 * kDegree))
+    if (!(pocket.jaw_angle >= 95 * kDegree && pocket.jaw_angle <= 175 * kDegree)) {
         problems.add("the table's " + name + "jaw angle must be between 95 and 175 degrees");
+    }
 }
 
 void check_measures(const TableMeasures& measures, Problems& problems) {
     problems.require("length", measures.length, 0.1, 100);
     problems.require("width", measures.width, 0.1, 100);
-    if (!measures.has_cushions)
+    if (!measures.has_cushions) {
         return;
+    }
     problems.require("nose height", measures.nose_height, 0.005, 0.5);
     problems.require("cushion width", measures.cushion_width, 0.01, 0.5);
     problems.require("rail width", measures.rail_width, 0.03, 1);
     problems.require("height", measures.height, 0.2, 2);
-    if (problems.none())
+    if (problems.none()) {
         problems.require("rail height", measures.rail_height, measures.nose_height + 0.001, 0.6);
-    if (measures.corner_pocket)
+    }
+    if (measures.corner_pocket) {
         check_pocket(*measures.corner_pocket, "corner", problems);
-    if (measures.side_pocket)
+    }
+    if (measures.side_pocket) {
         check_pocket(*measures.side_pocket, "side", problems);
+    }
 }
 
 // A jaw that runs in the right direction, with room for its rounding.
@@ -78,9 +84,10 @@ void check_jaw(const PocketMeasures& pocket, bool is_corner, double cushion_widt
             " towards the hole");
         return;
     }
-    if (jaw.lip_reach > 0.95 * jaw.length)
+    if (jaw.lip_reach > 0.95 * jaw.length) {
         problems.add("the table's " + which + " pockets' lip radius is too large for jaws " +
                      millimetres(jaw.length) + " long");
+    }
 }
 
 // The hole has to take in the jaws' ends, and stay in the wood.
@@ -95,22 +102,25 @@ void check_hole(const TableLayout& layout, const PocketLayout& pocket, Problems&
     const double half = 0.5 * pocket.measures.mouth - jaw.length * close.sin;
     const Vec2 end = pocket.mouth + deep * pocket.axis + half * Vec2(-pocket.axis.y, pocket.axis.x);
     const double reach = (end - pocket.pocket.centre).length();
-    if (reach > pocket.pocket.radius + 1e-6)
+    if (reach > pocket.pocket.radius + 1e-6) {
         problems.add("the table's " + which +
                      " pockets' hole does not reach the ends of their jaws: its radius must be at "
                      "least " +
                      millimetres(reach) + " with this shelf");
+    }
     const Vec2 inner_corner(std::copysign(layout.rail.x, pocket.axis.x),
                             std::copysign(layout.rail.y, pocket.axis.y));
-    if (pocket.is_corner && (inner_corner - pocket.pocket.centre).length() > pocket.pocket.radius)
+    if (pocket.is_corner && (inner_corner - pocket.pocket.centre).length() > pocket.pocket.radius) {
         problems.add(
             "the table's corner pockets' hole does not reach the rails' inner corner; "
             "give it a larger radius or a deeper shelf");
+    }
     const Vec2 room =
         layout.outer - Vec2(std::abs(pocket.pocket.centre.x), std::abs(pocket.pocket.centre.y));
-    if (std::min(room.x, room.y) < pocket.pocket.radius + 0.02 + 0.16 * measures.rail_width)
+    if (std::min(room.x, room.y) < pocket.pocket.radius + 0.02 + 0.16 * measures.rail_width) {
         problems.add("the table's " + which + " pockets' hole does not fit into rails " +
                      millimetres(measures.rail_width) + " wide");
+    }
 }
 
 void check_cushions(const TableLayout& layout, Problems& problems) {
@@ -125,7 +135,7 @@ void check_cushions(const TableLayout& layout, Problems& problems) {
 }
 
 void check_blocks(const TableLayout& layout, Problems& problems) {
-    for (std::size_t a = 0; a < layout.pockets.size(); ++a)
+    for (std::size_t a = 0; a < layout.pockets.size(); ++a) {
         for (std::size_t b = a + 1; b < layout.pockets.size(); ++b) {
             const Pocket& first = layout.pockets[a].pocket;
             const Pocket& second = layout.pockets[b].pocket;
@@ -134,6 +144,7 @@ void check_blocks(const TableLayout& layout, Problems& problems) {
                 return;
             }
         }
+    }
 }
 
 }  // namespace
@@ -141,22 +152,29 @@ void check_blocks(const TableLayout& layout, Problems& problems) {
 std::vector<std::string> find_problems(const TableMeasures& measures) {
     Problems problems;
     check_measures(measures, problems);
-    if (!problems.none() || !measures.has_cushions)
+    if (!problems.none() || !measures.has_cushions) {
         return problems.take();
-    if (measures.corner_pocket)
+    }
+    if (measures.corner_pocket) {
         check_jaw(*measures.corner_pocket, true, measures.cushion_width, problems);
-    if (measures.side_pocket)
+    }
+    if (measures.side_pocket) {
         check_jaw(*measures.side_pocket, false, measures.cushion_width, problems);
-    if (!problems.none())
+    }
+    if (!problems.none()) {
         return problems.take();
+    }
     // A ball as high as the nose: drawn nose and playing field's edge then coincide.
     const TableLayout layout = lay_out(measures, measures.nose_height);
-    for (const PocketLayout& pocket : layout.pockets)
-        if (pocket.axis.x >= 0 && pocket.axis.y > 0)
+    for (const PocketLayout& pocket : layout.pockets) {
+        if (pocket.axis.x >= 0 && pocket.axis.y > 0) {
             check_hole(layout, pocket, problems);
+        }
+    }
     check_cushions(layout, problems);
-    if (problems.none())
+    if (problems.none()) {
         check_blocks(layout, problems);
+    }
     return problems.take();
 }
 

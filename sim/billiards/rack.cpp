@@ -5,7 +5,7 @@
 #include <numbers>
 #include <span>
 
-#include "sim/numeric/elementary.h"
+#include "core/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -48,8 +48,9 @@ class Lattice {
         const double across = pitch_ * (column - 0.5 * (row_length - 1));
         const double along = pitch_ * row * (std::numbers::sqrt3 / 2);
         const std::uint64_t index = count_++;
-        if (index == 0)
+        if (index == 0) {
             return apex_;
+        }
         // Even over the disk.
         const double radius = 0.5 * gap_ * std::sqrt(random_number(seed_, 2 * index));
         const double angle = 2 * std::numbers::pi * random_number(seed_, 2 * index + 1);
@@ -106,10 +107,12 @@ std::vector<PlacedBall> snooker(const TableMeasures& table, double ball_radius,
     // As near behind the pink as can be without touching it.
     const double behind_pink = 2 * ball_radius + options.gap + kRounding;
     Lattice lattice({pyramid + behind_pink, 0, z}, ball_radius, options);
-    for (int row = 0; row < 5; ++row)
-        for (int column = 0; column <= row; ++column)
+    for (int row = 0; row < 5; ++row) {
+        for (int column = 0; column <= row; ++column) {
             balls.push_back({"red_" + std::to_string(balls.size() + 1), 0,
                              lattice.place(row, column, row + 1)});
+        }
+    }
     // Seen from baulk, yellow is on the right and green on the left.
     balls.push_back({"yellow", 0, {baulk, -d_radius, z}});
     balls.push_back({"green", 0, {baulk, d_radius, z}});

@@ -52,10 +52,12 @@ Surface build_piece(const WoodPiece& piece, double top, double edge) {
     SurfaceBuilder builder(piece.name, SurfacePart::rail);
     const std::vector<Profile> inner = inner_profile(top);
     const std::vector<Profile> outer = outer_profile(top, edge);
-    for (const Profile& profile : inner)
+    for (const Profile& profile : inner) {
         builder.sweep(piece.inner, profile);
-    for (const Profile& profile : outer)
+    }
+    for (const Profile& profile : outer) {
         builder.sweep(piece.outer, profile);
+    }
 
     const auto region = [&](double inner_inside, double outer_inside) {
         Loop loop = inside_outline(piece.inner, inner_inside);
@@ -81,9 +83,11 @@ Surface build_piece(const WoodPiece& piece, double top, double edge) {
 }
 
 const PocketLayout* find_pocket(const TableLayout& layout, const Vec2& axis) {
-    for (const PocketLayout& pocket : layout.pockets)
-        if (pocket.axis.dot(axis) > 0.99)
+    for (const PocketLayout& pocket : layout.pockets) {
+        if (pocket.axis.dot(axis) > 0.99) {
             return &pocket;
+        }
+    }
     return nullptr;
 }
 
@@ -120,8 +124,9 @@ class Frame {
         const SideFrame& side = layout_.sides[index];
         const Vec2 axis = (side.outward + layout_.sides[(index + 1) % 4].outward).normalized();
         const PocketLayout* pocket = find_pocket(layout_, axis);
-        if (pocket == nullptr)
+        if (pocket == nullptr) {
             return kBlockMargin;
+        }
         return side.half_length + inner_ - cut_in_rail(layout_, *pocket, side, false) +
                kBlockMargin;
     }
@@ -220,8 +225,9 @@ std::vector<Surface> build_rails(const TableLayout& layout) {
     const double top = layout.measures.rail_height;
     const double edge = std::min(0.16 * layout.measures.rail_width, 0.6 * (top - kRailBottom));
     std::vector<Surface> surfaces;
-    for (const WoodPiece& piece : Frame(layout).pieces())
+    for (const WoodPiece& piece : Frame(layout).pieces()) {
         surfaces.push_back(build_piece(piece, top, edge));
+    }
     return surfaces;
 }
 

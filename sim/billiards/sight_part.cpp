@@ -1,9 +1,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "sim/billiards/parts.h"
 #include "sim/billiards/surface_builder.h"
-#include "sim/numeric/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -42,8 +42,9 @@ void add_plate(SurfaceBuilder& builder, const Loop& outline, double rail_height)
     builder.add_level(std::span(&outline, 1), bottom, false, HUGE_VAL);
     PathBuilder path(OpenSide::right, 1);
     path.start(outline.front());
-    for (const Vec2& corner : outline)
+    for (const Vec2& corner : outline) {
         path.line_to(corner);
+    }
     builder.sweep(path.finish_closed(), straight_profile({0, top}, {0, bottom}));
 }
 
@@ -52,8 +53,9 @@ void add_plate(SurfaceBuilder& builder, const Loop& outline, double rail_height)
 std::optional<Surface> build_sights(const TableLayout& layout) {
     const TableMeasures& measures = layout.measures;
     if (measures.kind == TableKind::snooker ||
-        kFromNose > measures.cushion_width + measures.rail_width - kDiamondLength)
+        kFromNose > measures.cushion_width + measures.rail_width - kDiamondLength) {
         return {};
+    }
     SurfaceBuilder builder("sights", SurfacePart::sight);
     for (std::size_t index = 0; index < 4; ++index) {
         const SideFrame& side = layout.sides[index];
@@ -62,8 +64,9 @@ std::optional<Surface> build_sights(const TableLayout& layout) {
         const int count = is_long ? 4 : 2;
         const double step = is_long ? measures.length / 8 : measures.width / 4;
         for (int place = 1 - count; place < count; ++place) {
-            if (is_long && place == 0 && measures.side_pocket)
+            if (is_long && place == 0 && measures.side_pocket) {
                 continue;
+            }
             const Vec2 centre = side.at(place * step, kFromNose);
             add_plate(
                 builder,

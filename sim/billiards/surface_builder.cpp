@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "sim/numeric/elementary.h"
+#include "core/elementary.h"
 
 namespace carom::sim::billiards {
 
@@ -25,11 +25,13 @@ void SurfaceBuilder::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_
     const Vec3& p = surface_.vertices[a];
     const Vec3& q = surface_.vertices[b];
     const Vec3& r = surface_.vertices[c];
-    if (p == q || q == r || r == p)
+    if (p == q || q == r || r == p) {
         return;
+    }
     const Vec3 outward = surface_.normals[a] + surface_.normals[b] + surface_.normals[c];
-    if ((q - p).cross(r - p).dot(outward) < 0)
+    if ((q - p).cross(r - p).dot(outward) < 0) {
         std::swap(b, c);
+    }
     surface_.triangles.push_back({a, b, c});
 }
 
@@ -46,21 +48,25 @@ void SurfaceBuilder::add_quad(std::uint32_t a, std::uint32_t b, std::uint32_t c,
 
 void SurfaceBuilder::add_grid(std::span<const std::vector<SurfaceVertex>> rows) {
     const auto first = static_cast<std::uint32_t>(surface_.vertices.size());
-    for (const auto& row : rows)
-        for (const SurfaceVertex& vertex : row)
+    for (const auto& row : rows) {
+        for (const SurfaceVertex& vertex : row) {
             add(vertex);
+        }
+    }
     const auto width = static_cast<std::uint32_t>(rows[0].size());
-    for (std::uint32_t row = 0; row + 1 < rows.size(); ++row)
+    for (std::uint32_t row = 0; row + 1 < rows.size(); ++row) {
         for (std::uint32_t column = 0; column + 1 < width; ++column) {
             const std::uint32_t corner = first + row * width + column;
             add_quad(corner, corner + 1, corner + width + 1, corner + width);
         }
+    }
 }
 
 void SurfaceBuilder::sweep(const PlanPath& path, const Profile& profile) {
     std::vector<std::vector<SurfaceVertex>> rows;
-    for (const ProfilePoint& point : profile)
+    for (const ProfilePoint& point : profile) {
         rows.push_back(row_along(path, point));
+    }
     add_grid(rows);
 }
 
@@ -69,12 +75,14 @@ void SurfaceBuilder::add_level(std::span<const Loop> loops, double z, bool faces
     const Vec2 across(-grain.y, grain.x);
     const Triangulation region = triangulate(loops, spacing);
     const auto first = static_cast<std::uint32_t>(surface_.vertices.size());
-    for (const Vec2& point : region.points)
+    for (const Vec2& point : region.points) {
         add({{point.x, point.y, z},
              {0, 0, faces_up ? 1.0 : -1.0},
              {point.dot(grain), point.dot(across)}});
-    for (const auto& [a, b, c] : region.triangles)
+    }
+    for (const auto& [a, b, c] : region.triangles) {
         add_triangle(first + a, first + b, first + c);
+    }
 }
 
 void SurfaceBuilder::add_polygon(std::span<const Vec3> corners, const Vec3& normal) {
@@ -84,17 +92,20 @@ void SurfaceBuilder::add_polygon(std::span<const Vec3> corners, const Vec3& norm
     const Vec3 across = normal.cross(along);
     Loop loop;
     std::vector<Vec3> kept;
-    for (const Vec3& corner : corners)
+    for (const Vec3& corner : corners) {
         if (kept.empty() || (corner != kept.back() && corner != kept.front())) {
             kept.push_back(corner);
             loop.emplace_back(corner.dot(along), corner.dot(across));
         }
+    }
     const Triangulation region = triangulate(std::span(&loop, 1), HUGE_VAL);
     const auto first = static_cast<std::uint32_t>(surface_.vertices.size());
-    for (std::size_t index = 0; index < kept.size(); ++index)
+    for (std::size_t index = 0; index < kept.size(); ++index) {
         add({kept[index], normal, loop[index]});
-    for (const auto& [a, b, c] : region.triangles)
+    }
+    for (const auto& [a, b, c] : region.triangles) {
         add_triangle(first + a, first + b, first + c);
+    }
 }
 
 Surface SurfaceBuilder::finish() && {
@@ -113,13 +124,15 @@ std::vector<SurfaceVertex> row_along(const PlanPath& path, const ProfilePoint& p
             row.push_back({{position.x, position.y, point.z},
                            in_space.normalized(),
                            {place.length, point.length}});
-            if (adjust)
+            if (adjust) {
                 adjust(place, row.back());
+            }
         };
         const bool is_end = index == 0 || index + 1 == path.size();
         const bool is_sharp = (place.normal_in - place.normal_out).length() > 1e-6;
-        if (is_sharp && !is_end)
+        if (is_sharp && !is_end) {
             add(place.normal_in);
+        }
         add(index + 1 == path.size() ? place.normal_in : place.normal_out);
     }
     return row;
@@ -129,8 +142,9 @@ Loop inside_outline(const PlanPath& path, double distance) {
     Loop outline;
     for (const PathPoint& point : path) {
         const Vec2 position = point.inside(distance);
-        if (outline.empty() || (position != outline.back() && position != outline.front()))
+        if (outline.empty() || (position != outline.back() && position != outline.front())) {
             outline.push_back(position);
+        }
     }
     return outline;
 }
@@ -168,13 +182,15 @@ Profile round_profile(ProfilePlace wall, ProfilePlace level) {
 
 std::vector<Vec3> profile_at(const PathPoint& point, std::span<const Profile> profiles) {
     std::vector<Vec3> places;
-    for (const Profile& profile : profiles)
+    for (const Profile& profile : profiles) {
         for (const ProfilePoint& place : profile) {
             const Vec2 position = point.inside(place.inside);
             const Vec3 in_space(position.x, position.y, place.z);
-            if (places.empty() || places.back() != in_space)
+            if (places.empty() || places.back() != in_space) {
                 places.push_back(in_space);
+            }
         }
+    }
     return places;
 }
 

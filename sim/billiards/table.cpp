@@ -1,43 +1,50 @@
 #include "sim/billiards/table.h"
 
+#include "core/error.h"
 #include "sim/billiards/parts.h"
-#include "sim/timeline/error.h"
 
 namespace carom::sim::billiards {
 
 TableGeometry build_table(const TableMeasures& measures, double ball_radius, TableParts parts) {
-    if (const auto problems = find_problems(measures); !problems.empty())
+    if (const auto problems = find_problems(measures); !problems.empty()) {
         throw Error(problems.front());
+    }
     TableGeometry geometry;
     const bool all = parts == TableParts::all;
     if (!measures.has_cushions) {
-        if (all)
+        if (all) {
             geometry.surfaces.push_back(build_open_cloth(measures));
+        }
         return geometry;
     }
     const TableLayout layout = lay_out(measures, ball_radius);
-    if (all)
+    if (all) {
         geometry.surfaces.push_back(build_cloth(layout));
+    }
     int number = 0;
     for (const CushionLayout& cushion : layout.cushions) {
         add_faces(cushion, measures.cushion_width, geometry);
         geometry.surfaces.push_back(
             build_cushion(layout, cushion, "cushion_" + std::to_string(++number)));
     }
-    for (Surface& rail : build_rails(layout))
+    for (Surface& rail : build_rails(layout)) {
         geometry.surfaces.push_back(std::move(rail));
+    }
     for (const PocketLayout& pocket : layout.pockets) {
         geometry.pockets.push_back(pocket.pocket);
         geometry.surfaces.push_back(build_pocket_liner(layout, pocket));
         geometry.surfaces.push_back(build_pocket_floor(pocket));
     }
-    if (!all)
+    if (!all) {
         return geometry;
+    }
     geometry.surfaces.push_back(build_apron(layout));
-    for (Surface& leg : build_legs(layout))
+    for (Surface& leg : build_legs(layout)) {
         geometry.surfaces.push_back(std::move(leg));
-    if (std::optional<Surface> sights = build_sights(layout))
+    }
+    if (std::optional<Surface> sights = build_sights(layout)) {
         geometry.surfaces.push_back(std::move(*sights));
+    }
     return geometry;
 }
 

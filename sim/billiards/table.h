@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::sim::billiards {
 

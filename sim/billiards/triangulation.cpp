@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "core/error.h"
 #include "sim/billiards/ear_clipping.h"
-#include "sim/timeline/error.h"
 
 namespace carom::sim::billiards {
 
@@ -44,25 +44,30 @@ class Mesh {
     void make_delaunay() {
         for (int pass = 0; pass < 100; ++pass) {
             const std::size_t before = flip_count_;
-            for (Index index = 0; index < triangles_.size(); ++index)
-                for (int side = 0; side < 3; ++side)
+            for (Index index = 0; index < triangles_.size(); ++index) {
+                for (int side = 0; side < 3; ++side) {
                     legalize(index, side);
-            if (flip_count_ == before)
+                }
+            }
+            if (flip_count_ == before) {
                 return;
+            }
         }
     }
 
     /// Adds a point of the inside; left out where it would make a sliver.
     void insert(const Vec2& point) {
         const Index index = triangle_at(point);
-        if (index == kNone)
+        if (index == kNone) {
             return;
+        }
         const auto corners = triangles_[index].corners;
         for (int side = 0; side < 3; ++side) {
             const Vec2& a = points_[corners[next(side)]];
             const Vec2& b = points_[corners[next(next(side))]];
-            if (doubled_area(a, b, point) < 1e-3 * (b - a).dot(b - a))
+            if (doubled_area(a, b, point) < 1e-3 * (b - a).dot(b - a)) {
                 return;
+            }
         }
         split(index, point);
     }
@@ -70,8 +75,9 @@ class Mesh {
     [[nodiscard]] Triangulation finish() && {
         Triangulation result;
         result.points = std::move(points_);
-        for (const Triangle& triangle : triangles_)
+        for (const Triangle& triangle : triangles_) {
             result.triangles.push_back(triangle.corners);
+        }
         return result;
     }
 
@@ -89,8 +95,9 @@ class Mesh {
     }
 
     void replace_neighbour(Index index, Index before, Index after) {
-        if (index != kNone)
+        if (index != kNone) {
             triangles_[index].across[side_towards(index, before)] = after;
+        }
     }
 
     [[nodiscard]] bool is_in_circle(const Triangle& triangle, const Vec2& p) const {
@@ -109,11 +116,13 @@ class Mesh {
     // Makes the edge opposite to a corner Delaunay, and then those that the flip may have spoilt.
     void legalize(Index index, int side) {
         const Index other = triangles_[index].across[side];
-        if (other == kNone)
+        if (other == kNone) {
             return;
+        }
         const int other_side = side_towards(other, index);
-        if (!is_in_circle(triangles_[index], points_[triangles_[other].corners[other_side]]))
+        if (!is_in_circle(triangles_[index], points_[triangles_[other].corners[other_side]])) {
             return;
+        }
         flip(index, side, other, other_side);
         legalize(index, 0);
         legalize(index, 2);
@@ -142,10 +151,12 @@ class Mesh {
 
     /// A side that has the point beyond it, or -1: the triangle holds the point.
     [[nodiscard]] int side_before(const Triangle& triangle, const Vec2& point) const {
-        for (int side = 0; side < 3; ++side)
+        for (int side = 0; side < 3; ++side) {
             if (doubled_area(points_[triangle.corners[next(side)]],
-                             points_[triangle.corners[next(next(side))]], point) < 0)
+                             points_[triangle.corners[next(next(side))]], point) < 0) {
                 return side;
+            }
+        }
         return -1;
     }
 
@@ -155,13 +166,16 @@ class Mesh {
         Index index = last_found_;
         for (std::size_t step = 0; step < triangles_.size() && index != kNone; ++step) {
             const int side = side_before(triangles_[index], point);
-            if (side < 0)
+            if (side < 0) {
                 return last_found_ = index;
+            }
             index = triangles_[index].across[side];
         }
-        for (index = 0; index < triangles_.size(); ++index)
-            if (side_before(triangles_[index], point) < 0)
+        for (index = 0; index < triangles_.size(); ++index) {
+            if (side_before(triangles_[index], point) < 0) {
                 return last_found_ = index;
+            }
+        }
         return kNone;
     }
 
@@ -198,37 +212,45 @@ double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
 std::vector<Vec2> inner_points(std::span<const Loop> loops, double spacing) {
     Vec2 low = loops[0][0];
     Vec2 high = low;
-    for (const Vec2& p : loops[0])
+    for (const Vec2& p : loops[0]) {
         for (int axis = 0; axis < 2; ++axis) {
             low[axis] = std::min(low[axis], p[axis]);
             high[axis] = std::max(high[axis], p[axis]);
         }
+    }
     const auto is_free = [&](const Vec2& point) {
-        for (const Loop& loop : loops)
-            for (std::size_t i = 0; i < loop.size(); ++i)
+        for (const Loop& loop : loops) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
                 if (distance_to_segment(point, loop[i], loop[(i + 1) % loop.size()]) <
-                    0.6 * spacing)
+                    0.6 * spacing) {
                     return false;
+                }
+            }
+        }
         return true;
     };
     std::vector<Vec2> points;
     const double row_height = spacing * 0.8660254037844386;  // sqrt(3)/2
-    for (int row = 1; low.y + row * row_height < high.y; ++row)
+    for (int row = 1; low.y + row * row_height < high.y; ++row) {
         for (int column = 0; low.x + column * spacing < high.x; ++column) {
             const Vec2 point(low.x + (column + (row % 2 == 0 ? 0.5 : 1.0)) * spacing,
                              low.y + row * row_height);
-            if (is_free(point))
+            if (is_free(point)) {
                 points.push_back(point);
+            }
         }
+    }
     return points;
 }
 
 // Ears are never turned over; what is left of a crossed outline at the end is.
 void check_orientation(const std::vector<Vec2>& points,
                        const std::vector<std::array<Index, 3>>& triangles) {
-    for (const auto& [a, b, c] : triangles)
-        if (!(doubled_area(points[a], points[b], points[c]) > 0))
+    for (const auto& [a, b, c] : triangles) {
+        if (!(doubled_area(points[a], points[b], points[c]) > 0)) {
             throw Error("an outline of the table crosses itself");
+        }
+    }
 }
 
 }  // namespace
@@ -236,16 +258,18 @@ void check_orientation(const std::vector<Vec2>& points,
 Triangulation triangulate(std::span<const Loop> loops, double spacing) {
     std::vector<Vec2> points;
     for (const Loop& loop : loops) {
-        if (loop.size() < 3)
+        if (loop.size() < 3) {
             throw Error("an outline of the table has fewer than three points");
+        }
         points.insert(points.end(), loop.begin(), loop.end());
     }
     const auto triangles = clip_ears(loops);
     check_orientation(points, triangles);
     Mesh mesh(std::move(points), triangles);
     mesh.make_delaunay();
-    for (const Vec2& point : inner_points(loops, spacing))
+    for (const Vec2& point : inner_points(loops, spacing)) {
         mesh.insert(point);
+    }
     mesh.make_delaunay();
     return std::move(mesh).finish();
 }

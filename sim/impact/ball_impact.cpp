@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/numeric/elementary.h"
+#include "core/elementary.h"
 
 namespace carom::sim {
 namespace {
@@ -68,8 +68,9 @@ ImpulsePair lining_impact(BallBody& ball, const Vec3& normal, double restitution
                           double absorption) {
     MotionState& state = ball.state;
     const double approach = -state.velocity.dot(normal);
-    if (approach <= 0)
+    if (approach <= 0) {
         return {};
+    }
     const double kept = 1 - std::clamp(absorption, 0.0, 1.0);
     const Vec3 fall(0, 0, state.velocity.z);
     const Vec3 along = state.velocity + normal * approach - fall;
@@ -81,8 +82,9 @@ ImpulsePair lining_impact(BallBody& ball, const Vec3& normal, double restitution
 
 double ball_friction(const BallBall& law, double slip_speed) {
     // Alciatore, TP A-14, fit to Marlow's data.
-    if (law.friction_model == BallFriction::alciatore)
+    if (law.friction_model == BallFriction::alciatore) {
         return 9.951e-3 + 0.108 * exponential(-1.088 * slip_speed);
+    }
     return law.friction;
 }
 

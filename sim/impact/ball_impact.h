@@ -1,9 +1,9 @@
 // Impacts of balls with balls and with flat surfaces, through ODE's isolated impact.
 #pragma once
 
+#include "core/pose.h"
 #include "sim/contact_law.h"
 #include "sim/ode/impact_solver.h"
-#include "sim/timeline/vocabulary.h"
 
 namespace carom::sim {
 

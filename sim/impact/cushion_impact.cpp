@@ -25,8 +25,9 @@ ImpulsePair mirror(BallBody& ball, const Vec3& inward, double restitution) {
 ImpulsePair han2005(BallBody& ball, const Vec3& normal, const BallCushion& law) {
     MotionState& state = ball.state;
     const double approach = -state.velocity.dot(normal);
-    if (approach <= 0)
+    if (approach <= 0) {
         return {};
+    }
     const Vec3 arm = normal * -ball.radius;
     const Vec3 surface = state.velocity + state.angular_velocity.cross(arm);
     const Vec3 slip = surface - normal * surface.dot(normal);
@@ -34,8 +35,9 @@ ImpulsePair han2005(BallBody& ball, const Vec3& normal, const BallCushion& law) 
     const double along = ball.mass * (1 + law.restitution) * approach;
     const double across = std::min(slip_speed * ball.mass * 2 / 7, law.friction * along);
     Vec3 friction(0, 0, 0);
-    if (slip_speed > 0)
+    if (slip_speed > 0) {
         friction = slip * (-across / slip_speed);
+    }
     state.velocity += (normal * along + friction) / ball.mass;
     state.angular_velocity += arm.cross(friction) / (0.4 * ball.mass * ball.radius * ball.radius);
     return {along, across};

@@ -75,8 +75,9 @@ class CushionContact {
     [[nodiscard]] Motion after_next(const Motion& motion, double approach, double& step) {
         const Forces now = forces(motion, 0);
         step = next_step(motion, rate(motion, now), kLongestStep * approach);
-        if (is_stiff(motion, now, step))
+        if (is_stiff(motion, now, step)) {
             step = std::min(step, kLongestStiffStep * approach);
+        }
         return after(motion, step);
     }
 
@@ -101,12 +102,14 @@ class CushionContact {
         for (const Vec3& normal : {normal_, kUp}) {
             const double now = length(slip(motion, normal));
             const double speed = length(slip(change, normal));
-            if (now > no_slip_ && speed > 0)
+            if (now > no_slip_ && speed > 0) {
                 longest = std::min(longest, kShareOfSlip * now / speed);
+            }
         }
         // A ball that was lifted comes down on the cloth again.
-        if (motion.velocity.z > no_slip_ && change.velocity.z < 0)
+        if (motion.velocity.z > no_slip_ && change.velocity.z < 0) {
             longest = std::min(longest, -motion.velocity.z / change.velocity.z);
+        }
         return longest;
     }
 
@@ -144,8 +147,9 @@ class CushionContact {
         const bool is_cloth_known = ahead == 0 && cloth_speed > no_slip_;
         const double share = ahead > 0 ? 1 / ahead : 0;
         Forces& f = forces_;  // those found last are close
-        if (is_nose_known)
+        if (is_nose_known) {
             f.nose = nose_slip * (-friction_ / nose_speed);
+        }
         for (int turn = 0; turn < 100; ++turn) {
             const Forces last = f;
             if (!is_nose_known) {
@@ -161,8 +165,9 @@ class CushionContact {
                 f.cloth = shortened(f.cloth - coming / kResponse, limit);
             }
             const double change = length(f.nose - last.nose) + length(f.cloth - last.cloth);
-            if ((is_nose_known && is_cloth_known) || change < 1e-14)
+            if ((is_nose_known && is_cloth_known) || change < 1e-14) {
                 break;
+            }
         }
         return f;
     }
@@ -209,8 +214,9 @@ ImpulsePair mathavan_impact(BallBody& ball, const Vec3& normal, double restituti
                             double cloth_friction) {
     MotionState& state = ball.state;
     const double approach = -state.velocity.dot(normal);
-    if (approach <= 0)
+    if (approach <= 0) {
         return {};
+    }
     Motion motion{state.velocity, state.angular_velocity * ball.radius, 0};
     const double speed = length(motion.velocity) + length(motion.spin);
     CushionContact contact(normal, friction, cloth_friction, kNoSlip * speed);
@@ -223,8 +229,9 @@ ImpulsePair mathavan_impact(BallBody& ball, const Vec3& normal, double restituti
     state.velocity = motion.velocity;
     // Wedged under the nose: what still presses it there is taken away.
     const Vec3 level(normal.x, normal.y, 0);
-    if (state.velocity.dot(normal) < 0)
+    if (state.velocity.dot(normal) < 0) {
         state.velocity -= level * (std::min(state.velocity.dot(level), 0.0) / level.dot(level));
+    }
     state.angular_velocity = motion.spin / ball.radius;
     return {ball.mass * impulse, ball.mass * length(motion.friction)};
 }

@@ -20,8 +20,9 @@ double length(const Vec3& v) {
 /// Spin about the vertical slows at a constant rate, 5/2 mu_sp g / R, until it stops.
 void add_spin_decay(Stretch& stretch, double radius, double gravity, double friction) {
     const double spin = stretch.state.angular_velocity.z;
-    if (spin == 0 || friction == 0)
+    if (spin == 0 || friction == 0) {
         return;
+    }
     const double rate = 2.5 * friction * gravity / radius;
     stretch.angular_acceleration.z = spin > 0 ? -rate : rate;
     stretch.end = std::min(stretch.end, stretch.start + std::abs(spin) / rate);
@@ -31,8 +32,9 @@ void add_spin_decay(Stretch& stretch, double radius, double gravity, double fric
 /// dw/dt = 5/2 (mu g / R) z x u/|u|; u vanishes after 2 |u| / (7 mu g).
 void slide(Stretch& stretch, const Vec3& slip, double radius, double gravity, double friction) {
     stretch.kind = MotionKind::sliding;
-    if (friction == 0)
+    if (friction == 0) {
         return;
+    }
     const double speed = length(slip);
     const Vec3 direction = slip / speed;
     stretch.acceleration = direction * (-friction * gravity);
@@ -46,8 +48,9 @@ void roll(Stretch& stretch, double radius, double gravity, double friction) {
     const double speed = length(velocity);
     stretch.acceleration = velocity * (-friction * gravity / speed);
     stretch.angular_acceleration = kUp.cross(stretch.acceleration) / radius;
-    if (friction > 0)
+    if (friction > 0) {
         stretch.end = stretch.start + speed / (friction * gravity);
+    }
 }
 
 }  // namespace
@@ -63,8 +66,9 @@ Stretch cloth_stretch(double time, const MotionState& from, double radius, doubl
     stretch.state = from;
     MotionState& state = stretch.state;
     state.velocity.z = 0;
-    if (std::abs(state.angular_velocity.z) < kSpinEpsilon)
+    if (std::abs(state.angular_velocity.z) < kSpinEpsilon) {
         state.angular_velocity.z = 0;
+    }
     const Vec3 slip = slip_velocity(state, radius);
     if (length(slip) > kSlipEpsilon) {
         slide(stretch, slip, radius, gravity, law.sliding_friction);

@@ -26,8 +26,9 @@ Vec3 midpoint_velocity(const Vec3& momentum, const Vec3& inertia, double h) {
         const Vec3 next = momentum + middle.cross(divided(middle, inertia)) * (0.5 * h);
         const Vec3 change = next - middle;
         middle = next;
-        if (change.dot(change) <= 1e-34 * momentum.dot(momentum))
+        if (change.dot(change) <= 1e-34 * momentum.dot(momentum)) {
             break;
+        }
     }
     return divided(middle, inertia);
 }
@@ -43,11 +44,13 @@ Quat cayley(const Vec3& omega, double h) {
 
 Rotation rotate_freely(const Rotation& from, const Vec3& inertia, double duration) {
     const double speed = std::sqrt(from.angular_velocity.dot(from.angular_velocity));
-    if (speed == 0)
+    if (speed == 0) {
         return from;
-    if (inertia.x == inertia.y && inertia.y == inertia.z)
+    }
+    if (inertia.x == inertia.y && inertia.y == inertia.z) {
         return {turned(from.orientation, from.angular_velocity, from.angular_velocity, duration),
                 from.angular_velocity};
+    }
     const auto count =
         static_cast<int>(std::min(1e5, std::max(1.0, std::ceil(speed * duration / kLongestTurn))));
     const double h = duration / count;

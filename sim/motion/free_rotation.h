@@ -1,7 +1,7 @@
 // A rigid body that turns without any torque.
 #pragma once
 
-#include "sim/timeline/vocabulary.h"
+#include "core/pose.h"
 
 namespace carom::sim {
 

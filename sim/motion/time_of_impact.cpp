@@ -22,22 +22,27 @@ Quartic squared_gap(const Relative& m, double distance) {
 
 /// The first closing of a gap f(t) in [0, span]; `touching` is the value of f that counts as none.
 std::optional<double> first_closing(const Quartic& f, double touching, double span) {
-    if (!(span >= 0))
+    if (!(span >= 0)) {
         return std::nullopt;
-    if (f[0] > touching)
+    }
+    if (f[0] > touching) {
         return first_descent(f, 0, span);
-    if (f[1] < 0 || (f[1] == 0 && f[2] < 0))
+    }
+    if (f[1] < 0 || (f[1] == 0 && f[2] < 0)) {
         return 0.0;
+    }
     // Overlapping and separating: it has to come apart first.
-    if (f[0] < -touching)
+    if (f[0] < -touching) {
         return first_descent(f, 0, span);
+    }
     // Touching and separating: the root at 0 is divided out.
     return first_descent({f[1], f[2], f[3], f[4], 0}, 0, span);
 }
 
 std::optional<double> at_scene_time(std::optional<double> t, double now) {
-    if (t)
+    if (t) {
         *t += now;
+    }
     return t;
 }
 
@@ -49,8 +54,9 @@ bool out_of_reach(const Relative& m, double distance, double span) {
 }
 
 std::optional<double> closing(const Relative& m, double distance, double now, double until) {
-    if (out_of_reach(m, distance, until - now))
+    if (out_of_reach(m, distance, until - now)) {
         return std::nullopt;
+    }
     return at_scene_time(
         first_closing(squared_gap(m, distance), 2 * distance * kTouchDistance, until - now), now);
 }
@@ -93,8 +99,9 @@ std::optional<double> line_departure(const Stretch& ball, const Vec3& point, con
                                      double distance, double now, double until) {
     const Relative m = across(relative_to(ball, point, now), direction);
     Quartic f = squared_gap(m, distance);
-    for (double& c : f)
+    for (double& c : f) {
         c = -c;
+    }
     return at_scene_time(first_closing(f, 2 * distance * kTouchDistance, until - now), now);
 }
 

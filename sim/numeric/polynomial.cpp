@@ -12,8 +12,9 @@ Quartic derivative(const Quartic& c) {
 
 std::size_t degree(const Quartic& c) {
     for (std::size_t n = 4; n > 0; --n) {
-        if (c[n] != 0)
+        if (c[n] != 0) {
             return n;
+        }
     }
     return 0;
 }
@@ -25,8 +26,9 @@ double root_between(const Quartic& c, const Quartic& slope, double a, double b) 
     double t = 0.5 * (a + b);
     for (int i = 0; i < 200; ++i) {
         const double f = evaluate(c, t);
-        if (f == 0)
+        if (f == 0) {
             return t;
+        }
         if ((f > 0) == (fa > 0)) {
             a = t;
             fa = f;
@@ -36,10 +38,12 @@ double root_between(const Quartic& c, const Quartic& slope, double a, double b) 
         const double d = evaluate(slope, t);
         double next = t - f / d;
         // A few Newton steps at most, then every third step halves the bracket.
-        if (!(next > a && next < b) || i % 3 == 2)
+        if (!(next > a && next < b) || i % 3 == 2) {
             next = a + 0.5 * (b - a);
-        if (next == t || next == a || next == b)
+        }
+        if (next == t || next == a || next == b) {
             return next;
+        }
         t = next;
     }
     return t;
@@ -49,22 +53,25 @@ std::size_t linear_or_quadratic(const Quartic& c, std::size_t n, double low, dou
                                 std::array<double, 4>& roots) {
     std::size_t count = 0;
     const auto keep = [&](double t) {
-        if (t > low && t < high)
+        if (t > low && t < high) {
             roots[count++] = t;
+        }
     };
     if (n == 1) {
         keep(-c[0] / c[1]);
         return count;
     }
     const double discriminant = c[1] * c[1] - 4 * c[2] * c[0];
-    if (!(discriminant > 0))
+    if (!(discriminant > 0)) {
         return 0;
+    }
     // The form without cancellation (Press et al., Numerical Recipes, 3rd ed., section 5.6).
     const double q = -0.5 * (c[1] + std::copysign(std::sqrt(discriminant), c[1]));
     double first = q / c[2];
     double second = q != 0 ? c[0] / q : 0;
-    if (first > second)
+    if (first > second) {
         std::swap(first, second);
+    }
     keep(first);
     keep(second);
     return count;
@@ -76,8 +83,9 @@ std::size_t monotone_nodes(const Quartic& slope, double low, double high,
     std::array<double, 4> inner{};
     const std::size_t count = sign_changes(slope, low, high, inner);
     nodes[0] = low;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
         nodes[i + 1] = inner[i];
+    }
     nodes[count + 1] = high;
     return count + 2;
 }
@@ -90,10 +98,12 @@ double evaluate(const Quartic& c, double t) {
 
 std::size_t sign_changes(const Quartic& c, double low, double high, std::array<double, 4>& roots) {
     const std::size_t n = degree(c);
-    if (n == 0 || !(low < high))
+    if (n == 0 || !(low < high)) {
         return 0;
-    if (n <= 2)
+    }
+    if (n <= 2) {
         return linear_or_quadratic(c, n, low, high, roots);
+    }
     const Quartic slope = derivative(c);
     std::array<double, 6> nodes{};
     const std::size_t node_count = monotone_nodes(slope, low, high, nodes);
@@ -111,16 +121,18 @@ std::size_t sign_changes(const Quartic& c, double low, double high, std::array<d
 }
 
 std::optional<double> first_descent(const Quartic& c, double low, double high) {
-    if (!(low < high))
+    if (!(low < high)) {
         return std::nullopt;
+    }
     const Quartic slope = derivative(c);
     std::array<double, 6> nodes{};
     const std::size_t node_count = monotone_nodes(slope, low, high, nodes);
     double fa = evaluate(c, low);
     for (std::size_t i = 0; i + 1 < node_count; ++i) {
         const double fb = evaluate(c, nodes[i + 1]);
-        if (fa > 0 && fb <= 0)
+        if (fa > 0 && fb <= 0) {
             return fb == 0 ? nodes[i + 1] : root_between(c, slope, nodes[i], nodes[i + 1]);
+        }
         fa = fb;
     }
     return std::nullopt;

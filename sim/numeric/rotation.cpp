@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/numeric/elementary.h"
+#include "core/elementary.h"
 
 namespace carom::sim {
 
 Quat rotation_by(const Vec3& turn) {
     const double angle = std::sqrt(turn.dot(turn));
-    if (angle < 1e-150)
+    if (angle < 1e-150) {
         return {};
+    }
     const SinCos half = sin_cos(0.5 * angle);
     return {half.cos, turn * (half.sin / angle)};
 }

@@ -1,7 +1,7 @@
 // Orientation from angular velocity.
 #pragma once
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::sim {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <mutex>
 
+#include "core/assert.h"
+#include "core/error.h"
 #include "sim/ode/handles.h"
-#include "sim/timeline/assert.h"
-#include "sim/timeline/error.h"
 
 namespace carom::sim::ode {
 namespace {
@@ -67,24 +67,28 @@ struct TriangleSurface::State {
 TriangleSurface::TriangleSurface(const std::vector<Vec3>& vertices,
                                  const std::vector<std::array<std::uint32_t, 3>>& triangles)
     : state_(std::make_unique<State>()) {
-    for (const Vec3& v : vertices)
+    for (const Vec3& v : vertices) {
         state_->vertices.insert(state_->vertices.end(), {v.x, v.y, v.z});
-    for (const auto& t : triangles)
+    }
+    for (const auto& t : triangles) {
         state_->indices.insert(state_->indices.end(), {t[0], t[1], t[2]});
+    }
     const std::scoped_lock lock(triangle_lock());
     state_->data.reset(dGeomTriMeshDataCreate());
     dGeomTriMeshDataBuildDouble(state_->data.get(), state_->vertices.data(), 3 * sizeof(double),
                                 static_cast<int>(vertices.size()), state_->indices.data(),
                                 static_cast<int>(state_->indices.size()), 3 * sizeof(dTriIndex));
     if (dGeomTriMeshDataPreprocess2(state_->data.get(), 1U << dTRIDATAPREPROCESS_BUILD_FACE_ANGLES,
-                                    nullptr) == 0)
+                                    nullptr) == 0) {
         throw Error("ODE could not prepare a triangle surface");
+    }
     state_->geom.reset(dCreateTriMesh(nullptr, state_->data.get(), nullptr, nullptr, nullptr));
 }
 
 TriangleSurface::~TriangleSurface() {
-    if (state_ == nullptr)
+    if (state_ == nullptr) {
         return;
+    }
     const std::scoped_lock lock(triangle_lock());
     state_.reset();
 }

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "sim/timeline/vocabulary.h"
+#include "core/pose.h"
 
 namespace carom::sim::ode {
 

@@ -5,8 +5,8 @@
 
 #include <ode/ode.h>
 
-#include "sim/timeline/error.h"
-#include "sim/timeline/vocabulary.h"
+#include "core/error.h"
+#include "core/vectors.h"
 
 namespace carom::sim::ode {
 
@@ -28,8 +28,9 @@ struct JointGroupDeleter {
 class World {
   public:
     World() : threading_(dThreadingAllocateSelfThreadedImplementation()), world_(dWorldCreate()) {
-        if (threading_ == nullptr || world_ == nullptr)
+        if (threading_ == nullptr || world_ == nullptr) {
             throw Error("ODE could not make a world");
+        }
         dWorldSetStepThreadingImplementation(
             world_.get(), dThreadingImplementationGetFunctions(threading_.get()), threading_.get());
     }

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "core/assert.h"
 #include "sim/ode/handles.h"
-#include "sim/timeline/assert.h"
 
 namespace carom::sim::ode {
 namespace {
@@ -38,8 +38,9 @@ Velocities velocities_of(dBodyID body) {
 Vec3 friction_direction(const Vec3& relative_velocity, const Vec3& normal) {
     const Vec3 slip = relative_velocity - normal * relative_velocity.dot(normal);
     const double speed = std::sqrt(slip.dot(slip));
-    if (speed > 1e-12)
+    if (speed > 1e-12) {
         return slip / speed;
+    }
     const Vec3 axis = std::abs(normal.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 across = normal.cross(axis);
     return across / std::sqrt(across.dot(across));
@@ -86,8 +87,9 @@ struct ImpactSolver::State {
 ImpactSolver::ImpactSolver() : state_(std::make_unique<State>()) {
     dWorldSetCFM(state_->world.get(), 0);
     dWorldSetERP(state_->world.get(), 0);
-    for (dBodyID body : {state_->first, state_->second})
+    for (dBodyID body : {state_->first, state_->second}) {
         dBodySetGyroscopicMode(body, 0);
+    }
 }
 
 ImpactSolver::~ImpactSolver() = default;

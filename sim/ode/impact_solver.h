@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "sim/timeline/vocabulary.h"
+#include "core/pose.h"
 
 namespace carom::sim::ode {
 

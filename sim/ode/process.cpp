@@ -9,7 +9,7 @@
 
 #include <ode/ode.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::sim::ode {
 namespace {
@@ -45,8 +45,9 @@ void start_once() {
         dSetMessageHandler(&on_message);
         dSetErrorHandler(&on_error);
         dSetDebugHandler(&on_error);
-        if (dInitODE2(0) == 0)
+        if (dInitODE2(0) == 0) {
             throw Error("ODE could not be started");
+        }
     });
 }
 
@@ -54,8 +55,9 @@ void start_once() {
 
 ThreadGuard::ThreadGuard() : outer_(current_guard) {
     start_once();
-    if (dAllocateODEDataForThread(dAllocateMaskAll) == 0)
+    if (dAllocateODEDataForThread(dAllocateMaskAll) == 0) {
         throw Error("ODE could not set up its data for this thread");
+    }
     current_guard = this;
 }
 
@@ -64,8 +66,9 @@ ThreadGuard::~ThreadGuard() {
 }
 
 void ThreadGuard::add_message(std::string text) {
-    if (std::find(messages_.begin(), messages_.end(), text) == messages_.end())
+    if (std::find(messages_.begin(), messages_.end(), text) == messages_.end()) {
         messages_.push_back(std::move(text));
+    }
 }
 
 MessageCapture::MessageCapture() : outer_(current_capture) {
@@ -77,10 +80,12 @@ MessageCapture::~MessageCapture() {
 }
 
 void MessageCapture::pass_on() {
-    if (current_guard == nullptr)
+    if (current_guard == nullptr) {
         return;
-    for (std::string& text : messages_)
+    }
+    for (std::string& text : messages_) {
         current_guard->add_message(std::move(text));
+    }
     messages_.clear();
 }
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/assert.h"
+#include "core/error.h"
+#include "core/finite.h"
 #include "sim/motion/free_rotation.h"
 #include "sim/ode/handles.h"
 #include "sim/ode/process.h"
-#include "sim/timeline/assert.h"
-#include "sim/timeline/error.h"
-#include "sim/timeline/finite.h"
 
 namespace carom::sim::ode {
 namespace {
@@ -69,8 +69,9 @@ constexpr double kLeastSlip = 1e-6;
 /// Along `slip`, so that the pyramid is exact along it.
 Vec3 friction_direction(const Vec3& slip, const Vec3& normal) {
     const double speed = length(slip);
-    if (speed > kLeastSlip)
+    if (speed > kLeastSlip) {
         return slip / speed;
+    }
     const Vec3 axis = std::abs(normal.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 sideways = normal.cross(axis);
     return sideways / length(sideways);
@@ -81,8 +82,9 @@ struct Attempt {
 
     [[nodiscard]] double softness() const {
         double softness = kSoftness;
-        for (int i = 0; i < number; ++i)
+        for (int i = 0; i < number; ++i) {
             softness *= 10;
+        }
         return softness;
     }
     [[nodiscard]] double parting(std::size_t contact) const {
@@ -106,8 +108,9 @@ struct StepWorld::State {
     std::vector<int> slots;        // of each moving body among them
 
     [[nodiscard]] dBodyID moving_body(int number) const {
-        if (number < 0)
+        if (number < 0) {
             return nullptr;
+        }
         const auto i = static_cast<std::size_t>(number);
         return is_moving[i] != 0 ? bodies[i] : nullptr;
     }
@@ -148,8 +151,9 @@ void StepWorld::State::rebuild() {
     group.reset(dJointGroupCreate(0));
     dWorldSetContactMaxCorrectingVel(world->get(), kCorrectingSpeed);
     bodies.clear();
-    for (const StepBody& mass : masses)
+    for (const StepBody& mass : masses) {
         create(mass);
+    }
 }
 
 void StepWorld::State::create(const StepBody& from) {
@@ -158,8 +162,9 @@ void StepWorld::State::create(const StepBody& from) {
     dMassSetParameters(&mass, from.mass, 0, 0, 0, from.inertia.x, from.inertia.y, from.inertia.z, 0,
                        0, 0);
     dBodySetMass(body, &mass);
-    if (from.is_kinematic)
+    if (from.is_kinematic) {
         dBodySetKinematic(body);
+    }
     dBodySetGyroscopicMode(body, 0);
     dBodyDisable(body);
     bodies.push_back(body);
@@ -182,13 +187,16 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
     dBodyID first = moving_body(from.first);
     dBodyID second = moving_body(from.second);
     Vec3 relative(0, 0, 0);
-    if (first != nullptr)
+    if (first != nullptr) {
         relative += velocity_at(first, from.point) + pull * pull_on(from.first);
-    if (second != nullptr)
+    }
+    if (second != nullptr) {
         relative -= velocity_at(second, from.point) + pull * pull_on(from.second);
+    }
     const Vec3 slip = across(relative, from.normal);
-    if (number >= directions.size())
+    if (number >= directions.size()) {
         directions.push_back(friction_direction(slip, from.normal));
+    }
     dContact contact{};
     dSurfaceParameters& surface = contact.surface;
     surface.mode = dContactBounce | dContactSoftERP | dContactSoftCFM | dContactApprox1 |
@@ -199,8 +207,9 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
     surface.soft_erp = std::min(kErrorReduction, kErrorRate * duration);
     double inverse_mass = 0;
     for (const int body : {from.first, from.second}) {
-        if (moving_body(body) != nullptr && !is_kinematic(body))
+        if (moving_body(body) != nullptr && !is_kinematic(body)) {
             inverse_mass += 1 / masses[static_cast<std::size_t>(body)].mass;
+        }
     }
     surface.soft_cfm = attempt.softness() * inverse_mass * duration;
     surface.slip1 = surface.slip2 = surface.soft_cfm;
@@ -259,8 +268,9 @@ bool StepWorld::State::solve(const Attempt& attempt, double duration, const Vec3
         rebuild();
         capture.add_message(error.what());
     }
-    if (!capture.messages().empty() && attempt.number + 1 == kMostAttempts)
+    if (!capture.messages().empty() && attempt.number + 1 == kMostAttempts) {
         capture.pass_on();
+    }
     return capture.messages().empty();
 }
 
@@ -279,8 +289,9 @@ void StepWorld::State::solve_with_directions(double duration, const Vec3& gravit
                                              std::vector<Velocities>& after) {
     for (Attempt attempt; attempt.number < kMostAttempts; ++attempt.number) {
         dJointGroupEmpty(group.get());
-        if (solve(attempt, duration, gravity, moving, states, contacts))
+        if (solve(attempt, duration, gravity, moving, states, contacts)) {
             break;
+        }
     }
     after.resize(moving.size());
     for (std::size_t i = 0; i < moving.size(); ++i) {
@@ -313,8 +324,9 @@ bool StepWorld::State::turn_directions(std::span<const MotionState> states,
         }
         const Vec3 slip = across(relative, contact.normal);
         if (contact.friction == 0 || length(slip) < kSlip ||
-            length(slip.cross(directions[i])) < kAstray * length(slip))
+            length(slip.cross(directions[i])) < kAstray * length(slip)) {
             continue;
+        }
         directions[i] = slip / length(slip);
         is_changed = true;
     }
@@ -328,12 +340,14 @@ void StepWorld::State::solve_all(double duration, const Vec3& gravity, std::span
                                  std::vector<StepImpulse>& impulses) {
     directions.clear();
     solve_with_directions(duration, gravity, moving, states, contacts, after);
-    if (turn_directions(states, contacts, after))
+    if (turn_directions(states, contacts, after)) {
         solve_with_directions(duration, gravity, moving, states, contacts, after);
+    }
     dJointGroupEmpty(group.get());
     impulses.resize(contacts.size());
-    for (std::size_t i = 0; i < contacts.size(); ++i)
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
         impulses[i] = impulse_of(contacts[i], feedback[i], duration);
+    }
 }
 
 void StepWorld::step(double duration, const Vec3& gravity, std::span<const int> moving,

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/pose.h"
 #include "sim/ode/impact_solver.h"
-#include "sim/timeline/vocabulary.h"
 
 namespace carom::sim::ode {
 

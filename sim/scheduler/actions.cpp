@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sim/numeric/elementary.h"
+#include "core/elementary.h"
 #include "sim/stick/strike.h"
 
 namespace carom::sim {
@@ -25,15 +25,17 @@ std::string seconds(double time) {
 Actions::Actions(const WorldDescription& world, Balls& balls, SteppedBodies& stepped,
                  Recording& recording)
     : world_(world), balls_(balls), stepped_(stepped), recording_(recording) {
-    for (std::uint32_t i = 0; i < stepped.all().size(); ++i)
+    for (std::uint32_t i = 0; i < stepped.all().size(); ++i) {
         index_.emplace(stepped.all()[i].name, i);
+    }
 }
 
 void Actions::apply(const DueAction& due) {
     const ForceEvent& event = world_.events[due.event];
     const auto found = index_.find(event.object);
-    if (found == index_.end())
+    if (found == index_.end()) {
         return;
+    }
     const std::uint32_t body = found->second;
     if (due.kick >= 0) {
         kick(due, body);
@@ -59,8 +61,9 @@ void Actions::change(std::uint32_t body, double time, const MotionState& before,
                      const MotionState& after) {
     if (stepped_.all()[body].is_ball) {
         const Ball& ball = balls_.all()[body];
-        if (ball.is_lying)
+        if (ball.is_lying) {
             stepped_.wake_near(before.position, ball.radius, time);
+        }
         if (ball.is_lying || ball.is_stepped()) {
             balls_.change_stepped(body, time, before, after);
         } else {
@@ -113,18 +116,20 @@ void Actions::begin(const Strike& strike, const DueAction& due, std::uint32_t bo
                         static_cast<int>(due.event));
         return;
     }
-    if (strike.tip.dot(strike.tip) > kMiscueOffset * kMiscueOffset)
+    if (strike.tip.dot(strike.tip) > kMiscueOffset * kMiscueOffset) {
         recording_.warn("strike on '" + struck.name + "' at " + seconds(due.time) +
                             ": a tip more than half a radius off centre would miscue",
                         static_cast<int>(due.event));
+    }
     const StrikeResult given = strike_ball(strike, aim, struck.mass, struck.radius);
     MotionState after = before;
     after.velocity += given.velocity;
     after.angular_velocity += given.angular_velocity;
     recording_.log_action(EventKind::strike, due.time, due.time, struck.name, before.position,
                           given.velocity);
-    if (strike.toward)
+    if (strike.toward) {
         aimed_.push_back({struck.name, *strike.toward, due.time, static_cast<int>(due.event)});
+    }
     change(body, due.time, before, after);
 }
 
@@ -169,11 +174,13 @@ Vec3 Actions::aim_of(const Strike& strike, const Vec3& from, double time) const 
 
 Vec3 Actions::place_of(const std::string& name, double time) const {
     const auto found = index_.find(name);
-    if (found != index_.end())
+    if (found != index_.end()) {
         return state_of(found->second, time).position;
+    }
     for (const Body& body : world_.bodies) {
-        if (body.name == name)
+        if (body.name == name) {
             return body.pose.position;
+        }
     }
     return {0, 0, 0};
 }
@@ -187,11 +194,12 @@ std::vector<std::pair<std::string, int>> Actions::missed_strikes() const {
                    ((event.a == aimed.ball && event.b == aimed.target) ||
                     (event.a == aimed.target && event.b == aimed.ball));
         });
-        if (!hit)
+        if (!hit) {
             sentences.emplace_back("strike on '" + aimed.ball + "' at " + seconds(aimed.time) +
                                        ": it never touched '" + aimed.target +
                                        "', which it was aimed at",
                                    aimed.event);
+        }
     }
     return sentences;
 }

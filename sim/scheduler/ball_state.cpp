@@ -13,8 +13,9 @@ GroundLaw ground_law(const PairContact& pair) {
 }
 
 GroundLaw cloth_law(const std::string& material, const ContactLaw& law) {
-    if (material != "ball")
+    if (material != "ball") {
         return ground_law(law.between(material, "cloth"));
+    }
     const BallCloth& cloth = law.ball_cloth;
     return {{cloth.sliding_friction, cloth.rolling_friction, cloth.spinning_friction},
             cloth.restitution,
@@ -38,8 +39,9 @@ Ball make_ball(const Body& body, double radius, const Surroundings& around) {
 }  // namespace
 
 bool Ball::has_left() const {
-    if (!is_stepped())
+    if (!is_stepped()) {
         return !is_still();
+    }
     const Vec3 way = stretch.state.position - rested_at;
     const Vec3& spin = stretch.state.angular_velocity;
     return way.dot(way) > kLeastMove * kLeastMove ||
@@ -58,8 +60,9 @@ std::vector<Ball> make_balls(const WorldDescription& world, const Surroundings& 
     std::vector<Ball> balls;
     std::size_t track = 0;
     for (const Body& body : world.bodies) {
-        if (body.kind != BodyKind::dynamic)
+        if (body.kind != BodyKind::dynamic) {
             continue;
+        }
         if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
             balls.push_back(make_ball(body, sphere->radius, around));
             balls.back().track = track;
@@ -71,8 +74,9 @@ std::vector<Ball> make_balls(const WorldDescription& world, const Surroundings& 
 
 Stretch next_stretch(const Ball& ball, double time, const MotionState& state,
                      const Surroundings& around) {
-    if (ball.ground == Ground::none)
+    if (ball.ground == Ground::none) {
         return flight_stretch(time, state, around.gravity);
+    }
     Stretch stretch = cloth_stretch(time, state, ball.radius, around.downward_gravity,
                                     ball.law_of(ball.ground).motion);
     stretch.state.position.z = ground_height(ball.ground, around) + ball.radius;

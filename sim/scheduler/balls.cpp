@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/timeline/assert.h"
-#include "sim/timeline/finite.h"
+#include "core/assert.h"
+#include "core/finite.h"
 
 namespace carom::sim {
 namespace {
@@ -32,13 +32,16 @@ EventKind event_of(MotionKind kind) {
 Ground ground_at_start(const Ball& ball, const Surroundings& around) {
     constexpr double kClose = 1e-6;  // m
     const MotionState& state = ball.stretch.state;
-    if (around.downward_gravity <= 0 || state.velocity.z > kLandingSpeed)
+    if (around.downward_gravity <= 0 || state.velocity.z > kLandingSpeed) {
         return Ground::none;
+    }
     const double bottom = state.position.z - ball.radius;
-    if (std::abs(bottom) < kClose && around.is_over_cloth(state.position))
+    if (std::abs(bottom) < kClose && around.is_over_cloth(state.position)) {
         return Ground::cloth;
-    if (around.floor_height && std::abs(bottom - *around.floor_height) < kClose)
+    }
+    if (around.floor_height && std::abs(bottom - *around.floor_height) < kClose) {
         return Ground::floor;
+    }
     return Ground::none;
 }
 
@@ -72,8 +75,9 @@ void Balls::change_stepped(std::uint32_t index, double time, const MotionState& 
 }
 
 void Balls::settle(Ball& ball, double time, MotionState& state) {
-    if (ball.ground == Ground::none)
+    if (ball.ground == Ground::none) {
         return;
+    }
     const GroundLaw& law = ball.law_of(ball.ground);
     if (around_.downward_gravity <= 0) {
         ball.ground = Ground::none;
@@ -99,43 +103,51 @@ void Balls::begin(Ball& ball, double time, const MotionState& state) {
     const MotionKind kind = ball.stretch.kind;
     set_stretch(ball, next_stretch(ball, time, state, around_));
     ball.is_lying = false;
-    if (ball.stretch.kind == MotionKind::flying && kind != MotionKind::flying)
+    if (ball.stretch.kind == MotionKind::flying && kind != MotionKind::flying) {
         ball.flight_event = recording_.events().size();
-    if (ball.stretch.kind != kind)
+    }
+    if (ball.stretch.kind != kind) {
         recording_.log(event_of(ball.stretch.kind), time, ball.name, ball.stretch.state.position);
+    }
 }
 
 void Balls::set_stretch(Ball& ball, const Stretch& stretch) {
-    if (ball.is_stepped())
+    if (ball.is_stepped()) {
         --stepped_count_;
+    }
     CAROM_VALIDATE(is_finite(stretch.state) && is_finite(stretch.acceleration) &&
                    is_finite(stretch.angular_acceleration));
     ball.stretch = stretch;
-    if (ball.is_still())
+    if (ball.is_still()) {
         ball.rested_at = stretch.state.position;
-    if (ball.is_stepped())
+    }
+    if (ball.is_stepped()) {
         ++stepped_count_;
+    }
     note_change(ball);
 }
 
 void Balls::note_change(Ball& ball) {
     ++ball.version;
     const auto index = static_cast<std::uint32_t>(&ball - balls_.data());
-    if (is_changed_[index] == 0)
+    if (is_changed_[index] == 0) {
         changed_.push_back(index);
+    }
     is_changed_[index] = 1;
 }
 
 void Balls::void_predictions() {
-    for (Ball& ball : balls_)
+    for (Ball& ball : balls_) {
         note_change(ball);
+    }
 }
 
 std::vector<std::uint32_t> Balls::take_changed() {
     std::vector<std::uint32_t> taken;
     taken.swap(changed_);
-    for (const std::uint32_t index : taken)
+    for (const std::uint32_t index : taken) {
         is_changed_[index] = 0;
+    }
     std::sort(taken.begin(), taken.end());
     return taken;
 }
@@ -153,8 +165,9 @@ void Balls::fall(std::uint32_t index, double time) {
 
 void Balls::retract_flight(const Ball& ball, double time) {
     if (ball.stretch.kind == MotionKind::flying && ball.flight_event &&
-        time - recording_.events()[*ball.flight_event].time < kLeastFlight)
+        time - recording_.events()[*ball.flight_event].time < kLeastFlight) {
         recording_.retract(*ball.flight_event);
+    }
 }
 
 void Balls::hand_to_ode(std::uint32_t index, double time) {
@@ -182,8 +195,9 @@ void Balls::take_back(std::uint32_t index, double time, const MotionState& state
 
 void Balls::note_sunk(std::uint32_t index, double time, const Vec3& centre) {
     Ball& ball = balls_[index];
-    if (!around_.has_cushions || ball.is_potted || ball.is_off_table)
+    if (!around_.has_cushions || ball.is_potted || ball.is_off_table) {
         return;
+    }
     const int pocket = around_.pocket_below(centre);
     if (pocket >= 0) {
         ball.is_potted = true;
@@ -198,8 +212,9 @@ void Balls::note_sunk(std::uint32_t index, double time, const Vec3& centre) {
 void Balls::warn_of_jammed() const {
     for (const Ball& ball : balls_) {
         const int pocket = around_.pocket_below(ball.stretch.state.position);
-        if (!ball.is_still() || ball.is_potted || ball.is_off_table || pocket < 0)
+        if (!ball.is_still() || ball.is_potted || ball.is_off_table || pocket < 0) {
             continue;
+        }
         recording_.warn("'" + ball.name + "' is not potted: it rests in the mouth of pocket '" +
                         around_.table.pockets[static_cast<std::size_t>(pocket)].name +
                         "' on the balls that fell in before");
@@ -219,8 +234,9 @@ void Balls::lay_down(std::uint32_t index, double time, MotionState state) {
 }
 
 void Balls::finish(double time) {
-    for (const Ball& ball : balls_)
+    for (const Ball& ball : balls_) {
         recording_.keep(ball.track, time, ball.stretch.state_at(time));
+    }
 }
 
 void Balls::add_energy(double time, EnergySample& sample) const {

@@ -29,8 +29,9 @@ std::vector<FoundContact> ContactFinder::find(const std::vector<StepBody>& bodie
     const int count = static_cast<int>(bodies.size());
     for (int i = 0; i < count; ++i) {
         const StepBody& body = bodies[static_cast<std::size_t>(i)];
-        if (!body.is_in)
+        if (!body.is_in) {
             continue;
+        }
         if (body.is_awake && !body.is_kinematic()) {
             if (body.is_ball) {
                 find_for_ball(i, body, found);
@@ -41,20 +42,24 @@ std::vector<FoundContact> ContactFinder::find(const std::vector<StepBody>& bodie
         for (int j = i + 1; j < count; ++j) {
             const StepBody& other = bodies[static_cast<std::size_t>(j)];
             const bool is_met = !body.is_kinematic() || !other.is_kinematic();
-            if (other.is_in && is_met && (body.is_awake || other.is_awake))
+            if (other.is_in && is_met && (body.is_awake || other.is_awake)) {
                 find_between(i, body, j, other, found);
+            }
         }
     }
     return found;
 }
 
 SurfaceInfo ContactFinder::info(int other) const {
-    if (other == kCloth)
+    if (other == kCloth) {
         return {"cloth", "cloth"};
-    if (other == kFloor)
+    }
+    if (other == kFloor) {
         return {"floor", "floor"};
-    if (other <= kFirstFixed)
+    }
+    if (other <= kFirstFixed) {
         return around_.spheres[static_cast<std::size_t>(kFirstFixed - other)].info;
+    }
     return around_.surfaces[static_cast<std::size_t>(kFirstSurface - other)];
 }
 
@@ -83,39 +88,45 @@ void ContactFinder::find_for_ball(int number, const StepBody& ball,
         } else if (around_.is_over_cloth(centre)) {
             contact = {Vec3(centre.x, centre.y, 0), Vec3(0, 0, 1), ball.radius - centre.z, 0};
         }
-        if (contact.depth > -kMargin)
+        if (contact.depth > -kMargin) {
             add(number, ball, kCloth, "cloth", contact, found);
+        }
     }
     if (around_.floor_height) {
         const double height = centre.z - *around_.floor_height;
-        if (ball.radius - height > -kMargin)
+        if (ball.radius - height > -kMargin) {
             add(number, ball, kFloor, "floor",
                 {Vec3(centre.x, centre.y, *around_.floor_height), Vec3(0, 0, 1),
                  ball.radius - height, 0},
                 found);
+        }
     }
     for (const StaticMesh* mesh : {&around_.table_mesh, &around_.scenery_mesh}) {
-        for (const SurfaceContact& contact : mesh->contacts(centre, ball.radius, kMargin))
+        for (const SurfaceContact& contact : mesh->contacts(centre, ball.radius, kMargin)) {
             add(number, ball, kFirstSurface - static_cast<int>(contact.surface),
                 around_.surfaces[contact.surface].material, contact, found);
+        }
     }
     for (const FixedSolid& solid : around_.solids) {
-        if (solid.has_mesh)
+        if (solid.has_mesh) {
             continue;
+        }
         const SurfaceContact contact =
             convex_contact(*solid.shape, solid.pose, centre, ball.radius);
-        if (contact.depth > -kMargin)
+        if (contact.depth > -kMargin) {
             add(number, ball, kFirstSurface - static_cast<int>(solid.surface), solid.info.material,
                 contact, found);
+        }
     }
     for (std::size_t i = 0; i < around_.spheres.size(); ++i) {
         const FixedSphere& sphere = around_.spheres[i];
         const Vec3 d = centre - sphere.centre;
         const double distance = std::sqrt(d.dot(d));
         const double depth = ball.radius + sphere.radius - distance;
-        if (depth > -kMargin && distance > 1e-9)
+        if (depth > -kMargin && distance > 1e-9) {
             add(number, ball, kFirstFixed - static_cast<int>(i), sphere.info.material,
                 {sphere.centre + d * (sphere.radius / distance), d / distance, depth, 0}, found);
+        }
     }
 }
 
@@ -125,12 +136,14 @@ void ContactFinder::find_for_solid(int number, const StepBody& body,
     Aabb bounds = body.bounds();
     bounds.grow(ode::kBoxMargin);
     for (const FixedSolid& solid : around_.solids) {
-        if (!bounds.overlaps(solid.bounds))
+        if (!bounds.overlaps(solid.bounds)) {
             continue;
+        }
         for (const SurfaceContact& contact :
-             solid_contacts(body.placed(), {solid.shape.get(), solid.pose}))
+             solid_contacts(body.placed(), {solid.shape.get(), solid.pose})) {
             add(number, body, kFirstSurface - static_cast<int>(solid.surface), solid.info.material,
                 contact, found);
+        }
     }
     if (body.is_box()) {
         find_obstacles(number, body, bounds, found);
@@ -142,9 +155,10 @@ void ContactFinder::find_for_solid(int number, const StepBody& body,
         SurfaceContact contact =
             convex_contact(*body.shape, body.placed().pose, sphere.centre, sphere.radius);
         contact.normal = -contact.normal;
-        if (contact.depth > -kMargin)
+        if (contact.depth > -kMargin) {
             add(number, body, kFirstFixed - static_cast<int>(i), sphere.info.material, contact,
                 found);
+        }
     }
 }
 
@@ -152,13 +166,15 @@ void ContactFinder::find_obstacles(int number, const StepBody& box, const Aabb& 
                                    std::vector<FoundContact>& found) const {
     std::vector<ode::BoxContact> contacts;
     for (const BoxObstacle& obstacle : around_.box_obstacles) {
-        if (!bounds.overlaps(obstacle.bounds))
+        if (!bounds.overlaps(obstacle.bounds)) {
             continue;
+        }
         contacts.clear();
         obstacle.surface.collide(box.shape->half_size() * 2, box.placed().pose, contacts);
-        for (const ode::BoxContact& contact : contacts)
+        for (const ode::BoxContact& contact : contacts) {
             add(number, box, kFirstSurface - static_cast<int>(obstacle.number),
                 obstacle.info.material, from_ode(contact), found);
+        }
     }
 }
 
@@ -172,9 +188,10 @@ void ContactFinder::find_meshes(int number, const StepBody& body, const Aabb& bo
                 around_.solids.begin(), around_.solids.end(), [&](const FixedSolid& solid) {
                     return mesh == &around_.scenery_mesh && solid.surface == contact.surface;
                 });
-            if (!is_solid)
+            if (!is_solid) {
                 add(number, body, kFirstSurface - static_cast<int>(contact.surface),
                     around_.surfaces[contact.surface].material, contact, found);
+            }
         }
     }
 }
@@ -190,17 +207,21 @@ void ContactFinder::find_level(int number, const StepBody& body,
     for (const Vec3& point : points) {
         const Vec3 corner = body.state.position + to_world(turn, point);
         if (around_.has_cloth && corner.z < ode::kBoxMargin && corner.z > -body.reach() &&
-            around_.is_over_cloth(corner))
+            around_.is_over_cloth(corner)) {
             on_cloth.push_back({corner, up, -corner.z});
-        if (around_.floor_height && corner.z - *around_.floor_height < ode::kBoxMargin)
+        }
+        if (around_.floor_height && corner.z - *around_.floor_height < ode::kBoxMargin) {
             on_floor.push_back({corner, up, *around_.floor_height - corner.z});
+        }
     }
     thin_out(on_cloth);
     thin_out(on_floor);
-    for (const ConvexContact& contact : on_cloth)
+    for (const ConvexContact& contact : on_cloth) {
         add(number, body, kCloth, "cloth", from_convex(contact), found);
-    for (const ConvexContact& contact : on_floor)
+    }
+    for (const ConvexContact& contact : on_floor) {
         add(number, body, kFloor, "floor", from_convex(contact), found);
+    }
 }
 
 /// Boxes by ODE, all others by our own.
@@ -211,14 +232,16 @@ std::vector<SurfaceContact> ContactFinder::solid_contacts(const PlacedShape& a,
         std::vector<ode::BoxContact> contacts;
         ode::collide_boxes(a.shape->half_size() * 2, a.pose, b.shape->half_size() * 2, b.pose,
                            contacts);
-        for (const ode::BoxContact& contact : contacts)
+        for (const ode::BoxContact& contact : contacts) {
             result.push_back(from_ode(contact));
+        }
         return result;
     }
     std::vector<ConvexContact> contacts;
     convex_contacts(a, b, ode::kBoxMargin, contacts);
-    for (const ConvexContact& contact : contacts)
+    for (const ConvexContact& contact : contacts) {
         result.push_back(from_convex(contact));
+    }
     return result;
 }
 
@@ -226,23 +249,27 @@ void ContactFinder::find_between(int a, const StepBody& first, int b, const Step
                                  std::vector<FoundContact>& found) const {
     const Vec3 d = first.state.position - second.state.position;
     const double reach = first.reach() + second.reach() + ode::kBoxMargin;
-    if (d.dot(d) > reach * reach)
+    if (d.dot(d) > reach * reach) {
         return;
+    }
     if (first.is_ball && second.is_ball) {
         const double distance = std::sqrt(d.dot(d));
         const double depth = first.radius + second.radius - distance;
-        if (depth > -kMargin && distance > 1e-9)
+        if (depth > -kMargin && distance > 1e-9) {
             add(a, first, b, second.material,
                 {second.state.position + d * (second.radius / distance), d / distance, depth, 0},
                 found);
+        }
     } else if (first.is_ball) {
         const SurfaceContact contact =
             convex_contact(*second.shape, second.placed().pose, first.state.position, first.radius);
-        if (contact.depth > -kMargin)
+        if (contact.depth > -kMargin) {
             add(a, first, b, second.material, contact, found);
+        }
     } else {
-        for (const SurfaceContact& contact : solid_contacts(first.placed(), second.placed()))
+        for (const SurfaceContact& contact : solid_contacts(first.placed(), second.placed())) {
             add(a, first, b, second.material, contact, found);
+        }
     }
 }
 

@@ -16,10 +16,12 @@ ContactNumbers contact_numbers(const ContactLaw& law, const std::string& a, cons
         return {cloth.restitution, cloth.sliding_friction, 1.4 * cloth.rolling_friction * radius,
                 cloth.spinning_friction * radius};
     }
-    if (is("ball", "ball"))
+    if (is("ball", "ball")) {
         return {law.ball_ball.restitution, law.ball_ball.friction, 0, 0};
-    if (is("ball", "cushion"))
+    }
+    if (is("ball", "cushion")) {
         return {law.ball_cushion.restitution, law.ball_cushion.friction, 0, 0};
+    }
     const PairContact& pair = law.between(a, b);
     const double lever = 1.4 * pair.rolling_friction * radius;
     return {pair.restitution, pair.friction, lever, lever};

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "core/vectors.h"
 #include "sim/contact_law.h"
-#include "sim/timeline/vocabulary.h"
 
 namespace carom::sim {
 

@@ -8,10 +8,12 @@ namespace carom::sim {
 namespace {
 
 double duration_of(const ForceEvent& event) {
-    if (const auto* force = std::get_if<Force>(&event.action))
+    if (const auto* force = std::get_if<Force>(&event.action)) {
         return force->duration;
-    if (const auto* torque = std::get_if<Torque>(&event.action))
+    }
+    if (const auto* torque = std::get_if<Torque>(&event.action)) {
         return torque->duration;
+    }
     return 0;
 }
 
@@ -64,10 +66,12 @@ ForceSchedule::ForceSchedule(const std::vector<ForceEvent>& events)
 
 double ForceSchedule::next_time() const {
     double next = std::numeric_limits<double>::infinity();
-    if (!due_.empty())
+    if (!due_.empty()) {
         next = due_.begin()->time;
-    if (!watch_from_.empty())
+    }
+    if (!watch_from_.empty()) {
         next = std::min(next, watch_from_.begin()->first);
+    }
     return next;
 }
 
@@ -76,8 +80,9 @@ bool ForceSchedule::is_due(double now) const {
 }
 
 std::vector<DueAction> ForceSchedule::take_due(double now) {
-    while (!watch_from_.empty() && watch_from_.begin()->first <= now)
+    while (!watch_from_.empty() && watch_from_.begin()->first <= now) {
         watch_from_.erase(watch_from_.begin());
+    }
     std::vector<DueAction> taken;
     while (!due_.empty() && due_.begin()->time <= now) {
         const DueAction action = *due_.begin();
@@ -95,12 +100,14 @@ std::vector<DueAction> ForceSchedule::take_due(double now) {
 
 void ForceSchedule::add_kicks(const DueAction& begin) {
     const double duration = duration_of(events_[begin.event]);
-    if (duration <= 0)
+    if (duration <= 0) {
         return;
+    }
     const int count = kick_count(duration);
     kicks_left_[begin.event] = count;
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         due_.insert({begin.time + (i + 0.5) * duration / count, begin.event, i});
+    }
 }
 
 void ForceSchedule::notice(const Event& event) {
@@ -116,8 +123,9 @@ void ForceSchedule::notice(const Event& event) {
 }
 
 void ForceSchedule::notice_crossing(std::size_t event, double time) {
-    if (waiting_.erase(event) > 0)
+    if (waiting_.erase(event) > 0) {
         due_.insert({time + events_[event].after, event, -1});
+    }
 }
 
 void ForceSchedule::notice_rest(double now, const MotionQuery& query) {

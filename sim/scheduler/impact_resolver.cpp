@@ -15,8 +15,9 @@ Vec3 unit(const Vec3& v) {
 
 /// Restitution and friction of two balls that meet.
 PairContact pair_law(const ContactLaw& law, const Ball& a, const Ball& b, double slip_speed) {
-    if (a.material != "ball" || b.material != "ball")
+    if (a.material != "ball" || b.material != "ball") {
         return law.between(a.material, b.material);
+    }
     return {law.ball_ball.restitution, ball_friction(law.ball_ball, slip_speed), 0};
 }
 
@@ -91,9 +92,10 @@ void ImpactResolver::meet_ball(const Touch& touch) {
         body_a.state.velocity.z = 0;
         body_b.state.velocity.z = 0;
     }
-    if (approach > kQuietSpeed)
+    if (approach > kQuietSpeed) {
         recording_.log_impact(touch.time, a.name, b.name, before_a.position - normal * a.radius,
                               normal, impulse);
+    }
     const double separation = (body_a.state.velocity - body_b.state.velocity).dot(normal);
     const bool stay =
         stays_in_touch(a, separation, normal) || stays_in_touch(b, separation, normal);
@@ -109,8 +111,9 @@ void ImpactResolver::meet_ball(const Touch& touch) {
 
 void ImpactResolver::leave_lying(std::uint32_t index, double time) {
     const Ball& ball = balls_[index];
-    if (ball.is_lying)
+    if (ball.is_lying) {
         stepped_.wake_near(ball.stretch.state.position, ball.radius, time);
+    }
 }
 
 void ImpactResolver::meet_box(const Touch& touch) {
@@ -128,8 +131,9 @@ void ImpactResolver::meet_box(const Touch& touch) {
     };
     const ode::Velocities box_before{box.state.velocity, box.state.angular_velocity};
     const double approach = -separation(before.velocity, box_before);
-    if (approach <= 0)
+    if (approach <= 0) {
         return balls_.hand_to_ode(touch.first, touch.time);
+    }
     const ContactNumbers law =
         contact_numbers(around_.law, ball.material, box.material, ball.radius);
     const ode::ImpactBody ball_part{ball.mass,
@@ -145,16 +149,18 @@ void ImpactResolver::meet_box(const Touch& touch) {
     } else {
         result = balls_.solver().solve(ball_part, box_part, impact);
     }
-    if (approach > kQuietSpeed)
+    if (approach > kQuietSpeed) {
         recording_.log_impact(touch.time, ball.name, box.name, contact.point, contact.normal,
                               {result.normal_impulse, result.tangential_impulse});
+    }
     body.state.velocity = result.first.linear;
     body.state.angular_velocity = result.first.angular;
     const bool stay = separation(result.first.linear, result.second) < kLandingSpeed;
     stepped_.change_box(touch.second, touch.time, result.second.linear, result.second.angular);
     balls_.change(touch.first, touch.time, before, body.state);
-    if (stay)
+    if (stay) {
         balls_.hand_to_ode(touch.first, touch.time);
+    }
 }
 
 void ImpactResolver::meet_surface(const Touch& touch) {
@@ -198,15 +204,18 @@ void ImpactResolver::bounce(const Touch& touch, const SurfaceContact& contact,
             ? lining_impact(body, contact.normal, law.restitution, law.friction)
             : ball_static_impact(balls_.solver(), body, contact.normal, law.restitution,
                                  law.friction);
-    if (!around_.law.hop && ball.ground != Ground::none && std::abs(contact.normal.z) < 1e-6)
+    if (!around_.law.hop && ball.ground != Ground::none && std::abs(contact.normal.z) < 1e-6) {
         body.state.velocity.z = 0;
-    if (approach > kQuietSpeed)
+    }
+    if (approach > kQuietSpeed) {
         recording_.log_impact(touch.time, ball.name, info.name, contact.point, contact.normal,
                               impulse);
+    }
     const bool stay = stays_in_touch(ball, body.state.velocity.dot(contact.normal), contact.normal);
     balls_.change(touch.first, touch.time, before, body.state);
-    if (stay)
+    if (stay) {
         balls_.hand_to_ode(touch.first, touch.time);
+    }
 }
 
 void ImpactResolver::meet_cushion(const Touch& touch, const Vec2& nearest) {
@@ -224,13 +233,16 @@ void ImpactResolver::meet_cushion(const Touch& touch, const Vec2& nearest) {
         const PairContact& law = around_.law.between(ball.material, "cushion");
         impulse = ball_static_impact(balls_.solver(), body, normal, law.restitution, law.friction);
     }
-    if (!around_.law.hop)
+    if (!around_.law.hop) {
         body.state.velocity.z = 0;
+    }
     const double separation = body.state.velocity.dot(inward);
-    if (separation < kLeastSeparation)
+    if (separation < kLeastSeparation) {
         body.state.velocity += inward * (kLeastSeparation - separation);
-    if (approach > kQuietSpeed)
+    }
+    if (approach > kQuietSpeed) {
         recording_.log_impact(touch.time, ball.name, "cushion", nose, normal, impulse);
+    }
     balls_.change(touch.first, touch.time, before, body.state);
 }
 

@@ -26,8 +26,9 @@ MotionState KinematicPath::at(double time) const {
 bool KinematicPath::is_moving_from(double time) const {
     const auto keys = track_->keys();
     const auto next = std::upper_bound(keys.begin(), keys.end(), time, is_after);
-    if (next == keys.begin() || next == keys.end())
+    if (next == keys.begin() || next == keys.end()) {
         return false;
+    }
     const Key& from = *(next - 1);
     const Vec3 zero(0, 0, 0);
     return from.position != next->position || from.orientation != next->orientation ||

@@ -56,8 +56,9 @@ using Trains = std::map<std::string, std::vector<ImpulseTrain>>;
 Trains trains_of(const std::vector<Event>& events) {
     Trains trains;
     for (const Event& event : events) {
-        if (event.kind == EventKind::force || event.kind == EventKind::torque)
+        if (event.kind == EventKind::force || event.kind == EventKind::torque) {
             trains[event.a].emplace_back(event);
+        }
     }
     return trains;
 }
@@ -65,8 +66,9 @@ Trains trains_of(const std::vector<Event>& events) {
 /// The train that acts on the object of this event, or nullptr.
 const ImpulseTrain* train_at(const Trains& trains, const Event& event) {
     const auto found = trains.find(event.a);
-    if (found == trains.end())
+    if (found == trains.end()) {
         return nullptr;
+    }
     const auto train = std::find_if(found->second.begin(), found->second.end(),
                                     [&](const ImpulseTrain& t) { return t.holds(event.time); });
     return train == found->second.end() ? nullptr : &*train;
@@ -77,8 +79,9 @@ void mark_passing(const std::vector<Event>& events, const Trains& trains,
                   std::vector<char>& is_dropped) {
     std::map<std::string, std::size_t> next;  // the state that each ball has next
     for (std::size_t i = events.size(); i-- > 0;) {
-        if (!is_state(events[i].kind))
+        if (!is_state(events[i].kind)) {
             continue;
+        }
         const auto after = next.find(events[i].a);
         const ImpulseTrain* train = train_at(trains, events[i]);
         is_dropped[i] = train != nullptr && after != next.end() &&
@@ -92,8 +95,9 @@ void mark_repeated(const std::vector<Event>& events, const Trains& trains,
                    std::vector<char>& is_dropped) {
     std::map<std::string, EventKind> state;
     for (std::size_t i = 0; i < events.size(); ++i) {
-        if (!is_state(events[i].kind) || is_dropped[i] != 0)
+        if (!is_state(events[i].kind) || is_dropped[i] != 0) {
             continue;
+        }
         const auto before = state.find(events[i].a);
         is_dropped[i] = before != state.end() && before->second == events[i].kind &&
                         train_at(trains, events[i]) != nullptr;
@@ -105,16 +109,18 @@ void mark_repeated(const std::vector<Event>& events, const Trains& trains,
 
 void keep_lasting_states(std::vector<Event>& events) {
     const Trains trains = trains_of(events);
-    if (trains.empty())
+    if (trains.empty()) {
         return;
+    }
     std::vector<char> is_dropped(events.size(), 0);
     mark_passing(events, trains, is_dropped);
     mark_repeated(events, trains, is_dropped);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < events.size(); ++i) {
         if (is_dropped[i] == 0) {
-            if (kept != i)
+            if (kept != i) {
                 events[kept] = std::move(events[i]);
+            }
             ++kept;
         }
     }

@@ -25,12 +25,14 @@ Vec2 level(const Vec3& v) {
 LineWatch::LineWatch(const std::vector<ForceEvent>& events, const std::vector<StepBody>& bodies) {
     for (std::size_t i = 0; i < events.size(); ++i) {
         const std::optional<Trigger>& trigger = events[i].trigger;
-        if (!trigger || trigger->kind != Trigger::Kind::crossing)
+        if (!trigger || trigger->kind != Trigger::Kind::crossing) {
             continue;
+        }
         const auto body = std::find_if(bodies.begin(), bodies.end(),
                                        [&](const StepBody& b) { return b.name == trigger->a; });
-        if (body == bodies.end())
+        if (body == bodies.end()) {
             continue;
+        }
         Line line;
         line.event = i;
         line.body = static_cast<std::uint32_t>(body - bodies.begin());
@@ -47,8 +49,9 @@ LineWatch::LineWatch(const std::vector<ForceEvent>& events, const std::vector<St
 
 void LineWatch::find(std::uint32_t number, const Ball& ball, double now, double until,
                      TouchQueue& queue) {
-    if (ball.is_still())
+    if (ball.is_still()) {
         return;
+    }
     const Touch found{0, TouchKind::line, number, 0, ball.version, 0};
     find(found, ball.stretch, now, std::min(until, ball.stretch.end), queue);
 }
@@ -65,11 +68,13 @@ void LineWatch::find(const Touch& found, const Stretch& path, double now, double
                      TouchQueue& queue) {
     for (std::uint32_t i = 0; i < lines_.size(); ++i) {
         Line& line = lines_[i];
-        if (!line.is_waiting || line.body != found.first || line.since > until)
+        if (!line.is_waiting || line.body != found.first || line.since > until) {
             continue;
+        }
         const auto time = first_crossing(line, path, std::max(now, line.since), until);
-        if (!time)
+        if (!time) {
             continue;
+        }
         Touch touch = found;
         touch.time = *time;
         touch.second = i;
@@ -90,8 +95,9 @@ std::optional<double> LineWatch::first_crossing(Line& line, const Stretch& path,
     };
     if (std::abs(distance[0]) < kOnLine) {
         const int going = sign(distance[1] != 0 ? distance[1] : distance[2]);
-        if (line.side != 0 && going == -line.side && is_within(now))
+        if (line.side != 0 && going == -line.side && is_within(now)) {
             return now;
+        }
         distance = {distance[1], distance[2], 0, 0, 0};  // the root at `now` is divided out
     } else {
         line.side = sign(distance[0]);
@@ -101,16 +107,18 @@ std::optional<double> LineWatch::first_crossing(Line& line, const Stretch& path,
     const std::size_t count = sign_changes(distance, 0, span * (1 + 1e-15), roots);
     for (std::size_t i = 0; i < count; ++i) {
         const double time = now + std::min(roots[i], span);
-        if (is_within(time))
+        if (is_within(time)) {
             return time;
+        }
     }
     return std::nullopt;
 }
 
 std::optional<std::size_t> LineWatch::take(std::uint32_t index) {
     Line& line = lines_[index];
-    if (!line.is_waiting)
+    if (!line.is_waiting) {
         return std::nullopt;
+    }
     line.is_waiting = false;
     --waiting_;
     return line.event;

@@ -9,8 +9,9 @@ namespace carom::sim {
 
 Recording::Recording(const WorldDescription& world) {
     for (const Body& body : world.bodies) {
-        if (body.kind == BodyKind::dynamic)
+        if (body.kind == BodyKind::dynamic) {
             recorders_.emplace_back(body.name, world.key_reduction);
+        }
     }
     last_.resize(recorders_.size());
 }
@@ -79,15 +80,17 @@ void Recording::log_action(EventKind kind, double time, double end_time, const s
 }
 
 void Recording::add_energy(const EnergySample& sample) {
-    if (!energy_.empty() && energy_.back() == sample)
+    if (!energy_.empty() && energy_.back() == sample) {
         return;
+    }
     energy_.push_back(sample);
 }
 
 void Recording::warn(std::string sentence, int event) {
     constexpr std::size_t kMostWarnings = 100;
-    if (warnings_.size() >= kMostWarnings)
+    if (warnings_.size() >= kMostWarnings) {
         return;
+    }
     warnings_.push_back(std::move(sentence));
     warned_events_.push_back(event);
 }
@@ -95,11 +98,13 @@ void Recording::warn(std::string sentence, int event) {
 Timeline Recording::take_timeline(double end_time) {
     Timeline timeline;
     timeline.end_time = end_time;
-    for (TrackRecorder& recorder : recorders_)
+    for (TrackRecorder& recorder : recorders_) {
         timeline.tracks.push_back(recorder.finish());
+    }
     for (std::size_t i = 0; i < events_.size(); ++i) {
-        if (!retracted_.contains(i))
+        if (!retracted_.contains(i)) {
             timeline.events.push_back(std::move(events_[i]));
+        }
     }
     keep_lasting_states(timeline.events);
     timeline.energy = std::move(energy_);

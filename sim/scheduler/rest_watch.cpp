@@ -6,8 +6,9 @@ RestWatch::RestWatch(const std::vector<ForceEvent>& events) : events_(events) {
     std::map<std::string, std::size_t> last;  // event that waits for this name
     for (std::size_t i = 0; i < events.size(); ++i) {
         const std::optional<Trigger>& trigger = events[i].trigger;
-        if (!trigger || trigger->kind != Trigger::Kind::resting)
+        if (!trigger || trigger->kind != Trigger::Kind::resting) {
             continue;
+        }
         Wait wait;
         const auto before = last.find(trigger->a);
         if (before != last.end()) {
@@ -21,8 +22,9 @@ RestWatch::RestWatch(const std::vector<ForceEvent>& events) : events_(events) {
 
 void RestWatch::note_action(std::size_t event) {
     for (auto& [waiting, wait] : waiting_) {
-        if (wait.predecessor == event)
+        if (wait.predecessor == event) {
             wait.has_begun = true;
+        }
     }
 }
 
@@ -32,8 +34,9 @@ std::vector<std::size_t> RestWatch::take_rested(double now, const MotionQuery& q
         const auto& [event, wait] = *it;
         const ForceEvent& force = events_[event];
         const std::string& name = force.trigger->a;
-        if (wait.has_begun && !wait.has_moved)
+        if (wait.has_begun && !wait.has_moved) {
             it->second.has_moved = query.is_moving(name);
+        }
         if (wait.has_moved && now >= force.time && query.is_resting(name)) {
             rested.push_back(event);
             it = waiting_.erase(it);
@@ -49,12 +52,14 @@ std::string RestWatch::reason(std::size_t event) const {
     const std::string& name = events_[event].trigger->a;
     const std::string before =
         wait.predecessor ? "event " + std::to_string(*wait.predecessor + 1) : "";
-    if (!wait.has_begun)
+    if (!wait.has_begun) {
         return "it comes after " + before + ", which waits for the same rest and did not happen";
+    }
     const std::string since = before.empty() ? "" : " after " + before;
-    if (name.empty())
+    if (name.empty()) {
         return wait.has_moved ? "not everything came to rest" + since
                               : "nothing moved" + since + ", so nothing came to rest";
+    }
     const std::string subject = "'" + name + "' never ";
     return wait.has_moved ? subject + "came to rest" + since
                           : subject + "moved" + since + ", so it never came to rest";

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/error.h"
 #include "sim/start_overlaps.h"
-#include "sim/timeline/error.h"
 
 namespace carom::sim {
 namespace {
@@ -44,16 +44,19 @@ Scheduler::Scheduler(const WorldDescription& world)
 bool Scheduler::run(const WorkContext& context, std::uint64_t most_steps) {
     const auto overlaps =
         find_start_overlaps(world_, around_.has_cushions ? &around_.table : nullptr);
-    if (!overlaps.empty())
+    if (!overlaps.empty()) {
         throw Error("body '" + overlaps[0].ball + "' " + overlaps[0].sentence() + " at the start");
+    }
     balls_.start(0);
     stepped_.start(0);
     double reported = 0;
     while (now_ < world_.duration) {
-        if (context.stop.stop_requested())
+        if (context.stop.stop_requested()) {
             throw Stopped();
-        if (steps_ > most_steps)
+        }
+        if (steps_ > most_steps) {
             return false;
+        }
         run_window();
         const double share = now_ / world_.duration;
         if (context.progress && share >= reported + 0.01) {
@@ -62,8 +65,9 @@ bool Scheduler::run(const WorkContext& context, std::uint64_t most_steps) {
         }
     }
     conclude();
-    if (context.progress && reported < 1)
+    if (context.progress && reported < 1) {
         context.progress(1.0);
+    }
     return true;
 }
 
@@ -88,8 +92,9 @@ void Scheduler::run_window() {
         stepped_.commit(window_end_);
     }
     now_ = window_end_;
-    if (last)
+    if (last) {
         resolver_.resolve(*last);
+    }
     notice_events();
 }
 
@@ -99,8 +104,9 @@ std::optional<Touch> Scheduler::meet_all() {
     while (!queue_.empty() && queue_.top().time <= window_end_) {
         const Touch touch = queue_.top();
         queue_.pop();
-        if (!is_valid(touch))
+        if (!is_valid(touch)) {
             continue;
+        }
         ++steps_;
         if (touch.kind == TouchKind::cell_crossing || touch.kind == TouchKind::look_again) {
             look_on(touch);
@@ -120,16 +126,18 @@ std::optional<Touch> Scheduler::meet_all() {
 }
 
 bool Scheduler::needs_step(const Touch& touch) const {
-    if (touch.kind == TouchKind::box)
+    if (touch.kind == TouchKind::box) {
         return true;
+    }
     return touch.kind == TouchKind::ball &&
            (balls_.all()[touch.first].is_stepped() || balls_.all()[touch.second].is_stepped());
 }
 
 double Scheduler::window_end_from(double now) const {
     double end = std::min(world_.duration, stepped_.next_key(now));
-    if (next_energy_time_ > now)
+    if (next_energy_time_ > now) {
         end = std::min(end, next_energy_time_);
+    }
     const double next_action = schedule_.next_time();
     return next_action > now ? std::min(end, next_action) : end;
 }
@@ -138,18 +146,21 @@ void Scheduler::act() {
     for (;;) {
         notice_rest();
         const std::vector<DueAction> due = schedule_.take_due(now_);
-        if (due.empty())
+        if (due.empty()) {
             break;
+        }
         const bool begins =
             std::any_of(due.begin(), due.end(), [](const DueAction& a) { return a.kick < 0; });
-        if (begins)
+        if (begins) {
             add_energy();
+        }
         for (DueAction action : due) {
             action.time = now_;
             actions_.apply(action);
         }
-        if (begins)
+        if (begins) {
             add_energy();
+        }
         notice_events();
     }
     window_end_ = window_end_from(now_);
@@ -162,8 +173,9 @@ Outlook Scheduler::outlook() const {
 void Scheduler::look_ahead() {
     const std::vector<std::uint32_t> changed = balls_.take_changed();
     finder_.find(changed, outlook(), queue_);
-    if (!lines_.is_empty())
+    if (!lines_.is_empty()) {
         find_lines(changed);
+    }
 }
 
 void Scheduler::find_lines(const std::vector<std::uint32_t>& changed) {
@@ -176,17 +188,20 @@ void Scheduler::find_lines(const std::vector<std::uint32_t>& changed) {
 
 /// The same for what is not a ball; it moves only while ODE steps it.
 void Scheduler::find_lines_of_boxes() {
-    if (lines_.is_empty() || !stepped_.is_trying())
+    if (lines_.is_empty() || !stepped_.is_trying()) {
         return;
-    for (std::size_t i = balls_.all().size(); i < stepped_.all().size(); ++i)
+    }
+    for (std::size_t i = balls_.all().size(); i < stepped_.all().size(); ++i) {
         lines_.find(static_cast<std::uint32_t>(i), stepped_.all()[i], now_, window_end_, round_,
                     queue_);
+    }
 }
 
 void Scheduler::cross_line(const Touch& touch) {
     now_ = std::max(now_, touch.time);
-    if (const auto event = lines_.take(touch.second))
+    if (const auto event = lines_.take(touch.second)) {
         schedule_.notice_crossing(*event, touch.time);
+    }
     window_end_ = std::max(now_, std::min(window_end_, schedule_.next_time()));
 }
 
@@ -202,8 +217,9 @@ void Scheduler::look_on(const Touch& touch) {
 /// Where boxes are known to be holds for as long as ODE's step; at rest, for ever.
 void Scheduler::find_boxes() {
     const bool has_boxes = stepped_.all().size() > balls_.all().size();
-    if (has_boxes && (stepped_.is_trying() || was_stepping_))
+    if (has_boxes && (stepped_.is_trying() || was_stepping_)) {
         finder_.find_boxes_for_all(outlook(), queue_);
+    }
     was_stepping_ = stepped_.is_trying();
 }
 
@@ -211,20 +227,24 @@ void Scheduler::find_boxes() {
 /// look ahead again.
 void Scheduler::begin_count() {
     touches_in_window_ = 0;
-    if (!is_capped_)
+    if (!is_capped_) {
         return;
+    }
     is_capped_ = false;
     balls_.void_predictions();
 }
 
 bool Scheduler::is_valid(const Touch& touch) const {
     const std::vector<Ball>& balls = balls_.all();
-    if (touch.first >= balls.size())  // what is not a ball, crossing a line
+    if (touch.first >= balls.size()) {  // what is not a ball, crossing a line
         return touch.second_version == round_;
-    if (balls[touch.first].version != touch.first_version)
+    }
+    if (balls[touch.first].version != touch.first_version) {
         return false;
-    if (touch.kind == TouchKind::ball)
+    }
+    if (touch.kind == TouchKind::ball) {
         return balls[touch.second].version == touch.second_version;
+    }
     return touch.kind != TouchKind::box || touch.second_version == finder_.box_round();
 }
 
@@ -232,8 +252,9 @@ void Scheduler::meet(const Touch& touch) {
     const bool is_law_change = touch.kind == TouchKind::stretch_end;
     const std::size_t most = kMostTouchesPerBall * std::max<std::size_t>(balls_.all().size(), 10);
     if (++touches_in_window_ > most && !is_law_change) {
-        if (!is_capped_)
+        if (!is_capped_) {
             recording_.warn(cap_warning(most, touch, balls_.all()[touch.first]));
+        }
         is_capped_ = true;
         return;
     }
@@ -244,14 +265,16 @@ void Scheduler::meet(const Touch& touch) {
     notice_events();
     // What ODE has just been given it steps from here on, in a window of its own.
     const bool is_handed = balls_.all()[touch.first].is_stepped() || !was_stepping;
-    if (stepped_.is_active() && is_handed)
+    if (stepped_.is_active() && is_handed) {
         window_end_ = now_;
+    }
 }
 
 void Scheduler::notice_events() {
     const std::vector<Event>& events = recording_.events();
-    for (; noticed_events_ < events.size(); ++noticed_events_)
+    for (; noticed_events_ < events.size(); ++noticed_events_) {
         schedule_.notice(events[noticed_events_]);
+    }
     notice_rest();
     // A trigger may have called for something before this window's end.
     window_end_ = std::max(now_, std::min(window_end_, schedule_.next_time()));
@@ -259,21 +282,25 @@ void Scheduler::notice_events() {
 
 /// What is due at this instant comes first: it may set things in motion.
 void Scheduler::notice_rest() {
-    if (!schedule_.waits_for_rest() || schedule_.is_due(now_))
+    if (!schedule_.waits_for_rest() || schedule_.is_due(now_)) {
         return;
+    }
     schedule_.notice_rest(now_, {[this](const std::string& name) { return is_moving(name); },
                                  [this](const std::string& name) { return is_resting(name); }});
 }
 
 bool Scheduler::is_resting(const std::string& name) const {
-    if (schedule_.is_pushing(name))
+    if (schedule_.is_pushing(name)) {
         return false;
-    if (name.empty())
+    }
+    if (name.empty()) {
         return balls_.all_rest() && stepped_.all_rest();
+    }
     for (std::size_t i = 0; i < stepped_.all().size(); ++i) {
-        if (stepped_.all()[i].name == name)
+        if (stepped_.all()[i].name == name) {
             return i < balls_.all().size() ? balls_.all()[i].is_still()
                                            : !stepped_.all()[i].is_awake;
+        }
     }
     return true;  // fixed bodies
 }
@@ -283,15 +310,17 @@ bool Scheduler::is_moving(const std::string& name) const {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const bool is_named = name.empty() || bodies[i].name == name;
         if (is_named &&
-            (i < balls_.all().size() ? balls_.all()[i].has_left() : bodies[i].has_left()))
+            (i < balls_.all().size() ? balls_.all()[i].has_left() : bodies[i].has_left())) {
             return true;
+        }
     }
     return false;
 }
 
 void Scheduler::measure_energy() {
-    if (now_ < next_energy_time_)
+    if (now_ < next_energy_time_) {
         return;
+    }
     add_energy();
     next_energy_time_ = (std::floor(now_ / kEnergyInterval + 0.5) + 1) * kEnergyInterval;
 }
@@ -309,13 +338,16 @@ void Scheduler::conclude() {
     add_energy();
     balls_.finish(now_);
     stepped_.finish(now_);
-    for (auto& [sentence, event] : actions_.missed_strikes())
+    for (auto& [sentence, event] : actions_.missed_strikes()) {
         recording_.warn(std::move(sentence), event);
-    for (auto& [sentence, event] : schedule_.unmet_triggers())
+    }
+    for (auto& [sentence, event] : schedule_.unmet_triggers()) {
         recording_.warn(std::move(sentence), event);
+    }
     balls_.warn_of_jammed();
-    for (const std::string& sentence : guard_.messages())
+    for (const std::string& sentence : guard_.messages()) {
         recording_.warn(sentence);
+    }
 }
 
 }  // namespace carom::sim

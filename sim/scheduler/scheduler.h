@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/progress.h"
 #include "sim/ode/process.h"
 #include "sim/scheduler/actions.h"
 #include "sim/scheduler/balls.h"
@@ -18,7 +19,6 @@
 #include "sim/scheduler/surroundings.h"
 #include "sim/scheduler/touch_finder.h"
 #include "sim/scheduler/touch_queue.h"
-#include "sim/timeline/progress.h"
 
 namespace carom::sim {
 

@@ -65,14 +65,16 @@ double StepBody::reach() const {
 
 MotionState StepBody::seen(const MotionState& internal) const {
     MotionState result = internal;
-    if (principal != Quat())
+    if (principal != Quat()) {
         result.orientation = internal.orientation * Quat(principal.r, -principal.v);
+    }
     return result;
 }
 
 Aabb StepBody::bounds() const {
-    if (is_ball)
+    if (is_ball) {
         return {state.position - Vec3(radius), state.position + Vec3(radius)};
+    }
     return bounds_of(placed());
 }
 
@@ -81,8 +83,9 @@ double StepBody::farthest_speed() const {
 }
 
 bool StepBody::has_left() const {
-    if (!is_awake || is_kinematic())
+    if (!is_awake || is_kinematic()) {
         return is_awake;
+    }
     const Quat turn = state.orientation * rested_at.orientation.inverse();
     const double moved = length(state.position - rested_at.position);
     return moved + 2 * reach() * length(turn.v) > kLeastMove;
@@ -117,16 +120,20 @@ std::vector<StepBody> make_step_bodies(const WorldDescription& world,
                                        const std::vector<Ball>& balls) {
     std::vector<StepBody> bodies;
     bodies.reserve(balls.size() + world.bodies.size());
-    for (const Ball& ball : balls)
+    for (const Ball& ball : balls) {
         bodies.push_back(ball_body(ball));
+    }
     std::size_t track = 0;
     for (const Body& body : world.bodies) {
-        if (body.kind == BodyKind::kinematic)
+        if (body.kind == BodyKind::kinematic) {
             bodies.push_back(kinematic_body(body));
-        if (body.kind != BodyKind::dynamic)
+        }
+        if (body.kind != BodyKind::dynamic) {
             continue;
-        if (const auto solid = solid_shape(body.shape))
+        }
+        if (const auto solid = solid_shape(body.shape)) {
             bodies.push_back(solid_body(body, *solid, track));
+        }
         ++track;
     }
     return bodies;

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "core/pose.h"
 #include "sim/ode/impact_solver.h"
 #include "sim/scheduler/ball_state.h"
 #include "sim/scheduler/kinematic_path.h"
 #include "sim/solid_shape.h"
 #include "sim/spatial/convex_distance.h"
 #include "sim/spatial/convex_touch.h"
-#include "sim/timeline/vocabulary.h"
 
 namespace carom::sim {
 

@@ -12,8 +12,9 @@ namespace carom::sim {
 double approach_speed(const std::vector<StepBody>& bodies, const FoundContact& found) {
     const ode::StepContact& contact = found.contact;
     Vec3 relative = bodies[static_cast<std::size_t>(contact.first)].velocity_at(contact.point);
-    if (found.other >= 0)
+    if (found.other >= 0) {
         relative -= bodies[static_cast<std::size_t>(found.other)].velocity_at(contact.point);
+    }
     return -relative.dot(contact.normal);
 }
 
@@ -25,16 +26,18 @@ void StepBounces::resolve(const std::vector<FoundContact>& contacts, double time
         double speed = ode::kBounceSpeed;
         for (const FoundContact& found : contacts) {
             const bool is_ball = bodies_[static_cast<std::size_t>(found.contact.first)].is_ball;
-            if ((!is_ball && found.contact.depth < -kClosedGap) || is_jammed(found))
+            if ((!is_ball && found.contact.depth < -kClosedGap) || is_jammed(found)) {
                 continue;
+            }
             const double candidate = approach_speed(bodies_, found);
             if (candidate > speed) {
                 speed = candidate;
                 fastest = &found;
             }
         }
-        if (fastest == nullptr)
+        if (fastest == nullptr) {
             break;
+        }
         if (bodies_[static_cast<std::size_t>(fastest->contact.first)].is_ball) {
             bounce_ball(*fastest, time);
         } else {
@@ -56,17 +59,20 @@ void StepBounces::forget_jams(const std::vector<FoundContact>& contacts) {
 /// Between two free bodies blows die away. What keys move strikes on for ever.
 void StepBounces::count_blow(const FoundContact& found, double time) {
     constexpr int kMostBlows = 50;
-    if (found.other < 0)
+    if (found.other < 0) {
         return;
+    }
     const StepBody& first = bodies_[static_cast<std::size_t>(found.contact.first)];
     const StepBody& second = bodies_[static_cast<std::size_t>(found.other)];
-    if (!(first.is_kinematic() || second.is_kinematic()) || ++counts_[found.pair()] < kMostBlows)
+    if (!(first.is_kinematic() || second.is_kinematic()) || ++counts_[found.pair()] < kMostBlows) {
         return;
+    }
     jams_.insert(found.pair());
     const StepBody& moved = first.is_kinematic() ? first : second;
     const StepBody& caught = first.is_kinematic() ? second : first;
-    if (!warned_.insert(found.pair()).second)
+    if (!warned_.insert(found.pair()).second) {
         return;
+    }
     std::array<char, 64> at{};
     std::snprintf(at.data(), at.size(), "at %.3f s ", time);
     recording_.warn(at.data() + ("'" + caught.name) + "' is jammed by '" + moved.name +
@@ -96,8 +102,9 @@ void StepBounces::bounce_ball(const FoundContact& found, double time) {
         result = balls_.solver().solve_static(ball.impact_body(), impact);
     }
     take(ball, result.first, time);
-    if (other != nullptr)
+    if (other != nullptr) {
         take(*other, result.second, time);
+    }
     recording_.log_impact(
         time, ball.name, other != nullptr ? other->name : finder_.info(found.other).name,
         contact.point, contact.normal, {result.normal_impulse, result.tangential_impulse});
@@ -108,8 +115,9 @@ void StepBounces::bounce_ball(const FoundContact& found, double time) {
 void StepBounces::bounce_pair(const std::vector<FoundContact>& contacts,
                               const FoundContact& fastest, double time) {
     std::vector<int> moving{fastest.contact.first};
-    if (fastest.other >= 0)
+    if (fastest.other >= 0) {
         moving.push_back(fastest.other);
+    }
     std::vector<ode::StepContact> struck;
     for (const FoundContact& found : contacts) {
         if (found.pair() == fastest.pair()) {
@@ -119,8 +127,9 @@ void StepBounces::bounce_pair(const std::vector<FoundContact>& contacts,
     }
     std::vector<ode::Velocities> after;
     const ImpulsePair impulse = strike(moving, struck, after);
-    for (std::size_t i = 0; i < moving.size(); ++i)
+    for (std::size_t i = 0; i < moving.size(); ++i) {
         take(bodies_[static_cast<std::size_t>(moving[i])], after[i], time);
+    }
     note(fastest, impulse);
 }
 
@@ -128,8 +137,9 @@ void StepBounces::bounce_pair(const std::vector<FoundContact>& contacts,
 MotionState StepBounces::frame_of(const std::vector<int>& moving) const {
     for (const int number : moving) {
         const StepBody& body = bodies_[static_cast<std::size_t>(number)];
-        if (body.is_kinematic())
+        if (body.is_kinematic()) {
             return body.state;
+        }
     }
     return {};
 }
@@ -158,8 +168,9 @@ ImpulsePair StepBounces::strike(const std::vector<int>& moving,
         left += body.kinetic_energy_in(frame);
     }
     if (left > energy) {
-        for (ode::StepContact& contact : contacts)
+        for (ode::StepContact& contact : contacts) {
             contact.restitution = 0;
+        }
         world_.strike(moving, states, contacts, after, impulses);
     }
     ImpulsePair sum;
@@ -196,10 +207,12 @@ void StepBounces::log_blows(double time) {
 }
 
 void StepBounces::take(StepBody& body, const ode::Velocities& velocities, double time) {
-    if (body.is_kinematic())
+    if (body.is_kinematic()) {
         return;
-    if (!body.is_awake)
+    }
+    if (!body.is_awake) {
         sleep_.wake(body, time);
+    }
     const MotionState before = body.state;
     body.state.velocity = velocities.linear;
     body.state.angular_velocity = velocities.angular;

@@ -29,16 +29,18 @@ void StepSleep::wake(StepBody& body, double time) {
     body.begin_rest(time);
     body.free_steps = 0;
     recording_.keep(body.track, time, body.seen(body.state));
-    if (body.is_ball)
+    if (body.is_ball) {
         balls_.hand_to_ode(static_cast<std::uint32_t>(&body - bodies_.data()), time);
+    }
 }
 
 void StepSleep::wake_near(const Vec3& place, double reach, double time) {
     constexpr double kNear = 1e-3;  // m
     for (StepBody& body : bodies_) {
         const bool sleeps = body.is_in && !body.is_awake && !body.is_kinematic();
-        if (!sleeps || length(body.state.position - place) > reach + body.reach() + kNear)
+        if (!sleeps || length(body.state.position - place) > reach + body.reach() + kNear) {
             continue;
+        }
         wake(body, time);
         wake_near(body.state.position, body.reach(), time);
     }
@@ -47,18 +49,21 @@ void StepSleep::wake_near(const Vec3& place, double reach, double time) {
 bool StepSleep::wake_by_touch(const std::vector<FoundContact>& contacts, double time) {
     bool is_changed = false;
     for (const FoundContact& found : contacts) {
-        if (found.other < 0)
+        if (found.other < 0) {
             continue;
+        }
         StepBody& a = bodies_[static_cast<std::size_t>(found.contact.first)];
         StepBody& b = bodies_[static_cast<std::size_t>(found.other)];
-        if (a.is_awake == b.is_awake || (a.is_awake ? b : a).is_kinematic())
+        if (a.is_awake == b.is_awake || (a.is_awake ? b : a).is_kinematic()) {
             continue;
+        }
         const Vec3 relative =
             a.velocity_at(found.contact.point) - b.velocity_at(found.contact.point);
         // However slow it is, what keys move gives no way.
         const bool is_moved = (a.is_awake ? a : b).is_kinematic();
-        if (length(relative) < kWakeSpeed && !is_moved)
+        if (length(relative) < kWakeSpeed && !is_moved) {
             continue;
+        }
         wake(a.is_awake ? b : a, time);
         is_changed = true;
     }
@@ -69,12 +74,14 @@ bool StepSleep::is_slow(const StepBody& body, int number, const SolvedContacts& 
     bool has_contact = false;
     bool is_slow = body.farthest_speed() < kSleepSpeed;
     for (const FoundContact& found : solved.contacts) {
-        if (found.contact.first != number && found.other != number)
+        if (found.contact.first != number && found.other != number) {
             continue;
+        }
         has_contact = true;
         const int partner = found.contact.first == number ? found.other : found.contact.first;
-        if (partner < 0)
+        if (partner < 0) {
             continue;
+        }
         const StepBody& other = bodies_[static_cast<std::size_t>(partner)];
         const bool is_moved = other.is_kinematic() && other.is_awake;
         is_slow = is_slow && !is_moved && other.farthest_speed() < kSleepSpeed;
@@ -84,15 +91,18 @@ bool StepSleep::is_slow(const StepBody& body, int number, const SolvedContacts& 
 
 /// The body and all that it touches have stable support.
 bool StepSleep::is_held_up(const StepBody& body, int number, const SolvedContacts& solved) const {
-    if (!is_stably_supported(body, number, solved, gravity_))
+    if (!is_stably_supported(body, number, solved, gravity_)) {
         return false;
+    }
     return std::all_of(
         solved.contacts.begin(), solved.contacts.end(), [&](const FoundContact& found) {
-            if (found.contact.first != number && found.other != number)
+            if (found.contact.first != number && found.other != number) {
                 return true;
+            }
             const int partner = found.contact.first == number ? found.other : found.contact.first;
-            if (partner < 0)
+            if (partner < 0) {
                 return true;
+            }
             const StepBody& other = bodies_[static_cast<std::size_t>(partner)];
             return !other.is_awake || other.is_kinematic() ||
                    is_stably_supported(other, partner, solved, gravity_);
@@ -102,12 +112,14 @@ bool StepSleep::is_held_up(const StepBody& body, int number, const SolvedContact
 bool StepSleep::is_tired(StepBody& body, const SolvedContacts& solved, double time) const {
     const int number = static_cast<int>(&body - bodies_.data());
     const double speed = body.farthest_speed();
-    if (!is_slow(body, number, solved))
+    if (!is_slow(body, number, solved)) {
         body.begin_rest(time);
+    }
     body.least_speed = std::min(body.least_speed, speed);
     const double rested = time - body.slow_since;
-    if (rested <= (body.is_ball ? kBallSleepDelay : kBoxSleepDelay))
+    if (rested <= (body.is_ball ? kBallSleepDelay : kBoxSleepDelay)) {
         return false;
+    }
     const bool is_rising = speed > body.least_speed + kRisingSpeed;
     const bool is_held = is_held_up(body, number, solved) ||
                          (rested > kLeaningSleepDelay && leans(number, solved, gravity_));

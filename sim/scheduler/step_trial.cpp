@@ -47,15 +47,17 @@ void StepTrial::attempt(double start, double end) {
 /// rolls on a rim or a corner turns away from the contact that it had before.
 double StepTrial::sinking() const {
     const auto has_rim = [this](int number) {
-        if (number < 0)
+        if (number < 0) {
             return false;
+        }
         const StepBody& body = bodies_[static_cast<std::size_t>(number)];
         return !body.is_ball && body.shape->kind() == ConvexShape::Kind::cylinder;
     };
     double most = 0;
     for (const FoundContact& found : contacts_) {
-        if (found.contact.depth <= 0 || bounces_.is_jammed(found))
+        if (found.contact.depth <= 0 || bounces_.is_jammed(found)) {
             continue;
+        }
         const double sunk = approach_speed(placed_, found) * 0.5 * (end_ - start_);
         const bool is_rim = has_rim(found.contact.first) || has_rim(found.other);
         most = std::max(most, sunk / (is_rim ? kRimSinking : kSinking));
@@ -75,8 +77,9 @@ bool StepTrial::shorten(double end) {
 void StepTrial::choose_moving() {
     moving_.clear();
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        if (bodies_[i].is_in && bodies_[i].is_awake)
+        if (bodies_[i].is_in && bodies_[i].is_awake) {
             moving_.push_back(static_cast<int>(i));
+        }
     }
 }
 
@@ -104,8 +107,9 @@ void StepTrial::solve() {
     world_.step(end_ - start_, gravity_, moving_, middles_, step_contacts_, motions_, impulses_);
     for (std::size_t slot = 0; slot < moving_.size(); ++slot) {
         const StepBody& body = bodies_[static_cast<std::size_t>(moving_[slot])];
-        if (body.is_kinematic())
+        if (body.is_kinematic()) {
             motions_[slot].end = body.path->at(end_);
+        }
     }
 }
 
@@ -124,8 +128,9 @@ void StepTrial::drop_blows() {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const double most = fastest[contacts_[i].pair()];
-        if (most <= ode::kBounceSpeed || speeds[i] < 0.5 * most)
+        if (most <= ode::kBounceSpeed || speeds[i] < 0.5 * most) {
             contacts_[kept++] = contacts_[i];
+        }
     }
     contacts_.resize(kept);
 }
@@ -133,8 +138,9 @@ void StepTrial::drop_blows() {
 /// Between a kinematic body and what sleeps there is nothing to be solved for.
 void StepTrial::drop_unmoved() {
     const auto can_move = [this](int number) {
-        if (number < 0)
+        if (number < 0) {
             return false;
+        }
         const StepBody& body = placed_[static_cast<std::size_t>(number)];
         return body.is_awake && !body.is_kinematic();
     };
@@ -147,43 +153,49 @@ void StepTrial::drop_unmoved() {
 MotionState StepTrial::place_after(std::size_t slot, double time) const {
     const StepBody& body = bodies_[static_cast<std::size_t>(moving_[slot])];
     const double half = 0.5 * (end_ - start_);
-    if (body.is_kinematic())
+    if (body.is_kinematic()) {
         return body.path->at(start_ + time);
+    }
     return time < half ? drift(body.state, body.inertia, time)
                        : drift(motions_[slot].after, body.inertia, time - half);
 }
 
 void StepTrial::place_at(double share) {
     const double time = share * (end_ - start_);
-    for (std::size_t slot = 0; slot < moving_.size(); ++slot)
+    for (std::size_t slot = 0; slot < moving_.size(); ++slot) {
         placed_[static_cast<std::size_t>(moving_[slot])].state = place_after(slot, time);
+    }
 }
 
 /// Which share of the step passes before something strikes or bodies meet that were apart.
 double StepTrial::share_until_touch() {
     std::set<std::pair<int, int>> known;
-    for (const FoundContact& found : contacts_)
+    for (const FoundContact& found : contacts_) {
         known.insert(found.pair());
+    }
     const auto deepest_at = [&](double share) {
         place_at(share);
         double deepest = 0;
         for (const FoundContact& found : finder_.find(placed_)) {
             if (found.contact.depth > deepest && !bounces_.is_jammed(found) &&
                 (!known.contains(found.pair()) ||
-                 approach_speed(placed_, found) > ode::kBounceSpeed))
+                 approach_speed(placed_, found) > ode::kBounceSpeed)) {
                 deepest = found.contact.depth;
+            }
         }
         return deepest;
     };
-    if (deepest_at(1) <= kTouchDepth)
+    if (deepest_at(1) <= kTouchDepth) {
         return 1;
+    }
     double low = 0;
     double high = 1;
     for (int i = 0; i < 16; ++i) {
         const double middle = 0.5 * (low + high);
         const double depth = deepest_at(middle);
-        if (depth > 0.25 * kTouchDepth && depth <= kTouchDepth)
+        if (depth > 0.25 * kTouchDepth && depth <= kTouchDepth) {
             return middle;
+        }
         (depth > kTouchDepth ? high : low) = middle;
     }
     return low;

@@ -21,29 +21,34 @@ SteppedBodies::SteppedBodies(const WorldDescription& world, const Surroundings& 
       sleep_(bodies_, balls, recording, around.gravity),
       bounces_(bodies_, sleep_, finder_, world_, balls, recording),
       trial_(world_, finder_, bounces_, around.gravity, bodies_) {
-    for (const StepBody& body : bodies_)
+    for (const StepBody& body : bodies_) {
         world_.add({body.mass, body.inertia, body.is_kinematic()});
+    }
 }
 
 void SteppedBodies::start(double time) {
     for (StepBody& body : bodies_) {
-        if (body.is_ball)
+        if (body.is_ball) {
             continue;
+        }
         body.motion = {body.shape.get(), time, body.state};
         body.begin_rest(time);
-        if (!body.is_kinematic())
+        if (!body.is_kinematic()) {
             recording_.keep(body.track, time, body.seen(body.state));
+        }
     }
 }
 
 void SteppedBodies::follow_paths(double time) {
     for (StepBody& body : bodies_) {
-        if (!body.is_kinematic())
+        if (!body.is_kinematic()) {
             continue;
+        }
         body.state = body.path->at(time);
         body.is_awake = body.path->is_moving_from(time);
-        if (!body.is_awake)
+        if (!body.is_awake) {
             body.state.velocity = body.state.angular_velocity = {0, 0, 0};
+        }
         body.motion = {body.shape.get(), time, body.state};
     }
 }
@@ -51,8 +56,9 @@ void SteppedBodies::follow_paths(double time) {
 double SteppedBodies::next_key(double time) const {
     double next = std::numeric_limits<double>::infinity();
     for (const StepBody& body : bodies_) {
-        if (body.is_kinematic())
+        if (body.is_kinematic()) {
             next = std::min(next, body.path->next_key(time));
+        }
     }
     return next;
 }
@@ -70,8 +76,9 @@ void SteppedBodies::adopt_balls(double time) {
         const bool is_new = ball.is_stepped() && !(body.is_in && body.is_awake);
         body.is_in = ball.is_stepped() || ball.is_lying;
         body.is_awake = ball.is_stepped();
-        if (body.is_in)
+        if (body.is_in) {
             body.state = ball.stretch.state_at(time);
+        }
         if (is_new) {
             body.begin_rest(time);
             body.free_steps = 0;
@@ -83,8 +90,9 @@ double SteppedBodies::try_step(double now, double until) {
     adopt_balls(now);
     is_trying_ = true;
     std::vector<FoundContact> contacts = finder_.find(bodies_);
-    if (sleep_.wake_by_touch(contacts, now))
+    if (sleep_.wake_by_touch(contacts, now)) {
         contacts = finder_.find(bodies_);
+    }
     bounces_.resolve(contacts, now);
     trial_.attempt(now, until);
     show_paths();
@@ -112,10 +120,12 @@ void SteppedBodies::show_paths() {
 
 void SteppedBodies::commit(double end) {
     is_trying_ = false;
-    if (!trial_.shorten(end))
+    if (!trial_.shorten(end)) {
         return stay(end);
-    for (std::size_t slot = 0; slot < trial_.moving().size(); ++slot)
+    }
+    for (std::size_t slot = 0; slot < trial_.moving().size(); ++slot) {
         bodies_[static_cast<std::size_t>(trial_.moving()[slot])].state = trial_.motions()[slot].end;
+    }
     for (const int number : trial_.moving()) {
         StepBody& body = bodies_[static_cast<std::size_t>(number)];
         if (body.is_ball) {
@@ -159,8 +169,9 @@ Ground SteppedBodies::ground_under(const StepBody& ball, bool& touches_other) co
     Ground ground = Ground::none;
     touches_other = false;
     for (const FoundContact& found : trial_.contacts()) {
-        if (found.contact.first != me && found.other != me)
+        if (found.contact.first != me && found.other != me) {
             continue;
+        }
         const bool is_cloth = found.other == kCloth && around_.is_over_cloth(ball.state.position);
         if (is_cloth || found.other == kFloor) {
             ground = is_cloth ? Ground::cloth : Ground::floor;
@@ -186,8 +197,9 @@ void SteppedBodies::settle_ball(StepBody& body, double end) {
     }
     body.free_steps = touches_other ? 0 : body.free_steps + 1;
     const bool is_free = body.free_steps >= kFreeSteps;
-    if (state.position.z < 0)
+    if (state.position.z < 0) {
         balls_.note_sunk(number, end, state.position);
+    }
     if (is_free && stays_down && around_.downward_gravity > 0) {
         balls_.take_back(number, end, state, ground);
     } else if (is_free && ground == Ground::none) {
@@ -204,22 +216,25 @@ void SteppedBodies::settle_ball(StepBody& body, double end) {
 void SteppedBodies::change_box(std::uint32_t number, double time, const Vec3& velocity,
                                const Vec3& angular_velocity) {
     StepBody& body = bodies_[number];
-    if (body.is_kinematic())
+    if (body.is_kinematic()) {
         return;
+    }
     const MotionState before = body.state;
     body.state.velocity = velocity;
     body.state.angular_velocity = angular_velocity;
     recording_.add_break(body.track, time, body.seen(before), body.seen(body.state));
     body.motion = {body.shape.get(), time, body.state};
-    if (!body.is_awake)
+    if (!body.is_awake) {
         sleep_.wake(body, time);
+    }
     body.begin_rest(time);
 }
 
 void SteppedBodies::add_energy(EnergySample& sample) const {
     for (const StepBody& body : bodies_) {
-        if (body.is_ball || body.is_kinematic())
+        if (body.is_ball || body.is_kinematic()) {
             continue;
+        }
         sample.kinetic += body.kinetic_energy();
         sample.potential -= body.mass * around_.gravity.dot(body.state.position);
     }
@@ -232,8 +247,9 @@ bool SteppedBodies::all_rest() const {
 
 void SteppedBodies::finish(double time) {
     for (const StepBody& body : bodies_) {
-        if (!body.is_ball && !body.is_kinematic())
+        if (!body.is_ball && !body.is_kinematic()) {
             recording_.keep(body.track, time, body.seen(body.state));
+        }
     }
 }
 

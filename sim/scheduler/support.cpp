@@ -48,8 +48,9 @@ class GroundPlan {
 /// hulls in two dimensions, Inf. Process. Lett. 9, 1979). One or two corners where all points lie
 /// in a point or a line.
 std::vector<Vec2> hull_of(std::vector<Vec2> points) {
-    if (points.size() < 2)
+    if (points.size() < 2) {
         return points;
+    }
     std::sort(points.begin(), points.end(),
               [](const Vec2& a, const Vec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
     std::vector<Vec2> hull;
@@ -57,13 +58,15 @@ std::vector<Vec2> hull_of(std::vector<Vec2> points) {
         const std::size_t start = hull.size();
         for (const Vec2& point : points) {
             while (hull.size() >= start + 2 &&
-                   cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0)
+                   cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0) {
                 hull.pop_back();
+            }
             hull.push_back(point);
         }
         hull.pop_back();  // it begins the other half
-        if (is_lower)
+        if (is_lower) {
             std::reverse(points.begin(), points.end());
+        }
     }
     return hull;
 }
@@ -77,27 +80,31 @@ double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
 
 double distance_to_outline(const Vec2& p, const std::vector<Vec2>& hull) {
     double least = (p - hull.front()).length();
-    for (std::size_t i = 0; i < hull.size(); ++i)
+    for (std::size_t i = 0; i < hull.size(); ++i) {
         least = std::min(least, distance_to_segment(p, hull[i], hull[(i + 1) % hull.size()]));
+    }
     return least;
 }
 
 bool is_inside(const Vec2& p, const std::vector<Vec2>& hull) {
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const Vec2& corner = hull[i];
-        if (cross(hull[(i + 1) % hull.size()] - corner, p - corner) <= 0)
+        if (cross(hull[(i + 1) % hull.size()] - corner, p - corner) <= 0) {
             return false;
+        }
     }
     return hull.size() >= 3;
 }
 
 /// It may roll without rising or sinking.
 bool is_round_below(const StepBody& body, const Vec3& up) {
-    if (body.is_ball)
+    if (body.is_ball) {
         return true;
+    }
     const ConvexShape::Kind kind = body.shape->kind();
-    if (kind != ConvexShape::Kind::capsule && kind != ConvexShape::Kind::cylinder)
+    if (kind != ConvexShape::Kind::capsule && kind != ConvexShape::Kind::cylinder) {
         return false;
+    }
     return std::abs(to_world(body.state.orientation, Vec3(0, 0, 1)).dot(up)) < kLevelAxis;
 }
 
@@ -106,8 +113,9 @@ bool is_round_below(const StepBody& body, const Vec3& up) {
 bool is_stably_supported(const StepBody& body, int number, const SolvedContacts& solved,
                          const Vec3& gravity) {
     const double strength = length(gravity);
-    if (strength == 0)
+    if (strength == 0) {
         return true;
+    }
     const Vec3 up = gravity * (-1 / strength);
     const GroundPlan plan(up);
     const Vec2 centre = plan(body.state.position);
@@ -118,8 +126,9 @@ bool is_stably_supported(const StepBody& body, int number, const SolvedContacts&
     std::vector<Vec2> points;
     for (std::size_t i = 0; i < solved.contacts.size(); ++i) {
         const ode::StepContact& contact = solved.contacts[i].contact;
-        if (contact.first != number && solved.contacts[i].other != number)
+        if (contact.first != number && solved.contacts[i].other != number) {
             continue;
+        }
         points.push_back(plan(contact.point));
         const double rise = contact.normal.dot(up) * (contact.first == number ? 1 : -1);
         if (rise > -kLoadSlope) {
@@ -131,11 +140,13 @@ bool is_stably_supported(const StepBody& body, int number, const SolvedContacts&
             moment += plan(contact.point) * load;
         }
     }
-    if (!is_carried)
+    if (!is_carried) {
         return false;
+    }
     const std::vector<Vec2> hull = hull_of(points);
-    if (is_inside(centre, hull) || is_inside(moment / weight, hull))
+    if (is_inside(centre, hull) || is_inside(moment / weight, hull)) {
         return true;
+    }
     const double beside = distance_to_outline(centre, hull);
     return beside <= (is_round_below(body, up) ? kBesideRolling + lever : kBesideBalanced);
 }
@@ -144,12 +155,14 @@ bool leans(int number, const SolvedContacts& solved, const Vec3& gravity) {
     const double strength = length(gravity);
     for (std::size_t i = 0; i < solved.contacts.size(); ++i) {
         const ode::StepContact& contact = solved.contacts[i].contact;
-        if (contact.first != number && solved.contacts[i].other != number)
+        if (contact.first != number && solved.contacts[i].other != number) {
             continue;
+        }
         const double sign = contact.first == number ? 1 : -1;
         const double rise = -sign * contact.normal.dot(gravity) / strength;
-        if (solved.impulses[i].normal > 0 && rise > -kLoadSlope && rise < kLevelNormal)
+        if (solved.impulses[i].normal > 0 && rise > -kLoadSlope && rise < kLevelNormal) {
             return true;
+        }
     }
     return false;
 }

@@ -19,8 +19,9 @@ constexpr double kInsideOfPolygon = 0.99946;
 double table_ball_radius(const WorldDescription& world) {
     for (const Body& body : world.bodies) {
         const auto* sphere = std::get_if<Sphere>(&body.shape);
-        if (sphere != nullptr && body.kind == BodyKind::dynamic && body.material == "ball")
+        if (sphere != nullptr && body.kind == BodyKind::dynamic && body.material == "ball") {
             return sphere->radius;
+        }
     }
     return Sphere{}.radius;
 }
@@ -51,10 +52,11 @@ struct Triangles {
 
 Triangles box_triangles(const Vec3& size) {
     Triangles box;
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
         box.vertices.emplace_back((i & 1) != 0 ? size.x / 2 : -size.x / 2,
                                   (i & 2) != 0 ? size.y / 2 : -size.y / 2,
                                   (i & 4) != 0 ? size.z / 2 : -size.z / 2);
+    }
     box.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                      {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
     return box;
@@ -62,30 +64,35 @@ Triangles box_triangles(const Vec3& size) {
 
 /// What balls meet as triangles: boxes and hulls.
 Triangles flat_sides(const BodyShape& shape) {
-    if (const auto* box = std::get_if<Box>(&shape))
+    if (const auto* box = std::get_if<Box>(&shape)) {
         return box_triangles(box->size);
+    }
     Triangles mesh;
     const auto* points = std::get_if<ConvexHull>(&shape);
     const auto hull = points != nullptr ? convex_hull(points->points) : std::nullopt;
-    if (!hull)
+    if (!hull) {
         return mesh;
+    }
     mesh.vertices = hull->vertices;
     for (const PolyhedronFace& face : hull->faces) {
-        for (std::size_t i = 2; i < face.corners.size(); ++i)
+        for (std::size_t i = 2; i < face.corners.size(); ++i) {
             mesh.triangles.push_back({face.corners[0], face.corners[i - 1], face.corners[i]});
+        }
     }
     return mesh;
 }
 
 void place(Triangles& mesh, const Pose& pose) {
-    for (Vec3& v : mesh.vertices)
+    for (Vec3& v : mesh.vertices) {
         v = pose.position + to_world(pose.orientation, v);
+    }
 }
 
 Aabb bounds_of(const std::vector<Vec3>& vertices) {
     Aabb box{vertices.front(), vertices.front()};
-    for (const Vec3& v : vertices)
+    for (const Vec3& v : vertices) {
         box.extend(v);
+    }
     return box;
 }
 
@@ -93,14 +100,16 @@ Aabb bounds_of(const std::vector<Vec3>& vertices) {
 
 Surroundings::Surroundings(const WorldDescription& world)
     : gravity(world.gravity), law(world.contact_law), floor_height(world.floor_height) {
-    if (gravity.x == 0 && gravity.y == 0 && gravity.z < 0)
+    if (gravity.x == 0 && gravity.y == 0 && gravity.z < 0) {
         downward_gravity = -gravity.z;
+    }
     const bool has_boxes =
         std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& body) {
             return body.kind == BodyKind::dynamic && std::holds_alternative<Box>(body.shape);
         });
-    if (world.table)
+    if (world.table) {
         add_table(world, has_boxes);
+    }
     add_fixed_bodies(world, has_boxes);
 }
 
@@ -110,21 +119,24 @@ void Surroundings::add_table(const WorldDescription& world, bool has_boxes) {
     nose_height = world.table->nose_height;
     cloth_half_extent =
         Vec2(world.table->length, world.table->width) * 0.5 + Vec2(world.table->cushion_width);
-    if (!has_cushions)
+    if (!has_cushions) {
         return;
+    }
     table = billiards::build_table(*world.table, table_ball_radius(world),
                                    billiards::TableParts::collided);
     for (const billiards::Surface& surface : table.surfaces) {
         const auto material = material_of(surface.part);
-        if (!material || surface.triangles.empty())
+        if (!material || surface.triangles.empty()) {
             continue;
+        }
         const auto number = static_cast<std::uint32_t>(surfaces.size());
         table_mesh.add(surface.vertices, surface.triangles, number);
         surfaces.push_back({*material, *material});
-        if (has_boxes)
+        if (has_boxes) {
             box_obstacles.push_back({surfaces.back(), number,
                                      ode::TriangleSurface(surface.vertices, surface.triangles),
                                      bounds_of(surface.vertices)});
+        }
     }
     for (billiards::Pocket& pocket : table.pockets) {
         pocket.radius *= kInsideOfPolygon;
@@ -134,8 +146,9 @@ void Surroundings::add_table(const WorldDescription& world, bool has_boxes) {
 
 void Surroundings::add_fixed_bodies(const WorldDescription& world, bool has_boxes) {
     for (const Body& body : world.bodies) {
-        if (body.kind != BodyKind::fixed)
+        if (body.kind != BodyKind::fixed) {
             continue;
+        }
         const SurfaceInfo info{body.name, body.material};
         if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
             spheres.push_back({info, body.pose.position, sphere->radius});
@@ -149,28 +162,33 @@ void Surroundings::add_fixed_bodies(const WorldDescription& world, bool has_boxe
             solids.push_back({info, number, solid->shape, pose,
                               bounds_of(PlacedShape{solid->shape.get(), pose}),
                               !mesh.triangles.empty()});
-            if (mesh.triangles.empty())
+            if (mesh.triangles.empty()) {
                 surfaces.push_back(info);
+            }
         } else if (const auto* triangles = std::get_if<TriangleMesh>(&body.shape)) {
             mesh = {triangles->vertices, triangles->triangles};
         }
-        if (mesh.triangles.empty())
+        if (mesh.triangles.empty()) {
             continue;
+        }
         place(mesh, body.pose);
         scenery_mesh.add(mesh.vertices, mesh.triangles, number);
         surfaces.push_back(info);
-        if (has_boxes && std::holds_alternative<TriangleMesh>(body.shape))
+        if (has_boxes && std::holds_alternative<TriangleMesh>(body.shape)) {
             box_obstacles.push_back({info, number,
                                      ode::TriangleSurface(mesh.vertices, mesh.triangles),
                                      bounds_of(mesh.vertices)});
+        }
     }
 }
 
 bool Surroundings::is_over_cloth(const Vec3& centre) const {
-    if (!has_cloth)
+    if (!has_cloth) {
         return false;
-    if (!has_cushions)
+    }
+    if (!has_cushions) {
         return true;
+    }
     return std::abs(centre.x) <= cloth_half_extent.x && std::abs(centre.y) <= cloth_half_extent.y &&
            pocket_below(centre) < 0;
 }
@@ -179,8 +197,9 @@ int Surroundings::pocket_below(const Vec3& centre) const {
     for (std::size_t i = 0; i < table.pockets.size(); ++i) {
         const billiards::Pocket& pocket = table.pockets[i];
         const Vec2 d = Vec2(centre.x, centre.y) - pocket.centre;
-        if (d.dot(d) < pocket.radius * pocket.radius)
+        if (d.dot(d) < pocket.radius * pocket.radius) {
             return static_cast<int>(i);
+        }
     }
     return -1;
 }

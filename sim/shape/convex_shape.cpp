@@ -30,9 +30,10 @@ Vec3 level_direction(const Vec3& v) {
 
 Polyhedron box_solid(const Vec3& h) {
     Polyhedron box;
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
         box.vertices.emplace_back((i & 1) != 0 ? h.x : -h.x, (i & 2) != 0 ? h.y : -h.y,
                                   (i & 4) != 0 ? h.z : -h.z);
+    }
     box.faces = {{{0, 4, 6, 2}, {-1, 0, 0}}, {{1, 3, 7, 5}, {1, 0, 0}},  {{0, 1, 5, 4}, {0, -1, 0}},
                  {{2, 6, 7, 3}, {0, 1, 0}},  {{0, 2, 3, 1}, {0, 0, -1}}, {{4, 5, 7, 6}, {0, 0, 1}}};
     return box;
@@ -91,11 +92,13 @@ ConvexShape ConvexShape::cylinder(double radius, double half_height) {
 ConvexShape ConvexShape::hull(Polyhedron solid) {
     ConvexShape shape(Kind::hull);
     double nearest_side = 1e300;
-    for (const PolyhedronFace& face : solid.faces)
+    for (const PolyhedronFace& face : solid.faces) {
         nearest_side =
             std::min(nearest_side, face.normal.dot(solid.vertices[face.corners.front()]));
-    for (const Vec3& v : solid.vertices)
+    }
+    for (const Vec3& v : solid.vertices) {
         shape.reach_ = std::max(shape.reach_, length(v));
+    }
     if (nearest_side > 0) {
         shape.core_skin_ = std::min(kSkin, kMostSkin * nearest_side);
         shape.core_shrinkage_ = shape.core_skin_ / nearest_side;
@@ -147,8 +150,9 @@ Vec3 ConvexShape::core_support(const Vec3& d, double depth) const {
 const PolyhedronFace& ConvexShape::facing_side(const Vec3& d) const {
     const PolyhedronFace* best = &solid_.faces.front();
     for (const PolyhedronFace& face : solid_.faces) {
-        if (face.normal.dot(d) > best->normal.dot(d))
+        if (face.normal.dot(d) > best->normal.dot(d)) {
             best = &face;
+        }
     }
     return *best;
 }
@@ -181,24 +185,28 @@ FacingFeature ConvexShape::facing(const Vec3& direction) const {
         return feature;
     }
     if (kind_ == Kind::cylinder) {
-        if (std::abs(d.z) > kCapFaces)
+        if (std::abs(d.z) > kCapFaces) {
             return round_cap(d);
+        }
         const Vec3 side = level_direction(d) * radius_;
         feature.points = {side - Vec3(0, 0, half_size_.z), side + Vec3(0, 0, half_size_.z)};
         return feature;
     }
     const PolyhedronFace& face = facing_side(d);
     feature.normal = face.normal;
-    for (const std::uint32_t corner : face.corners)
+    for (const std::uint32_t corner : face.corners) {
         feature.points.push_back(solid_.vertices[corner]);
+    }
     return feature;
 }
 
 std::optional<Vec3> ConvexShape::facing_normal(const Vec3& direction) const {
-    if (kind_ == Kind::capsule)
+    if (kind_ == Kind::capsule) {
         return std::nullopt;
-    if (kind_ == Kind::cylinder)
+    }
+    if (kind_ == Kind::cylinder) {
         return Vec3(0, 0, sign(direction.z));
+    }
     return facing_side(direction).normal;
 }
 
@@ -209,14 +217,16 @@ void ConvexShape::resting_points(const Vec3& down, std::vector<Vec3>& points) co
     }
     points.clear();
     if (kind_ == Kind::capsule) {
-        for (const double end : {-1.0, 1.0})
+        for (const double end : {-1.0, 1.0}) {
             points.push_back(Vec3(0, 0, end * half_size_.z) + down * radius_);
+        }
         return;
     }
     const Vec3 u = level_direction(down) * radius_;
     for (const double end : {-1.0, 1.0}) {
-        for (const Vec2& c : circle())
+        for (const Vec2& c : circle()) {
             points.emplace_back(u.x * c.x - u.y * c.y, u.y * c.x + u.x * c.y, end * half_size_.z);
+        }
     }
 }
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/vectors.h"
 #include "sim/shape/polyhedron.h"
-#include "sim/timeline/vocabulary.h"
 
 namespace carom::sim {
 

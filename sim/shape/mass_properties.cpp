@@ -16,9 +16,10 @@ using Matrix = std::array<std::array<double, 3>, 3>;
 void add_second_moment(Matrix& sum, double volume, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 s = a + b + c;
     for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j)
+        for (int j = 0; j < 3; ++j) {
             sum[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] +=
                 volume / 20 * (s[i] * s[j] + a[i] * a[j] + b[i] * b[j] + c[i] * c[j]);
+        }
     }
 }
 
@@ -30,8 +31,9 @@ void diagonalise(Matrix& m, Matrix& axes) {
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
         for (std::size_t p = 0; p < 2; ++p) {
             for (std::size_t q = p + 1; q < 3; ++q) {
-                if (std::abs(m[p][q]) <= 1e-15 * (std::abs(m[p][p]) + std::abs(m[q][q])))
+                if (std::abs(m[p][q]) <= 1e-15 * (std::abs(m[p][p]) + std::abs(m[q][q]))) {
                     continue;
+                }
                 const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
                 const double t =
                     (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
@@ -64,8 +66,9 @@ void diagonalise(Matrix& m, Matrix& axes) {
 Quat rotation_of(Matrix axes) {
     const auto column = [&](std::size_t k) { return Vec3(axes[0][k], axes[1][k], axes[2][k]); };
     if (column(0).cross(column(1)).dot(column(2)) < 0) {
-        for (auto& row : axes)
+        for (auto& row : axes) {
             row[2] = -row[2];
+        }
     }
     // The largest component first (Shepperd, Quaternion from rotation matrix, J. Guidance and
     // Control 1, 1978).
@@ -74,15 +77,17 @@ Quat rotation_of(Matrix axes) {
         1 - axes[0][0] + axes[1][1] - axes[2][2], 1 - axes[0][0] - axes[1][1] + axes[2][2]};
     std::size_t best = 0;
     for (std::size_t i = 1; i < 4; ++i) {
-        if (squares[i] > squares[best])
+        if (squares[i] > squares[best]) {
             best = i;
+        }
     }
     const double root = std::sqrt(squares[best]);
     const double f = 0.5 / root;
     const Vec3 difference(axes[2][1] - axes[1][2], axes[0][2] - axes[2][0],
                           axes[1][0] - axes[0][1]);
-    if (best == 0)
+    if (best == 0) {
         return {0.5 * root, difference * f};
+    }
     const std::size_t i = best - 1;
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;

@@ -1,8 +1,8 @@
 // Volume, centre of mass and moments of inertia of solids of even density.
 #pragma once
 
+#include "core/vectors.h"
 #include "sim/shape/polyhedron.h"
-#include "sim/timeline/vocabulary.h"
 
 namespace carom::sim {
 

@@ -31,8 +31,9 @@ Nearest nearest_on_cylinder(const ConvexShape& shape, const Vec3& p) {
     const double above = std::abs(p.z) - shape.half_length();
     const double up = p.z < 0 ? -1 : 1;
     if (beside <= 0 && above <= 0) {
-        if (beside > above)
+        if (beside > above) {
             return {outwards * shape.radius() + Vec3(0, 0, p.z), outwards, beside};
+        }
         return {Vec3(p.x, p.y, up * shape.half_length()), Vec3(0, 0, up), above};
     }
     const double on_radius = std::min(r, shape.radius());
@@ -53,12 +54,14 @@ Vec3 nearest_on_face(const Polyhedron& solid, const PolyhedronFace& face, const 
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3& a = solid.vertices[face.corners[i]];
         const Vec3& b = solid.vertices[face.corners[(i + 1) % count]];
-        if (face.normal.cross(b - a).dot(p - a) >= 0)
+        if (face.normal.cross(b - a).dot(p - a) >= 0) {
             continue;
+        }
         is_above = false;
         const Vec3 candidate = nearest_on_segment(a, b, p);
-        if (length(p - candidate) < length(p - best))
+        if (length(p - candidate) < length(p - best)) {
             best = candidate;
+        }
     }
     return is_above ? p - face.normal * face.normal.dot(p - best) : best;
 }
@@ -75,15 +78,18 @@ Nearest nearest_on_solid(const Polyhedron& solid, const Vec3& p) {
             highest = &face;
         }
     }
-    if (height <= 1e-12)
+    if (height <= 1e-12) {
         return {p - highest->normal * height, highest->normal, height};
+    }
     Vec3 best = nearest_on_face(solid, *highest, p);
     for (const PolyhedronFace& face : solid.faces) {
-        if (height_over(face) <= 0)
+        if (height_over(face) <= 0) {
             continue;
+        }
         const Vec3 candidate = nearest_on_face(solid, face, p);
-        if (length(p - candidate) < length(p - best))
+        if (length(p - candidate) < length(p - best)) {
             best = candidate;
+        }
     }
     return from_outside(p, best);
 }
@@ -91,16 +97,19 @@ Nearest nearest_on_solid(const Polyhedron& solid, const Vec3& p) {
 /// For a point inside: out through the nearest side.
 Nearest nearest_on_box(const Vec3& half_size, const Vec3& p) {
     Vec3 on_box = p;
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
         on_box[axis] = std::clamp(p[axis], -half_size[axis], half_size[axis]);
+    }
     const Vec3 d = p - on_box;
     const double distance = length(d);
-    if (distance >= 1e-12)
+    if (distance >= 1e-12) {
         return {on_box, d / distance, distance};
+    }
     int side = 0;
     for (int axis = 1; axis < 3; ++axis) {
-        if (half_size[axis] - std::abs(p[axis]) < half_size[side] - std::abs(p[side]))
+        if (half_size[axis] - std::abs(p[axis]) < half_size[side] - std::abs(p[side])) {
             side = axis;
+        }
     }
     Vec3 normal(0, 0, 0);
     normal[side] = p[side] >= 0 ? 1 : -1;

@@ -43,16 +43,18 @@ class HullBuilder {
     /// False if the points lie in a plane.
     bool build() {
         const std::optional<std::array<std::uint32_t, 4>> first = tetrahedron();
-        if (!first)
+        if (!first) {
             return false;
+        }
         const auto [a, b, c, d] = *first;
         inside_ = (points_[a] + points_[b] + points_[c] + points_[d]) * 0.25;
         add({a, b, c});
         add({a, b, d});
         add({a, c, d});
         add({b, c, d});
-        for (std::uint32_t i = 0; i < points_.size(); ++i)
+        for (std::uint32_t i = 0; i < points_.size(); ++i) {
             include(i);
+        }
         return true;
     }
 
@@ -74,8 +76,9 @@ template <class Measure>
 std::uint32_t largest(std::size_t count, Measure measure) {
     std::uint32_t best = 0;
     for (std::uint32_t i = 1; i < count; ++i) {
-        if (measure(i) > measure(best))
+        if (measure(i) > measure(best)) {
             best = i;
+        }
     }
     return best;
 }
@@ -83,8 +86,9 @@ std::uint32_t largest(std::size_t count, Measure measure) {
 std::optional<std::array<std::uint32_t, 4>> HullBuilder::tetrahedron() const {
     constexpr double kThinnest = 1e-6;
     const std::size_t n = points_.size();
-    if (n < 4)
+    if (n < 4) {
         return std::nullopt;
+    }
     const Vec3& p0 = points_[0];
     const std::uint32_t b = largest(n, [&](std::uint32_t i) { return length(points_[i] - p0); });
     const Vec3 along = points_[b] - p0;
@@ -94,8 +98,9 @@ std::optional<std::array<std::uint32_t, 4>> HullBuilder::tetrahedron() const {
     const auto off_plane = [&](std::uint32_t i) { return std::abs(normal.dot(points_[i] - p0)); };
     const std::uint32_t d = largest(n, off_plane);
     if (!(off_line(c) > kThinnest * extent_ * length(along)) ||
-        !(off_plane(d) > kThinnest * extent_ * length(normal)))
+        !(off_plane(d) > kThinnest * extent_ * length(normal))) {
         return std::nullopt;
+    }
     return std::array<std::uint32_t, 4>{0, b, c, d};
 }
 
@@ -103,8 +108,9 @@ void HullBuilder::add(Corners corners) {
     const Vec3& p = points_[corners[0]];
     Vec3 normal = (points_[corners[1]] - p).cross(points_[corners[2]] - p);
     const double area = length(normal);
-    if (area <= 0)
+    if (area <= 0) {
         return;
+    }
     normal /= area;
     if (normal.dot(inside_ - p) > 0) {
         std::swap(corners[1], corners[2]);
@@ -118,41 +124,48 @@ void HullBuilder::include(std::uint32_t point) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, bool> outline;
     bool is_outside = false;
     for (const Facet& f : facets_) {
-        if (!sees(f))
+        if (!sees(f)) {
             continue;
+        }
         is_outside = true;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t from = f.corners[i];
             const std::uint32_t to = f.corners[(i + 1) % 3];
-            if (outline.erase({to, from}) == 0)
+            if (outline.erase({to, from}) == 0) {
                 outline[{from, to}] = true;
+            }
         }
     }
-    if (!is_outside)
+    if (!is_outside) {
         return;
+    }
     std::erase_if(facets_, sees);
-    for (const auto& [edge, unused] : outline)
+    for (const auto& [edge, unused] : outline) {
         add({edge.first, edge.second, point});
+    }
 }
 
 /// The corners of one plane's facets in order around it.
 std::vector<std::uint32_t> ordered(std::vector<std::uint32_t> corners, std::span<const Vec3> points,
                                    const Vec3& normal, double flatness) {
     Vec3 centre(0, 0, 0);
-    for (const std::uint32_t i : corners)
+    for (const std::uint32_t i : corners) {
         centre += points[i] / static_cast<double>(corners.size());
+    }
     // From corner to corner: the next one is that with all others to the left.
     std::vector<std::uint32_t> loop{corners.front()};
     for (const std::uint32_t i : corners) {
-        if (length(points[i] - centre) > length(points[loop.front()] - centre))
+        if (length(points[i] - centre) > length(points[loop.front()] - centre)) {
             loop.front() = i;
+        }
     }
     while (loop.size() <= corners.size()) {
         const Vec3& from = points[loop.back()];
         std::optional<std::uint32_t> next;
         for (const std::uint32_t i : corners) {
-            if (i == loop.back())
+            if (i == loop.back()) {
                 continue;
+            }
             if (!next) {
                 next = i;
                 continue;
@@ -161,11 +174,13 @@ std::vector<std::uint32_t> ordered(std::vector<std::uint32_t> corners, std::span
             const Vec3 other = points[i] - from;
             const double side = normal.dot(best.cross(other));
             const double straight = flatness * std::max(length(best), length(other));
-            if (side < -straight || (side <= straight && length(other) > length(best)))
+            if (side < -straight || (side <= straight && length(other) > length(best))) {
                 next = i;
+            }
         }
-        if (!next || *next == loop.front())
+        if (!next || *next == loop.front()) {
             break;
+        }
         loop.push_back(*next);
     }
     return loop;
@@ -177,8 +192,9 @@ Polyhedron HullBuilder::merged() const {
     std::vector<bool> is_done(facets_.size(), false);
     std::map<std::uint32_t, std::uint32_t> numbers;
     for (std::size_t i = 0; i < facets_.size(); ++i) {
-        if (is_done[i])
+        if (is_done[i]) {
             continue;
+        }
         std::vector<std::uint32_t> corners;
         for (std::size_t j = i; j < facets_.size(); ++j) {
             const bool is_coplanar =
@@ -187,8 +203,9 @@ Polyhedron HullBuilder::merged() const {
                             [&](std::uint32_t c) {
                                 return std::abs(facets_[i].height(points_[c])) <= flat;
                             });
-            if (is_done[j] || (j != i && !is_coplanar))
+            if (is_done[j] || (j != i && !is_coplanar)) {
                 continue;
+            }
             is_done[j] = true;
             corners.insert(corners.end(), facets_[j].corners.begin(), facets_[j].corners.end());
         }
@@ -199,12 +216,14 @@ Polyhedron HullBuilder::merged() const {
         for (const std::uint32_t c : ordered(corners, points_, face.normal, flat)) {
             const auto [entry, is_new] =
                 numbers.emplace(c, static_cast<std::uint32_t>(numbers.size()));
-            if (is_new)
+            if (is_new) {
                 result.vertices.push_back(points_[c]);
+            }
             face.corners.push_back(entry->second);
         }
-        if (face.corners.size() >= 3)
+        if (face.corners.size() >= 3) {
             result.faces.push_back(std::move(face));
+        }
     }
     return result;
 }
@@ -212,11 +231,13 @@ Polyhedron HullBuilder::merged() const {
 }  // namespace
 
 std::optional<Polyhedron> convex_hull(std::span<const Vec3> points) {
-    if (points.size() < 4)
+    if (points.size() < 4) {
         return std::nullopt;
+    }
     HullBuilder builder(points);
-    if (!builder.build())
+    if (!builder.build()) {
         return std::nullopt;
+    }
     return builder.merged();
 }
 

@@ -12,8 +12,9 @@ constexpr std::uint32_t kLeafSize = 4;
 
 int longest_axis(const Aabb& box) {
     const Vec3 size = box.high - box.low;
-    if (size.x >= size.y && size.x >= size.z)
+    if (size.x >= size.y && size.x >= size.z) {
         return 0;
+    }
     return size.y >= size.z ? 1 : 2;
 }
 
@@ -44,8 +45,9 @@ double Aabb::squared_distance(const Vec3& point) const {
 }
 
 AabbTree::AabbTree(std::vector<Aabb> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
-    if (boxes_.empty())
+    if (boxes_.empty()) {
         return;
+    }
     std::iota(order_.begin(), order_.end(), 0U);
     nodes_.emplace_back();
     split(0, 0, static_cast<std::uint32_t>(boxes_.size()));
@@ -53,8 +55,9 @@ AabbTree::AabbTree(std::vector<Aabb> boxes) : boxes_(std::move(boxes)), order_(b
 
 void AabbTree::split(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
     Aabb box = boxes_[order_[begin]];
-    for (std::uint32_t i = begin; i < end; ++i)
+    for (std::uint32_t i = begin; i < end; ++i) {
         box.extend(boxes_[order_[i]]);
+    }
     nodes_[node].box = box;
     if (end - begin <= kLeafSize) {
         nodes_[node].first = begin;
@@ -87,23 +90,26 @@ void AabbTree::query(const Vec3& point, double reach, std::vector<std::uint32_t>
 template <class Meets>
 void AabbTree::walk(const Meets& meets, std::vector<std::uint32_t>& found) const {
     found.clear();
-    if (nodes_.empty())
+    if (nodes_.empty()) {
         return;
+    }
     std::array<std::uint32_t, 64> stack{};
     std::size_t depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
         const Node& node = nodes_[stack[--depth]];
-        if (!meets(node.box))
+        if (!meets(node.box)) {
             continue;
+        }
         if (node.count == 0) {
             stack[depth++] = node.first;
             stack[depth++] = node.first + 1;
             continue;
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            if (meets(boxes_[order_[i]]))
+            if (meets(boxes_[order_[i]])) {
                 found.push_back(order_[i]);
+            }
         }
     }
     std::sort(found.begin(), found.end());

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::sim {
 

@@ -22,8 +22,9 @@ struct Instant {
 double closing_between(const Gap& gap_at, Instant open, Instant closed) {
     for (int i = 0; i < 60; ++i) {
         const double middle = open.time + 0.5 * (closed.time - open.time);
-        if (middle <= open.time || middle >= closed.time)
+        if (middle <= open.time || middle >= closed.time) {
             break;
+        }
         const double gap = gap_at(middle);
         (gap > 0 ? open : closed) = {middle, gap};
     }
@@ -33,14 +34,17 @@ double closing_between(const Gap& gap_at, Instant open, Instant closed) {
 std::optional<double> search(const Gap& gap_at, double speed, const Instant& from,
                              const Instant& to) {
     const double span = to.time - from.time;
-    if (to.gap > 0 && (from.gap + to.gap > speed * span || span < kShortest))
+    if (to.gap > 0 && (from.gap + to.gap > speed * span || span < kShortest)) {
         return std::nullopt;
-    if (span < kShortest)
+    }
+    if (span < kShortest) {
         return closing_between(gap_at, from, to);
+    }
     const double time = from.time + 0.5 * span;
     const Instant middle{time, gap_at(time)};
-    if (const auto found = search(gap_at, speed, from, middle))
+    if (const auto found = search(gap_at, speed, from, middle)) {
         return found;
+    }
     // Only an instant that is open can be followed by a closing.
     return middle.gap > 0 ? search(gap_at, speed, middle, to) : std::nullopt;
 }
@@ -48,20 +52,24 @@ std::optional<double> search(const Gap& gap_at, double speed, const Instant& fro
 }  // namespace
 
 std::optional<double> first_closing(const Gap& gap_at, double speed, double now, double until) {
-    if (!(until > now))
+    if (!(until > now)) {
         return std::nullopt;
+    }
     Instant from{now, gap_at(now)};
     if (from.gap <= kAdvanceDistance) {
-        if (gap_at(now + kGlimpse) < from.gap - kNoise)
+        if (gap_at(now + kGlimpse) < from.gap - kNoise) {
             return now;
+        }
         // Opening: what overlap there is has to go before a new touch.
         double step = kGlimpse;
         while (from.gap <= 0) {
             const Instant next{from.time + step, gap_at(from.time + step)};
-            if (next.time >= until)
+            if (next.time >= until) {
                 return std::nullopt;
-            if (next.gap < from.gap - kNoise)
+            }
+            if (next.gap < from.gap - kNoise) {
                 return next.time;
+            }
             from = next;
             step *= 2;
         }

@@ -1,7 +1,7 @@
 // Between body axes and world axes.
 #pragma once
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::sim {
 

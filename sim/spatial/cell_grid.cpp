@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/timeline/assert.h"
+#include "core/assert.h"
 
 namespace carom::sim {
 namespace {
@@ -15,21 +15,25 @@ constexpr std::int32_t kOutermost = 1 << 16;
 
 /// The first t >= 0 at which c0 + c1 t + c2 t^2 rises through zero; kNever if it does not.
 double rise_time(double c0, double c1, double c2) {
-    if (c0 >= 0 && (c1 > 0 || (c1 == 0 && c2 > 0)))
+    if (c0 >= 0 && (c1 > 0 || (c1 == 0 && c2 > 0))) {
         return 0;
+    }
     if (c2 == 0) {
-        if (!(c1 > 0))
+        if (!(c1 > 0)) {
             return kNever;
+        }
         return -c0 / c1;
     }
     const double discriminant = c1 * c1 - 4 * c2 * c0;
-    if (!(discriminant > 0))
+    if (!(discriminant > 0)) {
         return kNever;
+    }
     // Of the two roots the one with a positive slope, without cancellation.
     const double root = std::sqrt(discriminant);
     const double t = c1 > 0 ? -2 * c0 / (root + c1) : (root - c1) / (2 * c2);
-    if (t > 0)
+    if (t > 0) {
         return t;
+    }
     return kNever;
 }
 
@@ -39,18 +43,21 @@ CellGrid::CellGrid(double width, std::size_t count)
     : width_(width), cells_(count), next_(count, kNone), previous_(count, kNone) {
     CAROM_ASSERT(width > 8 * kCellMargin);
     std::size_t size = 64;
-    while (size < 2 * count)
+    while (size < 2 * count) {
         size *= 2;
+    }
     buckets_.assign(size, kNone);
-    for (std::uint32_t item = 0; item < count; ++item)
+    for (std::uint32_t item = 0; item < count; ++item) {
         link(item);
+    }
 }
 
 std::int32_t CellGrid::coordinate(double value) const {
     const double cell = std::floor(value / width_);
     // Written so that what is not a number ends up in a cell, too.
-    if (!(cell > -kOutermost))
+    if (!(cell > -kOutermost)) {
         return -kOutermost;
+    }
     return cell < kOutermost ? static_cast<std::int32_t>(cell) : kOutermost;
 }
 
@@ -67,14 +74,16 @@ void CellGrid::link(std::uint32_t item) {
     std::uint32_t& head = buckets_[bucket_of(cells_[item])];
     next_[item] = head;
     previous_[item] = kNone;
-    if (head != kNone)
+    if (head != kNone) {
         previous_[head] = item;
+    }
     head = item;
 }
 
 void CellGrid::unlink(std::uint32_t item) {
-    if (next_[item] != kNone)
+    if (next_[item] != kNone) {
         previous_[next_[item]] = previous_[item];
+    }
     if (previous_[item] != kNone) {
         next_[previous_[item]] = next_[item];
     } else {
@@ -90,8 +99,9 @@ void CellGrid::place(std::uint32_t item, const Vec3& position) {
         const bool below = cell == kOutermost || offset < width_ + kCellMargin;
         return above && below;
     };
-    if (is_in(position.x, known.x) && is_in(position.y, known.y))
+    if (is_in(position.x, known.x) && is_in(position.y, known.y)) {
         return;
+    }
     unlink(item);
     cells_[item] = {coordinate(position.x), coordinate(position.y)};
     link(item);
@@ -111,16 +121,21 @@ std::optional<CellGrid::Crossing> CellGrid::next_crossing(std::uint32_t item, co
             side = to;
         }
     };
-    if (cell.x > -kOutermost)
+    if (cell.x > -kOutermost) {
         consider(rise_time(cell.x * width_ - p.x, -v.x, -0.5 * a.x), Side::left);
-    if (cell.x < kOutermost)
+    }
+    if (cell.x < kOutermost) {
         consider(rise_time(p.x - (cell.x + 1) * width_, v.x, 0.5 * a.x), Side::right);
-    if (cell.y > -kOutermost)
+    }
+    if (cell.y > -kOutermost) {
         consider(rise_time(cell.y * width_ - p.y, -v.y, -0.5 * a.y), Side::front);
-    if (cell.y < kOutermost)
+    }
+    if (cell.y < kOutermost) {
         consider(rise_time(p.y - (cell.y + 1) * width_, v.y, 0.5 * a.y), Side::back);
-    if (!(now + first <= until))
+    }
+    if (!(now + first <= until)) {
         return std::nullopt;
+    }
     return Crossing{now + first, side};
 }
 
@@ -146,8 +161,9 @@ void CellGrid::cross(std::uint32_t item, Side to) {
 
 void CellGrid::find_in(Cell cell, std::uint32_t item, std::vector<std::uint32_t>& found) const {
     for (std::uint32_t i = buckets_[bucket_of(cell)]; i != kNone; i = next_[i]) {
-        if (i != item && cells_[i] == cell)
+        if (i != item && cells_[i] == cell) {
             found.push_back(i);
+        }
     }
 }
 
@@ -155,8 +171,9 @@ void CellGrid::find_near(std::uint32_t item, std::vector<std::uint32_t>& found) 
     found.clear();
     const Cell cell = cells_[item];
     for (std::int32_t dy = -1; dy <= 1; ++dy) {
-        for (std::int32_t dx = -1; dx <= 1; ++dx)
+        for (std::int32_t dx = -1; dx <= 1; ++dx) {
             find_in({cell.x + dx, cell.y + dy}, item, found);
+        }
     }
 }
 

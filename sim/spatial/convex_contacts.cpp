@@ -22,8 +22,9 @@ class Separation {
 
     void consider(const Vec3& direction) {
         const double size = length(direction);
-        if (!(size > 1e-12))
+        if (!(size > 1e-12)) {
             return;
+        }
         const Vec3 normal = direction / size;
         const double gap = gap_along(a_, b_, normal);
         // A flat side seen a second time, or as good as another by round-off, changes nothing.
@@ -35,11 +36,13 @@ class Separation {
     void consider_sides(const PlacedShape& of, double sign) {
         const ConvexShape& shape = *of.shape;
         if (shape.kind() == ConvexShape::Kind::cylinder) {
-            for (const double end : {-1.0, 1.0})
+            for (const double end : {-1.0, 1.0}) {
                 consider(to_world(of.pose.orientation, Vec3(0, 0, end)));
+            }
         }
-        for (const PolyhedronFace& face : shape.solid().faces)
+        for (const PolyhedronFace& face : shape.solid().faces) {
             consider(to_world(of.pose.orientation, face.normal) * sign);
+        }
     }
     /// The flat sides that face the direction found most: their gap is never more than the
     /// distance, so the larger of all is the better one.
@@ -67,10 +70,12 @@ class Separation {
             const Vec3 u = normal_.cross(axis) / length(normal_.cross(axis));
             const Vec3 v = normal_.cross(u);
             const Vec3 from = normal_;
-            for (const Vec3& turn : {u, v, -u, -v})
+            for (const Vec3& turn : {u, v, -u, -v}) {
                 consider(from + turn * step);
-            if (gap_ <= before)
+            }
+            if (gap_ <= before) {
                 step *= 0.5;
+            }
         }
     }
 
@@ -87,8 +92,9 @@ class Separation {
 
 FacingFeature facing_in_world(const PlacedShape& of, const Vec3& direction) {
     FacingFeature feature = of.shape->facing(to_body(of.pose.orientation, direction));
-    for (Vec3& p : feature.points)
+    for (Vec3& p : feature.points) {
         p = of.pose.position + to_world(of.pose.orientation, p);
+    }
     feature.normal = to_world(of.pose.orientation, feature.normal);
     return feature;
 }
@@ -105,19 +111,23 @@ std::vector<Vec3> clip(std::vector<Vec3> points, const FacingFeature& side) {
         const std::size_t count = points.size();
         const std::size_t lines = count > 2 ? count : count - 1;
         std::vector<Vec3> kept;
-        if (count == 1 && height(points[0]) >= -rim)
+        if (count == 1 && height(points[0]) >= -rim) {
             kept.push_back(points[0]);
+        }
         for (std::size_t i = 0; i < lines; ++i) {
             const Vec3& p = points[i];
             const Vec3& q = points[(i + 1) % count];
             const double hp = height(p);
             const double hq = height(q);
-            if (hp >= -rim)
+            if (hp >= -rim) {
                 kept.push_back(p);
-            if ((hp < -rim && hq > rim) || (hp > rim && hq < -rim))
+            }
+            if ((hp < -rim && hq > rim) || (hp > rim && hq < -rim)) {
                 kept.push_back(p + (q - p) * (hp / (hp - hq)));
-            if (count == 2 && hq >= -rim)
+            }
+            if (count == 2 && hq >= -rim) {
                 kept.push_back(q);
+            }
         }
         points = std::move(kept);
     }
@@ -131,21 +141,24 @@ bool add_parallel(const FacingFeature& a, const FacingFeature& b, const Vec3& no
     const Vec3 along_a = a.points[1] - a.points[0];
     const Vec3 along_b = b.points[1] - b.points[0];
     const double whole = length(along_a);
-    if (!(whole > 0) || length(along_a.cross(along_b)) > kParallel * whole * length(along_b))
+    if (!(whole > 0) || length(along_a.cross(along_b)) > kParallel * whole * length(along_b)) {
         return false;
+    }
     const Vec3 unit = along_a / whole;
     const double b0 = unit.dot(b.points[0] - a.points[0]);
     const double b1 = unit.dot(b.points[1] - a.points[0]);
     const double low = std::max(0.0, std::min(b0, b1));
     const double high = std::min(whole, std::max(b0, b1));
-    if (low > high || b0 == b1)
+    if (low > high || b0 == b1) {
         return false;
+    }
     for (const double place : {low, high}) {
         const Vec3 on_a = a.points[0] + unit * place;
         const Vec3 on_b = b.points[0] + along_b * ((place - b0) / (b1 - b0));
         const double gap = normal.dot(on_a - on_b);
-        if (gap <= margin)
+        if (gap <= margin) {
             contacts.push_back({(on_a + on_b) * 0.5, normal, -gap});
+        }
     }
     return !contacts.empty();
 }
@@ -155,8 +168,9 @@ void add_over_side(const FacingFeature& side, const FacingFeature& other, const 
                    double margin, double sign, std::vector<ConvexContact>& contacts) {
     for (const Vec3& p : clip(other.points, side)) {
         const double gap = sign * normal.dot(p - side.points.front());
-        if (gap <= margin)
+        if (gap <= margin) {
             contacts.push_back({p - normal * (0.5 * sign * gap), normal, -gap});
+        }
     }
 }
 
@@ -166,8 +180,9 @@ std::optional<ClosestPoints> closest_points(const PlacedShape& a, const PlacedSh
     constexpr double kClear = 1e-9;  // m: nearer, and the direction is round-off's
     for (const double depth : {0.0, 0.1, 1.0}) {
         std::optional<ClosestPoints> closest = closest_core_points(a, b, depth, far + depth);
-        if (closest && length(closest->on_a - closest->on_b) > kClear)
+        if (closest && length(closest->on_a - closest->on_b) > kClear) {
             return closest;
+        }
     }
     return std::nullopt;
 }
@@ -178,8 +193,9 @@ Separation separation_of(const PlacedShape& a, const PlacedShape& b,
     if (closest) {
         separation.consider(closest->on_a - closest->on_b);
         separation.straighten();
-        if (!separation.is_flat() && separation.gap() <= margin)
+        if (!separation.is_flat() && separation.gap() <= margin) {
             separation.polish();
+        }
         return separation;
     }
     // Cores overlap: deeper than anything that is stepped gets. The way out is through a side.
@@ -194,8 +210,9 @@ Separation separation_of(const PlacedShape& a, const PlacedShape& b,
 /// The deepest (of those as deep the farthest from the middle), the farthest from that, and the
 /// farthest from their line on either side; points along a line are two.
 void thin_out(std::vector<ConvexContact>& contacts) {
-    if (contacts.size() <= 2)
+    if (contacts.size() <= 2) {
         return;
+    }
     constexpr double kAsDeep = 1e-7;  // m
     Vec3 middle(0, 0, 0);
     double deepest = contacts.front().depth;
@@ -223,12 +240,15 @@ void thin_out(std::vector<ConvexContact>& contacts) {
     constexpr double kSlender = 1e-3;  // of the line's length
     const double least = kSlender * along.dot(along);
     contacts = {first};
-    if (left(third) > least)
+    if (left(third) > least) {
         contacts.push_back(third);
-    if (along.dot(along) > 0)
+    }
+    if (along.dot(along) > 0) {
         contacts.push_back(second);
-    if (right(fourth) > least)
+    }
+    if (right(fourth) > least) {
         contacts.push_back(fourth);
+    }
 }
 
 void convex_contacts(const PlacedShape& a, const PlacedShape& b, double margin,
@@ -237,8 +257,9 @@ void convex_contacts(const PlacedShape& a, const PlacedShape& b, double margin,
     const double far = margin + a.shape->core_gap() + b.shape->core_gap();
     const std::optional<ClosestPoints> closest = closest_points(a, b, far);
     const Separation separation = separation_of(a, b, closest, margin);
-    if (separation.gap() > margin)
+    if (separation.gap() > margin) {
         return;
+    }
     const Vec3& normal = separation.normal();
     const FacingFeature on_a = facing_in_world(a, -normal);
     const FacingFeature on_b = facing_in_world(b, normal);
@@ -254,11 +275,13 @@ void convex_contacts(const PlacedShape& a, const PlacedShape& b, double margin,
         return thin_out(contacts);
     }
     if (on_a.points.size() == 2 && on_b.points.size() == 2 &&
-        add_parallel(on_a, on_b, normal, margin, contacts))
+        add_parallel(on_a, on_b, normal, margin, contacts)) {
         return;
+    }
     Vec3 point = a.support(-normal);
-    if (closest)
+    if (closest) {
         point = (closest->on_a + closest->on_b) * 0.5;
+    }
     const double middle = 0.5 * normal.dot(a.support(-normal) + b.support(normal));
     contacts.push_back({point + normal * (middle - normal.dot(point)), normal, -separation.gap()});
 }

@@ -24,8 +24,9 @@ struct Simplex {
 
     [[nodiscard]] Vec3 nearest() const {
         Vec3 sum(0, 0, 0);
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < count; ++i) {
             sum += vertices[i].difference * vertices[i].weight;
+        }
         return sum;
     }
 };
@@ -34,8 +35,9 @@ struct Simplex {
 Simplex subset(const Simplex& from, unsigned bits) {
     Simplex result;
     for (std::size_t i = 0; i < from.count; ++i) {
-        if ((bits >> i & 1U) != 0)
+        if ((bits >> i & 1U) != 0) {
             result.vertices[result.count++] = from.vertices[i];
+        }
     }
     return result;
 }
@@ -61,8 +63,9 @@ bool weigh(Simplex& s) {
     const double uv = u.dot(v);
     const double vv = v.dot(v);
     const double determinant = uu * vv - uv * uv;
-    if (!(determinant > 1e-14 * uu * vv))
+    if (!(determinant > 1e-14 * uu * vv)) {
         return false;
+    }
     const double pu = -p.dot(u);
     const double pv = -p.dot(v);
     const double a = (vv * pu - uv * pv) / determinant;
@@ -90,18 +93,21 @@ bool holds_origin(const Simplex& s) {
 
 /// Leaves those vertices that the nearest point needs. False if the origin is inside.
 bool reduce(Simplex& s) {
-    if (s.count == 4 && holds_origin(s))
+    if (s.count == 4 && holds_origin(s)) {
         return false;
+    }
     // Corners, edges, triangles, each as the bits of its vertices.
     constexpr std::array<unsigned, 14> kParts{1, 2, 4, 8, 3, 5, 9, 6, 10, 12, 7, 11, 13, 14};
     Simplex best;
     double least = 1e300;
     for (const unsigned part : kParts) {
-        if (part >= 1U << s.count)
+        if (part >= 1U << s.count) {
             continue;
+        }
         Simplex candidate = subset(s, part);
-        if (!weigh(candidate))
+        if (!weigh(candidate)) {
             continue;
+        }
         const Vec3 nearest = candidate.nearest();
         if (nearest.dot(nearest) < least) {
             least = nearest.dot(nearest);
@@ -130,8 +136,9 @@ std::optional<ClosestPoints> closest_core_points(const PlacedShape& a, const Pla
     constexpr double kSettled = 1e-13;  // relative, of the squared distance
     constexpr double kNothing = 1e-18;  // m^2
     Vec3 nearest = a.pose.position - b.pose.position;
-    if (nearest.dot(nearest) < kNothing)
+    if (nearest.dot(nearest) < kNothing) {
         nearest = {0, 0, 1};
+    }
     Simplex simplex;
     for (int i = 0; i < kMostRounds; ++i) {
         Vertex next;
@@ -141,17 +148,21 @@ std::optional<ClosestPoints> closest_core_points(const PlacedShape& a, const Pla
         const double square = nearest.dot(nearest);
         // What is beyond this plane on one side and before it on the other is no nearer.
         const double least = nearest.dot(next.difference);
-        if (simplex.count > 0 && least > 0 && least * least > far * far * square)
+        if (simplex.count > 0 && least > 0 && least * least > far * far * square) {
             break;
-        if (simplex.count > 0 && square - nearest.dot(next.difference) <= kSettled * square)
+        }
+        if (simplex.count > 0 && square - nearest.dot(next.difference) <= kSettled * square) {
             break;
+        }
         const Simplex before = simplex;
         simplex.vertices[simplex.count++] = next;
-        if (!reduce(simplex))
+        if (!reduce(simplex)) {
             return std::nullopt;
+        }
         const Vec3 closer = simplex.nearest();
-        if (closer.dot(closer) < kNothing)
+        if (closer.dot(closer) < kNothing) {
             return std::nullopt;
+        }
         // Round-off has the last word.
         if (before.count > 0 && closer.dot(closer) >= square) {
             simplex = before;

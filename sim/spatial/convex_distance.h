@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/pose.h"
 #include "sim/shape/convex_shape.h"
 
 namespace carom::sim {

@@ -34,8 +34,9 @@ SurfaceContact convex_contact(const ConvexShape& shape, const Pose& pose, const 
 std::optional<double> convex_touch(const Stretch& ball, double radius, const ConvexMotion& solid,
                                    double now, double until) {
     const double span = until - now;
-    if (!(span >= 0))
+    if (!(span >= 0)) {
         return std::nullopt;
+    }
     const double reach = solid.shape->reach();
     const double ball_speed =
         std::max(length(ball.velocity_at(now)), length(ball.velocity_at(until)));
@@ -43,8 +44,9 @@ std::optional<double> convex_touch(const Stretch& ball, double radius, const Con
         length(solid.state.velocity) + reach * length(solid.state.angular_velocity);
     const double speed = ball_speed + solid_speed;
     const Vec3 apart = ball.position_at(now) - solid.pose_at(now).position;
-    if (length(apart) > reach + radius + speed * span)
+    if (length(apart) > reach + radius + speed * span) {
         return std::nullopt;
+    }
     const auto gap_at = [&](double time) {
         return -convex_contact(*solid.shape, solid.pose_at(time), ball.position_at(time), radius)
                     .depth;

@@ -20,8 +20,9 @@ PlacedShape place_triangle(const StaticMesh::Triangle& triangle,
                            std::optional<ConvexShape>& store) {
     const Vec3 middle = (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
     Polyhedron flat;
-    for (const Vec3& corner : triangle.corners)
+    for (const Vec3& corner : triangle.corners) {
         flat.vertices.push_back(corner - middle);
+    }
     flat.faces = {{{0, 1, 2}, triangle.normal}, {{0, 2, 1}, -triangle.normal}};
     store = ConvexShape::hull(std::move(flat));
     return {&*store, {middle, Quat()}};
@@ -65,25 +66,29 @@ std::vector<SurfaceContact> mesh_contacts(const PlacedShape& solid, const Static
         // Most triangles near it lie in planes that it does not reach.
         const double side = triangle.normal.dot(solid.pose.position - triangle.corners[0]);
         const Vec3 normal = side >= 0 ? triangle.normal : -triangle.normal;
-        if (normal.dot(solid.support(-normal) - triangle.corners[0]) > margin)
+        if (normal.dot(solid.support(-normal) - triangle.corners[0]) > margin) {
             continue;
+        }
         convex_contacts(solid, place_triangle(triangle, store), margin, contacts);
-        if (!contacts.empty())
+        if (!contacts.empty()) {
             add_to(is_on_side(contacts.front(), triangle) ? sides : edges, triangle.surface,
                    contacts);
+        }
     }
     for (Group& edge : edges) {
         std::erase_if(edge.contacts, [&](const ConvexContact& contact) {
             return is_held(contact, sides, margin);
         });
-        if (!edge.contacts.empty())
+        if (!edge.contacts.empty()) {
             sides.push_back(std::move(edge));
+        }
     }
     std::vector<SurfaceContact> result;
     for (Group& group : sides) {
         thin_out(group.contacts);
-        for (const ConvexContact& contact : group.contacts)
+        for (const ConvexContact& contact : group.contacts) {
             result.push_back({contact.point, contact.normal, contact.depth, group.surface});
+        }
     }
     return result;
 }

@@ -27,8 +27,9 @@ class Welder {
                         std::llround(p.z / kWeld)};
         const auto [found, is_new] =
             numbers_.try_emplace(cell, static_cast<std::uint32_t>(places_.size()));
-        if (is_new)
+        if (is_new) {
             places_.push_back(p);
+        }
         return found->second;
     }
     [[nodiscard]] const Vec3& place(std::uint32_t number) const { return places_[number]; }
@@ -39,8 +40,9 @@ class Welder {
     struct CellHash {
         std::size_t operator()(const Cell& cell) const {
             std::uint64_t hash = 0;
-            for (const std::int64_t c : cell)
+            for (const std::int64_t c : cell) {
                 hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15U;
+            }
             return hash ^ (hash >> 32);
         }
     };
@@ -74,8 +76,9 @@ class Builder {
         const MeshTriangle t{welder_.number_of(a), welder_.number_of(b), welder_.number_of(c)};
         const Vec3 normal = (b - a).cross(c - a);
         const double area = length(normal);
-        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || area < 1e-14)
+        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || area < 1e-14) {
             return;
+        }
         MeshFeature face;
         face.kind = MeshFeature::Kind::face;
         face.points = {welder_.place(t[0]), welder_.place(t[1]), welder_.place(t[2])};
@@ -94,15 +97,18 @@ class Builder {
         for (std::size_t begin = 0; begin < uses_.size();) {
             std::size_t end = begin + 1;
             while (end < uses_.size() && uses_[end].from == uses_[begin].from &&
-                   uses_[end].to == uses_[begin].to)
+                   uses_[end].to == uses_[begin].to) {
                 ++end;
-            if (end - begin != 2 || !is_flat(uses_[begin], uses_[begin + 1]))
+            }
+            if (end - begin != 2 || !is_flat(uses_[begin], uses_[begin + 1])) {
                 add_edge(uses_[begin]);
+            }
             begin = end;
         }
         for (std::uint32_t i = 0; i < is_corner_.size(); ++i) {
-            if (is_corner_[i] == 0)
+            if (is_corner_[i] == 0) {
                 continue;
+            }
             MeshFeature feature;
             feature.kind = MeshFeature::Kind::corner;
             feature.points[0] = welder_.place(i);
@@ -152,27 +158,33 @@ Vec3 nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3
     const Vec3 ap = p - a;
     const double d1 = ab.dot(ap);
     const double d2 = ac.dot(ap);
-    if (d1 <= 0 && d2 <= 0)
+    if (d1 <= 0 && d2 <= 0) {
         return a;
+    }
     const Vec3 bp = p - b;
     const double d3 = ab.dot(bp);
     const double d4 = ac.dot(bp);
-    if (d3 >= 0 && d4 <= d3)
+    if (d3 >= 0 && d4 <= d3) {
         return b;
+    }
     const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0)
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) {
         return a + ab * (d1 / (d1 - d3));
+    }
     const Vec3 cp = p - c;
     const double d5 = ab.dot(cp);
     const double d6 = ac.dot(cp);
-    if (d6 >= 0 && d5 <= d6)
+    if (d6 >= 0 && d5 <= d6) {
         return c;
+    }
     const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0)
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) {
         return a + ac * (d2 / (d2 - d6));
+    }
     const double va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
         return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+    }
     const double whole = va + vb + vc;
     return a + ab * (vb / whole) + ac * (vc / whole);
 }
@@ -182,8 +194,9 @@ Vec3 nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3
 std::vector<MeshFeature> mesh_features(const std::vector<Vec3>& vertices,
                                        const std::vector<MeshTriangle>& triangles) {
     Builder builder(triangles.size());
-    for (const MeshTriangle& t : triangles)
+    for (const MeshTriangle& t : triangles) {
         builder.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+    }
     return std::move(builder).finish();
 }
 

@@ -31,8 +31,9 @@ std::optional<double> Rim::touch(const Stretch& ball, double ball_radius, double
                                  double until) const {
     const double speed = std::max(length(ball.velocity_at(now)), length(ball.velocity_at(until)));
     const Vec3 apart = ball.position_at(now) - centre;
-    if (length(apart) > radius + ball_radius + speed * (until - now))
+    if (length(apart) > radius + ball_radius + speed * (until - now)) {
         return std::nullopt;
+    }
     const auto gap_at = [&](double time) {
         return -contact(ball.position_at(time), ball_radius).depth;
     };

@@ -16,10 +16,12 @@ double length(const Vec3& v) {
 
 Aabb bounds_of(const MeshFeature& feature) {
     Aabb box{feature.points[0], feature.points[0]};
-    if (feature.kind != MeshFeature::Kind::corner)
+    if (feature.kind != MeshFeature::Kind::corner) {
         box.extend(feature.points[1]);
-    if (feature.kind == MeshFeature::Kind::face)
+    }
+    if (feature.kind == MeshFeature::Kind::face) {
         box.extend(feature.points[2]);
+    }
     return box;
 }
 
@@ -29,8 +31,9 @@ bool is_above(const MeshFeature& face, const Vec3& p) {
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3 along = face.points[(i + 1) % 3] - face.points[i];
         const Vec3 inwards = face.direction.cross(along);
-        if (inwards.dot(p - face.points[i]) < -kRim * length(along))
+        if (inwards.dot(p - face.points[i]) < -kRim * length(along)) {
             return false;
+        }
     }
     return true;
 }
@@ -46,8 +49,9 @@ std::optional<double> face_touch(const MeshFeature& face, const Stretch& ball, d
 std::optional<double> edge_touch(const MeshFeature& edge, const Stretch& ball, double radius,
                                  double now, double until) {
     const auto time = line_touch(ball, edge.points[0], edge.direction, radius, now, until);
-    if (!time)
+    if (!time) {
         return time;
+    }
     const double place = edge.direction.dot(ball.position_at(*time) - edge.points[0]);
     const double whole = edge.direction.dot(edge.points[1] - edge.points[0]);
     return place >= 0 && place <= whole ? time : std::nullopt;
@@ -80,13 +84,15 @@ SurfaceContact contact_with(const MeshFeature& feature, const Vec3& centre, doub
 
 void StaticMesh::add(std::vector<Vec3> vertices, std::vector<MeshTriangle> triangles,
                      std::uint32_t surface) {
-    if (triangles.empty())
+    if (triangles.empty()) {
         return;
+    }
     Part part;
     part.bounds = {vertices[triangles[0][0]], vertices[triangles[0][0]]};
     for (const MeshTriangle& t : triangles) {
-        for (const std::uint32_t index : t)
+        for (const std::uint32_t index : t) {
             part.bounds.extend(vertices[index]);
+        }
     }
     part.vertices = std::move(vertices);
     part.triangles = std::move(triangles);
@@ -97,14 +103,16 @@ void StaticMesh::add(std::vector<Vec3> vertices, std::vector<MeshTriangle> trian
 }
 
 void StaticMesh::make_ready(Part& part) {
-    if (part.is_ready)
+    if (part.is_ready) {
         return;
+    }
     part.is_ready = true;
     part.features = mesh_features(part.vertices, part.triangles);
     std::vector<Aabb> boxes;
     boxes.reserve(part.features.size());
-    for (const MeshFeature& feature : part.features)
+    for (const MeshFeature& feature : part.features) {
         boxes.push_back(bounds_of(feature));
+    }
     part.tree = AabbTree(std::move(boxes));
 }
 
@@ -122,15 +130,17 @@ std::optional<StaticMesh::Touch> StaticMesh::first_touch(const Stretch& ball, do
     bounds.grow(radius + 1e-9);
     std::vector<std::uint32_t> near;
     for (Part& part : parts_) {
-        if (!part.bounds.overlaps(bounds))
+        if (!part.bounds.overlaps(bounds)) {
             continue;
+        }
         make_ready(part);
         part.tree.query(bounds, near);
         for (const std::uint32_t index : near) {
             const auto time =
                 feature_touch(part.features[index], ball, radius, now, first ? first->time : until);
-            if (time && (!first || *time < first->time))
+            if (time && (!first || *time < first->time)) {
                 first = Touch{*time, part.first_feature + index};
+            }
         }
     }
     return first;
@@ -150,15 +160,17 @@ std::vector<SurfaceContact> StaticMesh::contacts(const Vec3& centre, double radi
     std::vector<std::uint32_t> near;
     std::vector<SurfaceContact> found;
     for (Part& part : parts_) {
-        if (part.bounds.squared_distance(centre) > reach * reach)
+        if (part.bounds.squared_distance(centre) > reach * reach) {
             continue;
+        }
         make_ready(part);
         part.tree.query(centre, reach, near);
         for (const std::uint32_t index : near) {
             SurfaceContact candidate = contact_with(part.features[index], centre, radius);
             candidate.surface = part.surface;
-            if (candidate.depth >= -margin)
+            if (candidate.depth >= -margin) {
                 found.push_back(candidate);
+            }
         }
     }
     std::stable_sort(found.begin(), found.end(),
@@ -168,8 +180,9 @@ std::vector<SurfaceContact> StaticMesh::contacts(const Vec3& centre, double radi
         const bool is_new = std::none_of(kept.begin(), kept.end(), [&](const auto& other) {
             return other.normal.dot(candidate.normal) > 0.98;  // within 11 degrees
         });
-        if (is_new && kept.size() < 4)
+        if (is_new && kept.size() < 4) {
             kept.push_back(candidate);
+        }
     }
     return kept;
 }
@@ -178,14 +191,16 @@ std::vector<StaticMesh::Triangle> StaticMesh::triangles_near(const Aabb& bounds)
     std::vector<Triangle> found;
     std::vector<std::uint32_t> near;
     for (Part& part : parts_) {
-        if (!part.bounds.overlaps(bounds))
+        if (!part.bounds.overlaps(bounds)) {
             continue;
+        }
         make_ready(part);
         part.tree.query(bounds, near);
         for (const std::uint32_t index : near) {
             const MeshFeature& feature = part.features[index];
-            if (feature.kind == MeshFeature::Kind::face)
+            if (feature.kind == MeshFeature::Kind::face) {
                 found.push_back({feature.points, feature.direction, part.surface});
+            }
         }
     }
     return found;
@@ -197,11 +212,13 @@ Aabb swept_bounds(const Stretch& ball, double from, double to) {
     box.extend(ball.position_at(to));
     const Vec3 v = ball.velocity_at(from);
     for (int axis = 0; axis < 3; ++axis) {
-        if (ball.acceleration[axis] == 0)
+        if (ball.acceleration[axis] == 0) {
             continue;
+        }
         const double turning = from - v[axis] / ball.acceleration[axis];
-        if (turning > from && turning < to)
+        if (turning > from && turning < to) {
             box.extend(ball.position_at(turning));
+        }
     }
     return box;
 }

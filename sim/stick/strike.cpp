@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/numeric/elementary.h"
+#include "core/elementary.h"
 
 namespace carom::sim {
 namespace {
@@ -12,8 +12,9 @@ namespace {
 /// depth of the contact in the level frame of a stick raised by theta; b cos(theta) - c sin(theta)
 /// there is our b.)
 double ball_speed(const Strike& strike, double mass) {
-    if (strike.ball_speed)
+    if (strike.ball_speed) {
         return *strike.ball_speed;
+    }
     const double offset2 = strike.tip.dot(strike.tip);
     return 2 * *strike.speed / (1 + mass / strike.stick_mass + 2.5 * offset2);
 }

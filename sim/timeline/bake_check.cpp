@@ -1,8 +1,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/finite.h"
 #include "sim/timeline/bake_format.h"
-#include "sim/timeline/finite.h"
 #include "sim/timeline/turning.h"
 
 namespace carom::sim {
@@ -29,57 +29,71 @@ Problem keys_problem(const Track& track) {
         const Key& key = keys[index];
         if (!(std::abs(key.time) <= kLargestValue) || !is_moderate(key.position) ||
             !is_moderate(key.velocity_in) || !is_moderate(key.velocity_out) ||
-            !is_moderate(key.angular_velocity_in) || !is_moderate(key.angular_velocity_out))
+            !is_moderate(key.angular_velocity_in) || !is_moderate(key.angular_velocity_out)) {
             return problem(index, "a value is larger than 1e12");
+        }
         if (index > 0 && !((key.position - keys[index - 1].position).length() <=
-                           kFastestJump * (key.time - keys[index - 1].time)))
+                           kFastestJump * (key.time - keys[index - 1].time))) {
             return problem(index, "it lies too far from the key before for the time between them");
+        }
     }
     return {};
 }
 
 Problem tracks_problem(const std::vector<Track>& tracks) {
-    if (tracks.size() > kMostTracks)
+    if (tracks.size() > kMostTracks) {
         return "it has more than " + std::to_string(kMostTracks) + " tracks";
+    }
     std::set<std::string_view> names;
     std::uint64_t substeps_in_all = 0;
     for (const Track& track : tracks) {
-        if (track.name().empty())
+        if (track.name().empty()) {
             return "a track has no name";
-        if (track.name().size() > kLongestName)
+        }
+        if (track.name().size() > kLongestName) {
             return "the name of a track is longer than " + std::to_string(kLongestName) + " bytes";
-        if (!names.insert(track.name()).second)
+        }
+        if (!names.insert(track.name()).second) {
             return "two tracks are called '" + track.name() + "'";
-        if (Problem problem = keys_problem(track))
+        }
+        if (Problem problem = keys_problem(track)) {
             return problem;
+        }
         substeps_in_all += turn_substeps(track.keys());
     }
-    if (substeps_in_all > kMostSubsteps)
+    if (substeps_in_all > kMostSubsteps) {
         return "its objects turn more than 1e6 rad about changing axes";
+    }
     return {};
 }
 
 Problem event_problem(const Event& event) {
-    if (event.kind < EventKind::impact || event.kind > EventKind::strike)
+    if (event.kind < EventKind::impact || event.kind > EventKind::strike) {
         return "is of an unknown kind";
-    if (event.a.size() > kLongestName || event.b.size() > kLongestName)
+    }
+    if (event.a.size() > kLongestName || event.b.size() > kLongestName) {
         return "names an object in more than " + std::to_string(kLongestName) + " bytes";
+    }
     if (!std::isfinite(event.time) || !std::isfinite(event.end_time) || !is_finite(event.place) ||
         !is_finite(event.normal) || !std::isfinite(event.normal_impulse) ||
-        !std::isfinite(event.tangential_impulse) || !is_finite(event.vector))
+        !std::isfinite(event.tangential_impulse) || !is_finite(event.vector)) {
         return "has a value that is not finite";
-    if (event.end_time < event.time)
+    }
+    if (event.end_time < event.time) {
         return "ends before it begins";
+    }
     return {};
 }
 
 Problem events_problem(const std::vector<Event>& events) {
     for (std::size_t index = 0; index < events.size(); ++index) {
         const std::string name = "event " + std::to_string(index);
-        if (const Problem problem = event_problem(events[index]))
+        if (const Problem problem = event_problem(events[index])) {
             return name + " " + *problem;
-        if (index > 0 && events[index].time < events[index - 1].time)
+        }
+        if (index > 0 && events[index].time < events[index - 1].time) {
             return name + " is earlier than the one before";
+        }
     }
     return {};
 }
@@ -89,20 +103,25 @@ Problem energy_problem(const std::vector<EnergySample>& energy) {
         const EnergySample& sample = energy[index];
         const std::string name = "energy sample " + std::to_string(index);
         if (!std::isfinite(sample.time) || !std::isfinite(sample.kinetic) ||
-            !std::isfinite(sample.potential))
+            !std::isfinite(sample.potential)) {
             return name + " has a value that is not finite";
-        if (index > 0 && sample.time < energy[index - 1].time)
+        }
+        if (index > 0 && sample.time < energy[index - 1].time) {
             return name + " is earlier than the one before";
+        }
     }
     return {};
 }
 
 Problem assets_problem(const std::vector<Asset>& assets) {
-    if (assets.size() > kMostAssets)
+    if (assets.size() > kMostAssets) {
         return "it has more than " + std::to_string(kMostAssets) + " assets";
-    for (const Asset& asset : assets)
-        if (asset.path.size() > kLongestPath)
+    }
+    for (const Asset& asset : assets) {
+        if (asset.path.size() > kLongestPath) {
             return "the path of an asset is longer than " + std::to_string(kLongestPath) + " bytes";
+        }
+    }
     return {};
 }
 
@@ -110,16 +129,21 @@ Problem assets_problem(const std::vector<Asset>& assets) {
 
 Problem find_problem(const Bake& bake) {
     const Timeline& timeline = bake.timeline;
-    if (!std::isfinite(timeline.start_time) || !std::isfinite(timeline.end_time))
+    if (!std::isfinite(timeline.start_time) || !std::isfinite(timeline.end_time)) {
         return "its start or end time is not finite";
-    if (timeline.end_time < timeline.start_time)
+    }
+    if (timeline.end_time < timeline.start_time) {
         return "it ends before it starts";
-    if (Problem problem = tracks_problem(timeline.tracks))
+    }
+    if (Problem problem = tracks_problem(timeline.tracks)) {
         return problem;
-    if (Problem problem = events_problem(timeline.events))
+    }
+    if (Problem problem = events_problem(timeline.events)) {
         return problem;
-    if (Problem problem = energy_problem(timeline.energy))
+    }
+    if (Problem problem = energy_problem(timeline.energy)) {
         return problem;
+    }
     return assets_problem(bake.assets);
 }
 

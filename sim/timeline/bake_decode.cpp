@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "bake_generated.h"
+#include "core/error.h"
 #include "sim/timeline/bake_format.h"
-#include "sim/timeline/error.h"
 #include "sim/timeline/turning.h"
 
 namespace carom::sim {
@@ -43,16 +43,19 @@ class Budget {
     explicit Budget(std::size_t bytes) : left_(bytes) {}
 
     void spend(std::size_t count, std::size_t size) {
-        if (count > left_ / size)
+        if (count > left_ / size) {
             throw Error("its parts overlap");
+        }
         left_ -= count * size;
     }
     /// A list of structs. FlatBuffers' verifier does not look at where their doubles stand.
     template <class T>
     const flatbuffers::Vector<const T*>& list(const flatbuffers::Vector<const T*>& vector) {
         spend(vector.size(), sizeof(T));
-        if (vector.size() > 0 && reinterpret_cast<std::uintptr_t>(vector.Data()) % alignof(T) != 0)
+        if (vector.size() > 0 &&
+            reinterpret_cast<std::uintptr_t>(vector.Data()) % alignof(T) != 0) {
             throw Error("a list does not begin at a multiple of eight bytes");
+        }
         return vector;
     }
     std::string text(const flatbuffers::String& string) {
@@ -70,15 +73,18 @@ std::vector<Track> read_tracks(const fb::Content& content, Budget& budget) {
     for (const fb::Track* track : *content.tracks()) {
         std::vector<Key> keys;
         keys.reserve(budget.list(*track->keys()).size());
-        for (const fb::Key* key : *track->keys())
+        for (const fb::Key* key : *track->keys()) {
             keys.push_back(from_format(*key));
+        }
         substeps_in_all += turn_substeps(keys);
-        if (substeps_in_all > kMostSubsteps)
+        if (substeps_in_all > kMostSubsteps) {
             throw Error("its objects turn more than 1e6 rad about changing axes");
+        }
         std::string name = budget.text(*track->name());
-        if (name.size() > kLongestName)
+        if (name.size() > kLongestName) {
             throw Error("the name of a track is longer than " + std::to_string(kLongestName) +
                         " bytes");
+        }
         tracks.emplace_back(std::move(name), std::move(keys));
     }
     return tracks;
@@ -88,19 +94,22 @@ std::vector<Event> read_events(const fb::Content& content, Budget& budget) {
     std::vector<std::string> names;
     for (const flatbuffers::String* name : *content.names()) {
         names.push_back(budget.text(*name));
-        if (names.back().size() > kLongestName)
+        if (names.back().size() > kLongestName) {
             throw Error("a name is longer than " + std::to_string(kLongestName) + " bytes");
+        }
     }
     const auto name_at = [&](std::uint32_t index) -> const std::string& {
-        if (index >= names.size())
+        if (index >= names.size()) {
             throw Error("an event refers to a name that is not there");
+        }
         return names[index];
     };
     std::vector<Event> events;
     events.reserve(budget.list(*content.events()).size());
     for (const fb::Event* event : *content.events()) {
-        if (event->kind() > fb::EventKind::MAX)
+        if (event->kind() > fb::EventKind::MAX) {
             throw Error("an event is of an unknown kind");
+        }
         events.push_back({static_cast<EventKind>(event->kind()), event->time(), event->end_time(),
                           name_at(event->a()), name_at(event->b()), from_format(event->place()),
                           from_format(event->normal()), event->normal_impulse(),
@@ -112,15 +121,17 @@ std::vector<Event> read_events(const fb::Content& content, Budget& budget) {
 std::vector<EnergySample> read_energy(const fb::Content& content, Budget& budget) {
     std::vector<EnergySample> energy;
     energy.reserve(budget.list(*content.energy()).size());
-    for (const fb::EnergySample* sample : *content.energy())
+    for (const fb::EnergySample* sample : *content.energy()) {
         energy.push_back({sample->time(), sample->kinetic(), sample->potential()});
+    }
     return energy;
 }
 
 std::vector<Asset> read_assets(const fb::Content& content, Budget& budget) {
     std::vector<Asset> assets;
-    for (const fb::Asset* asset : *content.assets())
+    for (const fb::Asset* asset : *content.assets()) {
         assets.push_back({budget.text(*asset->path()), from_format(*asset->content_hash())});
+    }
     return assets;
 }
 
@@ -137,31 +148,39 @@ bool has_identifier(std::span<const std::byte> bytes) {
 /// aligned to eight.
 std::span<const std::byte> open_envelope(std::span<const std::byte> bytes) {
     // The head alone first: it stands at the beginning, also of a truncated file.
-    if (!verifier_for(bytes).VerifyBuffer<fb::EnvelopeHead>(nullptr))
+    if (!verifier_for(bytes).VerifyBuffer<fb::EnvelopeHead>(nullptr)) {
         throw Error(bytes.size() < 128 ? "is truncated" : "is damaged: its head cannot be read");
+    }
     const fb::Head& head = *flatbuffers::GetRoot<fb::EnvelopeHead>(bytes.data())->head();
-    if (head.schema_version() != kSchemaVersion)
+    if (head.schema_version() != kSchemaVersion) {
         throw Error("is in version " + std::to_string(head.schema_version()) +
                     " of the format and this carom reads version " +
                     std::to_string(kSchemaVersion) + "; bake the shot again");
-    if (bytes.size() < head.file_size())
+    }
+    if (bytes.size() < head.file_size()) {
         throw Error("is truncated: " + std::to_string(bytes.size()) + " of its " +
                     std::to_string(head.file_size()) + " bytes are there");
-    if (bytes.size() > head.file_size())
+    }
+    if (bytes.size() > head.file_size()) {
         throw Error("is damaged: something follows its " + std::to_string(head.file_size()) +
                     " bytes");
-    if (!verifier_for(bytes).VerifyBuffer<fb::Envelope>(nullptr))
+    }
+    if (!verifier_for(bytes).VerifyBuffer<fb::Envelope>(nullptr)) {
         throw Error("is damaged: its envelope cannot be read");
+    }
     const auto* vector = flatbuffers::GetRoot<fb::Envelope>(bytes.data())->content();
     const std::span content(reinterpret_cast<const std::byte*>(vector->data()), vector->size());
-    if (content.size() > kLargestContent)
+    if (content.size() > kLargestContent) {
         throw Error("is larger than 1 GiB");
-    if (hash_bytes(content) != from_format(head.content_hash()))
+    }
+    if (hash_bytes(content) != from_format(head.content_hash())) {
         throw Error("is damaged: its content does not fit its hash");
+    }
     // Padding and offsets are not under the hash: there is one right way to write them.
     const std::vector<std::byte> expected = encode_envelope(content);
-    if (!std::equal(bytes.begin(), bytes.end(), expected.begin(), expected.end()))
+    if (!std::equal(bytes.begin(), bytes.end(), expected.begin(), expected.end())) {
         throw Error("is damaged: its envelope is not as carom writes it");
+    }
     return content;
 }
 
@@ -172,8 +191,9 @@ bool is_aligned(std::span<const std::byte> bytes) {
 }  // namespace
 
 Bake decode_content(std::span<const std::byte> content) {
-    if (!verifier_for(content).VerifyBuffer<fb::Content>(nullptr))
+    if (!verifier_for(content).VerifyBuffer<fb::Content>(nullptr)) {
         throw Error("its content cannot be read");
+    }
     const fb::Content& root = *flatbuffers::GetRoot<fb::Content>(content.data());
     Budget budget(content.size());
     Bake bake;
@@ -185,14 +205,16 @@ Bake decode_content(std::span<const std::byte> content) {
     bake.timeline.energy = read_energy(root, budget);
     bake.shot_text = budget.text(*root.shot_text());
     bake.assets = read_assets(root, budget);
-    if (const auto problem = find_problem(bake))
+    if (const auto problem = find_problem(bake)) {
         throw Error(*problem);
+    }
     return bake;
 }
 
 Bake decode_bake(std::span<const std::byte> bytes, const std::string& origin) {
-    if (!has_identifier(bytes))
+    if (!has_identifier(bytes)) {
         throw Error("'" + origin + "' is not a carom bake");
+    }
     std::vector<std::byte> copy;
     if (!is_aligned(bytes)) {
         copy.assign(bytes.begin(), bytes.end());

@@ -2,8 +2,8 @@
 #include <map>
 
 #include "bake_generated.h"
+#include "core/error.h"
 #include "sim/timeline/bake_format.h"
-#include "sim/timeline/error.h"
 
 namespace carom::sim {
 
@@ -39,8 +39,9 @@ class NameTable {
     std::uint32_t index_of(const std::string& name) {
         const auto [place, is_new] =
             indices_.try_emplace(name, static_cast<std::uint32_t>(names_.size()));
-        if (is_new)
+        if (is_new) {
             names_.push_back(name);
+        }
         return place->second;
     }
     [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
@@ -72,8 +73,9 @@ static_assert(static_cast<int>(EventKind::strike) == static_cast<int>(fb::EventK
 Offset<fb::Track> write_track(FlatBufferBuilder& builder, const Track& track) {
     std::vector<fb::Key> keys;
     keys.reserve(track.keys().size());
-    for (const Key& key : track.keys())
+    for (const Key& key : track.keys()) {
         keys.push_back(to_format(key));
+    }
     const auto name_offset = builder.CreateString(track.name());
     const auto keys_offset = builder.CreateVectorOfStructs(keys);
     return fb::CreateTrack(builder, name_offset, keys_offset);
@@ -82,16 +84,18 @@ Offset<fb::Track> write_track(FlatBufferBuilder& builder, const Track& track) {
 auto write_tracks(FlatBufferBuilder& builder, const std::vector<Track>& tracks) {
     std::vector<Offset<fb::Track>> offsets;
     offsets.reserve(tracks.size());
-    for (const Track& track : tracks)
+    for (const Track& track : tracks) {
         offsets.push_back(write_track(builder, track));
+    }
     return builder.CreateVector(offsets);
 }
 
 auto write_energy(FlatBufferBuilder& builder, const std::vector<EnergySample>& energy) {
     std::vector<fb::EnergySample> samples;
     samples.reserve(energy.size());
-    for (const EnergySample& sample : energy)
+    for (const EnergySample& sample : energy) {
         samples.emplace_back(sample.time, sample.kinetic, sample.potential);
+    }
     return builder.CreateVectorOfStructs(samples);
 }
 
@@ -109,13 +113,16 @@ auto write_assets(FlatBufferBuilder& builder, const std::vector<Asset>& assets) 
 // Not less than what the builder will need, which must not pass 2 GiB.
 std::size_t estimated_size(const Bake& bake) {
     std::size_t size = 4096 + bake.shot_text.size();
-    for (const Track& track : bake.timeline.tracks)
+    for (const Track& track : bake.timeline.tracks) {
         size += 64 + track.name().size() + track.keys().size() * sizeof(fb::Key);
-    for (const Event& event : bake.timeline.events)
+    }
+    for (const Event& event : bake.timeline.events) {
         size += 32 + event.a.size() + event.b.size() + sizeof(fb::Event);
+    }
     size += bake.timeline.energy.size() * sizeof(fb::EnergySample);
-    for (const Asset& asset : bake.assets)
+    for (const Asset& asset : bake.assets) {
         size += 64 + asset.path.size();
+    }
     return size;
 }
 
@@ -132,8 +139,9 @@ std::vector<std::byte> encode_content(const Bake& bake) {
     NameTable names;
     std::vector<fb::Event> events;
     events.reserve(timeline.events.size());
-    for (const Event& event : timeline.events)
+    for (const Event& event : timeline.events) {
         events.push_back(to_format(event, names));
+    }
     // One after another: the order of a call's arguments is the compiler's to choose.
     const auto tracks_offset = write_tracks(builder, timeline.tracks);
     const auto names_offset = builder.CreateVectorOfStrings(names.names());
@@ -161,10 +169,12 @@ std::vector<std::byte> encode_envelope(std::span<const std::byte> content) {
 }
 
 std::vector<std::byte> encode_bake(const Bake& bake) {
-    if (const auto problem = find_problem(bake))
+    if (const auto problem = find_problem(bake)) {
         throw Error("the bake cannot be written: " + *problem);
-    if (estimated_size(bake) > kLargestContent)
+    }
+    if (estimated_size(bake) > kLargestContent) {
         throw Error("the bake cannot be written: it is larger than 1 GiB");
+    }
     return encode_envelope(encode_content(bake));
 }
 

@@ -1,9 +1,9 @@
 #include "sim/timeline/bake_file.h"
 
-#include "sim/timeline/atomic_file.h"
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/file_reader.h"
 #include "sim/timeline/bake_format.h"
-#include "sim/timeline/error.h"
-#include "sim/timeline/file_reader.h"
 
 namespace carom::sim {
 
@@ -15,8 +15,9 @@ Bake read_bake(const std::string& path) {
     FileReader file(path);
     // A bake has a size of its own and fits into memory; a pipe or a film is not one.
     const std::optional<std::size_t> size = file.size();
-    if (!size || *size > kLargestContent + 4096)
+    if (!size || *size > kLargestContent + 4096) {
         throw Error("'" + path + "' is not a carom bake");
+    }
     std::vector<std::byte> bytes(*size);
     bytes.resize(file.read(bytes));
     return decode_bake(bytes, path);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/timeline/hash.h"
+#include "core/hash.h"
 #include "sim/timeline/timeline.h"
 
 namespace carom::sim {

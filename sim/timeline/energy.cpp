@@ -42,8 +42,9 @@ double largest_energy_rise(const Timeline& timeline) {
             kinetic = 0;
         }
         kinetic = std::max(kinetic, sample.kinetic);
-        if (sample.total() > lowest && kinetic > 0)
+        if (sample.total() > lowest && kinetic > 0) {
             largest = std::max(largest, (sample.total() - lowest) / kinetic);
+        }
         lowest = std::min(lowest, sample.total());
     }
     return largest;

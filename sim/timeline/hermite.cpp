@@ -26,8 +26,9 @@ Coefficients coefficients(const PathStretch& stretch) {
 std::array<double, 2> turning_points(double c1, double c2, double c3) {
     const double nowhere = std::nan("");
     const double discriminant = c2 * c2 - 3 * c1 * c3;
-    if (discriminant < 0)
+    if (discriminant < 0) {
         return {nowhere, nowhere};
+    }
     const double root = std::sqrt(discriminant);
     const double q = -(c2 + (c2 < 0 ? -root : root));
     return {q / (3 * c3), c1 / q};
@@ -36,20 +37,24 @@ std::array<double, 2> turning_points(double c1, double c2, double c3) {
 }  // namespace
 
 Vec3 hermite_position(const PathStretch& stretch, double time) {
-    if (time <= stretch.start)
+    if (time <= stretch.start) {
         return stretch.p0;
-    if (time >= stretch.end)
+    }
+    if (time >= stretch.end) {
         return stretch.p1;
+    }
     const auto [h, c1, c2, c3] = coefficients(stretch);
     const double s = (time - stretch.start) / h;
     return stretch.p0 + s * (c1 + s * (c2 + s * c3));
 }
 
 Vec3 hermite_velocity(const PathStretch& stretch, double time) {
-    if (time <= stretch.start)
+    if (time <= stretch.start) {
         return stretch.v0;
-    if (time >= stretch.end)
+    }
+    if (time >= stretch.end) {
         return stretch.v1;
+    }
     const auto [h, c1, c2, c3] = coefficients(stretch);
     const double s = (time - stretch.start) / h;
     return (c1 + s * (2.0 * c2 + (3.0 * s) * c3)) / h;
@@ -75,8 +80,9 @@ Bounds bounds_of(const PathStretch& stretch, double from, double to) {
         double low = std::min(begin[axis], end[axis]);
         double high = std::max(begin[axis], end[axis]);
         for (const double s : turning_points(c1[axis], c2[axis], c3[axis])) {
-            if (!(s > s0 && s < s1))
+            if (!(s > s0 && s < s1)) {
                 continue;
+            }
             const double p = stretch.p0[axis] + s * (c1[axis] + s * (c2[axis] + s * c3[axis]));
             low = std::min(low, p);
             high = std::max(high, p);

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/numeric/elementary.h"
+#include "core/elementary.h"
 
 namespace carom::sim {
 
@@ -24,8 +24,9 @@ double cosine(double x2) {
 Quat rotation_from_vector(const Vec3& vector) {
     const Vec3 half = 0.5 * vector;
     const double x2 = half.dot(half);
-    if (x2 <= 0.0625)
+    if (x2 <= 0.0625) {
         return Quat(cosine(x2), sine_over_x(x2) * half);
+    }
     const double x = std::sqrt(x2);
     const SinCos at = sin_cos(x);
     return Quat(at.cos, at.sin / x * half);

@@ -1,7 +1,7 @@
 // Rotations as vectors: exponential, logarithm, and the Magnus step of a changing angular velocity.
 #pragma once
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::sim {
 

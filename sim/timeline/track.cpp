@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "sim/timeline/assert.h"
-#include "sim/timeline/error.h"
-#include "sim/timeline/finite.h"
+#include "core/assert.h"
+#include "core/error.h"
+#include "core/finite.h"
 #include "sim/timeline/hermite.h"
 #include "sim/timeline/turning.h"
 
@@ -42,29 +42,35 @@ Track::Track(std::string name, std::vector<Key> keys)
     : name_(std::move(name)), keys_(std::move(keys)) {
     check_keys();
     times_.reserve(keys_.size());
-    for (const Key& key : keys_)
+    for (const Key& key : keys_) {
         times_.push_back(key.time);
+    }
     prepare_segments();
 }
 
 void Track::check_keys() const {
-    if (keys_.empty())
+    if (keys_.empty()) {
         throw Error("track '" + name_ + "' has no keys");
+    }
     for (std::size_t index = 0; index < keys_.size(); ++index) {
         const Key& key = keys_[index];
         const auto refuse = [&](const std::string& what) {
             throw Error("track '" + name_ + "', key " + std::to_string(index) + ": " + what);
         };
-        if (!has_finite_values(key))
+        if (!has_finite_values(key)) {
             refuse("a value is not finite");
+        }
         const double length2 = key.orientation ^ key.orientation;
-        if (!(std::abs(length2 - 1) <= 2e-6))
+        if (!(std::abs(length2 - 1) <= 2e-6)) {
             refuse("the orientation is not a unit quaternion");
-        if (index > 0 && !(keys_[index - 1].time < key.time))
+        }
+        if (index > 0 && !(keys_[index - 1].time < key.time)) {
             refuse("its time is not after that of the key before");
+        }
     }
-    if (turn_substeps(keys_) > kMostSubsteps)
+    if (turn_substeps(keys_) > kMostSubsteps) {
         throw Error("track '" + name_ + "' turns more than 1e6 rad about changing axes");
+    }
 }
 
 void Track::prepare_segments() {
@@ -107,8 +113,9 @@ Quat Track::orientation_in(std::size_t index, double scene_time) const {
     Quat orientation = turning.advance(checkpoints_[segment.first_checkpoint + checkpoint],
                                        checkpoint * kCheckpointSpacing, substep);
     orientation = turning.finish(orientation, substep, elapsed);
-    if (segment.residual == Vec3(0))
+    if (segment.residual == Vec3(0)) {
         return orientation;
+    }
     const double share = elapsed / (to.time - from.time);
     return (rotation_from_vector(share * segment.residual) * orientation).normalized();
 }
@@ -116,14 +123,17 @@ Quat Track::orientation_in(std::size_t index, double scene_time) const {
 MotionState Track::sample(double scene_time) const {
     const Key& first = keys_.front();
     const Key& last = keys_.back();
-    if (scene_time < first.time)
+    if (scene_time < first.time) {
         return {first.position, first.orientation, Vec3(0), Vec3(0)};
-    if (!(scene_time <= last.time))
+    }
+    if (!(scene_time <= last.time)) {
         return {last.position, last.orientation, Vec3(0), Vec3(0)};
+    }
     const std::size_t index = last_key_at(scene_time);
     const Key& key = keys_[index];
-    if (scene_time == key.time)
+    if (scene_time == key.time) {
         return {key.position, key.orientation, key.velocity_out, key.angular_velocity_out};
+    }
     const PathStretch stretch = segment_stretch(index);
     return {hermite_position(stretch, scene_time), orientation_in(index, scene_time),
             hermite_velocity(stretch, scene_time),
@@ -139,8 +149,9 @@ std::vector<Track::Piece> Track::pieces(double from, double to) const {
         const PathStretch rest{begin, end, position, position, Vec3(0), Vec3(0)};
         pieces.push_back({rest, begin, end});
     };
-    if (from < first.time)
+    if (from < first.time) {
         add_rest(first.position, from, std::min(to, first.time));
+    }
     if (to > first.time && from < last.time) {
         const double begin = std::max(from, first.time);
         for (std::size_t index = last_key_at(begin);
@@ -149,8 +160,9 @@ std::vector<Track::Piece> Track::pieces(double from, double to) const {
             pieces.push_back({whole, std::max(begin, whole.start), std::min(to, whole.end)});
         }
     }
-    if (to > last.time)
+    if (to > last.time) {
         add_rest(last.position, std::max(from, last.time), to);
+    }
     if (pieces.empty()) {  // from == to at a key
         const MotionState state = sample(from);
         const PathStretch instant{from,          to, state.position, state.position, state.velocity,
@@ -162,8 +174,9 @@ std::vector<Track::Piece> Track::pieces(double from, double to) const {
 
 std::vector<PathStretch> Track::stretches(double from, double to) const {
     std::vector<PathStretch> stretches;
-    for (const Piece& piece : pieces(from, to))
+    for (const Piece& piece : pieces(from, to)) {
         stretches.push_back(cut(piece.stretch, piece.from, piece.to));
+    }
     return stretches;
 }
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
-#include "sim/timeline/assert.h"
-#include "sim/timeline/error.h"
+#include "core/assert.h"
+#include "core/error.h"
 #include "sim/timeline/hermite.h"
 #include "sim/timeline/turning.h"
 
@@ -59,8 +59,10 @@ class SpanCheck {
         for (std::size_t index = 1; index < keys_.size(); ++index) {
             const PathStretch piece = stretch_between(keys_[index - 1], keys_[index]);
             const double middle = 0.5 * (piece.start + piece.end);
-            if (!is_near(piece.p1, piece.end) || !is_near(hermite_position(piece, middle), middle))
+            if (!is_near(piece.p1, piece.end) ||
+                !is_near(hermite_position(piece, middle), middle)) {
                 return false;
+            }
         }
         return true;
     }
@@ -82,8 +84,9 @@ class SpanCheck {
             substep = next;
             const Quat turned = turning.finish(at_substep, substep, elapsed);
             const Quat orientation = rotation_from_vector(elapsed / duration * residual) * turned;
-            if (!(angle_between(orientation, key.orientation) <= reduction_.orientation_error))
+            if (!(angle_between(orientation, key.orientation) <= reduction_.orientation_error)) {
                 return false;
+            }
         }
         return true;
     }
@@ -104,17 +107,19 @@ std::size_t next_key(std::span<const Key> keys, std::size_t begin, std::size_t e
     std::size_t bad = longest + 1;
     while (good < longest && bad > longest) {
         const std::size_t step = std::min(2 * good, longest);
-        if (passes(step))
+        if (passes(step)) {
             good = step;
-        else
+        } else {
             bad = step;
+        }
     }
     while (bad - good > 1 && good < longest) {
         const std::size_t step = good + (bad - good) / 2;
-        if (passes(step))
+        if (passes(step)) {
             good = step;
-        else
+        } else {
             bad = step;
+        }
     }
     return begin + good;
 }
@@ -127,11 +132,13 @@ TrackRecorder::TrackRecorder(std::string name, KeyReduction reduction)
 }
 
 void TrackRecorder::add_key(const Key& key, bool is_kept) {
-    if (!dense_.empty() && !(key.time > dense_.back().time))
+    if (!dense_.empty() && !(key.time > dense_.back().time)) {
         throw Error("track '" + name_ + "': a state at " + std::to_string(key.time) +
                     " s comes after one at " + std::to_string(dense_.back().time) + " s");
-    if (is_kept || dense_.empty())
+    }
+    if (is_kept || dense_.empty()) {
         kept_.push_back(dense_.size());
+    }
     dense_.push_back(key);
 }
 
@@ -143,15 +150,17 @@ void TrackRecorder::add(double time, const MotionState& state) {
     const Key& last = dense_.back();
     if (!is_same(last.position, state.position) || !is_same(last.orientation, state.orientation) ||
         !is_same(last.velocity_out, state.velocity) ||
-        !is_same(last.angular_velocity_out, state.angular_velocity))
+        !is_same(last.angular_velocity_out, state.angular_velocity)) {
         throw Error("track '" + name_ + "': two different states at " + std::to_string(time) +
                     " s without a break");
+    }
 }
 
 void TrackRecorder::add_break(double time, const MotionState& before, const MotionState& after) {
     if (!is_same(before.position, after.position) ||
-        !is_same(before.orientation, after.orientation))
+        !is_same(before.orientation, after.orientation)) {
         throw Error("track '" + name_ + "': the pose jumps at " + std::to_string(time) + " s");
+    }
     if (dense_.empty() || dense_.back().time != time) {
         Key key = smooth_key(time, before);
         key.velocity_out = after.velocity;
@@ -160,26 +169,31 @@ void TrackRecorder::add_break(double time, const MotionState& before, const Moti
         return;
     }
     Key& last = dense_.back();
-    if (!is_same(last.position, before.position) || !is_same(last.orientation, before.orientation))
+    if (!is_same(last.position, before.position) ||
+        !is_same(last.orientation, before.orientation)) {
         throw Error("track '" + name_ + "': the pose jumps at " + std::to_string(time) + " s");
+    }
     last.velocity_out = after.velocity;
     last.angular_velocity_out = after.angular_velocity;
-    if (kept_.back() != dense_.size() - 1)
+    if (kept_.back() != dense_.size() - 1) {
         kept_.push_back(dense_.size() - 1);
+    }
 }
 
 Track TrackRecorder::finish() {
     std::vector<Key> keys;
     if (!dense_.empty()) {
-        if (kept_.back() != dense_.size() - 1)
+        if (kept_.back() != dense_.size() - 1) {
             kept_.push_back(dense_.size() - 1);
+        }
         keys.push_back(dense_.front());
         std::size_t current = 0;
-        for (const std::size_t end : kept_)
+        for (const std::size_t end : kept_) {
             while (current < end) {
                 current = next_key(dense_, current, end, reduction_);
                 keys.push_back(dense_[current]);
             }
+        }
     }
     dense_.clear();
     kept_.clear();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/timeline/assert.h"
+#include "core/assert.h"
 
 namespace carom::sim {
 
@@ -19,11 +19,13 @@ constexpr double kParallelError = 1e-13;  // rad
 
 std::uint32_t count_substeps(const Vec3& before, const Vec3& after, double duration) {
     const double largest = std::max(before.length(), after.length());
-    if (largest == 0)
+    if (largest == 0) {
         return 1;
+    }
     const double perpendicular = before.cross(after).length() / largest;
-    if (perpendicular * duration <= kParallelError)
+    if (perpendicular * duration <= kParallelError) {
         return 1;
+    }
     const double count = std::ceil(largest * duration / kLargestSubstep);
     constexpr double kMost = 1e9;
     return count < kMost ? static_cast<std::uint32_t>(std::max(1.0, count))
@@ -55,8 +57,9 @@ double Turning::beginning_of(std::uint32_t substep) const {
 }
 
 std::uint32_t Turning::substep_at(double elapsed) const {
-    if (substeps_ == 1)
+    if (substeps_ == 1) {
         return 0;
+    }
     const double place = std::floor(elapsed / duration_ * substeps_);
     return static_cast<std::uint32_t>(std::clamp(place, 0.0, substeps_ - 1.0));
 }

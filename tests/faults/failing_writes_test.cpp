@@ -55,8 +55,9 @@ class FailingWrites : public EndToEnd, public ::testing::WithParamInterface<Outp
         EXPECT_EQ(result.exit_code, 0) << result.err;
         std::istringstream lines(text_of("cache_writes"));
         int most = 0;
-        for (int count = 0; lines >> count;)
+        for (int count = 0; lines >> count;) {
             most = std::max(most, count);
+        }
         std::filesystem::remove(path(file));
         return most;
     }
@@ -97,10 +98,12 @@ TEST_P(FailingWrites, EachInTurn_LosesNothingAndTheNextRunFinishes) {
     const int step = all || GetParam().is_picture ? 1 : count / few;
     int first = all ? 1 : GetParam().is_picture ? count - few + 1 : 1;
     for (const std::string kind : {"full", "io", "short"}) {
-        for (int number = first; number <= count; number += step)
+        for (int number = first; number <= count; number += step) {
             fail_at(kind, number, whole);
-        if (step > 1)
+        }
+        if (step > 1) {
             ++first;  // other ones
+        }
     }
 }
 

@@ -49,12 +49,14 @@ struct Counter {
 
     ~Counter() {
         const char* path = std::getenv("CAROM_FAULT_COUNT");
-        if (path == nullptr)
+        if (path == nullptr) {
             return;
+        }
         const int file = ::open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
         const std::string line = std::to_string(count.load()) + "\n";
-        if (real<ssize_t(int, const void*, size_t)>("write")(file, line.data(), line.size()) < 0)
+        if (real<ssize_t(int, const void*, size_t)>("write")(file, line.data(), line.size()) < 0) {
             std::abort();
+        }
         ::close(file);
     }
 };
@@ -71,26 +73,31 @@ Counter& counter() {
 
 Fault next() {
     const long number = ++counter().count;
-    if (plan().kind == "full" && number >= plan().at)
+    if (plan().kind == "full" && number >= plan().at) {
         return Fault::full;
-    if (number != plan().at)
+    }
+    if (number != plan().at) {
         return Fault::none;
+    }
     return plan().kind == "io" ? Fault::io : plan().kind == "short" ? Fault::half : Fault::none;
 }
 
 Fault fault_of(int file) {
     struct stat status {};
-    if (file <= STDERR_FILENO || ::fstat(file, &status) != 0 || !S_ISREG(status.st_mode))
+    if (file <= STDERR_FILENO || ::fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {
         return Fault::none;
+    }
     return next();
 }
 
 /// Whether the call is to fail, with errno set.
 bool fails(Fault fault) {
-    if (fault == Fault::full)
+    if (fault == Fault::full) {
         errno = ENOSPC;
-    if (fault == Fault::io)
+    }
+    if (fault == Fault::io) {
         errno = EIO;
+    }
     return fault == Fault::full || fault == Fault::io;
 }
 
@@ -126,8 +133,9 @@ ssize_t pwrite(int file, const void* data, size_t size, off_t offset) {
 ssize_t writev(int file, const iovec* parts, int count) {
     static const auto call = real<ssize_t(int, const iovec*, int)>("writev");
     const Fault fault = fault_of(file);
-    if (fails(fault))
+    if (fails(fault)) {
         return -1;
+    }
     return call(file, parts, fault == Fault::half && count > 1 ? count / 2 : count);
 }
 
@@ -160,11 +168,13 @@ int fclose(FILE* stream) {
     static const auto call = real<int(FILE*)>("fclose");
     const bool failed = fails_to_flush(stream);
     const int reason = errno;
-    if (failed)
+    if (failed) {
         ::__fpurge(stream);
+    }
     const int result = call(stream);
-    if (!failed)
+    if (!failed) {
         return result;
+    }
     errno = reason;
     return EOF;
 }
@@ -190,8 +200,9 @@ int clock_gettime(clockid_t clock, timespec* time) {
     static const long jump = text != nullptr ? std::atol(text) : 0;
     static std::atomic<long> looks{0};
     const int result = call(clock, time);
-    if (jump > 0 && clock == CLOCK_REALTIME && ++looks >= jump)
+    if (jump > 0 && clock == CLOCK_REALTIME && ++looks >= jump) {
         time->tv_sec -= 3600;
+    }
     return result;
 }
 

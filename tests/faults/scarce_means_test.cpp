@@ -87,8 +87,9 @@ TEST_F(ScarceMeans, EverySignalThatEndsAJob_LeavesNothingHalfWritten) {
                                {"render", "tiny.yaml", "--set", "render.samples=512", "--set",
                                 "render.fps=100", "-o", "film.mp4"},
                                options(cache));
-        while (stored_frames(cache) == 0 && !exists("film.mp4"))
+        while (stored_frames(cache) == 0 && !exists("film.mp4")) {
             ::usleep(1000);
+        }
         program.send(signal);
         const RunResult result = program.wait();
         EXPECT_EQ(result.exit_code, 130) << result.err;

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <span>
 
+#include "core/error.h"
+#include "core/finite.h"
 #include "sim/timeline/bake_format.h"
-#include "sim/timeline/error.h"
-#include "sim/timeline/finite.h"
 
 namespace {
 
@@ -16,8 +16,9 @@ using namespace carom;
 using namespace carom::sim;
 
 void require(bool condition, const char* what) {
-    if (condition)
+    if (condition) {
         return;
+    }
     std::fprintf(stderr, "an accepted bake: %s\n", what);
     std::abort();
 }
@@ -34,8 +35,9 @@ void use(const Bake& bake) {
     for (const Track& track : bake.timeline.tracks) {
         const double first = track.keys().front().time;
         const double last = track.keys().back().time;
-        for (const double share : {-0.1, 0.0, 0.137, 0.5, 0.863, 1.0, 1.1})
+        for (const double share : {-0.1, 0.0, 0.137, 0.5, 0.863, 1.0, 1.1}) {
             sample(track, first + share * (last - first));
+        }
         const double middle = first + 0.6 * (last - first);
         double time = first;
         for (const PathStretch& stretch : track.stretches(first, middle)) {

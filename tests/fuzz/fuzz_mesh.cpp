@@ -10,30 +10,35 @@
 
 #include <unistd.h>
 
+#include "core/error.h"
 #include "render/geometry/mesh_file.h"
 #include "render/geometry/validity.h"
-#include "sim/timeline/error.h"
 
 namespace {
 
 void require(bool condition, const char* what) {
-    if (condition)
+    if (condition) {
         return;
+    }
     std::fprintf(stderr, "an accepted mesh: %s\n", what);
     std::abort();
 }
 
 void check(const carom::render::MeshShape& mesh) {
     require(!mesh.triangles.empty(), "without a triangle");
-    for (const auto& vertex : mesh.vertices)
+    for (const auto& vertex : mesh.vertices) {
         require(carom::render::is_finite(Imath::V3f(vertex)), "a vertex");
-    for (const auto& normal : mesh.normals)
+    }
+    for (const auto& normal : mesh.normals) {
         require(carom::render::is_finite(Imath::V3f(normal)), "a normal");
-    for (const auto& uv : mesh.uv)
+    }
+    for (const auto& uv : mesh.uv) {
         require(std::isfinite(uv.x) && std::isfinite(uv.y), "a uv");
+    }
     for (const auto& triangle : mesh.triangles) {
-        for (const std::uint32_t index : triangle)
+        for (const std::uint32_t index : triangle) {
             require(index < mesh.vertices.size(), "an index");
+        }
     }
 }
 

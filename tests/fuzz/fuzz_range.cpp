@@ -5,17 +5,18 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "core/error.h"
 #include "pipeline/job/frame_range.h"
 #include "pipeline/store/cache_care.h"
-#include "sim/timeline/error.h"
 
 namespace {
 
 using namespace carom::pipeline;
 
 void require(bool condition, const char* what) {
-    if (condition)
+    if (condition) {
         return;
+    }
     std::fprintf(stderr, "%s\n", what);
     std::abort();
 }
@@ -31,12 +32,14 @@ void attempt(Parse parse) {
 void use_range(std::string_view text) {
     const FrameRange range = parse_frame_range(text);
     const auto frames = range.frames(1000);
-    for (std::size_t i = 0; i < frames.size(); ++i)
+    for (std::size_t i = 0; i < frames.size(); ++i) {
         require(frames[i] >= 0 && frames[i] < 1000 && (i == 0 || frames[i] > frames[i - 1]),
                 "frames that are not ascending");
-    if (!frames.empty())
+    }
+    if (!frames.empty()) {
         require(parse_frame_range(frames_text(frames)).frames(1000) == frames,
                 "frames that read back differently");
+    }
 }
 
 void use_chunk(std::string_view text) {

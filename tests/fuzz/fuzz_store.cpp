@@ -10,10 +10,10 @@
 
 #include <unistd.h>
 
+#include "core/error.h"
 #include "pipeline/store/cache_entry.h"
 #include "pipeline/store/frame_store.h"
 #include "pipeline/store/seal.h"
-#include "sim/timeline/error.h"
 
 namespace {
 
@@ -23,16 +23,18 @@ using namespace carom::pipeline;
 constexpr Hash128 kKey{0x0123456789abcdef, 0xfedcba9876543210};
 
 void require(bool condition, const char* what) {
-    if (condition)
+    if (condition) {
         return;
+    }
     std::fprintf(stderr, "an accepted frame: %s\n", what);
     std::abort();
 }
 
 std::string make_folder() {
     std::string folder = std::filesystem::temp_directory_path() / "carom_fuzz_XXXXXX";
-    if (::mkdtemp(folder.data()) == nullptr)
+    if (::mkdtemp(folder.data()) == nullptr) {
         std::abort();
+    }
     return folder;
 }
 
@@ -41,15 +43,17 @@ void put(const FrameStore& store, const std::uint8_t* data, std::size_t size, bo
     std::filesystem::create_directories(path.parent_path());
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
-    if (sealed)
+    if (sealed) {
         seal_file(path, kKey);
+    }
 }
 
 void read(const FrameStore& store) {
     const auto film = store.read(kKey);
     require(film.has_value() == store.contains(kKey), "a damaged file stays");
-    if (!film)
+    if (!film) {
         return;
+    }
     require(film->width > 0 && film->height > 0, "empty");
 }
 
@@ -58,13 +62,15 @@ void list(const std::string& folder, const FrameStore& store, const std::uint8_t
           std::size_t size) {
     std::string name(data, std::find(data, data + std::min<std::size_t>(size, 60), '\n'));
     if (name.empty() || name.find_first_of(std::string("/\0", 2)) != std::string::npos ||
-        name[0] == '.')
+        name[0] == '.') {
         return;
+    }
     const std::filesystem::path path =
         std::filesystem::path(store.path_of(kKey)).parent_path() / name;
     std::ofstream(path) << "x";
-    for (const CacheEntry& entry : list_cache(folder))
+    for (const CacheEntry& entry : list_cache(folder)) {
         require(std::filesystem::exists(entry.path), "listed, but not there");
+    }
     std::filesystem::remove(path);
 }
 

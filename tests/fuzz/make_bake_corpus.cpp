@@ -3,7 +3,7 @@
 #include <exception>
 #include <string>
 
-#include "sim/timeline/atomic_file.h"
+#include "core/atomic_file.h"
 #include "sim/timeline/bake_format.h"
 
 namespace {
@@ -32,9 +32,10 @@ Bake rolling_bake() {
 Bake eventful_bake() {
     Bake bake;
     bake.timeline.end_time = 1;
-    for (int kind = 0; kind <= static_cast<int>(EventKind::strike); ++kind)
+    for (int kind = 0; kind <= static_cast<int>(EventKind::strike); ++kind) {
         bake.timeline.events.push_back(
             {static_cast<EventKind>(kind), 0.1 * kind, 0.1 * kind, "cue", "cushion"});
+    }
     bake.timeline.energy = {{0, 1, 2}, {0.5, 1, 1}, {1, 0, 1}};
     return bake;
 }

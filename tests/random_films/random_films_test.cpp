@@ -7,13 +7,13 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/film_plan.h"
 #include "pipeline/job/scene_renderer.h"
 #include "sim/bake.h"
-#include "sim/timeline/error.h"
 #include "tests/random_films/random_film.h"
 
 namespace carom::testing {

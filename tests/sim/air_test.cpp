@@ -63,8 +63,9 @@ TEST(JumpShot_OverABall, ClearsItAndLandsWhereTheParabolaSays) {
     const double forward = level - std::min(0.2 * 1.5 * descent, 2.0 / 7 * level);
     std::vector<const Event*> slate;
     for (const Event& event : timeline.events) {
-        if (event.kind == EventKind::impact && event.b == "cloth")
+        if (event.kind == EventKind::impact && event.b == "cloth") {
             slate.push_back(&event);
+        }
     }
     ASSERT_GE(slate.size(), 2U);
     EXPECT_EQ(slate[0]->time, 0);

@@ -71,9 +71,10 @@ TEST(BalancedDomino_WithAWeightBeside, FallsNoDifferently) {
 
 TEST(StackOfBoxes, StillFallsAsleepAtOnce) {
     WorldDescription world = cloth_world(1);
-    for (int i = 0; i < 6; ++i)
+    for (int i = 0; i < 6; ++i) {
         world.bodies.push_back(solid("box" + std::to_string(i), Box{{0.06, 0.06, 0.06}},
                                      {0.004 * i, 0, 0.03 + 0.06 * i}));
+    }
     const Timeline timeline = bake(world).timeline;
     for (int i = 0; i < 6; ++i) {
         const Event* rest = find_event(timeline, EventKind::resting, "box" + std::to_string(i));

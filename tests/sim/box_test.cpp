@@ -62,9 +62,10 @@ TEST(Box_OnASlopeAboveTheFrictionAngle, SlidesAsCoulombSays) {
 
 TEST(Box_StackOfTen, StandsStill) {
     WorldDescription world = cloth_world(10);
-    for (int i = 0; i < 10; ++i)
+    for (int i = 0; i < 10; ++i) {
         world.bodies.push_back(
             box("b" + std::to_string(i), {0.1, 0.1, 0.05}, {0, 0, 0.025 + 0.05 * i}));
+    }
     const BakeResult result = bake(world);
     EXPECT_TRUE(result.warnings.empty());
     for (const Body& body : world.bodies) {
@@ -103,8 +104,9 @@ TEST(Box_TumblingFreely, KeepsEnergyAndAngularMomentum) {
     }
     EXPECT_TRUE(has_flipped);  // Dzhanibekov's effect
     const double energy = timeline.energy.front().total();
-    for (const EnergySample& sample : timeline.energy)
+    for (const EnergySample& sample : timeline.energy) {
         EXPECT_NEAR(sample.total() / energy, 1, 1e-9);
+    }
 }
 
 TEST(Box_Dropped, ComesToRestOnAFace) {
@@ -127,9 +129,10 @@ WorldDescription domino_world(double step) {
     WorldDescription world = cloth_world(1.6);
     world.step = step;
     world.contact_law.otherwise = {0.1, 0.3, 0};
-    for (int i = 0; i < kDominoes; ++i)
+    for (int i = 0; i < kDominoes; ++i) {
         world.bodies.push_back(
             box("d" + std::to_string(i), {0.008, 0.024, 0.048}, {i * 0.025, 0, 0.024}));
+    }
     ForceEvent push;
     push.object = "d0";
     push.time = 0.1;
@@ -144,8 +147,9 @@ std::vector<double> touch_times(const Timeline& timeline) {
     for (int i = 0; i + 1 < kDominoes; ++i) {
         const Event* touch = find_event(timeline, EventKind::impact, "d" + std::to_string(i),
                                         "d" + std::to_string(i + 1));
-        if (touch == nullptr)
+        if (touch == nullptr) {
             break;
+        }
         times.push_back(touch->time);
     }
     return times;
@@ -195,9 +199,10 @@ TEST(Ball_ThroughATowerOfBoxes, ScattersItAndAllComesToRest) {
     WorldDescription world = cloth_world(12);
     int count = 0;
     for (int level = 0; level < 4; ++level) {
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i) {
             world.bodies.push_back(box("t" + std::to_string(count++), {0.06, 0.02, 0.02},
                                        {0.5, 0.025 * (i - 1), 0.01 + 0.02 * level}));
+        }
     }
     world.bodies.push_back(ball("cue", 0, 0, {4, 0, 0}));
     const BakeResult result = bake(world);
@@ -211,8 +216,9 @@ TEST(Ball_ThroughATowerOfBoxes, ScattersItAndAllComesToRest) {
     EXPECT_EQ(state_at(result.timeline, "cue", 12).position.z, kRadius);
     for (const Body& body : world.bodies) {
         EXPECT_EQ(state_at(result.timeline, body.name, 12).velocity, Vec3(0, 0, 0)) << body.name;
-        for (const Key& key : result.timeline.find(body.name)->keys())
+        for (const Key& key : result.timeline.find(body.name)->keys()) {
             EXPECT_GT(key.position.z, 0.01 - 1e-4) << body.name << " at " << key.time;
+        }
     }
 }
 
@@ -224,8 +230,9 @@ TEST(Ball_OnAFixedRamp, JumpsOffItsEnd) {
     world.bodies = {ramp, ball("cue", -0.3, 0, {2.2, 0, 0}, rolling_spin({2.2, 0, 0}))};
     const Timeline timeline = bake(world).timeline;
     double highest = 0;
-    for (double t = 0; t < 3; t += 0.01)
+    for (double t = 0; t < 3; t += 0.01) {
         highest = std::max(highest, state_at(timeline, "cue", t).position.z);
+    }
     EXPECT_GT(highest, 0.13);
     EXPECT_EQ(state_at(timeline, "cue", 3).position.z, kRadius);
     double last = 1e300;

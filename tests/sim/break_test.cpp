@@ -27,8 +27,9 @@ TEST(Break_Elastic, KeepsItsEnergy) {
     const Timeline timeline = bake(world).timeline;
     ASSERT_GT(count_events(timeline, EventKind::impact), 50);
     const double before = timeline.energy.front().total();
-    for (const EnergySample& sample : timeline.energy)
+    for (const EnergySample& sample : timeline.energy) {
         EXPECT_NEAR(sample.total() / before, 1, 1e-9) << sample.time;
+    }
 }
 
 TEST(Break_WithLosses, NeverGainsEnergy) {
@@ -76,8 +77,9 @@ TEST(Break_BakedOnSeveralThreadsAtOnce, IsAlwaysTheSame) {
         std::vector<std::jthread> threads;
         for (int i = 0; i < 3; ++i) {
             threads.emplace_back([&] {
-                for (int k = 0; k < 5; ++k)
+                for (int k = 0; k < 5; ++k) {
                     different += bake(world).timeline == alone ? 0 : 1;
+                }
             });
         }
     }

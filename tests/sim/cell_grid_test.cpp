@@ -107,21 +107,24 @@ TEST(CellGrid_RandomPaths, FindEachOtherBeforeTheyMeet) {
         while (now < 3) {
             const auto a = grid.next_crossing(0, paths[0], now, 3);
             const auto b = grid.next_crossing(1, paths[1], now, 3);
-            if (!a && !b)
+            if (!a && !b) {
                 break;
+            }
             const bool is_a = a && (!b || a->time <= b->time);
             const CellGrid::Crossing next = is_a ? *a : *b;
             now = next.time;
             grid.cross(is_a ? 0 : 1, next.to);
             Items found;
             grid.find_ahead(is_a ? 0 : 1, next.to, found);
-            if (!found.empty())
+            if (!found.empty()) {
                 known_since = std::min(known_since, now);
+            }
         }
         for (double t = 0; t < 3; t += 1e-3) {
             const Vec3 gap = paths[0].position_at(t) - paths[1].position_at(t);
-            if (gap.length() > 0.12)
+            if (gap.length() > 0.12) {
                 continue;
+            }
             ++meetings;
             ASSERT_LE(known_since, t) << round;
             break;

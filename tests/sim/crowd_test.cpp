@@ -34,8 +34,9 @@ TEST(Crowd_OfBalls, NeverOverlapsNorLeavesTheTable) {
             places[i] = state_at(result.timeline, world.bodies[i].name, t).position;
             ASSERT_LT(std::abs(places[i].x), 0.5 * world.table->length - kRadius + 1e-5);
             ASSERT_LT(std::abs(places[i].y), 0.5 * world.table->width - kRadius + 1e-5);
-            for (std::size_t j = 0; j < i; ++j)
+            for (std::size_t j = 0; j < i; ++j) {
                 ASSERT_GT((places[i] - places[j]).length(), 2 * kRadius - 1e-5) << i << " " << j;
+            }
         }
     }
 }
@@ -59,8 +60,9 @@ TEST(Crowd_InWiderCells, MovesTheSame) {
     world.gravity = {0, 0, -9.81};
     const Timeline wide = bake(world).timeline;
     for (const Body& body : world.bodies) {
-        if (body.name == "huge")
+        if (body.name == "huge") {
             continue;
+        }
         const Vec3 a = state_at(narrow, body.name, 0.5).position;
         const Vec3 b = state_at(wide, body.name, 0.5).position;
         EXPECT_NEAR((a - b).length(), 0, 1e-9) << body.name;
@@ -71,8 +73,9 @@ TEST(Crowd_OfRestingBallsWithOneMoving, IsHitInTurn) {
     WorldDescription world = cloth_world(4);
     world.contact_law.ball_ball = {1, 0, BallFriction::constant};
     world.contact_law.ball_cloth = {0, 0, 0, 0.5};
-    for (int i = 0; i < 40; ++i)
+    for (int i = 0; i < 40; ++i) {
         world.bodies.push_back(ball("ball" + std::to_string(i), 0.1 * i, 0));
+    }
     world.bodies[0].velocity = {2, 0, 0};
     const Timeline timeline = bake(world).timeline;
     // Newton's cradle with gaps: the velocity is passed on, the gaps take their time.
@@ -80,8 +83,9 @@ TEST(Crowd_OfRestingBallsWithOneMoving, IsHitInTurn) {
     EXPECT_NEAR(state_at(timeline, "ball39", 4).velocity.x, 2, 1e-12);
     double expected = 0;
     for (const Event& event : timeline.events) {
-        if (event.kind != EventKind::impact)
+        if (event.kind != EventKind::impact) {
             continue;
+        }
         expected += (0.1 - 2 * kRadius) / 2;
         EXPECT_NEAR(event.time, expected, 1e-12);
     }

@@ -72,11 +72,15 @@ double worst_distance(const CushionShot& shot, const BallCushion& law, const Lev
 
 template <typename Visit>
 void sweep_cushion_shots(Visit visit) {
-    for (const double speed : {0.3, 1.2, 4.0, 9.0})
-        for (const double degrees : {3.0, 17.0, 38.0, 62.0, 88.0})
-            for (const double roll : {-1.0, 0.0, 1.0})
-                for (const double side : {-0.8, 0.0, 0.8})
+    for (const double speed : {0.3, 1.2, 4.0, 9.0}) {
+        for (const double degrees : {3.0, 17.0, 38.0, 62.0, 88.0}) {
+            for (const double roll : {-1.0, 0.0, 1.0}) {
+                for (const double side : {-0.8, 0.0, 0.8}) {
                     visit(CushionShot{speed, degrees, roll, side});
+                }
+            }
+        }
+    }
 }
 
 LevelTable bounds_of_the_table() {
@@ -190,8 +194,9 @@ TEST(Cushion_BallPressedByItsSpin, SlidesAlongWithoutStalling) {
     world.bodies = {ball("cue", 0, 0.6, {0.3, 0.1, 0}, {-150, 0, 0})};
     const BakeResult result = bake(world);
     EXPECT_TRUE(result.warnings.empty());
-    for (double t = 0; t <= 3; t += 0.01)
+    for (double t = 0; t <= 3; t += 0.01) {
         EXPECT_LE(state_at(result.timeline, "cue", t).position.y, 1.27 / 2 - kRadius + 1e-9);
+    }
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "shots.h"
-#include "sim/timeline/error.h"
 
 namespace carom::sim::test {
 namespace {
@@ -71,8 +71,9 @@ TEST(Force_PushingARollingBall, AcceleratesItByFiveSevenths) {
 std::vector<EventKind> kinds_of(const Timeline& timeline, const std::string& object) {
     std::vector<EventKind> kinds;
     for (const Event& event : timeline.events) {
-        if (event.a == object)
+        if (event.a == object) {
             kinds.push_back(event.kind);
+        }
     }
     return kinds;
 }
@@ -245,8 +246,9 @@ TEST(BakeWithin_ANumberOfSteps, GivesTheSameBakeOrNone) {
     WorldDescription world = nine_ball_world(2);
     world.events = {strike_towards("cue", "one", 6)};
     std::uint64_t most = 1;
-    while (!bake_within(most, world))
+    while (!bake_within(most, world)) {
         most *= 2;
+    }
     EXPECT_GT(most, 100U);  // touches alone
     EXPECT_EQ(bake_within(most, world)->timeline.events, bake(world).timeline.events);
     EXPECT_FALSE(bake_within(most / 2, world));

@@ -54,8 +54,9 @@ TEST(JumpShot_Sweep, ClearsTheBallWhereTheParabolaDoesAndLandsWhereItSays) {
                     const double landing = jump.forward * flight;
                     const double gap = clearance(jump, away) - 2 * kRadius;
                     // Neither grazing nor landing on it.
-                    if (std::abs(gap) < 1e-4 || landing < away)
+                    if (std::abs(gap) < 1e-4 || landing < away) {
                         continue;
+                    }
                     world.bodies = {ball("cue", 0, 0), ball("one", away, 0), ball("far", 40, 0)};
                     world.events = {strike_towards("cue", "far", speed, 0, {0, 0}, elevation)};
                     const Timeline timeline = bake(world).timeline;
@@ -63,8 +64,9 @@ TEST(JumpShot_Sweep, ClearsTheBallWhereTheParabolaDoesAndLandsWhereItSays) {
                     (gap > 0 ? cleared : stopped) += 1;
                     ASSERT_EQ(impact == nullptr, gap > 0)
                         << degrees << " " << speed << " " << away << " " << gap;
-                    if (gap < 0)
+                    if (gap < 0) {
                         continue;
+                    }
                     const MotionState down = state_at(timeline, "cue", flight);
                     EXPECT_NEAR(down.position.x, landing, 1e-9);
                     EXPECT_NEAR(down.position.z, kRadius, 1e-9);
@@ -95,8 +97,9 @@ TEST(Bounces_Sweep, FollowTheSquareOfRestitution) {
                 expected *= e * e;
                 const double rise = std::sqrt(2 * expected / kGravity);
                 // Slower than 10 mm/s it stays down; and the bake ends.
-                if (rise * kGravity < 0.02 || impact + rise > 2)
+                if (rise * kGravity < 0.02 || impact + rise > 2) {
                     break;
+                }
                 const double z = state_at(timeline, "cue", impact + rise).position.z - kRadius;
                 EXPECT_NEAR(z, expected, 1e-11) << e << " " << height << " " << bounce;
                 impact += 2 * rise;
@@ -142,8 +145,9 @@ TEST(Ball_ComingUpUnderTheTable, IsStoppedByTheSlate) {
     ASSERT_NE(impact, nullptr);
     EXPECT_NEAR(impact->place.z, -0.025, 1e-9);
     EXPECT_EQ(impact->normal, Vec3(0, 0, -1));
-    for (double t = 0; t < 2; t += 0.01)
+    for (double t = 0; t < 2; t += 0.01) {
         EXPECT_LT(state_at(timeline, "cue", t).position.z, -0.025 - kRadius + 1e-9) << t;
+    }
 }
 
 }  // namespace

@@ -29,8 +29,9 @@ std::vector<Key> straight(const std::vector<std::pair<double, Vec3>>& stations) 
     std::vector<Key> keys;
     for (const auto& [time, place] : stations) {
         keys.push_back(still(time, place));
-        if (keys.size() < 2)
+        if (keys.size() < 2) {
             continue;
+        }
         Key& from = keys[keys.size() - 2];
         from.velocity_out = (place - from.position) / (time - from.time);
         keys.back().velocity_in = from.velocity_out;

@@ -50,11 +50,13 @@ LevelState after(const LevelState& s, const Law& law, double t) {
 /// When x + v t + a t^2 / 2 first gets to `wall` from below, moving up.
 double reaches(double x, double v, double a, double wall) {
     const double c = x - wall;
-    if (c >= -1e-13)
+    if (c >= -1e-13) {
         return v > 0 ? 0 : kEndless;
+    }
     const double d = v * v - 2 * a * c;
-    if (d < 0)
+    if (d < 0) {
         return kEndless;
+    }
     const double root = std::sqrt(d);
     const double q = v >= 0 ? -(v + root) : root - v;
     const double first = 2 * c / q;
@@ -75,8 +77,9 @@ Touch next_touch(const LevelTable& table, const LevelState& s, const Law& law) {
         const double wall = std::abs(out.x) * table.half.x + std::abs(out.y) * table.half.y;
         const double time =
             reaches(s.position.dot(out), s.velocity.dot(out), law.acceleration.dot(out), wall);
-        if (time < touch.time)
+        if (time < touch.time) {
             touch = {time, -out};
+        }
     }
     return touch;
 }
@@ -90,15 +93,17 @@ std::vector<LevelState> level_path(const LevelTable& table, LevelState state, do
     double gone = 0;
     while (gone < length && path.size() < 100000) {
         const Law law = law_of(table, state);
-        if (law.acceleration == Vec2(0, 0) && state.velocity.length() < 1e-11)
+        if (law.acceleration == Vec2(0, 0) && state.velocity.length() < 1e-11) {
             break;
+        }
         const Touch touch = next_touch(table, state, law);
         const double step = std::min({left, law.end, touch.time});
         const LevelState next = after(state, law, step);
         gone += (next.position - state.position).length();
         state = next;
-        if (step == law.end && std::abs(state.spin.z) < 1e-9)
+        if (step == law.end && std::abs(state.spin.z) < 1e-9) {
             state.spin.z = 0;
+        }
         left -= step;
         if (step == touch.time) {
             state = table.rebound(state, touch.inward);
@@ -113,11 +118,13 @@ std::vector<LevelState> level_path(const LevelTable& table, LevelState state, do
 LevelState level_end(const LevelTable& table, LevelState state) {
     for (;;) {
         const Law law = law_of(table, state);
-        if (law.acceleration == Vec2(0, 0) && state.velocity.length() < 1e-11)
+        if (law.acceleration == Vec2(0, 0) && state.velocity.length() < 1e-11) {
             return state;
+        }
         state = after(state, law, law.end);
-        if (std::abs(state.spin.z) < 1e-9)
+        if (std::abs(state.spin.z) < 1e-9) {
             state.spin.z = 0;
+        }
     }
 }
 

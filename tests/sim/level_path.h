@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom::sim::test {
 

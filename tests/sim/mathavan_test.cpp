@@ -80,8 +80,9 @@ PaperState paper_scheme(const Equipment& e, const Shot& shot, int steps) {
             is_compressing = false;
             work_of_compression = work;
         }
-        if (!is_compressing && work >= (1 - e.restitution * e.restitution) * work_of_compression)
+        if (!is_compressing && work >= (1 - e.restitution * e.restitution) * work_of_compression) {
             break;
+        }
     }
     return q;
 }
@@ -115,12 +116,17 @@ double energy(const PaperState& q, double radius) {
 
 template <typename Visit>
 void sweep(Visit visit) {
-    for (const Equipment& e : {kPaper, kPool, kSnooker, kCarom})
-        for (const double speed : {0.1, 1.7, 10.0})
-            for (const double degrees : {5.0, 20.0, 45.0, 70.0, 90.0})
-                for (const double roll : {-1.0, 0.0, 1.0, 1.6})
-                    for (const double side : {-2.0, -0.5, 0.0, 1.0})
+    for (const Equipment& e : {kPaper, kPool, kSnooker, kCarom}) {
+        for (const double speed : {0.1, 1.7, 10.0}) {
+            for (const double degrees : {5.0, 20.0, 45.0, 70.0, 90.0}) {
+                for (const double roll : {-1.0, 0.0, 1.0, 1.6}) {
+                    for (const double side : {-2.0, -0.5, 0.0, 1.0}) {
                         visit(e, Shot{speed, degrees * kPi / 180, roll, side});
+                    }
+                }
+            }
+        }
+    }
 }
 
 TEST(Mathavan_Sweep, AgreesWithThePapersSchemeInFineSteps) {
@@ -141,8 +147,9 @@ TEST(Mathavan_Sweep, AgreesWithThePapersSchemeInFineSteps) {
 
 TEST(Mathavan_Sweep, NeverGainsEnergy) {
     sweep([&](const Equipment& e, const Shot& shot) {
-        if (shot.speed != 1.7)
+        if (shot.speed != 1.7) {
             return;
+        }
         const double before = energy(start_of(shot, e.radius), e.radius);
         for (const double friction : {0.0, 0.14, 1.0}) {
             for (const double restitution : {0.0, 0.5, 1.0}) {

@@ -77,8 +77,9 @@ TEST(OneBall_StepLength, DoesNotMatter) {
         world.bodies = {ball("cue", 0, 0, {2, 1, 0}, {30, -50, 20})};
         ends.push_back(state_at(bake(world).timeline, "cue", 4));
     }
-    for (const MotionState& end : ends)
+    for (const MotionState& end : ends) {
         EXPECT_NEAR((end.position - ends[0].position).length(), 0, 1e-13);
+    }
 }
 
 TEST(OneBall_KeysOfAStunShot, AreThoseOfItsStretchesOnly) {

@@ -59,9 +59,10 @@ TEST(PocketOfEveryTable_BallDroppedIn, FallsAndIsLoggedAsPotted) {
 TEST(PocketOfEveryTable_BallRolledInSlowly, Drops) {
     for (const PocketTable& table : pocket_tables()) {
         for (const billiards::PocketLayout& pocket : table.layout().pockets) {
-            for (const double angle : {-25.0, 0.0, 25.0})
+            for (const double angle : {-25.0, 0.0, 25.0}) {
                 EXPECT_TRUE(drops(table, pocket, {0.6, angle * kDegree, 0}))
                     << table.size << " " << pocket.pocket.name << " " << angle;
+            }
         }
     }
 }
@@ -105,8 +106,9 @@ INSTANTIATE_TEST_SUITE_P(Snooker, PocketGrid,
 /// The whole grid as the table of docs/tables.md: `CAROM_POCKET_TABLE` names the file to write.
 TEST(PocketTable_Asked, IsWritten) {
     const char* path = std::getenv("CAROM_POCKET_TABLE");
-    if (path == nullptr)
+    if (path == nullptr) {
         GTEST_SKIP() << "CAROM_POCKET_TABLE is not set";
+    }
     std::ofstream out(path);
     out << "| pocket | angle | 0.5 m/s | 1 m/s | 2 m/s | 4 m/s | 7 m/s "
            "|\n|---|---|---|---|---|---|---|\n";

@@ -61,16 +61,18 @@ Opening find_opening(const PocketTable& table, const billiards::PocketLayout& po
     int row = 0;
     for (int i = -kLooks; i <= kLooks; ++i) {
         const bool is_in = drops_at(i * kApart);
-        if (is_in)
+        if (is_in) {
             dropping.push_back(i);
+        }
         row = is_in ? row + 1 : 0;
         if (row > count) {
             count = row;
             first = i - row + 1;
         }
     }
-    if (count == 0)
+    if (count == 0) {
         return {};
+    }
     const auto edge = [&](double inside, double outside) {
         while (std::abs(outside - inside) > 1e-4) {
             const double middle = 0.5 * (inside + outside);
@@ -82,8 +84,9 @@ Opening find_opening(const PocketTable& table, const billiards::PocketLayout& po
     Opening opening{edge(first * kApart, (first - 1) * kApart),
                     edge(last * kApart, (last + 1) * kApart)};
     for (const int i : dropping) {
-        if (i >= first && i <= last)
+        if (i >= first && i <= last) {
             continue;
+        }
         const double width =
             edge(i * kApart, (i + 1) * kApart) - edge(i * kApart, (i - 1) * kApart);
         opening.beyond = std::max(opening.beyond, width);

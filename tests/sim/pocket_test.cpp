@@ -167,10 +167,11 @@ TEST(Pocket_ThatIsFull, IsWarnedOf) {
     for (const Body& body : world.bodies) {
         const Vec3 end = state_at(result.timeline, body.name, 6).position;
         const bool is_potted = find_event(result.timeline, EventKind::potted, body.name) != nullptr;
-        if (!is_potted && (Vec2(end.x, end.y) - pocket.centre).length() < pocket.radius)
+        if (!is_potted && (Vec2(end.x, end.y) - pocket.centre).length() < pocket.radius) {
             expected.push_back("'" + body.name +
                                "' is not potted: it rests in the mouth of pocket '" + pocket.name +
                                "' on the balls that fell in before");
+        }
     }
     EXPECT_FALSE(expected.empty());
     EXPECT_EQ(result.warnings, expected);

@@ -79,8 +79,9 @@ TEST(Rack_OfEveryKind, StandsStillUntilItIsBroken) {
 // The gaps are of the size of a hair, and change everything.
 TEST(Rack_OfAnotherSeed, IsBrokenOtherwise) {
     for (const Game& game : kGames) {
-        if (game.rack == RackKind::carom)
+        if (game.rack == RackKind::carom) {
             continue;  // no gaps
+        }
         const Timeline first = bake(broken(game, 3e-5, 1)).timeline;
         EXPECT_EQ(bake(broken(game, 3e-5, 1)).timeline, first);
         const Timeline second = bake(broken(game, 3e-5, 2)).timeline;

@@ -33,8 +33,9 @@ ForceEvent kick_when_rested(const std::string& object, const std::string& name,
 std::vector<double> times(const Timeline& timeline, EventKind kind, const std::string& object) {
     std::vector<double> times;
     for (const Event& event : timeline.events) {
-        if (event.kind == kind && event.a == object)
+        if (event.kind == kind && event.a == object) {
             times.push_back(event.time);
+        }
     }
     return times;
 }

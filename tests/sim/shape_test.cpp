@@ -17,9 +17,10 @@ constexpr double kPi = 3.14159265358979324;
 
 std::vector<Vec3> box_corners(const Vec3& half) {
     std::vector<Vec3> corners;
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
         corners.emplace_back((i & 1) != 0 ? half.x : -half.x, (i & 2) != 0 ? half.y : -half.y,
                              (i & 4) != 0 ? half.z : -half.z);
+    }
     return corners;
 }
 
@@ -60,8 +61,9 @@ TEST(ConvexHull_OfPointsOnASphere, HoldsThemAll) {
     std::size_t edges = 0;
     for (const PolyhedronFace& face : hull->faces) {
         edges += face.corners.size();
-        for (const Vec3& p : points)
+        for (const Vec3& p : points) {
             EXPECT_LT(face.normal.dot(p - hull->vertices[face.corners[0]]), 1e-9);
+        }
     }
     EXPECT_EQ(hull->vertices.size() + hull->faces.size(), edges / 2 + 2);  // Euler
 }
@@ -70,8 +72,9 @@ TEST(MassProperties_OfATurnedBox, AreThoseOfABox) {
     const Vec3 half(0.05, 0.1, 0.2);
     const Quat turn = rotation_by({0.3, -0.7, 0.4});
     std::vector<Vec3> points;
-    for (const Vec3& corner : box_corners(half))
+    for (const Vec3& corner : box_corners(half)) {
         points.push_back(to_world(turn, corner) + Vec3(1, 2, 3));
+    }
     const MassProperties found = mass_properties(convex_hull(points).value());
     EXPECT_NEAR(found.volume, 8 * half.x * half.y * half.z, 1e-15);
     EXPECT_LT((found.centre - Vec3(1, 2, 3)).length(), 1e-12);
@@ -82,8 +85,9 @@ TEST(MassProperties_OfATurnedBox, AreThoseOfABox) {
         axis[i] = 1;
         const Vec3 in_box = to_body(turn, to_world(found.principal, axis));
         int mine = 0;
-        for (int k = 1; k < 3; ++k)
+        for (int k = 1; k < 3; ++k) {
             mine = std::abs(in_box[k]) > std::abs(in_box[mine]) ? k : mine;
+        }
         EXPECT_NEAR(std::abs(in_box[mine]), 1, 1e-9);
         EXPECT_NEAR(found.inertia[i], expected[mine], 1e-13);
     }

@@ -47,8 +47,9 @@ WorldDescription nine_ball_world(double duration) {
     world.bodies.push_back(ball("cue", -0.75, 0.12));
     for (const billiards::PlacedBall& placed :
          billiards::rack(billiards::RackKind::nine_ball, *world.table, kRadius,
-                         billiards::RackOptions{3e-5, 7}))
+                         billiards::RackOptions{3e-5, 7})) {
         world.bodies.push_back(ball(placed.name, placed.position.x, placed.position.y));
+    }
     return world;
 }
 
@@ -68,38 +69,43 @@ ForceEvent strike_towards(const std::string& object, const std::string& target, 
 
 MotionState state_at(const Timeline& timeline, const std::string& name, double time) {
     const Track* track = timeline.find(name);
-    if (track == nullptr)
+    if (track == nullptr) {
         throw std::runtime_error("no track " + name);
+    }
     return track->sample(time);
 }
 
 const Event* find_event(const Timeline& timeline, EventKind kind, const std::string& a,
                         const std::string& b) {
     for (const Event& event : timeline.events) {
-        if (event.kind == kind && event.a == a && (b.empty() || event.b == b))
+        if (event.kind == kind && event.a == a && (b.empty() || event.b == b)) {
             return &event;
+        }
     }
     return nullptr;
 }
 
 std::vector<std::string> problem_sentences(const WorldDescription& world) {
     std::vector<std::string> sentences;
-    for (const WorldProblem& problem : find_problems(world))
+    for (const WorldProblem& problem : find_problems(world)) {
         sentences.push_back(problem.sentence);
+    }
     return sentences;
 }
 
 int count_events(const Timeline& timeline, EventKind kind) {
     int count = 0;
-    for (const Event& event : timeline.events)
+    for (const Event& event : timeline.events) {
         count += event.kind == kind ? 1 : 0;
+    }
     return count;
 }
 
 Key key_at(const Timeline& timeline, const std::string& name, double time) {
     for (const Key& key : timeline.find(name)->keys()) {
-        if (std::abs(key.time - time) < 1e-9)
+        if (std::abs(key.time - time) < 1e-9) {
             return key;
+        }
     }
     throw std::runtime_error("no key of " + name);
 }

@@ -29,10 +29,11 @@ Quat about(const Vec3& axis, double angle) {
 
 ConvexHull cube_hull(const Vec3& size) {
     ConvexHull hull;
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
         hull.points.emplace_back(size.x * ((i & 1) != 0 ? 0.5 : -0.5),
                                  size.y * ((i & 2) != 0 ? 0.5 : -0.5),
                                  size.z * ((i & 4) != 0 ? 0.5 : -0.5));
+    }
     return hull;
 }
 
@@ -41,8 +42,9 @@ ConvexHull tetrahedron(double a) {
     const double r = a / std::sqrt(3.0);
     const double height = a * std::sqrt(2.0 / 3.0);
     ConvexHull hull;
-    for (const double turn : {0.0, 2 * kPi / 3, 4 * kPi / 3})
+    for (const double turn : {0.0, 2 * kPi / 3, 4 * kPi / 3}) {
         hull.points.emplace_back(r * std::cos(turn), r * std::sin(turn), -height / 4);
+    }
     hull.points.emplace_back(0, 0, 0.75 * height);
     return hull;
 }
@@ -52,10 +54,11 @@ WorldDescription slope_world(double angle, bool is_mesh) {
     WorldDescription world = cloth_world(1);
     world.contact_law.otherwise = {0.3, 0.4, 0};
     Body slope = solid("slope", Box{{4, 1, 0.1}}, {0, 0, 2});
-    if (is_mesh)
+    if (is_mesh) {
         slope.shape =
             TriangleMesh{{{-2, -0.5, 0.05}, {2, -0.5, 0.05}, {2, 0.5, 0.05}, {-2, 0.5, 0.05}},
                          {{0, 1, 2}, {0, 2, 3}}};
+    }
     slope.kind = BodyKind::fixed;
     slope.pose.orientation = about({0, 1, 0}, angle);
     world.bodies = {slope};
@@ -110,9 +113,10 @@ TEST(Hull_OnASlope, StaysOrSlidesAsABoxDoes) {
 
 TEST(Solids_StackedAndStanding, StandStill) {
     WorldDescription world = cloth_world(10);
-    for (int i = 0; i < 6; ++i)
+    for (int i = 0; i < 6; ++i) {
         world.bodies.push_back(solid("hull" + std::to_string(i), cube_hull({0.1, 0.1, 0.05}),
                                      {0, 0, 0.025 + 0.05 * i}));
+    }
     world.bodies.push_back(solid("upright", Cylinder{0.03, 0.1}, {0.5, 0, 0.05}));
     world.bodies.push_back(solid("on it", Cylinder{0.03, 0.1}, {0.5, 0.01, 0.15}));
     world.bodies.push_back(solid("box on both", Box{{0.05, 0.05, 0.05}}, {0.5, 0, 0.225}));
@@ -150,8 +154,9 @@ TEST(Solids_Dropped, ComeToRestWithoutGainingEnergy) {
     }
     for (const Body& body : world.bodies) {
         // A round one may roll on; nothing sinks.
-        for (const Key& key : result.timeline.find(body.name)->keys())
+        for (const Key& key : result.timeline.find(body.name)->keys()) {
             EXPECT_GT(key.position.z, 0.0149) << body.name << " at " << key.time;
+        }
     }
 }
 
@@ -162,8 +167,9 @@ TEST(Hull_TumblingFreely, KeepsEnergyAndAngularMomentum) {
     // A box seen along other axes: the principal ones have to be found.
     const Quat skew = about(Vec3(1, 2, 3) / std::sqrt(14.0), 0.8);
     ConvexHull points = cube_hull({0.1, 0.08, 0.02});
-    for (Vec3& p : points.points)
+    for (Vec3& p : points.points) {
         p = skew.rotateVector(p);
+    }
     Body hull = solid("hull", points, {0, 0, 0});
     hull.pose.orientation = skew.inverse();
     hull.angular_velocity = {0.1, 12.5, 0.1};  // 20 turns about the unstable axis
@@ -179,8 +185,9 @@ TEST(Hull_TumblingFreely, KeepsEnergyAndAngularMomentum) {
         EXPECT_LT(turn.v.length(), 0.02) << t;
     }
     const double energy = timeline.energy.front().total();
-    for (const EnergySample& sample : timeline.energy)
+    for (const EnergySample& sample : timeline.energy) {
         EXPECT_NEAR(sample.total() / energy, 1, 1e-9);
+    }
 }
 
 TEST(Ball_HeadOnAgainstASolid, GivesWhatRestitutionSays) {
@@ -192,8 +199,9 @@ TEST(Ball_HeadOnAgainstASolid, GivesWhatRestitutionSays) {
         world.gravity = {0, 0, 0};
         world.contact_law.pairs[{"ball", "wood"}] = {e, 0, 0};
         Body target = solid("target", shape, {0.5, 0, 0.5}, 0.3);
-        if (!std::holds_alternative<ConvexHull>(shape))
+        if (!std::holds_alternative<ConvexHull>(shape)) {
             target.pose.orientation = about({1, 0, 0}, kPi / 2);
+        }
         Body striker = ball("cue", 0, 0, {2, 0, 0});
         striker.pose.position.z = 0.5;
         world.bodies = {striker, target};
@@ -232,8 +240,9 @@ TEST(Solid_PushedWhenStruck, FollowsItsEventsInItsOwnAxes) {
     world.gravity = {0, 0, 0};
     const Quat skew = about({0, 0, 1}, 0.5);
     ConvexHull points = cube_hull({0.1, 0.08, 0.02});
-    for (Vec3& p : points.points)
+    for (Vec3& p : points.points) {
         p = skew.rotateVector(p);
+    }
     Body target = solid("target", points, {0.5, 0, 0.5});
     Body striker = ball("cue", 0, 0, {2, 0, 0});
     striker.pose.position.z = 0.5;

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "shots.h"
-#include "sim/timeline/error.h"
 
 namespace carom::sim::test {
 namespace {

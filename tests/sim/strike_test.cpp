@@ -63,12 +63,17 @@ TEST(Strike_Elevated, DrivesTheBallIntoTheSlate) {
 
 template <typename Visit>
 void sweep(Visit visit) {
-    for (const double a : {-0.45, -0.2, 0.0, 0.1, 0.5})
-        for (const double up : {-0.45, -0.1, 0.0, 0.3, 0.45})
-            for (const double theta : {0.0, 0.05, 0.4, 0.8, 1.3})
-                for (const double speed : {0.5, 9.0})
-                    for (const double stick : {0.3, 0.567})
+    for (const double a : {-0.45, -0.2, 0.0, 0.1, 0.5}) {
+        for (const double up : {-0.45, -0.1, 0.0, 0.3, 0.45}) {
+            for (const double theta : {0.0, 0.05, 0.4, 0.8, 1.3}) {
+                for (const double speed : {0.5, 9.0}) {
+                    for (const double stick : {0.3, 0.567}) {
                         visit(a, up, theta, speed, stick);
+                    }
+                }
+            }
+        }
+    }
 }
 
 // TP A-30 in its own variables: b is the height above the centre, c the depth, in the level frame.

@@ -25,8 +25,9 @@ Timeline play(const CutShot& shot, double duration = 3) {
     world.contact_law.ball_ball.restitution = shot.restitution;
     world.contact_law.ball_ball.friction = shot.friction;
     world.contact_law.ball_cloth.rolling_friction = shot.is_rolling ? 0 : 0.01;
-    if (!shot.is_rolling)
+    if (!shot.is_rolling) {
         world.contact_law.ball_cloth.sliding_friction = 1e-9;
+    }
     const Vec3 velocity(shot.speed, 0, 0);
     world.bodies = {
         ball("cue", -0.5, 0, velocity, shot.is_rolling ? rolling_spin(velocity) : Vec3(0, 0, 0)),

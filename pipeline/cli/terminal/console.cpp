@@ -10,8 +10,8 @@
 #include <spdlog/logger.h>
 #include <spdlog/sinks/base_sink.h>
 
+#include "core/printable.h"
 #include "pipeline/cli/terminal/progress_text.h"
-#include "sim/timeline/printable.h"
 
 namespace carom::cli {
 

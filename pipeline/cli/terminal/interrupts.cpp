@@ -10,7 +10,7 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::cli {
 

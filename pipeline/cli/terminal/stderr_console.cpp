@@ -5,8 +5,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "core/write_all.h"
 #include "pipeline/cli/terminal/console.h"
-#include "sim/timeline/write_all.h"
 
 namespace carom::cli {
 

@@ -3,11 +3,11 @@
 #include <utility>
 #include <variant>
 
+#include "core/error.h"
 #include "pipeline/config/text.h"
 #include "pipeline/shot/solid_mesh.h"
 #include "render/geometry/mesh_file.h"
 #include "sim/shape/mass_properties.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline::config {
 

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <set>
 
+#include "core/error.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/time_map.h"
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/picture_size.h"
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline::config {
 

@@ -2,11 +2,11 @@
 #include <utility>
 #include <variant>
 
+#include "core/error.h"
 #include "pipeline/config/build/body_shape.h"
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/text.h"
 #include "sim/shape/mass_properties.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline::config {
 

@@ -1,5 +1,6 @@
 #include "render/acceleration/structures/make_structure.h"
 
+#include "core/error.h"
 #include "render/acceleration/structures/brute_force.h"
 #include "render/acceleration/structures/bsp_tree.h"
 #include "render/acceleration/structures/kd_tree.h"
@@ -11,7 +12,6 @@
 #include "render/acceleration/structures/slab_hierarchy.h"
 #include "render/acceleration/structures/uniform_grid.h"
 #include "render/acceleration/structures/wide_bvh.h"
-#include "sim/timeline/error.h"
 
 namespace carom::render {
 

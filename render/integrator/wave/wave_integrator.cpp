@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/assert.h"
 #include "render/geometry/validity.h"
-#include "sim/timeline/assert.h"
 
 namespace carom::render {
 namespace {

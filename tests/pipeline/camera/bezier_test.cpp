@@ -5,9 +5,9 @@
 
 #include <gmock/gmock.h>
 
+#include "core/error.h"
 #include "pipeline/camera/arc_length.h"
 #include "pipeline/camera/easing.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

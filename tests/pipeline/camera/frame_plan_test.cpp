@@ -5,9 +5,9 @@
 
 #include <gmock/gmock.h>
 
+#include "core/error.h"
 #include "pipeline/camera/camera_path.h"
 #include "pipeline/camera/rig_state.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

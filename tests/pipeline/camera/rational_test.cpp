@@ -5,8 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include "core/error.h"
 #include "pipeline/camera/wide_rational.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

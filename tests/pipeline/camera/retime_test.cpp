@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include "core/error.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/time_map.h"
-#include "sim/timeline/error.h"
 #include "tests/pipeline/camera/rig_fixture.h"
 
 namespace carom::pipeline {

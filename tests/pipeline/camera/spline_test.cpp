@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include "core/error.h"
 #include "pipeline/camera/arc_length.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

@@ -194,8 +194,9 @@ TEST_F(CheckCommandRun, Json_IsAnArrayOfProblemsWithTheirEnds) {
 
 TEST_F(CheckCommandRun, LimitsAreRaisedByTheEnvironment) {
     std::string text = "carom: 1\nballs:\n";
-    for (int i = 0; i < 10'001; ++i)
+    for (int i = 0; i < 10'001; ++i) {
         text += "  b" + std::to_string(i) + ": {at: [0, 0, " + std::to_string(i + 1) + "]}\n";
+    }
     write_text(path("many.yaml"), text);
     const RunResult result = run({"check", "many.yaml", "--quick"});
     EXPECT_EQ(result.exit_code, 2);

@@ -276,11 +276,12 @@ TEST_F(Include, RootConfinesWhatAShotNames) {
     const std::string inside =
         "include: [mine.yaml, looks/club.yaml]\nballs: {cue: {at: [0, 0]}}\n";
     EXPECT_EQ(problems(inside).find("error"), std::string::npos) << problems(inside);
-    for (const std::string name : {"../outside/secret.yaml", "link/secret.yaml"})
+    for (const std::string name : {"../outside/secret.yaml", "link/secret.yaml"}) {
         EXPECT_THAT(problems("include: " + name + "\n"),
                     HasSubstr("error: included file '" + name + "' lies outside of '" +
                               (folder_ / "farm").string() +
                               "', to which --root confines what a shot names"));
+    }
     EXPECT_THAT(
         problems("objects: {flat: {mesh: " + (folder_ / "outside/flat.obj").string() + "}}\n"),
         HasSubstr("lies outside of"));

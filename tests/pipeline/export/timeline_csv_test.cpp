@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::pipeline {
 namespace {

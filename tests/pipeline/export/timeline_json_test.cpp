@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 #include "tests/pipeline/export/sample_scene.h"
 
 namespace carom::pipeline {

@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include "core/error.h"
 #include "pipeline/job/film_job.h"
 #include "sim/bake.h"
-#include "sim/timeline/error.h"
 #include "tests/pipeline/job/tiny_shot.h"
 #include "tests/pipeline/video/scratch_folder.h"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/error.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/job/film_job.h"
 #include "render/frame/frame.h"
-#include "sim/timeline/error.h"
 
 namespace carom::testing {
 

@@ -2,11 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include "core/error.h"
 #include "pipeline/job/film_plan.h"
 #include "pipeline/job/job_metadata.h"
 #include "pipeline/store/frame_store.h"
 #include "render/frame/frame.h"
-#include "sim/timeline/error.h"
 #include "tests/pipeline/job/tiny_shot.h"
 #include "tests/pipeline/video/scratch_folder.h"
 

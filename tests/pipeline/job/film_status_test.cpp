@@ -5,10 +5,10 @@
 
 #include <gmock/gmock.h>
 
+#include "core/error.h"
 #include "pipeline/job/film_pipeline.h"
 #include "pipeline/job/film_plan.h"
 #include "pipeline/store/frame_store.h"
-#include "sim/timeline/error.h"
 #include "tests/pipeline/job/tiny_shot.h"
 #include "tests/pipeline/video/scratch_folder.h"
 

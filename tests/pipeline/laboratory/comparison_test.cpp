@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 #include "tests/pipeline/laboratory/small_scene.h"
 
 namespace carom::pipeline {

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "pipeline/laboratory/kernel_plot.h"
 #include "pipeline/laboratory/kernel_text.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 #include "tests/pipeline/laboratory/small_scene.h"
 
 namespace carom::pipeline {

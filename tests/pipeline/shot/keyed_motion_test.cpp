@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 #include "sim/timeline/rotation.h"
 #include "sim/timeline/turning.h"
 

@@ -5,10 +5,10 @@
 #include <gmock/gmock.h>
 #include <stdlib.h>
 
+#include "core/error.h"
 #include "pipeline/store/frame_store.h"
 #include "pipeline/store/seal.h"
 #include "sim/timeline/bake_file.h"
-#include "sim/timeline/error.h"
 #include "tests/pipeline/video/scratch_folder.h"
 
 namespace carom::pipeline {

@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 #include "tests/pipeline/store/child_process.h"
 #include "tests/pipeline/store/sample_frames.h"
 #include "tests/pipeline/video/scratch_folder.h"

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "core/error.h"
 #include "pipeline/store/frame_key.h"
-#include "sim/timeline/error.h"
 #include "tests/pipeline/video/scratch_folder.h"
 
 namespace carom::pipeline {

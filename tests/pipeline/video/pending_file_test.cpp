@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 #include "tests/pipeline/video/scratch_folder.h"
 
 namespace carom::pipeline {

@@ -3,8 +3,8 @@
 #include <signal.h>
 #include <sys/resource.h>
 
+#include "core/error.h"
 #include "pipeline/video/video_writer.h"
-#include "sim/timeline/error.h"
 #include "tests/pipeline/video/decoded_video.h"
 #include "tests/pipeline/video/scratch_folder.h"
 #include "tests/pipeline/video/test_film.h"

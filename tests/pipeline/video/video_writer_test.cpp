@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "pipeline/video/codec_info.h"
-#include "sim/timeline/error.h"
 #include "tests/pipeline/video/decoded_video.h"
 #include "tests/pipeline/video/scratch_folder.h"
 #include "tests/pipeline/video/test_film.h"

@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "pipeline/video/tone_curve.h"
-#include "sim/timeline/error.h"
 
 namespace carom::pipeline {
 namespace {

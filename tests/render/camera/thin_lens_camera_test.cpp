@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "render/sampling/warp.h"
-#include "sim/timeline/error.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/hash.h"
 #include "render/frame/aov_planes.h"
-#include "sim/timeline/hash.h"
 #include "tests/render/scene_builder.h"
 
 namespace carom::render {

@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "render/frame/check_settings.h"
 #include "render/threads/thread_arena.h"
-#include "sim/timeline/error.h"
 #include "tests/render/scene_builder.h"
 
 namespace carom::render {

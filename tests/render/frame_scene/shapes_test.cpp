@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 #include "tests/render/frame_scene/scene_helpers.h"
 
 namespace carom::test {

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "render/geometry/mesh_file.h"
-#include "sim/timeline/error.h"
 #include "tests/render/statistics.h"
 
 namespace carom::render {

@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include "core/error.h"
 #include "render/light/light_set.h"
-#include "sim/timeline/error.h"
 
 namespace carom::render {
 namespace {

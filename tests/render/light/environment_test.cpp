@@ -5,8 +5,8 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "render/sampling/warp.h"
-#include "sim/timeline/error.h"
 #include "tests/render/direction_density.h"
 
 namespace carom::render {

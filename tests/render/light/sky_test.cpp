@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "render/light/environment.h"
-#include "sim/timeline/error.h"
 #include "tests/render/direction_density.h"
 
 namespace carom::render {

@@ -7,9 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "render/texture/number_mask.h"
 #include "render/texture/texture.h"
-#include "sim/timeline/error.h"
 
 namespace carom::render {
 namespace {

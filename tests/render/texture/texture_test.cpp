@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::render {
 namespace {

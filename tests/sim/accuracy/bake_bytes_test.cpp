@@ -4,8 +4,8 @@
 // the failing test prints.
 #include <gtest/gtest.h>
 
+#include "core/hash.h"
 #include "sim/timeline/bake_file.h"
-#include "sim/timeline/hash.h"
 #include "tests/sim/shots.h"
 
 namespace carom::sim::test {

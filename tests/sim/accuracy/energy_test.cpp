@@ -65,8 +65,9 @@ TEST(Energy_WithoutLosses, IsKeptOverAWholeBreak) {
         const Timeline timeline = bake(world).timeline;
         ASSERT_GT(count_events(timeline, EventKind::impact), 30);
         const double before = timeline.energy.front().kinetic;
-        for (const EnergySample& sample : timeline.energy)
+        for (const EnergySample& sample : timeline.energy) {
             EXPECT_NEAR(sample.kinetic / before, 1, 1e-7) << speed << " " << sample.time;
+        }
     }
 }
 

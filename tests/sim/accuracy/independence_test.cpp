@@ -18,14 +18,17 @@ constexpr double kPi = 3.14159265358979324;
 std::map<std::string, double> third_impacts(const Timeline& timeline) {
     std::map<std::string, int> counts;
     std::map<std::string, double> times;
-    for (const Track& track : timeline.tracks)
+    for (const Track& track : timeline.tracks) {
         times[track.name()] = timeline.end_time;
+    }
     for (const Event& event : timeline.events) {
-        if (event.kind != EventKind::impact)
+        if (event.kind != EventKind::impact) {
             continue;
+        }
         for (const std::string& name : {event.a, event.b}) {
-            if (++counts[name] == 3 && times.contains(name))
+            if (++counts[name] == 3 && times.contains(name)) {
                 times[name] = event.time;
+            }
         }
     }
     return times;

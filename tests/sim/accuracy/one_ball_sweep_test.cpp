@@ -44,8 +44,9 @@ TEST(OneBall_Sweep, EndOfSlidingIsWithinAHundredthOfAMillisecond) {
     sweep([](const char* name, double speed, const Vec3& velocity, const Vec3& spin) {
         const Vec3 slip = velocity + spin.cross(Vec3(0, 0, -kRadius));
         const double expected = 2 * slip.length() / (7 * 0.2 * kGravity);
-        if (expected < 1e-9)
+        if (expected < 1e-9) {
             return;
+        }
         WorldDescription world = cloth_world(expected + 0.1);
         world.bodies = {ball("cue", 0.3, 0.1, velocity, spin)};
         const Timeline timeline = bake(world).timeline;
@@ -62,8 +63,9 @@ TEST(OneBall_Sweep, EndsWhereTheClosedFormSaysAfterUpToSixtyMetres) {
     sweep([&](const char* name, double speed, const Vec3& velocity, const Vec3& spin) {
         const LevelState start{{0.3, 0.1}, {velocity.x, velocity.y}, spin * kRadius};
         const LevelState end = level_end(endless, start);
-        if ((end.position - start.position).length() > 70)
+        if ((end.position - start.position).length() > 70) {
             return;
+        }
         WorldDescription world = cloth_world(130);
         world.step = 1.0 / 60;
         world.bodies = {ball("cue", 0.3, 0.1, velocity, spin)};
@@ -92,8 +94,9 @@ TEST(OneBall_RollingTenSeconds_WithSide, IsTurnedAsTheFineIntegrationSays) {
                 const double z = std::copysign(std::max(0.0, std::abs(side) - rate * t), side);
                 const Vec3 turn = (rolling_spin(v) + Vec3(0, 0, z)) * h;
                 const double angle = turn.length();
-                if (angle > 0)
+                if (angle > 0) {
                     fine = Quat(std::cos(angle / 2), turn * (std::sin(angle / 2) / angle)) * fine;
+                }
             }
             const Quat q = state_at(bake(world).timeline, "cue", 10).orientation;
             const double cosine = std::min(1.0, std::abs(q.r * fine.r + q.v.dot(fine.v)));

@@ -67,8 +67,9 @@ Played play(const CutShot& shot, double duration = 0.5) {
     Played played;
     played.timeline = bake(world).timeline;
     const Event* impact = find_event(played.timeline, EventKind::impact, "cue", "one");
-    if (impact == nullptr)
+    if (impact == nullptr) {
         throw std::runtime_error("no impact");
+    }
     played.time = impact->time;
     played.cue = key_at(played.timeline, "cue", impact->time);
     played.object = key_at(played.timeline, "one", impact->time);
@@ -97,11 +98,15 @@ void sweep(Visit visit) {
         double follow, side;
     };
     const Spin spins[] = {{0, 0}, {1, 0}, {-1.2, 0}, {0, 0.9}, {0, -0.9}, {0.8, 0.5}};
-    for (int degrees = 0; degrees <= 80; degrees += 8)
-        for (const double speed : {0.4, 2.5, 9.0})
-            for (const BallBall& law : laws)
-                for (const Spin& spin : spins)
+    for (int degrees = 0; degrees <= 80; degrees += 8) {
+        for (const double speed : {0.4, 2.5, 9.0}) {
+            for (const BallBall& law : laws) {
+                for (const Spin& spin : spins) {
                     visit(CutShot{degrees * kPi / 180, speed, spin.follow, spin.side, law});
+                }
+            }
+        }
+    }
 }
 
 TEST(TwoBalls_Sweep, LeaveAsTheFormulasSay) {
@@ -126,25 +131,30 @@ TEST(TwoBalls_Sweep, LeaveAsTheFormulasSay) {
 TEST(TwoBalls_Sweep, RollOffAsTheFormulasSay) {
     const Vec3 down(0, 0, -kRadius);
     sweep([&](const CutShot& shot) {
-        if (shot.speed != 2.5)
+        if (shot.speed != 2.5) {
             return;
+        }
         const Played played = play(shot, 2.5);
         const Outcome after =
             collide(played.cue.velocity_in, played.cue.angular_velocity_in, played.frame, shot.law);
         const auto rolling_at = [&](const std::string& name) {
             for (const Event& event : played.timeline.events) {
-                if (event.kind == EventKind::rolling && event.a == name && event.time > played.time)
+                if (event.kind == EventKind::rolling && event.a == name &&
+                    event.time > played.time) {
                     return state_at(played.timeline, name, event.time).velocity;
+                }
             }
             return Vec3(0, 0, 0);  // came to rest, or rolls already
         };
         const Vec3 cue = after.cue - (after.cue + after.cue_spin.cross(down)) * (2.0 / 7);
         const Vec3 object =
             after.object - (after.object + after.object_spin.cross(down)) * (2.0 / 7);
-        if (rolling_at("cue").length() > 0)
+        if (rolling_at("cue").length() > 0) {
             expect_same(rolling_at("cue"), cue, shot.speed, "cue ball");
-        if (rolling_at("one").length() > 0)
+        }
+        if (rolling_at("one").length() > 0) {
             expect_same(rolling_at("one"), object, shot.speed, "object ball");
+        }
     });
 }
 
@@ -189,8 +199,9 @@ TEST(TwoBalls_Elastic, ObeyTheRulesOfThumb) {
             const CutShot rolling{cut, speed, 1, 0, {1, 0, BallFriction::constant}};
             const Timeline timeline = play(rolling, 3).timeline;
             for (const Event& event : timeline.events) {
-                if (event.kind != EventKind::rolling || event.a != "cue" || event.time < 1e-3)
+                if (event.kind != EventKind::rolling || event.a != "cue" || event.time < 1e-3) {
                     continue;
+                }
                 const Vec3 v = state_at(timeline, "cue", event.time).velocity;
                 const double s = std::sin(cut);
                 EXPECT_NEAR(-std::atan2(v.y, v.x), std::atan2(s * std::cos(cut), s * s + 0.4), 1e-7)

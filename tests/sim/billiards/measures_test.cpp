@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "mesh_helpers.h"
 #include "sim/billiards/table.h"
-#include "sim/timeline/error.h"
 
 namespace carom::sim::billiards {
 namespace {
@@ -77,9 +77,10 @@ TEST(StandardTable, Carom_KeepsToTheRulesOfTheUmb) {
 }
 
 TEST(FindProblems, StandardTables_HaveNone) {
-    for (const test::NamedTable& named : test::kTables)
+    for (const test::NamedTable& named : test::kTables) {
         EXPECT_THAT(find_problems(*standard_table(named.kind, named.size)), IsEmpty())
             << named.name;
+    }
     EXPECT_THAT(find_problems(*standard_table(TableKind::cloth, "")), IsEmpty());
     TableMeasures custom;
     custom.kind = TableKind::custom;

@@ -30,9 +30,11 @@ inline constexpr std::array<NamedTable, 5> kTables{
 
 inline std::vector<const Surface*> parts(const TableGeometry& geometry, SurfacePart part) {
     std::vector<const Surface*> found;
-    for (const Surface& surface : geometry.surfaces)
-        if (surface.part == part)
+    for (const Surface& surface : geometry.surfaces) {
+        if (surface.part == part) {
             found.push_back(&surface);
+        }
+    }
     return found;
 }
 
@@ -48,8 +50,9 @@ inline Vec3 area_vector(const Surface& surface, std::size_t triangle) {
 /// Enclosed by the triangles if they are closed; positive if they face outwards.
 inline double volume(const Surface& surface) {
     double sum = 0;
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
         sum += corner(surface, t, 0).dot(corner(surface, t, 1).cross(corner(surface, t, 2))) / 6;
+    }
     return sum;
 }
 
@@ -64,14 +67,17 @@ inline int unmatched_edges(const Surface& surface) {
         id_of.push_back(ids.emplace(cell, static_cast<int>(ids.size())).first->second);
     }
     std::map<std::pair<int, int>, int> count;
-    for (const auto& triangle : surface.triangles)
-        for (std::size_t side = 0; side < 3; ++side)
+    for (const auto& triangle : surface.triangles) {
+        for (std::size_t side = 0; side < 3; ++side) {
             ++count[{id_of[triangle[side]], id_of[triangle[(side + 1) % 3]]}];
+        }
+    }
     int unmatched = 0;
     for (const auto& [edge, times] : count) {
         const auto back = count.find({edge.second, edge.first});
-        if (times != 1 || back == count.end() || back->second != 1)
+        if (times != 1 || back == count.end() || back->second != 1) {
             ++unmatched;
+        }
     }
     return unmatched;
 }
@@ -87,18 +93,20 @@ inline double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, 
     const auto is_inside = [&](const Vec3& from, const Vec3& to) {
         return (to - from).cross(p - from).dot(normal) >= 0;
     };
-    if (is_inside(a, b) && is_inside(b, c) && is_inside(c, a))
+    if (is_inside(a, b) && is_inside(b, c) && is_inside(c, a)) {
         return std::abs((p - a).dot(normal));
+    }
     return std::min(
         {distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
 }
 
 inline double distance_to_surface(const Vec3& p, const Surface& surface) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
         nearest =
             std::min(nearest, distance_to_triangle(p, corner(surface, t, 0), corner(surface, t, 1),
                                                    corner(surface, t, 2)));
+    }
     return nearest;
 }
 
@@ -113,7 +121,7 @@ inline std::optional<Landing> drop_at(const TableGeometry& geometry, const Vec2&
     const auto side = [](const Vec3& a, const Vec3& b, const Vec2& p) {
         return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
     };
-    for (const Surface& surface : geometry.surfaces)
+    for (const Surface& surface : geometry.surfaces) {
         for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
             const Vec3 a = corner(surface, t, 0);
             const Vec3 b = corner(surface, t, 1);
@@ -122,12 +130,15 @@ inline std::optional<Landing> drop_at(const TableGeometry& geometry, const Vec2&
             const double wb = side(c, a, place);
             const double wc = side(a, b, place);
             const double sum = wa + wb + wc;
-            if (sum == 0 || wa * sum < 0 || wb * sum < 0 || wc * sum < 0)
+            if (sum == 0 || wa * sum < 0 || wb * sum < 0 || wc * sum < 0) {
                 continue;
+            }
             const double z = (wa * a.z + wb * b.z + wc * c.z) / sum;
-            if (!highest || z > highest->z)
+            if (!highest || z > highest->z) {
                 highest = Landing{&surface, z};
+            }
         }
+    }
     return highest;
 }
 

@@ -19,8 +19,9 @@ TEST(PlanPath, StraightPiece_IsDividedEvenly) {
     ASSERT_EQ(path.size(), 5U);
     expect_near(path[1].position, {0.25, 0});
     EXPECT_NEAR(path.back().length, 1, 1e-15);
-    for (const PathPoint& point : path)
+    for (const PathPoint& point : path) {
         expect_near(point.normal_out, {0, 1});
+    }
     expect_near(path[2].inside(0.1), {0.5, -0.1});
 }
 
@@ -65,8 +66,9 @@ TEST(PlanPath, ConcaveRounding_GrowsInsteadOfShrinking) {
                               .round({1, 0}, 0.2, {1, 1})
                               .line_to({1, 1})
                               .finish();
-    for (std::size_t i = 1; i + 1 < path.size(); ++i)
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
         EXPECT_NEAR((path[i].inside(0.5) - Vec2(0.8, 0.2)).length(), 0.7, 1e-12);
+    }
 }
 
 TEST(PlanPath, Arc_GoesTheWayAsked) {

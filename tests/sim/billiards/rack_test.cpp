@@ -21,9 +21,11 @@ std::vector<PlacedBall> pool_rack(RackKind kind, RackOptions options = {0, 0}) {
 }
 
 const PlacedBall& ball(const std::vector<PlacedBall>& balls, const std::string& name) {
-    for (const PlacedBall& candidate : balls)
-        if (candidate.name == name)
+    for (const PlacedBall& candidate : balls) {
+        if (candidate.name == name) {
             return candidate;
+        }
+    }
     throw std::runtime_error("no ball " + name);
 }
 
@@ -33,10 +35,12 @@ void expect_near(const Vec3& a, const Vec3& b) {
 
 double smallest_gap(const std::vector<PlacedBall>& balls, double radius) {
     double smallest = 1;
-    for (std::size_t a = 0; a < balls.size(); ++a)
-        for (std::size_t b = a + 1; b < balls.size(); ++b)
+    for (std::size_t a = 0; a < balls.size(); ++a) {
+        for (std::size_t b = a + 1; b < balls.size(); ++b) {
             smallest =
                 std::min(smallest, (balls[a].position - balls[b].position).length() - 2 * radius);
+        }
+    }
     return smallest;
 }
 
@@ -86,8 +90,9 @@ TEST(Rack, Numbers_AreThoseOfTheNamesAndEachIsThereOnce) {
          {RackKind::nine_ball, RackKind::eight_ball, RackKind::ten_ball, RackKind::fifteen_ball}) {
         std::set<int> numbers;
         const auto balls = pool_rack(kind);
-        for (const PlacedBall& placed : balls)
+        for (const PlacedBall& placed : balls) {
             numbers.insert(placed.number);
+        }
         EXPECT_EQ(numbers.size(), balls.size());
         EXPECT_EQ(*numbers.begin(), 1);
         EXPECT_EQ(*numbers.rbegin(), static_cast<int>(balls.size()));
@@ -124,13 +129,14 @@ TEST(Rack, Carom_HasThreeBallsOnTheirSpots) {
 
 TEST(Rack, ThousandSeeds_NeverOverlapAndKeepTheGapsInTheirRange) {
     const TableMeasures table = *standard_table(TableKind::snooker, "12 ft");
-    for (std::uint64_t seed = 0; seed < 1000; ++seed)
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
         for (const double gap : {0.0, 3e-5, 1e-3}) {
             EXPECT_GE(smallest_gap(pool_rack(RackKind::fifteen_ball, {gap, seed}), kRadius), 0);
             EXPECT_GE(
                 smallest_gap(rack(RackKind::snooker, table, 0.02619375, {gap, seed}), 0.02619375),
                 0);
         }
+    }
 }
 
 TEST(Rack, Gaps_SpreadFromNoneToTwiceTheirMean) {
@@ -141,17 +147,19 @@ TEST(Rack, Gaps_SpreadFromNoneToTwiceTheirMean) {
     int count = 0;
     for (std::uint64_t seed = 0; seed < 1000; ++seed) {
         const auto balls = pool_rack(RackKind::fifteen_ball, {gap, seed});
-        for (std::size_t a = 0; a < balls.size(); ++a)
+        for (std::size_t a = 0; a < balls.size(); ++a) {
             for (std::size_t b = a + 1; b < balls.size(); ++b) {
                 const double between =
                     (balls[a].position - balls[b].position).length() - 2 * kRadius;
-                if (between > kRadius)
+                if (between > kRadius) {
                     continue;  // not neighbours
+                }
                 sum += between;
                 largest = std::max(largest, between);
                 smallest = std::min(smallest, between);
                 ++count;
             }
+        }
     }
     EXPECT_EQ(count, 30'000);  // 30 pairs of neighbours in a triangle of 15
     // Standard error of the mean: each gap varies by under 0.4 of the mean, 14 000 free numbers.

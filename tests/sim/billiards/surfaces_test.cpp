@@ -30,23 +30,26 @@ TEST_P(TableSurfaces, Meshes_AreComplete) {
         EXPECT_FALSE(surface.triangles.empty());
         EXPECT_EQ(surface.normals.size(), surface.vertices.size());
         EXPECT_EQ(surface.uv.size(), surface.vertices.size());
-        for (const auto& triangle : surface.triangles)
-            for (const std::uint32_t index : triangle)
+        for (const auto& triangle : surface.triangles) {
+            for (const std::uint32_t index : triangle) {
                 ASSERT_LT(index, surface.vertices.size());
+            }
+        }
     }
 }
 
 TEST_P(TableSurfaces, Vertices_AreFiniteWithUnitNormals) {
-    for (const Surface& surface : geometry_.surfaces)
+    for (const Surface& surface : geometry_.surfaces) {
         for (std::size_t i = 0; i < surface.vertices.size(); ++i) {
             ASSERT_LT(surface.vertices[i].length(), 3) << surface.name;
             ASSERT_NEAR(surface.normals[i].length(), 1, 1e-12) << surface.name;
             ASSERT_LT(surface.uv[i].length(), 12) << surface.name;
         }
+    }
 }
 
 TEST_P(TableSurfaces, Triangles_AreNotDegenerateAndFaceAlongTheirNormals) {
-    for (const Surface& surface : geometry_.surfaces)
+    for (const Surface& surface : geometry_.surfaces) {
         for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
             const Vec3 area = test::area_vector(surface, t);
             double longest = 0;
@@ -61,12 +64,14 @@ TEST_P(TableSurfaces, Triangles_AreNotDegenerateAndFaceAlongTheirNormals) {
             // Its height: nothing thinner than a few micrometres.
             ASSERT_GT(2 * area.length() / longest, 2e-6) << surface.name << " triangle " << t;
         }
+    }
 }
 
 TEST_P(TableSurfaces, Solids_AreClosedAndFaceOutwards) {
     for (const Surface& surface : geometry_.surfaces) {
-        if (surface.part == SurfacePart::cloth || surface.part == SurfacePart::pocket_floor)
+        if (surface.part == SurfacePart::cloth || surface.part == SurfacePart::pocket_floor) {
             continue;
+        }
         EXPECT_EQ(test::unmatched_edges(surface), 0) << surface.name;
         EXPECT_GT(test::volume(surface), 0) << surface.name;
     }
@@ -77,8 +82,9 @@ TEST_P(TableSurfaces, Solids_AreClosedAndFaceOutwards) {
 TEST_P(TableSurfaces, Sheets_AreOpenAtTheirRimsOnly) {
     const Surface& bed = cloth();
     double low = 0;
-    for (const Vec3& v : bed.vertices)
+    for (const Vec3& v : bed.vertices) {
         low = std::min(low, v.z);
+    }
     const int holes = static_cast<int>(geometry_.pockets.size());
     const int outer_rim = test::unmatched_edges(bed) - 96 * holes;
     EXPECT_GT(outer_rim, 40);
@@ -86,21 +92,25 @@ TEST_P(TableSurfaces, Sheets_AreOpenAtTheirRimsOnly) {
     if (holes > 0) {
         EXPECT_LT(low, -0.01);
     }
-    for (const Surface* floor : test::parts(geometry_, SurfacePart::pocket_floor))
+    for (const Surface* floor : test::parts(geometry_, SurfacePart::pocket_floor)) {
         EXPECT_EQ(test::unmatched_edges(*floor), 96);
+    }
 }
 
 TEST_P(TableSurfaces, Cloth_CoversItsRectangleButForTheHoles) {
     double area = 0;
     Vec2 reach(0, 0);
-    for (std::size_t t = 0; t < cloth().triangles.size(); ++t)
+    for (std::size_t t = 0; t < cloth().triangles.size(); ++t) {
         area += test::area_vector(cloth(), t).z;
-    for (const Vec3& v : cloth().vertices)
+    }
+    for (const Vec3& v : cloth().vertices) {
         reach = {std::max(reach.x, std::abs(v.x)), std::max(reach.y, std::abs(v.y))};
+    }
     double expected = 4 * reach.x * reach.y;
-    for (const Pocket& pocket : geometry_.pockets)
+    for (const Pocket& pocket : geometry_.pockets) {
         // A polygon of 96 corners on the circle.
         expected -= 48 * pocket.radius * pocket.radius * std::sin(kPi / 48);
+    }
     EXPECT_NEAR(area, expected, 1e-10);
     // It goes on under the cushions.
     EXPECT_GT(reach.x, 0.5 * measures_.length + measures_.cushion_width);
@@ -108,10 +118,11 @@ TEST_P(TableSurfaces, Cloth_CoversItsRectangleButForTheHoles) {
 }
 
 TEST_P(TableSurfaces, ClothTexture_IsTheWorldsXAndY) {
-    for (std::size_t i = 0; i < cloth().vertices.size(); ++i)
+    for (std::size_t i = 0; i < cloth().vertices.size(); ++i) {
         if (cloth().normals[i].z == 1) {
             EXPECT_EQ(cloth().uv[i], Vec2(cloth().vertices[i].x, cloth().vertices[i].y));
         }
+    }
 }
 
 // The foremost vertices of the cushions are the nose: at its height, on its line.
@@ -120,18 +131,23 @@ TEST_P(TableSurfaces, Noses_StandAtTheirHeightOnTheirLine) {
     const double inset = radius_ - std::sqrt(radius_ * radius_ - above * above);
     const double line = 0.5 * measures_.width - inset;
     double foremost = 1e9;
-    for (const Surface* cushion : test::parts(geometry_, SurfacePart::cushion))
-        for (const Vec3& v : cushion->vertices)
-            if (v.y > 0 && std::abs(v.x) < 0.3 * measures_.length && std::abs(v.x) > 0.15)
+    for (const Surface* cushion : test::parts(geometry_, SurfacePart::cushion)) {
+        for (const Vec3& v : cushion->vertices) {
+            if (v.y > 0 && std::abs(v.x) < 0.3 * measures_.length && std::abs(v.x) > 0.15) {
                 foremost = std::min(foremost, v.y);
+            }
+        }
+    }
     EXPECT_NEAR(foremost, line, 1e-12);
     int at_nose = 0;
-    for (const Surface* cushion : test::parts(geometry_, SurfacePart::cushion))
-        for (const Vec3& v : cushion->vertices)
+    for (const Surface* cushion : test::parts(geometry_, SurfacePart::cushion)) {
+        for (const Vec3& v : cushion->vertices) {
             if (std::abs(v.y - foremost) < 1e-9 && std::abs(v.x) < 0.3 * measures_.length) {
                 EXPECT_NEAR(v.z, measures_.nose_height, 1e-12);
                 ++at_nose;
             }
+        }
+    }
     EXPECT_GT(at_nose, 10);
 }
 
@@ -145,29 +161,32 @@ TEST_P(TableSurfaces, FromAbove_EveryPlaceShowsItsPart) {
     const double cushion_y = 0.5 * measures_.width + 0.5 * measures_.cushion_width;
     const double rail_y =
         0.5 * measures_.width + measures_.cushion_width + 0.8 * measures_.rail_width;
-    for (const double x : {-0.333, 0.4567})
+    for (const double x : {-0.333, 0.4567}) {
         for (const double side : {-1.0, 1.0}) {
             EXPECT_EQ(part_at({x, side * cushion_y}), SurfacePart::cushion);
             EXPECT_EQ(part_at({x, side * rail_y}), SurfacePart::rail);
         }
+    }
     const double rail = 0.5 * measures_.length + measures_.cushion_width;
     EXPECT_EQ(part_at({rail + 0.7 * measures_.rail_width, 0.05}), SurfacePart::rail);
     EXPECT_NEAR(test::drop_at(geometry_, {0.4567, rail_y})->z, measures_.rail_height, 0.004);
 }
 
 TEST_P(TableSurfaces, Pockets_AreOpenDownToTheirFloors) {
-    for (const Pocket& pocket : geometry_.pockets)
+    for (const Pocket& pocket : geometry_.pockets) {
         for (int i = 0; i < 12; ++i) {
             const Vec2 place =
                 pocket.centre + 0.9 * pocket.radius *
                                     Vec2(std::cos(kPi * i / 6 + 0.1), std::sin(kPi * i / 6 + 0.1));
             const auto landing = test::drop_at(geometry_, place);
             // Jaws may stand over the hole's rim; wood and cloth may not.
-            if (landing->surface->part == SurfacePart::cushion)
+            if (landing->surface->part == SurfacePart::cushion) {
                 continue;
+            }
             EXPECT_EQ(landing->surface->part, SurfacePart::pocket_floor) << pocket.name << i;
             EXPECT_NEAR(landing->z, -pocket.drop, 1e-12);
         }
+    }
 }
 
 TEST_P(TableSurfaces, Sights_AreAtEighthsOfTheField) {
@@ -186,9 +205,11 @@ TEST_P(TableSurfaces, Sights_AreAtEighthsOfTheField) {
 
 TEST_P(TableSurfaces, Legs_StandOnTheFloor) {
     double low = 0;
-    for (const Surface& surface : geometry_.surfaces)
-        for (const Vec3& v : surface.vertices)
+    for (const Surface& surface : geometry_.surfaces) {
+        for (const Vec3& v : surface.vertices) {
             low = std::min(low, v.z);
+        }
+    }
     EXPECT_NEAR(low, -measures_.height, 1e-12);
     EXPECT_GE(test::parts(geometry_, SurfacePart::leg).size(), 4U);
 }

@@ -20,9 +20,11 @@ class TablePlan : public testing::TestWithParam<test::NamedTable> {
     }
     [[nodiscard]] std::vector<CushionFace> faces(bool is_jaw) const {
         std::vector<CushionFace> found;
-        for (const CushionFace& face : geometry_.faces)
-            if (face.is_jaw == is_jaw)
+        for (const CushionFace& face : geometry_.faces) {
+            if (face.is_jaw == is_jaw) {
                 found.push_back(face);
+            }
+        }
         return found;
     }
 };
@@ -75,8 +77,9 @@ TEST_P(TablePlan, Mouths_AreAsWideAsTheMeasuresSay) {
         const CushionFace& jaw_in = all[(i + 1) % all.size()];
         const CushionFace& jaw_out = all[(i + 2) % all.size()];
         const CushionFace& next = all[(i + 3) % all.size()];
-        if (all[i].is_jaw || !jaw_in.is_jaw || !jaw_out.is_jaw || next.is_jaw)
+        if (all[i].is_jaw || !jaw_in.is_jaw || !jaw_out.is_jaw || next.is_jaw) {
             continue;
+        }
         ++mouths;
         const Vec2 lip = meeting_point(all[i], jaw_in);
         const Vec2 other_lip = meeting_point(jaw_out, next);
@@ -94,11 +97,14 @@ TEST_P(TablePlan, Mouths_AreAsWideAsTheMeasuresSay) {
 TEST_P(TablePlan, Corners_TouchTheFacesOnBothSides) {
     for (const CushionCorner& corner : geometry_.corners) {
         int touching = 0;
-        for (const CushionFace& face : geometry_.faces)
-            for (const Vec2& end : {face.from, face.to})
+        for (const CushionFace& face : geometry_.faces) {
+            for (const Vec2& end : {face.from, face.to}) {
                 if (std::abs((end - corner.centre).length() - corner.radius) < 1e-12 &&
-                    std::abs((end - corner.centre).dot(face.normal) - corner.radius) < 1e-12)
+                    std::abs((end - corner.centre).dot(face.normal) - corner.radius) < 1e-12) {
                     ++touching;
+                }
+            }
+        }
         EXPECT_EQ(touching, 2);
     }
 }
@@ -124,11 +130,15 @@ TEST_P(TablePlan, Shelf_LiesBetweenMouthAndHole) {
 
 TEST_P(TablePlan, Holes_GoThroughTheEndsOfTheJaws) {
     int ends = 0;
-    for (const Pocket& pocket : geometry_.pockets)
-        for (const CushionFace& face : faces(true))
-            for (const Vec2& end : {face.from, face.to})
-                if (std::abs((end - pocket.centre).length() - pocket.radius) < 1e-9)
+    for (const Pocket& pocket : geometry_.pockets) {
+        for (const CushionFace& face : faces(true)) {
+            for (const Vec2& end : {face.from, face.to}) {
+                if (std::abs((end - pocket.centre).length() - pocket.radius) < 1e-9) {
                     ++ends;
+                }
+            }
+        }
+    }
     EXPECT_EQ(ends, measures_.kind == TableKind::carom ? 0 : 12);
 }
 
@@ -138,11 +148,13 @@ TEST_P(TablePlan, Outline_IsOneWalkRoundTheField) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         const CushionFace& next = all[(i + 1) % all.size()];
         const double gap = (next.from - all[i].to).length();
-        if (all[i].is_jaw && next.is_jaw)
+        if (all[i].is_jaw && next.is_jaw) {
             continue;  // a pocket
+        }
         double widest = 1e-12;
-        for (const CushionCorner& corner : geometry_.corners)
+        for (const CushionCorner& corner : geometry_.corners) {
             widest = std::max(widest, 2 * corner.radius);
+        }
         EXPECT_LE(gap, widest);
     }
 }
@@ -174,8 +186,9 @@ TEST_P(TablePlan, CollidedParts_AreThoseOfTheWholeTable) {
         const bool is_collided =
             surface.part == SurfacePart::cushion || surface.part == SurfacePart::rail ||
             surface.part == SurfacePart::pocket_liner || surface.part == SurfacePart::pocket_floor;
-        if (!is_collided)
+        if (!is_collided) {
             continue;
+        }
         ASSERT_LT(next, collided.surfaces.size());
         EXPECT_EQ(collided.surfaces[next].name, surface.name);
         EXPECT_EQ(collided.surfaces[next].vertices, surface.vertices);
@@ -196,22 +209,26 @@ TEST(ClothAlone, HasACloth_AndNothingElse) {
 }
 
 TEST(CustomTable, AnyMixOfPockets_IsBuilt) {
-    for (const bool has_corners : {false, true})
+    for (const bool has_corners : {false, true}) {
         for (const bool has_sides : {false, true}) {
             TableMeasures table = *standard_table(TableKind::pool, "9 ft");
             table.kind = TableKind::custom;
-            if (!has_corners)
+            if (!has_corners) {
                 table.corner_pocket.reset();
-            if (!has_sides)
+            }
+            if (!has_sides) {
                 table.side_pocket.reset();
+            }
             const TableGeometry geometry = build_table(table, 0.028575);
             EXPECT_EQ(geometry.pockets.size(), (has_corners ? 4U : 0U) + (has_sides ? 2U : 0U));
-            for (const Surface& surface : geometry.surfaces)
+            for (const Surface& surface : geometry.surfaces) {
                 if (surface.part != SurfacePart::cloth &&
                     surface.part != SurfacePart::pocket_floor) {
                     EXPECT_EQ(test::unmatched_edges(surface), 0) << surface.name;
                 }
+            }
         }
+    }
 }
 
 // Jaws that end before the rail, over a larger hole: the cushion's end is a face too.
@@ -223,14 +240,16 @@ TEST(CustomTable, ShortJaws_AreClosedTowardsTheRail) {
     table.rail_width = 0.16;
     const TableGeometry geometry = build_table(table, 0.028575);
     int ends = 0;
-    for (const CushionFace& face : geometry.faces)
+    for (const CushionFace& face : geometry.faces) {
         if (face.is_jaw && std::abs(face.normal.y) < 1e-12 && std::abs(face.from.x) < 0.1) {
             ++ends;
             EXPECT_NEAR(std::abs(face.from.x), 0.5 * table.side_pocket->throat, 1e-12);
         }
+    }
     EXPECT_EQ(ends, 4);
-    for (const Surface* cushion : test::parts(geometry, SurfacePart::cushion))
+    for (const Surface* cushion : test::parts(geometry, SurfacePart::cushion)) {
         EXPECT_EQ(test::unmatched_edges(*cushion), 0) << cushion->name;
+    }
 }
 
 }  // namespace

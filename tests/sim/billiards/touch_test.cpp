@@ -22,15 +22,16 @@ class Touch : public testing::TestWithParam<test::NamedTable> {
     }
     [[nodiscard]] double distance_to_cushions(const Vec2& centre) const {
         double nearest = 1;
-        for (const Surface* cushion : test::parts(geometry_, SurfacePart::cushion))
+        for (const Surface* cushion : test::parts(geometry_, SurfacePart::cushion)) {
             nearest = std::min(nearest,
                                test::distance_to_surface({centre.x, centre.y, radius_}, *cushion));
+        }
         return nearest;
     }
 };
 
 TEST_P(Touch, AlongFaces_BallAndDrawnCushionMeet) {
-    for (const CushionFace& face : geometry_.faces)
+    for (const CushionFace& face : geometry_.faces) {
         for (const double share : {0.1, 0.5, 0.9}) {
             const Vec2 nose = face.from + share * (face.to - face.from);
             const Vec2 centre = nose + reach() * face.normal;
@@ -40,6 +41,7 @@ TEST_P(Touch, AlongFaces_BallAndDrawnCushionMeet) {
                 EXPECT_NEAR(distance_to_cushions(centre), radius_, 1e-9);
             }
         }
+    }
 }
 
 TEST_P(Touch, OnTheField_CushionFacesAreTouchedAtTheRadiusFromItsEdge) {
@@ -51,10 +53,13 @@ TEST_P(Touch, RoundCorners_BallAndDrawnCushionMeet) {
     for (const CushionCorner& corner : geometry_.corners) {
         // From the middle of the arc: between the normals of the two faces that it joins.
         Vec2 outward(0, 0);
-        for (const CushionFace& face : geometry_.faces)
-            for (const Vec2& end : {face.from, face.to})
-                if ((end - corner.centre - corner.radius * face.normal).length() < 1e-9)
+        for (const CushionFace& face : geometry_.faces) {
+            for (const Vec2& end : {face.from, face.to}) {
+                if ((end - corner.centre - corner.radius * face.normal).length() < 1e-9) {
                     outward += face.normal;
+                }
+            }
+        }
         const Vec2 centre = corner.centre + (corner.radius + reach()) * outward.normalized();
         // The drawn polygon lies up to one sagitta, 10 um, inside the arc.
         EXPECT_NEAR(distance_to_cushions(centre), radius_, 2.5e-5);

@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "sim/billiards/ear_clipping.h"
-#include "sim/timeline/error.h"
 
 namespace carom::sim::billiards {
 namespace {
@@ -17,33 +17,38 @@ constexpr double kPi = std::numbers::pi;
 
 Loop circle(const Vec2& centre, double radius, int count) {
     Loop loop;
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         loop.push_back(centre +
                        radius * Vec2(std::cos(2 * kPi * i / count), std::sin(2 * kPi * i / count)));
+    }
     return loop;
 }
 
 Loop rectangle(double width, double height, int per_side) {
     Loop loop;
     const std::array<Vec2, 4> corners{{{0, 0}, {width, 0}, {width, height}, {0, height}}};
-    for (std::size_t side = 0; side < 4; ++side)
-        for (int step = 0; step < per_side; ++step)
+    for (std::size_t side = 0; side < 4; ++side) {
+        for (int step = 0; step < per_side; ++step) {
             loop.push_back(corners[side] +
                            (corners[(side + 1) % 4] - corners[side]) * (double(step) / per_side));
+        }
+    }
     return loop;
 }
 
 double area_of(const Loop& loop) {
     double sum = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
         sum += 0.5 * doubled_area({0, 0}, loop[i], loop[(i + 1) % loop.size()]);
+    }
     return std::abs(sum);
 }
 
 double area_of(const Triangulation& region) {
     double sum = 0;
-    for (const auto& [a, b, c] : region.triangles)
+    for (const auto& [a, b, c] : region.triangles) {
         sum += 0.5 * doubled_area(region.points[a], region.points[b], region.points[c]);
+    }
     return sum;
 }
 
@@ -54,8 +59,9 @@ void expect_covers(const std::vector<Loop>& loops, double spacing) {
     std::multiset<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const auto& t : region.triangles) {
         ASSERT_GT(doubled_area(region.points[t[0]], region.points[t[1]], region.points[t[2]]), 0);
-        for (std::size_t side = 0; side < 3; ++side)
+        for (std::size_t side = 0; side < 3; ++side) {
             edges.insert({t[side], t[(side + 1) % 3]});
+        }
     }
     double expected = 0;
     std::uint32_t first = 0;
@@ -89,9 +95,10 @@ TEST(Triangulation, PointsOnStraightSides_AreKept) {
 TEST(Triangulation, ConcaveOutline_IsCovered) {
     expect_covers({{{0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 0.5}, {1, 0.5}, {1, 2}, {0, 2}}}, 0.2);
     Loop star;
-    for (int i = 0; i < 40; ++i)
+    for (int i = 0; i < 40; ++i) {
         star.push_back((i % 2 == 0 ? 1.0 : 0.3) *
                        Vec2(std::cos(kPi * i / 20), std::sin(kPi * i / 20)));
+    }
     expect_covers({star}, 0.1);
 }
 
@@ -109,9 +116,10 @@ TEST(Triangulation, RandomStarShapes_AreCovered) {
     };
     for (int trial = 0; trial < 50; ++trial) {
         Loop outside;
-        for (int i = 0; i < 60; ++i)
+        for (int i = 0; i < 60; ++i) {
             outside.push_back((0.5 + random()) *
                               Vec2(std::cos(2 * kPi * i / 60), std::sin(2 * kPi * i / 60)));
+        }
         expect_covers({outside, circle({0, 0}, 0.3, 24)}, 0.1);
     }
 }
@@ -120,12 +128,13 @@ TEST(Triangulation, InnerPoints_KeepTrianglesInShape) {
     const std::vector<Loop> loops{rectangle(2.54, 1.27, 20)};
     const Triangulation region = triangulate(loops, 0.1);
     double smallest = kPi;
-    for (const auto& t : region.triangles)
+    for (const auto& t : region.triangles) {
         for (std::size_t i = 0; i < 3; ++i) {
             const Vec2 a = region.points[t[(i + 1) % 3]] - region.points[t[i]];
             const Vec2 b = region.points[t[(i + 2) % 3]] - region.points[t[i]];
             smallest = std::min(smallest, std::acos(a.dot(b) / (a.length() * b.length())));
         }
+    }
     EXPECT_GT(smallest * 180 / kPi, 20);
 }
 
@@ -139,8 +148,9 @@ TEST(Triangulation, EmptyCircumcircles_MakeItDelaunay) {
         const double d = 2 * (b.x * c.y - b.y * c.x);
         const Vec2 centre((c.y * b.dot(b) - b.y * c.dot(c)) / d,
                           (b.x * c.dot(c) - c.x * b.dot(b)) / d);
-        for (const Vec2& p : region.points)
+        for (const Vec2& p : region.points) {
             EXPECT_GT((p - a - centre).length(), centre.length() * (1 - 1e-6));
+        }
     }
 }
 

@@ -65,18 +65,23 @@ class ShotMaker {
     WorldDescription make() {
         make_table();
         make_law();
-        if (dice_.one_in(2))
+        if (dice_.one_in(2)) {
             add_rack();
+        }
         const int loose = 1 + dice_.below(4);
-        for (int i = 0; i < loose; ++i)
+        for (int i = 0; i < loose; ++i) {
             add_ball("loose" + std::to_string(i));
-        if (dice_.one_in(8))
+        }
+        if (dice_.one_in(8)) {
             add_solids();
-        if (dice_.one_in(3))
+        }
+        if (dice_.one_in(3)) {
             set_going();
+        }
         const int count = 1 + dice_.below(4);
-        for (int i = 0; i < count; ++i)
+        for (int i = 0; i < count; ++i) {
             add_event();
+        }
         return world_;
     }
 
@@ -86,29 +91,35 @@ class ShotMaker {
         world_.step = dice_.one_in(4) ? dice_.between(1e-3, 0.02) : 1.0 / 240;
         world_.table = billiards::standard_table(game_.kind, game_.size);
         billiards::TableMeasures& table = *world_.table;
-        if (!table.has_cushions)
+        if (!table.has_cushions) {
             return;
+        }
         world_.floor_height = -table.height;
-        if (!dice_.one_in(4))
+        if (!dice_.one_in(4)) {
             return;
+        }
         table.kind = TableKind::custom;
         table.length *= dice_.between(0.5, 1.5);
         table.width = table.length * dice_.between(0.4, 0.7);
-        if (dice_.one_in(2))
+        if (dice_.one_in(2)) {
             table.side_pocket.reset();
-        if (dice_.one_in(3))
+        }
+        if (dice_.one_in(3)) {
             table.corner_pocket.reset();
+        }
     }
 
     void make_law() {
         ContactLaw& law = world_.contact_law;
         law.hop = dice_.one_in(4);
-        if (dice_.one_in(2))
+        if (dice_.one_in(2)) {
             return;
+        }
         law.ball_ball.restitution = dice_.between(0.5, 1);
         law.ball_ball.friction = dice_.between(0, 0.3);
-        if (dice_.one_in(2))
+        if (dice_.one_in(2)) {
             law.ball_ball.friction_model = BallFriction::alciatore;
+        }
         law.ball_cushion = usual_cushion(static_cast<CushionModel>(dice_.below(3)));
         law.ball_cloth.sliding_friction = dice_.between(0.05, 0.4);
         law.ball_cloth.rolling_friction = dice_.one_in(4) ? 0 : dice_.between(0, 0.03);
@@ -134,8 +145,9 @@ class ShotMaker {
             const Vec3& p = placed.position;
             const bool fits = std::abs(p.x) < half.x - 1.01 * game_.radius &&
                               std::abs(p.y) < half.y - 1.01 * game_.radius && is_free(p);
-            if (fits)
+            if (fits) {
                 world_.bodies.push_back(sphere(placed.name, p));
+            }
         }
     }
 
@@ -154,11 +166,13 @@ class ShotMaker {
         for (int attempt = 0; attempt < 50; ++attempt) {
             Vec3 place = dice_.vector(half.x, half.y, 0);
             // Against a cushion now and then, or in the air.
-            if (dice_.one_in(10))
+            if (dice_.one_in(10)) {
                 place.x = place.x < 0 ? -half.x : half.x;
+            }
             place.z = game_.radius + (dice_.one_in(8) ? dice_.between(0.05, 0.6) : 0);
-            if (!is_free(place))
+            if (!is_free(place)) {
                 continue;
+            }
             world_.bodies.push_back(sphere(name, place));
             return;
         }
@@ -193,8 +207,9 @@ class ShotMaker {
             Body body;
             body.name = "solid" + std::to_string(i);
             Vec3 size(0, 0, 0);
-            for (int axis = 0; axis < 3; ++axis)
+            for (int axis = 0; axis < 3; ++axis) {
                 size[axis] = dice_.between(0.02, 0.12);
+            }
             body.shape = solid(size);
             body.mass = dice_.between(0.05, 1);
             body.material = "wood";
@@ -207,16 +222,18 @@ class ShotMaker {
                     return d.length() > reach + 0.12;
                 });
             body.pose.position = place;
-            if (fits)
+            if (fits) {
                 world_.bodies.push_back(body);
+            }
         }
     }
 
     /// Some balls move from the start.
     void set_going() {
         for (Body& body : world_.bodies) {
-            if (!std::holds_alternative<Sphere>(body.shape) || !dice_.one_in(3))
+            if (!std::holds_alternative<Sphere>(body.shape) || !dice_.one_in(3)) {
                 continue;
+            }
             body.velocity = dice_.vector(8, 8, dice_.one_in(4) ? 4 : 0);
             body.angular_velocity = dice_.vector(200, 200, 200);
         }
@@ -227,8 +244,9 @@ class ShotMaker {
         do {
             const auto index = dice_.below(static_cast<int>(world_.bodies.size()));
             const Body& body = world_.bodies[static_cast<std::size_t>(index)];
-            if (std::holds_alternative<Sphere>(body.shape))
+            if (std::holds_alternative<Sphere>(body.shape)) {
                 name = body.name;
+            }
         } while (name.empty());
         return name;
     }
@@ -254,8 +272,9 @@ class ShotMaker {
         event.object = any_ball();
         event.time = dice_.one_in(2) ? 0 : dice_.between(0, 0.8 * world_.duration);
         event.after = dice_.one_in(3) ? dice_.between(0, 0.3) : 0;
-        if (dice_.one_in(3))
+        if (dice_.one_in(3)) {
             event.trigger = trigger();
+        }
         switch (dice_.below(8)) {
             case 0:
                 event.action = Force{dice_.vector(20, 20, 20), dice_.between(1e-4, 0.2),
@@ -285,11 +304,13 @@ class ShotMaker {
         trigger.a = any_ball();
         if (trigger.kind == Trigger::Kind::contact) {
             trigger.b = any_ball();
-            if (trigger.b == trigger.a)
+            if (trigger.b == trigger.a) {
                 trigger.b = "cushion";
+            }
         }
-        if (trigger.kind == Trigger::Kind::resting && dice_.one_in(2))
+        if (trigger.kind == Trigger::Kind::resting && dice_.one_in(2)) {
             trigger.a.clear();
+        }
         if (trigger.kind == Trigger::Kind::crossing) {
             trigger.from = Vec2(dice_.between(-1, 1), -1);
             trigger.to = Vec2(dice_.between(-1, 1), 1);

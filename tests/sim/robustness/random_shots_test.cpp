@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "random_shot.h"
 #include "shot_checks.h"
-#include "sim/timeline/error.h"
 
 namespace carom::sim::test {
 namespace {
@@ -26,8 +26,9 @@ TEST(RandomShots_OfEveryKind, EndAndBreakNoLaw) {
         ASSERT_TRUE(find_problems(world).empty())
             << number << ": " << find_problems(world)[0].sentence;
         try {
-            for (const std::string& fault : find_faults(world, bake(world)))
+            for (const std::string& fault : find_faults(world, bake(world))) {
                 ADD_FAILURE() << "shot " << number << ": " << fault;
+            }
         } catch (const Error& error) {
             ADD_FAILURE() << "shot " << number << ": " << error.what();
         }
@@ -54,8 +55,9 @@ TEST(Touches_WithoutEnd, AreCappedAndToldOf) {
     const BakeResult result = bake(world);
     // Once in each window of 1/60 s.
     ASSERT_EQ(result.warnings.size(), 3U);
-    for (const std::string& warning : result.warnings)
+    for (const std::string& warning : result.warnings) {
         EXPECT_NE(warning.find("more than 20000 touches at 0.0"), std::string::npos) << warning;
+    }
     EXPECT_NE(result.warnings[0].find("touches at 0.002"), std::string::npos);
     EXPECT_NE(result.warnings[0].find("near 'cue' at (0.0000, 0.0000, 0.2500)"), std::string::npos)
         << result.warnings[0];

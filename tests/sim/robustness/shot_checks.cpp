@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <map>
 
+#include "core/finite.h"
 #include "sim/billiards/table.h"
 #include "sim/timeline/energy.h"
-#include "sim/timeline/finite.h"
 
 namespace carom::sim::test {
 namespace {
@@ -31,8 +31,9 @@ bool is_harmless(const std::string& warning) {
 
 void check_warnings(const BakeResult& result, std::vector<std::string>& faults) {
     for (const std::string& warning : result.warnings) {
-        if (!is_harmless(warning))
+        if (!is_harmless(warning)) {
             faults.push_back("warning: " + warning);
+        }
     }
 }
 
@@ -52,20 +53,23 @@ class Solids {
         const double beyond = std::max(std::abs(p.x) - field.x, std::abs(p.y) - field.y);
         const double outer = table_.cushion_width + table_.rail_width;
         const double to_pocket = distance_to_pocket(level);
-        if (to_pocket < 0 || beyond > outer || (has_left && p.z < 0))
+        if (to_pocket < 0 || beyond > outer || (has_left && p.z < 0)) {
             return 0;
+        }
         // Above the nose's height it may be over the cushion; in a pocket's mouth, beside it.
         const bool is_in_mouth = to_pocket < 3 * radius_;
-        if (beyond > 0 && !is_in_mouth)
+        if (beyond > 0 && !is_in_mouth) {
             return std::max(table_.nose_height + radius_ * 0.7 - p.z, 0.0);
+        }
         return std::max({radius_ - p.z, in_nose(p), 0.0});
     }
 
   private:
     [[nodiscard]] double in_nose(const Vec3& p) const {
         const double rise = table_.nose_height - p.z;
-        if (std::abs(rise) >= radius_)
+        if (std::abs(rise) >= radius_) {
             return 0;
+        }
         const double reach = std::sqrt(radius_ * radius_ - rise * rise);
         const Vec2 level(p.x, p.y);
         double deepest = 0;
@@ -74,17 +78,20 @@ class Solids {
             const double place = (level - face.from).dot(along) / along.dot(along);
             const double distance = (level - face.from).dot(face.normal);
             const bool is_over_it = distance < 0 && rise < 0;
-            if (place >= 0 && place <= 1 && distance > -radius_ && !is_over_it)
+            if (place >= 0 && place <= 1 && distance > -radius_ && !is_over_it) {
                 deepest = std::max(deepest, reach - distance);
+            }
         }
-        for (const billiards::CushionCorner& corner : geometry_.corners)
+        for (const billiards::CushionCorner& corner : geometry_.corners) {
             deepest = std::max(deepest, reach + corner.radius - (level - corner.centre).length());
+        }
         return deepest;
     }
     [[nodiscard]] double distance_to_pocket(const Vec2& place) const {
         double least = 1e9;
-        for (const billiards::Pocket& pocket : geometry_.pockets)
+        for (const billiards::Pocket& pocket : geometry_.pockets) {
             least = std::min(least, (place - pocket.centre).length() - pocket.radius);
+        }
         return least;
     }
 
@@ -96,22 +103,25 @@ class Solids {
 /// When it left the table for good; later than any time if it did not.
 double off_table_time(const Timeline& timeline, const std::string& ball) {
     for (const Event& event : timeline.events) {
-        if (event.kind == EventKind::off_table && event.a == ball)
+        if (event.kind == EventKind::off_table && event.a == ball) {
             return event.time;
+        }
     }
     return 1e9;
 }
 
 void check_places(const WorldDescription& world, const Timeline& timeline,
                   std::vector<std::string>& faults) {
-    if (!world.table || !world.table->has_cushions)
+    if (!world.table || !world.table->has_cushions) {
         return;
+    }
     constexpr double kAllowed = 2e-4;  // m: ODE's contacts give way a little
     std::map<double, Solids> by_radius;
     for (const Body& body : world.bodies) {
         const auto* sphere = std::get_if<Sphere>(&body.shape);
-        if (sphere == nullptr)
+        if (sphere == nullptr) {
             continue;
+        }
         const Solids& solids =
             by_radius.try_emplace(sphere->radius, *world.table, sphere->radius).first->second;
         const Track& track = *timeline.find(body.name);
@@ -141,8 +151,9 @@ void check_pairs(const WorldDescription& world, const Timeline& timeline,
     };
     std::vector<Placed> balls;
     for (const Body& body : world.bodies) {
-        if (const auto* sphere = std::get_if<Sphere>(&body.shape))
+        if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
             balls.push_back({&body, sphere->radius, timeline.find(body.name), Vec3(0, 0, 0)});
+        }
     }
     for (int k = 0; k <= 40; ++k) {
         const double time = world.duration * k / 40;
@@ -151,8 +162,9 @@ void check_pairs(const WorldDescription& world, const Timeline& timeline,
             for (std::size_t j = 0; j < i; ++j) {
                 const double depth =
                     balls[i].radius + balls[j].radius - (balls[i].place - balls[j].place).length();
-                if (depth <= kAllowed)
+                if (depth <= kAllowed) {
                     continue;
+                }
                 faults.push_back(text("'%s' is %.3f mm in '%s' at %.4f s, z %.4f",
                                       balls[i].body->name.c_str(), depth * 1e3,
                                       balls[j].body->name.c_str(), time, balls[i].place.z));
@@ -175,14 +187,16 @@ void check_energy(const WorldDescription& world, const Timeline& timeline,
     const double allowed = has_solids || has_left ? 1e-6 : 1e-9;
     const double rise = largest_energy_rise(timeline);
     double most = 0;
-    for (const EnergySample& sample : timeline.energy)
+    for (const EnergySample& sample : timeline.energy) {
         most = std::max(most, sample.kinetic);
+    }
     // Every impact parts at 0.05 mm/s at least, which is up to 1e-10 J for a pair: much for a shot
     // that never has a millijoule.
     constexpr double kParting = 1e-9;  // J
-    if (!(rise <= allowed) && !(rise * most <= kParting))
+    if (!(rise <= allowed) && !(rise * most <= kParting)) {
         faults.push_back(text("energy rises by %.3g of the kinetic energy%s", rise,
                               has_solids ? ", with solids" : ""));
+    }
 }
 
 void check_values(const Timeline& timeline, std::vector<std::string>& faults) {

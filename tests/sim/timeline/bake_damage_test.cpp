@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bake_helpers.h"
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::sim {
 namespace {
@@ -27,10 +27,11 @@ TEST(BakeDamage, TruncationAtEveryLength_IsRefused) {
         // A heap block of exactly that size, for the address sanitizer.
         const std::vector<std::byte> part(bytes.begin(), bytes.begin() + static_cast<long>(size));
         const std::string sentence = refusal(part);
-        if (size < 8)
+        if (size < 8) {
             ASSERT_EQ(sentence, "'shot.bake' is not a carom bake") << size;
-        else
+        } else {
             ASSERT_THAT(sentence, StartsWith("'shot.bake' is truncated")) << size;
+        }
     }
 }
 
@@ -60,9 +61,11 @@ void expect_flip_refused(std::vector<std::byte>& bytes, std::size_t place, int b
 
 TEST(BakeDamage, EveryFlippedBitOfTheEnvelope_IsRefused) {
     auto bytes = encode_bake(test::small_bake());
-    for (std::size_t place = 0; place < 128; ++place)
-        for (int bit = 0; bit < 8; ++bit)
+    for (std::size_t place = 0; place < 128; ++place) {
+        for (int bit = 0; bit < 8; ++bit) {
             expect_flip_refused(bytes, place, bit);
+        }
+    }
 }
 
 TEST(BakeDamage, FlippedBitsAnywhere_AreRefused) {
@@ -91,8 +94,9 @@ TEST(BakeDamage, AnotherVersion_SaysWhatToDo) {
             copy[place] = std::byte{2};
             if (refusal(copy) ==
                 "'shot.bake' is in version 2 of the format and this carom reads version 1; bake "
-                "the shot again")
+                "the shot again") {
                 ++found;
+            }
         }
     }
     EXPECT_EQ(found, 1U);

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "bake_helpers.h"
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom::sim {
 namespace {
@@ -47,9 +47,10 @@ TEST(BakeFile, LargeBake_RoundTrips) {
             "ball_" + std::to_string(ball),
             std::vector<Key>(track.keys().begin(), track.keys().end()));
     }
-    for (int index = 0; index < 5000; ++index)
+    for (int index = 0; index < 5000; ++index) {
         bake.timeline.events.push_back(
             {EventKind::impact, index * 0.01, index * 0.01, "ball_1", "cushion"});
+    }
     EXPECT_EQ(decode_bake(encode_bake(bake), "memory"), bake);
 }
 
@@ -184,9 +185,10 @@ TEST_F(BakeOnDisk, ForeignFile_HasASentenceOfItsOwn) {
     std::ofstream(path("empty")) << "";
     std::ofstream(path("huge")) << "x";
     fs::resize_file(path("huge"), std::uintmax_t{1} << 40);  // sparse
-    for (const char* name : {"shot.yaml", "empty", "huge"})
+    for (const char* name : {"shot.yaml", "empty", "huge"}) {
         EXPECT_THAT([&] { (void)read_bake(path(name)); },
                     testing::ThrowsMessage<Error>("'" + path(name) + "' is not a carom bake"));
+    }
     EXPECT_THAT([] { (void)read_bake("/dev/null"); },
                 testing::ThrowsMessage<Error>("'/dev/null' is not a carom bake"));
 }

@@ -10,8 +10,8 @@
 
 #include "bake_generated.h"
 #include "bake_helpers.h"
+#include "core/error.h"
 #include "sim/timeline/bake_format.h"
-#include "sim/timeline/error.h"
 
 namespace carom::sim {
 namespace {
@@ -150,8 +150,9 @@ TEST(BakeForgery, Rubbish_IsRefusedWithoutACrash) {
     test::Numbers numbers(77);
     for (int trial = 0; trial < 2000; ++trial) {
         std::vector<std::byte> rubbish(static_cast<std::size_t>(numbers.between(0, 300)));
-        for (std::byte& byte : rubbish)
+        for (std::byte& byte : rubbish) {
             byte = static_cast<std::byte>(numbers.between(0, 256));
+        }
         EXPECT_NE(refusal_of_content(rubbish), "");
     }
 }
@@ -163,9 +164,10 @@ TEST(BakeForgery, ReplacedBytes_AreReadOrRefused) {
     int refused = 0;
     for (int trial = 0; trial < 20'000; ++trial) {
         std::vector<std::byte> changed = content;
-        for (int byte = 0; byte < 1 + trial % 4; ++byte)
+        for (int byte = 0; byte < 1 + trial % 4; ++byte) {
             changed[numbers.below(changed.size())] =
                 static_cast<std::byte>(numbers.between(0, 256));
+        }
         try {
             const Bake bake = decode_content(changed);
             EXPECT_EQ(find_problem(bake), std::nullopt);

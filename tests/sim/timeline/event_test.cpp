@@ -11,8 +11,9 @@ namespace {
 
 TEST(Event, Kinds_HaveNamesOfTheirOwn) {
     std::set<std::string_view> names;
-    for (int kind = 0; kind <= static_cast<int>(EventKind::strike); ++kind)
+    for (int kind = 0; kind <= static_cast<int>(EventKind::strike); ++kind) {
         names.insert(to_string(static_cast<EventKind>(kind)));
+    }
     EXPECT_EQ(names.size(), 13U);
     EXPECT_EQ(to_string(EventKind::off_table), "off_table");
     EXPECT_EQ(to_string(EventKind::impact), "impact");

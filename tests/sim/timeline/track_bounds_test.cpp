@@ -28,12 +28,13 @@ TEST(TrackStretches, RandomIntervals_AreCoveredWithoutGapsAndAgreeWithSample) {
         const double to = from + numbers.between(0, 2);
         const auto stretches = track.stretches(from, to);
         expect_covers(stretches, from, to);
-        for (const PathStretch& stretch : stretches)
+        for (const PathStretch& stretch : stretches) {
             for (const double share : {0.1, 0.5, 0.77}) {
                 const double time = stretch.start + share * (stretch.end - stretch.start);
                 const MotionState state = track.sample(time);
                 EXPECT_LT((hermite_position(stretch, time) - state.position).length(), 1e-13);
             }
+        }
     }
 }
 

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 #include "sim/timeline/rotation.h"
 #include "timeline_helpers.h"
 
@@ -22,8 +22,9 @@ using Dense = std::vector<std::pair<double, MotionState>>;
 
 Track reduce(const Dense& dense, KeyReduction reduction = {}) {
     TrackRecorder recorder("ball", reduction);
-    for (const auto& [time, state] : dense)
+    for (const auto& [time, state] : dense) {
         recorder.add(time, state);
+    }
     return recorder.finish();
 }
 
@@ -77,8 +78,9 @@ Dense ball_on_cloth(Vec3 v, Vec3 w, double duration) {
 TEST(TrackRecorder, RestingBall_CostsTwoKeys) {
     const MotionState state{{0.3, -0.2, kRadius}, rotation_from_vector({1, 2, 3})};
     Dense dense;
-    for (int index = 0; index < 2400; ++index)
+    for (int index = 0; index < 2400; ++index) {
         dense.emplace_back(index * kStep, state);
+    }
     EXPECT_EQ(reduce(dense).keys().size(), 2U);
 }
 

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 #include "sim/timeline/rotation.h"
 #include "timeline_helpers.h"
 
@@ -56,10 +56,12 @@ TEST(Track, BetweenKeys_VelocityIsTheSlopeOfThePath) {
         const double step = 1e-6;
         // Not across a key.
         bool is_near_key = false;
-        for (const Key& key : track.keys())
+        for (const Key& key : track.keys()) {
             is_near_key = is_near_key || std::abs(key.time - time) < 2 * step;
-        if (is_near_key)
+        }
+        if (is_near_key) {
             continue;
+        }
         const Vec3 slope =
             (track.sample(time + step).position - track.sample(time - step).position) / (2 * step);
         EXPECT_NEAR((track.sample(time).velocity - slope).length(), 0, 1e-5);
@@ -70,13 +72,16 @@ TEST(Track, SeekInAnyOrder_GivesTheSameAnswer) {
     const Track track = test::random_track(4, 30);
     test::Numbers numbers(4);
     std::vector<double> times;
-    for (int index = 0; index < 300; ++index)
+    for (int index = 0; index < 300; ++index) {
         times.push_back(numbers.between(0, 7));
+    }
     std::vector<MotionState> forward;
-    for (const double time : times)
+    for (const double time : times) {
         forward.push_back(track.sample(time));
-    for (std::size_t index = times.size(); index-- > 0;)
+    }
+    for (std::size_t index = times.size(); index-- > 0;) {
         EXPECT_EQ(track.sample(times[index]), forward[index]);
+    }
 }
 
 TEST(Track, Break_KeepsTheCornerAndReturnsTheOutgoingVelocity) {

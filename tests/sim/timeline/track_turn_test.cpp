@@ -109,8 +109,9 @@ TEST(TrackTurn, AngularVelocity_IsLinearBetweenKeys) {
 
 TEST(TrackTurn, Orientation_StaysOfUnitLength) {
     const Track track = test::random_track(9, 40);
-    for (double time = 0; time < 9; time += 0.013)
+    for (double time = 0; time < 9; time += 0.013) {
         EXPECT_NEAR(track.sample(time).orientation.length(), 1, 1e-13);
+    }
 }
 
 }  // namespace

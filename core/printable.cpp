@@ -1,4 +1,4 @@
-#include "sim/timeline/printable.h"
+#include "core/printable.h"
 
 #include <cstddef>
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sim/timeline/vocabulary.h"
+#include "core/pose.h"
 
 namespace carom {
 

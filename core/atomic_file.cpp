@@ -1,4 +1,4 @@
-#include "sim/timeline/atomic_file.h"
+#include "core/atomic_file.h"
 
 #include <cerrno>
 #include <cstring>
@@ -10,8 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "sim/timeline/error.h"
-#include "sim/timeline/write_all.h"
+#include "core/error.h"
+#include "core/write_all.h"
 
 namespace carom {
 
@@ -38,17 +38,21 @@ class TemporaryFile {
             name_ = folder_of(target_) + "/.carom-" + std::to_string(::getpid()) + "-" +
                     std::to_string(attempt) + ".part";
             descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (descriptor_ >= 0)
+            if (descriptor_ >= 0) {
                 return;
-            if (errno != EEXIST || attempt == 10'000)
+            }
+            if (errno != EEXIST || attempt == 10'000) {
                 fail(path_, errno);
+            }
         }
     }
     ~TemporaryFile() {
-        if (descriptor_ >= 0)
+        if (descriptor_ >= 0) {
             ::close(descriptor_);
-        if (!is_renamed_)
+        }
+        if (!is_renamed_) {
             ::unlink(name_.c_str());
+        }
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -56,20 +60,24 @@ class TemporaryFile {
     TemporaryFile& operator=(TemporaryFile&&) = delete;
 
     void write(std::span<const std::byte> bytes) {
-        if (!write_all(descriptor_, bytes))
+        if (!write_all(descriptor_, bytes)) {
             fail(path_, errno);
+        }
     }
 
     /// The name that the file takes when it is whole.
     [[nodiscard]] const std::string& target() const { return target_; }
 
     void finish() {
-        if (::fsync(descriptor_) != 0)
+        if (::fsync(descriptor_) != 0) {
             fail(path_, errno);
-        if (::close(std::exchange(descriptor_, -1)) != 0)
+        }
+        if (::close(std::exchange(descriptor_, -1)) != 0) {
             fail(path_, errno);
-        if (::rename(name_.c_str(), target_.c_str()) != 0)
+        }
+        if (::rename(name_.c_str(), target_.c_str()) != 0) {
             fail(path_, errno);
+        }
         is_renamed_ = true;
     }
 
@@ -84,8 +92,9 @@ class TemporaryFile {
 // Makes the new name survive a power cut. The file is whole either way, so failure is not one.
 void flush_folder(const std::string& folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0)
+    if (descriptor < 0) {
         return;
+    }
     ::fsync(descriptor);
     ::close(descriptor);
 }
@@ -93,8 +102,9 @@ void flush_folder(const std::string& folder) {
 }  // namespace
 
 void write_file_atomically(const std::string& path, std::span<const std::byte> bytes) {
-    if (path.empty())
+    if (path.empty()) {
         throw Error("cannot write a file without a name");
+    }
     TemporaryFile file(path);
     file.write(bytes);
     file.finish();
@@ -107,16 +117,19 @@ std::string replaceable_file(const std::string& path) {
     fs::path file = path;
     for (int links = 0; ::lstat(file.c_str(), &status) == 0; ++links) {
         if (!S_ISLNK(status.st_mode)) {
-            if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))
+            if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
                 throw Error("cannot write '" + path + "': it is a pipe or a device");
+            }
             break;
         }
-        if (links == kMostLinks)
+        if (links == kMostLinks) {
             fail(path, ELOOP);
+        }
         std::error_code error;
         file = file.parent_path() / fs::read_symlink(file, error);  // absolute: without the folder
-        if (error)
+        if (error) {
             fail(path, error.value());
+        }
     }
     return file.string();
 }

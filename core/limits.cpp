@@ -1,4 +1,4 @@
-#include "sim/timeline/limits.h"
+#include "core/limits.h"
 
 #include <charconv>
 #include <cstdlib>

@@ -1,10 +1,10 @@
-#include "sim/numeric/elementary.h"
+#include "core/elementary.h"
 
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
-namespace carom::sim {
+namespace carom {
 namespace {
 
 // pi/2 = high + low (Cody and Waite, Software Manual for the Elementary Functions, 1980,
@@ -19,26 +19,30 @@ constexpr double kLargestReduced = 1e6;  // rad; up to here the products are exa
 double sin_small(double x) {
     const double x2 = x * x;
     double sum = 0;
-    for (int n = 17; n >= 3; n -= 2)
+    for (int n = 17; n >= 3; n -= 2) {
         sum = (sum + 1) * (-x2 / (n * (n - 1)));
+    }
     return x + x * sum;
 }
 
 double cos_small(double x) {
     const double x2 = x * x;
     double sum = 0;
-    for (int n = 18; n >= 4; n -= 2)
+    for (int n = 18; n >= 4; n -= 2) {
         sum = (sum + 1) * (-x2 / (n * (n - 1)));
+    }
     return 1 - 0.5 * x2 * (1 + sum);
 }
 
 }  // namespace
 
 SinCos sin_cos(double angle) {
-    if (!std::isfinite(angle))
+    if (!std::isfinite(angle)) {
         return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-    if (std::abs(angle) > kLargestReduced)
+    }
+    if (std::abs(angle) > kLargestReduced) {
         angle = std::remainder(angle, 2 * kPi);  // exact by IEEE 754, but for 2 pi itself
+    }
     const double turns = std::floor(angle * (2 / kPi) + 0.5);
     const double x = (angle - turns * kHalfPiHigh) - turns * kHalfPiLow;
     const double s = sin_small(x);
@@ -58,21 +62,25 @@ SinCos sin_cos(double angle) {
 double exponential(double x) {
     constexpr double kLn2High = 6.93147180369123816490e-01;
     constexpr double kLn2Low = 1.90821492927058770002e-10;
-    if (x < -700)
+    if (x < -700) {
         return 0;
-    if (x > 700)
+    }
+    if (x > 700) {
         return std::numeric_limits<double>::infinity();
+    }
     const double k = std::floor(x * 1.44269504088896340736 + 0.5);
     const double r = (x - k * kLn2High) - k * kLn2Low;
     double sum = 1;
-    for (int n = 17; n >= 1; --n)
+    for (int n = 17; n >= 1; --n) {
         sum = 1 + r / n * sum;
+    }
     return std::ldexp(sum, static_cast<int>(k));
 }
 
 double angle_of(double x, double y) {
-    if (x == 0 && y == 0)
+    if (x == 0 && y == 0) {
         return 0;
+    }
     // Start from a coarse value, then Newton on sin(angle - estimate) (cubic convergence).
     const double length = std::sqrt(x * x + y * y);
     const double c = x / length;
@@ -90,4 +98,4 @@ double arcsine(double sine) {
     return angle_of(std::sqrt((1 - sine) * (1 + sine)), sine);
 }
 
-}  // namespace carom::sim
+}  // namespace carom

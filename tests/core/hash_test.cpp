@@ -1,4 +1,4 @@
-#include "sim/timeline/hash.h"
+#include "core/hash.h"
 
 #include <array>
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom {
 namespace {
@@ -80,9 +80,11 @@ TEST(Hash, DifferentSequences_NeverFeedTheSameBytes) {
         Hasher().add(std::uint32_t{0xffffffffU}).finish(),
         hash_of(Mat44()),
     };
-    for (std::size_t a = 0; a < hashes.size(); ++a)
-        for (std::size_t b = a + 1; b < hashes.size(); ++b)
+    for (std::size_t a = 0; a < hashes.size(); ++a) {
+        for (std::size_t b = a + 1; b < hashes.size(); ++b) {
             EXPECT_NE(hashes[a], hashes[b]) << a << " and " << b;
+        }
+    }
 }
 
 TEST(Hash, Infinity_IsAllowed) {

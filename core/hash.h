@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/timeline/vocabulary.h"
+#include "core/vectors.h"
 
 namespace carom {
 

@@ -1,4 +1,4 @@
-#include "sim/timeline/write_all.h"
+#include "core/write_all.h"
 
 #include <cerrno>
 
@@ -9,10 +9,12 @@ namespace carom {
 bool write_all(int descriptor, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const ::ssize_t size = ::write(descriptor, bytes.data(), bytes.size());
-        if (size < 0 && errno != EINTR)
+        if (size < 0 && errno != EINTR) {
             return false;
-        if (size > 0)
+        }
+        if (size > 0) {
             bytes = bytes.subspan(static_cast<std::size_t>(size));
+        }
     }
     return true;
 }

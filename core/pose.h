@@ -1,18 +1,9 @@
-// The few types that every part of carom shares. SI units, right-handed, Z up.
+// Where a body is and how it moves. SI units, world axes right-handed with Z up.
 #pragma once
 
-#include <Imath/ImathMatrix.h>
-#include <Imath/ImathQuat.h>
-#include <Imath/ImathVec.h>
+#include "core/vectors.h"
 
 namespace carom {
-
-using Vec2 = Imath::V2d;
-using Vec3 = Imath::V3d;
-using Quat = Imath::Quatd;  // (r, v) = (w, x y z); identity by default
-
-/// Affine map in Imath's row-vector convention: p_world = p_body * world_from_body.
-using Mat44 = Imath::M44d;
 
 /// Where a body is: `position` of its centre of mass in world axes, and the rotation that turns
 /// body axes into world axes (unit quaternion).

@@ -2,7 +2,7 @@
 // processors and library releases, which would change every shot that uses them.
 #pragma once
 
-namespace carom::sim {
+namespace carom {
 
 struct SinCos {
     double sin = 0;
@@ -28,4 +28,4 @@ struct SinCos {
 /// The angle in [-pi/2, pi/2] whose sine is `sine`, in [-1, 1].
 [[nodiscard]] double arcsine(double sine);
 
-}  // namespace carom::sim
+}  // namespace carom

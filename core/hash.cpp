@@ -1,4 +1,4 @@
-#include "sim/timeline/hash.h"
+#include "core/hash.h"
 
 #include <array>
 #include <bit>
@@ -9,8 +9,8 @@
 
 #include <xxhash.h>
 
-#include "sim/timeline/assert.h"
-#include "sim/timeline/file_reader.h"
+#include "core/assert.h"
+#include "core/file_reader.h"
 
 namespace carom {
 
@@ -42,8 +42,9 @@ Hash128 from_xxhash(const XXH128_hash_t& hash) {
 class XxhashState {
   public:
     XxhashState() : state_(XXH3_createState(), &XXH3_freeState) {
-        if (!state_)
+        if (!state_) {
             throw std::bad_alloc();
+        }
         XXH3_128bits_reset(state_.get());
     }
 
@@ -144,9 +145,11 @@ Hasher& Hasher::add(const Quat& value) {
 
 Hasher& Hasher::add(const Mat44& value) {
     state_->feed(Tag::matrix);
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) {
             state_->feed(value[row][column]);
+        }
+    }
     return *this;
 }
 
@@ -179,8 +182,9 @@ Hash128 hash_file(const std::string& path) {
     for (;;) {
         const std::size_t size = file.read(chunk);
         state.feed(chunk.data(), size);
-        if (size < chunk.size())
+        if (size < chunk.size()) {
             return state.digest();
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-#include "sim/timeline/atomic_file.h"
+#include "core/atomic_file.h"
 
 #include <csignal>
 #include <filesystem>
@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "sim/timeline/error.h"
+#include "core/error.h"
 
 namespace carom {
 namespace {
@@ -35,8 +35,9 @@ class AtomicFile : public testing::Test {
     }
     [[nodiscard]] std::vector<std::string> names() const {
         std::vector<std::string> names;
-        for (const auto& entry : fs::directory_iterator(folder_))
+        for (const auto& entry : fs::directory_iterator(folder_)) {
             names.push_back(entry.path().filename());
+        }
         return names;
     }
 

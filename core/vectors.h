@@ -1,0 +1,17 @@
+// The few types that every part of carom shares. SI units, right-handed, Z up.
+#pragma once
+
+#include <Imath/ImathMatrix.h>
+#include <Imath/ImathQuat.h>
+#include <Imath/ImathVec.h>
+
+namespace carom {
+
+using Vec2 = Imath::V2d;
+using Vec3 = Imath::V3d;
+using Quat = Imath::Quatd;  // (r, v) = (w, x y z); identity by default
+
+/// Affine map in Imath's row-vector convention: p_world = p_body * world_from_body.
+using Mat44 = Imath::M44d;
+
+}  // namespace carom
