@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace carom::sim {
+namespace carom {
 namespace {
 
 TEST(SinCos_OverManyTurns, AgreesWithTheLibrary) {
@@ -52,4 +52,5 @@ TEST(AngleOf_AllDirections, AgreesWithTheLibrary) {
     EXPECT_EQ(angle_of(0, 0), 0);
 }
 
-}  // namespace carom::sim
+}  // namespace
+}  // namespace carom

@@ -32,4 +32,5 @@ TEST(Turned_TurningAxis, AgreesWithFineSteps) {
 
 }  // namespace
 
+}  // namespace
 }  // namespace carom::sim
