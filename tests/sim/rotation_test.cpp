@@ -31,6 +31,4 @@ TEST(Turned_TurningAxis, AgreesWithFineSteps) {
 }
 
 }  // namespace
-
-}  // namespace
 }  // namespace carom::sim
