@@ -19,6 +19,34 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 # The layout of the build tree is that of an installed one: bin/, libexec/carom/, share/carom/.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 
+# Headers of libraries that many files include are parsed once, by a holder, and read ready-made by the
+# targets that name it. Only headers that are not ours: ours change too often. CMake hands them to every
+# file of a target, so that a missing #include shows only in a build with this option off.
+option(CAROM_PRECOMPILED_HEADERS "parse the large headers of libraries once for many files" ON)
+
+# carom_precompiled_headers(HOLDER HEADERS <a> <b> … [LIBS libs…] [EXECUTABLES]): the holder; with EXECUTABLES
+# for files of programs, which are compiled with -fPIE and not with -fPIC.
+function(carom_precompiled_headers holder)
+  cmake_parse_arguments(ARG "EXECUTABLES" "" "HEADERS;LIBS" ${ARGN})
+  if(CAROM_PRECOMPILED_HEADERS)
+    add_library(${holder} OBJECT ${PROJECT_SOURCE_DIR}/cmake/empty.cpp)
+    target_link_libraries(${holder} PRIVATE carom_compile_options ${ARG_LIBS})
+    target_precompile_headers(${holder} PRIVATE ${ARG_HEADERS})
+    if(ARG_EXECUTABLES)
+      set_target_properties(${holder} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+      target_compile_options(${holder} PRIVATE ${CMAKE_CXX_COMPILE_OPTIONS_PIE})
+    endif()
+  endif()
+endfunction()
+
+# What ccache needs to know which precompiled header a file was compiled with.
+function(carom_use_precompiled_headers target holder)
+  if(CAROM_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} REUSE_FROM ${holder})
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+  endif()
+endfunction()
+
 # carom_library(NAME SOURCES a.cpp … [PUBLIC libs…] [PRIVATE libs…]): a static library of ours.
 function(carom_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
@@ -33,6 +61,7 @@ function(carom_test name)
   target_link_libraries(${name} PRIVATE ${ARG_LIBS} GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE CAROM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                              CAROM_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  carom_use_precompiled_headers(${name} carom_test_headers)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)

@@ -1,0 +1,1 @@
+// CMake parses precompiled headers for a target, and a target has a source file.
