@@ -1,7 +1,7 @@
 // How cost grows with a scene: balls from 16 to 100 000, meshes from 1 000 to 5 million triangles.
 // Prints tables in Markdown and draws a chart. All times are CPU time, of all threads.
 //
-//   growth --plot docs/images/growth.svg
+//   growth --plot docs/developers/images/growth.svg
 #include <algorithm>
 #include <cstdio>
 #include <ctime>

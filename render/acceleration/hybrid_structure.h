@@ -13,7 +13,7 @@
 
 namespace carom::render {
 
-/// From which loop_cost on a tree is faster than testing all (docs/performance.md).
+/// From which loop_cost on a tree is faster than testing all (docs/developers/performance.md).
 inline constexpr std::size_t kTreeThreshold = 160;
 
 /// The default. The handful of balls and boxes of a billiard shot is tested by brute force, eight

@@ -202,7 +202,8 @@ void add_sampling(MapSpec<RenderSection>& s) {
     add("acceleration", &RenderSettings::acceleration,
         choice<render::AccelerationKind>(acceleration_names()),
         "structure that finds what a ray hits: `hybrid` is the fastest, the others are for "
-        "comparison (docs/laboratory.md); the picture stays the same but for the last bits");
+        "comparison (docs/developers/laboratory.md); the picture stays the same but for the "
+        "last bits");
     s.set(
         "seed", integer64(0, (std::int64_t{1} << 53U) - 1),
         [](RenderSection& r, std::int64_t seed) {

@@ -9,7 +9,8 @@ namespace {
 
 using Box = Imath::Box3f;
 
-/// Shapes. With two to a leaf the counts come nearest to the text's (docs/laboratory.md).
+/// Shapes per leaf. With two, the numbers of tests come closest to the published ones
+/// (docs/developers/laboratory.md).
 constexpr std::size_t kLeafCapacity = 2;
 
 }  // namespace
