@@ -18,5 +18,7 @@ include(CPack)
 
 # What belongs to no program. Examples stand beside the configs that they include.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION share/carom)
-install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION share/doc/carom)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md
+  DESTINATION share/doc/carom)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION share/doc/carom)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/carom RENAME copyright)
