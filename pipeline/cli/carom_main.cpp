@@ -1,13 +1,12 @@
 // bin/carom: reads the command line and runs what needs no renderer. For the rest it becomes
 // libexec/carom/carom-film, which links OpenImageIO (200 ms to load) and libav.
-#include <cerrno>
 #include <cstdio>
 #include <string>
 #include <vector>
 
 #include <sys/resource.h>
-#include <unistd.h>
 
+#include "core/error.h"
 #include "pipeline/cli/cache_command.h"
 #include "pipeline/cli/check_command.h"
 #include "pipeline/cli/command_line.h"
@@ -34,7 +33,7 @@ bool has_address_space() {
 }
 
 /// Returns only if it fails.
-int become_film_program(char** arguments) {
+int become_film_program(const std::string& name, char** arguments) {
     if (!has_address_space()) {
         std::fputs(
             "carom: error: there is not enough memory: the renderer's libraries need 512 MiB of "
@@ -42,9 +41,11 @@ int become_film_program(char** arguments) {
             stderr);
         return kFailed;
     }
-    const std::string film = helper_program("carom-film");
-    ::execv(film.c_str(), arguments);
-    std::fprintf(stderr, "carom: error: %s\n", cannot_start("the renderer", film, errno).c_str());
+    try {
+        become_program(name, arguments);
+    } catch (const carom::Error& error) {
+        std::fprintf(stderr, "carom: error: %s\n", error.what());
+    }
     return kFailed;
 }
 
@@ -53,8 +54,7 @@ bool needs_renderer(const Command& command) {
            std::holds_alternative<RetimeCommand>(command) ||
            std::holds_alternative<FrameCommand>(command) ||
            std::holds_alternative<ContactSheetCommand>(command) ||
-           std::holds_alternative<MuxCommand>(command) ||
-           std::holds_alternative<CompareCommand>(command);
+           std::holds_alternative<MuxCommand>(command);
 }
 
 void run(const Command& command, CommandContext& context) {
@@ -92,7 +92,10 @@ int main(int argument_count, char** arguments) {
     }
     const auto& line = std::get<CommandLine>(parsed);
     if (needs_renderer(line.command)) {
-        return become_film_program(arguments);
+        return become_film_program("carom-film", arguments);
+    }
+    if (std::holds_alternative<CompareCommand>(line.command)) {
+        return become_film_program("carom-lab", arguments);
     }
     return run_command(line, run);
 }

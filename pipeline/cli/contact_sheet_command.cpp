@@ -82,7 +82,7 @@ void run_contact_sheet(const ContactSheetCommand& command, CommandContext& conte
         throw InputError("cannot write a sheet to '" + path + "'; give a .png, .jpg, .bmp or .tga");
     }
     check_output_folder(path);
-    ShotInput input = read_shot_input(options, context.console);
+    ShotInput input = read_film_input(options, context);
     Shot& shot = input.shot;
     set_picture_width(shot, command.width);
     if (command.input.quality.empty()) {
@@ -93,6 +93,7 @@ void run_contact_sheet(const ContactSheetCommand& command, CommandContext& conte
     const pipeline::DisplayView view(shot.output);
     pipeline::FilmJobOptions job = job_options(command.cache, {}, {});
     job.threads = command.threads;
+    job.factory = context.factory;
     job.frames = spread_frames(command.count, all);
     const std::vector<std::int64_t> frames = job.frames.frames(all);
     const sim::Bake bake = bake_of(input, options, command.cache, context);

@@ -9,9 +9,12 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/cli/bake_input.h"
+#include "pipeline/cli/contact_sheet_command.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/job_talk.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/cli/overload.h"
+#include "pipeline/cli/retime_command.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/cli/time_text.h"
@@ -140,9 +143,22 @@ std::string numbered_extension(std::int64_t frame) {
 
 }  // namespace
 
+void run_film_command(const Command& command, CommandContext& context) {
+    std::visit(
+        Overload{
+            [&](const RenderCommand& render) { run_render(render, context); },
+            [&](const RetimeCommand& retime) { run_retime(retime, context); },
+            [&](const MuxCommand& mux) { run_mux(mux, context); },
+            [&](const FrameCommand& frame) { run_frame(frame, context); },
+            [&](const ContactSheetCommand& sheet) { run_contact_sheet(sheet, context); },
+            [](const auto&) { throw InputError("this program only renders; call carom instead"); },
+        },
+        command);
+}
+
 void run_render(const RenderCommand& command, CommandContext& context) {
     const auto begin = std::chrono::steady_clock::now();
-    ShotInput input = read_shot_input(command.input, context.console);
+    ShotInput input = read_film_input(command.input, context);
     const bool makes_film = command.chunk.empty() || !command.output.empty();
     const std::string path = makes_film ? film_path(command.output, command.input, input.shot) : "";
     film_shot(std::move(input), path, command, begin, context);
@@ -161,6 +177,7 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
     FilmJobOptions options = job_options(command.cache, command.frames, command.chunk);
     options.output = path;
     options.threads = command.threads;
+    options.factory = context.factory;
     const std::int64_t frames =
         count_job_frames(input.shot, options, command.frames, context.console);
     if (frames == 0) {
@@ -202,7 +219,7 @@ void run_mux(const MuxCommand& command, CommandContext& context) {
 }
 
 void run_frame(const FrameCommand& command, CommandContext& context) {
-    ShotInput input = read_shot_input(command.input, context.console);
+    ShotInput input = read_film_input(command.input, context);
     const std::int64_t frame = chosen_frame(command, input.shot);
     const std::string path =
         output_or_default(command.output, command.input.path, numbered_extension(frame));
@@ -212,6 +229,7 @@ void run_frame(const FrameCommand& command, CommandContext& context) {
 
     FilmJobOptions options = job_options(command.cache, {}, {});
     options.threads = command.threads;
+    options.factory = context.factory;
     const sim::Bake bake = bake_of(input, command.input, command.cache, context);
     const render::Film film = pipeline::make_frame(
         input.shot, bake, frame, options, talk_about_job(context.console, 1), context.stop);

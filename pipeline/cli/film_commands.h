@@ -14,6 +14,9 @@ namespace carom::cli {
 void film_shot(ShotInput input, const std::string& path, const RenderCommand& command,
                std::chrono::steady_clock::time_point begin, CommandContext& context);
 
+/// Any command that renders. Throws OtherProgram for a shot that this program cannot render.
+void run_film_command(const Command& command, CommandContext& context);
+
 void run_render(const RenderCommand& command, CommandContext& context);
 void run_mux(const MuxCommand& command, CommandContext& context);
 void run_frame(const FrameCommand& command, CommandContext& context);

@@ -1,6 +1,9 @@
 #include "pipeline/cli/film_input.h"
 
+#include <utility>
+
 #include "pipeline/camera/frame_plan.h"
+#include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/video/video_format.h"
 #include "pipeline/video/view_transform.h"
@@ -9,6 +12,18 @@ namespace carom::cli {
 
 using pipeline::FilmJobOptions;
 using pipeline::Shot;
+
+ShotInput read_film_input(const InputOptions& input, CommandContext& context) {
+    CheckedInput checked = load_shot_input(input);
+    if (checked.input) {
+        const auto problem =
+            render::structure_problem(checked.input->shot.render.acceleration, context.factory);
+        if (problem) {
+            throw OtherProgram(problem->program);
+        }
+    }
+    return accept_shot_input(std::move(checked), input, context.console);
+}
 
 FilmJobOptions job_options(const CacheOptions& cache, const std::string& frames,
                            const std::string& chunk) {

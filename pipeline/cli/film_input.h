@@ -10,6 +10,10 @@
 
 namespace carom::cli {
 
+/// As read_shot_input. Throws OtherProgram, before anything is reported, if the shot names a
+/// structure that this program does not have.
+[[nodiscard]] ShotInput read_film_input(const InputOptions& input, CommandContext& context);
+
 /// Folder and limit of the cache, frames and chunk. Throws InputError for what cannot be read.
 [[nodiscard]] pipeline::FilmJobOptions job_options(const CacheOptions& cache,
                                                    const std::string& frames,

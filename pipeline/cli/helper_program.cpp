@@ -90,6 +90,11 @@ int wait_for(pid_t process) {
     return status;
 }
 
+std::string cannot_start(const std::string& what, const std::string& path, int reason,
+                         const std::string& question) {
+    return "cannot start " + what + " '" + path + "': " + reason_of(reason) + "; " + question;
+}
+
 }  // namespace
 
 std::string helper_program(const std::string& name) {
@@ -101,9 +106,13 @@ std::string helper_program(const std::string& name) {
     return ((is_helper ? folder : above / "libexec" / "carom") / name).string();
 }
 
-std::string cannot_start(const std::string& what, const std::string& path, int reason) {
-    return "cannot start " + what + " '" + path + "': " + reason_of(reason) +
-           "; is carom installed completely?";
+void become_program(const std::string& name, char** arguments) {
+    const std::string path = helper_program(name);
+    ::execv(path.c_str(), arguments);
+    const bool is_laboratory = name == "carom-lab";
+    throw Error(
+        cannot_start(is_laboratory ? "the laboratory" : "the renderer", path, errno,
+                     is_laboratory ? "is carom-lab installed?" : "is carom installed completely?"));
 }
 
 std::vector<std::byte> run_helper(const std::string& name, const std::string& what,
@@ -121,7 +130,7 @@ std::vector<std::byte> run_helper(const std::string& name, const std::string& wh
     const int error =
         ::posix_spawn(&process, path.c_str(), actions.get(), nullptr, arguments.data(), environ);
     if (error != 0) {
-        throw Error(cannot_start(what, path, error));
+        throw Error(cannot_start(what, path, error, "is carom installed completely?"));
     }
     const int status = wait_for(process);
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace carom::cli {
@@ -11,9 +12,18 @@ namespace carom::cli {
 /// The path of "carom-film", found from where the running program is.
 [[nodiscard]] std::string helper_program(const std::string& name);
 
-/// "carom: error: cannot start the renderer ..." without its beginning: for an errno.
-[[nodiscard]] std::string cannot_start(const std::string& what, const std::string& path,
-                                       int reason);
+/// Thrown by a command that another of these programs has to run.
+class OtherProgram {
+  public:
+    explicit OtherProgram(std::string name) : name_(std::move(name)) {}
+    [[nodiscard]] const std::string& name() const { return name_; }
+
+  private:
+    std::string name_;
+};
+
+/// Becomes "carom-film" or "carom-lab", with these arguments. Throws Error if that fails.
+[[noreturn]] void become_program(const std::string& name, char** arguments);
 
 /// Runs it to its end with `input` as its standard input and returns its standard output; what it
 /// complains of goes to ours. Throws Error if it cannot be started or fails.

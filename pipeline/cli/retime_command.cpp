@@ -6,6 +6,7 @@
 
 #include "pipeline/camera/retime.h"
 #include "pipeline/cli/film_commands.h"
+#include "pipeline/cli/film_input.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/number_types.h"
@@ -99,7 +100,7 @@ pipeline::RetimeOptions options_of(const RetimeCommand& command) {
 void run_retime(const RetimeCommand& command, CommandContext& context) {
     const auto begin = std::chrono::steady_clock::now();
     const pipeline::RetimeOptions options = options_of(command);
-    ShotInput input = read_shot_input(command.render.input, context.console);
+    ShotInput input = read_film_input(command.render.input, context);
     try {
         input.shot.cameras = pipeline::retimed(input.shot.cameras, options);
         input.has_own_cameras = false;

@@ -9,6 +9,7 @@
 #include "pipeline/cli/commands.h"
 #include "pipeline/cli/exit_code.h"
 #include "pipeline/cli/terminal/console.h"
+#include "render/acceleration/structure_factory.h"
 
 namespace carom::cli {
 
@@ -22,6 +23,7 @@ class InputError : public Error {
 struct CommandContext {
     Console& console;
     std::stop_token stop;
+    render::StructureFactory factory = nullptr;  // of a program that has more than the renderer
 };
 
 using CommandHandler = std::function<void(const Command&, CommandContext&)>;

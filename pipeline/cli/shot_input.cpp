@@ -111,14 +111,17 @@ CheckedInput load_shot_input(const InputOptions& input) {
     return checked;
 }
 
-ShotInput read_shot_input(const InputOptions& input, Console& console) {
-    CheckedInput checked = load_shot_input(input);
+ShotInput accept_shot_input(CheckedInput checked, const InputOptions& input, Console& console) {
     report_problems(checked.problems, console);
     if (!checked.input) {
         throw InputError(faulty_file(input, checked.problems) + " has " +
                          count_text(checked.problems));
     }
     return std::move(*checked.input);
+}
+
+ShotInput read_shot_input(const InputOptions& input, Console& console) {
+    return accept_shot_input(load_shot_input(input), input, console);
 }
 
 JsonMembers members_of(const pipeline::Problem& problem) {

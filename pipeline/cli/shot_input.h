@@ -37,6 +37,10 @@ struct CheckedInput {
 /// The bake, checked. Throws InputError.
 [[nodiscard]] sim::Bake read_bake_input(const std::string& path);
 
+/// Reports all problems on the console; throws InputError if one of them is an error.
+[[nodiscard]] ShotInput accept_shot_input(CheckedInput checked, const InputOptions& input,
+                                          Console& console);
+
 /// The shot, or the bake and the shot that it carries. All problems are reported on the console;
 /// throws InputError if one of them is an error, or if the options change the physics of a bake.
 [[nodiscard]] ShotInput read_shot_input(const InputOptions& input, Console& console);

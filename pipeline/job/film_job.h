@@ -12,6 +12,7 @@
 #include "pipeline/job/frame_range.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/store/cache_care.h"
+#include "render/acceleration/structure_factory.h"
 #include "render/film/film.h"
 #include "sim/timeline/bake_file.h"
 
@@ -34,8 +35,9 @@ struct FilmJobOptions {
     FrameRange frames;         // empty: all
     FrameChunk chunk;          // of these
     std::string cache_folder;  // of bakes and frames; empty: default_cache_folder()
-    std::uint64_t cache_limit = kNoLimit;  // bytes; what was used longest ago goes first
-    int threads = 0;                       // 0: as many as there are processors
+    std::uint64_t cache_limit = kNoLimit;        // bytes; what was used longest ago goes first
+    int threads = 0;                             // 0: as many as there are processors
+    render::StructureFactory factory = nullptr;  // of what the renderer does not make itself
 };
 
 struct FilmJobResult {

@@ -11,12 +11,13 @@ namespace {
 
 class SceneRenderer {
   public:
-    SceneRenderer(const Shot& shot, int threads) : shot_(shot), arena_(threads) {}
+    SceneRenderer(const Shot& shot, int threads, render::StructureFactory factory)
+        : shot_(shot), arena_(threads), factory_(factory) {}
 
     render::Film render(const FrameInputs& inputs, const WorkContext& context) {
         return arena_.execute([&] {
             if (!scene_) {
-                scene_.emplace(shot_.scene, shot_.render);
+                scene_.emplace(shot_.scene, shot_.render, factory_);
             }
             return render::render_frame(*scene_, inputs.tracks, inputs.frame, shot_.render,
                                         context);
@@ -26,13 +27,15 @@ class SceneRenderer {
   private:
     const Shot& shot_;
     render::ThreadArena arena_;
+    render::StructureFactory factory_;
     std::optional<render::PreparedScene> scene_;
 };
 
 }  // namespace
 
-RenderFunction make_scene_renderer(const Shot& shot, int threads) {
-    const auto renderer = std::make_shared<SceneRenderer>(shot, threads);
+RenderFunction make_scene_renderer(const Shot& shot, int threads,
+                                   render::StructureFactory factory) {
+    const auto renderer = std::make_shared<SceneRenderer>(shot, threads, factory);
     return [renderer](const FrameInputs& inputs, const WorkContext& context) {
         return renderer->render(inputs, context);
     };

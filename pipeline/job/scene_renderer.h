@@ -6,6 +6,7 @@
 #include "core/progress.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/store/frame_inputs.h"
+#include "render/acceleration/structure_factory.h"
 #include "render/film/film.h"
 
 namespace carom::pipeline {
@@ -15,7 +16,8 @@ namespace carom::pipeline {
 using RenderFunction = std::function<render::Film(const FrameInputs&, const WorkContext&)>;
 
 /// render_frame on `threads` threads (0: as many as there are processors). The scene is prepared
-/// when the first picture is asked for. Refers to `shot`.
-[[nodiscard]] RenderFunction make_scene_renderer(const Shot& shot, int threads);
+/// when the first picture is asked for. Refers to `shot`; `factory` as for PreparedScene.
+[[nodiscard]] RenderFunction make_scene_renderer(const Shot& shot, int threads,
+                                                 render::StructureFactory factory);
 
 }  // namespace carom::pipeline

@@ -71,18 +71,7 @@ bool EmbreeStructure::closest_hit(const Ray& ray, Hit& hit) const {
     const bool found = query.hit.geomID != RTC_INVALID_GEOMETRY_ID && query.ray.tfar < safe.t_max &&
                        query.ray.tfar > safe.t_min;
     Hit best = found ? data_->to_hit(query) : Hit{safe.t_max, kNoObject, 0, 0, 0};
-    const auto offer = [&](const Hit& other) {
-        const bool is_tie = other.t == best.t && other.object < best.object;
-        if (other.t < best.t || (is_tie && best.object != kNoObject)) {
-            best = other;
-        }
-    };
-    for (const Primitive& plane : data_->shapes.planes()) {  // which no hierarchy can hold
-        Hit other;
-        if (data_->shapes.closest(plane, safe, other)) {
-            offer(other);
-        }
-    }
+    data_->shapes.find_closest_plane(safe, best);  // which no hierarchy can hold
     if (best.object == kNoObject) {
         return false;
     }
@@ -95,11 +84,8 @@ bool EmbreeStructure::any_hit(const Ray& ray) const {
         return false;
     }
     const Ray safe = made_safe(ray);
-    for (const Primitive& plane : data_->shapes.planes()) {
-        Hit hit;
-        if (data_->shapes.closest(plane, safe, hit)) {
-            return true;
-        }
+    if (data_->shapes.first_plane_met(safe) < data_->shapes.planes().size()) {
+        return true;
     }
     QueryContext context;
     rtcInitIntersectContext(&context.embree);

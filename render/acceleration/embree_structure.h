@@ -4,8 +4,8 @@
 #include <memory>
 #include <span>
 
+#include "render/acceleration/measured_structure.h"
 #include "render/acceleration/shapes.h"
-#include "render/acceleration/structures/measured_structure.h"
 
 namespace carom::render {
 

@@ -8,8 +8,8 @@
 #include "render/acceleration/analytic_kernels.h"
 #include "render/acceleration/analytic_tree_kernels.h"
 #include "render/acceleration/batch_kernels.h"
+#include "render/acceleration/measured_structure.h"
 #include "render/acceleration/shapes.h"
-#include "render/acceleration/structures/measured_structure.h"
 
 namespace carom::render {
 

@@ -1,5 +1,6 @@
 #include "render/acceleration/primitives.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/assert.h"
@@ -128,6 +129,27 @@ bool Primitives::closest(const Primitive& shape, const Ray& ray, Hit& hit) const
         hit = {t, shape.object, 0, 0, 0};
     }
     return found;
+}
+
+void Primitives::find_closest_plane(const Ray& ray, Hit& best) const {
+    for (const Primitive& plane : planes_) {
+        Hit other;
+        if (!closest(plane, ray, other)) {
+            continue;
+        }
+        const bool is_tie = other.t == best.t && other.object < best.object;
+        if (other.t < best.t || (is_tie && best.object != kNoObject)) {
+            best = other;
+        }
+    }
+}
+
+std::size_t Primitives::first_plane_met(const Ray& ray) const {
+    const auto met = std::ranges::find_if(planes_, [&](const Primitive& plane) {
+        Hit hit;
+        return closest(plane, ray, hit);
+    });
+    return static_cast<std::size_t>(met - planes_.begin());
 }
 
 }  // namespace carom::render

@@ -50,6 +50,12 @@ class Primitives {
     /// if there is none. Analytic shapes give the bits that HybridStructure gives.
     [[nodiscard]] bool closest(const Primitive& primitive, const Ray& ray, Hit& hit) const;
 
+    /// Replaces `best` by the nearest hit of an infinite plane that is nearer, or as near and of a
+    /// lower object. A `best` without an object ends where the ray does.
+    void find_closest_plane(const Ray& ray, Hit& best) const;
+    /// Index of the first plane that the ray meets; their number if it meets none.
+    [[nodiscard]] std::size_t first_plane_met(const Ray& ray) const;
+
     /// Corners of a mesh's triangle.
     [[nodiscard]] std::array<V3f, 3> corners(const Primitive& triangle) const;
     /// Of a sphere that stands still.

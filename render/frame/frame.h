@@ -6,7 +6,8 @@
 #include <span>
 
 #include "core/progress.h"
-#include "render/acceleration/structures/structure_cost.h"
+#include "render/acceleration/structure_cost.h"
+#include "render/acceleration/structure_factory.h"
 #include "render/camera/camera_state.h"
 #include "render/film/film.h"
 #include "render/scene/render_settings.h"
@@ -32,10 +33,12 @@ struct FrameInput {
 
 /// What all frames of a shot share: meshes, textures, the structure over still shapes. Immutable;
 /// any number of threads may render from it. Construction reads files and throws Error naming the
-/// file.
+/// file. `factory` makes the structures that the library does not make itself; without it those are
+/// an Error (structure_problem()).
 class PreparedScene {
   public:
-    explicit PreparedScene(const SceneDescription& scene, const RenderSettings& settings);
+    PreparedScene(const SceneDescription& scene, const RenderSettings& settings,
+                  StructureFactory factory = nullptr);
     ~PreparedScene();
     PreparedScene(PreparedScene&&) noexcept;
     PreparedScene& operator=(PreparedScene&&) noexcept;

@@ -71,8 +71,9 @@ LightSet make_lights(const SceneDescription& scene, const StaticGeometry& geomet
     return lights;
 }
 
-PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettings& settings) {
-    StaticGeometry geometry(scene, settings);
+PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettings& settings,
+                               StructureFactory factory) {
+    StaticGeometry geometry(scene, settings, factory);
     std::vector<Material> materials = make_materials(scene);
     LightSet lights = make_lights(scene, geometry, materials);
     return new PreparedScene::Data{std::move(geometry), std::move(materials), std::move(lights),
@@ -82,8 +83,9 @@ PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettin
 
 }  // namespace
 
-PreparedScene::PreparedScene(const SceneDescription& scene, const RenderSettings& settings)
-    : data_(make_data(scene, settings)) {}
+PreparedScene::PreparedScene(const SceneDescription& scene, const RenderSettings& settings,
+                             StructureFactory factory)
+    : data_(make_data(scene, settings, factory)) {}
 
 PreparedScene::~PreparedScene() = default;
 PreparedScene::PreparedScene(PreparedScene&&) noexcept = default;

@@ -12,7 +12,7 @@
 #include "render/acceleration/embree_structure.h"
 #include "render/acceleration/hybrid_structure.h"
 #include "render/acceleration/moving_shape.h"
-#include "render/acceleration/structures/make_structure.h"
+#include "render/acceleration/wide_bvh.h"
 #include "render/frame_scene/static_geometry_data.h"
 #include "render/frame_scene/surface.h"
 
@@ -144,7 +144,10 @@ std::unique_ptr<MeasuredStructure> make_structure_of(const StaticGeometry::Data&
     if (geometry.acceleration == AccelerationKind::embree) {
         return std::make_unique<EmbreeStructure>(geometry.device, shapes, geometry.still_meshes);
     }
-    return make_structure(geometry.acceleration, shapes, geometry.still_meshes, options);
+    if (geometry.acceleration == AccelerationKind::wide_bvh) {
+        return std::make_unique<WideBvh>(shapes, geometry.still_meshes, options);
+    }
+    return geometry.factory(geometry.acceleration, shapes, geometry.still_meshes, options);
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 
 #include <Imath/ImathBox.h>
 
-#include "render/acceleration/structures/measured_structure.h"
-#include "render/acceleration/structures/structure_cost.h"
+#include "render/acceleration/measured_structure.h"
+#include "render/acceleration/structure_cost.h"
 #include "render/scene/render_settings.h"
 #include "sim/timeline/track.h"
 

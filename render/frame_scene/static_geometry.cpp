@@ -147,9 +147,14 @@ void add_still_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t 
     }
 }
 
-StaticGeometry::StaticGeometry(const SceneDescription& scene, const RenderSettings& settings) {
+StaticGeometry::StaticGeometry(const SceneDescription& scene, const RenderSettings& settings,
+                               StructureFactory factory) {
+    if (const auto problem = structure_problem(settings.acceleration, factory)) {
+        throw Error(problem->sentence);
+    }
     auto data = std::make_unique<Data>();
     data->acceleration = settings.acceleration;
+    data->factory = factory;
     add_objects(*data, scene);
     if (needs_embree(*data)) {
         data->device = make_embree_device();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "render/acceleration/structure_factory.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
 
@@ -21,8 +22,9 @@ class StaticGeometry {
   public:
     /// Reads the mesh files. Throws Error that names the object or file: a mesh that cannot be
     /// read, a material that the scene does not have, a transform that cannot be inverted, a size
-    /// that is not positive.
-    StaticGeometry(const SceneDescription& scene, const RenderSettings& settings);
+    /// that is not positive; or whose sentence is that of structure_problem().
+    StaticGeometry(const SceneDescription& scene, const RenderSettings& settings,
+                   StructureFactory factory = nullptr);
     ~StaticGeometry();
     StaticGeometry(StaticGeometry&&) noexcept;
     StaticGeometry& operator=(StaticGeometry&&) noexcept;

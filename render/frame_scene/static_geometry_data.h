@@ -14,6 +14,7 @@ namespace carom::render {
 
 struct StaticGeometry::Data {
     AccelerationKind acceleration = AccelerationKind::hybrid;
+    StructureFactory factory = nullptr;          // for structures that the library does not make
     std::shared_ptr<const EmbreeDevice> device;  // null if there is no mesh and no need
     std::vector<SceneObject> objects;            // the scene's, then lights
     std::vector<std::optional<std::uint32_t>> object_of_light;

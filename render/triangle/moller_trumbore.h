@@ -2,10 +2,26 @@
 #pragma once
 
 #include <optional>
+#include <tuple>
 
 #include "render/geometry/intersect.h"
 #include "render/geometry/ray.h"
-#include "render/triangle/scalar_kernels.h"
+#include "render/lanes/scalar_lanes.h"
+#include "render/triangle/division.h"
+
+namespace carom::render::triangle::scalar {
+
+#define CAROM_KERNEL [[gnu::always_inline]] inline
+
+// These follow one another.
+// clang-format off
+#include "render/triangle/kernels/common.h"
+#include "render/triangle/kernels/moller_trumbore.h"
+// clang-format on
+
+#undef CAROM_KERNEL
+
+}  // namespace carom::render::triangle::scalar
 
 namespace carom::render {
 
@@ -13,7 +29,7 @@ namespace carom::render {
 [[nodiscard]] inline std::optional<TriangleHit<float>> moller_trumbore(const Ray& ray, const V3f& a,
                                                                        const V3f& b, const V3f& c) {
     using Kernel = triangle::scalar::MollerTrumbore;
-    using L = triangle::ScalarLanes<float>;
+    using L = ScalarLanes<float>;
     const auto triple = [](const V3f& v) {
         return triangle::scalar::Triple<float>{{v.x, v.y, v.z}};
     };

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "lab/structures/make_structure.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/job/film_job.h"
@@ -76,7 +77,7 @@ bool film_one(std::uint64_t number) {
     const std::int64_t frames = frame_count(shot.cameras, shot.timing);
     try {
         const FrameInputs inputs = source.inputs(static_cast<std::int64_t>(number) % frames);
-        check(make_scene_renderer(shot, 1)(inputs, {}));
+        check(make_scene_renderer(shot, 1, render::make_structure)(inputs, {}));
     } catch (const carom::Error& error) {
         EXPECT_TRUE(has_no_picture(error)) << error.what();
     }

@@ -51,7 +51,7 @@ class FrameNoise : public ::testing::Test {
 
 TEST_F(FrameNoise, OtherAccelerationStructures_HaveTheSameNoise) {
     const std::vector<float> usual = picture();
-    for (const auto kind : {render::AccelerationKind::embree, render::AccelerationKind::bvh}) {
+    for (const auto kind : {render::AccelerationKind::embree, render::AccelerationKind::wide_bvh}) {
         film_.shot.render.acceleration = kind;
         // Rounding turns a few paths aside at edges.
         EXPECT_LT(changed(usual, picture(), 1e-3F), 0.02) << static_cast<int>(kind);

@@ -132,24 +132,6 @@ TEST_P(GoldenPicture, Pixels_HaveTheStoredMeans) {
     }
 }
 
-// The scenes have no mesh, for which Embree has a test of its own.
-TEST_P(GoldenPicture, EveryStructure_GivesTheSamePixels) {
-    using Kind = AccelerationKind;
-    const test::GoldenScene& golden = GetParam();
-    const auto pixels_by = [&](Kind kind) {
-        RenderSettings settings = golden.settings;
-        settings.acceleration = kind;
-        const PreparedScene prepared(golden.scene, settings);
-        return render_frame(prepared, golden.tracks, golden.frame, settings).rgba;
-    };
-    const std::vector<float> expected = pixels_by(Kind::brute_force);
-    for (const Kind kind : {Kind::hybrid, Kind::embree, Kind::grid, Kind::octree, Kind::kd_tree,
-                            Kind::kd_tree_median, Kind::bsp_tree, Kind::r_tree,
-                            Kind::r_tree_hilbert, Kind::slabs, Kind::bvh, Kind::wide_bvh}) {
-        EXPECT_TRUE(pixels_by(kind) == expected) << static_cast<int>(kind);
-    }
-}
-
 INSTANTIATE_TEST_SUITE_P(All, GoldenPicture, testing::ValuesIn(test::golden_scenes()),
                          [](const auto& instance) { return instance.param.name; });
 

@@ -1,0 +1,163 @@
+#include "lab/cli/comparison_data.h"
+
+#include <array>
+
+#include "lab/comparison/comparison_text.h"
+#include "lab/comparison/growth_text.h"
+#include "pipeline/cli/terminal/json_text.h"
+#include "pipeline/export/csv_text.h"
+
+namespace carom::cli {
+
+namespace {
+
+using pipeline::ComparedStructure;
+using pipeline::Comparison;
+using render::KindCounts;
+
+constexpr std::array<const char*, 3> kKinds{"primary", "secondary", "shadow"};
+
+std::int64_t signed_of(std::uint64_t number) {
+    return static_cast<std::int64_t>(number);
+}
+
+void add_rays(JsonMembers& members, const Comparison& comparison) {
+    for (std::size_t i = 0; i < kKinds.size(); ++i) {
+        members.add(std::string(kKinds[i]) + "_rays", signed_of(comparison.rays.of[i].rays));
+    }
+}
+
+void add_tests(JsonMembers& members, const render::TestCounts& tests) {
+    for (std::size_t i = 0; i < kKinds.size(); ++i) {
+        const KindCounts& counts = tests.of[i];
+        const std::string kind = kKinds[i];
+        members.add(kind + "_objects", signed_of(counts.objects))
+            .add(kind + "_boxes", signed_of(counts.boxes))
+            .add(kind + "_nodes", signed_of(counts.nodes));
+    }
+}
+
+std::string row_object(const ComparedStructure& row) {
+    JsonMembers members;
+    members.add("structure", row.name)
+        .add("shadow_query", name_of(row.shadow_rays))
+        .add("build_seconds", row.build_seconds)
+        .add("bytes", signed_of(row.bytes))
+        .add("cpu_seconds", row.cpu_seconds)
+        .add("computed", row.is_computed ? 1 : 0);
+    if (row.is_counted) {
+        add_tests(members, row.tests);
+    }
+    return members.object();
+}
+
+/// Names of what is counted after those of `columns`.
+std::string csv_header(const std::string& columns) {
+    std::string header = columns;
+    for (const char* kind : kKinds) {
+        for (const char* what : {"rays", "objects", "boxes", "nodes"}) {
+            header += std::string(",") + kind + "_" + what;
+        }
+    }
+    return header;
+}
+
+/// `tests`: null where they are not known.
+void add_tests(pipeline::CsvText& csv, const render::TestCounts& rays,
+               const render::TestCounts* tests) {
+    for (std::size_t i = 0; i < kKinds.size(); ++i) {
+        csv.add(static_cast<double>(rays.of[i].rays));
+        for (std::uint64_t KindCounts::*what :
+             {&KindCounts::objects, &KindCounts::boxes, &KindCounts::nodes}) {
+            if (tests != nullptr) {
+                csv.add(static_cast<double>(tests->of[i].*what));
+            } else {
+                csv.add("");
+            }
+        }
+    }
+}
+
+std::string point_object(const pipeline::GrowthPoint& point) {
+    JsonMembers members;
+    members.add("structure", point.name)
+        .add("shapes", signed_of(point.shapes))
+        .add("build_seconds", point.build_seconds)
+        .add("bytes", signed_of(point.bytes));
+    for (std::size_t i = 0; i < kKinds.size(); ++i) {
+        const std::string kind = kKinds[i];
+        members.add("seconds_per_" + kind + "_ray", point.seconds_per_ray[i]);
+        if (point.is_counted) {
+            members.add(kind + "_rays", signed_of(point.tests.of[i].rays));
+        }
+    }
+    if (point.is_counted) {
+        add_tests(members, point.tests);
+    }
+    return members.object();
+}
+
+}  // namespace
+
+std::string comparison_json(const Comparison& comparison) {
+    JsonMembers members;
+    members.add("scene", comparison.name)
+        .add("what", comparison.what)
+        .add("width", comparison.width)
+        .add("height", comparison.height)
+        .add("shapes", signed_of(comparison.shapes))
+        .add("whole", comparison.is_whole ? 1 : 0);
+    add_rays(members, comparison);
+    std::string rows;
+    for (const ComparedStructure& row : comparison.rows) {
+        rows += (rows.empty() ? "\n" : ",\n") + row_object(row);
+    }
+    return "{" + members.text() + ",\n\"structures\":[" + rows + "]}\n";
+}
+
+std::string comparison_csv(const Comparison& comparison) {
+    pipeline::CsvText csv(csv_header(
+        "scene,structure,shadow_query,build_seconds,bytes,cpu_seconds,computed,counted"));
+    for (const ComparedStructure& row : comparison.rows) {
+        csv.add(comparison.name).add(row.name).add(name_of(row.shadow_rays));
+        csv.add(row.build_seconds)
+            .add(static_cast<double>(row.bytes))
+            .add(row.cpu_seconds)
+            .add(row.is_computed ? 1.0 : 0.0)
+            .add(row.is_counted ? 1.0 : 0.0);
+        add_tests(csv, comparison.rays, row.is_counted ? &row.tests : nullptr);
+        csv.end_row();
+    }
+    return csv.finish();
+}
+
+std::string growth_json(const pipeline::Growth& growth) {
+    JsonMembers members;
+    members.add("growth", name_of(growth.scene)).add("whole", growth.is_whole ? 1 : 0);
+    std::string points;
+    for (const pipeline::GrowthPoint& point : growth.points) {
+        points += (points.empty() ? "\n" : ",\n") + point_object(point);
+    }
+    return "{" + members.text() + ",\n\"points\":[" + points + "]}\n";
+}
+
+std::string growth_csv(const pipeline::Growth& growth) {
+    pipeline::CsvText csv(
+        csv_header("growth,structure,shapes,build_seconds,bytes,seconds_per_primary_ray,"
+                   "seconds_per_secondary_ray,seconds_per_shadow_ray"));
+    for (const pipeline::GrowthPoint& point : growth.points) {
+        csv.add(name_of(growth.scene))
+            .add(point.name)
+            .add(static_cast<double>(point.shapes))
+            .add(point.build_seconds)
+            .add(static_cast<double>(point.bytes));
+        for (const double seconds : point.seconds_per_ray) {
+            csv.add(seconds);
+        }
+        add_tests(csv, point.tests, point.is_counted ? &point.tests : nullptr);
+        csv.end_row();
+    }
+    return csv.finish();
+}
+
+}  // namespace carom::cli

@@ -1,0 +1,255 @@
+#include "lab/comparison/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "core/error.h"
+#include "lab/comparison/frame_meter.h"
+#include "render/scene/acceleration_names.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+using render::AccelerationKind;
+using render::KindCounts;
+using render::RayKind;
+using render::RenderSettings;
+using render::TestCounts;
+
+std::string all_names() {
+    std::string text;
+    for (const render::AccelerationName& known : render::kAccelerationNames) {
+        text += (text.empty() ? "" : ", ") + std::string(known.name);
+    }
+    return text;
+}
+
+AccelerationKind kind_of(const std::string& name) {
+    const auto found =
+        std::ranges::find(render::kAccelerationNames, name, &render::AccelerationName::name);
+    if (found == render::kAccelerationNames.end()) {
+        throw Error("there is no structure '" + name + "'; there are " + all_names() + ", and all");
+    }
+    return found->kind;
+}
+
+/// One ray through one pixel, and where it leads.
+RenderSettings one_sample(RenderSettings settings) {
+    settings.width = settings.height = 1;
+    settings.samples = 1;
+    settings.noise = 0;
+    settings.distributed.pixel_samples = settings.distributed.blur_samples = 1;
+    settings.distributed.lens_samples = 1;
+    return settings;
+}
+
+/// The same view in fewer pixels.
+RenderSettings in_part(RenderSettings settings, double share) {
+    const double scale = std::sqrt(std::min(share, 1.0));
+    const auto smaller = [&](int size) {
+        return std::max(1, static_cast<int>(std::lround(size * scale)));
+    };
+    settings.width = smaller(settings.width);
+    settings.height = smaller(settings.height);
+    return settings;
+}
+
+class ComparisonRun {
+  public:
+    ComparisonRun(const LaboratoryScene& scene, const ComparisonOptions& options,
+                  const ComparisonProgress& progress, std::stop_token stop)
+        : scene_(scene),
+          options_(options),
+          progress_(progress),
+          stop_(std::move(stop)),
+          meter_(scene, options.threads) {
+        result_.name = scene.name;
+        result_.what = scene.what;
+        result_.width = scene.settings.width;
+        result_.height = scene.settings.height;
+    }
+
+    Comparison run() {
+        try {
+            count_rays();
+            for (const ShadowRays shadow_rays : options_.shadow_rays) {
+                for (const AccelerationKind kind : options_.structures) {
+                    result_.rows.push_back(row_of(kind, shadow_rays));
+                }
+            }
+            result_.is_whole = true;
+        } catch (const Stopped&) {
+            // What is there is the result.
+        }
+        return std::move(result_);
+    }
+
+  private:
+    // Of the first structure that counts in less time than brute force.
+    void count_rays() {
+        AccelerationKind kind = AccelerationKind::kd_tree;
+        for (const AccelerationKind asked : options_.structures) {
+            if (asked != AccelerationKind::brute_force && FrameMeter::can_count(asked)) {
+                kind = asked;
+                break;
+            }
+        }
+        const ShadowRays shadow_rays = options_.shadow_rays.front();
+        counted_[{kind, shadow_rays}] = count(kind, shadow_rays, scene_.settings);
+        const TestCounts& counts = counted_[{kind, shadow_rays}];
+        for (std::size_t i = 0; i < counts.of.size(); ++i) {
+            result_.rays.of[i].rays = counts.of[i].rays;
+        }
+        const TestCounts one =
+            count(AccelerationKind::brute_force, ShadowRays::closest, one_sample(scene_.settings));
+        result_.shapes = one[RayKind::primary].objects / one[RayKind::primary].rays;
+    }
+
+    ComparedStructure row_of(AccelerationKind kind, ShadowRays shadow_rays) {
+        const double all_tests =
+            static_cast<double>(result_.rays.total().rays) * static_cast<double>(result_.shapes);
+        ComparedStructure row;
+        row.name = name_of(kind);
+        row.shadow_rays = shadow_rays;
+        row.is_counted = FrameMeter::can_count(kind);
+        if (kind == AccelerationKind::brute_force && all_tests > options_.most_tests) {
+            compute(row, all_tests);
+            return row;
+        }
+        const MeasuredFrame timed = least_time(kind, shadow_rays, scene_.settings);
+        row.build_seconds = timed.cost.build_seconds;
+        row.bytes = timed.cost.bytes;
+        row.cpu_seconds = timed.cpu_seconds;
+        if (row.is_counted) {
+            const auto found = counted_.find({kind, shadow_rays});
+            row.tests =
+                found != counted_.end() ? found->second : count(kind, shadow_rays, scene_.settings);
+        }
+        return row;
+    }
+
+    // Rays that look for the nearest hit test everything; how soon shadow rays find one is measured
+    // in a part of the picture, and so is the time of a test.
+    void compute(ComparedStructure& row, double all_tests) {
+        constexpr double kPart = 0.25;  // of what may be tested
+        const RenderSettings part =
+            in_part(scene_.settings, kPart * options_.most_tests / all_tests);
+        const AccelerationKind kind = AccelerationKind::brute_force;
+        const TestCounts counts = count(kind, row.shadow_rays, part);
+        const MeasuredFrame timed = least_time(kind, row.shadow_rays, part);
+        for (std::size_t i = 0; i < counts.of.size(); ++i) {
+            const std::uint64_t rays = result_.rays.of[i].rays;
+            const bool is_early = i == static_cast<std::size_t>(RayKind::shadow) &&
+                                  row.shadow_rays == ShadowRays::any && counts.of[i].rays > 0;
+            const double tests = is_early ? static_cast<double>(counts.of[i].objects) /
+                                                static_cast<double>(counts.of[i].rays)
+                                          : static_cast<double>(result_.shapes);
+            row.tests.of[i].rays = rays;
+            row.tests.of[i].objects =
+                static_cast<std::uint64_t>(std::llround(static_cast<double>(rays) * tests));
+        }
+        row.cpu_seconds = timed.cpu_seconds * static_cast<double>(row.tests.total().objects) /
+                          static_cast<double>(counts.total().objects);
+        row.is_computed = true;
+    }
+
+    TestCounts count(AccelerationKind kind, ShadowRays shadow_rays,
+                     const RenderSettings& settings) {
+        return measure(kind, shadow_rays, true, settings).cost.counts;
+    }
+
+    // Of several frames where they are quick: what else the machine does only ever slows.
+    MeasuredFrame least_time(AccelerationKind kind, ShadowRays shadow_rays,
+                             const RenderSettings& settings) {
+        constexpr int kMostFrames = 5;
+        MeasuredFrame least = measure(kind, shadow_rays, false, settings);
+        double all = least.cpu_seconds;
+        for (int i = 1; i < kMostFrames && all < options_.enough_seconds; ++i) {
+            done_ -= 1;
+            const MeasuredFrame again = measure(kind, shadow_rays, false, settings);
+            all += again.cpu_seconds;
+            least.cpu_seconds = std::min(least.cpu_seconds, again.cpu_seconds);
+            least.cost.build_seconds = std::min(least.cost.build_seconds, again.cost.build_seconds);
+        }
+        return least;
+    }
+
+    MeasuredFrame measure(AccelerationKind kind, ShadowRays shadow_rays, bool counts,
+                          const RenderSettings& settings) {
+        // Most rows take two frames; the rays' count is the first one's second.
+        const double steps =
+            2.0 * static_cast<double>(options_.structures.size() * options_.shadow_rays.size());
+        const WorkContext context{[&, kind](double share) {
+                                      told_ =
+                                          std::max(told_, std::min(1.0, (done_ + share) / steps));
+                                      progress_(name_of(kind), told_);
+                                  },
+                                  stop_};
+        const MeasuredFrame result =
+            meter_.measure(settings, kind, {counts, shadow_rays == ShadowRays::any}, context);
+        done_ += settings.width == 1 ? 0 : 1;
+        return result;
+    }
+
+    const LaboratoryScene& scene_;
+    const ComparisonOptions& options_;
+    const ComparisonProgress& progress_;
+    std::stop_token stop_;
+    FrameMeter meter_;
+    Comparison result_;
+    std::map<std::pair<AccelerationKind, ShadowRays>, TestCounts> counted_;
+    double done_ = 0;  // frames
+    double told_ = 0;  // share
+};
+
+}  // namespace
+
+const ComparedStructure* Comparison::yardstick(const ComparedStructure& row) const {
+    const auto is_it = [&](const ComparedStructure& other) {
+        return other.name == name_of(AccelerationKind::brute_force) &&
+               other.shadow_rays == row.shadow_rays;
+    };
+    const auto found = std::ranges::find_if(rows, is_it);
+    return found == rows.end() ? nullptr : &*found;
+}
+
+Comparison compare_structures(const LaboratoryScene& scene, const ComparisonOptions& options,
+                              const ComparisonProgress& progress, const std::stop_token& stop) {
+    return ComparisonRun(scene, options, progress, stop).run();
+}
+
+std::string_view name_of(AccelerationKind kind) {
+    return std::ranges::find(render::kAccelerationNames, kind, &render::AccelerationName::kind)
+        ->name;
+}
+
+std::vector<AccelerationKind> structures_from_text(const std::string& text) {
+    std::vector<AccelerationKind> kinds;
+    if (text == "all") {
+        for (const render::AccelerationName& known : render::kAccelerationNames) {
+            kinds.push_back(known.kind);
+        }
+        // The yardstick first.
+        std::rotate(kinds.begin(), std::ranges::find(kinds, AccelerationKind::brute_force),
+                    kinds.end());
+        return kinds;
+    }
+    std::istringstream list(text);
+    for (std::string name; std::getline(list, name, ',');) {
+        const AccelerationKind kind = kind_of(name);
+        if (std::ranges::find(kinds, kind) != kinds.end()) {
+            throw Error("the structure '" + name + "' is named twice");
+        }
+        kinds.push_back(kind);
+    }
+    if (kinds.empty()) {
+        throw Error("no structure is named; there are " + all_names() + ", and all");
+    }
+    return kinds;
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,122 @@
+#include "lab/comparison/growth_rays.h"
+
+#include <cmath>
+#include <cstdint>
+
+#include "lab/comparison/scene_parts.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+using render::Hit;
+using render::Ray;
+using render::RayKind;
+using render::V3f;
+
+/// SplitMix64 (Steele, Lea and Flood 2014): the same numbers everywhere.
+class Numbers {
+  public:
+    explicit Numbers(std::uint64_t seed) : state_(seed) {}
+
+    /// In [0, 1).
+    double next() {
+        state_ += 0x9e3779b97f4a7c15u;
+        std::uint64_t x = state_;
+        x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+        x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+        return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
+    }
+    /// Evenly over all directions.
+    V3f direction() {
+        const double z = 2 * next() - 1;
+        const double turn = 6.283185307179586 * next();
+        const double across = std::sqrt(1 - z * z);
+        return V3f(Vec3(across * std::cos(turn), across * std::sin(turn), z)).normalized();
+    }
+
+  private:
+    std::uint64_t state_;
+};
+
+constexpr float kStep = 1e-4f;  // off what a ray has met, m
+
+/// Towards squares of the cloud's width, neighbours after one another as in tiles of a picture.
+std::vector<Ray> camera_rays(std::size_t count) {
+    constexpr int kTile = 8;
+    const int side =
+        kTile *
+        std::max(1, static_cast<int>(std::lround(std::sqrt(static_cast<double>(count)))) / kTile);
+    std::vector<Ray> rays;
+    for (int tile = 0; tile < side / kTile * (side / kTile); ++tile) {
+        for (int i = 0; i < kTile * kTile; ++i) {
+            const int x = tile % (side / kTile) * kTile + i % kTile;
+            const int y = tile / (side / kTile) * kTile + i / kTile;
+            Ray ray;
+            ray.origin = V3f(2.2f, -3.2f, 2.0f);
+            const V3f forward = (-ray.origin).normalized();
+            const V3f right = forward.cross(V3f(0, 0, 1)).normalized();
+            const V3f up = right.cross(forward);
+            const auto at = [&](int place) {
+                return 0.72f *
+                       ((static_cast<float>(place) + 0.5f) / static_cast<float>(side) - 0.5f);
+            };
+            ray.direction = (forward + right * at(x) + up * at(y)).normalized();
+            ray.kind = RayKind::primary;
+            rays.push_back(ray);
+        }
+    }
+    return rays;
+}
+
+}  // namespace
+
+LaboratoryScene sphere_cloud(std::size_t shapes) {
+    LaboratoryScene scene = empty_scene("spheres", {});
+    add_surface(scene, "grey", {0.6, 0.6, 0.6});
+    Numbers numbers(shapes);
+    const double radius = 0.6 / std::cbrt(static_cast<double>(shapes));
+    for (std::size_t i = 0; i < shapes; ++i) {
+        const Vec3 place(2 * numbers.next() - 1, 2 * numbers.next() - 1, 2 * numbers.next() - 1);
+        add_object(scene, render::SphereShape{radius}, moved_to(place), "grey");
+    }
+    return scene;
+}
+
+LaboratoryScene single_knot(std::size_t shapes) {
+    LaboratoryScene scene = empty_scene("mesh", {});
+    add_surface(scene, "grey", {0.6, 0.6, 0.6});
+    add_object(scene, knot_mesh(shapes, 1), moved_to({0, 0, 0}), "grey");
+    return scene;
+}
+
+std::array<std::vector<Ray>, 3> growth_rays(const render::AccelerationStructure& structure,
+                                            std::size_t count) {
+    std::array<std::vector<Ray>, 3> rays;
+    rays[0] = camera_rays(count);
+    const V3f light(1.5f, -1, 4);
+    Numbers numbers(1);
+    for (const Ray& ray : rays[0]) {
+        Hit hit;
+        if (!structure.closest_hit(ray, hit)) {
+            continue;
+        }
+        Ray onward;
+        onward.origin = ray.origin + ray.direction * (hit.t - kStep);
+        onward.direction = numbers.direction();
+        if ((onward.direction ^ ray.direction) > 0) {
+            onward.direction = -onward.direction;
+        }
+        onward.kind = RayKind::secondary;
+        rays[1].push_back(onward);
+        Ray shadow = onward;
+        const V3f to_light = light - onward.origin;
+        shadow.t_max = to_light.length();
+        shadow.direction = to_light.normalized();
+        shadow.kind = RayKind::shadow;
+        rays[2].push_back(shadow);
+    }
+    return rays;
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,130 @@
+#include "lab/comparison/growth_text.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "lab/comparison/line_chart.h"
+#include "lab/comparison/text_table.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+/// What is read off a point; nothing where it is not known.
+using Quantity = std::function<std::optional<double>(const GrowthPoint&)>;
+
+std::optional<double> objects_per_ray(const GrowthPoint& point) {
+    const render::KindCounts total = point.tests.total();
+    return point.is_counted && total.rays > 0
+               ? std::optional(static_cast<double>(total.objects) / static_cast<double>(total.rays))
+               : std::nullopt;
+}
+
+std::optional<double> boxes_per_ray(const GrowthPoint& point) {
+    const render::KindCounts total = point.tests.total();
+    return point.is_counted && total.rays > 0
+               ? std::optional(static_cast<double>(total.boxes) / static_cast<double>(total.rays))
+               : std::nullopt;
+}
+
+std::optional<double> tests_per_ray(const GrowthPoint& point) {
+    const auto objects = objects_per_ray(point);
+    return objects ? std::optional(*objects + *boxes_per_ray(point)) : std::nullopt;
+}
+
+Quantity nanoseconds(std::size_t kind) {
+    return [kind](const GrowthPoint& point) { return 1e9 * point.seconds_per_ray[kind]; };
+}
+
+/// The mean of the three kinds.
+std::optional<double> nanoseconds_per_ray(const GrowthPoint& point) {
+    return 1e9 * (point.seconds_per_ray[0] + point.seconds_per_ray[1] + point.seconds_per_ray[2]) /
+           3;
+}
+
+std::string table_of(const Growth& growth, const std::string& title, const Quantity& quantity) {
+    std::vector<std::string> names;
+    for (const std::string& name : growth.structures) {
+        const auto has_it = [&](const GrowthPoint& point) {
+            return point.name == name && quantity(point).has_value();
+        };
+        if (std::ranges::any_of(growth.points, has_it)) {
+            names.push_back(name);
+        }
+    }
+    if (names.empty()) {
+        return "";
+    }
+    std::vector<std::string> header{title};
+    header.insert(header.end(), names.begin(), names.end());
+    TextTable table(std::move(header));
+    for (const std::size_t shapes : growth.sizes()) {
+        std::vector<std::string> row{std::to_string(shapes)};
+        for (const std::string& name : names) {
+            const GrowthPoint* point = growth.point(name, shapes);
+            const auto value = point != nullptr ? quantity(*point) : std::nullopt;
+            row.push_back(value ? short_number(*value) : "-");
+        }
+        table.add(std::move(row));
+    }
+    return "\n" + table.text();
+}
+
+LinePanel panel_of(const Growth& growth, const std::string& title, bool is_logarithmic,
+                   const Quantity& quantity, const std::vector<std::string>& left_out = {}) {
+    LinePanel panel{title, is_logarithmic, {}};
+    for (const std::string& name : growth.structures) {
+        ChartLine line{name, {}};
+        for (const GrowthPoint& point : growth.points) {
+            const auto value = point.name == name ? quantity(point) : std::nullopt;
+            if (value && *value > 0) {
+                line.points.emplace_back(static_cast<double>(point.shapes), *value);
+            }
+        }
+        if (!line.points.empty() && std::ranges::find(left_out, name) == left_out.end()) {
+            panel.lines.push_back(std::move(line));
+        }
+    }
+    return panel;
+}
+
+}  // namespace
+
+const char* name_of(GrowingScene scene) {
+    return scene == GrowingScene::spheres ? "spheres" : "mesh";
+}
+
+std::string growth_text(const Growth& growth) {
+    std::string text = std::string("growth: ") +
+                       (growth.scene == GrowingScene::spheres ? "spheres in a cube"
+                                                              : "triangles of a torus knot") +
+                       "\n";
+    text += table_of(growth, "object tests per ray", objects_per_ray);
+    text += table_of(growth, "box tests per ray", boxes_per_ray);
+    text += table_of(growth, "ns per primary ray", nanoseconds(0));
+    text += table_of(growth, "ns per secondary ray", nanoseconds(1));
+    text += table_of(growth, "ns per shadow ray", nanoseconds(2));
+    text += table_of(growth, "build ms",
+                     [](const GrowthPoint& point) { return 1e3 * point.build_seconds; });
+    text += table_of(growth, "memory MB", [](const GrowthPoint& point) {
+        return 1e-6 * static_cast<double>(point.bytes);
+    });
+    return growth.is_whole ? text : text + "\ninterrupted: the rest is missing\n";
+}
+
+std::string growth_plot_svg(const Growth& growth, PlanPage page) {
+    LineChart chart;
+    chart.title = std::string("Growth with the number of ") +
+                  (growth.scene == GrowingScene::spheres ? "spheres" : "triangles");
+    chart.explanation = "the same rays for all: from a camera, onwards, to a light; means of these";
+    chart.across = growth.scene == GrowingScene::spheres ? "spheres" : "triangles";
+    chart.names = growth.structures;
+    chart.panels = {panel_of(growth, "tests of objects and boxes per ray", true, tests_per_ray),
+                    panel_of(growth, "the same: a logarithm is a straight line", false,
+                             tests_per_ray, {"brute_force", "grid", "bsp"}),
+                    panel_of(growth, "ns per ray", true, nanoseconds_per_ray)};
+    return line_chart_svg(chart, page);
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,55 @@
+#include "lab/comparison/laboratory_scene.h"
+
+#include <array>
+
+#include "core/error.h"
+#include "lab/comparison/scene_parts.h"
+
+namespace carom::pipeline {
+
+namespace {
+
+struct Generator {
+    LaboratorySceneName name;
+    LaboratoryScene (*make)();
+};
+
+constexpr std::array<Generator, 6> kGenerators{
+    {{{"sphere_cube", "3375 spheres in a cube, 2 point lights"}, sphere_cube},
+     {{"cylinder_axes", "1313 cylinders along thirteen axes, 2 point lights, mirrored once"},
+      cylinder_axes},
+     {{"cylinder_walls", "7500 cylinders in three walls, 2 point lights, mirrored once"},
+      cylinder_walls},
+     {{"full_view", "one sphere that fills the view, 1 point light"}, full_view},
+     {{"stadium", "a mesh of 2000 triangles in a stadium of 481 boxes, 2 point lights"}, stadium},
+     {{"smooth_mesh", "a smooth mesh of 100 000 triangles on a floor, 2 point lights"},
+      smooth_mesh}}};
+
+constexpr auto kNames = [] {
+    std::array<LaboratorySceneName, kGenerators.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        names[i] = kGenerators[i].name;
+    }
+    return names;
+}();
+
+}  // namespace
+
+std::span<const LaboratorySceneName> laboratory_scene_names() {
+    return kNames;
+}
+
+LaboratoryScene make_laboratory_scene(const std::string& name) {
+    std::string names;
+    for (const Generator& generator : kGenerators) {
+        if (generator.name.name == name) {
+            LaboratoryScene scene = generator.make();
+            scene.what = generator.name.what;
+            return scene;
+        }
+        names += (names.empty() ? "" : ", ") + std::string(generator.name.name);
+    }
+    throw Error("there is no scene '" + name + "'; there are " + names);
+}
+
+}  // namespace carom::pipeline

@@ -1,0 +1,100 @@
+// Boxes within boxes: what octree, R-tree and bounding volume hierarchy have in common.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <Imath/ImathBox.h>
+
+#include "lab/structures/boxes.h"
+
+namespace carom::render {
+
+/// A node's entries are nodes or shapes, each with its box. A ray looks at the entries of a node
+/// whose boxes it enters, the nearest first. Every shape is in it once.
+class BoxHierarchy {
+  public:
+    struct Entry {
+        Imath::Box3f box;
+        std::uint32_t index = 0;  // of a node or a shape
+        bool is_shape = false;
+    };
+
+    /// A node with these entries, which name nodes added before; the last one added is the root.
+    /// Returns its index. There is none without an entry.
+    std::uint32_t add_node(const std::vector<Entry>& entries) {
+        nodes_.push_back({static_cast<std::uint32_t>(entries_.size()),
+                          static_cast<std::uint32_t>(entries.size())});
+        entries_.insert(entries_.end(), entries.begin(), entries.end());
+        return static_cast<std::uint32_t>(nodes_.size() - 1);
+    }
+    [[nodiscard]] Imath::Box3f box_of(std::uint32_t node) const {
+        Imath::Box3f box;
+        for (std::uint32_t i = 0; i < nodes_[node].count; ++i) {
+            box.extendBy(entries_[nodes_[node].first + i].box);
+        }
+        return box;
+    }
+    /// As an entry of the node above it.
+    [[nodiscard]] Entry entry_of(std::uint32_t node) const { return {box_of(node), node, false}; }
+
+    [[nodiscard]] std::size_t bytes() const { return bytes_of(nodes_) + bytes_of(entries_); }
+
+    template <class Query>
+    void search(Query& query) const {
+        if (nodes_.empty()) {
+            return;
+        }
+        std::vector<Waiting> waiting;
+        waiting.reserve(kReserve);
+        waiting.push_back({0, static_cast<std::uint32_t>(nodes_.size() - 1), false});
+        while (!waiting.empty()) {
+            const Waiting next = waiting.back();
+            waiting.pop_back();
+            if (next.enter > query.reach()) {
+                continue;
+            }
+            if (next.is_shape) {
+                if (query.test(next.index)) {
+                    return;
+                }
+                continue;
+            }
+            enter_node(nodes_[next.index], query, waiting);
+        }
+    }
+
+  private:
+    struct Node {
+        std::uint32_t first = 0, count = 0;  // entries
+    };
+    struct Waiting {
+        float enter;
+        std::uint32_t index;
+        bool is_shape;
+    };
+    static constexpr std::size_t kReserve = 64;
+
+    // Its entries onto the list, the farthest first.
+    template <class Query>
+    void enter_node(const Node& node, Query& query, std::vector<Waiting>& waiting) const {
+        query.note_node();
+        const std::size_t before = waiting.size();
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            const Entry& entry = entries_[i];
+            float enter = 0;
+            if (query.enters(entry.box, enter)) {
+                waiting.push_back({enter, entry.index, entry.is_shape});
+            }
+        }
+        std::sort(waiting.begin() + static_cast<std::ptrdiff_t>(before), waiting.end(),
+                  [](const Waiting& a, const Waiting& b) { return a.enter > b.enter; });
+    }
+
+    std::vector<Node> nodes_;
+    std::vector<Entry> entries_;
+};
+
+}  // namespace carom::render

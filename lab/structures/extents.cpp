@@ -1,0 +1,29 @@
+#include "lab/structures/extents.h"
+
+#include <cmath>
+
+namespace carom::render {
+
+Extent extent_along(const Primitives& primitives, const Primitive& shape, const V3f& normal) {
+    const Imath::Box3f box = swept_box(shape);
+    const V3f centre = box.center();
+    const V3f half = 0.5f * box.size();
+    const V3f size(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
+    const float middle = centre ^ normal;
+    float reach = half ^ size;
+    Extent extent{middle - reach, middle + reach};
+    if (shape.kind == Primitive::Kind::still_sphere) {
+        reach = half.x;  // of a cube around it
+        extent = {middle - reach, middle + reach};
+    } else if (shape.kind == Primitive::Kind::mesh_triangle) {
+        extent = Extent{};
+        for (const V3f& corner : primitives.corners(shape)) {
+            extent.extend({corner ^ normal, corner ^ normal});
+        }
+    }
+    const float far = std::abs(centre.x) + std::abs(centre.y) + std::abs(centre.z) + half.length();
+    const float room = 1e-5f * std::max(far, 1e-3f);
+    return {extent.low - room, extent.high + room};
+}
+
+}  // namespace carom::render

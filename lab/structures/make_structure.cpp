@@ -1,0 +1,52 @@
+#include "lab/structures/make_structure.h"
+
+#include "core/error.h"
+#include "lab/structures/brute_force.h"
+#include "lab/structures/bsp_tree.h"
+#include "lab/structures/kd_tree.h"
+#include "lab/structures/median_kd_tree.h"
+#include "lab/structures/octree.h"
+#include "lab/structures/primitive_structure.h"
+#include "lab/structures/r_tree.h"
+#include "lab/structures/sah_bvh.h"
+#include "lab/structures/slab_hierarchy.h"
+#include "lab/structures/uniform_grid.h"
+
+namespace carom::render {
+
+std::unique_ptr<MeasuredStructure> make_structure(AccelerationKind kind, const ShapeSet& shapes,
+                                                  std::span<const MeshEntry> meshes,
+                                                  const StructureOptions& options) {
+    const auto over = [&]<class Index>() -> std::unique_ptr<MeasuredStructure> {
+        return std::make_unique<PrimitiveStructure<Index>>(Primitives(shapes, meshes), options);
+    };
+    switch (kind) {
+        case AccelerationKind::brute_force:
+            return over.operator()<BruteForce>();
+        case AccelerationKind::grid:
+            return over.operator()<UniformGrid>();
+        case AccelerationKind::octree:
+            return over.operator()<Octree>();
+        case AccelerationKind::kd_tree:
+            return over.operator()<KdTree>();
+        case AccelerationKind::kd_tree_median:
+            return over.operator()<MedianKdTree>();
+        case AccelerationKind::bsp_tree:
+            return over.operator()<BspTree>();
+        case AccelerationKind::r_tree:
+            return over.operator()<RTree<Packing::sort_tile_recursive>>();
+        case AccelerationKind::r_tree_hilbert:
+            return over.operator()<RTree<Packing::hilbert>>();
+        case AccelerationKind::slabs:
+            return over.operator()<SlabHierarchy>();
+        case AccelerationKind::bvh:
+            return over.operator()<SahBvh>();
+        case AccelerationKind::hybrid:
+        case AccelerationKind::embree:
+        case AccelerationKind::wide_bvh:
+            break;
+    }
+    throw Error("the renderer itself makes this structure");
+}
+
+}  // namespace carom::render

@@ -1,0 +1,109 @@
+// Shapes between seven pairs of planes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <queue>
+#include <vector>
+
+#include "lab/structures/extents.h"
+#include "render/geometry/intersect.h"
+
+namespace carom::render {
+
+/// Kay and Kajiya 1986, "Ray tracing complex scenes": volumes between planes across the axes and
+/// the diagonals of space, in a binary tree by sorted middles, its nodes taken from a heap by the
+/// distance at which the ray enters them.
+class SlabHierarchy {
+  public:
+    static constexpr std::size_t kNormals = 7;
+
+    explicit SlabHierarchy(const Primitives& primitives);
+
+    template <class Query>
+    void search(Query& query) const;
+
+    [[nodiscard]] std::size_t bytes() const { return bytes_of(nodes_); }
+
+  private:
+    struct Node {
+        std::array<Extent, kNormals> slabs;
+        std::uint32_t left = 0;   // node; of a leaf: the shape
+        std::uint32_t right = 0;  // 0: a leaf
+    };
+    struct Waiting {
+        float enter;
+        std::uint32_t node;
+        // The heap's top is the nearest.
+        bool operator<(const Waiting& other) const { return enter > other.enter; }
+    };
+    /// The ray along the normals.
+    struct Projected {
+        std::array<float, kNormals> origin, inverse, margin;
+    };
+
+    template <class Query>
+    [[nodiscard]] static bool enters(const Node& node, const Projected& along, Query& query,
+                                     float& enter);
+    static const std::array<V3f, kNormals>& normals();
+    std::uint32_t build(std::vector<std::uint32_t>& order, std::size_t first, std::size_t count,
+                        const std::vector<std::array<Extent, kNormals>>& extents);
+
+    std::vector<Node> nodes_;  // the root first
+};
+
+template <class Query>
+bool SlabHierarchy::enters(const Node& node, const Projected& along, Query& query, float& enter) {
+    query.note_boxes(1);
+    enter = query.ray().t_min;
+    float leave = query.reach();
+    for (std::size_t k = 0; k < kNormals && enter <= leave; ++k) {
+        const float at_low = (node.slabs[k].low - along.origin[k]) * along.inverse[k];
+        const float at_high = (node.slabs[k].high - along.origin[k]) * along.inverse[k];
+        enter = std::max(enter, std::min(at_low, at_high) - along.margin[k]);
+        leave = std::min(leave, std::max(at_low, at_high) + along.margin[k]);
+    }
+    return enter <= leave;
+}
+
+template <class Query>
+void SlabHierarchy::search(Query& query) const {
+    if (nodes_.empty()) {
+        return;
+    }
+    const Ray& ray = query.ray();
+    const V3f& o = ray.origin;
+    const float far = 0x1p-18f * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z));
+    Projected along{};
+    for (std::size_t k = 0; k < kNormals; ++k) {
+        along.origin[k] = normals()[k] ^ o;
+        along.inverse[k] = finite_reciprocal(normals()[k] ^ ray.direction);
+        along.margin[k] = far * std::abs(along.inverse[k]);
+    }
+    std::vector<Waiting> storage;
+    storage.reserve(64);
+    std::priority_queue<Waiting> waiting({}, std::move(storage));
+    float enter = 0;
+    if (enters(nodes_[0], along, query, enter)) {
+        waiting.push({enter, 0});
+    }
+    while (!waiting.empty() && waiting.top().enter <= query.reach()) {
+        const Node& node = nodes_[waiting.top().node];
+        waiting.pop();
+        query.note_node();
+        if (node.right == 0) {
+            if (query.test(node.left)) {
+                return;
+            }
+            continue;
+        }
+        for (const std::uint32_t below : {node.left, node.right}) {
+            if (enters(nodes_[below], along, query, enter)) {
+                waiting.push({enter, below});
+            }
+        }
+    }
+}
+
+}  // namespace carom::render

@@ -1,0 +1,82 @@
+// The seven kernels in the lanes of vectors: several rays against one triangle, or one ray against
+// several triangles. Included once per instruction set, after <hwy/highway.h>.
+#if defined(CAROM_TRIANGLE_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAROM_TRIANGLE_KERNELS_INL_H
+#undef CAROM_TRIANGLE_KERNELS_INL_H
+#else
+#define CAROM_TRIANGLE_KERNELS_INL_H
+#endif
+
+#include <cstdint>
+#include <tuple>
+
+#include "lab/triangle/scalar_lanes.h"
+#include "render/lanes/vector_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace carom::render::triangle::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class D>
+using VectorLanes = render::HWY_NAMESPACE::VectorLanes<D>;
+
+/// A ray in every lane, one triangle in all: its axis is one number.
+template <class D>
+struct RaysInLanes : VectorLanes<D> {
+    using typename VectorLanes<D>::Value;
+    using Axis = AxisOrder;
+
+    static HWY_INLINE Value along(const Value (&x)[3], const Axis& axis) { return x[axis.w]; }
+    static HWY_INLINE Value after(const Value (&x)[3], const Axis& axis) { return x[axis.u]; }
+    static HWY_INLINE Value before(const Value (&x)[3], const Axis& axis) { return x[axis.v]; }
+};
+
+/// A triangle in every lane, one ray in all: every lane has its own axis.
+template <class D>
+struct TrianglesInLanes : VectorLanes<D> {
+    using typename VectorLanes<D>::Value;
+    using typename VectorLanes<D>::Mask;
+    struct Axis {
+        Mask is_x;
+        Mask is_y;
+    };
+
+    static HWY_INLINE Axis longest_axis(const Value (&v)[3]) {
+        const Value x = hn::Abs(v[0]);
+        const Value y = hn::Abs(v[1]);
+        const Value z = hn::Abs(v[2]);
+        const Mask x_first = hn::Ge(x, y);
+        return {hn::And(x_first, hn::Ge(x, z)), hn::AndNot(x_first, hn::Ge(y, z))};
+    }
+    /// From numbers 0, 1 and 2.
+    static HWY_INLINE Axis axis_of(Value w) {
+        const D d;
+        return {hn::Eq(w, hn::Zero(d)), hn::Eq(w, hn::Set(d, 1))};
+    }
+    static HWY_INLINE Value along(const Value (&v)[3], Axis w) {
+        return choose(w, v[0], v[1], v[2]);
+    }
+    static HWY_INLINE Value after(const Value (&v)[3], Axis w) {
+        return choose(w, v[1], v[2], v[0]);
+    }
+    static HWY_INLINE Value before(const Value (&v)[3], Axis w) {
+        return choose(w, v[2], v[0], v[1]);
+    }
+
+  private:
+    static HWY_INLINE Value choose(Axis w, Value x, Value y, Value z) {
+        return hn::IfThenElse(w.is_x, x, hn::IfThenElse(w.is_y, y, z));
+    }
+};
+
+#define CAROM_KERNEL HWY_INLINE
+
+#include "lab/triangle/kernels/all.h"
+
+#undef CAROM_KERNEL
+
+}  // namespace carom::render::triangle::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // once per instruction set

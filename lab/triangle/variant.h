@@ -1,0 +1,72 @@
+// The kernels by name, and the forms in which each can be run.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lab/triangle/scalar_lanes.h"
+
+namespace carom::render::triangle {
+
+enum class KernelName {
+    moller_trumbore,
+    kensler_shirley,
+    shevtsov,
+    badouel,
+    wald,
+    keidy,
+    perpendicular_planes
+};
+inline constexpr int kKernelCount = 7;
+
+/// What a test starts from: the corners, these and a normal that is there for other reasons, or a
+/// record made for the test when the scene was set up.
+enum class Input { corners, corners_and_normal, record };
+
+/// How many at a time.
+enum class Packing { single, four_rays, eight_rays, four_triangles, eight_triangles };
+inline constexpr std::array kPackings = {Packing::single, Packing::four_rays, Packing::eight_rays,
+                                         Packing::four_triangles, Packing::eight_triangles};
+
+enum class Precision { single_precision, double_precision };
+
+/// A kernel with an input that it is known with, and one of the two places for its division.
+struct Form {
+    KernelName kernel = KernelName::moller_trumbore;
+    Input input = Input::corners;
+    Division division = Division::early;
+
+    friend bool operator==(const Form&, const Form&) = default;
+};
+
+/// A form as it is run.
+struct Variant {
+    Form form;
+    Packing packing = Packing::single;
+    Precision precision = Precision::single_precision;
+
+    friend bool operator==(const Variant&, const Variant&) = default;
+};
+
+/// All forms, kernel by kernel in the order of the enumeration. Without a record where the kernel
+/// is a test of points (Keidy), with nothing else where the record is the kernel's idea (Shevtsov,
+/// Wald, perpendicular planes).
+[[nodiscard]] std::span<const Form> all_forms();
+
+/// For people: "Möller–Trumbore". For options and data: "moller_trumbore", "corners", "deferred",
+/// "eight_rays", "float".
+[[nodiscard]] std::string_view title(KernelName kernel);
+[[nodiscard]] std::string_view name(KernelName kernel);
+[[nodiscard]] std::string_view name(Input input);
+[[nodiscard]] std::string_view name(Division division);
+[[nodiscard]] std::string_view name(Packing packing);
+[[nodiscard]] std::string_view name(Precision precision);
+
+/// Empty if there is none of that name.
+[[nodiscard]] std::optional<KernelName> find_kernel(std::string_view name);
+
+}  // namespace carom::render::triangle

@@ -1,0 +1,36 @@
+// Structures that a program has beside those of the library.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "render/acceleration/measured_structure.h"
+#include "render/acceleration/structure_options.h"
+#include "render/scene/render_settings.h"
+
+namespace carom::render {
+
+struct MeshEntry;
+struct ShapeSet;
+
+/// Makes a structure over all shapes and the triangles of `meshes`, which outlive it. The library
+/// asks it only for structures that it does not make itself.
+using StructureFactory = std::unique_ptr<MeasuredStructure> (*)(AccelerationKind kind,
+                                                                const ShapeSet& shapes,
+                                                                std::span<const MeshEntry> meshes,
+                                                                const StructureOptions& options);
+
+/// A structure that the library cannot make, and the program that can.
+struct StructureProblem {
+    AccelerationKind kind = AccelerationKind::hybrid;
+    std::string program;   // "carom-lab"
+    std::string sentence;  // for people
+};
+
+/// Empty if the library makes the structure itself, or with `factory`, which may be null.
+[[nodiscard]] std::optional<StructureProblem> structure_problem(AccelerationKind kind,
+                                                                StructureFactory factory);
+
+}  // namespace carom::render

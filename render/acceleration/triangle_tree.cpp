@@ -1,0 +1,58 @@
+#include "render/acceleration/triangle_tree.h"
+
+#include <array>
+
+namespace carom::render {
+
+TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes) {
+    struct Place {
+        std::uint32_t mesh, number;
+    };
+    std::vector<Place> places;
+    std::vector<MovingBounds> bounds;
+    const auto corner = [&](const Place& place, std::size_t k) {
+        const TriangleMesh& mesh = *meshes[place.mesh].mesh;
+        return mesh.vertices[mesh.triangles[place.number][k]];
+    };
+    for (std::uint32_t mesh = 0; mesh < meshes.size(); ++mesh) {
+        const auto count = static_cast<std::uint32_t>(meshes[mesh].mesh->triangles.size());
+        for (std::uint32_t number = 0; number < count; ++number) {
+            const Place place{mesh, number};
+            places.push_back(place);
+            const std::array<V3f, 3> corners = {corner(place, 0), corner(place, 1),
+                                                corner(place, 2)};
+            bounds.push_back(bounds_of(corners));
+        }
+    }
+    TriangleTree result;
+    result.tree = build_wide_tree(bounds);
+    result.blocks.reserve(result.tree.leaves.size());
+    result.names.reserve(result.tree.leaves.size());
+    for (const WideLeaf& leaf : result.tree.leaves) {
+        TriangleBlock block;
+        TriangleNames names;
+        for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
+            const Place& place = places[result.tree.order[leaf.first + lane]];
+            const V3f a = corner(place, 0);
+            const V3f b = corner(place, 1) - a;
+            const V3f c = corner(place, 2) - a;
+            for (int axis = 0; axis < 3; ++axis) {
+                block.corner[axis].values[lane] = a[axis];
+                block.edge_b[axis].values[lane] = b[axis];
+                block.edge_c[axis].values[lane] = c[axis];
+            }
+            names.object.values[lane] = static_cast<std::int32_t>(meshes[place.mesh].object);
+            names.number.values[lane] = static_cast<std::int32_t>(place.number);
+        }
+        result.blocks.push_back(block);
+        result.names.push_back(names);
+    }
+    return result;
+}
+
+std::size_t bytes_of(const TriangleTree& tree) {
+    return bytes_of(tree.tree) +
+           tree.blocks.size() * (sizeof(TriangleBlock) + sizeof(TriangleNames));
+}
+
+}  // namespace carom::render

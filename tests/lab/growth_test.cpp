@@ -1,0 +1,170 @@
+#include "lab/comparison/growth.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lab/comparison/growth_rays.h"
+#include "lab/comparison/growth_text.h"
+#include "lab/comparison/line_chart.h"
+#include "render/frame_scene/frame_scene.h"
+#include "render/frame_scene/static_geometry.h"
+#include "tests/lab/small_scene.h"
+
+namespace carom::pipeline {
+namespace {
+
+using render::RayKind;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+Growth grown(GrowingScene scene, const std::string& structures, std::size_t largest) {
+    GrowthOptions options;
+    options.scene = scene;
+    options.structures = structures_from_text(structures);
+    options.largest = largest;
+    options.enough_seconds = 0;
+    return measure_growth(options, [](std::string_view, double) {}, {});
+}
+
+double tests_per_ray(const Growth& growth, const std::string& name, std::size_t shapes) {
+    const GrowthPoint* point = growth.point(name, shapes);
+    EXPECT_NE(point, nullptr) << name << " " << shapes;
+    const render::KindCounts total = point->tests.total();
+    return static_cast<double>(total.objects + total.boxes) / static_cast<double>(total.rays);
+}
+
+// With a logarithm every step of the same factor costs the same number of tests more.
+TEST(Growth, TreesOverSpheres_GrowLikeALogarithm) {
+    const Growth growth = grown(GrowingScene::spheres, "brute_force,bvh", 10'000);
+    EXPECT_TRUE(growth.is_whole);
+    EXPECT_THAT(growth.sizes(), ElementsAre(10, 32, 100, 316, 1000, 3162, 10'000));
+    const double first = tests_per_ray(growth, "bvh", 100);
+    const double second = tests_per_ray(growth, "bvh", 1000);
+    const double third = tests_per_ray(growth, "bvh", 10'000);
+    EXPECT_GT(second - first, 4);
+    EXPECT_NEAR(third - second, second - first, 0.35 * (second - first));
+    EXPECT_EQ(growth.point("brute_force", 1000)->tests[RayKind::primary].objects,
+              1000 * growth.point("brute_force", 1000)->tests[RayKind::primary].rays);
+}
+
+TEST(Growth, OfAMesh_CountsItsTriangles) {
+    const Growth growth = grown(GrowingScene::mesh, "kdtree,wide_bvh,embree", 100);
+    const std::vector<std::size_t> sizes = growth.sizes();
+    ASSERT_EQ(sizes.size(), 3u);
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const double wanted = std::pow(10.0, 1 + 0.5 * static_cast<double>(i));
+        EXPECT_NEAR(static_cast<double>(sizes[i]), wanted, 0.85 * wanted);
+    }
+    for (const GrowthPoint& point : growth.points) {
+        EXPECT_EQ(point.is_counted, point.name != "embree");
+        EXPECT_GT(point.bytes, 0u);
+        for (const double seconds : point.seconds_per_ray) {
+            EXPECT_GT(seconds, 0);
+        }
+    }
+}
+
+TEST(GrowthRays, AreOfAllKindsAndTheSameEveryTime) {
+    const LaboratoryScene scene = sphere_cloud(100);
+    render::RenderSettings settings = scene.settings;
+    settings.acceleration = render::AccelerationKind::wide_bvh;
+    const render::StaticGeometry geometry(scene.scene, settings);
+    const render::FrameScene frame(geometry, {}, 0, 0);
+    const auto rays = growth_rays(frame.structure(), 1000);
+    const auto again = growth_rays(frame.structure(), 1000);
+    EXPECT_NEAR(static_cast<double>(rays[0].size()), 1000, 250);
+    EXPECT_GT(rays[1].size(), 300u);
+    EXPECT_EQ(rays[1].size(), rays[2].size());
+    for (std::size_t kind = 0; kind < 3; ++kind) {
+        for (std::size_t i = 0; i < rays[kind].size(); ++i) {
+            ASSERT_EQ(static_cast<std::size_t>(rays[kind][i].kind), kind);
+            ASSERT_NEAR(rays[kind][i].direction.length(), 1, 1e-5);
+            ASSERT_EQ(rays[kind][i].direction, again[kind][i].direction);
+        }
+    }
+}
+
+TEST(Growth, Stopped_KeepsThePointsThatAreThere) {
+    std::stop_source stop;
+    GrowthOptions options;
+    options.structures = structures_from_text("bvh,octree");
+    options.enough_seconds = 0;
+    const auto progress = [&](std::string_view, double share) {
+        if (share > 0.2) {
+            stop.request_stop();
+        }
+    };
+    const Growth growth = measure_growth(options, progress, stop.get_token());
+    EXPECT_FALSE(growth.is_whole);
+    EXPECT_EQ(growth.points.size(), 5u);  // of 22; those before a share of 5 / 22
+    EXPECT_THAT(growth_text(growth), HasSubstr("\ninterrupted: the rest is missing\n"));
+}
+
+/// Two structures, two sizes, round numbers.
+Growth made_up() {
+    Growth growth;
+    growth.structures = {"brute_force", "embree"};
+    growth.is_whole = true;
+    for (const std::size_t shapes : {10u, 1000u}) {
+        GrowthPoint brute;
+        brute.name = "brute_force";
+        brute.shapes = shapes;
+        brute.build_seconds = 0.001;
+        brute.bytes = 100 * shapes;
+        brute.seconds_per_ray = {1e-8 * static_cast<double>(shapes), 2e-8, 5e-8};
+        brute.is_counted = true;
+        brute.tests.of[0] = {10, 10 * shapes, 0, 0};
+        GrowthPoint library = brute;
+        library.name = "embree";
+        library.is_counted = false;
+        growth.points.push_back(brute);
+        growth.points.push_back(library);
+    }
+    return growth;
+}
+
+TEST(GrowthText, HasAColumnForEachStructure) {
+    EXPECT_EQ(growth_text(made_up()), R"(growth: spheres in a cube
+
+object tests per ray  brute_force
+10                           10.0
+1000                         1000
+
+box tests per ray  brute_force
+10                           0
+1000                         0
+
+ns per primary ray  brute_force  embree
+10                          100     100
+1000                      10000   10000
+
+ns per secondary ray  brute_force  embree
+10                           20.0    20.0
+1000                         20.0    20.0
+
+ns per shadow ray  brute_force  embree
+10                        50.0    50.0
+1000                      50.0    50.0
+
+build ms  brute_force  embree
+10               1.00    1.00
+1000             1.00    1.00
+
+memory MB  brute_force  embree
+10              0.0010  0.0010
+1000             0.100   0.100
+)");
+}
+
+TEST(GrowthPlot, HasALineForEachStructure) {
+    const std::string svg = growth_plot_svg(made_up());
+    for (const char* text : {"Growth with the number of spheres", "<title>brute_force</title>",
+                             "<title>embree</title>", "ns per ray", ">10k<"}) {
+        EXPECT_THAT(svg, HasSubstr(text));
+    }
+}
+
+}  // namespace
+}  // namespace carom::pipeline

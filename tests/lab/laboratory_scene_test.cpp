@@ -1,0 +1,110 @@
+#include "lab/comparison/laboratory_scene.h"
+
+#include <array>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "tests/lab/small_scene.h"
+
+namespace carom::pipeline {
+namespace {
+
+std::size_t lights_of(const LaboratoryScene& scene) {
+    return scene.scene.lights.size();
+}
+
+TEST(LaboratoryScene, OfTheTexts_HaveTheirShapesLightsAndPictures) {
+    const LaboratoryScene cube = make_laboratory_scene("sphere_cube");
+    EXPECT_EQ(cube.scene.objects.size(), 3375u);
+    EXPECT_EQ(lights_of(cube), 2u);
+    EXPECT_EQ(cube.settings.width, 320);
+    EXPECT_EQ(cube.settings.height, 240);
+    EXPECT_EQ(cube.settings.distributed.recursion_limit, 0);
+    const LaboratoryScene axes = make_laboratory_scene("cylinder_axes");
+    EXPECT_EQ(axes.scene.objects.size(), 1313u);
+    EXPECT_EQ(lights_of(axes), 2u);
+    EXPECT_EQ(axes.settings.width, 640);
+    EXPECT_EQ(axes.settings.height, 360);
+    EXPECT_EQ(axes.settings.distributed.recursion_limit, 1);
+    const LaboratoryScene walls = make_laboratory_scene("cylinder_walls");
+    EXPECT_EQ(walls.scene.objects.size(), 7500u);
+    EXPECT_EQ(lights_of(walls), 2u);
+    EXPECT_EQ(walls.settings.distributed.recursion_limit, 1);
+    EXPECT_EQ(make_laboratory_scene("full_view").scene.objects.size(), 1u);
+}
+
+/// What a small picture of a scene takes with all rays that it has per pixel; shadow rays look for
+/// the nearest hit.
+struct Totals {
+    const char* scene;
+    std::uint64_t shapes;
+    std::array<std::uint64_t, 3> rays;  // by kind
+    // Tests of objects and of boxes.
+    std::array<std::uint64_t, 2> kd_tree, r_tree, octree;
+};
+constexpr Totals kTotals[] = {
+    {"sphere_cube", 3375, {6912, 0, 2452}, {6792, 163274}, {7455, 197599}, {6716, 185248}},
+    {"cylinder_axes",
+     1313,
+     {19200, 14490, 30560},
+     {153598, 3943802},
+     {158420, 5647734},
+     {149040, 4397888}},
+    {"cylinder_walls",
+     7500,
+     {19200, 18688, 52634},
+     {124327, 2588806},
+     {125277, 5986766},
+     {122269, 3409386}},
+    {"full_view", 1, {3840, 0, 3840}, {7680, 15360}, {7680, 7680}, {7680, 7680}},
+    {"stadium", 2479, {3072, 280, 6340}, {8544, 322801}, {9113, 632669}, {8180, 385246}},
+    {"smooth_mesh", 99971, {3072, 769, 5236}, {18551, 430248}, {19286, 1025618}, {16601, 388942}},
+};
+
+TEST(LaboratoryScene, SmallPicturesOfAll_TakeTheTestsThatTheyAlwaysTook) {
+    for (const Totals& totals : kTotals) {
+        SCOPED_TRACE(totals.scene);
+        LaboratoryScene scene = make_laboratory_scene(totals.scene);
+        scene.settings.width = 32;
+        scene.settings.height = 24;
+        const Comparison result =
+            compared(scene, options_of("kdtree,rtree,octree", {ShadowRays::closest}));
+        EXPECT_EQ(result.shapes, totals.shapes);
+        const std::array<std::array<std::uint64_t, 2>, 3> expected{totals.kd_tree, totals.r_tree,
+                                                                   totals.octree};
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_EQ(result.rays.of[i].rays, totals.rays[i]);
+            const render::KindCounts tests = result.rows[i].tests.total();
+            EXPECT_EQ(tests.objects, expected[i][0]) << result.rows[i].name;
+            EXPECT_EQ(tests.boxes, expected[i][1]) << result.rows[i].name;
+        }
+    }
+}
+
+TEST(LaboratoryScene, EveryName_MakesASceneThatRenders) {
+    for (const LaboratorySceneName& known : laboratory_scene_names()) {
+        SCOPED_TRACE(known.name);
+        const LaboratoryScene scene = small_scene(std::string(known.name));
+        EXPECT_EQ(scene.name, known.name);
+        EXPECT_EQ(scene.what, known.what);
+        const Comparison result = compared(scene, options_of("bvh"));
+        EXPECT_TRUE(result.is_whole);
+        EXPECT_GT(result.rays[render::RayKind::shadow].rays, 20u);
+    }
+}
+
+TEST(LaboratoryScene, UnknownName_IsRefusedWithAllThatThereAre) {
+    try {
+        (void)make_laboratory_scene("sphere_cub");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(),
+                     "there is no scene 'sphere_cub'; there are sphere_cube, cylinder_axes, "
+                     "cylinder_walls, full_view, stadium, smooth_mesh");
+    }
+}
+
+}  // namespace
+}  // namespace carom::pipeline

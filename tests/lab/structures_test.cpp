@@ -1,0 +1,347 @@
+// The structures that are compared: the same hits as brute force to the last bit, and honest
+// counts.
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "lab/structures/make_structure.h"
+#include "render/acceleration/embree_structure.h"
+#include "render/acceleration/hybrid_structure.h"
+#include "render/acceleration/primitives.h"
+#include "render/acceleration/wide_bvh.h"
+#include "tests/render/acceleration/random_shapes.h"
+
+namespace carom::render {
+namespace {
+
+using test::RandomScene;
+using test::TestRandom;
+
+struct Named {
+    const char* name;
+    AccelerationKind kind;
+};
+
+void PrintTo(const Named& named, std::ostream* out) {
+    *out << named.name;
+}
+
+constexpr std::array<Named, 11> kAll = {{{"BruteForce", AccelerationKind::brute_force},
+                                         {"Grid", AccelerationKind::grid},
+                                         {"Octree", AccelerationKind::octree},
+                                         {"KdTree", AccelerationKind::kd_tree},
+                                         {"KdTreeMedian", AccelerationKind::kd_tree_median},
+                                         {"Bsp", AccelerationKind::bsp_tree},
+                                         {"RTree", AccelerationKind::r_tree},
+                                         {"RTreeHilbert", AccelerationKind::r_tree_hilbert},
+                                         {"KayKajiya", AccelerationKind::slabs},
+                                         {"Bvh", AccelerationKind::bvh},
+                                         {"WideBvh", AccelerationKind::wide_bvh}}};
+
+std::unique_ptr<MeasuredStructure> make(const RandomScene& scene, AccelerationKind kind,
+                                        const StructureOptions& options = {}) {
+    if (kind == AccelerationKind::wide_bvh) {
+        return std::make_unique<WideBvh>(scene.shapes, scene.still_meshes, options);
+    }
+    return make_structure(kind, scene.shapes, scene.still_meshes, options);
+}
+
+class Laboratory : public testing::TestWithParam<Named> {};
+
+/// Rays from within, from outside and from far away, some along an axis, some short.
+Ray ray_number(int i, TestRandom& random) {
+    constexpr float kSize = 2;
+    const float from = i % 4 == 0 ? 0.3f * kSize : (i % 4 == 3 ? 100 * kSize : 3 * kSize);
+    Ray ray = test::random_ray_toward(random, from, kSize);
+    ray.t_max = i % 3 == 0 ? random.between(0.1f, 2 * from) : kInfinity;
+    ray.t_min = i % 5 == 0 ? random.between(0, kSize) : 0;
+    if (i % 7 == 0) {
+        ray.direction = V3f(0, 0, 0);
+        ray.direction[i % 3] = i % 2 == 0 ? 1.f : -1.f;
+    }
+    return ray;
+}
+
+struct Asked {
+    Ray ray;
+    Hit hit;  // brute force's, or of no object
+};
+
+std::vector<Asked> asked_of_brute_force(const RandomScene& scene, int rays) {
+    const auto brute_force = make(scene, AccelerationKind::brute_force);
+    TestRandom random(42);
+    std::vector<Asked> asked;
+    int hits = 0;
+    for (int i = 0; i < rays; ++i) {
+        asked.push_back({ray_number(i, random), {}});
+        hits += brute_force->closest_hit(asked.back().ray, asked.back().hit) ? 1 : 0;
+    }
+    EXPECT_GT(hits, rays / 5);
+    return asked;
+}
+
+void expect_bits(const AccelerationStructure& structure, const std::vector<Asked>& asked) {
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        const auto& [ray, expected] = asked[i];
+        const bool found = expected.object != kNoObject;
+        Hit hit;
+        ASSERT_EQ(structure.closest_hit(ray, hit), found)
+            << i << ": " << expected.object << " at " << expected.t;
+        ASSERT_EQ(hit.object, expected.object) << i << ": at " << expected.t << " and " << hit.t;
+        ASSERT_TRUE(hit.t == expected.t && hit.primitive == expected.primitive &&
+                    hit.u == expected.u && hit.v == expected.v)
+            << i;
+        ASSERT_EQ(structure.any_hit(ray), found) << i;
+    }
+}
+
+RandomScene everything(int still, int moving, int meshes) {
+    TestRandom random(7);
+    RandomScene scene;
+    scene.add_still(random, still);
+    scene.add_moving(random, moving);
+    scene.add_still_meshes(random, meshes);
+    return scene;
+}
+
+// One test of all, since brute force takes the longest.
+TEST(LaboratoryOfAll, EveryKindOfShape_BitsOfBruteForce) {
+    const RandomScene scene = everything(4, 3, 1);
+    const std::vector<Asked> asked = asked_of_brute_force(scene, 100'000);
+    for (const Named& named : kAll) {
+        SCOPED_TRACE(named.name);
+        expect_bits(*make(scene, named.kind), asked);
+    }
+}
+
+TEST(LaboratoryOfAll, ManySpheresAndMeshes_BitsOfBruteForce) {
+    TestRandom random(8);
+    RandomScene scene = everything(0, 0, 2);
+    for (int i = 0; i < 500; ++i) {
+        SphereStretch sphere;
+        sphere.path.c[0] = test::random_point(random, 2);
+        sphere.radius = i % 100 == 0 ? 0.4f : 0.04f;
+        sphere.object = scene.object_count++;
+        scene.shapes.spheres.push_back(sphere);
+    }
+    const std::vector<Asked> asked = asked_of_brute_force(scene, 6'000);
+    for (const Named& named : kAll) {
+        SCOPED_TRACE(named.name);
+        expect_bits(*make(scene, named.kind), asked);
+    }
+}
+
+TEST_P(Laboratory, ShapesInOnePlace_LowestObjectIsReported) {
+    RandomScene scene;
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        SphereStretch sphere;
+        sphere.radius = 0.5f;
+        sphere.object = 299 - i;
+        scene.shapes.spheres.push_back(sphere);
+    }
+    Ray ray;
+    ray.origin = V3f(0.1f, 0.2f, -3);
+    Hit hit;
+    ASSERT_TRUE(make(scene, GetParam().kind)->closest_hit(ray, hit));
+    EXPECT_EQ(hit.object, 0u);
+}
+
+TEST_P(Laboratory, NothingAtAll_HitsNothing) {
+    const auto structure = make(RandomScene(), GetParam().kind);
+    Hit hit;
+    EXPECT_FALSE(structure->closest_hit(Ray{}, hit));
+    EXPECT_FALSE(structure->any_hit(Ray{}));
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_FALSE(structure->any_hit(Ray{V3f(nan), V3f(0, 0, 1)}));
+}
+
+TEST_P(Laboratory, Counts_AreOfTheRaysAndFewerThanBruteForces) {
+    TestRandom random(9);
+    RandomScene scene;
+    for (std::uint32_t i = 0; i < 400; ++i) {
+        SphereStretch sphere;
+        sphere.path.c[0] = test::random_point(random, 2);
+        sphere.radius = 0.08f;
+        sphere.object = i;
+        scene.shapes.spheres.push_back(sphere);
+    }
+    const auto structure = make(scene, GetParam().kind, {.counts = true});
+    Hit hit;
+    for (int i = 0; i < 300; ++i) {
+        Ray ray = test::random_ray_toward(random, 3, 2);
+        ray.kind = i < 100 ? RayKind::primary : RayKind::secondary;
+        static_cast<void>(i < 200 ? structure->closest_hit(ray, hit) : structure->any_hit(ray));
+    }
+    const TestCounts counts = structure->counts();
+    const bool is_brute = GetParam().kind == AccelerationKind::brute_force;
+    for (const KindCounts& kind : counts.of) {
+        EXPECT_EQ(kind.rays, 100u);
+        EXPECT_GT(kind.objects, 0u);
+        EXPECT_LT(kind.objects, is_brute ? 40'001u : 4'000u);
+    }
+    if (is_brute) {
+        EXPECT_EQ(counts[RayKind::primary].objects, 40'000u);
+        EXPECT_LT(counts[RayKind::shadow].objects, 40'000u);
+    }
+}
+
+TEST_P(Laboratory, ShadowRaysThatDoNotStop_TestMore) {
+    const RandomScene scene = everything(6, 0, 0);
+    const auto stops = make(scene, GetParam().kind, {.counts = true});
+    const auto goes_on = make(scene, GetParam().kind, {.counts = true, .shadow_rays_stop = false});
+    TestRandom random(10);
+    for (int i = 0; i < 2'000; ++i) {
+        const Ray ray = test::random_ray_toward(random, 3, 2);
+        ASSERT_EQ(stops->any_hit(ray), goes_on->any_hit(ray));
+    }
+    EXPECT_LT(stops->counts().total().objects, goes_on->counts().total().objects);
+}
+
+RandomScene row_of_spheres(std::uint32_t count) {
+    RandomScene scene;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        SphereStretch sphere;
+        sphere.path.c[0] = V3f(static_cast<float>(i), 0, 0);
+        sphere.radius = 0.4f;
+        sphere.object = i;
+        scene.shapes.spheres.push_back(sphere);
+    }
+    return scene;
+}
+
+Ray down_at(float x) {
+    Ray ray;
+    ray.kind = RayKind::primary;
+    ray.origin = V3f(x, 0, 3);
+    ray.direction = V3f(0, 0, -1);
+    return ray;
+}
+
+// Halves of equal number: of eight spheres in a row, pairs are two levels below the root. Every
+// sphere is in one leaf, whose box is that of the pair.
+TEST(LaboratoryOfMedianKdTree, RowOfSpheres_IsHalvedByNumberIntoPairs) {
+    const RandomScene scene = row_of_spheres(8);
+    const auto structure = make(scene, AccelerationKind::kd_tree_median, {.counts = true});
+    Hit hit;
+    ASSERT_TRUE(structure->closest_hit(down_at(5), hit));
+    EXPECT_EQ(hit.object, 5u);
+    const TestCounts counts = structure->counts();
+    EXPECT_EQ(counts[RayKind::primary].nodes, 2u);    // of eight spheres and of four
+    EXPECT_EQ(counts[RayKind::primary].boxes, 4u);    // two in each
+    EXPECT_EQ(counts[RayKind::primary].objects, 2u);  // both of the leaf
+}
+
+// Long shapes side by side overlap any plane across them: a tree that cuts space names them again
+// and again, one that divides the shapes does not.
+TEST(LaboratoryOfMedianKdTree, ManyShapesInOnePlace_AreEachInOneLeaf) {
+    RandomScene scene;
+    for (std::uint32_t i = 0; i < 1000; ++i) {
+        SphereStretch sphere;
+        sphere.path.c[0] = V3f(0.001f * static_cast<float>(i), 0, 0);
+        sphere.radius = 0.5f;
+        sphere.object = i;
+        scene.shapes.spheres.push_back(sphere);
+    }
+    const auto structure = make(scene, AccelerationKind::kd_tree_median, {.counts = true});
+    Hit hit;
+    ASSERT_TRUE(structure->closest_hit(down_at(0.5f), hit));
+    EXPECT_LE(structure->counts()[RayKind::primary].objects, 1000u);
+    EXPECT_LE(structure->counts()[RayKind::primary].boxes, 2u * 511);
+    EXPECT_LT(structure->bytes(), 1000u * 100);
+}
+
+// Five spheres fit into one leaf: its box is the only one, and empty lanes are nobody's tests.
+TEST(LaboratoryOfWideBvh, OneLeaf_CountsItsShapes) {
+    RandomScene scene;
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        SphereStretch sphere;
+        sphere.path.c[0] = V3f(0, 0, static_cast<float>(i));
+        sphere.radius = 0.5f;
+        sphere.object = i;
+        scene.shapes.spheres.push_back(sphere);
+    }
+    const auto structure = make(scene, AccelerationKind::wide_bvh, {.counts = true});
+    Ray through;
+    through.kind = RayKind::primary;
+    through.origin = V3f(0, 0, -3);
+    through.direction = V3f(0, 0, 1);
+    Ray past = through;
+    past.origin = V3f(2, 0, -3);
+    Hit hit;
+    ASSERT_TRUE(structure->closest_hit(through, hit));
+    ASSERT_FALSE(structure->closest_hit(past, hit));
+    ASSERT_TRUE(structure->any_hit(through));
+    const TestCounts counts = structure->counts();
+    EXPECT_EQ(counts[RayKind::primary].rays, 2u);
+    EXPECT_EQ(counts[RayKind::primary].objects, 5u);
+    EXPECT_EQ(counts[RayKind::primary].boxes, 2u);
+    EXPECT_EQ(counts[RayKind::primary].nodes, 2u);
+    EXPECT_EQ(counts[RayKind::shadow].rays, 1u);
+    EXPECT_EQ(counts[RayKind::shadow].objects, 5u);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Laboratory, testing::ValuesIn(kAll),
+                         [](const auto& named) { return std::string(named.param.name); });
+
+/// The primitive that is named, asked by itself.
+Hit alone(const Primitives& primitives, const Hit& hit, const Ray& ray) {
+    Hit best;
+    const auto ask = [&](const Primitive& primitive) {
+        Hit found;
+        const bool is_it =
+            primitive.object == hit.object &&
+            (primitive.kind != Primitive::Kind::mesh_triangle || primitive.number == hit.primitive);
+        if (is_it && primitives.closest(primitive, ray, found) && found.t < best.t) {
+            best = found;
+        }
+    };
+    for (const Primitive& primitive : primitives.bounded()) {
+        ask(primitive);
+    }
+    for (const Primitive& plane : primitives.planes()) {
+        ask(plane);
+    }
+    return best;
+}
+
+// Embree has a triangle test of its own: the primitive that it finds may differ at edges.
+TEST(LaboratoryPeers, HybridAndEmbree_FindTheSamePrimitives) {
+    const RandomScene scene = everything(3, 2, 2);
+    ShapeSet with_meshes = scene.shapes;
+    with_meshes.meshes = std::make_shared<TriangleScene>(scene.device, scene.still_meshes);
+    const HybridStructure hybrid(with_meshes);
+    const EmbreeStructure embree(scene.device, scene.shapes, scene.still_meshes);
+    const auto brute_force =
+        make_structure(AccelerationKind::brute_force, scene.shapes, scene.still_meshes, {});
+    const Primitives primitives(scene.shapes, scene.still_meshes);
+    TestRandom random(11);
+    std::array<int, 2> differing{};
+    for (int i = 0; i < 100'000; ++i) {
+        Ray ray = test::random_ray_toward(random, 3, 2);
+        Hit expected;
+        const bool found = brute_force->closest_hit(ray, expected);
+        int which = 0;
+        for (const AccelerationStructure* structure :
+             {static_cast<const AccelerationStructure*>(&hybrid),
+              static_cast<const AccelerationStructure*>(&embree)}) {
+            Hit hit;
+            const bool also = structure->closest_hit(ray, hit);
+            const bool is_same = also == found && hit.object == expected.object &&
+                                 hit.primitive == expected.primitive;
+            differing[static_cast<std::size_t>(which++)] += is_same ? 0 : 1;
+            if (is_same && found && i % 50 == 0) {
+                const Hit again = alone(primitives, hit, ray);
+                EXPECT_TRUE(again.t == expected.t && again.u == expected.u &&
+                            again.v == expected.v);
+            }
+        }
+    }
+    EXPECT_LE(differing[0], 1);
+    EXPECT_LE(differing[1], 1);
+}
+
+}  // namespace
+}  // namespace carom::render
