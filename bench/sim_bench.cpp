@@ -81,10 +81,10 @@ void growth(benchmark::State& state, bool has_pockets) {
     const WorldDescription world = crowd(static_cast<int>(state.range(0)), 4, has_pockets);
     std::size_t impacts = 0;
     for (auto _ : state) {
-        const BakeResult result = bake(world);
+        const Timeline result = bake(world);
         impacts = 0;
         bool has_left = false;
-        for (const Event& event : result.timeline.events) {
+        for (const Event& event : result.events) {
             impacts += event.kind == EventKind::impact ? 1 : 0;
             has_left = has_left || (!has_pockets && event.kind == EventKind::airborne);
         }
@@ -103,8 +103,8 @@ void growth(benchmark::State& state, bool has_pockets) {
 void break_shot(benchmark::State& state, billiards::RackKind kind) {
     const WorldDescription world = break_of(kind, 10);
     for (auto _ : state) {
-        const BakeResult result = bake(world);
-        if (!result.warnings.empty() || result.timeline.events.size() < 50) {
+        const Timeline result = bake(world);
+        if (!result.warnings.empty() || result.events.size() < 50) {
             state.SkipWithError("the break went wrong");
         }
         benchmark::DoNotOptimize(result);

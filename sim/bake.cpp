@@ -7,9 +7,9 @@
 
 namespace carom::sim {
 
-std::optional<BakeResult> bake_within(std::uint64_t most_steps, const WorldDescription& world,
-                                      const WorkContext& context) {
-    const std::vector<WorldProblem> problems = find_problems(world);
+std::optional<Timeline> bake_within(std::uint64_t most_steps, const WorldDescription& world,
+                                    const WorkContext& context) {
+    const std::vector<Diagnostic> problems = find_problems(world);
     if (!problems.empty()) {
         throw Error(problems.front().sentence);
     }
@@ -17,14 +17,10 @@ std::optional<BakeResult> bake_within(std::uint64_t most_steps, const WorldDescr
     if (!scheduler.run(context, most_steps)) {
         return std::nullopt;
     }
-    BakeResult result;
-    result.timeline = scheduler.take_timeline();
-    result.warned_events = scheduler.warned_events();
-    result.warnings = scheduler.take_warnings();
-    return result;
+    return scheduler.take_timeline();
 }
 
-BakeResult bake(const WorldDescription& world, const WorkContext& context) {
+Timeline bake(const WorldDescription& world, const WorkContext& context) {
     return std::move(*bake_within(std::numeric_limits<std::uint64_t>::max(), world, context));
 }
 

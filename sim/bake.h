@@ -3,8 +3,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "core/hash.h"
 #include "core/progress.h"
@@ -13,24 +11,17 @@
 
 namespace carom::sim {
 
-struct BakeResult {
-    Timeline timeline;
-    std::vector<std::string> warnings;  // a strike that misses, a miscue, a loop's cap reached ...
-    /// For each of these the event of the description that it is about, by index; -1: none.
-    std::vector<int> warned_events;
-};
-
 /// Simulates the whole shot. Deterministic: the same description gives the same timeline, bit for
 /// bit. May run on several threads at once, one world each. Throws Error on a description with
 /// problems, Stopped when stopped.
-[[nodiscard]] BakeResult bake(const WorldDescription& world, const WorkContext& context = {});
+[[nodiscard]] Timeline bake(const WorldDescription& world, const WorkContext& context = {});
 
 /// The same if it takes no more than `most_steps`; else empty. Counted are touches, and in every
 /// step of ODE the bodies and the pairs of their contacts, which are solved for together. The count
 /// grows about as the time that is needed does, and it is the same on any machine.
-[[nodiscard]] std::optional<BakeResult> bake_within(std::uint64_t most_steps,
-                                                    const WorldDescription& world,
-                                                    const WorkContext& context = {});
+[[nodiscard]] std::optional<Timeline> bake_within(std::uint64_t most_steps,
+                                                  const WorldDescription& world,
+                                                  const WorkContext& context = {});
 
 /// Hash of everything in the description that can change the bake, and of the simulation's own
 /// revision number.

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/diagnostic.h"
 #include "core/pose.h"
 #include "sim/billiards/table.h"
 #include "sim/contact_law.h"
@@ -90,17 +91,8 @@ struct WorldDescription {
     std::vector<ForceEvent> events;
 };
 
-/// Something that is wrong with a description, and which part of it is meant.
-struct WorldProblem {
-    enum class Subject { world, contact, body, event };
-    Subject subject = Subject::world;
-    std::string name;       // contact: "ball_cloth", "ball_ball" ...; body: its name
-    std::size_t event = 0;  // event: its index in `events`
-    std::string sentence;   // complete, and it names the subject
-};
-
 /// Everything that is wrong with a description; empty if it can be simulated. `bake` throws Error
 /// with the first sentence of these.
-[[nodiscard]] std::vector<WorldProblem> find_problems(const WorldDescription& world);
+[[nodiscard]] std::vector<Diagnostic> find_problems(const WorldDescription& world);
 
 }  // namespace carom::sim

@@ -148,20 +148,14 @@ bool films(const CameraRig& rig, const WideRational& time) {
 
 }  // namespace
 
-Problem simulation_problem(const std::string& sentence, int event, const ShotSource* source) {
-    if (event < 0) {
-        return problem_at(nullptr, {}, Severity::warning, sentence);
+std::vector<Problem> simulation_problems(const sim::Timeline& timeline, const ShotSource* source) {
+    std::vector<Problem> problems;
+    for (const Diagnostic& warning : timeline.warnings) {
+        problems.push_back(source != nullptr
+                               ? source->problem_of(warning)
+                               : problem_at(nullptr, {}, warning.severity, warning.sentence));
     }
-    const auto says = [&](const char* words) { return sentence.find(words) != std::string::npos; };
-    const std::string key = says("miscue") ? "tip" : says("never happened") ? "when" : "toward";
-    const std::string number = std::to_string(event);
-    const config::Entry* events = source != nullptr ? source->root().find("events") : nullptr;
-    std::string kind;
-    if (events != nullptr && static_cast<std::size_t>(event) < events->value.items.size()) {
-        const config::Node& item = events->value.items[static_cast<std::size_t>(event)];
-        kind = item.entries.empty() ? "" : item.entries.front().key;
-    }
-    return problem_at(source, {"events", number, kind, key}, Severity::warning, sentence);
+    return problems;
 }
 
 std::vector<Problem> camera_problems(const Shot& shot, const ShotSource* source,

@@ -11,11 +11,10 @@
 
 namespace carom::pipeline {
 
-/// A sentence of the simulation about event `event` of the shot's world, "strike on 'cue' at 0.5 s:
-/// it never touched 'one', which it was aimed at", as a warning at the key that it is about.
-/// `event` -1: about none; without a source: at no place.
-[[nodiscard]] Problem simulation_problem(const std::string& sentence, int event,
-                                         const ShotSource* source);
+/// What the simulation warned of, each at the key that it is about: "strike on 'cue' at 0.5 s: it
+/// never touched 'one', which it was aimed at". Without a source: at no place.
+[[nodiscard]] std::vector<Problem> simulation_problems(const sim::Timeline& timeline,
+                                                       const ShotSource* source);
 
 /// Balls that leave the part of an unbounded cloth that is drawn: a warning each. `source`: as
 /// above.

@@ -11,22 +11,12 @@ namespace {
 sim::Bake bake_of_shot(const ShotInput& input, const std::string& path, const CacheOptions& cache,
                        CommandContext& context) {
     const BakeReason reason(input.shot, path, cache.folder);
-    auto origin = pipeline::BakeOrigin::made;
-    std::vector<pipeline::SimulationWarning> warnings;
-    sim::Bake bake =
-        pipeline::bake_or_reuse(input.shot, cache.folder, talk_about_job(context.console),
-                                context.stop, &origin, &warnings);
+    pipeline::BakedShot baked = pipeline::bake_or_reuse(
+        input.shot, cache.folder, talk_about_job(context.console), context.stop);
     context.console.end_progress();
-    std::vector<pipeline::Problem> problems;
-    problems.reserve(warnings.size());
-    for (const pipeline::SimulationWarning& warning : warnings) {
-        problems.push_back(
-            pipeline::simulation_problem(warning.sentence, warning.event, input.source.get()));
-    }
-    report_problems(problems, context.console);
-    context.console.info(reason.text(origin));
+    context.console.info(reason.text(baked.origin));
     reason.remember();
-    return bake;
+    return std::move(baked.bake);
 }
 
 /// A camera that makes no picture stops only those who want its picture; they say so themselves.
@@ -50,6 +40,8 @@ sim::Bake bake_of(ShotInput& input, const InputOptions& options, const CacheOpti
     } else {
         bake = bake_of_shot(input, options.path, cache, context);
     }
+    report_problems(pipeline::simulation_problems(bake.timeline, input.source.get()),
+                    context.console);
     report_cameras(input, bake.timeline, context.console);
     return bake;
 }

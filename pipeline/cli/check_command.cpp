@@ -1,6 +1,8 @@
 #include "pipeline/cli/check_command.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 #include "pipeline/check/motion_check.h"
 #include "pipeline/cli/shot_input.h"
@@ -13,75 +15,53 @@ namespace carom::cli {
 namespace {
 
 using pipeline::Problem;
-using pipeline::SimulationWarning;
 
 /// For a simulation that nobody asked for; as bake_within counts them, so that a check says the
 /// same on any machine. A server needs a few seconds for as many.
 constexpr std::uint64_t kMostSteps = 15'000'000;
 
-struct Motion {
-    sim::Bake bake;
-    std::vector<SimulationWarning> warnings;
-};
-
 /// Simulated here and now, and not kept: a check leaves no traces. Empty if it takes more steps
 /// than that is worth.
-std::optional<Motion> simulated(const pipeline::Shot& shot, const std::stop_token& stop) {
+std::optional<sim::Bake> simulated(const pipeline::Shot& shot, const std::stop_token& stop) {
     WorkContext context;
     context.stop = stop;
-    std::optional<sim::BakeResult> result = sim::bake_within(kMostSteps, shot.world, context);
-    if (!result) {
+    std::optional<sim::Timeline> timeline = sim::bake_within(kMostSteps, shot.world, context);
+    if (!timeline) {
         return std::nullopt;
     }
-    Motion motion;
-    motion.bake.timeline = std::move(result->timeline);
-    for (std::size_t i = 0; i < result->warnings.size(); ++i) {
-        motion.warnings.push_back({result->warnings[i], result->warned_events[i]});
-    }
-    pipeline::add_keyed_motions(motion.bake, shot);
-    return motion;
+    sim::Bake bake;
+    bake.timeline = std::move(*timeline);
+    pipeline::add_keyed_motions(bake, shot);
+    return bake;
 }
 
 /// The input's own, or the kept bake, or a simulation.
-std::optional<Motion> motion_of(ShotInput& input, const CacheOptions& cache,
-                                CommandContext& context) {
-    Motion motion;
+std::optional<sim::Bake> bake_of(ShotInput& input, const CacheOptions& cache,
+                                 CommandContext& context) {
     if (input.bake) {
-        motion.bake = std::move(*input.bake);
-        pipeline::add_keyed_motions(motion.bake, input.shot);
-        return motion;
+        pipeline::add_keyed_motions(*input.bake, input.shot);
+        return std::move(input.bake);
     }
-    std::optional<sim::Bake> kept =
-        pipeline::find_kept_bake(input.shot, cache.folder, {}, motion.warnings);
-    if (kept) {
-        motion.bake = std::move(*kept);
-        return motion;
-    }
-    return simulated(input.shot, context.stop);
+    std::optional<sim::Bake> kept = pipeline::find_kept_bake(input.shot, cache.folder, {});
+    return kept ? std::move(kept) : simulated(input.shot, context.stop);
 }
 
 void check_motion(ShotInput& input, const CheckCommand& command, CommandContext& context,
                   std::vector<Problem>& problems) {
-    const std::optional<Motion> motion = motion_of(input, command.cache, context);
-    if (!motion) {
+    const std::optional<sim::Bake> bake = bake_of(input, command.cache, context);
+    if (!bake) {
         context.console.info(
             "its motion was not looked at: simulating it takes more than " +
             std::to_string(kMostSteps / 1'000'000) +
             " million steps; after 'carom bake' the bake that it keeps is looked at");
         return;
     }
-    for (const SimulationWarning& warning : motion->warnings) {
-        problems.push_back(
-            pipeline::simulation_problem(warning.sentence, warning.event, input.source.get()));
-    }
-    for (Problem& problem :
-         pipeline::cloth_problems(input.shot, input.source.get(), motion->bake.timeline)) {
-        problems.push_back(std::move(problem));
-    }
-    for (Problem& problem :
-         pipeline::camera_problems(input.shot, input.source.get(), motion->bake.timeline)) {
-        problems.push_back(std::move(problem));
-    }
+    const auto add = [&](std::vector<Problem> found) {
+        std::move(found.begin(), found.end(), std::back_inserter(problems));
+    };
+    add(pipeline::simulation_problems(bake->timeline, input.source.get()));
+    add(pipeline::cloth_problems(input.shot, input.source.get(), bake->timeline));
+    add(pipeline::camera_problems(input.shot, input.source.get(), bake->timeline));
 }
 
 /// The film that `carom render` writes unless told otherwise; pictures and other codecs may take

@@ -7,6 +7,7 @@
 
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/time_map.h"
+#include "pipeline/check/motion_check.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/explain.h"
@@ -84,6 +85,10 @@ std::string file_lines(const Shot& shot, const pipeline::ShotSource& source) {
 void run_info(const InfoCommand& command, CommandContext& context) {
     check_output_folder(command.output);
     const ShotInput input = read_shot_input(command.input, context.console);
+    if (input.bake) {
+        report_problems(pipeline::simulation_problems(input.bake->timeline, input.source.get()),
+                        context.console);
+    }
     const std::string text =
         command.resolved ? pipeline::explained_yaml(*input.source, input.shot)
                          : line("shot", input.shot.name) + film_lines(input.shot) +

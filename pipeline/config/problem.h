@@ -4,7 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "core/diagnostic.h"
+
 namespace carom::pipeline {
+
+using carom::Severity;
 
 /// A place in a text file; lines and columns count from 1, 0 means unknown.
 struct SourcePlace {
@@ -13,8 +17,6 @@ struct SourcePlace {
     int column = 0;
     int length = 1;  // characters that the caret underlines, >= 1
 };
-
-enum class Severity { error, warning };
 
 struct Problem {
     Severity severity = Severity::error;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/diagnostic.h"
 #include "pipeline/config/node.h"
 #include "pipeline/config/problem.h"
 #include "pipeline/config/source_set.h"
@@ -23,6 +24,10 @@ class ShotSource {
     /// their index), or at the last part of it that the shot has.
     [[nodiscard]] Problem problem_at(const std::vector<std::string>& path, Severity severity,
                                      std::string message) const;
+
+    /// The same for what the simulation or the renderer says, at the value that it is about; at no
+    /// place if it is about the shot as a whole.
+    [[nodiscard]] Problem problem_of(const Diagnostic& diagnostic) const;
 
     [[nodiscard]] const config::Node& root() const { return root_; }
     [[nodiscard]] const config::SourceSet& sources() const { return sources_; }

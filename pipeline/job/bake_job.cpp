@@ -1,12 +1,7 @@
 // The bake of a shot, kept under its physics hash.
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <span>
 
-#include "core/atomic_file.h"
 #include "core/error.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/store/cache_entry.h"
@@ -24,42 +19,13 @@ void warn(const JobObserver& observer, const std::string& message) {
     }
 }
 
-// What the simulation warned of is kept beside the bake, so that it is heard again: one line each,
-// the sentence and, after a tab, the number of the event.
-std::string warnings_path(const std::string& bake_path) {
-    return bake_path + ".warnings";
-}
-
 std::string bake_path(const std::string& cache_folder, const Hash128& physics_hash) {
     const std::string cache = cache_folder.empty() ? default_cache_folder() : cache_folder;
     return cache + "/bakes/" + physics_hash.to_string() + ".bake";
 }
 
-SimulationWarning warning_of(const std::string& line) {
-    const std::size_t tab = line.find('\t');
-    SimulationWarning warning{line.substr(0, tab), -1};
-    if (tab != std::string::npos) {
-        std::from_chars(line.data() + tab + 1, line.data() + line.size(), warning.event);
-    }
-    return warning;
-}
-
-std::string line_of(const SimulationWarning& warning) {
-    return warning.sentence + (warning.event < 0 ? "" : "\t" + std::to_string(warning.event)) +
-           "\n";
-}
-
-std::vector<SimulationWarning> warnings_of(const sim::BakeResult& result) {
-    std::vector<SimulationWarning> warnings;
-    for (std::size_t i = 0; i < result.warnings.size(); ++i) {
-        warnings.push_back({result.warnings[i], result.warned_events[i]});
-    }
-    return warnings;
-}
-
 std::optional<sim::Bake> read_kept(const std::string& path, const Hash128& physics_hash,
-                                   const JobObserver& observer,
-                                   std::vector<SimulationWarning>& warnings) {
+                                   const JobObserver& observer) {
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
         return std::nullopt;
@@ -68,10 +34,6 @@ std::optional<sim::Bake> read_kept(const std::string& path, const Hash128& physi
         sim::Bake bake = sim::read_bake(path);
         if (bake.physics_hash == physics_hash) {
             mark_used(path);
-            std::ifstream kept(warnings_path(path));
-            for (std::string line; std::getline(kept, line);) {
-                warnings.push_back(warning_of(line));
-            }
             return bake;
         }
         warn(observer, "'" + path + "' is the bake of another shot; baking again");
@@ -81,20 +43,13 @@ std::optional<sim::Bake> read_kept(const std::string& path, const Hash128& physi
     return std::nullopt;
 }
 
-void keep(const sim::Bake& bake, const std::vector<SimulationWarning>& warnings,
-          const std::string& path) {
+void keep(const sim::Bake& bake, const std::string& path) {
     std::error_code failure;
     fs::create_directories(fs::path(path).parent_path(), failure);
     if (failure) {
         throw Error("'" + fs::path(path).parent_path().string() +
                     "': the folder cannot be made: " + failure.message());
     }
-    std::string lines;
-    for (const SimulationWarning& warning : warnings) {
-        lines += line_of(warning);
-    }
-    // First, so that a bake is never without its warnings.
-    write_file_atomically(warnings_path(path), std::as_bytes(std::span<const char>(lines)));
     sim::write_bake(bake, path);
 }
 
@@ -113,11 +68,10 @@ void add_keyed_motions(sim::Bake& bake, const Shot& shot) {
 }
 
 std::optional<sim::Bake> find_kept_bake(const Shot& shot, const std::string& cache_folder,
-                                        const JobObserver& observer,
-                                        std::vector<SimulationWarning>& warnings) {
+                                        const JobObserver& observer) {
     const Hash128 physics_hash = sim::physics_hash(shot.world);
     std::optional<sim::Bake> kept =
-        read_kept(bake_path(cache_folder, physics_hash), physics_hash, observer, warnings);
+        read_kept(bake_path(cache_folder, physics_hash), physics_hash, observer);
     if (kept) {
         // Shots that differ in their look alone share a bake.
         kept->shot_text = shot.resolved_text;
@@ -127,46 +81,27 @@ std::optional<sim::Bake> find_kept_bake(const Shot& shot, const std::string& cac
     return kept;
 }
 
-sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
-                        const JobObserver& observer, const std::stop_token& stop,
-                        BakeOrigin* origin, std::vector<SimulationWarning>* warnings) {
-    std::vector<SimulationWarning> heard;
-    const auto tell = [&] {
-        if (warnings != nullptr) {
-            *warnings = heard;
-            return;
-        }
-        for (const SimulationWarning& warning : heard) {
-            warn(observer, warning.sentence);
-        }
-    };
+BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
+                        const JobObserver& observer, const std::stop_token& stop) {
     const Hash128 physics_hash = sim::physics_hash(shot.world);
     std::error_code ignored;
     const bool is_there = fs::exists(bake_path(cache_folder, physics_hash), ignored);
-    std::optional<sim::Bake> kept = find_kept_bake(shot, cache_folder, observer, heard);
-    if (origin != nullptr) {
-        *origin = kept ? BakeOrigin::kept : is_there ? BakeOrigin::replaced : BakeOrigin::made;
-    }
-    if (kept) {
-        tell();
-        return std::move(*kept);
+    if (std::optional<sim::Bake> kept = find_kept_bake(shot, cache_folder, observer)) {
+        return {std::move(*kept), BakeOrigin::kept};
     }
     WorkContext context;
     context.stop = stop;
     if (observer.on_progress) {
         context.progress = [&observer](double share) { observer.on_progress("bake", share); };
     }
-    sim::BakeResult result = sim::bake(shot.world, context);
-    heard = warnings_of(result);
-    tell();
-    sim::Bake bake{std::move(result.timeline), physics_hash, shot.resolved_text, shot.assets};
+    sim::Bake bake{sim::bake(shot.world, context), physics_hash, shot.resolved_text, shot.assets};
     try {
-        keep(bake, heard, bake_path(cache_folder, physics_hash));
+        keep(bake, bake_path(cache_folder, physics_hash));
     } catch (const Error& error) {
         warn(observer, std::string("the bake is not kept for next time: ") + error.what());
     }
     add_keyed_motions(bake, shot);
-    return bake;
+    return {std::move(bake), is_there ? BakeOrigin::replaced : BakeOrigin::made};
 }
 
 }  // namespace carom::pipeline

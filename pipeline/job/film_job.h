@@ -52,12 +52,6 @@ struct FilmJobResult {
 /// They are no part of the physics, nor of the bake that is kept.
 void add_keyed_motions(sim::Bake& bake, const Shot& shot);
 
-/// Something that the simulation warned of.
-struct SimulationWarning {
-    std::string sentence;
-    int event = -1;  // of the shot's world, that it is about; -1: none
-};
-
 /// How a shot's bake was come by.
 enum class BakeOrigin {
     kept,      // by an earlier command
@@ -65,19 +59,20 @@ enum class BakeOrigin {
     replaced,  // simulated now because the kept one is damaged, which a warning says
 };
 
-/// The kept bake if its physics hash fits, else a new one, which is kept; with this shot's text,
-/// assets and keyed motions. A kept bake that is damaged is replaced; what the simulation warned of
-/// is told again, or goes to `warnings`. Throws Error, Stopped.
-[[nodiscard]] sim::Bake bake_or_reuse(const Shot& shot, const std::string& cache_folder,
-                                      const JobObserver& observer, const std::stop_token& stop,
-                                      BakeOrigin* origin = nullptr,
-                                      std::vector<SimulationWarning>* warnings = nullptr);
+struct BakedShot {
+    sim::Bake bake;
+    BakeOrigin origin = BakeOrigin::made;
+};
 
-/// The kept bake with the shot's text, assets and keyed motions, if there is one; its warnings.
+/// The kept bake if its physics hash fits, else a new one, which is kept; with this shot's text,
+/// assets and keyed motions. A kept bake that is damaged is replaced. Throws Error, Stopped.
+[[nodiscard]] BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
+                                      const JobObserver& observer, const std::stop_token& stop);
+
+/// The kept bake with the shot's text, assets and keyed motions, if there is one.
 [[nodiscard]] std::optional<sim::Bake> find_kept_bake(const Shot& shot,
                                                       const std::string& cache_folder,
-                                                      const JobObserver& observer,
-                                                      std::vector<SimulationWarning>& warnings);
+                                                      const JobObserver& observer);
 
 /// Throws Error, Stopped. What was finished before stays in the store; the video appears whole or
 /// not at all.

@@ -31,7 +31,8 @@ std::optional<Hash128> hash_of_name(const std::string& digits) {
     return hash;
 }
 
-std::string warnings_of(const std::string& bake) {
+/// Bakes of version 1 of their format had their warnings in a file beside them.
+std::string old_warnings_of(const std::string& bake) {
     return bake + ".warnings";
 }
 
@@ -47,9 +48,6 @@ std::optional<CacheEntry> entry_of(const fs::path& path, CacheEntry::Kind kind) 
         std::chrono::duration_cast<std::chrono::system_clock::duration>(
             std::chrono::seconds(status.st_mtim.tv_sec) +
             std::chrono::nanoseconds(status.st_mtim.tv_nsec)));
-    if (kind == CacheEntry::Kind::bake && ::stat(warnings_of(entry.path).c_str(), &status) == 0) {
-        entry.bytes += static_cast<std::uint64_t>(status.st_size);
-    }
     return entry;
 }
 
@@ -92,7 +90,7 @@ bool remove_entry(const CacheEntry& entry) {
         return false;
     }
     if (entry.kind == CacheEntry::Kind::bake) {
-        ::unlink(warnings_of(entry.path).c_str());
+        ::unlink(old_warnings_of(entry.path).c_str());
     }
     return true;
 }

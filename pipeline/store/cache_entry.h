@@ -14,8 +14,8 @@ struct CacheEntry {
     enum class Kind { frame, bake };
     Kind kind = Kind::frame;
     std::string path;
-    Hash128 key;              // a frame's key or a bake's physics hash: the file's name
-    std::uint64_t bytes = 0;  // of a bake with the warnings beside it
+    Hash128 key;  // a frame's key or a bake's physics hash: the file's name
+    std::uint64_t bytes = 0;
     std::chrono::system_clock::time_point last_used;
 };
 
@@ -28,7 +28,8 @@ struct CacheEntry {
 /// fails: a cache that can only be read works, too.
 void mark_used(const std::string& path);
 
-/// Removes the entry, with what stands beside it. False if that failed and it is still there.
+/// Removes the entry, and the file of warnings that an older carom kept beside a bake. False if
+/// that failed and it is still there.
 [[nodiscard]] bool remove_entry(const CacheEntry& entry);
 
 }  // namespace carom::pipeline

@@ -15,52 +15,55 @@ std::string millimetres(double metres) {
     return text;
 }
 
-/// Collects sentences.
 class Problems {
   public:
-    // A measure between two limits; false too if it is not a number.
-    bool require(const std::string& name, double value, double low, double high) {
-        if (value >= low && value <= high) {
-            return true;
+    /// A measure between two limits; a problem too if it is not a number.
+    void require(const std::string& field, const std::string& name, double value, double low,
+                 double high) {
+        if (!(value >= low && value <= high)) {
+            add(field, "the table's " + name + " must be between " + millimetres(low) + " and " +
+                           millimetres(high));
         }
-        add("the table's " + name + " must be between " + millimetres(low) + " and " +
-            millimetres(high));
-        return false;
     }
-    void add(std::string sentence) { sentences_.push_back(std::move(sentence)); }
-    [[nodiscard]] bool none() const { return sentences_.empty(); }
-    [[nodiscard]] std::vector<std::string> take() { return std::move(sentences_); }
+    void add(std::string field, std::string sentence) {
+        list_.push_back({{Subject::Kind::table}, std::move(field), std::move(sentence)});
+    }
+    [[nodiscard]] bool none() const { return list_.empty(); }
+    [[nodiscard]] std::vector<Diagnostic> take() { return std::move(list_); }
 
   private:
-    std::vector<std::string> sentences_;
+    std::vector<Diagnostic> list_;
 };
 
 void check_pocket(const PocketMeasures& pocket, const std::string& which, Problems& problems) {
+    const std::string key = "pockets." + which + ".";
     const std::string name = which + " pockets' ";
-    problems.require(name + "mouth", pocket.mouth, 0.02, 1);
-    problems.require(name + "throat", pocket.throat, 0.02, 1);
-    problems.require(name + "hole radius", pocket.hole_radius, 0.01, 0.5);
-    problems.require(name + "shelf", pocket.shelf, 0, 0.5);
-    problems.require(name + "drop", pocket.drop, 0.03, 1);
-    problems.require(name + "lip radius", pocket.lip_radius, 0, 0.5);
+    problems.require(key + "mouth", name + "mouth", pocket.mouth, 0.02, 1);
+    problems.require(key + "throat", name + "throat", pocket.throat, 0.02, 1);
+    problems.require(key + "hole_radius", name + "hole radius", pocket.hole_radius, 0.01, 0.5);
+    problems.require(key + "shelf", name + "shelf", pocket.shelf, 0, 0.5);
+    problems.require(key + "drop", name + "drop", pocket.drop, 0.03, 1);
+    problems.require(key + "lip_radius", name + "lip radius", pocket.lip_radius, 0, 0.5);
     constexpr double kDegree = std::numbers::pi / 180;
     if (!(pocket.jaw_angle >= 95 * kDegree && pocket.jaw_angle <= 175 * kDegree)) {
-        problems.add("the table's " + name + "jaw angle must be between 95 and 175 degrees");
+        problems.add(key + "jaw_angle",
+                     "the table's " + name + "jaw angle must be between 95 and 175 degrees");
     }
 }
 
 void check_measures(const TableMeasures& measures, Problems& problems) {
-    problems.require("length", measures.length, 0.1, 100);
-    problems.require("width", measures.width, 0.1, 100);
+    problems.require("length", "length", measures.length, 0.1, 100);
+    problems.require("width", "width", measures.width, 0.1, 100);
     if (!measures.has_cushions) {
         return;
     }
-    problems.require("nose height", measures.nose_height, 0.005, 0.5);
-    problems.require("cushion width", measures.cushion_width, 0.01, 0.5);
-    problems.require("rail width", measures.rail_width, 0.03, 1);
-    problems.require("height", measures.height, 0.2, 2);
+    problems.require("cushion_height", "nose height", measures.nose_height, 0.005, 0.5);
+    problems.require("cushion_width", "cushion width", measures.cushion_width, 0.01, 0.5);
+    problems.require("rail_width", "rail width", measures.rail_width, 0.03, 1);
+    problems.require("height", "height", measures.height, 0.2, 2);
     if (problems.none()) {
-        problems.require("rail height", measures.rail_height, measures.nose_height + 0.001, 0.6);
+        problems.require("rail_height", "rail height", measures.rail_height,
+                         measures.nose_height + 0.001, 0.6);
     }
     if (measures.corner_pocket) {
         check_pocket(*measures.corner_pocket, "corner", problems);
@@ -77,16 +80,18 @@ void check_jaw(const PocketMeasures& pocket, bool is_corner, double cushion_widt
     const Jaw jaw = jaw_of(pocket, is_corner, cushion_width);
     if (!(jaw.length > 0.001) || (is_corner && jaw.turn > std::numbers::pi / 2)) {
         problems.add(
+            "pockets." + which + ".throat",
             "the table's " + which +
-            " pockets' throat does not fit their mouth and jaw angle: jaws at this angle " +
-            (jaw.turn < (is_corner ? std::numbers::pi / 4 : std::numbers::pi / 2) ? "narrow"
-                                                                                  : "widen") +
-            " towards the hole");
+                " pockets' throat does not fit their mouth and jaw angle: jaws at this angle " +
+                (jaw.turn < (is_corner ? std::numbers::pi / 4 : std::numbers::pi / 2) ? "narrow"
+                                                                                      : "widen") +
+                " towards the hole");
         return;
     }
     if (jaw.lip_reach > 0.95 * jaw.length) {
-        problems.add("the table's " + which + " pockets' lip radius is too large for jaws " +
-                     millimetres(jaw.length) + " long");
+        problems.add("pockets." + which + ".lip_radius",
+                     "the table's " + which + " pockets' lip radius is too large for jaws " +
+                         millimetres(jaw.length) + " long");
     }
 }
 
@@ -103,23 +108,26 @@ void check_hole(const TableLayout& layout, const PocketLayout& pocket, Problems&
     const Vec2 end = pocket.mouth + deep * pocket.axis + half * Vec2(-pocket.axis.y, pocket.axis.x);
     const double reach = (end - pocket.pocket.centre).length();
     if (reach > pocket.pocket.radius + 1e-6) {
-        problems.add("the table's " + which +
-                     " pockets' hole does not reach the ends of their jaws: its radius must be at "
-                     "least " +
-                     millimetres(reach) + " with this shelf");
+        problems.add(
+            "pockets." + which + ".hole_radius",
+            "the table's " + which +
+                " pockets' hole does not reach the ends of their jaws: its radius must be at "
+                "least " +
+                millimetres(reach) + " with this shelf");
     }
     const Vec2 inner_corner(std::copysign(layout.rail.x, pocket.axis.x),
                             std::copysign(layout.rail.y, pocket.axis.y));
     if (pocket.is_corner && (inner_corner - pocket.pocket.centre).length() > pocket.pocket.radius) {
-        problems.add(
-            "the table's corner pockets' hole does not reach the rails' inner corner; "
-            "give it a larger radius or a deeper shelf");
+        problems.add("pockets.corner.hole_radius",
+                     "the table's corner pockets' hole does not reach the rails' inner corner; "
+                     "give it a larger radius or a deeper shelf");
     }
     const Vec2 room =
         layout.outer - Vec2(std::abs(pocket.pocket.centre.x), std::abs(pocket.pocket.centre.y));
     if (std::min(room.x, room.y) < pocket.pocket.radius + 0.02 + 0.16 * measures.rail_width) {
-        problems.add("the table's " + which + " pockets' hole does not fit into rails " +
-                     millimetres(measures.rail_width) + " wide");
+        problems.add("pockets." + which + ".hole_radius",
+                     "the table's " + which + " pockets' hole does not fit into rails " +
+                         millimetres(measures.rail_width) + " wide");
     }
 }
 
@@ -128,7 +136,8 @@ void check_cushions(const TableLayout& layout, Problems& problems) {
         const double from = cushion.from + (cushion.jaw_from ? cushion.jaw_from->lip_reach : 0);
         const double to = cushion.to - (cushion.jaw_to ? cushion.jaw_to->lip_reach : 0);
         if (to - from < 0.02) {
-            problems.add("the table is too small for its pockets: no cushion is left between them");
+            problems.add("pockets",
+                         "the table is too small for its pockets: no cushion is left between them");
             return;
         }
     }
@@ -140,7 +149,8 @@ void check_blocks(const TableLayout& layout, Problems& problems) {
             const Pocket& first = layout.pockets[a].pocket;
             const Pocket& second = layout.pockets[b].pocket;
             if ((first.centre - second.centre).length() < first.radius + second.radius + 0.15) {
-                problems.add("the table is too small for its pockets: their holes are too close");
+                problems.add("pockets",
+                             "the table is too small for its pockets: their holes are too close");
                 return;
             }
         }
@@ -149,7 +159,7 @@ void check_blocks(const TableLayout& layout, Problems& problems) {
 
 }  // namespace
 
-std::vector<std::string> find_problems(const TableMeasures& measures) {
+std::vector<Diagnostic> find_problems(const TableMeasures& measures) {
     Problems problems;
     check_measures(measures, problems);
     if (!problems.none() || !measures.has_cushions) {

@@ -7,7 +7,7 @@ namespace carom::sim::billiards {
 
 TableGeometry build_table(const TableMeasures& measures, double ball_radius, TableParts parts) {
     if (const auto problems = find_problems(measures); !problems.empty()) {
-        throw Error(problems.front());
+        throw Error(problems.front().sentence);
     }
     TableGeometry geometry;
     const bool all = parts == TableParts::all;

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/diagnostic.h"
 #include "core/vectors.h"
 
 namespace carom::sim::billiards {
@@ -48,7 +49,7 @@ struct TableMeasures {
 [[nodiscard]] std::optional<TableMeasures> standard_table(TableKind kind, std::string_view size);
 
 /// All that is wrong with the measures, one sentence each.
-[[nodiscard]] std::vector<std::string> find_problems(const TableMeasures& measures);
+[[nodiscard]] std::vector<Diagnostic> find_problems(const TableMeasures& measures);
 
 /// A vertical face that balls on the cloth bounce off: a cushion between two pockets or a jaw.
 struct CushionFace {

@@ -111,15 +111,16 @@ void Actions::begin(const Strike& strike, const DueAction& due, std::uint32_t bo
     const MotionState before = struck.stretch.state_at(due.time);
     const Vec3 aim = aim_of(strike, before.position, due.time);
     if (aim == Vec3(0, 0, 0)) {
-        recording_.warn("strike on '" + struck.name + "' at " + seconds(due.time) +
-                            ": the target is straight above or below the ball; nothing is struck",
-                        static_cast<int>(due.event));
+        recording_.warn(
+            {Subject::event(due.event), "toward",
+             "strike on '" + struck.name + "' at " + seconds(due.time) +
+                 ": the target is straight above or below the ball; nothing is struck"});
         return;
     }
     if (strike.tip.dot(strike.tip) > kMiscueOffset * kMiscueOffset) {
-        recording_.warn("strike on '" + struck.name + "' at " + seconds(due.time) +
-                            ": a tip more than half a radius off centre would miscue",
-                        static_cast<int>(due.event));
+        recording_.warn({Subject::event(due.event), "tip",
+                         "strike on '" + struck.name + "' at " + seconds(due.time) +
+                             ": a tip more than half a radius off centre would miscue"});
     }
     const StrikeResult given = strike_ball(strike, aim, struck.mass, struck.radius);
     MotionState after = before;
@@ -128,7 +129,7 @@ void Actions::begin(const Strike& strike, const DueAction& due, std::uint32_t bo
     recording_.log_action(EventKind::strike, due.time, due.time, struck.name, before.position,
                           given.velocity);
     if (strike.toward) {
-        aimed_.push_back({struck.name, *strike.toward, due.time, static_cast<int>(due.event)});
+        aimed_.push_back({struck.name, *strike.toward, due.time, due.event});
     }
     change(body, due.time, before, after);
 }
@@ -185,8 +186,8 @@ Vec3 Actions::place_of(const std::string& name, double time) const {
     return {0, 0, 0};
 }
 
-std::vector<std::pair<std::string, int>> Actions::missed_strikes() const {
-    std::vector<std::pair<std::string, int>> sentences;
+std::vector<Diagnostic> Actions::missed_strikes() const {
+    std::vector<Diagnostic> warnings;
     for (const Aimed& aimed : aimed_) {
         const auto& events = recording_.events();
         const bool hit = std::any_of(events.begin(), events.end(), [&](const Event& event) {
@@ -195,13 +196,13 @@ std::vector<std::pair<std::string, int>> Actions::missed_strikes() const {
                     (event.a == aimed.target && event.b == aimed.ball));
         });
         if (!hit) {
-            sentences.emplace_back("strike on '" + aimed.ball + "' at " + seconds(aimed.time) +
-                                       ": it never touched '" + aimed.target +
-                                       "', which it was aimed at",
-                                   aimed.event);
+            warnings.push_back({Subject::event(aimed.event), "toward",
+                                "strike on '" + aimed.ball + "' at " + seconds(aimed.time) +
+                                    ": it never touched '" + aimed.target +
+                                    "', which it was aimed at"});
         }
     }
-    return sentences;
+    return warnings;
 }
 
 }  // namespace carom::sim

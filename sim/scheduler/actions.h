@@ -18,8 +18,8 @@ class Actions {
 
     void apply(const DueAction& action);
 
-    /// Strikes that never reached what they were aimed at, as sentences; their events.
-    [[nodiscard]] std::vector<std::pair<std::string, int>> missed_strikes() const;
+    /// A warning of each strike that never reached what it was aimed at.
+    [[nodiscard]] std::vector<Diagnostic> missed_strikes() const;
 
   private:
     void begin(const Force& force, const DueAction& due, std::uint32_t body);
@@ -40,7 +40,7 @@ class Actions {
     struct Aimed {
         std::string ball, target;
         double time = 0;
-        int event = 0;
+        std::size_t event = 0;
     };
 
     const WorldDescription& world_;

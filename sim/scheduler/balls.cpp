@@ -215,9 +215,10 @@ void Balls::warn_of_jammed() const {
         if (!ball.is_still() || ball.is_potted || ball.is_off_table || pocket < 0) {
             continue;
         }
-        recording_.warn("'" + ball.name + "' is not potted: it rests in the mouth of pocket '" +
-                        around_.table.pockets[static_cast<std::size_t>(pocket)].name +
-                        "' on the balls that fell in before");
+        recording_.warn({Subject::body(ball.name), "",
+                         "'" + ball.name + "' is not potted: it rests in the mouth of pocket '" +
+                             around_.table.pockets[static_cast<std::size_t>(pocket)].name +
+                             "' on the balls that fell in before"});
     }
 }
 

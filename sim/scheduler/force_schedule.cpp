@@ -141,17 +141,17 @@ bool ForceSchedule::is_pushing(const std::string& name) const {
     });
 }
 
-std::vector<std::pair<std::string, int>> ForceSchedule::unmet_triggers() const {
-    std::vector<std::pair<std::string, int>> sentences;
+std::vector<Diagnostic> ForceSchedule::unmet_triggers() const {
+    std::vector<Diagnostic> warnings;
     for (const std::size_t i : waiting_) {
         const Trigger& trigger = *events_[i].trigger;
         const bool is_rest = trigger.kind == Trigger::Kind::resting;
-        sentences.emplace_back(
-            "event " + std::to_string(i + 1) + " on '" + events_[i].object +
-                "' never happened: " + (is_rest ? rests_.reason(i) : described(trigger)),
-            static_cast<int>(i));
+        warnings.push_back(
+            {Subject::event(i), "when",
+             "event " + std::to_string(i + 1) + " on '" + events_[i].object +
+                 "' never happened: " + (is_rest ? rests_.reason(i) : described(trigger))});
     }
-    return sentences;
+    return warnings;
 }
 
 }  // namespace carom::sim

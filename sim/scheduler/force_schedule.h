@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/diagnostic.h"
 #include "sim/force_event.h"
 #include "sim/scheduler/rest_watch.h"
 #include "sim/timeline/event.h"
@@ -51,8 +52,8 @@ class ForceSchedule {
     /// A force or torque acts on the object, and more of it is to come. Empty name: on any object.
     [[nodiscard]] bool is_pushing(const std::string& name) const;
 
-    /// Triggers that never happened, as sentences; their events.
-    [[nodiscard]] std::vector<std::pair<std::string, int>> unmet_triggers() const;
+    /// Triggers that never happened: a warning of each event that waits for one.
+    [[nodiscard]] std::vector<Diagnostic> unmet_triggers() const;
 
   private:
     void add_kicks(const DueAction& begin);

@@ -86,13 +86,13 @@ void Recording::add_energy(const EnergySample& sample) {
     energy_.push_back(sample);
 }
 
-void Recording::warn(std::string sentence, int event) {
+void Recording::warn(Diagnostic warning) {
     constexpr std::size_t kMostWarnings = 100;
     if (warnings_.size() >= kMostWarnings) {
         return;
     }
-    warnings_.push_back(std::move(sentence));
-    warned_events_.push_back(event);
+    warning.severity = Severity::warning;
+    warnings_.push_back(std::move(warning));
 }
 
 Timeline Recording::take_timeline(double end_time) {
@@ -108,6 +108,7 @@ Timeline Recording::take_timeline(double end_time) {
     }
     keep_lasting_states(timeline.events);
     timeline.energy = std::move(energy_);
+    timeline.warnings = std::move(warnings_);
     return timeline;
 }
 

@@ -1,4 +1,4 @@
-// What a simulation writes down: tracks, events, energy.
+// What a simulation writes down: tracks, events, energy, warnings.
 #pragma once
 
 #include <set>
@@ -32,13 +32,10 @@ class Recording {
     /// The event turned out not to have happened: the timeline will be without it.
     void retract(std::size_t event) { retracted_.insert(event); }
     void add_energy(const EnergySample& sample);
-    /// `event`: the one of the description that it is about, by index; -1: none.
-    void warn(std::string sentence, int event = -1);
+    void warn(Diagnostic warning);
 
     [[nodiscard]] const std::vector<Event>& events() const { return events_; }
     [[nodiscard]] Timeline take_timeline(double end_time);
-    [[nodiscard]] std::vector<std::string> take_warnings() { return std::move(warnings_); }
-    [[nodiscard]] const std::vector<int>& warned_events() const { return warned_events_; }
 
   private:
     /// A ball that is put back on its ground moves by a few micrometres at most; a key that is
@@ -54,8 +51,7 @@ class Recording {
     std::vector<Event> events_;
     std::set<std::size_t> retracted_;
     std::vector<EnergySample> energy_;
-    std::vector<std::string> warnings_;
-    std::vector<int> warned_events_;
+    std::vector<Diagnostic> warnings_;
 };
 
 }  // namespace carom::sim

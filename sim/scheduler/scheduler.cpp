@@ -253,7 +253,7 @@ void Scheduler::meet(const Touch& touch) {
     const std::size_t most = kMostTouchesPerBall * std::max<std::size_t>(balls_.all().size(), 10);
     if (++touches_in_window_ > most && !is_law_change) {
         if (!is_capped_) {
-            recording_.warn(cap_warning(most, touch, balls_.all()[touch.first]));
+            recording_.warn({{}, "", cap_warning(most, touch, balls_.all()[touch.first])});
         }
         is_capped_ = true;
         return;
@@ -338,15 +338,15 @@ void Scheduler::conclude() {
     add_energy();
     balls_.finish(now_);
     stepped_.finish(now_);
-    for (auto& [sentence, event] : actions_.missed_strikes()) {
-        recording_.warn(std::move(sentence), event);
+    for (Diagnostic& missed : actions_.missed_strikes()) {
+        recording_.warn(std::move(missed));
     }
-    for (auto& [sentence, event] : schedule_.unmet_triggers()) {
-        recording_.warn(std::move(sentence), event);
+    for (Diagnostic& unmet : schedule_.unmet_triggers()) {
+        recording_.warn(std::move(unmet));
     }
     balls_.warn_of_jammed();
     for (const std::string& sentence : guard_.messages()) {
-        recording_.warn(sentence);
+        recording_.warn({{}, "", sentence});
     }
 }
 

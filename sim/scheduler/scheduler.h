@@ -32,11 +32,6 @@ class Scheduler {
     [[nodiscard]] bool run(const WorkContext& context, std::uint64_t most_steps);
 
     [[nodiscard]] Timeline take_timeline() { return recording_.take_timeline(world_.duration); }
-    [[nodiscard]] std::vector<std::string> take_warnings() { return recording_.take_warnings(); }
-    /// Of each warning, as in BakeResult.
-    [[nodiscard]] const std::vector<int>& warned_events() const {
-        return recording_.warned_events();
-    }
 
   private:
     void run_window();

@@ -75,8 +75,9 @@ void StepBounces::count_blow(const FoundContact& found, double time) {
     }
     std::array<char, 64> at{};
     std::snprintf(at.data(), at.size(), "at %.3f s ", time);
-    recording_.warn(at.data() + ("'" + caught.name) + "' is jammed by '" + moved.name +
-                    "', which keys move: there is no room for it");
+    recording_.warn({Subject::body(moved.name), "motion",
+                     at.data() + ("'" + caught.name) + "' is jammed by '" + moved.name +
+                         "', which keys move: there is no room for it"});
 }
 
 void StepBounces::bounce_ball(const FoundContact& found, double time) {

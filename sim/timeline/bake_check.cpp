@@ -113,6 +113,78 @@ Problem energy_problem(const std::vector<EnergySample>& energy) {
     return {};
 }
 
+Problem contact_problem(const LastingContact& contact) {
+    if (contact.a.size() > kLongestName || contact.b.size() > kLongestName) {
+        return "names an object in more than " + std::to_string(kLongestName) + " bytes";
+    }
+    if (!std::isfinite(contact.from) || !std::isfinite(contact.to) ||
+        !std::isfinite(contact.normal_force) || !std::isfinite(contact.slip)) {
+        return "has a value that is not finite";
+    }
+    if (contact.to < contact.from) {
+        return "ends before it begins";
+    }
+    if (contact.normal_force < 0 || contact.slip < 0) {
+        return "has a negative force or slip";
+    }
+    return {};
+}
+
+Problem contacts_problem(const std::vector<LastingContact>& contacts) {
+    for (std::size_t index = 0; index < contacts.size(); ++index) {
+        const std::string name = "lasting contact " + std::to_string(index);
+        if (const Problem problem = contact_problem(contacts[index])) {
+            return name + " " + *problem;
+        }
+        if (index > 0 && contacts[index].from < contacts[index - 1].from) {
+            return name + " is earlier than the one before";
+        }
+    }
+    return {};
+}
+
+Problem put_backs_problem(const std::vector<PutBack>& put_backs) {
+    for (std::size_t index = 0; index < put_backs.size(); ++index) {
+        const PutBack& put_back = put_backs[index];
+        const std::string name = "ball put back " + std::to_string(index);
+        if (put_back.ball.size() > kLongestName) {
+            return name + " has a name of more than " + std::to_string(kLongestName) + " bytes";
+        }
+        if (!std::isfinite(put_back.time) || !is_finite(put_back.from) || !is_finite(put_back.to)) {
+            return name + " has a value that is not finite";
+        }
+        if (index > 0 && put_back.time < put_backs[index - 1].time) {
+            return name + " is earlier than the one before";
+        }
+    }
+    return {};
+}
+
+Problem warnings_problem(const std::vector<Diagnostic>& warnings) {
+    if (warnings.size() > kMostWarnings) {
+        return "it has more than " + std::to_string(kMostWarnings) + " warnings";
+    }
+    for (std::size_t index = 0; index < warnings.size(); ++index) {
+        const Diagnostic& warning = warnings[index];
+        const std::string name = "warning " + std::to_string(index);
+        if (warning.subject.kind > Subject::Kind::object) {
+            return name + " is about a subject of an unknown kind";
+        }
+        if (warning.subject.name.size() > kLongestName || warning.field.size() > kLongestName) {
+            return name + " names its subject in more than " + std::to_string(kLongestName) +
+                   " bytes";
+        }
+        if (warning.sentence.empty() || warning.sentence.size() > kLongestSentence) {
+            return name + " has no sentence, or one of more than " +
+                   std::to_string(kLongestSentence) + " bytes";
+        }
+        if (warning.severity != Severity::warning) {
+            return name + " is an error";
+        }
+    }
+    return {};
+}
+
 Problem assets_problem(const std::vector<Asset>& assets) {
     if (assets.size() > kMostAssets) {
         return "it has more than " + std::to_string(kMostAssets) + " assets";
@@ -142,6 +214,15 @@ Problem find_problem(const Bake& bake) {
         return problem;
     }
     if (Problem problem = energy_problem(timeline.energy)) {
+        return problem;
+    }
+    if (Problem problem = contacts_problem(timeline.lasting_contacts)) {
+        return problem;
+    }
+    if (Problem problem = put_backs_problem(timeline.put_backs)) {
+        return problem;
+    }
+    if (Problem problem = warnings_problem(timeline.warnings)) {
         return problem;
     }
     return assets_problem(bake.assets);

@@ -13,8 +13,8 @@ namespace {
 
 namespace fb = carom::bake_format;
 
-constexpr flatbuffers::uoffset_t kDeepest = 4;  // Content, Track or Asset, their strings
-constexpr flatbuffers::uoffset_t kMostTables = kMostTracks + kMostAssets + 1;
+constexpr flatbuffers::uoffset_t kDeepest = 4;  // Content, Track, Warning or Asset, their strings
+constexpr flatbuffers::uoffset_t kMostTables = kMostTracks + kMostAssets + kMostWarnings + 1;
 
 Hash128 from_format(const fb::Hash& hash) {
     return {hash.high(), hash.low()};
@@ -90,32 +90,84 @@ std::vector<Track> read_tracks(const fb::Content& content, Budget& budget) {
     return tracks;
 }
 
-std::vector<Event> read_events(const fb::Content& content, Budget& budget) {
-    std::vector<std::string> names;
-    for (const flatbuffers::String* name : *content.names()) {
-        names.push_back(budget.text(*name));
-        if (names.back().size() > kLongestName) {
-            throw Error("a name is longer than " + std::to_string(kLongestName) + " bytes");
+/// The names that structs refer to by their place.
+class Names {
+  public:
+    Names(const fb::Content& content, Budget& budget) {
+        for (const flatbuffers::String* name : *content.names()) {
+            names_.push_back(budget.text(*name));
+            if (names_.back().size() > kLongestName) {
+                throw Error("a name is longer than " + std::to_string(kLongestName) + " bytes");
+            }
         }
     }
-    const auto name_at = [&](std::uint32_t index) -> const std::string& {
-        if (index >= names.size()) {
-            throw Error("an event refers to a name that is not there");
+    /// `user` is what refers to it: "an event".
+    [[nodiscard]] const std::string& at(std::uint32_t index, const char* user) const {
+        if (index >= names_.size()) {
+            throw Error(user + std::string(" refers to a name that is not there"));
         }
-        return names[index];
-    };
-    std::vector<Event> events;
-    events.reserve(budget.list(*content.events()).size());
-    for (const fb::Event* event : *content.events()) {
-        if (event->kind() > fb::EventKind::MAX) {
-            throw Error("an event is of an unknown kind");
-        }
-        events.push_back({static_cast<EventKind>(event->kind()), event->time(), event->end_time(),
-                          name_at(event->a()), name_at(event->b()), from_format(event->place()),
-                          from_format(event->normal()), event->normal_impulse(),
-                          event->tangential_impulse(), from_format(event->vector())});
+        return names_[index];
     }
-    return events;
+
+  private:
+    std::vector<std::string> names_;
+};
+
+Event from_format(const fb::Event& event, const Names& names) {
+    if (event.kind() > fb::EventKind::MAX) {
+        throw Error("an event is of an unknown kind");
+    }
+    return {static_cast<EventKind>(event.kind()),
+            event.time(),
+            event.end_time(),
+            names.at(event.a(), "an event"),
+            names.at(event.b(), "an event"),
+            from_format(event.place()),
+            from_format(event.normal()),
+            event.normal_impulse(),
+            event.tangential_impulse(),
+            from_format(event.vector())};
+}
+
+LastingContact from_format(const fb::LastingContact& contact, const Names& names) {
+    return {names.at(contact.a(), "a lasting contact"),
+            names.at(contact.b(), "a lasting contact"),
+            contact.from(),
+            contact.to(),
+            contact.normal_force(),
+            contact.slip()};
+}
+
+PutBack from_format(const fb::PutBack& put_back, const Names& names) {
+    return {names.at(put_back.ball(), "a ball put back"), put_back.time(),
+            from_format(put_back.from()), from_format(put_back.to())};
+}
+
+/// A list whose elements refer to names.
+template <class Value, class Struct>
+std::vector<Value> read_list(const flatbuffers::Vector<const Struct*>& list, const Names& names,
+                             Budget& budget) {
+    std::vector<Value> values;
+    values.reserve(budget.list(list).size());
+    for (const Struct* element : list) {
+        values.push_back(from_format(*element, names));
+    }
+    return values;
+}
+
+std::vector<Diagnostic> read_warnings(const fb::Content& content, Budget& budget) {
+    std::vector<Diagnostic> warnings;
+    for (const fb::Warning* warning : *content.warnings()) {
+        if (warning->subject() > fb::SubjectKind::MAX) {
+            throw Error("a warning is about a subject of an unknown kind");
+        }
+        warnings.push_back({{static_cast<Subject::Kind>(warning->subject()),
+                             budget.text(*warning->name()), warning->event()},
+                            budget.text(*warning->field()),
+                            budget.text(*warning->sentence()),
+                            Severity::warning});
+    }
+    return warnings;
 }
 
 std::vector<EnergySample> read_energy(const fb::Content& content, Budget& budget) {
@@ -201,8 +253,13 @@ Bake decode_content(std::span<const std::byte> content) {
     bake.timeline.start_time = root.start_time();
     bake.timeline.end_time = root.end_time();
     bake.timeline.tracks = read_tracks(root, budget);
-    bake.timeline.events = read_events(root, budget);
+    const Names names(root, budget);
+    bake.timeline.events = read_list<Event>(*root.events(), names, budget);
     bake.timeline.energy = read_energy(root, budget);
+    bake.timeline.lasting_contacts =
+        read_list<LastingContact>(*root.lasting_contacts(), names, budget);
+    bake.timeline.put_backs = read_list<PutBack>(*root.put_backs(), names, budget);
+    bake.timeline.warnings = read_warnings(root, budget);
     bake.shot_text = budget.text(*root.shot_text());
     bake.assets = read_assets(root, budget);
     if (const auto problem = find_problem(bake)) {

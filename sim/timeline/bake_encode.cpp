@@ -66,6 +66,32 @@ fb::Event to_format(const Event& event, NameTable& names) {
             to_format(event.vector)};
 }
 
+fb::LastingContact to_format(const LastingContact& contact, NameTable& names) {
+    const std::uint32_t a = names.index_of(contact.a);
+    const std::uint32_t b = names.index_of(contact.b);
+    return {a, b, contact.from, contact.to, contact.normal_force, contact.slip};
+}
+
+fb::PutBack to_format(const PutBack& put_back, NameTable& names) {
+    return {names.index_of(put_back.ball), put_back.time, to_format(put_back.from),
+            to_format(put_back.to)};
+}
+
+/// The structs of a list whose elements refer to names.
+template <class Struct, class Value>
+std::vector<Struct> structs_of(const std::vector<Value>& values, NameTable& names) {
+    std::vector<Struct> structs;
+    structs.reserve(values.size());
+    for (const Value& value : values) {
+        structs.push_back(to_format(value, names));
+    }
+    return structs;
+}
+
+static_assert(static_cast<int>(Subject::Kind::object) == static_cast<int>(fb::SubjectKind::MAX) &&
+                  static_cast<int>(Subject::Kind::event) ==
+                      static_cast<int>(fb::SubjectKind::event),
+              "bake.fbs and diagnostic.h list the same subjects in the same order");
 static_assert(static_cast<int>(EventKind::strike) == static_cast<int>(fb::EventKind::MAX) &&
                   static_cast<int>(EventKind::force) == static_cast<int>(fb::EventKind::force),
               "bake.fbs and event.h list the same kinds in the same order");
@@ -99,6 +125,20 @@ auto write_energy(FlatBufferBuilder& builder, const std::vector<EnergySample>& e
     return builder.CreateVectorOfStructs(samples);
 }
 
+auto write_warnings(FlatBufferBuilder& builder, const std::vector<Diagnostic>& warnings) {
+    std::vector<Offset<fb::Warning>> offsets;
+    offsets.reserve(warnings.size());
+    for (const Diagnostic& warning : warnings) {
+        const auto name = builder.CreateString(warning.subject.name);
+        const auto field = builder.CreateString(warning.field);
+        const auto sentence = builder.CreateString(warning.sentence);
+        offsets.push_back(fb::CreateWarning(builder,
+                                            static_cast<fb::SubjectKind>(warning.subject.kind),
+                                            name, warning.subject.index, field, sentence));
+    }
+    return builder.CreateVector(offsets);
+}
+
 auto write_assets(FlatBufferBuilder& builder, const std::vector<Asset>& assets) {
     std::vector<Offset<fb::Asset>> offsets;
     offsets.reserve(assets.size());
@@ -120,6 +160,15 @@ std::size_t estimated_size(const Bake& bake) {
         size += 32 + event.a.size() + event.b.size() + sizeof(fb::Event);
     }
     size += bake.timeline.energy.size() * sizeof(fb::EnergySample);
+    for (const LastingContact& contact : bake.timeline.lasting_contacts) {
+        size += 32 + contact.a.size() + contact.b.size() + sizeof(fb::LastingContact);
+    }
+    for (const PutBack& put_back : bake.timeline.put_backs) {
+        size += 16 + put_back.ball.size() + sizeof(fb::PutBack);
+    }
+    for (const Diagnostic& warning : bake.timeline.warnings) {
+        size += 96 + warning.subject.name.size() + warning.field.size() + warning.sentence.size();
+    }
     for (const Asset& asset : bake.assets) {
         size += 64 + asset.path.size();
     }
@@ -137,21 +186,23 @@ std::vector<std::byte> encode_content(const Bake& bake) {
     const Timeline& timeline = bake.timeline;
     FlatBufferBuilder builder;
     NameTable names;
-    std::vector<fb::Event> events;
-    events.reserve(timeline.events.size());
-    for (const Event& event : timeline.events) {
-        events.push_back(to_format(event, names));
-    }
+    const auto events = structs_of<fb::Event>(timeline.events, names);
+    const auto contacts = structs_of<fb::LastingContact>(timeline.lasting_contacts, names);
+    const auto put_backs = structs_of<fb::PutBack>(timeline.put_backs, names);
     // One after another: the order of a call's arguments is the compiler's to choose.
     const auto tracks_offset = write_tracks(builder, timeline.tracks);
     const auto names_offset = builder.CreateVectorOfStrings(names.names());
     const auto events_offset = builder.CreateVectorOfStructs(events);
     const auto energy_offset = write_energy(builder, timeline.energy);
+    const auto contacts_offset = builder.CreateVectorOfStructs(contacts);
+    const auto put_backs_offset = builder.CreateVectorOfStructs(put_backs);
+    const auto warnings_offset = write_warnings(builder, timeline.warnings);
     const auto text_offset = builder.CreateString(bake.shot_text);
     const auto assets_offset = write_assets(builder, bake.assets);
     const fb::Hash physics_hash = to_format(bake.physics_hash);
     builder.Finish(fb::CreateContent(builder, &physics_hash, timeline.start_time, timeline.end_time,
                                      tracks_offset, names_offset, events_offset, energy_offset,
+                                     contacts_offset, put_backs_offset, warnings_offset,
                                      text_offset, assets_offset));
     return bytes_of(builder);
 }

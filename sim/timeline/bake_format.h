@@ -13,12 +13,14 @@
 namespace carom::sim {
 
 /// Raised when a reader of the older kind would misunderstand or refuse the file.
-inline constexpr std::uint32_t kSchemaVersion = 1;
+inline constexpr std::uint32_t kSchemaVersion = 2;
 
 // Limits of one file; find_problem says when a bake is beyond them.
 inline constexpr std::size_t kMostTracks = 65'536;
 inline constexpr std::size_t kMostAssets = 65'536;
+inline constexpr std::size_t kMostWarnings = 1'024;
 inline constexpr std::size_t kLongestName = 1'024;                    // bytes
+inline constexpr std::size_t kLongestSentence = 16'384;               // bytes
 inline constexpr std::size_t kLongestPath = 4'096;                    // bytes
 inline constexpr std::size_t kLargestContent = std::size_t{1} << 30;  // bytes
 

@@ -1,4 +1,4 @@
-// What happened during a shot: the event log and the energy over time.
+// What happened during a shot: the event log, lasting contacts, balls put back, the energy.
 #pragma once
 
 #include <string>
@@ -41,6 +41,28 @@ struct Event {
     Vec3 vector{0, 0, 0};  // force events: the force, torque, impulse or velocity, world axes
 
     bool operator==(const Event&) const = default;
+};
+
+/// Two objects that stay in contact for a while. No simulation records these yet.
+struct LastingContact {
+    std::string a;            // name of an object
+    std::string b;            // the other object or surface, as in Event
+    double from = 0;          // scene time, s
+    double to = 0;            // s, not before `from`
+    double normal_force = 0;  // N, mean over that time
+    double slip = 0;          // m/s, mean speed of the surfaces along each other
+
+    bool operator==(const LastingContact&) const = default;
+};
+
+/// A ball that is put back on the table. No simulation records these yet.
+struct PutBack {
+    std::string ball;
+    double time = 0;     // scene time, s
+    Vec3 from{0, 0, 0};  // its centre before
+    Vec3 to{0, 0, 0};    // and after
+
+    bool operator==(const PutBack&) const = default;
 };
 
 /// Mechanical energy of all dynamic bodies, joules; potential relative to z = 0.

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/diagnostic.h"
 #include "sim/timeline/event.h"
 #include "sim/timeline/track.h"
 
@@ -15,6 +16,9 @@ struct Timeline {
     std::vector<Track> tracks;         // one per moving object, in the order of the world
     std::vector<Event> events;         // in order of time
     std::vector<EnergySample> energy;  // in order of time
+    std::vector<LastingContact> lasting_contacts;  // in order of their beginnings
+    std::vector<PutBack> put_backs;                // in order of time
+    std::vector<Diagnostic> warnings;  // a strike that misses, a miscue, a trigger never met ...
 
     /// The track of that name, or nullptr.
     [[nodiscard]] const Track* find(std::string_view name) const;

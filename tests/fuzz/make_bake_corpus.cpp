@@ -37,6 +37,11 @@ Bake eventful_bake() {
             {static_cast<EventKind>(kind), 0.1 * kind, 0.1 * kind, "cue", "cushion"});
     }
     bake.timeline.energy = {{0, 1, 2}, {0.5, 1, 1}, {1, 0, 1}};
+    bake.timeline.lasting_contacts = {{"cue", "cloth", 0.25, 0.5, 1.75, 0.125}};
+    bake.timeline.put_backs = {{"cue", 0.75, {1, 0, -0.5}, {0, 0, 0.03}}};
+    bake.timeline.warnings = {
+        {Subject::event(1), "tip", "the tip is far off centre", Severity::warning},
+        {Subject::body("cue"), "", "'cue' is not potted", Severity::warning}};
     return bake;
 }
 

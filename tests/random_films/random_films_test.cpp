@@ -71,7 +71,7 @@ bool film_one(std::uint64_t number) {
         return false;
     const Shot& shot = *loaded.shot;
     sim::Bake bake;
-    bake.timeline = sim::bake(shot.world).timeline;
+    bake.timeline = sim::bake(shot.world);
     add_keyed_motions(bake, shot);
     const FilmSource source(shot, bake.timeline);
     const std::int64_t frames = frame_count(shot.cameras, shot.timing);

@@ -19,7 +19,7 @@ TEST(BallInAir_DroppedOnSlate, BouncesToTheSquareOfRestitution) {
         WorldDescription world = cloth_world(3);
         world.contact_law.ball_cloth.restitution = e;
         world.bodies = {ball_in_air({0, 0, kRadius + 0.5}, {0, 0, 0})};
-        const Timeline timeline = bake(world).timeline;
+        const Timeline timeline = bake(world);
         double impact = std::sqrt(2 * 0.5 / kGravity);
         double speed = kGravity * impact;
         for (int bounce = 0; bounce < 4; ++bounce) {
@@ -38,7 +38,7 @@ TEST(BallInAir_Thrown, FollowsTheParabolaAndKeepsItsSpin) {
     WorldDescription world = cloth_world(1);
     const Vec3 spin(10, 20, -30);
     world.bodies = {ball_in_air({0, 0, 0.5}, {2, 1, 1.5}, spin)};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     for (double t = 0; t < 0.5; t += 0.03) {
         const MotionState state = state_at(timeline, "cue", t);
         const Vec3 expected(2 * t, t, 0.5 + 1.5 * t - 0.5 * kGravity * t * t);
@@ -52,7 +52,7 @@ TEST(JumpShot_OverABall, ClearsItAndLandsWhereTheParabolaSays) {
     world.bodies = {ball("cue", 0, 0), ball("one", 0.25, 0), ball("two", 3, 0)};
     const double elevation = 40 * 3.14159265358979324 / 180;
     world.events = {strike_towards("cue", "two", 4, 0, {0, 0}, elevation)};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     EXPECT_EQ(find_event(timeline, EventKind::impact, "cue", "one"), nullptr);
     // The stick's blow, then the slate's: e of the descent comes back, and friction takes its share
     // (at most mu (1 + e) of the descent, at most 2/7 of the slip).
@@ -81,7 +81,7 @@ TEST(JumpShot_Landing, LeavesNoSeam) {
     WorldDescription world = cloth_world(3);
     world.bodies = {ball("cue", 0, 0), ball("two", 9, 0)};
     world.events = {strike_towards("cue", "two", 3, 0, {0.1, -0.2}, 0.5)};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const Track& track = *timeline.find("cue");
     Vec3 last = track.sample(0).position;
     for (double t = 1e-4; t < 3; t += 1e-4) {
@@ -96,7 +96,7 @@ TEST(JumpShot_Landing, LeavesNoSeam) {
 TEST(BallInAir_OnAnotherBall, BouncesOffIt) {
     WorldDescription world = cloth_world(2);
     world.bodies = {ball_in_air({0.004, 0, 0.3}, {0, 0, 0}), ball("one", 0, 0)};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const Event* impact = find_event(timeline, EventKind::impact, "cue", "one");
     ASSERT_NE(impact, nullptr);
     EXPECT_GT(impact->normal.z, 0.9);
@@ -118,7 +118,7 @@ TEST(Ball_DrivenOffTheTable, LandsOnTheFloor) {
     event.object = "cue";
     event.action = velocity;
     world.events = {event};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const Event* off = find_event(timeline, EventKind::off_table, "cue");
     ASSERT_NE(off, nullptr);
     EXPECT_GT(off->place.x, 1.27);
@@ -130,9 +130,9 @@ TEST(Hop_WhenKept, LiftsTheBallOffAfterACushion) {
     WorldDescription world = walled_world(2);
     const Vec3 velocity(4, 0, 0);
     world.bodies = {ball("cue", 0.5, 0, velocity, {0, -100, 0})};
-    EXPECT_EQ(find_event(bake(world).timeline, EventKind::airborne, "cue"), nullptr);
+    EXPECT_EQ(find_event(bake(world), EventKind::airborne, "cue"), nullptr);
     world.contact_law.hop = true;
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const Event* hop = find_event(timeline, EventKind::airborne, "cue");
     ASSERT_NE(hop, nullptr);
     EXPECT_EQ(state_at(timeline, "cue", 2).position.z, kRadius);
@@ -144,7 +144,7 @@ TEST(TiltedGravity_BallOnCloth, RunsDownhill) {
     world.gravity = {kGravity * std::sin(angle), 0, -kGravity * std::cos(angle)};
     world.contact_law.ball_cloth.rolling_friction = 0;
     world.bodies = {ball("cue", 0, 0)};
-    const MotionState end = state_at(bake(world).timeline, "cue", 1);
+    const MotionState end = state_at(bake(world), "cue", 1);
     // A ball that rolls accelerates by 5/7 g sin.
     EXPECT_NEAR(end.velocity.x, 5.0 / 7 * kGravity * std::sin(angle), 2e-3);
     EXPECT_NEAR(end.position.z, kRadius, 2e-5);

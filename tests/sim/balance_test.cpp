@@ -52,21 +52,21 @@ TEST(Domino_LeaningByAnyAngle, FallsBackOrOver) {
          {5.0, 8.9, 9.0, 9.05, 9.08, 9.089, 9.0902, 9.0904, 9.092, 9.1, 9.15, 9.25, 9.3, 12.0}) {
         WorldDescription world = cloth_world(6);
         world.bodies = {leaning_domino("domino", angle * kDegree, 0.008, 0.05)};
-        const BakeResult result = bake(world);
-        const double at_end = lean(state_at(result.timeline, "domino", 6));
+        const Timeline result = bake(world);
+        const double at_end = lean(state_at(result, "domino", 6));
         if (angle < std::atan2(8, 50) / kDegree) {
             EXPECT_LT(at_end, 0.05) << angle;
         } else {
             EXPECT_NEAR(at_end, 90, 0.05) << angle;
         }
-        EXPECT_TRUE(sleeps(result.timeline, "domino")) << angle;
+        EXPECT_TRUE(sleeps(result, "domino")) << angle;
     }
 }
 
 TEST(BalancedDomino_WithAWeightBeside, FallsNoDifferently) {
     WorldDescription world = cloth_world(4);
     world.bodies = {leaning_domino("domino", 9.15 * kDegree, 0.008, 0.05), ball("ball", -0.2, 0)};
-    EXPECT_NEAR(lean(state_at(bake(world).timeline, "domino", 4)), 90, 0.05);
+    EXPECT_NEAR(lean(state_at(bake(world), "domino", 4)), 90, 0.05);
 }
 
 TEST(StackOfBoxes, StillFallsAsleepAtOnce) {
@@ -75,7 +75,7 @@ TEST(StackOfBoxes, StillFallsAsleepAtOnce) {
         world.bodies.push_back(solid("box" + std::to_string(i), Box{{0.06, 0.06, 0.06}},
                                      {0.004 * i, 0, 0.03 + 0.06 * i}));
     }
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     for (int i = 0; i < 6; ++i) {
         const Event* rest = find_event(timeline, EventKind::resting, "box" + std::to_string(i));
         ASSERT_NE(rest, nullptr) << i;
@@ -94,7 +94,7 @@ TEST(Plank_WithALoadThatTipsIt, Tips) {
     Body load = solid("load", Box{{0.02, 0.02, 0.02}}, {0.12, 0, 0.12});
     load.mass = plank.mass * (0.02 + 0.0001) / 0.07;
     world.bodies = {block, plank, load};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     EXPECT_GT(lean(state_at(timeline, "plank", 6)), 20);
 }
 
@@ -105,7 +105,7 @@ TEST(Plank_HeldByALoadBehind, Sleeps) {
     Body plank = solid("plank", Box{{0.2, 0.05, 0.01}}, {0.06, 0, 0.105});  // 10 mm too far out
     Body load = solid("load", Box{{0.02, 0.02, 0.02}}, {-0.02, 0, 0.12});
     world.bodies = {block, plank, load};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     EXPECT_TRUE(sleeps(timeline, "plank"));
     EXPECT_TRUE(sleeps(timeline, "load"));
     EXPECT_LT(lean(state_at(timeline, "plank", 1)), 0.01);
@@ -119,7 +119,7 @@ TEST(RoundSolid_OnItsSide, StillFallsAsleepAtOnce) {
         Body roller = solid("roller", shape, {0, 0, 0.03});
         roller.pose.orientation = {std::cos(45 * kDegree), Vec3(std::sin(45 * kDegree), 0, 0)};
         world.bodies = {roller};
-        const Timeline timeline = bake(world).timeline;
+        const Timeline timeline = bake(world);
         const Event* rest = find_event(timeline, EventKind::resting, "roller");
         ASSERT_NE(rest, nullptr);
         EXPECT_LT(rest->time, 0.15);
@@ -131,7 +131,7 @@ TEST(CapsuleOnItsEnd_HardlyTilted, FallsOver) {
     Body pin = solid("pin", Capsule{0.01, 0.06}, {0, 0, 0.04});
     pin.pose.orientation = about_y(0.02 * kDegree);
     world.bodies = {pin};
-    EXPECT_NEAR(lean(state_at(bake(world).timeline, "pin", 6)), 90, 1);
+    EXPECT_NEAR(lean(state_at(bake(world), "pin", 6)), 90, 1);
 }
 
 TEST(BallBetweenBoxes_OnTheCloth, StillFallsAsleepAtOnce) {
@@ -139,7 +139,7 @@ TEST(BallBetweenBoxes_OnTheCloth, StillFallsAsleepAtOnce) {
     world.bodies = {ball("ball", 0, 0),
                     solid("left", Box{{0.06, 0.06, 0.06}}, {-kRadius - 0.03, 0, 0.03}),
                     solid("right", Box{{0.06, 0.06, 0.06}}, {kRadius + 0.03, 0, 0.03})};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     EXPECT_TRUE(sleeps(timeline, "left"));
     EXPECT_TRUE(sleeps(timeline, "right"));
 }

@@ -24,7 +24,7 @@ TEST(Break_Elastic, KeepsItsEnergy) {
     world.contact_law.ball_cushion = {CushionModel::mirror, 1, 0};
     world.contact_law.ball_cloth = {0, 0, 0, 1};
     world.bodies[0].velocity = {9, -1.07, 0};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     ASSERT_GT(count_events(timeline, EventKind::impact), 50);
     const double before = timeline.energy.front().total();
     for (const EnergySample& sample : timeline.energy) {
@@ -33,7 +33,7 @@ TEST(Break_Elastic, KeepsItsEnergy) {
 }
 
 TEST(Break_WithLosses, NeverGainsEnergy) {
-    const Timeline timeline = bake(break_shot()).timeline;
+    const Timeline timeline = bake(break_shot());
     double last = 1e300;
     for (const EnergySample& sample : timeline.energy) {
         if (sample.time > 0.5) {
@@ -46,8 +46,8 @@ TEST(Break_WithLosses, NeverGainsEnergy) {
 
 TEST(Break_BakedTwice, IsTheSameBytes) {
     const WorldDescription world = break_shot();
-    Bake first{bake(world).timeline, physics_hash(world), "", {}};
-    Bake second{bake(world).timeline, physics_hash(world), "", {}};
+    Bake first{bake(world), physics_hash(world), "", {}};
+    Bake second{bake(world), physics_hash(world), "", {}};
     EXPECT_EQ(encode_bake(first), encode_bake(second));
 }
 
@@ -71,14 +71,14 @@ WorldDescription crowded_shot() {
 // run to run, or crashes.
 TEST(Break_BakedOnSeveralThreadsAtOnce, IsAlwaysTheSame) {
     const WorldDescription world = crowded_shot();
-    const Timeline alone = bake(world).timeline;
+    const Timeline alone = bake(world);
     std::atomic<int> different = 0;
     {
         std::vector<std::jthread> threads;
         for (int i = 0; i < 3; ++i) {
             threads.emplace_back([&] {
                 for (int k = 0; k < 5; ++k) {
-                    different += bake(world).timeline == alone ? 0 : 1;
+                    different += bake(world) == alone ? 0 : 1;
                 }
             });
         }
@@ -88,13 +88,13 @@ TEST(Break_BakedOnSeveralThreadsAtOnce, IsAlwaysTheSame) {
 
 TEST(Break_Balls, NeverOverlapNorLeaveTheTableUnseen) {
     const WorldDescription world = break_shot();
-    const BakeResult result = bake(world);
+    const Timeline result = bake(world);
     EXPECT_TRUE(result.warnings.empty());
     for (double t = 0; t < 6; t += 1.0 / 120) {
         for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-            const Vec3 p = state_at(result.timeline, world.bodies[i].name, t).position;
+            const Vec3 p = state_at(result, world.bodies[i].name, t).position;
             for (std::size_t j = 0; j < i; ++j) {
-                const Vec3 q = state_at(result.timeline, world.bodies[j].name, t).position;
+                const Vec3 q = state_at(result, world.bodies[j].name, t).position;
                 ASSERT_GT((p - q).length(), 2 * kRadius - 1e-5)
                     << world.bodies[i].name << " " << world.bodies[j].name << " " << t;
             }

@@ -34,7 +34,7 @@ WorldDescription world_of(const Body& body, double duration, const ForceEvent& e
 
 /// When the marker was pushed; -1 if it never was.
 double push_time(const WorldDescription& world) {
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const Event* impulse = find_event(timeline, EventKind::impulse, "marker");
     return impulse != nullptr ? impulse->time : -1;
 }
@@ -61,10 +61,10 @@ TEST(Crossing_ByARollingBall, IsWhenItsCentreIsOnTheLine) {
 TEST(Crossing_BesideTheSegment, IsNone) {
     const ForceEvent event = when_crossing("cue", {1, 0.1}, {1, 0.5});
     const WorldDescription world = world_of(rolling(0, 0, {2, 0, 0}), 2, event);
-    const BakeResult result = bake(world);
-    EXPECT_EQ(find_event(result.timeline, EventKind::impulse, "marker"), nullptr);
+    const Timeline result = bake(world);
+    EXPECT_EQ(find_event(result, EventKind::impulse, "marker"), nullptr);
     ASSERT_EQ(result.warnings.size(), 1U);
-    EXPECT_EQ(result.warnings[0],
+    EXPECT_EQ(result.warnings[0].sentence,
               "event 1 on 'marker' never happened: 'cue' never crossed the line");
 }
 
@@ -85,7 +85,7 @@ TEST(Crossing_FromOnTheLine, IsNotLeavingIt) {
     // Leaves the line that it starts on, comes back to it by draw.
     WorldDescription world = world_of(ball("cue", 0, 0, {1, 0, 0}, {0, -150, 0}), 3,
                                       when_crossing("cue", {0, -1}, {0, 1}));
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const Event* impulse = find_event(timeline, EventKind::impulse, "marker");
     ASSERT_NE(impulse, nullptr);
     EXPECT_GT(impulse->time, 0.3);
@@ -108,7 +108,7 @@ TEST(Crossing_AtAnImpact, IsFoundOnce) {
         world_of(rolling(0, 0, {2, 0, 0}), 2, when_crossing("cue", {0.5, -1}, {0.5, 1}));
     world.bodies.push_back(ball("one", 0.5 + 2 * kRadius, 0));
     world.contact_law.ball_ball.restitution = 0.5;
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     EXPECT_EQ(count_events(timeline, EventKind::impulse), 1);
     EXPECT_NEAR(find_event(timeline, EventKind::impulse, "marker")->time,
                 find_event(timeline, EventKind::impact, "cue", "one")->time, 1e-9);
@@ -124,7 +124,7 @@ TEST(Crossing_BySomethingThatOdeCarries, IsOnItsPath) {
     world.contact_law.pairs[{"cloth", "wood"}] = {0, 0.3, 0};
     world.bodies = {box, ball("marker", 0, 50)};
     world.events = {when_crossing("box", {0.1, -1}, {0.1, 1})};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const Event* impulse = find_event(timeline, EventKind::impulse, "marker");
     ASSERT_NE(impulse, nullptr);
     const double a = 0.3 * kGravity;
@@ -144,7 +144,7 @@ TEST(Crossing_ByABallOnTheEdgeOfAPocket, IsOnItsPath) {
     const Vec2 place = pocket.centre - outward * (pocket.radius - 0.01);
     const Vec2 across(-outward.y, outward.x);
     world.events = {when_crossing("cue", place - across * 0.05, place + across * 0.05)};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const Event* impulse = find_event(timeline, EventKind::impulse, "marker");
     ASSERT_NE(impulse, nullptr);
     const Vec3 p = state_at(timeline, "cue", impulse->time).position;
@@ -161,7 +161,7 @@ TEST(Trigger_Potted, FiresAfterTheBallHasFallen) {
         ForceEvent event = when_crossing("one", {0, 0}, {1, 0}, 0, after);
         event.trigger = Trigger{Trigger::Kind::potted, "one", "", {0, 0}, {0, 0}};
         world.events = {event};
-        const Timeline timeline = bake(world).timeline;
+        const Timeline timeline = bake(world);
         const Event* potted = find_event(timeline, EventKind::potted, "one");
         const Event* impulse = find_event(timeline, EventKind::impulse, "marker");
         ASSERT_NE(potted, nullptr);
@@ -170,7 +170,7 @@ TEST(Trigger_Potted, FiresAfterTheBallHasFallen) {
     }
     // A time later than the potting: it happens no more.
     world.events[0].time = 1;
-    EXPECT_EQ(bake(world).warnings.at(0),
+    EXPECT_EQ(bake(world).warnings.at(0).sentence,
               "event 1 on 'marker' never happened: 'one' was never potted");
 }
 

@@ -25,13 +25,13 @@ WorldDescription crowd(int rows, double duration) {
 
 TEST(Crowd_OfBalls, NeverOverlapsNorLeavesTheTable) {
     const WorldDescription world = crowd(8, 2);
-    const BakeResult result = bake(world);
+    const Timeline result = bake(world);
     EXPECT_TRUE(result.warnings.empty());
-    ASSERT_GT(count_events(result.timeline, EventKind::impact), 128);
+    ASSERT_GT(count_events(result, EventKind::impact), 128);
     std::vector<Vec3> places(world.bodies.size());
     for (double t = 0; t <= 2; t += 1.0 / 60) {
         for (std::size_t i = 0; i < places.size(); ++i) {
-            places[i] = state_at(result.timeline, world.bodies[i].name, t).position;
+            places[i] = state_at(result, world.bodies[i].name, t).position;
             ASSERT_LT(std::abs(places[i].x), 0.5 * world.table->length - kRadius + 1e-5);
             ASSERT_LT(std::abs(places[i].y), 0.5 * world.table->width - kRadius + 1e-5);
             for (std::size_t j = 0; j < i; ++j) {
@@ -44,21 +44,21 @@ TEST(Crowd_OfBalls, NeverOverlapsNorLeavesTheTable) {
 // Where ODE carries nothing, the step is nobody's business.
 TEST(Crowd_WithAnyStep, IsTheSame) {
     WorldDescription world = crowd(4, 1.5);
-    const Timeline coarse = bake(world).timeline;
+    const Timeline coarse = bake(world);
     world.step = 1e-3;
-    EXPECT_EQ(bake(world).timeline, coarse);
+    EXPECT_EQ(bake(world), coarse);
 }
 
 // A huge ball far away makes the grid's cells wider: balls meet others at other times, and the
 // same happens (but for round-off, which impacts multiply).
 TEST(Crowd_InWiderCells, MovesTheSame) {
     WorldDescription world = crowd(3, 0.5);
-    const Timeline narrow = bake(world).timeline;
+    const Timeline narrow = bake(world);
     world.bodies.push_back(ball("huge", 50, 0));
     world.bodies.back().shape = Sphere{0.3};
     world.bodies.back().pose.position.z = 3;
     world.gravity = {0, 0, -9.81};
-    const Timeline wide = bake(world).timeline;
+    const Timeline wide = bake(world);
     for (const Body& body : world.bodies) {
         if (body.name == "huge") {
             continue;
@@ -77,7 +77,7 @@ TEST(Crowd_OfRestingBallsWithOneMoving, IsHitInTurn) {
         world.bodies.push_back(ball("ball" + std::to_string(i), 0.1 * i, 0));
     }
     world.bodies[0].velocity = {2, 0, 0};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     // Newton's cradle with gaps: the velocity is passed on, the gaps take their time.
     ASSERT_EQ(count_events(timeline, EventKind::impact), 39);
     EXPECT_NEAR(state_at(timeline, "ball39", 4).velocity.x, 2, 1e-12);

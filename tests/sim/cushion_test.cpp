@@ -61,7 +61,7 @@ double worst_distance(const CushionShot& shot, const BallCushion& law, const Lev
     const double interval = 0.02;
     const std::vector<LevelState> path = level_path(table, start, interval, 3);
     world.duration = interval * static_cast<double>(path.size());
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     double worst = 0;
     for (std::size_t i = 0; i < path.size(); ++i) {
         const Vec3 p = state_at(timeline, "cue", interval * static_cast<double>(i)).position;
@@ -112,7 +112,7 @@ TEST(Cushion_Mathavan, IsTheImpactOfItsModel) {
         WorldDescription world = walled_world(0.5);
         world.contact_law.ball_cushion = usual_cushion(CushionModel::mathavan2010);
         world.bodies = {ball("cue", 0, 0.3, {1.5, 1.5, 0}, {0, 0, side})};
-        const Timeline timeline = bake(world).timeline;
+        const Timeline timeline = bake(world);
         const Event* impact = find_event(timeline, EventKind::impact, "cue", "cushion");
         ASSERT_NE(impact, nullptr);
         const Key key = key_at(timeline, "cue", impact->time);
@@ -136,7 +136,7 @@ TEST(Cushion_Mirror, ReflectsThePath) {
         const double a = angle * 3.14159265358979324 / 180;
         const Vec3 velocity(3 * std::cos(a), 3 * std::sin(a), 0);
         world.bodies = {ball("cue", -0.2, 0, velocity)};
-        const Timeline timeline = bake(world).timeline;
+        const Timeline timeline = bake(world);
         const Event* impact = find_event(timeline, EventKind::impact, "cue", "cushion");
         ASSERT_NE(impact, nullptr);
         const Key key = key_at(timeline, "cue", impact->time);
@@ -157,7 +157,7 @@ TEST(Cushion_Han, HeadOnRollingBall_KeepsTheFormulasShare) {
     const Vec3 velocity(2, 0, 0);
     world.contact_law.ball_cloth.rolling_friction = 0;
     world.bodies = {ball("cue", 0.5, 0, velocity, rolling_spin(velocity))};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const Event* impact = find_event(timeline, EventKind::impact, "cue", "cushion");
     ASSERT_NE(impact, nullptr);
     const double sine = world.table->nose_height / kRadius - 1;
@@ -177,7 +177,7 @@ TEST(Cushion_RunningEnglish, WidensTheRebound) {
     for (const double side : {-60.0, 0.0, 60.0}) {
         WorldDescription world = walled_world(0.5);
         world.bodies = {ball("cue", 0, 0.3, {1.5, 1.5, 0}, {0, 0, side})};
-        const Timeline timeline = bake(world).timeline;
+        const Timeline timeline = bake(world);
         const Event* impact = find_event(timeline, EventKind::impact, "cue", "cushion");
         ASSERT_NE(impact, nullptr);
         const Key key = key_at(timeline, "cue", impact->time);
@@ -192,10 +192,10 @@ TEST(Cushion_BallPressedByItsSpin, SlidesAlongWithoutStalling) {
     WorldDescription world = walled_world(3);
     // Strong follow into the cushion from a hair away.
     world.bodies = {ball("cue", 0, 0.6, {0.3, 0.1, 0}, {-150, 0, 0})};
-    const BakeResult result = bake(world);
+    const Timeline result = bake(world);
     EXPECT_TRUE(result.warnings.empty());
     for (double t = 0; t <= 3; t += 0.01) {
-        EXPECT_LE(state_at(result.timeline, "cue", t).position.y, 1.27 / 2 - kRadius + 1e-9);
+        EXPECT_LE(state_at(result, "cue", t).position.y, 1.27 / 2 - kRadius + 1e-9);
     }
 }
 

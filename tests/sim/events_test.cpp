@@ -23,7 +23,7 @@ TEST(Impulse_ThroughTheCentre, GivesItsVelocity) {
     WorldDescription world = cloth_world(1);
     world.bodies = {ball("cue", 0, 0)};
     world.events = {event_on("cue", 0.25, Impulse{{0.3, 0, 0}, {0, 0, 0}, Axes::world})};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     EXPECT_EQ(state_at(timeline, "cue", 0.24).velocity, Vec3(0, 0, 0));
     EXPECT_NEAR(key_at(timeline, "cue", 0.25).velocity_out.x, 0.3 / kMass, 1e-12);
     const Event* logged = find_event(timeline, EventKind::impulse, "cue");
@@ -36,7 +36,7 @@ TEST(Impulse_AtSevenFifthsOfTheRadius, RollsAtOnce) {
     WorldDescription world = cloth_world(1);
     world.bodies = {ball("cue", 0, 0)};
     world.events = {event_on("cue", 0, Impulse{{0.2, 0, 0}, {0, 0, 0.4 * kRadius}, Axes::world})};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     EXPECT_NE(find_event(timeline, EventKind::rolling, "cue"), nullptr);
     EXPECT_EQ(find_event(timeline, EventKind::sliding, "cue"), nullptr);
 }
@@ -47,7 +47,7 @@ TEST(Force_OverAnyDuration, GivesItsImpulseExactly) {
         world.contact_law.ball_cloth = {0, 0, 0, 0.5};
         world.bodies = {ball("cue", 0, 0)};
         world.events = {event_on("cue", 0.1, Force{{2, -1, 0}, duration, {0, 0, 0}, Axes::world})};
-        const Timeline timeline = bake(world).timeline;
+        const Timeline timeline = bake(world);
         const Vec3 expected = Vec3(2, -1, 0) * (duration / kMass);
         EXPECT_NEAR((state_at(timeline, "cue", 1).velocity - expected).length(), 0, 1e-12);
         const Event* logged = find_event(timeline, EventKind::force, "cue");
@@ -65,7 +65,7 @@ TEST(Force_PushingARollingBall, AcceleratesItByFiveSevenths) {
     const double newtons = 0.1;
     world.events = {event_on("cue", 0, Force{{newtons, 0, 0}, 1, {0, 0, 0}, Axes::world})};
     const double expected = 5.0 / 7 * newtons / kMass;
-    EXPECT_NEAR(state_at(bake(world).timeline, "cue", 1).velocity.x, expected, 1e-3 * expected);
+    EXPECT_NEAR(state_at(bake(world), "cue", 1).velocity.x, expected, 1e-3 * expected);
 }
 
 std::vector<EventKind> kinds_of(const Timeline& timeline, const std::string& object) {
@@ -84,7 +84,7 @@ TEST(Force_OnARollingBall, LeavesItRollingInTheLog) {
     world.bodies = {ball("cue", 0, 0), ball("one", 0, 1, {1, 0, 0})};
     world.events = {event_on("cue", 0.5, Force{{0.5, 0, 0}, 0.2, {0, 0, 0}, Axes::world}),
                     event_on("one", 1, Torque{{0, 0.01, 0}, 0.2, Axes::world})};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     EXPECT_EQ(kinds_of(timeline, "cue"),
               (std::vector<EventKind>{EventKind::force, EventKind::rolling}));
     EXPECT_EQ(kinds_of(timeline, "one"),
@@ -95,7 +95,7 @@ TEST(Force_ThatIsStrong, MakesTheBallSlideUntilItEnds) {
     WorldDescription world = cloth_world(2);
     world.bodies = {ball("cue", 0, 0)};
     world.events = {event_on("cue", 0.5, Force{{10, 0, 0}, 0.1, {0, 0, 0}, Axes::world})};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     EXPECT_EQ(kinds_of(timeline, "cue"),
               (std::vector<EventKind>{EventKind::force, EventKind::sliding, EventKind::rolling}));
     EXPECT_GT(find_event(timeline, EventKind::rolling, "cue")->time, 0.6);
@@ -121,7 +121,7 @@ TEST(BallOnASolid_SetInMotion, RollsAndIsNotAirborne) {
     roll.linear = Vec3(-0.1, 0, 0);
     world.events = {event_on("cue", 0.5, roll),
                     event_on("cue", 1, Force{{0.05, 0, 0}, 0.2, {0, 0, 0}, Axes::world})};
-    EXPECT_EQ(kinds_of(bake(world).timeline, "cue"),
+    EXPECT_EQ(kinds_of(bake(world), "cue"),
               (std::vector<EventKind>{EventKind::resting, EventKind::velocity, EventKind::force}));
 }
 
@@ -130,7 +130,7 @@ TEST(BallOnASolid_ThrownUp, IsAirborne) {
     SetVelocity jump;
     jump.linear = Vec3(0, 0, 1);
     world.events = {event_on("cue", 0.5, jump)};
-    const std::vector<EventKind> kinds = kinds_of(bake(world).timeline, "cue");
+    const std::vector<EventKind> kinds = kinds_of(bake(world), "cue");
     EXPECT_EQ(std::count(kinds.begin(), kinds.end(), EventKind::airborne), 1);
 }
 
@@ -140,8 +140,7 @@ TEST(Torque_AboutTheVertical, SpinsTheBall) {
     world.bodies = {ball("cue", 0, 0)};
     world.events = {event_on("cue", 0, Torque{{0, 0, 1e-3}, 0.1, Axes::world})};
     const double inertia = 0.4 * kMass * kRadius * kRadius;
-    EXPECT_NEAR(state_at(bake(world).timeline, "cue", 0.2).angular_velocity.z, 1e-4 / inertia,
-                1e-9);
+    EXPECT_NEAR(state_at(bake(world), "cue", 0.2).angular_velocity.z, 1e-4 / inertia, 1e-9);
 }
 
 TEST(SetVelocity_OnlyOnePart, KeepsTheOther) {
@@ -150,7 +149,7 @@ TEST(SetVelocity_OnlyOnePart, KeepsTheOther) {
     SetVelocity velocity;
     velocity.angular = Vec3(0, 0, 9);
     world.events = {event_on("cue", 0, velocity)};
-    const Key key = key_at(bake(world).timeline, "cue", 0);
+    const Key key = key_at(bake(world), "cue", 0);
     EXPECT_EQ(key.velocity_out, Vec3(1, 0, 0));
     EXPECT_EQ(key.angular_velocity_out, Vec3(0, 0, 9));
 }
@@ -159,12 +158,12 @@ TEST(Strike_TowardABall, HitsItAndIsLogged) {
     WorldDescription world = cloth_world(2);
     world.bodies = {ball("cue", -0.5, 0.2), ball("one", 0.3, -0.1)};
     world.events = {strike_towards("cue", "one", 2.5, 0.5)};
-    const BakeResult result = bake(world);
+    const Timeline result = bake(world);
     EXPECT_TRUE(result.warnings.empty());
-    const Event* strike = find_event(result.timeline, EventKind::strike, "cue");
+    const Event* strike = find_event(result, EventKind::strike, "cue");
     ASSERT_NE(strike, nullptr);
     EXPECT_NEAR(strike->vector.length(), 5 / (1 + kMass / 0.567), 1e-12);
-    const Event* impact = find_event(result.timeline, EventKind::impact, "cue", "one");
+    const Event* impact = find_event(result, EventKind::impact, "cue", "one");
     ASSERT_NE(impact, nullptr);
     const Vec3 line = Vec3(-0.8, 0.3, 0) / Vec3(-0.8, 0.3, 0).length();
     EXPECT_NEAR((impact->normal - line).length(), 0, 1e-9);
@@ -176,8 +175,9 @@ TEST(Strike_FarOffCentre_IsWarnedOf, AndOnlyThat) {
         WorldDescription world = cloth_world(0.5);
         world.bodies = {ball("cue", 0, 0), ball("one", 0.5, 0)};
         world.events = {strike_towards("cue", "one", 4, 0, tip)};
-        const std::vector<std::string> warnings = bake(world).warnings;
-        const bool is_warned = !warnings.empty() && warnings[0].find("miscue") != std::string::npos;
+        const std::vector<Diagnostic> warnings = bake(world).warnings;
+        const bool is_warned = !warnings.empty() && warnings[0].field == "tip" &&
+                               warnings[0].subject == Subject::event(0);
         EXPECT_EQ(is_warned, tip.length() > 0.5) << tip.x << " " << tip.y;
     }
 }
@@ -186,11 +186,12 @@ TEST(Strike_ThatNeverArrives, IsWarnedOf) {
     WorldDescription world = cloth_world(1);
     world.bodies = {ball("cue", 0, 0), ball("one", 2, 0)};
     world.events = {strike_towards("cue", "one", 0.2)};
-    const BakeResult result = bake(world);
-    ASSERT_EQ(result.warnings.size(), 1U);
-    EXPECT_EQ(result.warnings[0],
-              "strike on 'cue' at 0.000 s: it never touched 'one', which it was aimed at");
-    EXPECT_EQ(result.warned_events, std::vector<int>{0});
+    const Timeline result = bake(world);
+    EXPECT_EQ(result.warnings,
+              (std::vector<Diagnostic>{
+                  {Subject::event(0), "toward",
+                   "strike on 'cue' at 0.000 s: it never touched 'one', which it was aimed at",
+                   Severity::warning}}));
 }
 
 TEST(Trigger_Contact, FiresAfterTheFirstTouch) {
@@ -200,7 +201,7 @@ TEST(Trigger_Contact, FiresAfterTheFirstTouch) {
     event.trigger = Trigger{Trigger::Kind::contact, "one", "cue"};
     event.after = 0.1;
     world.events = {event};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const Event* impact = find_event(timeline, EventKind::impact, "cue", "one");
     const Event* impulse = find_event(timeline, EventKind::impulse, "two");
     ASSERT_NE(impact, nullptr);
@@ -214,7 +215,7 @@ TEST(Trigger_AllResting, FiresWhenTheLastBallStops) {
     ForceEvent event = event_on("one", 0, Impulse{{0.01, 0, 0}, {0, 0, 0}, Axes::world});
     event.trigger = Trigger{Trigger::Kind::resting, "", ""};
     world.events = {event};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const Event* resting = find_event(timeline, EventKind::resting, "cue");
     const Event* impulse = find_event(timeline, EventKind::impulse, "one");
     ASSERT_NE(impulse, nullptr);
@@ -227,9 +228,12 @@ TEST(Trigger_ThatNeverHappens, IsWarnedOf) {
     ForceEvent event = event_on("cue", 0, Impulse{{0.01, 0, 0}, {0, 0, 0}, Axes::world});
     event.trigger = Trigger{Trigger::Kind::contact, "cue", "one"};
     world.events = {event_on("cue", 0, Torque{{0, 0, 1e-6}, 0.1, Axes::world}), event};
-    const BakeResult result = bake(world);
-    EXPECT_EQ(result.warnings.at(0), "event 2 on 'cue' never happened: 'cue' never touched 'one'");
-    EXPECT_EQ(result.warned_events, std::vector<int>{1});
+    const Timeline result = bake(world);
+    EXPECT_EQ(
+        result.warnings,
+        (std::vector<Diagnostic>{{Subject::event(1), "when",
+                                  "event 2 on 'cue' never happened: 'cue' never touched 'one'",
+                                  Severity::warning}}));
 }
 
 TEST(Bake_StoppedBeforeItBegins, ThrowsStopped) {
@@ -250,7 +254,7 @@ TEST(BakeWithin_ANumberOfSteps, GivesTheSameBakeOrNone) {
         most *= 2;
     }
     EXPECT_GT(most, 100U);  // touches alone
-    EXPECT_EQ(bake_within(most, world)->timeline.events, bake(world).timeline.events);
+    EXPECT_EQ(bake_within(most, world)->events, bake(world).events);
     EXPECT_FALSE(bake_within(most / 2, world));
     EXPECT_FALSE(bake_within(0, world));
 }

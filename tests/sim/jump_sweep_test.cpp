@@ -59,7 +59,7 @@ TEST(JumpShot_Sweep, ClearsTheBallWhereTheParabolaDoesAndLandsWhereItSays) {
                     }
                     world.bodies = {ball("cue", 0, 0), ball("one", away, 0), ball("far", 40, 0)};
                     world.events = {strike_towards("cue", "far", speed, 0, {0, 0}, elevation)};
-                    const Timeline timeline = bake(world).timeline;
+                    const Timeline timeline = bake(world);
                     const Event* impact = find_event(timeline, EventKind::impact, "cue", "one");
                     (gap > 0 ? cleared : stopped) += 1;
                     ASSERT_EQ(impact == nullptr, gap > 0)
@@ -90,7 +90,7 @@ TEST(Bounces_Sweep, FollowTheSquareOfRestitution) {
             Body body = ball("cue", 0, 0, {1, 0, 0}, {30, -200, 15});
             body.pose.position.z = kRadius + height;
             world.bodies = {body};
-            const Timeline timeline = bake(world).timeline;
+            const Timeline timeline = bake(world);
             double impact = std::sqrt(2 * height / kGravity);
             double expected = height;
             for (int bounce = 0; bounce < 5; ++bounce) {
@@ -121,13 +121,12 @@ TEST(Balls_DrivenOffTheTable, LandOnTheFloor) {
         event.object = "cue";
         event.action = velocity;
         world.events = {event};
-        const BakeResult result = bake(world);
+        const Timeline result = bake(world);
         EXPECT_TRUE(result.warnings.empty());
-        EXPECT_NE(find_event(result.timeline, EventKind::off_table, "cue"), nullptr) << direction;
-        EXPECT_EQ(find_event(result.timeline, EventKind::potted, "cue"), nullptr) << direction;
-        EXPECT_NE(find_event(result.timeline, EventKind::impact, "cue", "floor"), nullptr);
-        EXPECT_NEAR(state_at(result.timeline, "cue", 4).position.z, kRadius - world.table->height,
-                    0.2);
+        EXPECT_NE(find_event(result, EventKind::off_table, "cue"), nullptr) << direction;
+        EXPECT_EQ(find_event(result, EventKind::potted, "cue"), nullptr) << direction;
+        EXPECT_NE(find_event(result, EventKind::impact, "cue", "floor"), nullptr);
+        EXPECT_NEAR(state_at(result, "cue", 4).position.z, kRadius - world.table->height, 0.2);
     }
 }
 
@@ -140,7 +139,7 @@ TEST(Ball_ComingUpUnderTheTable, IsStoppedByTheSlate) {
     Body body = ball("cue", 0, 0, {0.5, 0.1, 7});
     body.pose.position.z = kRadius - world.table->height;
     world.bodies = {body};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const Event* impact = find_event(timeline, EventKind::impact, "cue", "rail");
     ASSERT_NE(impact, nullptr);
     EXPECT_NEAR(impact->place.z, -0.025, 1e-9);

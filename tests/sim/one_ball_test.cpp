@@ -13,7 +13,7 @@ TEST(OneBall_StunShot, EndsWhereTheFormulasSay) {
     for (const double speed : {0.3, 2.0, 6.0}) {
         WorldDescription world = cloth_world(60);
         world.bodies = {ball("cue", 0.1, -0.2, {speed, 0, 0})};
-        const Timeline timeline = bake(world).timeline;
+        const Timeline timeline = bake(world);
         const Event* rolling = find_event(timeline, EventKind::rolling, "cue");
         ASSERT_NE(rolling, nullptr);
         EXPECT_NEAR(rolling->time, 2 * speed / (7 * 0.2 * kGravity), 1e-12);
@@ -32,7 +32,7 @@ TEST(OneBall_Masse, FollowsTheParabola) {
     const Vec3 velocity(1.5, 0.4, 0);
     const Vec3 spin(40, -70, 90);
     world.bodies = {ball("cue", 0, 0, velocity, spin)};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     MotionState start;
     start.velocity = velocity;
     start.angular_velocity = spin;
@@ -50,7 +50,7 @@ TEST(OneBall_RollingTenSeconds, TurnsByItsPathOverItsRadius) {
     WorldDescription world = cloth_world(10);
     const Vec3 velocity(1.2, 0, 0);
     world.bodies = {ball("cue", 0, 0, velocity, rolling_spin(velocity))};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     for (const double t : {0.1, 3.3, 10.0}) {
         const double path = 1.2 * t - 0.5 * 0.01 * kGravity * t * t;
         const double angle = path / kRadius;
@@ -63,7 +63,7 @@ TEST(OneBall_RollingTenSeconds, TurnsByItsPathOverItsRadius) {
 TEST(OneBall_VerticalSpin, DecaysToRest) {
     WorldDescription world = cloth_world(10);
     world.bodies = {ball("cue", 0, 0, {0, 0, 0}, {0, 0, 30})};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const double rate = 2.5 * 0.0127 * kGravity / kRadius;
     EXPECT_NEAR(state_at(timeline, "cue", 1).angular_velocity.z, 30 - rate, 1e-10);
     EXPECT_NEAR(find_event(timeline, EventKind::resting, "cue")->time, 30 / rate, 1e-12);
@@ -75,7 +75,7 @@ TEST(OneBall_StepLength, DoesNotMatter) {
         WorldDescription world = cloth_world(4);
         world.step = step;
         world.bodies = {ball("cue", 0, 0, {2, 1, 0}, {30, -50, 20})};
-        ends.push_back(state_at(bake(world).timeline, "cue", 4));
+        ends.push_back(state_at(bake(world), "cue", 4));
     }
     for (const MotionState& end : ends) {
         EXPECT_NEAR((end.position - ends[0].position).length(), 0, 1e-13);
@@ -86,7 +86,7 @@ TEST(OneBall_KeysOfAStunShot, AreThoseOfItsStretchesOnly) {
     WorldDescription world = cloth_world(60);
     world.bodies = {ball("cue", 0, 0, {2, 0, 0})};
     // Start, rolling, resting, end.
-    EXPECT_EQ(bake(world).timeline.find("cue")->keys().size(), 4U);
+    EXPECT_EQ(bake(world).find("cue")->keys().size(), 4U);
 }
 
 }  // namespace

@@ -41,12 +41,12 @@ TEST(PocketOfEveryTable_BallDroppedIn, FallsAndIsLoggedAsPotted) {
                 body.pose.position.z = table.radius + height;
                 world.bodies.push_back(body);
             }
-            const BakeResult result = bake(world);
+            const Timeline result = bake(world);
             EXPECT_TRUE(result.warnings.empty());
             ASSERT_EQ(world.bodies.size(), 6U);
             for (const billiards::PocketLayout& pocket : layout.pockets) {
                 const std::string& name = pocket.pocket.name;
-                const Event* potted = find_event(result.timeline, EventKind::potted, name);
+                const Event* potted = find_event(result, EventKind::potted, name);
                 ASSERT_NE(potted, nullptr) << table.size << " " << name << " " << height;
                 EXPECT_EQ(potted->b, name);
                 // Its centre sinks below the cloth after falling by its radius and the height.

@@ -44,7 +44,7 @@ bool drops(const PocketTable& table, const billiards::PocketLayout& pocket,
     world.duration = 1.2 * kAway / shot.speed + 0.6;
     world.table = billiards::standard_table(table.kind, table.size);
     world.bodies = {body};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const Event* potted = find_event(timeline, EventKind::potted, "one");
     return potted != nullptr && potted->b == pocket.pocket.name;
 }

@@ -50,13 +50,13 @@ TEST(Pocket_StraightShot, PotsInEveryPocketOfEveryTable) {
         for (const billiards::Pocket& pocket : pockets_of(table)) {
             for (const double speed : {0.35, 1.0, 2.5}) {
                 const WorldDescription world = shot_at(table, pocket, 0.35, speed);
-                const BakeResult result = bake(world);
-                const Event* potted = find_event(result.timeline, EventKind::potted, "one");
+                const Timeline result = bake(world);
+                const Event* potted = find_event(result, EventKind::potted, "one");
                 ASSERT_NE(potted, nullptr) << table.size << " " << pocket.name << " " << speed;
                 EXPECT_EQ(potted->b, pocket.name);
                 EXPECT_TRUE(result.warnings.empty());
                 // It lies still on the pocket's floor.
-                const MotionState end = state_at(result.timeline, "one", 3);
+                const MotionState end = state_at(result, "one", 3);
                 EXPECT_EQ(end.velocity, Vec3(0, 0, 0)) << pocket.name << " " << speed;
                 EXPECT_NEAR(end.position.z, table.radius - pocket.drop, 1e-4);
             }
@@ -68,7 +68,7 @@ TEST(Pocket_BallPlacedOverTheHole, FallsAtOnce) {
     const std::vector<billiards::Pocket> pockets = pockets_of(kTables[0]);
     for (const billiards::Pocket& pocket : pockets) {
         WorldDescription world = shot_at(kTables[0], pocket, 0, 0);
-        const Timeline timeline = bake(world).timeline;
+        const Timeline timeline = bake(world);
         const Event* potted = find_event(timeline, EventKind::potted, "one");
         ASSERT_NE(potted, nullptr) << pocket.name;
         EXPECT_NEAR(potted->time, std::sqrt(2 * kRadius / kGravity), 1e-3);
@@ -78,7 +78,7 @@ TEST(Pocket_BallPlacedOverTheHole, FallsAtOnce) {
 TEST(Pocket_SlowBallAtTheEdge, TurnsOverItWithoutAJump) {
     const billiards::Pocket pocket = pockets_of(kTables[0])[0];
     const WorldDescription world = shot_at(kTables[0], pocket, pocket.radius + 0.02, 0.1);
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     ASSERT_NE(find_event(timeline, EventKind::potted, "one"), nullptr);
     const Track& track = *timeline.find("one");
     Vec3 last = track.sample(0).position;
@@ -103,10 +103,10 @@ TEST(Pocket_TwoBallsInOne, LieBesideOrUponEachOther) {
     second.name = "two";
     second.pose.position -= Vec3(second.velocity.x, second.velocity.y, 0) * 0.1;
     world.bodies.push_back(second);
-    const BakeResult result = bake(world);
-    EXPECT_EQ(count_events(result.timeline, EventKind::potted), 2);
-    const Vec3 a = state_at(result.timeline, "one", 3).position;
-    const Vec3 b = state_at(result.timeline, "two", 3).position;
+    const Timeline result = bake(world);
+    EXPECT_EQ(count_events(result, EventKind::potted), 2);
+    const Vec3 a = state_at(result, "one", 3).position;
+    const Vec3 b = state_at(result, "two", 3).position;
     EXPECT_GT((a - b).length(), 2 * kRadius - 1e-4);
     EXPECT_LT(std::max(a.z, b.z), kRadius);
 }
@@ -120,7 +120,7 @@ TEST(Pocket_CleanShot, DropsAtAnySpeed) {
                 world.duration = 1;
                 const Vec3 along = world.bodies[0].velocity / speed;
                 world.bodies[0].pose.position += Vec3(-along.y, along.x, 0) * offset;
-                EXPECT_NE(find_event(bake(world).timeline, EventKind::potted, "one"), nullptr)
+                EXPECT_NE(find_event(bake(world), EventKind::potted, "one"), nullptr)
                     << pocket.name << " " << speed << " " << offset;
             }
         }
@@ -135,7 +135,7 @@ TEST(Pocket_FastIntoTheJaws, RattlesOutWhereSlowDrops) {
         const Vec3 along = world.bodies[0].velocity / speed;
         world.bodies[0].pose.position += Vec3(-along.y, along.x, 0) * 0.034;
         world.duration = 0.7 / speed + 0.5;  // not long enough to try another pocket
-        is_potted.push_back(find_event(bake(world).timeline, EventKind::potted, "one") != nullptr);
+        is_potted.push_back(find_event(bake(world), EventKind::potted, "one") != nullptr);
     }
     EXPECT_TRUE(is_potted[0]);
     EXPECT_FALSE(is_potted[1]);
@@ -146,9 +146,9 @@ TEST(Ball_RollingAlongTheCushion, PassesTheSidePocketOrFallsIn) {
     world.bodies[0].pose.position = {-0.8, -1.27 / 2 + kRadius + 0.002, kRadius};
     world.bodies[0].velocity = {2, 0, 0};
     world.bodies[0].angular_velocity = rolling_spin({2, 0, 0});
-    const BakeResult result = bake(world);
+    const Timeline result = bake(world);
     EXPECT_TRUE(result.warnings.empty());
-    EXPECT_GT(state_at(result.timeline, "one", 0.4).position.x, -0.2);
+    EXPECT_GT(state_at(result, "one", 0.4).position.x, -0.2);
 }
 
 /// A pocket holds a few balls. Those above them are not potted, and that is said.
@@ -162,15 +162,17 @@ TEST(Pocket_ThatIsFull, IsWarnedOf) {
         world.bodies.push_back(ball("b" + std::to_string(i), pocket.centre.x, pocket.centre.y));
         world.bodies.back().pose.position.z = 0.05 + 0.0575 * i;
     }
-    const BakeResult result = bake(world);
-    std::vector<std::string> expected;
+    const Timeline result = bake(world);
+    std::vector<Diagnostic> expected;
     for (const Body& body : world.bodies) {
-        const Vec3 end = state_at(result.timeline, body.name, 6).position;
-        const bool is_potted = find_event(result.timeline, EventKind::potted, body.name) != nullptr;
+        const Vec3 end = state_at(result, body.name, 6).position;
+        const bool is_potted = find_event(result, EventKind::potted, body.name) != nullptr;
         if (!is_potted && (Vec2(end.x, end.y) - pocket.centre).length() < pocket.radius) {
-            expected.push_back("'" + body.name +
-                               "' is not potted: it rests in the mouth of pocket '" + pocket.name +
-                               "' on the balls that fell in before");
+            expected.push_back({Subject::body(body.name), "",
+                                "'" + body.name +
+                                    "' is not potted: it rests in the mouth of pocket '" +
+                                    pocket.name + "' on the balls that fell in before",
+                                Severity::warning});
         }
     }
     EXPECT_FALSE(expected.empty());

@@ -59,16 +59,16 @@ TEST(Rack_OfEveryKind, StandsStillUntilItIsBroken) {
         for (const double gap : {0.0, 3e-5, 5e-4}) {
             const WorldDescription world = broken(game, gap, 11);
             ASSERT_TRUE(find_problems(world).empty()) << find_problems(world)[0].sentence;
-            const BakeResult result = bake(world);
+            const Timeline result = bake(world);
             const std::string what = std::string(game.size) + " " + game.target;
-            EXPECT_TRUE(result.warnings.empty()) << what << " " << result.warnings[0];
-            ASSERT_FALSE(result.timeline.events.empty());
-            EXPECT_EQ(result.timeline.events[0].kind, EventKind::strike) << what;
+            EXPECT_TRUE(result.warnings.empty()) << what << " " << result.warnings[0].sentence;
+            ASSERT_FALSE(result.events.empty());
+            EXPECT_EQ(result.events[0].kind, EventKind::strike) << what;
             int moved = 0;
             for (const Body& body : world.bodies) {
-                const Vec3 start = state_at(result.timeline, body.name, 0.4999).position;
+                const Vec3 start = state_at(result, body.name, 0.4999).position;
                 EXPECT_EQ(start, body.pose.position) << body.name;
-                const Vec3 end = state_at(result.timeline, body.name, 3).position;
+                const Vec3 end = state_at(result, body.name, 3).position;
                 moved += (end - start).length() > 1e-3 ? 1 : 0;
             }
             EXPECT_GE(moved, game.moved + 1) << what << " " << gap;
@@ -82,9 +82,9 @@ TEST(Rack_OfAnotherSeed, IsBrokenOtherwise) {
         if (game.rack == RackKind::carom) {
             continue;  // no gaps
         }
-        const Timeline first = bake(broken(game, 3e-5, 1)).timeline;
-        EXPECT_EQ(bake(broken(game, 3e-5, 1)).timeline, first);
-        const Timeline second = bake(broken(game, 3e-5, 2)).timeline;
+        const Timeline first = bake(broken(game, 3e-5, 1));
+        EXPECT_EQ(bake(broken(game, 3e-5, 1)), first);
+        const Timeline second = bake(broken(game, 3e-5, 2));
         double farthest = 0;
         for (const Track& track : first.tracks) {
             const Vec3 other = state_at(second, track.name(), 3).position;

@@ -85,12 +85,16 @@ const Event* find_event(const Timeline& timeline, EventKind kind, const std::str
     return nullptr;
 }
 
-std::vector<std::string> problem_sentences(const WorldDescription& world) {
+std::vector<std::string> sentences_of(const std::vector<Diagnostic>& diagnostics) {
     std::vector<std::string> sentences;
-    for (const WorldProblem& problem : find_problems(world)) {
-        sentences.push_back(problem.sentence);
+    for (const Diagnostic& diagnostic : diagnostics) {
+        sentences.push_back(diagnostic.sentence);
     }
     return sentences;
+}
+
+std::vector<std::string> problem_sentences(const WorldDescription& world) {
+    return sentences_of(find_problems(world));
 }
 
 int count_events(const Timeline& timeline, EventKind kind) {

@@ -39,6 +39,7 @@ inline constexpr double kGravity = 9.81;
 [[nodiscard]] const Event* find_event(const Timeline& timeline, EventKind kind,
                                       const std::string& a, const std::string& b = {});
 
+[[nodiscard]] std::vector<std::string> sentences_of(const std::vector<Diagnostic>& diagnostics);
 /// What `find_problems` says, sentence by sentence.
 [[nodiscard]] std::vector<std::string> problem_sentences(const WorldDescription& world);
 

@@ -84,7 +84,7 @@ TEST(CylinderAndCapsule_OnASlope, RollAtTheRateOfTheirInertia) {
                 is_capsule ? capsule_inertia(r, 0.1).z : cylinder_inertia(r, 0.1).z;
             // a = g sin / (1 + I / (m r^2)): 2/3 g sin for the cylinder.
             const double a = kGravity * std::sin(angle) / (1 + moment / (r * r));
-            const Timeline timeline = bake(world).timeline;
+            const Timeline timeline = bake(world);
             const MotionState end = state_at(timeline, "roller", 0.8);
             const double way = (end.position - roller.pose.position).length();
             EXPECT_NEAR(way / (0.5 * a * 0.8 * 0.8), 1, 2e-3) << is_mesh << is_capsule;
@@ -102,7 +102,7 @@ TEST(Hull_OnASlope, StaysOrSlidesAsABoxDoes) {
             Body slider = solid("slider", cube_hull({0.1, 0.1, 0.05}), on_slope(angle, 0.025));
             slider.pose.orientation = about({0, 1, 0}, angle);
             world.bodies.push_back(slider);
-            const Vec3 end = state_at(bake(world).timeline, "slider", 0.6).position;
+            const Vec3 end = state_at(bake(world), "slider", 0.6).position;
             const double a = std::max(0.0, kGravity * (std::sin(angle) - 0.4 * std::cos(angle)));
             const double way = 0.5 * a * 0.6 * 0.6;
             EXPECT_NEAR((end - slider.pose.position).length(), way, 5e-3 * way + 1e-5)
@@ -125,12 +125,12 @@ TEST(Solids_StackedAndStanding, StandStill) {
     Body lying = solid("lying", Capsule{0.02, 0.1}, {0, 0.5, 0.02});
     lying.pose.orientation = about({0, 1, 0}, kPi / 2);
     world.bodies.push_back(lying);
-    const BakeResult result = bake(world);
+    const Timeline result = bake(world);
     EXPECT_TRUE(result.warnings.empty());
     for (const Body& body : world.bodies) {
-        const MotionState end = state_at(result.timeline, body.name, 10);
+        const MotionState end = state_at(result, body.name, 10);
         EXPECT_LT((end.position - body.pose.position).length(), 5e-4) << body.name;
-        EXPECT_NE(find_event(result.timeline, EventKind::resting, body.name), nullptr) << body.name;
+        EXPECT_NE(find_event(result, EventKind::resting, body.name), nullptr) << body.name;
     }
 }
 
@@ -145,16 +145,16 @@ TEST(Solids_Dropped, ComeToRestWithoutGainingEnergy) {
         body.angular_velocity = {3, 5, 1};
         world.bodies.push_back(body);
     }
-    const BakeResult result = bake(world);
+    const Timeline result = bake(world);
     double last = 1e300;
-    for (const EnergySample& sample : result.timeline.energy) {
+    for (const EnergySample& sample : result.energy) {
         EXPECT_LE(sample.total(), last + 1e-6 * std::abs(last))
             << sample.time << " by " << sample.total() - last;
         last = sample.total();
     }
     for (const Body& body : world.bodies) {
         // A round one may roll on; nothing sinks.
-        for (const Key& key : result.timeline.find(body.name)->keys()) {
+        for (const Key& key : result.find(body.name)->keys()) {
             EXPECT_GT(key.position.z, 0.0149) << body.name << " at " << key.time;
         }
     }
@@ -176,7 +176,7 @@ TEST(Hull_TumblingFreely, KeepsEnergyAndAngularMomentum) {
     Body box = solid("box", Box{{0.1, 0.08, 0.02}}, {1, 0, 0});
     box.angular_velocity = hull.angular_velocity;
     world.bodies = {hull, box};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     for (double t = 0; t <= 10; t += 0.25) {
         const MotionState a = state_at(timeline, "hull", t);
         const MotionState b = state_at(timeline, "box", t);
@@ -205,7 +205,7 @@ TEST(Ball_HeadOnAgainstASolid, GivesWhatRestitutionSays) {
         Body striker = ball("cue", 0, 0, {2, 0, 0});
         striker.pose.position.z = 0.5;
         world.bodies = {striker, target};
-        const Timeline timeline = bake(world).timeline;
+        const Timeline timeline = bake(world);
         const Event* impact = find_event(timeline, EventKind::impact, "cue", "target");
         ASSERT_NE(impact, nullptr);
         EXPECT_NEAR(impact->time, (0.5 - 0.03 - kRadius) / 2, 1e-9);
@@ -227,7 +227,7 @@ TEST(Ball_AgainstAFixedSolid, BouncesOff) {
         Body post = solid("post", shape, {0.5, 0, 0.05});
         post.kind = BodyKind::fixed;
         world.bodies = {ball("cue", 0, 0, {2, 0, 0}), post};
-        const Timeline timeline = bake(world).timeline;
+        const Timeline timeline = bake(world);
         const Event* impact = find_event(timeline, EventKind::impact, "cue", "post");
         ASSERT_NE(impact, nullptr);
         EXPECT_NEAR(impact->time, (0.5 - 0.03 - kRadius) / 2, 1e-9);
@@ -257,7 +257,7 @@ TEST(Solid_PushedWhenStruck, FollowsItsEventsInItsOwnAxes) {
     kick.time = 0.01;
     kick.action = Impulse{{0, 0.01, 0}, {0, 0, 0}, Axes::body};
     world.events = {push, kick};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     // The hull's own axes are the world's at the start, whatever its principal ones are.
     EXPECT_LT((state_at(timeline, "target", 0.05).velocity - Vec3(0, 0.05, 0)).length(), 1e-9);
     const Event* impact = find_event(timeline, EventKind::impact, "cue", "target");

@@ -33,7 +33,7 @@ Timeline play(const CutShot& shot, double duration = 3) {
         ball("cue", -0.5, 0, velocity, shot.is_rolling ? rolling_spin(velocity) : Vec3(0, 0, 0)),
         ball("one", 2 * kRadius * std::cos(shot.cut), 2 * kRadius * std::sin(shot.cut))};
     // The cue ball's centre is at the origin at the impact.
-    return bake(world).timeline;
+    return bake(world);
 }
 
 double direction_of(const Vec3& v) {
@@ -115,7 +115,7 @@ TEST(ThreeBalls_FrozenCombination, PassesTheImpulseOn) {
     world.contact_law.ball_cloth = {0, 0, 0, 0.5};
     world.bodies = {ball("cue", -0.2, 0, {2, 0, 0}), ball("one", 0, 0), ball("two", 2 * kRadius, 0),
                     ball("three", 4 * kRadius, 0)};
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     EXPECT_LT(state_at(timeline, "one", 0.5).position.x, 1e-4);
     EXPECT_LT(state_at(timeline, "two", 0.5).position.x, 2 * kRadius + 1e-4);
     EXPECT_GT(state_at(timeline, "three", 0.5).position.x, 0.5);
@@ -127,7 +127,7 @@ TEST(Balls_OfOtherMaterials, UseTheirOwnPair) {
     world.contact_law.pairs[{"cloth", "lead"}] = {0.0, 0.2, 0.0};
     world.bodies = {ball("cue", -0.2, 0, {2, 0, 0}), ball("one", 0, 0)};
     world.bodies[1].material = "lead";
-    const Timeline timeline = bake(world).timeline;
+    const Timeline timeline = bake(world);
     const double time = find_event(timeline, EventKind::impact, "cue", "one")->time;
     const Key cue = key_at(timeline, "cue", time);
     EXPECT_NEAR(cue.velocity_out.x, cue.velocity_in.x / 2, 1e-4);

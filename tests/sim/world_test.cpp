@@ -23,6 +23,22 @@ TEST(FindProblems_GoodWorld, FindsNone) {
     EXPECT_EQ(first_problem([](WorldDescription&) {}), "");
 }
 
+TEST(FindProblems_Fault, NamesItsSubjectAndField) {
+    WorldDescription world = cloth_world(1);
+    world.bodies = {ball("cue", 0, 0), ball("one", 0.5, 0)};
+    world.events = {strike_towards("cue", "two", 2)};
+    world.bodies[1].mass = 0;
+    world.contact_law.ball_ball.restitution = 2;
+    EXPECT_EQ(find_problems(world),
+              (std::vector<Diagnostic>{
+                  {{Subject::Kind::contact, "ball_ball"},
+                   "restitution",
+                   "ball_ball: restitution has to be in [0, 1]"},
+                  {Subject::body("one"), "mass", "body 'one': mass has to be greater than 0"},
+                  {Subject::event(0), "toward",
+                   "event 1 on 'cue': it aims at 'two', which does not exist"}}));
+}
+
 TEST(FindProblems_EachFault, IsNamed) {
     using World = WorldDescription;
     EXPECT_EQ(first_problem([](World& w) { w.duration = 0; }), "duration has to be in (0, 3600] s");

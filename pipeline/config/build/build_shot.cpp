@@ -8,17 +8,12 @@
 namespace carom::pipeline::config {
 
 Place Builder::place_of(const std::vector<std::string>& path) const {
-    const Node* node = &root;
-    Place place = root.place;
-    for (const std::string& key : path) {
-        const Entry* entry = node->find(key);
-        if (entry == nullptr) {
-            break;
-        }
-        place = entry->key_place;
-        node = &entry->value;
-    }
-    return place;
+    return find_place(root, path).place;
+}
+
+void Builder::report(const Diagnostic& problem) {
+    FoundPlace found = find_place(root, path_of(problem, root));
+    reader.error_at_path(found.place, problem.sentence, std::move(found.key_path));
 }
 
 const std::vector<std::string>& surface_names() {

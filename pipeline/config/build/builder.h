@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "core/diagnostic.h"
 #include "pipeline/config/build/build_shot.h"
+#include "pipeline/config/find_place.h"
 #include "sim/billiards/table.h"
 
 namespace carom::pipeline::config {
@@ -32,6 +34,9 @@ struct Builder {
 
     /// The place of a key by its path, or of the last part of it that was given.
     [[nodiscard]] Place place_of(const std::vector<std::string>& path) const;
+
+    /// A problem that the simulation or the renderer finds, at the value that it is about.
+    void report(const Diagnostic& problem);
 
     /// Takes a name; false and a problem if it is taken.
     bool claim(const std::string& name, const Place& place, const std::string& noun);

@@ -121,10 +121,9 @@ void build_table(Builder& builder) {
         return;
     }
     override_measures(*measures, section);
-    const std::vector<std::string> problems = sim::billiards::find_problems(*measures);
-    for (const std::string& problem : problems) {
-        const bool is_pocket = problem.find("pocket") != std::string::npos;
-        builder.reader.error(builder.place_of({"table", is_pocket ? "pockets" : "kind"}), problem);
+    const std::vector<Diagnostic> problems = sim::billiards::find_problems(*measures);
+    for (const Diagnostic& problem : problems) {
+        builder.report(problem);
     }
     if (problems.empty()) {
         if (measures->has_cushions) {

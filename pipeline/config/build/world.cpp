@@ -10,23 +10,6 @@ namespace carom::pipeline::config {
 
 namespace {
 
-/// Where the part of the shot stands that a problem of the simulation is about.
-Place place_of(const sim::WorldProblem& problem, const Builder& builder) {
-    switch (problem.subject) {
-        case sim::WorldProblem::Subject::contact:
-            return builder.place_of({"physics", problem.name});
-        case sim::WorldProblem::Subject::event:
-            return builder.file.events.at(problem.event).place;
-        case sim::WorldProblem::Subject::body: {
-            const auto placed = builder.placed.find(problem.name);
-            return placed != builder.placed.end() ? placed->second : builder.root.place;
-        }
-        case sim::WorldProblem::Subject::world:
-            break;
-    }
-    return builder.root.place;
-}
-
 /// A pair of physical materials that nothing has does nothing: a likely misspelling is said.
 void check_pairs(Builder& builder) {
     std::vector<std::string> known{"ball"};
@@ -58,8 +41,8 @@ void check_world(Builder& builder) {
         return;  // the same again in other words
     }
     check_pairs(builder);
-    for (const sim::WorldProblem& problem : sim::find_problems(builder.shot.world)) {
-        builder.reader.error(place_of(problem, builder), problem.sentence);
+    for (const Diagnostic& problem : sim::find_problems(builder.shot.world)) {
+        builder.report(problem);
     }
 }
 

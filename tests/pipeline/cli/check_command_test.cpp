@@ -173,6 +173,18 @@ TEST_F(CheckCommandRun, OtherCommands_WarnToo) {
     EXPECT_THAT(said(), StartsWith("s.yaml:6:36: warning: strike on"));  // of the kept bake
 }
 
+TEST_F(CheckCommandRun, Bake_WarnsAsTheRunThatMadeIt) {
+    write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 0.1}");
+    ASSERT_EQ(run({"bake", "s.yaml", "-o", "s.bake"}).exit_code, 0);
+    std::filesystem::remove_all(path("cache"));
+    for (const std::string command : {"check", "info", "report"}) {
+        EXPECT_THAT(run({command, "s.bake"}).err,
+                    HasSubstr("warning: strike on 'cue' at 0.100 s: it never touched 'one'"))
+            << command;
+    }
+    EXPECT_FALSE(exists("cache/bakes")) << "nothing was simulated again";
+}
+
 TEST_F(CheckCommandRun, Json_IsAnArrayOfProblemsWithTheirEnds) {
     std::filesystem::create_directory(path("parts"));
     write_text(path("parts/look.yaml"), "render: {sampels: 3}\n");

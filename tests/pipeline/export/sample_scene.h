@@ -54,7 +54,7 @@ render: {size: [64, 36], fps: 10}
     }
     SampleScene sample;
     sample.shot = std::move(loaded.shot.value());
-    sample.timeline = sim::bake(sample.shot.world).timeline;
+    sample.timeline = sim::bake(sample.shot.world);
     for (const sim::Track& track : sample.shot.keyed) {
         sample.timeline.tracks.push_back(track);
     }

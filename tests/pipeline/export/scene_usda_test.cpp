@@ -128,7 +128,7 @@ TEST(SceneUsda, OfATable_IsWholeToo) {
         "0]}]\n",
         "t.yaml");
     ASSERT_TRUE(loaded.shot);
-    const sim::Timeline timeline = sim::bake(loaded.shot->world).timeline;
+    const sim::Timeline timeline = sim::bake(loaded.shot->world);
     const UsdaPrim file =
         carom::testing::read_usda(scene_to_usda(export_scene(*loaded.shot, timeline)));
     EXPECT_NE(file.at("/shot/table_cloth"), nullptr);

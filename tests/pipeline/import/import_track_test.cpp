@@ -134,7 +134,7 @@ sim::Timeline struck() {
         "cameras: [{name: c, video: [0 s, 1 s], scene: 0 s, position: [0, -1, 1], target: [0, 0, "
         "0]}]\n",
         "shot.yaml");
-    return sim::bake(loaded.shot.value().world).timeline;
+    return sim::bake(loaded.shot.value().world);
 }
 
 TEST(ImportTrack, OfAnExportAtARate_FollowsItWithinTheError) {

@@ -33,7 +33,7 @@ ExampleFilm::ExampleFilm(const std::string& path, const std::string& bakes) {
     shot.render.samples = 4;
     shot.render.noise = 0;
     shot.render.aovs.clear();
-    timeline_ = pipeline::bake_or_reuse(shot, bakes, {}, {}).timeline;
+    timeline_ = pipeline::bake_or_reuse(shot, bakes, {}, {}).bake.timeline;
 }
 
 std::int64_t ExampleFilm::frame_count() const {

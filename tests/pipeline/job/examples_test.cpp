@@ -65,16 +65,16 @@ void expect_films(const std::string& name, const Shot& baked, const sim::Timelin
 
 TEST(NineBallBreak, IsFilmedAgainInSlowMotion) {
     const Shot shot = example("nine_ball_break");
-    const sim::Timeline timeline = sim::bake(shot.world).timeline;
+    const sim::Timeline timeline = sim::bake(shot.world);
     expect_films("nine_ball_break", shot, timeline);
     expect_films("slow_motion", shot, timeline);
 }
 
 TEST(JumpShot, ClearsTheEightAndPotsTheNine) {
     const Shot shot = example("jump_shot");
-    const sim::BakeResult result = sim::bake(shot.world);
+    const sim::Timeline result = sim::bake(shot.world);
     EXPECT_TRUE(result.warnings.empty());
-    const sim::Timeline& timeline = result.timeline;
+    const sim::Timeline& timeline = result;
     expect_films("jump_shot", shot, timeline);
     expect_films("bullet_time", shot, timeline);
     EXPECT_EQ(find(timeline, EventKind::impact, "cue", "eight"), nullptr);
@@ -91,9 +91,9 @@ TEST(JumpShot, ClearsTheEightAndPotsTheNine) {
 }
 
 TEST(Masse, CurvesRoundTheEightAndPotsTheThree) {
-    const sim::BakeResult result = sim::bake(example("masse").world);
+    const sim::Timeline result = sim::bake(example("masse").world);
     EXPECT_TRUE(result.warnings.empty());
-    const sim::Timeline& timeline = result.timeline;
+    const sim::Timeline& timeline = result;
     EXPECT_EQ(find(timeline, EventKind::impact, "cue", "eight"), nullptr);
     const Nearest beside = nearest(timeline, "cue", "eight");
     EXPECT_GT(beside.gap, 0.005);
@@ -117,9 +117,9 @@ TEST(Masse, CurvesRoundTheEightAndPotsTheThree) {
 
 TEST(DominoRun, FallsToItsEndAndPotsTheNine) {
     const Shot shot = example("domino_run");
-    const sim::BakeResult result = sim::bake(shot.world);
+    const sim::Timeline result = sim::bake(shot.world);
     EXPECT_TRUE(result.warnings.empty());
-    const sim::Timeline& timeline = result.timeline;
+    const sim::Timeline& timeline = result;
     expect_films("domino_run", shot, timeline);
     expect_films("reverse", shot, timeline);
     constexpr int kTiles = 32;
@@ -163,7 +163,7 @@ std::vector<std::string> met_by(const sim::Timeline& timeline, const std::string
 }
 
 TEST(BankShot, PotsTheNineOffTheCushion) {
-    const sim::Timeline timeline = sim::bake(example("bank_shot").world).timeline;
+    const sim::Timeline timeline = sim::bake(example("bank_shot").world);
     const Event* bank = find(timeline, EventKind::impact, "nine", "cushion");
     const Event* potted = find(timeline, EventKind::potted, "nine");
     ASSERT_TRUE(bank != nullptr && potted != nullptr);
@@ -172,15 +172,14 @@ TEST(BankShot, PotsTheNineOffTheCushion) {
 }
 
 TEST(SnookerBreakOff, BringsTheCueBallBackToBaulk) {
-    const sim::Timeline timeline = sim::bake(example("snooker_break_off").world).timeline;
+    const sim::Timeline timeline = sim::bake(example("snooker_break_off").world);
     EXPECT_THAT(met_by(timeline, "cue"),
                 ::testing::ElementsAre("red_15", "cushion", "cushion", "brown"));
     EXPECT_LT(timeline.find("cue")->sample(timeline.end_time).position.x, -1);
 }
 
 TEST(ThreeCushion, Scores) {
-    const std::vector<std::string> met =
-        met_by(sim::bake(example("three_cushion").world).timeline, "white");
+    const std::vector<std::string> met = met_by(sim::bake(example("three_cushion").world), "white");
     ASSERT_GE(met.size(), 5U);
     EXPECT_EQ(met[0], "yellow");
     EXPECT_EQ(met[4], "red");
@@ -201,22 +200,22 @@ TEST(CueStroke, TheTipIsAtTheBallWhenItIsStruck) {
 }
 
 TEST(Tower, FallsAndEveryEventHappens) {
-    const sim::BakeResult result = sim::bake(example("tower").world);
+    const sim::Timeline result = sim::bake(example("tower").world);
     EXPECT_THAT(result.warnings, ::testing::IsEmpty());
-    EXPECT_NE(find(result.timeline, EventKind::impact, "barrel", "cloth"), nullptr);
-    EXPECT_LT(result.timeline.find("c2")->sample(result.timeline.end_time).position.z, 0.06);
+    EXPECT_NE(find(result, EventKind::impact, "barrel", "cloth"), nullptr);
+    EXPECT_LT(result.find("c2")->sample(result.end_time).position.z, 0.06);
 }
 
 TEST(Turnstile, PlankAndBarsPushTheBalls) {
-    const sim::BakeResult result = sim::bake(example("turnstile").world);
+    const sim::Timeline result = sim::bake(example("turnstile").world);
     EXPECT_THAT(result.warnings, ::testing::IsEmpty());
     for (const char* ball : {"cue", "one", "three", "five", "six", "eight", "twelve"}) {
-        EXPECT_TRUE(find(result.timeline, EventKind::impact, ball, "bar_x") != nullptr ||
-                    find(result.timeline, EventKind::impact, ball, "bar_y") != nullptr)
+        EXPECT_TRUE(find(result, EventKind::impact, ball, "bar_x") != nullptr ||
+                    find(result, EventKind::impact, ball, "bar_y") != nullptr)
             << ball;
     }
     const auto speed = [&](double time) {
-        return result.timeline.find("cue")->sample(time).velocity.length();
+        return result.find("cue")->sample(time).velocity.length();
     };
     EXPECT_EQ(speed(0.5), 0) << "it rests on the plank";
     EXPECT_GT(speed(2), 0.5) << "rolled down";

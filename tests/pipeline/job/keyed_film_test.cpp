@@ -42,7 +42,8 @@ render::Film picture(const Shot& shot, const sim::Bake& bake, const ScratchFolde
 TEST(KeyedFilm, Strip_CoversEachPixelForItsShareOfTheShutter) {
     const ScratchFolder folder;
     const Shot shot = strip("0.5");
-    const render::Film film = picture(shot, bake_or_reuse(shot, folder.path(), {}, {}), folder);
+    const render::Film film =
+        picture(shot, bake_or_reuse(shot, folder.path(), {}, {}).bake, folder);
     // The strip goes all the way over each pixel: 0.2 m at 1 m/s.
     double sum = 0;
     for (int i = 0; i < 16 * 16; ++i) {
@@ -57,10 +58,9 @@ TEST(KeyedFilm, ChangedKeys_AreFilmedWithoutAnotherBake) {
     const ScratchFolder folder;
     const Shot moves = strip("0.5");
     const Shot stands = strip("-0.5");
-    const sim::Bake first = bake_or_reuse(moves, folder.path(), {}, {});
+    const sim::Bake first = bake_or_reuse(moves, folder.path(), {}, {}).bake;
     EXPECT_EQ(sim::physics_hash(moves.world), sim::physics_hash(stands.world));
-    auto origin = BakeOrigin::made;
-    sim::Bake second = bake_or_reuse(stands, folder.path(), {}, {}, &origin);
+    auto [second, origin] = bake_or_reuse(stands, folder.path(), {}, {});
     EXPECT_EQ(origin, BakeOrigin::kept);
     ASSERT_EQ(second.timeline.tracks.size(), 1u);
     EXPECT_EQ(second.timeline.tracks[0], stands.keyed[0]);

@@ -57,7 +57,7 @@ void expect_frames(const LoadResult& loaded, const std::string& cache) {
     FilmJobOptions options;
     options.cache_folder = cache;
     options.threads = 1;
-    const sim::Bake bake = bake_or_reuse(shot, options.cache_folder, {}, {});
+    const sim::Bake bake = bake_or_reuse(shot, options.cache_folder, {}, {}).bake;
     const std::int64_t count = frame_count(shot.cameras, shot.timing);
     const std::vector<std::int64_t> frames{0, count / 2, count - 1};
     for (const std::int64_t frame : frames) {

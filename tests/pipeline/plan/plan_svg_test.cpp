@@ -25,7 +25,7 @@ struct Baked {
 Baked baked(const LoadResult& loaded) {
     EXPECT_TRUE(loaded.problems.empty());
     Shot shot = loaded.shot.value();
-    sim::Timeline timeline = sim::bake(shot.world).timeline;
+    sim::Timeline timeline = sim::bake(shot.world);
     return {std::move(shot), std::move(timeline)};
 }
 
@@ -106,15 +106,14 @@ TEST(Templates, EachIsCleanBakesAndCanBeFilmed) {
             load_shot(std::string(CAROM_SOURCE_DIR) + "/configs/templates/" + name + ".yaml");
         EXPECT_TRUE(loaded.problems.empty()) << name;
         ASSERT_TRUE(loaded.shot) << name;
-        const sim::BakeResult bake = sim::bake(loaded.shot->world);
+        const sim::Timeline bake = sim::bake(loaded.shot->world);
         EXPECT_TRUE(bake.warnings.empty()) << name;
         const Shot& shot = *loaded.shot;
         const std::int64_t frames = frame_count(shot.cameras, shot.timing);
         for (std::int64_t frame = 0; frame < frames; frame += 6) {
-            EXPECT_NO_THROW((void)plan_frame(frame, shot.cameras, shot.timing, bake.timeline))
-                << name;
+            EXPECT_NO_THROW((void)plan_frame(frame, shot.cameras, shot.timing, bake)) << name;
         }
-        const std::string svg = plan_svg(shot, bake.timeline);
+        const std::string svg = plan_svg(shot, bake);
         const bool pots = std::string_view("trick bank masse jump").find(name) != std::string::npos;
         if (pots) {
             EXPECT_THAT(svg, HasSubstr(" potted, ")) << name;

@@ -48,7 +48,6 @@ struct Cache {
         bake.physics_hash = {3, 4};
         const std::string file = path() + "/bakes/" + bake.physics_hash.to_string() + ".bake";
         sim::write_bake(bake, file);
-        write_text(file + ".warnings", "a warning\n");
         set_age(file, age);
         return file;
     }
@@ -109,9 +108,11 @@ TEST(PruneCache, Age_RemovesWhatFitsToo) {
     EXPECT_TRUE(!fs::exists(old) && fs::exists(young));
 }
 
-TEST(PruneCache, Bake_GoesWithItsWarnings) {
+/// An older carom kept them in a file beside it.
+TEST(PruneCache, Bake_GoesWithItsOldWarnings) {
     const Cache cache;
     const std::string bake = cache.add_bake(1);
+    write_text(bake + ".warnings", "a warning\n");
     PruneOptions options;
     options.limit = 0;
     EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);

@@ -45,7 +45,7 @@ TEST(Energy_WithLosses, NeverRises) {
                 world.contact_law.hop = hop;
                 world.events = {strike_towards("cue", "one", speed, 0.2, {0.25, 0.3}, 0.06),
                                 strike_towards("cue", "nine", speed, 3, {-0.2, -0.3}, 0.5)};
-                const Timeline timeline = bake(world).timeline;
+                const Timeline timeline = bake(world);
                 ASSERT_GT(count_events(timeline, EventKind::impact), 8);
                 EXPECT_LT(largest_energy_rise(timeline), 1e-9)
                     << static_cast<int>(model) << " " << hop << " " << speed;
@@ -62,7 +62,7 @@ TEST(Energy_WithoutLosses, IsKeptOverAWholeBreak) {
         world.contact_law.ball_cushion = {CushionModel::mirror, 1, 0};
         world.contact_law.ball_cloth = {0, 0, 0, 1};
         world.bodies[0].velocity = {speed, -0.12 * speed, 0};
-        const Timeline timeline = bake(world).timeline;
+        const Timeline timeline = bake(world);
         ASSERT_GT(count_events(timeline, EventKind::impact), 30);
         const double before = timeline.energy.front().kinetic;
         for (const EnergySample& sample : timeline.energy) {

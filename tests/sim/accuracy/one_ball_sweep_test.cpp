@@ -49,7 +49,7 @@ TEST(OneBall_Sweep, EndOfSlidingIsWithinAHundredthOfAMillisecond) {
         }
         WorldDescription world = cloth_world(expected + 0.1);
         world.bodies = {ball("cue", 0.3, 0.1, velocity, spin)};
-        const Timeline timeline = bake(world).timeline;
+        const Timeline timeline = bake(world);
         const Event* rolling = find_event(timeline, EventKind::rolling, "cue");
         ASSERT_NE(rolling, nullptr) << name;
         EXPECT_NEAR(rolling->time, expected, 1e-10) << name << " " << speed;
@@ -69,7 +69,7 @@ TEST(OneBall_Sweep, EndsWhereTheClosedFormSaysAfterUpToSixtyMetres) {
         WorldDescription world = cloth_world(130);
         world.step = 1.0 / 60;
         world.bodies = {ball("cue", 0.3, 0.1, velocity, spin)};
-        const MotionState state = state_at(bake(world).timeline, "cue", 130);
+        const MotionState state = state_at(bake(world), "cue", 130);
         EXPECT_EQ(state.velocity, Vec3(0, 0, 0)) << name << " " << speed;
         const Vec2 place(state.position.x, state.position.y);
         EXPECT_NEAR((place - end.position).length(), 0, 1e-7) << name << " " << speed;
@@ -98,7 +98,7 @@ TEST(OneBall_RollingTenSeconds_WithSide, IsTurnedAsTheFineIntegrationSays) {
                     fine = Quat(std::cos(angle / 2), turn * (std::sin(angle / 2) / angle)) * fine;
                 }
             }
-            const Quat q = state_at(bake(world).timeline, "cue", 10).orientation;
+            const Quat q = state_at(bake(world), "cue", 10).orientation;
             const double cosine = std::min(1.0, std::abs(q.r * fine.r + q.v.dot(fine.v)));
             EXPECT_LT(2 * std::acos(cosine) * 180 / kPi, 0.05) << speed << " " << side;
         }

@@ -65,7 +65,7 @@ Played play(const CutShot& shot, double duration = 0.5) {
         ball("cue", -0.015, 0, {shot.speed, 0, 0}, {0, shot.follow * unit, shot.side * unit}),
         ball("one", 2 * kRadius * n.x, 2 * kRadius * n.y)};
     Played played;
-    played.timeline = bake(world).timeline;
+    played.timeline = bake(world);
     const Event* impact = find_event(played.timeline, EventKind::impact, "cue", "one");
     if (impact == nullptr) {
         throw std::runtime_error("no impact");

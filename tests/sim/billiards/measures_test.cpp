@@ -89,16 +89,19 @@ TEST(FindProblems, StandardTables_HaveNone) {
 
 struct BadTable {
     const char* name;
+    const char* field;
     void (*spoil)(TableMeasures&);
     const char* sentence;
 };
 
 class TableProblem : public testing::TestWithParam<BadTable> {};
 
-TEST_P(TableProblem, OneFault_IsOneSentence) {
+TEST_P(TableProblem, OneFault_IsOneProblemOfItsField) {
     TableMeasures table = pool();
     GetParam().spoil(table);
-    EXPECT_THAT(find_problems(table), ElementsAre(HasSubstr(GetParam().sentence)));
+    EXPECT_THAT(find_problems(table),
+                ElementsAre(AllOf(Field(&Diagnostic::field, GetParam().field),
+                                  Field(&Diagnostic::sentence, HasSubstr(GetParam().sentence)))));
     EXPECT_THROW((void)build_table(table, 0.028575), Error);
 }
 
@@ -107,37 +110,47 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 INSTANTIATE_TEST_SUITE_P(
     Measures, TableProblem,
     testing::Values(
-        BadTable{"length", [](TableMeasures& m) { m.length = -1; },
+        BadTable{"length", "length", [](TableMeasures& m) { m.length = -1; },
                  "the table's length must be between 100 mm and 1e+05 mm"},
-        BadTable{"width_nan", [](TableMeasures& m) { m.width = kNan; }, "the table's width must"},
-        BadTable{"nose", [](TableMeasures& m) { m.nose_height = 0; }, "nose height must"},
-        BadTable{"cushion", [](TableMeasures& m) { m.cushion_width = 0; }, "cushion width must"},
-        BadTable{"low_rail", [](TableMeasures& m) { m.rail_height = 0.03; },
+        BadTable{"width_nan", "width", [](TableMeasures& m) { m.width = kNan; },
+                 "the table's width must"},
+        BadTable{"nose", "cushion_height", [](TableMeasures& m) { m.nose_height = 0; },
+                 "nose height must"},
+        BadTable{"cushion", "cushion_width", [](TableMeasures& m) { m.cushion_width = 0; },
+                 "cushion width must"},
+        BadTable{"low_rail", "rail_height", [](TableMeasures& m) { m.rail_height = 0.03; },
                  "the table's rail height must be between 37.29 mm and 600 mm"},
-        BadTable{"rail", [](TableMeasures& m) { m.rail_width = 0.01; }, "rail width must"},
-        BadTable{"height", [](TableMeasures& m) { m.height = 0; }, "the table's height must"},
-        BadTable{"mouth", [](TableMeasures& m) { m.corner_pocket->mouth = 0; },
+        BadTable{"rail", "rail_width", [](TableMeasures& m) { m.rail_width = 0.01; },
+                 "rail width must"},
+        BadTable{"height", "height", [](TableMeasures& m) { m.height = 0; },
+                 "the table's height must"},
+        BadTable{"mouth", "pockets.corner.mouth",
+                 [](TableMeasures& m) { m.corner_pocket->mouth = 0; },
                  "corner pockets' mouth must"},
-        BadTable{"jaw_angle", [](TableMeasures& m) { m.side_pocket->jaw_angle = 1; },
+        BadTable{"jaw_angle", "pockets.side.jaw_angle",
+                 [](TableMeasures& m) { m.side_pocket->jaw_angle = 1; },
                  "side pockets' jaw angle must be between 95 and 175 degrees"},
-        BadTable{"drop", [](TableMeasures& m) { m.side_pocket->drop = 0; },
+        BadTable{"drop", "pockets.side.drop", [](TableMeasures& m) { m.side_pocket->drop = 0; },
                  "side pockets' drop must"},
-        BadTable{"throat", [](TableMeasures& m) { m.corner_pocket->throat = 0.2; },
+        BadTable{"throat", "pockets.corner.throat",
+                 [](TableMeasures& m) { m.corner_pocket->throat = 0.2; },
                  "corner pockets' throat does not fit their mouth and jaw angle: jaws at this "
                  "angle narrow towards the hole"},
-        BadTable{"lip", [](TableMeasures& m) { m.side_pocket->lip_radius = 0.08; },
+        BadTable{"lip", "pockets.side.lip_radius",
+                 [](TableMeasures& m) { m.side_pocket->lip_radius = 0.08; },
                  "side pockets' lip radius is too large for jaws"},
-        BadTable{"small_hole", [](TableMeasures& m) { m.side_pocket->hole_radius = 0.03; },
+        BadTable{"small_hole", "pockets.side.hole_radius",
+                 [](TableMeasures& m) { m.side_pocket->hole_radius = 0.03; },
                  "side pockets' hole does not reach the ends of their jaws"},
-        BadTable{"large_hole",
+        BadTable{"large_hole", "pockets.side.hole_radius",
                  [](TableMeasures& m) {
                      m.side_pocket->hole_radius = 0.2;
                      m.length = 10;
                  },
                  "side pockets' hole does not fit into rails 115.9 mm wide"},
-        BadTable{"no_cushion", [](TableMeasures& m) { m.width = 0.17; },
+        BadTable{"no_cushion", "pockets", [](TableMeasures& m) { m.width = 0.17; },
                  "the table is too small for its pockets: no cushion is left between them"},
-        BadTable{"holes_too_close", [](TableMeasures& m) { m.width = 0.20; },
+        BadTable{"holes_too_close", "pockets", [](TableMeasures& m) { m.width = 0.20; },
                  "the table is too small for its pockets: their holes are too close"}),
     [](const auto& instance) { return instance.param.name; });
 

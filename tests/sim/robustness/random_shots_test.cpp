@@ -52,15 +52,18 @@ TEST(Touches_WithoutEnd, AreCappedAndToldOf) {
     }
     world.bodies[1].velocity = {1, 0, 0};
     world.contact_law.otherwise = {1, 0, 0};
-    const BakeResult result = bake(world);
+    const Timeline result = bake(world);
     // Once in each window of 1/60 s.
     ASSERT_EQ(result.warnings.size(), 3U);
-    for (const std::string& warning : result.warnings) {
-        EXPECT_NE(warning.find("more than 20000 touches at 0.0"), std::string::npos) << warning;
+    for (const Diagnostic& warning : result.warnings) {
+        EXPECT_EQ(warning.subject, Subject{});
+        EXPECT_NE(warning.sentence.find("more than 20000 touches at 0.0"), std::string::npos)
+            << warning.sentence;
     }
-    EXPECT_NE(result.warnings[0].find("touches at 0.002"), std::string::npos);
-    EXPECT_NE(result.warnings[0].find("near 'cue' at (0.0000, 0.0000, 0.2500)"), std::string::npos)
-        << result.warnings[0];
+    const std::string& first = result.warnings[0].sentence;
+    EXPECT_NE(first.find("touches at 0.002"), std::string::npos) << first;
+    EXPECT_NE(first.find("near 'cue' at (0.0000, 0.0000, 0.2500)"), std::string::npos) << first;
+    EXPECT_EQ(find_faults(world, result).size(), 3U) << "the loop's cap is a fault";
 }
 
 }  // namespace

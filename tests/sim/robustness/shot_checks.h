@@ -11,6 +11,6 @@ namespace carom::sim::test {
 /// Everything that is wrong with a bake of `world`, one sentence each: warnings of the loop's cap
 /// or of ODE, values that are not finite, balls inside of what is solid, energy from nowhere.
 [[nodiscard]] std::vector<std::string> find_faults(const WorldDescription& world,
-                                                   const BakeResult& result);
+                                                   const Timeline& timeline);
 
 }  // namespace carom::sim::test

@@ -105,6 +105,49 @@ TEST(BakeForgery, InfiniteDuration_IsRefused) {
               "'shot.bake' is damaged: its start or end time is not finite");
 }
 
+TEST(BakeForgery, LastingContactWithAForeignName_IsRefused) {
+    EXPECT_EQ(refusal_after([](fb::Content& content) {
+                  mutable_at(*content.mutable_lasting_contacts(), 1).mutate_b(1'000);
+              }),
+              "'shot.bake' is damaged: a lasting contact refers to a name that is not there");
+}
+
+TEST(BakeForgery, LastingContactOfNegativeForce_IsNamed) {
+    EXPECT_EQ(refusal_after([](fb::Content& content) {
+                  mutable_at(*content.mutable_lasting_contacts(), 1).mutate_normal_force(-1);
+              }),
+              "'shot.bake' is damaged: lasting contact 1 has a negative force or slip");
+}
+
+TEST(BakeForgery, LastingContactThatEndsTooEarly_IsNamed) {
+    EXPECT_EQ(refusal_after([](fb::Content& content) {
+                  mutable_at(*content.mutable_lasting_contacts(), 0).mutate_to(0.125);
+              }),
+              "'shot.bake' is damaged: lasting contact 0 ends before it begins");
+}
+
+TEST(BakeForgery, BallPutBackToNowhere_IsNamed) {
+    EXPECT_EQ(refusal_after([](fb::Content& content) {
+                  mutable_at(*content.mutable_put_backs(), 0).mutable_to().mutate_z(std::nan(""));
+              }),
+              "'shot.bake' is damaged: ball put back 0 has a value that is not finite");
+}
+
+TEST(BakeForgery, BallPutBackWithAForeignName_IsRefused) {
+    EXPECT_EQ(refusal_after([](fb::Content& content) {
+                  mutable_at(*content.mutable_put_backs(), 0).mutate_ball(4'000'000'000U);
+              }),
+              "'shot.bake' is damaged: a ball put back refers to a name that is not there");
+}
+
+TEST(BakeForgery, WarningAboutAnUnknownSubject_IsRefused) {
+    EXPECT_EQ(refusal_after([](fb::Content& content) {
+                  content.mutable_warnings()->GetMutableObject(0)->mutate_subject(
+                      static_cast<fb::SubjectKind>(9));
+              }),
+              "'shot.bake' is damaged: a warning is about a subject of an unknown kind");
+}
+
 // Ten thousand tracks that are all the same one would become gigabytes.
 TEST(BakeForgery, SharedParts_AreRefused) {
     FlatBufferBuilder builder;
@@ -116,11 +159,14 @@ TEST(BakeForgery, SharedParts_AreRefused) {
     const auto names = builder.CreateVectorOfStrings(std::vector<std::string>{});
     const auto events = builder.CreateVectorOfStructs(std::vector<fb::Event>{});
     const auto energy = builder.CreateVectorOfStructs(std::vector<fb::EnergySample>{});
+    const auto contacts = builder.CreateVectorOfStructs(std::vector<fb::LastingContact>{});
+    const auto put_backs = builder.CreateVectorOfStructs(std::vector<fb::PutBack>{});
+    const auto warnings = builder.CreateVector(std::vector<Offset<fb::Warning>>{});
     const auto text = builder.CreateString("");
     const auto assets = builder.CreateVector(std::vector<Offset<fb::Asset>>{});
     const fb::Hash hash(0, 0);
-    builder.Finish(
-        fb::CreateContent(builder, &hash, 0, 1, tracks, names, events, energy, text, assets));
+    builder.Finish(fb::CreateContent(builder, &hash, 0, 1, tracks, names, events, energy, contacts,
+                                     put_backs, warnings, text, assets));
     const std::span bytes(reinterpret_cast<const std::byte*>(builder.GetBufferPointer()),
                           builder.GetSize());
     // The first copy already fails for its quaternions; the budget is spent before that.

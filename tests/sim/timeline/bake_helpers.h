@@ -6,7 +6,7 @@
 
 namespace carom::sim::test {
 
-/// Something of everything, about two kilobytes.
+/// Something of everything, about three kilobytes.
 inline Bake small_bake() {
     Bake bake;
     bake.physics_hash = {0x1234, 0x5678};
@@ -27,6 +27,12 @@ inline Bake small_bake() {
     Event force{EventKind::force, 1.25, 1.75, "one", ""};
     force.vector = {0, 0, -0.25};
     timeline.events = {strike, impact, force};
+    timeline.lasting_contacts = {{"one", "cushion", 0.25, 1, 1.75, 0.125},
+                                 {"cue", "one", 0.5, 0.5, 0, 0}};
+    timeline.put_backs = {{"cue", 1.5, {0.1, 0.2, -0.03}, {-0.75, 0, 0.03}}};
+    timeline.warnings = {{Subject::event(3), "tip", "the tip is far off centre", Severity::warning},
+                         {Subject::body("one"), "", "'one' is not potted", Severity::warning},
+                         {{}, "", "the simulation gave up on something", Severity::warning}};
     timeline.energy = {{0, 1.5, 0.25}, {0.5, 1.5, 0.25}, {2, 1.25, -0.25}};
     return bake;
 }
