@@ -11,10 +11,9 @@ struct PictureSize {
 };
 
 /// A picture with the proportions of `shape` whose shorter side has `short_side` pixels, both sides
-/// rounded to even numbers, which every codec can hold. A side may exceed kLongestSide.
+/// rounded to even numbers, which every codec can hold. A side may exceed render::kLongestSide.
 [[nodiscard]] PictureSize scaled_to_short_side(const PictureSize& shape, int short_side);
 
-constexpr int kShortestSide = 16;
-constexpr int kLongestSide = 16384;
+constexpr int kShortestSide = 16;  // a film's; the longest is the renderer's
 
 }  // namespace carom::pipeline::config

@@ -129,10 +129,9 @@ void add_reflections(TileRenderer& renderer, const RenderSettings& settings,
 Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks,
                   const FrameInput& frame, const RenderSettings& settings,
                   const WorkContext& context, StructureProbe* probe) {
-    check(settings, frame);
+    check(settings, frame, scene.data().branches);
     const FlushDenormals flush;  // while Embree builds
     const PreparedScene::Data& data = scene.data();
-    check_integrator(settings, data.materials, data.lights.sampled_count());
     const FrameScene frame_scene(data.geometry, tracks, frame.scene_open, frame.scene_close,
                                  probe != nullptr ? probe->options : StructureOptions{});
     const TransportScene transport{frame_scene, data.materials, data.lights, data.object_count};

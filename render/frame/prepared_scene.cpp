@@ -57,10 +57,8 @@ SceneNames names_of(const SceneDescription& scene) {
     return names;
 }
 
-/// All lights, those that are objects included.
-LightSet make_lights(const SceneDescription& scene, const StaticGeometry& geometry,
-                     const std::vector<Material>& materials) {
-    LightSet lights(scene.lights);
+void add_shining_objects(LightSet& lights, const SceneDescription& scene,
+                         const StaticGeometry& geometry, const std::vector<Material>& materials) {
     for (std::uint32_t object = 0; object < scene.objects.size(); ++object) {
         const Material& material = materials[geometry.material_of_object(object)];
         if (material.is_emissive()) {
@@ -68,17 +66,18 @@ LightSet make_lights(const SceneDescription& scene, const StaticGeometry& geomet
                        EmissiveSurface(still_triangles(geometry, object), material.emission()));
         }
     }
-    return lights;
 }
 
 PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettings& settings,
                                StructureFactory factory) {
+    LightSet lights(scene.lights);  // first: it refuses what the geometry could not hold
     StaticGeometry geometry(scene, settings, factory);
     std::vector<Material> materials = make_materials(scene);
-    LightSet lights = make_lights(scene, geometry, materials);
-    return new PreparedScene::Data{std::move(geometry), std::move(materials), std::move(lights),
-                                   static_cast<std::uint32_t>(scene.objects.size()),
-                                   names_of(scene)};
+    add_shining_objects(lights, scene, geometry, materials);
+    return new PreparedScene::Data{
+        std::move(geometry), std::move(materials),
+        std::move(lights),   static_cast<std::uint32_t>(scene.objects.size()),
+        ray_branches(scene), names_of(scene)};
 }
 
 }  // namespace

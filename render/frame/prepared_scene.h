@@ -9,6 +9,7 @@
 #include "render/frame_scene/static_geometry.h"
 #include "render/light/light_set.h"
 #include "render/material/material.h"
+#include "render/scene/scene_problems.h"
 
 namespace carom::render {
 
@@ -17,6 +18,7 @@ struct PreparedScene::Data {
     std::vector<Material> materials;  // in the scene's order
     LightSet lights;
     std::uint32_t object_count = 0;  // of the scene; lights follow
+    RayBranches branches;
     SceneNames names;
 };
 

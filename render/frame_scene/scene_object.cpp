@@ -248,7 +248,6 @@ std::optional<SceneObject> make_light_object(const LightDescription& description
     object.name = description.name;
     object.light = light;
     if (const auto* sphere = std::get_if<SphereLight>(&description.light)) {
-        check_size(sphere->radius, object.name, "a sphere light's radius");
         Mat44 place;
         place.setTranslation(sphere->centre);
         object.kind = ShapeKind::ball;
@@ -262,16 +261,6 @@ std::optional<SceneObject> make_light_object(const LightDescription& description
         const Vec3& u = rectangle->edge_u;
         const Vec3& v = rectangle->edge_v;
         const Vec3& n = rectangle->normal;
-        check_size(u.length(), object.name, "a rectangle light's edge");
-        check_size(v.length(), object.name, "a rectangle light's edge");
-        const double skew =
-            std::max({std::abs(u.normalized().dot(v.normalized())), std::abs(u.normalized().dot(n)),
-                      std::abs(v.normalized().dot(n)), std::abs(n.length() - 1)});
-        if (!(skew < 1e-6)) {
-            refuse(object.name,
-                   "the edges and the unit normal of a rectangle light must be at "
-                   "right angles");
-        }
         const Vec3& c = rectangle->centre;
         const Mat44 world_from_unit(u.x, u.y, u.z, 0, v.x, v.y, v.z, 0, n.x, n.y, n.z, 0, c.x, c.y,
                                     c.z, 1);

@@ -6,95 +6,20 @@
 #include "core/error.h"
 #include "render/geometry/validity.h"
 #include "render/sampling/reuse.h"
+#include "render/scene/scene_problems.h"
 
 namespace carom::render {
 
-namespace {
-
-void require(bool condition, const LightDescription& light, const char* what) {
-    if (!condition) {
-        throw Error("light '" + light.name + "': " + what);
-    }
-}
-
-bool is_radiance(const Vec3& c) {
-    // Written so that NaN is none.
-    const auto valid = [](double x) { return x >= 0 && x < 1e30; };
-    return valid(c.x) && valid(c.y) && valid(c.z);
-}
-
-void check(const RectangleLight& light, const LightDescription& named) {
-    const double area = light.edge_u.length() * light.edge_v.length();
-    require(area > 0, named, "the rectangle has no area");
-    require(std::abs(light.edge_u ^ light.edge_v) <= 1e-4 * area &&
-                std::abs(light.edge_u ^ light.normal) <= 1e-4 * light.edge_u.length() &&
-                std::abs(light.edge_v ^ light.normal) <= 1e-4 * light.edge_v.length() &&
-                std::abs(light.normal.length() - 1) <= 1e-4,
-            named, "edges and normal of the rectangle are not at right angles to each other");
-}
-
-void check(const SphereLight& light, const LightDescription& named) {
-    require(light.radius > 0, named, "the radius is not above 0");
-}
-
-void check(const EnvironmentLight& light, const LightDescription& named) {
-    require(std::isfinite(light.rotation), named, "the rotation is not a number");
-}
-
-void check(const PointLight& /*light*/, const LightDescription& /*named*/) {}
-
-void check(const SpotLight& light, const LightDescription& named) {
-    require(light.direction.length() > 1e-9, named, "the axis has no length");
-    require(light.inner_angle >= 0 && light.inner_angle <= light.outer_angle &&
-                light.outer_angle > 0 && light.outer_angle <= 3.1415926535897932,
-            named, "the angles are not 0 <= inner <= outer <= 180 degrees");
-}
-
-void check(const DirectionalLight& light, const LightDescription& named) {
-    require(light.direction.length() > 1e-9, named, "the direction has no length");
-}
-
-const Vec3& strength(const RectangleLight& light) {
-    return light.radiance;
-}
-const Vec3& strength(const SphereLight& light) {
-    return light.radiance;
-}
-const Vec3& strength(const EnvironmentLight& light) {
-    return light.radiance;
-}
-const Vec3& strength(const PointLight& light) {
-    return light.intensity;
-}
-const Vec3& strength(const SpotLight& light) {
-    return light.intensity;
-}
-const Vec3& strength(const DirectionalLight& light) {
-    return light.irradiance;
-}
-
-}  // namespace
-
 LightSet::LightSet(const std::vector<LightDescription>& lights) {
-    bool has_environment = false;
+    if (const std::vector<Diagnostic> problems = find_problems(lights); !problems.empty()) {
+        throw Error(problems.front().sentence);
+    }
     for (const LightDescription& description : lights) {
-        std::visit(
-            [&](const auto& light) {
-                check(light, description);
-                require(is_radiance(strength(light)), description,
-                        "the radiance is negative, infinite or not a number");
-            },
-            description.light);
         if (const auto* rectangle = std::get_if<RectangleLight>(&description.light)) {
             area_lights_.emplace_back(RectangleEmitter(*rectangle));
         } else if (const auto* sphere = std::get_if<SphereLight>(&description.light)) {
             area_lights_.emplace_back(SphereEmitter(*sphere));
         } else if (const auto* environment = std::get_if<EnvironmentLight>(&description.light)) {
-            if (has_environment) {
-                throw Error("light '" + description.name +
-                            "' is a second environment; a scene has at most one");
-            }
-            has_environment = true;
             environment_ = Environment(*environment);
         } else if (const auto* point = std::get_if<PointLight>(&description.light)) {
             delta_lights_.emplace_back(*point);

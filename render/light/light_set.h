@@ -22,9 +22,8 @@ class LightSet {
   public:
     LightSet() = default;
 
-    /// Throws Error naming the light: more than one environment, a picture that cannot be read, no
-    /// area, a rectangle without right angles, an axis without a length, angles out of order, a
-    /// radiance that is negative or not finite.
+    /// Throws Error with the first of the lights' problems (scene_problems.h), or naming a picture
+    /// that cannot be read.
     explicit LightSet(const std::vector<LightDescription>& lights);
 
     /// The object's material shines: from now on it is sampled, too. For the time before the set is

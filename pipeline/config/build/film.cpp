@@ -8,6 +8,7 @@
 #include "pipeline/config/picture_size.h"
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
+#include "render/scene/scene_problems.h"
 
 namespace carom::pipeline::config {
 
@@ -121,12 +122,12 @@ void apply_short_side(Builder& builder) {
     }
     render::RenderSettings& render = builder.shot.render;
     const PictureSize size = scaled_to_short_side({render.width, render.height}, *short_side);
-    if (std::max(size.width, size.height) > kLongestSide) {
+    if (std::max(size.width, size.height) > render::kLongestSide) {
         builder.reader.error(builder.place_of({"render", "short_side"}),
                              "a short side of " + std::to_string(*short_side) +
                                  " makes the picture " + std::to_string(size.width) + "x" +
                                  std::to_string(size.height) + ", and no side may have more than " +
-                                 std::to_string(kLongestSide) +
+                                 std::to_string(render::kLongestSide) +
                                  " pixels; take a smaller one, or give 'size' alone");
         return;
     }

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <set>
-#include <sstream>
 #include <string>
 #include <utility>
 
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/shot/default_look.h"
+#include "render/scene/scene_problems.h"
 
 namespace carom::pipeline::config {
 
@@ -54,45 +54,10 @@ void add_lights(Builder& builder) {
         lights = default_lights(table ? &*table : nullptr);
         return;
     }
-    const Named<LightSection>* environment = nullptr;
     for (const Named<LightSection>& given : builder.file.lights) {
-        if (given.value.environment && environment != nullptr) {
-            builder.reader.error(given.place, "light '" + given.name +
-                                                  "' is a second environment; the first is '" +
-                                                  environment->name + "'");
-        } else if (given.value.environment) {
-            environment = &given;
-        }
         render::LightDescription light = to_light(given.value);
         light.name = given.name;
         lights.push_back(std::move(light));
-    }
-}
-
-bool is_black(const Vec3& colour) {
-    return colour == Vec3(0, 0, 0);
-}
-
-void check_ray_tree(Builder& builder) {
-    bool reflects = false;
-    bool refracts = false;
-    for (const render::MaterialDescription& material : builder.shot.scene.materials) {
-        const render::StandardMaterial& surface = material.surface;
-        const bool transmits = material.phong && !is_black(material.phong->transmittance);
-        refracts = refracts || transmits;
-        reflects = reflects || transmits ||
-                   (material.phong ? !is_black(material.phong->reflectance)
-                                   : surface.metal > 0 || surface.coat.weight > 0);
-    }
-    const double rays =
-        render::rays_per_camera_ray(builder.file.render.settings.distributed,
-                                    builder.shot.scene.lights.size(), reflects, refracts);
-    if (rays > render::kMostRaysPerCameraRay) {
-        std::ostringstream text;
-        text << "one camera ray could branch into " << rays << " rays; at most "
-             << render::kMostRaysPerCameraRay
-             << " are possible: lower 'recursion_limit' or the samples of 'distributed'";
-        builder.reader.error(builder.place_of({"render", "distributed"}), text.str());
     }
 }
 
@@ -101,8 +66,16 @@ void check_ray_tree(Builder& builder) {
 void build_look(Builder& builder) {
     add_used_materials(builder);
     add_lights(builder);
-    if (builder.file.render.settings.integrator == render::IntegratorKind::distributed) {
-        check_ray_tree(builder);
+    const render::SceneDescription& scene = builder.shot.scene;
+    const render::RenderSettings& settings = builder.file.render.settings;
+    for (const Diagnostic& problem : render::find_problems(scene.lights)) {
+        builder.report(problem);
+    }
+    if (settings.integrator == render::IntegratorKind::distributed) {
+        for (const Diagnostic& problem :
+             render::find_problems(settings.distributed, render::ray_branches(scene))) {
+            builder.report(problem);
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 #include "pipeline/config/picture_size.h"
 #include "pipeline/config/sections/sections.h"
 #include "render/scene/acceleration_names.h"
+#include "render/scene/scene_problems.h"
 
 namespace carom::pipeline::config {
 
@@ -123,7 +124,7 @@ ValueType<ShutterSection> bare_shutter() {
 }
 
 ValueType<int> side() {
-    return integer(kShortestSide, kLongestSide);
+    return integer(kShortestSide, render::kLongestSide);
 }
 
 ValueType<PictureSize> size() {
@@ -155,17 +156,6 @@ const MapSpec<DistributedSettings>& distributed_spec() {
               "shadow, reflection and refraction samples halve with each generation");
         s.key("ambient_coefficient", &DistributedSettings::ambient_coefficient,
               number(between(0, 1e6)), "radiance of the ambient light");
-        s.check([](Reader& reader, const Node& node, DistributedSettings& settings) {
-            const std::int64_t rays = std::int64_t{settings.pixel_samples} *
-                                      std::int64_t{settings.blur_samples} *
-                                      std::int64_t{settings.lens_samples};
-            if (rays > render::kMostCameraSamples) {
-                reader.error(node.place,
-                             "'pixel_samples', 'blur_samples' and 'lens_samples' ask for " +
-                                 std::to_string(rays) + " rays per pixel; at most " +
-                                 std::to_string(render::kMostCameraSamples) + " are possible");
-            }
-        });
         return s;
     }();
     return spec;

@@ -146,16 +146,16 @@ TEST(DistributedSettings, OutOfRange_AreSentences) {
     settings.distributed.ambient_coefficient = -1;
     settings.distributed.pixel_samples = 1024;
     settings.distributed.lens_samples = 1024;
-    EXPECT_EQ(problems_of(settings).size(), 4u);
+    EXPECT_EQ(find_problems(settings, RayBranches{}).size(), 4u);
     settings.integrator = IntegratorKind::path;  // which does not look at them
-    EXPECT_EQ(problems_of(settings).size(), 0u);
+    EXPECT_EQ(find_problems(settings, RayBranches{}).size(), 0u);
 }
 
 TEST(DistributedSettings, TreesWithoutEnd_AreRefused) {
     RenderSettings settings = whitted(8, 8);
     settings.distributed.recursion_limit = 30;
     EXPECT_THAT(message_of([&] { rendered(settings, frame(0)); }),
-                HasSubstr("lower recursion_limit"));
+                HasSubstr("lower 'recursion_limit'"));
 }
 
 TEST(PhongMaterial, WithThePathIntegrator_IsTaken) {
