@@ -1,5 +1,3 @@
-#include "lab/cli/compare_command.h"
-
 #include <chrono>
 #include <cstdio>
 
@@ -14,6 +12,7 @@
 #include "pipeline/cli/drawing_output.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/cli/terminal/progress_meter.h"
 #include "pipeline/job/film_plan.h"
@@ -175,7 +174,7 @@ void run_comparison(const CompareCommand& command, CommandContext& context) {
 
 }  // namespace
 
-void run_compare(const CompareCommand& command, CommandContext& context) {
+void run(const CompareCommand& command, CommandContext& context) {
     if (!command.triangles.empty()) {
         return compare_triangles(command, context);
     }

@@ -1,21 +1,16 @@
 // libexec/carom/carom-lab: `carom compare`, and all that carom-film does with the structures that
 // are for comparison. Started by bin/carom or carom-film with its own arguments.
-#include "lab/cli/compare_command.h"
 #include "lab/structures/make_structure.h"
 #include "pipeline/cli/command_line.h"
-#include "pipeline/cli/film_commands.h"
+#include "pipeline/cli/run_program.h"
 
 namespace {
 
 using namespace carom::cli;
 
-void run(const Command& command, CommandContext& context) {
+void run_in_laboratory(const Command& command, CommandContext& context) {
     context.factory = carom::render::make_structure;
-    if (const auto* compare = std::get_if<CompareCommand>(&command)) {
-        run_compare(*compare, context);
-    } else {
-        run_film_command(command, context);
-    }
+    run_here<Program::film, Program::lab>(command, context);
 }
 
 }  // namespace
@@ -25,5 +20,5 @@ int main(int argument_count, char** arguments) {
     if (const auto* nothing = std::get_if<NothingToRun>(&parsed)) {
         return print(*nothing);
     }
-    return run_command(std::get<CommandLine>(parsed), run);
+    return run_command(std::get<CommandLine>(parsed), run_in_laboratory);
 }

@@ -1,10 +1,9 @@
-#include "pipeline/cli/cache_command.h"
-
 #include <array>
 #include <cstdlib>
 #include <ctime>
 #include <optional>
 
+#include "pipeline/cli/run_program.h"
 #include "pipeline/cli/terminal/json_text.h"
 #include "pipeline/store/cache_care.h"
 #include "pipeline/store/cache_folder.h"
@@ -156,7 +155,7 @@ void verify(const CacheCommand& command, CommandContext& context) {
 
 }  // namespace
 
-void run_cache(const CacheCommand& command, CommandContext& context) {
+void run(const CacheCommand& command, CommandContext& context) {
     switch (command.action) {
         case CacheCommand::Action::list:
             list(command);

@@ -7,17 +7,9 @@
 #include <sys/resource.h>
 
 #include "core/error.h"
-#include "pipeline/cli/cache_command.h"
-#include "pipeline/cli/check_command.h"
 #include "pipeline/cli/command_line.h"
 #include "pipeline/cli/helper_program.h"
-#include "pipeline/cli/info_command.h"
-#include "pipeline/cli/light_commands.h"
-#include "pipeline/cli/new_command.h"
-#include "pipeline/cli/overload.h"
-#include "pipeline/cli/plan_command.h"
-#include "pipeline/cli/report_command.h"
-#include "pipeline/cli/schema_command.h"
+#include "pipeline/cli/run_program.h"
 #include "pipeline/cli/terminal/standard_descriptors.h"
 
 namespace {
@@ -33,7 +25,7 @@ bool has_address_space() {
 }
 
 /// Returns only if it fails.
-int become_film_program(const std::string& name, char** arguments) {
+int become_other_program(Program program, char** arguments) {
     if (!has_address_space()) {
         std::fputs(
             "carom: error: there is not enough memory: the renderer's libraries need 512 MiB of "
@@ -42,44 +34,11 @@ int become_film_program(const std::string& name, char** arguments) {
         return kFailed;
     }
     try {
-        become_program(name, arguments);
+        become_program(program == Program::film ? "carom-film" : "carom-lab", arguments);
     } catch (const carom::Error& error) {
         std::fprintf(stderr, "carom: error: %s\n", error.what());
     }
     return kFailed;
-}
-
-bool needs_renderer(const Command& command) {
-    return std::holds_alternative<RenderCommand>(command) ||
-           std::holds_alternative<RetimeCommand>(command) ||
-           std::holds_alternative<FrameCommand>(command) ||
-           std::holds_alternative<ContactSheetCommand>(command) ||
-           std::holds_alternative<MuxCommand>(command);
-}
-
-void run(const Command& command, CommandContext& context) {
-    std::visit(Overload{
-                   [&](const CheckCommand& check) { run_check(check, context); },
-                   [&](const BakeCommand& bake) { run_bake(bake, context); },
-                   [&](const ExportCommand& export_) { run_export(export_, context); },
-                   [&](const ReportCommand& report) { run_report(report, context); },
-                   [&](const ImportCommand& scene) { run_import(scene, context); },
-                   [](const CompletionCommand& shell) { run_completion(shell); },
-                   [](const ManualCommand& manual) { run_manual(manual); },
-                   [&](const ImportTrackCommand& track) { run_import_track(track, context); },
-                   [&](const CacheCommand& cache) { run_cache(cache, context); },
-                   [&](const PlanCommand& plan) { run_plan(plan, context); },
-                   [&](const NewCommand& starter) { run_new(starter, context); },
-                   [&](const InfoCommand& info) { run_info(info, context); },
-                   [&](const SchemaCommand& schema) { run_schema(schema); },
-                   [](const RenderCommand&) {},  // never here: needs_renderer
-                   [](const RetimeCommand&) {},
-                   [](const FrameCommand&) {},
-                   [](const ContactSheetCommand&) {},
-                   [](const MuxCommand&) {},
-                   [](const CompareCommand&) {},
-               },
-               command);
 }
 
 }  // namespace
@@ -91,11 +50,8 @@ int main(int argument_count, char** arguments) {
         return print(*nothing);
     }
     const auto& line = std::get<CommandLine>(parsed);
-    if (needs_renderer(line.command)) {
-        return become_film_program("carom-film", arguments);
+    if (const Program program = program_of(line.command); program != Program::carom) {
+        return become_other_program(program, arguments);
     }
-    if (std::holds_alternative<CompareCommand>(line.command)) {
-        return become_film_program("carom-lab", arguments);
-    }
-    return run_command(line, run);
+    return run_command(line, run_here<Program::carom>);
 }

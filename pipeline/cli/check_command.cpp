@@ -1,10 +1,9 @@
-#include "pipeline/cli/check_command.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
 
 #include "pipeline/check/motion_check.h"
+#include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/video/video_format.h"
@@ -87,7 +86,7 @@ std::string json_of(const std::vector<Problem>& problems) {
 
 }  // namespace
 
-void run_check(const CheckCommand& command, CommandContext& context) {
+void run(const CheckCommand& command, CommandContext& context) {
     CheckedInput checked = load_shot_input(command.input);
     std::vector<Problem>& problems = checked.problems;
     if (checked.input) {

@@ -1,67 +1,160 @@
+// The one file that includes CLI11, which takes seconds to compile.
 #include "pipeline/cli/command_line.h"
 
 #include <cstdio>
-#include <memory>
-#include <sstream>
+#include <limits>
+
+#include <CLI/CLI.hpp>
 
 #include "pipeline/cli/exit_code.h"
-#include "pipeline/cli/help_formatter.h"
-#include "pipeline/cli/options/app.h"
+#include "pipeline/cli/help_text.h"
+#include "pipeline/cli/program_description.h"
+#include "pipeline/config/text.h"
 
 namespace carom::cli {
 
 namespace {
 
+// ---- from our description to CLI11's ----------------------------------------------------------
+
+template <class Number>
+void limit(CLI::Option& added, const Option& option, Number /*kind*/) {
+    if (option.least && option.most) {
+        added.check(
+            CLI::Range(static_cast<Number>(*option.least), static_cast<Number>(*option.most)));
+    } else if (option.least) {
+        added.check(CLI::Range(*option.least, std::numeric_limits<double>::max()));
+    }
+}
+
+CLI::Option& add_target(CLI::App& app, const Option& option) {
+    const std::string names =
+        (option.short_name.empty() ? "" : option.short_name + ",") + option.name;
+    const auto add = [&](auto* target) {
+        using T = std::remove_pointer_t<decltype(target)>;
+        if constexpr (std::is_same_v<T, bool>) {
+            return app.add_flag(names, *target);
+        } else {
+            CLI::Option* added = app.add_option(names, *target);
+            if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+                added->allow_extra_args(false);  // one value each time that it is given
+            } else if constexpr (std::is_arithmetic_v<T>) {
+                limit(*added, option, T{});
+            } else if constexpr (!std::is_same_v<T, std::string>) {  // std::optional
+                limit(*added, option, typename T::value_type{});
+            }
+            return added;
+        }
+    };
+    return *std::visit(add, option.target);
+}
+
+void add_option(CLI::App& app, const Option& option) {
+    CLI::Option& added = add_target(app, option);
+    added.required(option.is_required);
+    if (!option.choices.empty()) {
+        added.check(CLI::IsMember(option.choices));
+    }
+    if (option.must_be_folder) {
+        added.check(CLI::ExistingDirectory);
+    }
+    if (option.problem_of) {
+        added.check(option.problem_of);
+    }
+}
+
+bool is_of_parser(const Option& option) {
+    const auto* flag = std::get_if<bool*>(&option.target);
+    return flag != nullptr && *flag == nullptr;
+}
+
+void add_command(CLI::App& app, const CommandDescription& command) {
+    for (const Option& option : command.options) {
+        if (!is_of_parser(option)) {
+            add_option(app, option);
+        }
+    }
+    for (const Option& option : command.options) {
+        for (const std::string& other : option.excluded) {
+            app.get_option(option.name)->excludes(app.get_option(other));
+        }
+        if (!option.needed.empty()) {
+            app.get_option(option.name)->needs(app.get_option(option.needed));
+        }
+    }
+    for (const CommandDescription& below : command.commands) {
+        add_command(*app.add_subcommand(below.name, below.summary), below);
+    }
+    app.require_subcommand(command.commands.empty() ? 0 : 1);
+    if (command.chosen) {
+        app.callback(command.chosen);
+    }
+}
+
+// ---- what is printed instead of running -------------------------------------------------------
+
+/// The help of the command that was reached: "carom cache prune".
+std::string help_of(const CLI::App& app, const CommandDescription& program) {
+    const CommandDescription* command = &program;
+    std::string path = program.name;
+    for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
+        at = at->get_subcommands().front();
+        command = command->find_command(at->get_name());
+        path += " " + command->name;
+    }
+    return help_text(*command, path);
+}
+
 /// "unknown command 'rendr' (did you mean 'render'?)" instead of CLI11's "a subcommand is
 /// required".
-std::string complaint_about(const CLI::App& app, const CLI::ParseError& error,
+std::string complaint_about(const CLI::App& app, const CommandDescription& program,
+                            const CLI::ParseError& error,
                             const std::vector<std::string>& arguments) {
     if (!app.get_subcommands().empty() || arguments.empty()) {
         return error.what();
     }
     std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands({})) {
-        names.push_back(command->get_name());
+    for (const CommandDescription& command : program.commands) {
+        names.push_back(command.name);
     }
     const std::string& given = arguments.front();
-    const std::string hint = nearest(given, names);
     return std::string("unknown ") + (given.starts_with('-') ? "option" : "command") + " '" +
-           given + "'" + (hint.empty() ? "" : " (did you mean '" + hint + "'?)");
+           given + "'" + pipeline::config::hint(given, names);
 }
 
-NothingToRun report(const CLI::App& app, const CLI::ParseError& error,
-                    const std::vector<std::string>& arguments) {
-    std::ostringstream out;
-    std::ostringstream err;
-    NothingToRun nothing;
-    if (app.exit(error, out, err) == 0) {  // help, version
-        nothing.out = out.str();
-        return nothing;
+NothingToRun wrong_usage(const CLI::App& app, const CommandDescription& program,
+                         const CLI::ParseError& error, const std::vector<std::string>& arguments) {
+    if (arguments.empty()) {
+        return {kWrongUsage, "", help_text(program, program.name)};
     }
-    nothing.exit_code = kWrongUsage;
     const auto chosen = app.get_subcommands();
     const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + " ";
-    nothing.err = arguments.empty() ? app.help()
-                                    : "carom: error: " + complaint_about(app, error, arguments) +
-                                          "\n'carom " + command + "--help' says what there is\n";
-    return nothing;
+    return {kWrongUsage, "",
+            "carom: error: " + complaint_about(app, program, error, arguments) + "\nSee 'carom " +
+                command + "--help'.\n"};
 }
 
 }  // namespace
 
 std::variant<CommandLine, NothingToRun> parse_command_line(
     const std::vector<std::string>& arguments) {
-    Targets targets;
-    const std::unique_ptr<CLI::App> owned = make_app(targets);
-    CLI::App& app = *owned;
+    ProgramOptions options;
+    const CommandDescription program = describe_program(options);
+    CLI::App app;
+    app.set_version_flag("--version", "carom " CAROM_VERSION);
+    add_command(app, program);
     try {
         // CLI11 takes its arguments from the back.
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::CallForHelp&) {
+        return NothingToRun{kDone, help_of(app, program), ""};
+    } catch (const CLI::CallForVersion& version) {
+        return NothingToRun{kDone, std::string(version.what()) + "\n", ""};
     } catch (const CLI::ParseError& error) {
-        return report(app, error, arguments);
+        return wrong_usage(app, program, error, arguments);
     }
-    targets.talk.json = targets.log == "json";
-    return CommandLine{targets.talk, chosen_command(app, targets)};
+    return CommandLine{{options.quiet, options.log == "json"},
+                       std::move(options.commands[options.chosen])};
 }
 
 int print(const NothingToRun& nothing) {

@@ -1,13 +1,21 @@
-// What the command line asked for: one struct per command, filled by command_line.h.
+// The commands: what each was asked to do, and the one table of all of them.
+//
+// A new command touches four files: this one (its struct with two functions, its row in
+// kCommandTable), options/ (describe: its options and its help), a file for run, and
+// CMakeLists.txt. Parser, help, manual, completion and the choice of the program follow from these.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
 namespace carom::cli {
+
+struct CommandContext;      // run_program.h
+struct CommandDescription;  // command_description.h
 
 /// How a command talks.
 struct TalkOptions {
@@ -44,6 +52,8 @@ struct RenderCommand {
     int threads = 0;     // 0: as many as there are processors
     bool dry_run = false;
 };
+void describe(RenderCommand& command, CommandDescription& description);
+void run(const RenderCommand& command, CommandContext& context);
 
 struct MuxCommand {
     InputOptions input;
@@ -51,6 +61,8 @@ struct MuxCommand {
     std::string output;
     std::string frames;
 };
+void describe(MuxCommand& command, CommandDescription& description);
+void run(const MuxCommand& command, CommandContext& context);
 
 /// What is in the cache, and what of it goes.
 struct CacheCommand {
@@ -63,6 +75,8 @@ struct CacheCommand {
     bool dry_run = false;    // prune
     bool keep = false;       // verify: damaged files are only named
 };
+void describe(CacheCommand& command, CommandDescription& description);
+void run(const CacheCommand& command, CommandContext& context);
 
 /// The film of an existing shot at another speed. Texts as they were typed.
 struct RetimeCommand {
@@ -75,12 +89,16 @@ struct RetimeCommand {
     std::string rig;     // a camera's name
     bool reverse = false;
 };
+void describe(RetimeCommand& command, CommandDescription& description);
+void run(const RetimeCommand& command, CommandContext& context);
 
 struct BakeCommand {
     InputOptions input;
     CacheOptions cache;
     std::string output;
 };
+void describe(BakeCommand& command, CommandDescription& description);
+void run(const BakeCommand& command, CommandContext& context);
 
 struct FrameCommand {
     InputOptions input;
@@ -90,6 +108,8 @@ struct FrameCommand {
     std::string at;  // video time, "1.25s"; empty: `frame` counts, and without it frame 0
     int threads = 0;
 };
+void describe(FrameCommand& command, CommandDescription& description);
+void run(const FrameCommand& command, CommandContext& context);
 
 /// What a shot comes to.
 struct InfoCommand {
@@ -97,6 +117,8 @@ struct InfoCommand {
     std::string output;     // empty: standard output
     bool resolved = false;  // the whole shot, every value with where it came from
 };
+void describe(InfoCommand& command, CommandDescription& description);
+void run(const InfoCommand& command, CommandContext& context);
 
 /// Frames of a film side by side.
 struct ContactSheetCommand {
@@ -108,6 +130,8 @@ struct ContactSheetCommand {
     int width = 320;  // of one picture, pixels
     int threads = 0;
 };
+void describe(ContactSheetCommand& command, CommandDescription& description);
+void run(const ContactSheetCommand& command, CommandContext& context);
 
 struct CheckCommand {
     InputOptions input;
@@ -115,6 +139,8 @@ struct CheckCommand {
     bool json = false;
     bool quick = false;  // nothing that needs a simulation
 };
+void describe(CheckCommand& command, CommandDescription& description);
+void run(const CheckCommand& command, CommandContext& context);
 
 struct ExportCommand {
     InputOptions input;
@@ -123,6 +149,8 @@ struct ExportCommand {
     std::string events;          // a second table; empty: none
     std::optional<double> rate;  // Hz; none: the keys
 };
+void describe(ExportCommand& command, CommandDescription& description);
+void run(const ExportCommand& command, CommandContext& context);
 
 struct ReportCommand {
     InputOptions input;
@@ -132,6 +160,8 @@ struct ReportCommand {
     std::string plot;  // a drawing, .svg or .png; empty: none
     DrawingOptions drawing;
 };
+void describe(ReportCommand& command, CommandDescription& description);
+void run(const ReportCommand& command, CommandContext& context);
 
 struct PlanCommand {
     InputOptions input;
@@ -139,6 +169,8 @@ struct PlanCommand {
     std::string output;  // empty: the shot's name and .svg in the current folder
     DrawingOptions drawing;
 };
+void describe(PlanCommand& command, CommandDescription& description);
+void run(const PlanCommand& command, CommandContext& context);
 
 /// A starter for a new shot.
 struct NewCommand {
@@ -146,11 +178,15 @@ struct NewCommand {
     std::string template_name = "break";
     bool force = false;  // also over a file that is there
 };
+void describe(NewCommand& command, CommandDescription& description);
+void run(const NewCommand& command, CommandContext& context);
 
 /// The JSON Schema of shots.
 struct SchemaCommand {
     std::string output;  // empty: standard output
 };
+void describe(SchemaCommand& command, CommandDescription& description);
+void run(const SchemaCommand& command, CommandContext& context);
 
 struct ImportCommand {
     std::string scene;   // of the older text format
@@ -159,6 +195,8 @@ struct ImportCommand {
     std::string up = "y";
     double force_time = 0.05;  // s
 };
+void describe(ImportCommand& command, CommandDescription& description);
+void run(const ImportCommand& command, CommandContext& context);
 
 /// A keyed object from a table.
 struct ImportTrackCommand {
@@ -169,17 +207,23 @@ struct ImportTrackCommand {
     std::string error;   // "0.01 mm"
     bool linear = false;
 };
+void describe(ImportTrackCommand& command, CommandDescription& description);
+void run(const ImportTrackCommand& command, CommandContext& context);
 
 /// Words for a shell.
 struct CompletionCommand {
     std::string shell;   // "bash", "zsh", "fish"
     std::string output;  // empty: standard output
 };
+void describe(CompletionCommand& command, CommandDescription& description);
+void run(const CompletionCommand& command, CommandContext& context);
 
 /// The manual page.
 struct ManualCommand {
     std::string output;  // empty: standard output
 };
+void describe(ManualCommand& command, CommandDescription& description);
+void run(const ManualCommand& command, CommandContext& context);
 
 /// Acceleration structures against each other. Texts as they were typed.
 struct CompareCommand {
@@ -201,12 +245,75 @@ struct CompareCommand {
     DrawingOptions drawing;
     int threads = 0;
 };
+void describe(CompareCommand& command, CommandDescription& description);
+void run(const CompareCommand& command, CommandContext& context);
 
-using Command =
-    std::variant<RenderCommand, RetimeCommand, BakeCommand, FrameCommand, CheckCommand,
-                 ExportCommand, ReportCommand, ImportCommand, MuxCommand, CacheCommand,
-                 ContactSheetCommand, InfoCommand, PlanCommand, NewCommand, SchemaCommand,
-                 ImportTrackCommand, CompletionCommand, ManualCommand, CompareCommand>;
+/// Headings of the help.
+enum class Group { make, look, film, keep, tools };
+
+/// The program that runs a command: bin/carom becomes libexec/carom/carom-film or carom-lab.
+enum class Program { carom, film, lab };
+
+template <class T>
+struct CommandRow {
+    const char* name;
+    Group group;
+    Program program;
+    const char* summary;  // a sentence
+};
+
+/// In the order of the help. Who adds a command reads the first lines of this file.
+inline constexpr std::tuple kCommandTable{
+    CommandRow<NewCommand>{"new", Group::make, Program::carom,
+                           "Write a commented shot to start from."},
+    CommandRow<CheckCommand>{"check", Group::make, Program::carom,
+                             "Report every problem of a shot, with its line."},
+    CommandRow<ImportCommand>{"import", Group::make, Program::carom,
+                              "Convert a scene of the older text format to a shot."},
+    CommandRow<ImportTrackCommand>{"import-track", Group::make, Program::carom,
+                                   "Convert a table of motion to a keyed object."},
+    CommandRow<PlanCommand>{"plan", Group::look, Program::carom,
+                            "Draw the table from above, with all paths and events."},
+    CommandRow<FrameCommand>{"frame", Group::look, Program::film, "Render a single frame."},
+    CommandRow<ContactSheetCommand>{"contact-sheet", Group::look, Program::film,
+                                    "Render frames of the whole film into one picture."},
+    CommandRow<InfoCommand>{"info", Group::look, Program::carom,
+                            "Print a summary of a shot, or every value of it."},
+    CommandRow<ReportCommand>{"report", Group::look, Program::carom,
+                              "Print what happens in a shot, in numbers."},
+    CommandRow<RenderCommand>{"render", Group::film, Program::film,
+                              "Simulate a shot, render its frames and write the film."},
+    CommandRow<RetimeCommand>{"retime", Group::film, Program::film,
+                              "Film a shot again: slower, backwards, or a part of it."},
+    CommandRow<MuxCommand>{"mux", Group::film, Program::film,
+                           "Write a film from frames that are already rendered."},
+    CommandRow<BakeCommand>{"bake", Group::keep, Program::carom,
+                            "Simulate a shot and keep its motion in a file."},
+    CommandRow<ExportCommand>{"export", Group::keep, Program::carom,
+                              "Write the motion as .csv or .json, the scene as .glb or .usda."},
+    CommandRow<CacheCommand>{"cache", Group::keep, Program::carom,
+                             "List, prune or verify the kept bakes and frames."},
+    CommandRow<CompareCommand>{"compare", Group::tools, Program::lab,
+                               "Measure acceleration structures or ray-triangle tests."},
+    CommandRow<SchemaCommand>{"schema", Group::tools, Program::carom,
+                              "Print the JSON Schema of shots, for editors."},
+    CommandRow<CompletionCommand>{"completion", Group::tools, Program::carom,
+                                  "Print the script that completes carom's words in a shell."},
+    CommandRow<ManualCommand>{"manual", Group::tools, Program::carom, "Print the manual page."},
+};
+
+template <class... T>
+std::variant<T...> one_of(const std::tuple<CommandRow<T>...>&);
+
+/// Any of the table's commands.
+using Command = decltype(one_of(kCommandTable));
+
+template <class T>
+constexpr CommandRow<T> kRowOf = std::get<CommandRow<T>>(kCommandTable);
+
+[[nodiscard]] inline Program program_of(const Command& command) {
+    return std::visit([]<class T>(const T&) { return kRowOf<T>.program; }, command);
+}
 
 struct CommandLine {
     TalkOptions talk;

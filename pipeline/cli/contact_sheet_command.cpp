@@ -1,5 +1,3 @@
-#include "pipeline/cli/contact_sheet_command.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/job_talk.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/cli/run_program.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/plan/plan_colours.h"
 #include "pipeline/sheet/contact_sheet.h"
@@ -72,7 +71,7 @@ std::string facts_of(const Shot& shot, std::int64_t frames) {
 
 }  // namespace
 
-void run_contact_sheet(const ContactSheetCommand& command, CommandContext& context) {
+void run(const ContactSheetCommand& command, CommandContext& context) {
     InputOptions options = command.input;
     if (options.quality.empty()) {
         options.quality = "draft";

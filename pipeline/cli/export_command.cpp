@@ -1,8 +1,8 @@
 #include <filesystem>
 
 #include "pipeline/cli/bake_input.h"
-#include "pipeline/cli/light_commands.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/export/scene_glb.h"
 #include "pipeline/export/scene_usda.h"
@@ -60,7 +60,7 @@ std::string tracks_text(const Source& source, Format format, std::optional<doubl
 
 }  // namespace
 
-void run_export(const ExportCommand& command, CommandContext& context) {
+void run(const ExportCommand& command, CommandContext& context) {
     // Someone who asks for the events alone gets them alone.
     const bool tracks_wanted = !command.output.empty() || command.events.empty();
     const std::string path = output_or_default(command.output, command.input.path, ".csv");

@@ -9,12 +9,10 @@
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/cli/bake_input.h"
-#include "pipeline/cli/contact_sheet_command.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/job_talk.h"
 #include "pipeline/cli/output_file.h"
-#include "pipeline/cli/overload.h"
-#include "pipeline/cli/retime_command.h"
+#include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/cli/terminal/duration_text.h"
 #include "pipeline/cli/time_text.h"
@@ -143,20 +141,7 @@ std::string numbered_extension(std::int64_t frame) {
 
 }  // namespace
 
-void run_film_command(const Command& command, CommandContext& context) {
-    std::visit(
-        Overload{
-            [&](const RenderCommand& render) { run_render(render, context); },
-            [&](const RetimeCommand& retime) { run_retime(retime, context); },
-            [&](const MuxCommand& mux) { run_mux(mux, context); },
-            [&](const FrameCommand& frame) { run_frame(frame, context); },
-            [&](const ContactSheetCommand& sheet) { run_contact_sheet(sheet, context); },
-            [](const auto&) { throw InputError("this program only renders; call carom instead"); },
-        },
-        command);
-}
-
-void run_render(const RenderCommand& command, CommandContext& context) {
+void run(const RenderCommand& command, CommandContext& context) {
     const auto begin = std::chrono::steady_clock::now();
     ShotInput input = read_film_input(command.input, context);
     const bool makes_film = command.chunk.empty() || !command.output.empty();
@@ -202,7 +187,7 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
     }
 }
 
-void run_mux(const MuxCommand& command, CommandContext& context) {
+void run(const MuxCommand& command, CommandContext& context) {
     ShotInput input = read_shot_input(command.input, context.console);
     const std::string path = film_path(command.output, command.input, input.shot);
     check_film(input, path, context.console);
@@ -218,7 +203,7 @@ void run_mux(const MuxCommand& command, CommandContext& context) {
     print_path(path);
 }
 
-void run_frame(const FrameCommand& command, CommandContext& context) {
+void run(const FrameCommand& command, CommandContext& context) {
     ShotInput input = read_film_input(command.input, context);
     const std::int64_t frame = chosen_frame(command, input.shot);
     const std::string path =

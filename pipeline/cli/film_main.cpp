@@ -1,7 +1,7 @@
 // libexec/carom/carom-film: the commands that render. Started by bin/carom with its own arguments.
 #include "pipeline/cli/command_line.h"
-#include "pipeline/cli/film_commands.h"
 #include "pipeline/cli/helper_program.h"
+#include "pipeline/cli/run_program.h"
 
 int main(int argument_count, char** arguments) {
     using namespace carom::cli;
@@ -12,7 +12,7 @@ int main(int argument_count, char** arguments) {
     return run_command(std::get<CommandLine>(parsed),
                        [&](const Command& command, CommandContext& context) {
                            try {
-                               run_film_command(command, context);
+                               run_here<Program::film>(command, context);
                            } catch (const OtherProgram& other) {
                                become_program(other.name(), arguments);
                            }

@@ -1,14 +1,14 @@
 #include <filesystem>
 
-#include "pipeline/cli/light_commands.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/import/import_scene.h"
 
 namespace carom::cli {
 
-void run_import(const ImportCommand& command, CommandContext& context) {
+void run(const ImportCommand& command, CommandContext& context) {
     const std::string path = output_or_default(command.output, command.scene, ".yaml");
     const bool to_stdout = path == "-";
     const std::string folder =

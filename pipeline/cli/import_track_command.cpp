@@ -2,8 +2,8 @@
 #include <cctype>
 #include <filesystem>
 
-#include "pipeline/cli/light_commands.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/quantity.h"
 #include "pipeline/import/import_track.h"
@@ -35,7 +35,7 @@ bool is_object_name(const std::string& name) {
 
 }  // namespace
 
-void run_import_track(const ImportTrackCommand& command, CommandContext& context) {
+void run(const ImportTrackCommand& command, CommandContext& context) {
     const std::string path = output_or_default(command.output, command.table, ".yaml");
     if (path != "-") {
         check_output_folder(path);

@@ -1,5 +1,3 @@
-#include "pipeline/cli/info_command.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -9,6 +7,7 @@
 #include "pipeline/camera/time_map.h"
 #include "pipeline/check/motion_check.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/explain.h"
 #include "pipeline/video/video_format.h"
@@ -82,7 +81,7 @@ std::string file_lines(const Shot& shot, const pipeline::ShotSource& source) {
 
 }  // namespace
 
-void run_info(const InfoCommand& command, CommandContext& context) {
+void run(const InfoCommand& command, CommandContext& context) {
     check_output_folder(command.output);
     const ShotInput input = read_shot_input(command.input, context.console);
     if (input.bake) {

@@ -1,9 +1,8 @@
-#include "pipeline/cli/new_command.h"
-
 #include <algorithm>
 #include <filesystem>
 
 #include "pipeline/cli/output_file.h"
+#include "pipeline/cli/run_program.h"
 #include "pipeline/config/config_files.h"
 #include "pipeline/config/parse_yaml.h"
 
@@ -39,7 +38,7 @@ std::string template_text(std::string name, const config::ConfigFolders& folders
 
 }  // namespace
 
-void run_new(const NewCommand& command, CommandContext& context) {
+void run(const NewCommand& command, CommandContext& context) {
     const config::ConfigFolders folders = config::standard_config_folders();
     std::string text = template_text(command.template_name, folders);
     if (command.shot == "-") {

@@ -1,9 +1,8 @@
-#include "pipeline/cli/report_command.h"
-
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/drawing_output.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/report_json.h"
+#include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/plan/report_plot.h"
 #include "pipeline/report/report_text.h"
@@ -20,7 +19,7 @@ void write_report(const ReportCommand& command, const sim::Timeline& timeline) {
 
 }  // namespace
 
-void run_report(const ReportCommand& command, CommandContext& context) {
+void run(const ReportCommand& command, CommandContext& context) {
     check_output_folder(command.output);
     if (command.plot.empty() && is_bake_file(command.input.path)) {
         return write_report(command, read_bake_input(command.input.path).timeline);

@@ -1,5 +1,3 @@
-#include "pipeline/cli/retime_command.h"
-
 #include <chrono>
 #include <string_view>
 #include <utility>
@@ -8,6 +6,7 @@
 #include "pipeline/cli/film_commands.h"
 #include "pipeline/cli/film_input.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/number_types.h"
 #include "pipeline/video/video_format.h"
@@ -97,7 +96,7 @@ pipeline::RetimeOptions options_of(const RetimeCommand& command) {
 
 }  // namespace
 
-void run_retime(const RetimeCommand& command, CommandContext& context) {
+void run(const RetimeCommand& command, CommandContext& context) {
     const auto begin = std::chrono::steady_clock::now();
     const pipeline::RetimeOptions options = options_of(command);
     ShotInput input = read_film_input(command.render.input, context);

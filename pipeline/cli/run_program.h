@@ -26,6 +26,21 @@ struct CommandContext {
     render::StructureFactory factory = nullptr;  // of a program that has more than the renderer
 };
 
+/// Runs a command of the programs `here`. What the others run is not linked. Throws InputError for
+/// their commands.
+template <Program... here>
+void run_here(const Command& command, CommandContext& context) {
+    std::visit(
+        [&]<class T>(const T& chosen) {
+            if constexpr (((kRowOf<T>.program == here) || ...)) {
+                run(chosen, context);
+            } else {
+                throw InputError("this command is run by another program; call carom instead");
+            }
+        },
+        command);
+}
+
 using CommandHandler = std::function<void(const Command&, CommandContext&)>;
 
 /// Runs `handler` and turns what it throws into a sentence on stderr and an exit code.

@@ -1,109 +1,105 @@
-// What measures the renderer itself.
-#include "pipeline/cli/options/command_options.h"
+// Options of the command that measures the renderer itself.
 #include "pipeline/cli/options/shared_options.h"
 
 namespace carom::cli {
 
 namespace {
 
-void add_compared(CLI::App& command, CompareCommand& compare) {
-    CLI::Option* shot =
-        command.add_option("SHOT|BAKE", compare.input.path, "a shot or a bake, one frame of it")
-            ->option_text(" ");
-    command
-        .add_option("--scene", compare.scene,
-                    "or a scene of the laboratory: sphere_cube, cylinder_axes, cylinder_walls, "
-                    "full_view, stadium, smooth_mesh")
-        ->option_text("NAME")
-        ->excludes(shot)
-        ->check(CLI::IsMember({"sphere_cube", "cylinder_axes", "cylinder_walls", "full_view",
-                               "stadium", "smooth_mesh"}));
-    command
-        .add_option("--accelerators", compare.accelerators,
-                    "which structures: all (the default), or some: brute_force,kdtree,rtree")
-        ->option_text("NAMES");
-    command
-        .add_option("--shadow-rays", compare.shadow_rays,
-                    "end at any hit (the default), at the closest one as the oldest ray tracers "
-                    "had it, or both to see what that saves")
-        ->option_text("NAME")
-        ->check(CLI::IsMember({"any", "closest", "both"}));
-    command.add_option("--frame", compare.frame, "of the shot, counted from 0 (the default)")
-        ->option_text("N")
-        ->check(CLI::NonNegativeNumber);
-    command.add_option("--size", compare.size, "of the picture, 160x120 (else its own)")
-        ->option_text("WxH");
+void add_frame_choice(CommandDescription& description, CompareCommand& command) {
+    Option& shot = description.argument("SHOT|BAKE", command.input.path,
+                                        "A shot or a bake, one frame of which is measured.");
+    shot.is_required = false;
+    shot.offers(Offer::files, {"yaml", "yml", "bake"});
+    description
+        .option("--scene", &command.scene, "NAME",
+                "Measure a scene of the laboratory instead of a shot: sphere_cube, cylinder_axes, "
+                "cylinder_walls, full_view, stadium or smooth_mesh.")
+        .excludes({"SHOT|BAKE"})
+        .one_of({"sphere_cube", "cylinder_axes", "cylinder_walls", "full_view", "stadium",
+                 "smooth_mesh"});
+    description.option("--accelerators", &command.accelerators, "NAMES",
+                       "Measure these structures: all (the default), or some, such as "
+                       "brute_force,kdtree,rtree.");
+    description
+        .option("--shadow-rays", &command.shadow_rays, "NAME",
+                "End shadow rays at any hit (the default), at the closest one as the oldest ray "
+                "tracers did, or measure both.")
+        .one_of({"any", "closest", "both"});
+    description
+        .option("--frame", &command.frame, "N",
+                "The frame of the shot, counted from 0 (the default).")
+        .from(0);
+    description.option("--size", &command.size, "WxH",
+                       "The size of the picture, such as 160x120. The default is its own.");
 }
 
-/// Many scenes instead of one frame.
-void add_growth(CLI::App& command, CompareCommand& compare) {
-    CLI::Option* growth =
-        command
-            .add_option("--growth", compare.growth,
-                        "or how the cost of a ray grows with the number of shapes: of spheres, or "
-                        "of a mesh's triangles")
-            ->option_text("NAME")
-            ->check(CLI::IsMember({"spheres", "mesh"}));
-    for (const char* name : {"SHOT|BAKE", "--scene", "--shadow-rays", "--frame", "--size", "--set",
-                             "--quality", "--threads"}) {
-        growth->excludes(command.get_option(name));
-    }
-    command.add_option("--largest", compare.largest, "how many of them (default 1000000)")
-        ->option_text("N")
-        ->needs(growth)
-        ->check(CLI::Range(10, 10'000'000));
+void add_output_files(CommandDescription& description, CompareCommand& command) {
+    add_output(description, command.output, "Write to this file instead of standard output.");
+    description.flag("--json", command.json, "Print one JSON object, with all digits.");
+    description
+        .option("--csv", &command.csv, "FILE",
+                "Write a table as well, with a row for each structure or kernel.")
+        .offers(Offer::files);
+    description.option("--plot", &command.plot, "FILE", "Draw it as well, as .svg or .png.")
+        .offers(Offer::files);
+    add_drawing(description, command.drawing);
 }
 
-/// Nothing of what is said about a frame goes with it.
-void add_triangles(CLI::App& command, CompareCommand& compare) {
-    CLI::Option* triangles =
-        command
-            .add_option("--triangles", compare.triangles,
-                        "measure ray-triangle kernels instead: all, or some: wald,badouel")
-            ->option_text("NAMES");
-    for (const char* name : {"SHOT|BAKE", "--scene", "--accelerators", "--shadow-rays", "--frame",
-                             "--size", "--set", "--quality", "--threads", "--growth"}) {
-        triangles->excludes(command.get_option(name));
-    }
-    command
-        .add_option("--rounds", compare.rounds,
-                    "how often each kernel is timed, in turn (default 5, 6 s each for all)")
-        ->option_text("N")
-        ->needs(triangles)
-        ->check(CLI::Range(1, 1000));
+/// Measurements other than of one frame, which exclude what says something about a frame.
+void add_other_measurements(CommandDescription& description, CompareCommand& command) {
+    const std::vector<std::string> about_a_frame{"SHOT|BAKE", "--scene",  "--shadow-rays",
+                                                 "--frame",   "--size",   "--set",
+                                                 "--quality", "--threads"};
+    description
+        .option("--growth", &command.growth, "NAME",
+                "Measure how the cost of a ray grows with the number of shapes: of spheres, or of "
+                "the triangles of a mesh.")
+        .one_of({"spheres", "mesh"})
+        .excludes(about_a_frame);
+    description
+        .option("--largest", &command.largest, "N",
+                "The largest number of shapes for --growth (default 1000000).")
+        .needs("--growth")
+        .between(10, 10'000'000);
+    std::vector<std::string> excluded = about_a_frame;
+    excluded.insert(excluded.end(), {"--accelerators", "--growth"});
+    description
+        .option("--triangles", &command.triangles, "NAMES",
+                "Measure ray-triangle kernels: all, or some, such as wald,badouel.")
+        .excludes(excluded);
+    description
+        .option("--rounds", &command.rounds, "N",
+                "How often each kernel is timed (default 5; 6 s per round for all of them).")
+        .needs("--triangles")
+        .between(1, 1000);
 }
 
 }  // namespace
 
-void add_compare(CLI::App& app, Targets& targets) {
-    CLI::App& command = *app.add_subcommand("compare", "measure structures or triangle kernels");
-    CompareCommand& compare = targets.compare;
-    add_compared(command, compare);
-    add_changes(command, compare.input);
-    add_output(command, compare.output, "else standard output");
-    command.add_flag("--json", compare.json, "one JSON object, with all digits");
-    command.add_option("--csv", compare.csv, "a table as well, a structure or kernel to a row")
-        ->option_text("FILE");
-    command.add_option("--plot", compare.plot, "a drawing of it as well: .svg or .png")
-        ->option_text("FILE");
-    add_drawing(command, compare.drawing);
-    add_threads(command, compare.threads);
-    add_growth(command, compare);
-    add_triangles(command, compare);
-    add_cache(command, compare.cache);
-    add_talk(command, targets);
-    command.footer(
-        example("  carom compare --scene sphere_cube\n"
-                "  carom compare break.yaml --frame 40 --accelerators kdtree,embree\n"
-                "  carom compare --scene cylinder_walls --shadow-rays both --plot walls.svg\n"
-                "  carom compare --growth mesh --accelerators bvh,wide_bvh,embree\n"
-                "  carom compare --triangles all --csv kernels.csv\n") +
-        "\nEvery structure renders the same picture; what differs is the number of tests\n"
-        "for a ray, and the time. Tests are counted in a frame of their own: counting\n"
-        "takes no time from the one that is timed. Brute force of more than 10^9 tests\n"
-        "is computed, which is said. Triangle kernels are measured on one thread: on\n"
-        "random rays and on rays that all hit, one at a time, four and eight, in float\n"
-        "and double, with their errors. Ctrl-C ends with what is measured by then.");
+void describe(CompareCommand& command, CommandDescription& description) {
+    description.details = {
+        "Every structure renders the same picture. They differ in the number of intersection tests "
+        "per ray and in the time. Tests are counted in a frame of their own, so that counting "
+        "takes no time from the frame that is timed. Brute force with more than 10^9 tests is "
+        "computed instead of measured, and marked so.",
+        "Triangle kernels are measured on one thread: with random rays and with rays that all hit, "
+        "one, four and eight at a time, in float and double, with their errors.",
+        "Ctrl-C ends the command with what is measured by then."};
+    add_frame_choice(description, command);
+    add_changes(description, command.input);
+    add_output_files(description, command);
+    add_threads(description, command.threads);
+    add_other_measurements(description, command);
+    add_cache(description, command.cache);
+    description.examples = {
+        {"carom compare --scene sphere_cube", "All structures on one scene."},
+        {"carom compare break.yaml --frame 40 --accelerators kdtree,embree",
+         "Two structures on a frame of a shot."},
+        {"carom compare --scene cylinder_walls --shadow-rays both --plot walls.svg",
+         "What shadow rays save that end at any hit."},
+        {"carom compare --growth mesh --accelerators bvh,wide_bvh,embree",
+         "How the cost grows with the size of a mesh."},
+        {"carom compare --triangles all --csv kernels.csv", "All triangle kernels, as a table."}};
 }
 
 }  // namespace carom::cli

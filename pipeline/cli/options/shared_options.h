@@ -1,27 +1,24 @@
-// What commands' options have in common. For the .cpp files of this folder only.
+// Options that several commands have.
 #pragma once
 
 #include <string>
 
-#include <CLI/CLI.hpp>
-
-#include "pipeline/cli/options/targets.h"
+#include "pipeline/cli/command_description.h"
+#include "pipeline/cli/commands.h"
 
 namespace carom::cli {
 
-[[nodiscard]] std::string example(const char* lines);
-
-void add_input(CLI::App& app, InputOptions& input, const char* name, const char* what);
-/// `--set` and `--quality`.
-void add_changes(CLI::App& app, InputOptions& input);
-void add_camera_file(CLI::App& app, InputOptions& input);
-void add_talk(CLI::App& app, Targets& targets);
-void add_cache(CLI::App& app, CacheOptions& cache);
-void add_cache_size(CLI::App& app, CacheOptions& cache);
-void add_frames(CLI::App& app, std::string& frames);
-void add_dry_run(CLI::App& app, bool& dry_run);
-void add_threads(CLI::App& app, int& threads);
-void add_output(CLI::App& app, std::string& output, const char* what);
-void add_drawing(CLI::App& app, DrawingOptions& drawing);
+/// SHOT|BAKE.
+void add_input(CommandDescription& description, InputOptions& input);
+/// --set, --quality and --root.
+void add_changes(CommandDescription& description, InputOptions& input);
+void add_camera_file(CommandDescription& description, InputOptions& input);
+void add_cache(CommandDescription& description, CacheOptions& cache);
+void add_cache_size(CommandDescription& description, CacheOptions& cache);
+void add_frames(CommandDescription& description, std::string& frames);
+void add_dry_run(CommandDescription& description, bool& dry_run);
+void add_threads(CommandDescription& description, int& threads);
+void add_output(CommandDescription& description, std::string& output, const char* help);
+void add_drawing(CommandDescription& description, DrawingOptions& drawing);
 
 }  // namespace carom::cli

@@ -1,7 +1,6 @@
-// Commands that tell of a shot without rendering it.
+// Options of the commands that describe a shot without rendering it.
 #include <cstdlib>
 
-#include "pipeline/cli/options/command_options.h"
 #include "pipeline/cli/options/shared_options.h"
 #include "pipeline/export/sample_times.h"
 
@@ -23,103 +22,110 @@ std::string rate_problem(const std::string& text) {
 
 }  // namespace
 
-void add_bake(CLI::App& app, Targets& targets) {
-    CLI::App& command = *app.add_subcommand("bake", "simulate a shot, without a picture");
-    add_input(command, targets.bake.input, "SHOT", "a shot");
-    add_output(command, targets.bake.output, "else the shot's name and .bake");
-    add_cache(command, targets.bake.cache);
-    add_talk(command, targets);
-    command.footer(example("  carom bake break.yaml -o break.bake"));
+void describe(BakeCommand& command, CommandDescription& description) {
+    description.details = {
+        "A bake holds the motion of every object, the events and the shot itself. Every command "
+        "that takes a shot takes the bake as well and does not simulate it again."};
+    description.argument("SHOT", command.input.path, "The shot.")
+        .offers(Offer::files, {"yaml", "yml"});
+    add_changes(description, command.input);
+    add_output(description, command.output, "The bake. The default is the shot's name and .bake.");
+    add_cache(description, command.cache);
+    description.examples = {{"carom bake break.yaml -o break.bake", "Simulate the shot once."}};
 }
 
-void add_check(CLI::App& app, Targets& targets) {
-    CLI::App& command = *app.add_subcommand("check", "say everything that is wrong with a shot");
-    add_input(command, targets.check.input, "SHOT|BAKE", "a shot or a bake");
-    add_camera_file(command, targets.check.input);
-    command.add_flag("--json", targets.check.json,
-                     "problems as a JSON array on standard output, for editors");
-    command.add_flag("--quick", targets.check.quick,
-                     "only what can be said without simulating the shot");
-    add_cache(command, targets.check.cache);
-    add_talk(command, targets);
-    command.footer(example("  carom check break.yaml") +
-                   "\nErrors, and warnings of what was surely not meant: a strike that misses,\n"
-                   "a camera inside a ball. For these the shot is simulated, for 2 s at most,\n"
-                   "unless its bake was kept. Exit code 0 if it can be rendered, warnings or\n"
-                   "not, 2 if not.");
+void describe(CheckCommand& command, CommandDescription& description) {
+    description.details = {
+        "Errors are what carom cannot use. Warnings are valid but probably a mistake: a strike "
+        "that misses, a camera inside a ball. To find these the shot is simulated, for about 2 s "
+        "at most, unless its bake was kept.",
+        "The exit code is 0 if the shot can be rendered, with or without warnings, and 2 if not."};
+    add_input(description, command.input);
+    add_changes(description, command.input);
+    add_camera_file(description, command.input);
+    description.flag("--json", command.json,
+                     "Print the problems as a JSON array on standard output, for editors.");
+    description.flag("--quick", command.quick,
+                     "Report only what can be known without simulating the shot.");
+    add_cache(description, command.cache);
+    description.examples = {
+        {"carom check break.yaml", "All errors and warnings, each with file, line and column."},
+        {"carom check break.yaml --set render.samples=0", "Whether a change would be valid."}};
 }
 
-void add_info(CLI::App& app, Targets& targets) {
-    CLI::App& command = *app.add_subcommand("info", "what a shot comes to");
-    InfoCommand& info = targets.info;
-    add_input(command, info.input, "SHOT|BAKE", "a shot or a bake");
-    add_camera_file(command, info.input);
-    command.add_flag("--resolved", info.resolved,
-                     "the whole shot as YAML, every value with the file and line it came from");
-    add_output(command, info.output, "else standard output");
-    add_talk(command, targets);
-    command.footer(example("  carom info break.yaml --resolved --quality draft") +
-                   "\nAfter includes, presets and --set; what nobody gave is marked 'default'.");
+void describe(InfoCommand& command, CommandDescription& description) {
+    description.details = {
+        "The summary has the film's length and size, its cameras, and what is simulated and seen."};
+    add_input(description, command.input);
+    add_changes(description, command.input);
+    add_camera_file(description, command.input);
+    description.flag("--resolved", command.resolved,
+                     "Print the whole shot as YAML, after includes, presets and --set, every value "
+                     "with the file and line that it comes from or 'default'.");
+    add_output(description, command.output, "Write to this file instead of standard output.");
+    description.examples = {
+        {"carom info break.yaml", "A summary."},
+        {"carom info break.yaml --resolved --quality draft", "Every value of the draft."}};
 }
 
-void add_export(CLI::App& app, Targets& targets) {
-    CLI::App& command = *app.add_subcommand("export", "a shot as .csv, .json, .glb or .usda");
-    ExportCommand& command_options = targets.export_;
-    add_input(command, command_options.input, "SHOT|BAKE", "a shot or a bake");
-    add_output(command, command_options.output,
-               "by its ending: .csv (object, time, position, orientation, velocities), .json, .glb "
-               "(glTF) or .usda; else the shot's name and .csv; - is a table on standard output");
-    command
-        .add_option("--rate", command_options.rate,
-                    "samples per second, evenly; else the keys of each track (.csv, .json)")
-        ->option_text("HZ")
-        ->check(rate_problem);
-    command
-        .add_option("--events", command_options.events,
-                    "a second table: impacts, rolling, pottings, force events")
-        ->option_text("FILE");
-    add_cache(command, command_options.cache);
-    add_talk(command, targets);
-    command.footer(
-        example("  carom export break.yaml -o break.glb\n"
-                "  carom export break.yaml --rate 240 -o tracks.csv --events events.csv") +
-        "\n.glb and .usda have the objects at their real size, with colours, cameras and\n"
-        "motion, for Blender, Houdini or a browser; docs/export.md has more.");
+void describe(ExportCommand& command, CommandDescription& description) {
+    description.details = {
+        "A .glb or .usda file has the objects at their real size, with colours, cameras and "
+        "motion, for Blender, Houdini or a browser; see docs/export.md."};
+    add_input(description, command.input);
+    add_changes(description, command.input);
+    add_output(description, command.output,
+               "The file, whose ending chooses the format: .csv (object, time, position, "
+               "orientation, velocities), .json, .glb (glTF) or .usda. The default is the shot's "
+               "name and .csv; - is a table on standard output.");
+    description
+        .option("--rate", &command.rate, "HZ",
+                "Write evenly spaced samples, so many per second (.csv, .json). The default is the "
+                "keys of each track.")
+        .checked_by(rate_problem);
+    description
+        .option("--events", &command.events, "FILE",
+                "Write a second table: impacts, rolling, pottings and force events.")
+        .offers(Offer::files);
+    add_cache(description, command.cache);
+    description.examples = {{"carom export break.yaml -o break.glb", "The scene with its motion."},
+                            {"carom export break.yaml --rate 240 -o tracks.csv --events events.csv",
+                             "The motion, 240 times per second, and the events, as tables."}};
 }
 
-void add_report(CLI::App& app, Targets& targets) {
-    CLI::App& command = *app.add_subcommand("report", "what happens in a shot, in numbers");
-    ReportCommand& report = targets.report;
-    add_input(command, report.input, "SHOT|BAKE", "a shot or a bake");
-    add_output(command, report.output, "else standard output");
-    command.add_flag("--json", report.json, "one JSON object, with all digits");
-    command
-        .add_option("--plot", report.plot,
-                    "draw the speeds and the energy over time: .svg or .png; without -o and --json "
-                    "only that")
-        ->option_text("FILE");
-    add_drawing(command, report.drawing);
-    add_cache(command, report.cache);
-    add_talk(command, targets);
-    command.footer(
-        example("  carom report break.yaml\n"
-                "  carom report break.yaml --plot speeds.svg") +
-        "\nEvents with speeds, spin and cut angles; how each object moved and ended;\nenergy.");
+void describe(ReportCommand& command, CommandDescription& description) {
+    description.details = {
+        "The report has the events with speeds, spin and cut angles, how each object moved and "
+        "where it ended, and the energy."};
+    add_input(description, command.input);
+    add_changes(description, command.input);
+    add_output(description, command.output, "Write to this file instead of standard output.");
+    description.flag("--json", command.json, "Print one JSON object, with all digits.");
+    description
+        .option("--plot", &command.plot, "FILE",
+                "Draw the speeds and the energy over time, as .svg or .png. Without -o and --json "
+                "only the drawing is made.")
+        .offers(Offer::files);
+    add_drawing(description, command.drawing);
+    add_cache(description, command.cache);
+    description.examples = {{"carom report break.yaml", "The whole report."},
+                            {"carom report break.yaml --plot speeds.svg", "The curves alone."}};
 }
 
-void add_plan(CLI::App& app, Targets& targets) {
-    CLI::App& command = *app.add_subcommand("plan", "draw a shot from above");
-    PlanCommand& plan = targets.plan;
-    add_input(command, plan.input, "SHOT|BAKE", "a shot or a bake");
-    add_camera_file(command, plan.input);
-    add_output(command, plan.output,
-               "the drawing, .svg or .png (else the shot's name and .svg; - is standard output)");
-    add_drawing(command, plan.drawing);
-    add_cache(command, plan.cache);
-    add_talk(command, targets);
-    command.footer(example("  carom plan break.yaml -o break.svg") +
-                   "\nThe table to scale with balls, paths, numbered events and cameras, and what "
-                   "each\ncamera shows when.");
+void describe(PlanCommand& command, CommandDescription& description) {
+    description.details = {
+        "The plan shows the table to scale with balls, paths, numbered events and cameras, and "
+        "what each camera shows when. It is a quick way to see whether a shot does what it "
+        "should."};
+    add_input(description, command.input);
+    add_changes(description, command.input);
+    add_camera_file(description, command.input);
+    add_output(description, command.output,
+               "The drawing, .svg or .png. The default is the shot's name and .svg; - is standard "
+               "output.");
+    add_drawing(description, command.drawing);
+    add_cache(description, command.cache);
+    description.examples = {{"carom plan break.yaml -o break.svg", "The drawing for a browser."}};
 }
 
 }  // namespace carom::cli

@@ -3,9 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "pipeline/cli/film_commands.h"
-#include "pipeline/cli/light_commands.h"
-#include "pipeline/cli/retime_command.h"
+#include "pipeline/cli/run_program.h"
 #include "tests/pipeline/cli/ode_calls.h"
 #include "tests/pipeline/cli/tiny_shot.h"
 #include "tests/pipeline/video/scratch_folder.h"
@@ -34,7 +32,7 @@ class NoSimulation : public ::testing::Test {
         bake.input.path = path("shot.yaml");
         bake.cache.folder = path("cache");
         bake.output = path("shot.bake");
-        run_bake(bake, context_);
+        run(bake, context_);
         before_ = ode_calls();
     }
 
@@ -78,7 +76,7 @@ TEST_F(NoSimulation, BakeUnderAnotherCamera_CallsNoOde) {
                "target: {follow: tile}}]\n");
     RenderCommand command = render("shot.bake", "slow.mp4");
     command.input.camera_file = path("other.yaml");
-    run_render(command, context_);
+    run(command, context_);
     EXPECT_TRUE(std::filesystem::exists(path("slow.mp4")));
     expect_no_call();
 }
@@ -90,12 +88,12 @@ TEST_F(NoSimulation, Retime_CallsNoOde) {
         command.speed = "1/4";
         command.from = "0.2s";
         command.to = "0.3s";
-        run_retime(command, context_);
+        run(command, context_);
         command.speed = command.from = command.to = "";
         command.reverse = true;
-        run_retime(command, context_);
+        run(command, context_);
         command.ramp = "0s:1,0.2s:1/8";
-        run_retime(command, context_);
+        run(command, context_);
     }
     expect_no_call();
 }
@@ -107,7 +105,7 @@ TEST_F(NoSimulation, ChangeOfLookCameraOrOutput_KeepsTheBake) {
         said_.clear();
         RenderCommand command = render("shot.yaml", "film.mp4");
         command.input.overrides = {change};
-        run_render(command, context_);
+        run(command, context_);
         EXPECT_THAT(said_, HasSubstr("the physics is unchanged: using the bake that was kept"))
             << change;
     }
@@ -118,19 +116,19 @@ TEST_F(NoSimulation, ChangeOfPhysics_SimulatesAndSaysWhatChanged) {
     RenderCommand command = render("shot.yaml", "film.mp4");
     command.input.overrides = {"events[0].strike.speed=4", "physics.gravity=9.8"};
     said_.clear();
-    run_render(command, context_);
+    run(command, context_);
     EXPECT_THAT(said_, HasSubstr("simulated the shot again: its physics has changed "
                                  "(events[0].strike.speed, physics)"));
     EXPECT_GT(ode_calls().steps, before_.steps);
     const OdeCalls changed = ode_calls();
     said_.clear();
-    run_render(render("shot.yaml", "film.mp4"), context_);  // and back
+    run(render("shot.yaml", "film.mp4"), context_);  // and back
     EXPECT_THAT(said_,
                 HasSubstr("this physics was simulated before: using the bake that was kept"));
     EXPECT_EQ(ode_calls().steps, changed.steps);
     std::filesystem::remove_all(path("cache/bakes"));
     said_.clear();
-    run_render(render("shot.yaml", "film.mp4"), context_);
+    run(render("shot.yaml", "film.mp4"), context_);
     EXPECT_THAT(said_, HasSubstr("simulated the shot again: its bake was not there any more"));
 }
 
@@ -141,7 +139,7 @@ TEST_F(NoSimulation, DamagedBake_IsSimulatedAgainAndSaidToBeThere) {
         }
     }
     said_.clear();
-    run_render(render("shot.yaml", "film.mp4"), context_);
+    run(render("shot.yaml", "film.mp4"), context_);
     EXPECT_THAT(said_, HasSubstr("the kept bake cannot be used, baking again: "));
     EXPECT_THAT(said_,
                 HasSubstr("simulated the shot again: the bake that was kept could not be used"));

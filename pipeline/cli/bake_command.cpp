@@ -1,15 +1,14 @@
-#include "pipeline/cli/light_commands.h"
-
 #include <string>
 
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/output_file.h"
+#include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "sim/timeline/bake_file.h"
 
 namespace carom::cli {
 
-void run_bake(const BakeCommand& command, CommandContext& context) {
+void run(const BakeCommand& command, CommandContext& context) {
     if (is_bake_file(command.input.path)) {
         throw InputError("'" + command.input.path + "' is a bake already; give the shot");
     }

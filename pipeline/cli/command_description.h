@@ -1,0 +1,82 @@
+// A command and its options as data. The parser, the help, the manual and the completion in shells
+// read it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace carom::cli {
+
+/// Where the parser writes a value.
+using Target = std::variant<bool*, std::string*, std::vector<std::string>*, int*, std::int64_t*,
+                            double*, std::optional<std::int64_t>*, std::optional<double>*>;
+
+/// What a shell offers for a value that has no fixed choices.
+enum class Offer { nothing, files, folders, keys, cameras, presets };
+
+/// An option "--threads N", a flag "--json" or an argument "SHOT|BAKE".
+struct Option {
+    std::string short_name;  // "-o", or empty
+    std::string name;        // "--output"; of an argument what stands for it: "SHOT|BAKE"
+    std::string value;       // "FILE"; empty: a flag or an argument
+    std::string help;        // sentences
+    Target target;           // a null bool*: the parser itself acts (--help, --version)
+    bool is_required = false;
+    std::vector<std::string> choices;  // the only values, if there are any here
+    std::optional<double> least;       // of a number
+    std::optional<double> most;
+    bool must_be_folder = false;                                // one that exists
+    std::function<std::string(const std::string&)> problem_of;  // of a value; empty: none
+    std::vector<std::string> excluded;                          // names of other options
+    std::string needed;                                         // likewise
+    Offer offer = Offer::nothing;
+    std::vector<std::string> endings;  // of files to offer: "yaml"; empty: any
+
+    [[nodiscard]] bool is_argument() const { return !name.starts_with('-'); }
+    [[nodiscard]] bool is_flag() const { return std::holds_alternative<bool*>(target); }
+
+    Option& one_of(std::vector<std::string> values);
+    Option& from(double smallest);
+    Option& between(double smallest, double largest);
+    Option& checked_by(std::function<std::string(const std::string&)> check);
+    Option& excludes(std::vector<std::string> names);
+    Option& needs(std::string name);
+    Option& offers(Offer what, std::vector<std::string> file_endings = {});
+};
+
+struct Example {
+    std::string line;     // "carom check break.yaml"
+    std::string meaning;  // a sentence
+};
+
+struct CommandDescription {
+    std::string name;                  // "render"; of the program itself "carom"
+    std::string summary;               // a sentence
+    std::string group;                 // the heading that it stands under
+    std::vector<std::string> details;  // paragraphs
+    std::list<Option> options;         // in order; a list, so that they stay where they are
+    std::vector<Example> examples;
+    std::vector<std::string> notes;          // paragraphs at the end
+    std::list<CommandDescription> commands;  // below it
+    std::function<void()> chosen;            // called when the command was given
+
+    /// `names` are "--json" or "-o,--output".
+    Option& flag(const std::string& names, bool& target, std::string help);
+    Option& option(const std::string& names, Target target, std::string value, std::string help);
+    /// A required word without a dash.
+    Option& argument(std::string name, std::string& target, std::string help);
+
+    /// A command below this one.
+    CommandDescription& command(std::string command_name, std::string command_summary);
+
+    [[nodiscard]] const CommandDescription* find_command(const std::string& command_name) const;
+    /// By either of its names.
+    [[nodiscard]] const Option* find_option(const std::string& option_name) const;
+};
+
+}  // namespace carom::cli
