@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "pipeline/config/reference_examples.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
@@ -15,16 +16,20 @@ namespace {
 
 constexpr const char* kIntroduction = R"(# The keys of a shot
 
-This page is made from the table of keys that the program itself reads; a test holds them together.
+This page is generated from the table of keys that the program itself reads, and a test compares
+the two. Each section has an example. With the line `carom: 1` before it, each example is a whole
+shot without errors; a test loads them all.
 
-A number may carry a unit: `57.15 mm`, `30 deg`, `1/48 s`, `20 km/h`, `6 oz`; units multiply and
-divide (`kg/m^3`, `N m`). A plain number is in SI units. Angles, angular velocities, densities and
-the lengths of a camera's lens have no plain numbers except 0, because readers would take them to be
-in different units: the tables say "with unit". Fractions and decimals of times and rates are kept
-exactly. Colours are linear red, green and blue, one number for grey, or `"#1a6b3c"`
-(sRGB-encoded). `null` takes a key of an included file away. In ranges a round bracket leaves the
-end itself out. A text in quotes may continue on further lines only if these are indented deeper
-than its key; a quote that is not closed is an error.
+- *Units.* A number may have a unit: `57.15 mm`, `30 deg`, `1/48 s`, `20 km/h`, `6 oz`. Units can
+  be multiplied and divided (`kg/m^3`, `N m`). A number without a unit is in SI units. Angles,
+  angular velocities, densities and the lengths of a camera's lens need a unit unless they are 0,
+  because readers would assume different units: the tables say "with unit".
+- *Exact numbers.* Fractions and decimals of times and rates are kept exactly.
+- *Colours* are linear red, green and blue, or one number for grey, or `"#1a6b3c"` (sRGB-encoded).
+- *Ranges* are in brackets after the type. A round bracket excludes the end itself.
+- *Removing a key.* `null` removes a key of an included file.
+- *Quotes.* A text in quotes may continue on further lines only if these are indented more deeply
+  than its key. A quote that is not closed is an error.
 
 )";
 
@@ -130,13 +135,8 @@ std::string describe_default(const KeyInfo& key) {
     return key.default_text.empty() ? "" : "`" + key.default_text + "`";
 }
 
-std::string describe_map(const MapInfo& map) {
-    std::string text = "## " + map.name + "\n\n" + map.description + "\n\n";
-    text += "| key | type | default | meaning |\n|---|---|---|---|\n";
-    for (const KeyInfo& key : map.keys) {
-        text += "| `" + key.name + "` | " + cell(describe_type(key.type)) + " | " +
-                cell(describe_default(key)) + " | " + cell(key.description) + " |\n";
-    }
+std::string describe_groups(const MapInfo& map) {
+    std::string text;
     for (const KeyGroup& group : map.groups) {
         std::vector<std::string> words;
         for (const std::string& key : group.keys) {
@@ -146,20 +146,46 @@ std::string describe_map(const MapInfo& map) {
         text += std::string("\n") + (is_needed ? "Exactly" : "At most") + " one of " +
                 join(words, "and") + ".\n";
     }
-    return text + "\n";
+    return text;
 }
 
+std::string describe_map(const MapInfo& map) {
+    std::string text = "## " + map.name + "\n\n" + map.description + "\n\n```yaml\n" +
+                       reference_examples().at(map.name) + "```\n\n";
+    text += "| key | type | default | meaning |\n|---|---|---|---|\n";
+    for (const KeyInfo& key : map.keys) {
+        text += "| `" + key.name + "` | " + cell(describe_type(key.type)) + " | " +
+                cell(describe_default(key)) + " | " + cell(key.description) + " |\n";
+    }
+    return text + describe_groups(map) + "\n";
+}
+
+/// A section of the page, and how many others lead to it from the top.
+struct Section {
+    const MapInfo* map = nullptr;
+    std::size_t depth = 0;
+};
+
 /// The maps that a type leads to, each once, in the order in which a reader meets them.
-void collect(const TypeInfo& type, std::vector<const MapInfo*>& maps) {
-    if (type.map != nullptr && std::find(maps.begin(), maps.end(), type.map) == maps.end()) {
-        maps.push_back(type.map);
+void collect(const TypeInfo& type, std::size_t depth, std::vector<Section>& sections) {
+    const auto is_same = [&](const Section& section) { return section.map == type.map; };
+    if (type.map != nullptr && std::ranges::none_of(sections, is_same)) {
+        sections.push_back({type.map, depth});
         for (const KeyInfo& key : type.map->keys) {
-            collect(key.type, maps);
+            collect(key.type, depth + 1, sections);
         }
     }
     for (const TypeInfo& element : type.elements) {
-        collect(element, maps);
+        collect(element, depth, sections);
     }
+}
+
+std::string table_of_contents(const std::vector<Section>& sections) {
+    std::string text = "## Contents\n\n";
+    for (const Section& section : sections) {
+        text += std::string(2 * section.depth, ' ') + "- " + anchor(*section.map) + "\n";
+    }
+    return text + "\n";
 }
 
 }  // namespace
@@ -168,11 +194,11 @@ std::string reference_markdown() {
     TypeInfo top;
     top.kind = TypeInfo::Kind::map;
     top.map = &shot_spec().info();
-    std::vector<const MapInfo*> maps;
-    collect(top, maps);
-    std::string text = kIntroduction;
-    for (const MapInfo* map : maps) {
-        text += describe_map(*map);
+    std::vector<Section> sections;
+    collect(top, 0, sections);
+    std::string text = kIntroduction + table_of_contents(sections);
+    for (const Section& section : sections) {
+        text += describe_map(*section.map);
     }
     text.pop_back();  // one line end closes the file
     return text;

@@ -1,13 +1,16 @@
 #include "pipeline/config/reference.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <set>
 #include <sstream>
 
-#include <gtest/gtest.h>
-
+#include "pipeline/config/parse_yaml.h"
+#include "pipeline/config/reference_examples.h"
 #include "pipeline/config/sections/sections.h"
+#include "tests/pipeline/config/load.h"
+#include "tests/pipeline/video/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {
@@ -68,6 +71,86 @@ TEST(KeyTable, EveryKey_IsUniqueAndDescribed) {
     std::set<const config::MapInfo*> seen;
     check_map(config::shot_spec().info(), seen);
     EXPECT_GT(seen.size(), 30U);
+}
+
+void add_sections_of(const config::Node& node, const config::TypeInfo& type,
+                     std::set<std::string>& names);
+
+void add_section(const config::Node& node, const config::MapInfo& map,
+                 std::set<std::string>& names) {
+    const auto knows = [&](const config::Entry& entry) {
+        return std::ranges::any_of(
+            map.keys, [&](const config::KeyInfo& key) { return key.name == entry.key; });
+    };
+    if (!node.is_map() || !std::ranges::all_of(node.entries, knows)) {
+        return;
+    }
+    names.insert(map.name);
+    for (const config::KeyInfo& key : map.keys) {
+        if (const config::Entry* entry = node.find(key.name)) {
+            add_sections_of(entry->value, key.type, names);
+        }
+    }
+}
+
+/// The sections of the reference that a value of this type uses.
+void add_sections_of(const config::Node& node, const config::TypeInfo& type,
+                     std::set<std::string>& names) {
+    if (type.map != nullptr) {
+        add_section(node, *type.map, names);
+    }
+    for (const config::TypeInfo& element : type.elements) {
+        if (type.kind == config::TypeInfo::Kind::any_of) {
+            add_sections_of(node, element, names);
+            continue;
+        }
+        for (const config::Node& item : node.items) {
+            add_sections_of(item, element, names);
+        }
+        for (const config::Entry& entry : node.entries) {
+            add_sections_of(entry.value, element, names);
+        }
+    }
+}
+
+std::set<std::string> sections_used_by(const std::string& yaml) {
+    config::SourceSet sources;
+    config::ProblemList problems(sources);
+    const int source = sources.add({.name = "example.yaml", .folder = "", .text = yaml});
+    const auto node = config::parse_yaml(sources, source, problems);
+    std::set<std::string> names;
+    if (node) {
+        add_section(*node, config::shot_spec().info(), names);
+    }
+    return names;
+}
+
+TEST(Reference, Examples_ThereIsOneForEachSectionAndNoOther) {
+    std::set<const config::MapInfo*> maps;
+    check_map(config::shot_spec().info(), maps);
+    std::set<std::string> sections;
+    for (const config::MapInfo* map : maps) {
+        EXPECT_TRUE(sections.insert(map->name).second) << "two sections are called " << map->name;
+    }
+    std::set<std::string> examples;
+    for (const auto& [section, yaml] : config::reference_examples()) {
+        examples.insert(section);
+    }
+    EXPECT_EQ(examples, sections);
+}
+
+TEST(Reference, Examples_AreShotsWithoutErrorsThatUseTheirSection) {
+    const carom::testing::ScratchFolder folder;
+    std::ofstream(folder.path("logo.png"));  // of the example with a picture
+    for (const auto& [section, yaml] : config::reference_examples()) {
+        SCOPED_TRACE(section);
+        const bool has_camera = yaml.find("cameras:") != std::string::npos;
+        const LoadResult result = load_shot_text("carom: 1\n" + (has_camera ? "" : kCamera) + yaml,
+                                                 folder.path("shot.yaml"));
+        EXPECT_EQ(all_problems(result), "");
+        EXPECT_TRUE(result.shot);
+        EXPECT_EQ(sections_used_by(yaml).count(section), 1U) << "the example does not use it";
+    }
 }
 
 }  // namespace

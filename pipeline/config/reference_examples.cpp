@@ -1,0 +1,355 @@
+#include "pipeline/config/reference_examples.h"
+
+namespace carom::pipeline::config {
+
+const std::map<std::string, std::string>& reference_examples() {
+    static const std::map<std::string, std::string> examples{
+        {"shot", R"(include: [tables/pool_9ft.yaml, balls/pool.yaml, looks/club.yaml]
+simulation: {duration: 3 s}
+balls:
+  cue: {at: [-0.3, -0.2]}
+  eight: {at: [0.8, 0.25]}
+events:
+  - strike: {ball: cue, at: 0.5 s, toward: eight, speed: 3 m/s}
+cameras:
+  - video: [0 s, 3 s]
+    scene: [0 s, 3 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0.7, 0.15, 0]
+)"},
+        {"simulation", R"(simulation: {duration: 6 s, seed: 7}
+)"},
+        {"key_reduction", R"(simulation:
+  key_reduction: {position_error: 0.01 mm, orientation_error: 0.05 deg}
+)"},
+        {"physics", R"(physics:
+  gravity: 9.81 m/s^2
+  ball_ball: {restitution: 0.93}
+  pairs:
+    - {between: [tile, cloth], friction: 0.35, restitution: 0.1}
+)"},
+        {"ball_cloth", R"(physics:
+  ball_cloth: {sliding_friction: 0.15, rolling_friction: 0.008}
+)"},
+        {"ball_ball", R"(physics:
+  ball_ball: {restitution: 0.95, friction: alciatore}
+)"},
+        {"ball_cushion", R"(physics:
+  ball_cushion: {model: han2005, restitution: 0.8}
+)"},
+        {"cushion_numbers", R"(physics:
+  ball_cushion:
+    model: mathavan2010
+    mathavan2010: {restitution: 0.98, friction: 0.14}
+)"},
+        {"otherwise", R"(physics:
+  otherwise: {restitution: 0.2, friction: 0.5}
+)"},
+        {"pair", R"(physics:
+  pairs:
+    - {between: [tile, ball], friction: 0.15, restitution: 0.5}
+)"},
+        {"ball_set", R"(ball_set: {kind: snooker, mass: 142 g}
+)"},
+        {"table", R"(table: {kind: pool, size: 8 ft}
+)"},
+        {"pockets", R"(table:
+  pockets:
+    corner: {drop: 100 mm}
+    side: {drop: 100 mm}
+)"},
+        {"pocket", R"(table:
+  pockets:
+    corner: {shelf: 45 mm, hole_radius: 51 mm}
+)"},
+        {"rack", R"(table: {kind: pool}
+rack: {set: nine_ball, gap: 0.05 mm}
+balls: {cue: {at: [-0.75, 0.12]}}
+)"},
+        {"ball", R"(table: {kind: pool}
+balls:
+  cue: {at: [-0.3, -0.2], velocity: [2, 0.5], spin: [0 rad/s, 0 rad/s, 20 rad/s]}
+  eight: {at: [0.8, 0.25]}
+)"},
+        {"rotation", R"(table: {kind: pool}
+balls:
+  eight: {at: [0.8, 0.25], rotate: {axis: [0, 0, 1], angle: 30 deg}}
+)"},
+        {"ball look", R"(balls:
+  cue: {at: [-0.3, -0.2], look: {spots: 6}}
+  mine: {at: [0.5, 0], look: {colour: [0.4, 0.02, 0.02], striped: true, number: 42}}
+)"},
+        {"object", R"(objects:
+  block:
+    box: [40 mm, 120 mm, 40 mm]
+    at: [0.2, 0, 0.02]
+    rotate: [0, 0, 30 deg]
+    physics: {density: 650 kg/m^3}
+)"},
+        {"cone", R"(objects:
+  marker: {cone: {radius: 45 mm, top_radius: 8 mm, height: 110 mm}, at: [0.5, 0.2, 0.055]}
+)"},
+        {"capsule", R"(objects:
+  pill: {capsule: {radius: 15 mm, length: 40 mm}, at: [0.2, 0, 0.035], physics: {mass: 50 g}}
+)"},
+        {"cylinder", R"(objects:
+  barrel:
+    cylinder: {radius: 28 mm, height: 80 mm}
+    at: [0.2, 0, 0.04]
+    physics: {density: 650 kg/m^3}
+)"},
+        {"object physics", R"(objects:
+  tile:
+    box: [10 mm, 32 mm, 60 mm]
+    at: [0.2, 0, 0.03]
+    physics: {density: 1800 kg/m^3, material: tile, velocity: [0.1, 0, 0]}
+)"},
+        {"motion", R"(objects:
+  plank:
+    box: [36 cm, 9 cm, 2 cm]
+    physics: true
+    motion:
+      easing: linear
+      keys:
+        - {at: 0.5 s, position: [-0.78, 0, 0.02]}
+        - {at: 2.5 s, position: [-0.78, 0, 0.20]}
+)"},
+        {"motion key", R"(objects:
+  plank:
+    box: [36 cm, 9 cm, 2 cm]
+    motion:
+      keys:
+        - {at: 0.5 s, position: [-0.78, 0, 0.011]}
+        - {at: 2.5 s, position: [-0.79, 0, 0.051], rotate: [0 deg, 13 deg, 0 deg]}
+)"},
+        {"turn", R"(objects:
+  bar:
+    box: [56 cm, 24 mm, 40 mm]
+    at: [0.05, 0, 0.026]
+    motion:
+      keys:
+        - {at: 2 s}
+        - {at: 4 s, turn: {axis: [0, 0, 1], angle: 720 deg}}
+)"},
+        {"event", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}}
+events:
+  - strike: {ball: cue, at: 0.5 s, direction: 20 deg, speed: 3 m/s}
+  - velocity: {object: cue, at: 2 s, linear: [0, 0, 0]}
+)"},
+        {"strike", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}, eight: {at: [0.8, 0.25]}}
+events:
+  - strike: {ball: cue, at: 0.5 s, toward: eight, speed: 3 m/s, tip: [0, -0.3], elevation: 5 deg}
+)"},
+        {"when", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}, eight: {at: [0.8, 0.25]}}
+events:
+  - strike: {ball: cue, toward: eight, speed: 3 m/s}
+  - impulse:
+      object: cue
+      when: {contact: [eight, cushion]}
+      after: 0.2 s
+      newton_seconds: [0, 0.2, 0]
+)"},
+        {"crossing", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}}
+events:
+  - strike: {ball: cue, direction: 0 deg, speed: 2 m/s}
+  - force:
+      object: cue
+      when: {crossing: {object: cue, from: [0.2, -0.6], to: [0.2, 0.6]}}
+      for: 0.5 s
+      newtons: [0, 0.3, 0]
+)"},
+        {"impulse", R"(table: {kind: pool}
+balls: {eight: {at: [0.8, 0.25]}}
+events:
+  - impulse: {object: eight, at: 1 s, newton_seconds: [0, -0.12, 0]}
+)"},
+        {"force", R"(table: {kind: pool}
+balls: {eight: {at: [0.8, 0.25]}}
+events:
+  - force: {object: eight, at: 1 s, for: 0.5 s, newtons: [0.3, 0, 0]}
+)"},
+        {"torque", R"(table: {kind: pool}
+balls: {eight: {at: [0.8, 0.25]}}
+events:
+  - torque: {object: eight, at: 1 s, for: 0.2 s, newton_metres: [0, 0, 0.002]}
+)"},
+        {"velocity", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}}
+events:
+  - velocity: {object: cue, at: 1 s, linear: [0.8, 0.3, 0], angular: [0, 0, 20 rad/s]}
+)"},
+        {"material", R"(materials:
+  brass: {standard: {base: [0.78, 0.56, 0.26], metal: 1, roughness: 0.22}}
+  chalk: {phong: {diffuse: [0.06, 0.17, 0.33]}}
+)"},
+        {"standard", R"(materials:
+  frosted: {standard: {base: [1, 1, 1], transmission: 1, ior: 1.5, roughness: 0.4}}
+  lacquer: {standard: {base: [0.42, 0.02, 0.015], roughness: 0.4, coat: {roughness: 0.05}}}
+)"},
+        {"texture", R"(materials:
+  floor: {standard: {base: {checker: {even: 0.6, odd: 0.1, size: 20 cm}}}}
+)"},
+        {"image", R"(materials:
+  rail: {standard: {base: {image: {file: logo.png, size: [20 cm, 10 cm]}}}}
+)"},
+        {"cloth", R"(materials:
+  cloth: {standard: {base: {cloth: {colour: [0.02, 0.15, 0.045], variation: 0.2}}, roughness: 0.9}}
+)"},
+        {"wood", R"(materials:
+  rail:
+    standard:
+      base: {wood: {light: [0.44, 0.27, 0.13], dark: [0.23, 0.12, 0.05], ring: 5 mm}}
+)"},
+        {"checker", R"(materials:
+  floor:
+    standard:
+      base: {checker: {even: [0.1, 0.1, 0.11], odd: [0.05, 0.05, 0.06], size: 10 cm}}
+)"},
+        {"ball paint", R"(materials:
+  prize:
+    standard:
+      base: {ball: {colour: [0.4, 0.02, 0.02], striped: true, number: 42}}
+      coat: {roughness: 0}
+objects:
+  prize: {sphere: 60 mm, at: [0, 0, 0.06], material: prize}
+)"},
+        {"coat", R"(materials:
+  rail: {standard: {base: [0.1, 0.03, 0.01], roughness: 0.5, coat: {weight: 0.8, roughness: 0.15}}}
+)"},
+        {"phong", R"(materials:
+  glass:
+    phong: {diffuse: 0.02, specular: 0.8, reflectance: 0.08, transmittance: 0.88, index: 1.5}
+)"},
+        {"light", R"(lights:
+  lamp: {rectangle: [1.7 m, 0.4 m], at: [0, 0, 1.05], facing: [0, 0, -1], radiance: [13, 12, 10]}
+  evening: {spot: [26, 24, 20], at: [-0.5, -1, 1.6], facing: [0.5, 1, -1], angle: [16 deg, 24 deg]}
+  room: {environment: 0.05}
+)"},
+        {"sky", R"(lights:
+  sky: {environment: {sun: [-0.75, -0.8, 0.5], turbidity: 2.6, ground: [0.06, 0.1, 0.04]}}
+  sun: {directional: [560, 520, 450], facing: [0.75, 0.8, -0.5]}
+output: {exposure: -7}
+)"},
+        {"camera", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}}
+cameras:
+  - name: seat
+    video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: {bezier: [[-1.1, -0.45, 0.36], [-0.9, -0.6, 0.3]]}
+    target: [0, 0, 0]
+    fov: [40 deg, 30 deg]
+    focus: cue
+    f_number: 4
+)"},
+        {"speeds", R"(cameras:
+  - video: [0 s, 4 s]
+    scene: {from: 0.5 s, speeds: [[0 s, 1], [1 s, 1/16], [3 s, 1/16], [4 s, 1]], easing: smooth}
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+)"},
+        {"path", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}}
+cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: {orbit: [0, 0, 0.85], radius: [2.6 m, 2.1 m], angles: [-150 deg, 30 deg]}
+    target: {follow: cue, smoothing: 0.2 s}
+)"},
+        {"control point", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}}
+cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: {bezier: [[-1.1, -0.45, 0.36], {of: cue, at: 0.5 s, offset: [-0.4, 0, 0.2]}]}
+    target: [0, 0, 0]
+)"},
+        {"changing fov", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    fov: {from: 40 deg, to: 30 deg, easing: smooth}
+)"},
+        {"changing focal_length", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    focal_length: {from: 28 mm, to: 35 mm, easing: smooth}
+)"},
+        {"changing focus", R"(table: {kind: pool}
+balls: {cue: {at: [-0.3, -0.2]}}
+cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    focus: {from: cue, to: auto, easing: smooth}
+    f_number: 4
+)"},
+        {"changing aperture", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    aperture: {from: 0 mm, to: 6 mm}
+)"},
+        {"changing f_number", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    f_number: {from: 8, to: 2.8}
+)"},
+        {"changing blades", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    f_number: 4
+    blades: {from: 5, to: 9}
+)"},
+        {"changing roll", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [-1.1, -0.45, 0.36]
+    target: [0, 0, 0]
+    roll: {from: 0 deg, to: 10 deg, easing: [0.3, 0, 0.5, 1]}
+)"},
+        {"changing up", R"(cameras:
+  - video: [0 s, 2 s]
+    scene: [0 s, 2 s]
+    position: [0, 0, 3]
+    target: [0, 0, 0]
+    up: {from: [0.2, 1, 0], to: [0, 1, 0]}
+)"},
+        {"render", R"(render: {size: [1280, 720], fps: 30, samples: 32, noise: 0.02, max_bounces: 6}
+)"},
+        {"shutter", R"(render: {shutter: {time: 1/250 s, clock: scene}}
+)"},
+        {"distributed", R"(render:
+  integrator: distributed
+  distributed: {pixel_samples: 4, blur_samples: 8, lens_samples: 8, shadow_samples: 4}
+)"},
+        {"output", R"(output: {codec: hevc, bits: 10, crf: 20, view: agx, exposure: 0.5}
+)"},
+        {"ocio", R"(output:
+  view: ocio
+  ocio: {colour_space: Linear Rec.709 (sRGB), display: sRGB - Display}
+)"},
+        {"glow", R"(output: {glow: {strength: 0.04, radius: 0.05}}
+)"},
+        {"hdr10", R"(output: {hdr10: {peak: 1000, white: 203}}
+)"},
+        {"overlay", R"(output: {overlay: {show: [scene_time, speed], corner: bottom_right}}
+)"},
+    };
+    return examples;
+}
+
+}  // namespace carom::pipeline::config
