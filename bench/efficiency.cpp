@@ -3,7 +3,6 @@
 // not.
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <exception>
 #include <string>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "bench/growth_scenes.h"
 #include "bench/peer_scene.h"
 #include "bench/picture.h"
+#include "core/cpu_time.h"
 
 namespace carom::bench {
 namespace {
@@ -25,19 +25,13 @@ struct Run {
     double camera_rays = 0;
 };
 
-double cpu_now() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 Run render_once(const PeerScene& scene, const render::PreparedScene& prepared, int seed) {
     render::FrameInput frame = scene.frame;
     frame.seed = static_cast<std::uint64_t>(seed);
-    const double start = cpu_now();
+    const double start = process_cpu_seconds();
     const render::Film film = render_frame(prepared, scene.tracks, frame, scene.settings);
     Run run;
-    run.cpu_seconds = cpu_now() - start;
+    run.cpu_seconds = process_cpu_seconds() - start;
     const render::RenderStatistics& count = film.statistics;
     run.camera_rays = static_cast<double>(count.camera_rays);
     run.rays = static_cast<double>(count.camera_rays + count.scattered_rays + count.shadow_rays);

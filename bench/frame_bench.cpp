@@ -6,6 +6,7 @@
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/texture.h>
 #include <benchmark/benchmark.h>
+#include <fmt/core.h>
 
 #include "render/frame/frame.h"
 #include "render/texture/image.h"
@@ -37,7 +38,7 @@ StandardMaterial ball_material(int number, bool textured) {
 
 void add_balls(Table& table, bool textured) {
     for (int i = 0; i < 16; ++i) {
-        const std::string name = "ball " + std::to_string(i);
+        const std::string name = fmt::format("ball {}", i);
         table.builder.material(name, ball_material(i, textured));
         table.builder.sphere(name, kRadius, Vec3(0, 0, 0), name, name);
         const Vec3 place(0.35 + 0.075 * (i % 4), -0.2 + 0.09 * (i / 4) + 0.03 * (i % 3), kRadius);

@@ -4,7 +4,6 @@
 //   growth --plot docs/developers/images/growth.svg
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <exception>
 #include <memory>
 #include <string>
@@ -15,6 +14,7 @@
 
 #include "bench/growth_scenes.h"
 #include "bench/line_chart.h"
+#include "core/cpu_time.h"
 #include "render/acceleration/embree_structure.h"
 #include "render/acceleration/flush_denormals.h"
 #include "render/acceleration/hybrid_structure.h"
@@ -27,17 +27,11 @@ namespace {
 
 using namespace render;
 
-double cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 template <class Work>
 double timed(const Work& work) {
-    const double start = cpu_seconds();
+    const double start = process_cpu_seconds();
     work();
-    return cpu_seconds() - start;
+    return process_cpu_seconds() - start;
 }
 
 /// The balls of a cloud as the structures take them.
@@ -114,14 +108,14 @@ double ray_rate(const AccelerationStructure& structure, const std::vector<RayWav
     std::size_t asked = 0;
     float sum = 0;
     const double seconds = timed([&] {
-        const double start = cpu_seconds();
+        const double start = process_cpu_seconds();
         do {
             for (int i = 0; i < 8; ++i, ++asked) {
                 Hit hits[RayWave::kRoom];
                 structure.closest_hits(waves[asked % waves.size()].batch(), hits);
                 sum += hits[0].object != kNoObject ? hits[0].t : 0;
             }
-        } while (cpu_seconds() - start < 0.1);
+        } while (process_cpu_seconds() - start < 0.1);
     });
     return sum > 0 ? 1e-6 * RayWave::kRays * static_cast<double>(asked) / seconds : 0;
 }

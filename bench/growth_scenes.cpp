@@ -2,7 +2,10 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <string>
+
+#include <fmt/core.h>
 
 #include "tests/render/statistics.h"
 
@@ -14,8 +17,6 @@ using namespace render;
 
 constexpr double kRoom = 2;  // edge of the cloud, m
 constexpr double kShutter = 1.0 / 48;
-constexpr double kPi = 3.14159265358979323846;
-
 Vec3 random_place(test::TestRandom& random, double half) {
     const auto along = [&] {
         return static_cast<double>(
@@ -61,7 +62,7 @@ GrowthScene make_ball_cloud(int count) {
     const double spacing = kRoom / std::cbrt(static_cast<double>(count));
     const double radius = 0.3 * spacing;
     for (int i = 0; i < count; ++i) {
-        const std::string name = "ball " + std::to_string(i);
+        const std::string name = fmt::format("ball {}", i);
         const Vec3 place = random_place(random, 0.5 * kRoom);
         if (i % 2 == 0) {
             scene.builder.sphere(name, radius, place, "grey");
@@ -83,8 +84,8 @@ render::MeshShape bumpy_ball(int count, double radius) {
     MeshShape mesh;
     for (int r = 0; r <= rings; ++r) {
         for (int s = 0; s < sectors; ++s) {
-            const double theta = kPi * r / rings;
-            const double phi = 2 * kPi * s / sectors;
+            const double theta = std::numbers::pi * r / rings;
+            const double phi = 2 * std::numbers::pi * s / sectors;
             const double bumps = std::sin(9 * theta) * std::cos(7 * phi) +
                                  0.3 * std::sin(61 * theta) * std::cos(53 * phi);
             const double size = radius * (1 + 0.12 * bumps);

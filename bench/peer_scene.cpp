@@ -3,6 +3,7 @@
 #include <fstream>
 #include <numbers>
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/render/scene_builder.h"
@@ -38,7 +39,7 @@ void add_balls(const json& from, double shutter, PeerScene& to) {
     test::SceneBuilder builder{to.scene};
     const double index = from.at("materials").at("ball").at("ior").get<double>();
     for (const json& ball : from.at("balls")) {
-        const std::string name = "ball " + std::to_string(ball.at("id").get<int>());
+        const std::string name = fmt::format("ball {}", ball.at("id").get<int>());
         render::StandardMaterial surface;
         surface.base = vector(ball.at("base_color"));
         surface.coat = {1, index, 0};

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
+
+#include <fmt/core.h>
 
 #include "render/camera/thin_lens_camera.h"
 #include "render/geometry/orthonormal_basis.h"
@@ -20,7 +23,7 @@ constexpr int kHeight = 360;
 
 void add(SceneDescription& scene, const Shape& shape, const Vec3& at, const std::string& track) {
     ObjectDescription object;
-    object.name = "object" + std::to_string(scene.objects.size());
+    object.name = fmt::format("object{}", scene.objects.size());
     object.shape = shape;
     if (track.empty()) {
         object.world_from_object.setTranslation(at);
@@ -85,7 +88,7 @@ void add_balls(TableShot& shot) {
         const double impact = shot.scene_close * (0.2 + 0.04 * i);
         const Vec3 middle = start + impact * before;
         const Vec3 end = middle + (shot.scene_close - impact) * after;
-        const std::string name = "ball" + std::to_string(i);
+        const std::string name = fmt::format("ball{}", i);
         shot.tracks.emplace_back(
             name,
             std::vector<sim::Key>{key(0, start, before, before), key(impact, middle, before, after),
@@ -100,7 +103,7 @@ MeshShape knot() {
     const int along = 1000;
     const int around = 50;
     for (int i = 0; i < along; ++i) {
-        const double t = 2 * 3.14159265358979 * i / along;
+        const double t = 2 * std::numbers::pi * i / along;
         const auto place = [](double s) {
             const double r = 0.2 + 0.08 * std::cos(3 * s);
             return Vec3(r * std::cos(2 * s), r * std::sin(2 * s), 0.08 * std::sin(3 * s));
@@ -110,7 +113,7 @@ MeshShape knot() {
         const Vec3 side = forward.cross(Vec3(0, 0, 1)).normalized();
         const Vec3 up = side.cross(forward);
         for (int k = 0; k < around; ++k) {
-            const double a = 2 * 3.14159265358979 * k / around;
+            const double a = 2 * std::numbers::pi * k / around;
             mesh.vertices.push_back(centre + 0.03 * (std::cos(a) * side + std::sin(a) * up));
             const auto at = [&](int x, int y) {
                 return static_cast<std::uint32_t>((x % along) * around + y % around);

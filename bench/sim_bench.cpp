@@ -4,7 +4,9 @@
 #include <string>
 
 #include <benchmark/benchmark.h>
+#include <fmt/core.h>
 
+#include "core/splitmix.h"
 #include "sim/bake.h"
 #include "sim/billiards/rack.h"
 
@@ -59,17 +61,12 @@ WorldDescription crowd(int count, double duration, bool has_pockets) {
     const int rows = static_cast<int>(std::sqrt(count / 2.0));
     const int columns = (count + rows - 1) / rows;
     const Vec2 step(world.table->length / columns, world.table->width / rows);
-    std::uint64_t draw = 1;
-    const auto uniform = [&draw] {  // splitmix64, in [-1, 1)
-        draw += 0x9E3779B97F4A7C15U;
-        std::uint64_t z = (draw ^ (draw >> 30U)) * 0xBF58476D1CE4E5B9U;
-        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-        return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-52 - 1;
-    };
+    SplitMix64 random(1);
+    const auto uniform = [&random] { return random.between(-1, 1); };
     for (int i = 0; i < count; ++i) {
         const double x = (i / rows + 0.5) * step.x - world.table->length / 2;
         const double y = (i % rows + 0.5) * step.y - world.table->width / 2;
-        world.bodies.push_back(ball("ball" + std::to_string(i), {x, y, kRadius}));
+        world.bodies.push_back(ball(fmt::format("ball{}", i), {x, y, kRadius}));
         Vec3& velocity = world.bodies.back().velocity;
         velocity.x = 4 * uniform();
         velocity.y = 4 * uniform();

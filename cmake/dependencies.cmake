@@ -1,5 +1,6 @@
 # Every third-party library, found once. OpenImageIO, ODE, Highway, xxHash and libav come through
-# pkg-config: their CMake packages are missing or broken on Debian 12.
+# pkg-config: their CMake packages are missing or broken on Debian 12. So does {fmt}, whose CMake
+# package defines a macro that only Windows needs in everything that uses it.
 find_package(PkgConfig REQUIRED)
 find_package(Imath REQUIRED)
 find_package(yaml-cpp REQUIRED)
@@ -12,6 +13,7 @@ find_package(Threads REQUIRED)
 pkg_check_modules(ODE REQUIRED IMPORTED_TARGET ode)
 pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
+pkg_check_modules(FMT REQUIRED IMPORTED_TARGET fmt)
 pkg_check_modules(FLATBUFFERS REQUIRED IMPORTED_TARGET flatbuffers)
 pkg_check_modules(TINYOBJ REQUIRED IMPORTED_TARGET tinyobjloader_double)
 pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO)

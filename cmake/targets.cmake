@@ -5,6 +5,7 @@ target_include_directories(carom_compile_options INTERFACE ${PROJECT_SOURCE_DIR}
 target_compile_options(carom_compile_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-align
   -Woverloaded-virtual -Wconversion -Wno-sign-conversion -Werror
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-overloaded-shift-op-parentheses>  # how assertions take conditions apart
   # The same source gives the same bits from g++ and clang, at -O0 and -O2.
   -ffp-contract=off -fno-math-errno -fno-trapping-math)
 option(CAROM_ASSERTIONS "cheap assertions in the program (CAROM_ASSERT)" OFF)

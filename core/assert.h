@@ -1,22 +1,112 @@
-// Programming errors stop the program with a place; user errors are `Error` (error.h).
-//   CAROM_ASSERT(condition)     cheap; on in the test, debug and asan presets
-//   CAROM_VALIDATE(condition)   expensive; on in the debug and asan presets
+// Programming errors stop the program with the place and both sides of the comparison that does not
+// hold; user errors are `Error` (error.h).
+//   CAROM_ASSERT(condition)     cheap; on in every preset, in what users run as well
+//   CAROM_VALIDATE(condition)   expensive; on in the test, debug and asan presets
+// "assertion failed: count < size (4 < 3)": the values are those of a condition that is one
+// comparison; the condition is evaluated once more to print them.
 #pragma once
 
-#include <cstdio>
-#include <cstdlib>
+#include <type_traits>
 
 namespace carom::detail {
 
-[[noreturn]] inline void assertion_failed(const char* text, const char* file, int line) {
-    std::fprintf(stderr, "%s:%d: assertion failed: %s\n", file, line, text);
-    std::abort();
+/// A value in the message of an assertion that failed.
+struct Operand {
+    enum class Kind { unprintable, boolean, signed_integer, unsigned_integer, real, pointer, text };
+
+    Kind kind = Kind::unprintable;
+    unsigned long long bits = 0;  // of a boolean or an integer; bytes of a text
+    double number = 0;
+    int digits = 0;  // that tell neighbouring numbers of the operand's type apart
+    const void* address = nullptr;
+};
+
+template <class T>
+[[gnu::always_inline]] inline Operand operand_of(const T& value) {
+    using Kind = Operand::Kind;
+    if constexpr (std::is_same_v<T, bool>) {
+        return {Kind::boolean, value};
+    } else if constexpr (std::is_enum_v<T>) {
+        return operand_of(static_cast<std::underlying_type_t<T>>(value));
+    } else if constexpr (std::is_integral_v<T>) {
+        return {std::is_signed_v<T> ? Kind::signed_integer : Kind::unsigned_integer,
+                static_cast<unsigned long long>(value)};
+    } else if constexpr (std::is_floating_point_v<T>) {
+        return {Kind::real, 0, static_cast<double>(value), sizeof(T) == sizeof(float) ? 9 : 17};
+    } else if constexpr (std::is_null_pointer_v<T>) {
+        return {Kind::pointer};
+    } else if constexpr (std::is_pointer_v<T> && !std::is_function_v<std::remove_pointer_t<T>>) {
+        return {Kind::pointer, 0, 0, 0, value};
+    } else if constexpr (requires { static_cast<const char*>(value.data()), value.size(); }) {
+        return {Kind::text, value.size(), 0, 0, value.data()};
+    } else {
+        return {};
+    }
 }
+
+struct Comparison {
+    Operand left;
+    const char* sign = nullptr;  // null: not a comparison
+    Operand right;
+
+    explicit operator bool() const { return false; }  // an && or || follows, which hides the values
+};
+
+/// What stands left of a comparison, or all of a condition that is not one.
+template <class T>
+struct LeftSide {
+    const T& value;
+
+    template <class U>
+    [[gnu::always_inline]] Comparison compare(const char* sign, const U& right) const {
+        return {operand_of(value), sign, operand_of(right)};
+    }
+    template <class U>
+    [[gnu::always_inline]] Comparison operator==(const U& right) const {
+        return compare("==", right);
+    }
+    template <class U>
+    [[gnu::always_inline]] Comparison operator!=(const U& right) const {
+        return compare("!=", right);
+    }
+    template <class U>
+    [[gnu::always_inline]] Comparison operator<(const U& right) const {
+        return compare("<", right);
+    }
+    template <class U>
+    [[gnu::always_inline]] Comparison operator<=(const U& right) const {
+        return compare("<=", right);
+    }
+    template <class U>
+    [[gnu::always_inline]] Comparison operator>(const U& right) const {
+        return compare(">", right);
+    }
+    template <class U>
+    [[gnu::always_inline]] Comparison operator>=(const U& right) const {
+        return compare(">=", right);
+    }
+    explicit operator bool() const { return false; }
+    [[gnu::always_inline]] operator Comparison() const { return {}; }
+};
+
+/// `Decomposer() << a < b` is a comparison of a with b: << binds more closely than <.
+struct Decomposer {
+    template <class T>
+    [[gnu::always_inline]] LeftSide<T> operator<<(const T& value) const {
+        return {value};
+    }
+};
+
+[[noreturn]] void assertion_failed(const char* condition, const char* file, int line,
+                                   const Comparison& values);
+[[noreturn]] void assertion_failed(const char* condition, const char* file, int line, bool values);
 
 }  // namespace carom::detail
 
-#define CAROM_CHECK_CONDITION(condition) \
-    ((condition) ? void(0) : ::carom::detail::assertion_failed(#condition, __FILE__, __LINE__))
+#define CAROM_CHECK_CONDITION(condition)                                             \
+    ((condition) ? void(0)                                                           \
+                 : ::carom::detail::assertion_failed(#condition, __FILE__, __LINE__, \
+                                                     ::carom::detail::Decomposer() << condition))
 
 #ifdef CAROM_ASSERTIONS
 #define CAROM_ASSERT(condition) CAROM_CHECK_CONDITION(condition)

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -35,8 +36,7 @@ class TemporaryFile {
         // Created exclusively, so that threads and processes never share a name; with the rights
         // that the user's mask gives, which mkstemp does not honour.
         for (int attempt = 0;; ++attempt) {
-            name_ = folder_of(target_) + "/.carom-" + std::to_string(::getpid()) + "-" +
-                    std::to_string(attempt) + ".part";
+            name_ = fmt::format("{}/.carom-{}-{}.part", folder_of(target_), ::getpid(), attempt);
             descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
             if (descriptor_ >= 0) {
                 return;

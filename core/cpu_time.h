@@ -1,15 +1,28 @@
-// How long this process has worked, all threads together.
+// How long this process has worked.
 #pragma once
 
 #include <ctime>
 
 namespace carom {
 
-/// CPU time, s.
-[[nodiscard]] inline double process_cpu_seconds() {
+namespace detail {
+
+[[nodiscard]] inline double clock_seconds(clockid_t clock) {
     timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    clock_gettime(clock, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace detail
+
+/// CPU time of all threads together, s.
+[[nodiscard]] inline double process_cpu_seconds() {
+    return detail::clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+/// CPU time of the thread that asks, s.
+[[nodiscard]] inline double thread_cpu_seconds() {
+    return detail::clock_seconds(CLOCK_THREAD_CPUTIME_ID);
 }
 
 }  // namespace carom

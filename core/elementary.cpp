@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 namespace carom {
 namespace {
@@ -12,7 +13,6 @@ namespace {
 // exact.
 constexpr double kHalfPiHigh = 1.57079632673412561417e+00;
 constexpr double kHalfPiLow = 6.07710050650619224932e-11;
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLargestReduced = 1e6;  // rad; up to here the products are exact
 
 /// Taylor series of sin on [-pi/4, pi/4]; the first term left out is below 2e-17.
@@ -41,9 +41,10 @@ SinCos sin_cos(double angle) {
         return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
     }
     if (std::abs(angle) > kLargestReduced) {
-        angle = std::remainder(angle, 2 * kPi);  // exact by IEEE 754, but for 2 pi itself
+        angle =
+            std::remainder(angle, 2 * std::numbers::pi);  // exact by IEEE 754, but for 2 pi itself
     }
-    const double turns = std::floor(angle * (2 / kPi) + 0.5);
+    const double turns = std::floor(angle * (2 / std::numbers::pi) + 0.5);
     const double x = (angle - turns * kHalfPiHigh) - turns * kHalfPiLow;
     const double s = sin_small(x);
     const double c = cos_small(x);
@@ -85,8 +86,9 @@ double angle_of(double x, double y) {
     const double length = std::sqrt(x * x + y * y);
     const double c = x / length;
     const double s = y / length;
-    double angle = std::abs(s) <= std::abs(c) ? (c > 0 ? s : (s >= 0 ? kPi - s : -kPi - s))
-                                              : (s > 0 ? kPi / 2 - c : -kPi / 2 + c);
+    double angle = std::abs(s) <= std::abs(c)
+                       ? (c > 0 ? s : (s >= 0 ? std::numbers::pi - s : -std::numbers::pi - s))
+                       : (s > 0 ? std::numbers::pi / 2 - c : -std::numbers::pi / 2 + c);
     for (int i = 0; i < 4; ++i) {
         const SinCos estimate = sin_cos(angle);
         angle += s * estimate.cos - c * estimate.sin;

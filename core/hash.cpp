@@ -1,12 +1,11 @@
 #include "core/hash.h"
 
-#include <array>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <new>
 #include <vector>
 
+#include <fmt/core.h>
 #include <xxhash.h>
 
 #include "core/assert.h"
@@ -60,10 +59,7 @@ class XxhashState {
 }  // namespace
 
 std::string Hash128::to_string() const {
-    std::array<char, 33> text{};
-    std::snprintf(text.data(), text.size(), "%016llx%016llx", static_cast<unsigned long long>(high),
-                  static_cast<unsigned long long>(low));
-    return text.data();
+    return fmt::format("{:016x}{:016x}", high, low);
 }
 
 struct Hasher::State : XxhashState {

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include <fmt/core.h>
+
 namespace carom {
 namespace {
 
@@ -26,7 +28,7 @@ std::size_t input_limit(std::size_t usual) {
 }
 
 std::string beyond_limit(std::size_t limit, const std::string& what) {
-    return "more than " + std::to_string(limit) + " " + what + how_to_raise_limits();
+    return fmt::format("more than {} {}{}", limit, what, how_to_raise_limits());
 }
 
 const char* how_to_raise_limits() {

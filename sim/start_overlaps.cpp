@@ -1,10 +1,10 @@
 #include "sim/start_overlaps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
+
+#include <fmt/core.h>
 
 #include "core/finite.h"
 #include "sim/solid_shape.h"
@@ -201,9 +201,7 @@ void offer_solids(const Ball& ball, const WorldDescription& world, Deepest& deep
 }  // namespace
 
 std::string StartOverlap::sentence() const {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "reaches %.2f mm into ", std::max(depth * 1e3, 0.01));
-    return text.data() + other;
+    return fmt::format("reaches {:.2f} mm into {}", std::max(depth * 1e3, 0.01), other);
 }
 
 std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,

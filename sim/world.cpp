@@ -1,11 +1,11 @@
 #include "sim/world.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <string>
+
+#include <fmt/core.h>
 
 #include "core/finite.h"
 #include "sim/shape/mass_properties.h"
@@ -32,7 +32,7 @@ class Complaints {
     }
     void about_event(std::size_t index, const std::string& object) {
         subject_ = Subject::event(index);
-        beginning_ = "event " + std::to_string(index + 1) + " on '" + object + "': ";
+        beginning_ = fmt::format("event {} on '{}': ", index + 1, object);
     }
     void require(bool holds, const std::string& field, const std::string& sentence) {
         if (!holds) {
@@ -47,9 +47,7 @@ class Complaints {
 };
 
 std::string millimetres(double metres) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.2f mm", std::max(metres * 1e3, 0.01));
-    return text.data();
+    return fmt::format("{:.2f} mm", std::max(metres * 1e3, 0.01));
 }
 
 bool is_positive(double value) {

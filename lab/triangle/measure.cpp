@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 
+#include "core/cpu_time.h"
 #include "lab/triangle/kernel_run.h"
 
 namespace carom::render::triangle {
@@ -13,22 +13,15 @@ namespace {
 
 constexpr std::array kPrecisions = {Precision::single_precision, Precision::double_precision};
 
-/// Of this thread.
-double cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 /// Millions of tests per second: the better of two runs after one that fills the caches.
 double rate_of(const Variant& variant, const TestSet& set) {
     const auto run = make_run(variant, set);
     run->run();
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 2; ++i) {
-        const double start = cpu_seconds();
+        const double start = thread_cpu_seconds();
         run->run();
-        least = std::min(least, cpu_seconds() - start);
+        least = std::min(least, thread_cpu_seconds() - start);
     }
     return 1e-6 * static_cast<double>(set.test_count()) / std::max(least, 1e-9);
 }

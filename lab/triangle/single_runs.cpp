@@ -1,6 +1,6 @@
-#include <cassert>
 #include <tuple>
 
+#include "core/assert.h"
 #include "lab/triangle/kernel_run.h"
 #include "lab/triangle/run_factories.h"
 #include "lab/triangle/scalar_kernels.h"
@@ -98,7 +98,8 @@ std::unique_ptr<KernelRun> make_single_run(const Form& form, Precision precision
 }
 
 std::unique_ptr<KernelRun> make_run(const Variant& variant, const TestSet& set) {
-    assert(set.rays_in_group % 8 == 0 && set.triangles_in_group % 8 == 0);
+    CAROM_ASSERT(set.rays_in_group % 8 == 0);
+    CAROM_ASSERT(set.triangles_in_group % 8 == 0);
     switch (variant.packing) {
         case Packing::single:
             break;

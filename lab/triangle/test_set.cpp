@@ -3,24 +3,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/splitmix.h"
+
 namespace carom::render::triangle {
 
 namespace {
 
-/// Evenly distributed numbers (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number
-/// generators"); those of the standard library differ from one library to the other.
+/// Evenly distributed numbers; those of the standard library differ from one library to the other.
 class Random {
   public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
+    explicit Random(std::uint64_t seed) : random_(seed) {}
 
-    double between(double low, double high) {
-        state_ += 0x9e3779b97f4a7c15ull;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-        z ^= z >> 31;
-        return low + (high - low) * static_cast<double>(z >> 11) * 0x1p-53;
-    }
+    double between(double low, double high) { return random_.between(low, high); }
     Imath::V3d in_cube() { return {between(-1, 1), between(-1, 1), between(-1, 1)}; }
     Imath::V3d direction() {
         const double z = between(-1, 1);
@@ -30,7 +24,7 @@ class Random {
     }
 
   private:
-    std::uint64_t state_;
+    SplitMix64 random_;
 };
 
 /// Two directions across a third one, all of unit length and at right angles.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
 #include <tbb/task_arena.h>
 
 #include "core/assert.h"
@@ -25,7 +26,7 @@ EmbreeDevice::EmbreeDevice() : device_(rtcNewDevice(device_settings())) {
         if (reason == RTC_ERROR_OUT_OF_MEMORY) {
             throw std::bad_alloc();
         }
-        throw Error("Embree cannot be started, error " + std::to_string(static_cast<int>(reason)));
+        throw Error(fmt::format("Embree cannot be started, error {}", static_cast<int>(reason)));
     }
     rtcSetDeviceErrorFunction(device_, note_error, this);
     rtcSetDeviceMemoryMonitorFunction(device_, note_memory, this);
@@ -39,8 +40,8 @@ void EmbreeDevice::note_error(void* self, RTCError code, const char* text) {
     auto* device = static_cast<EmbreeDevice*>(self);
     const std::lock_guard lock(device->mutex_);
     if (device->error_.empty()) {
-        device->error_ = std::string(text == nullptr ? "no reason given" : text) + " (error " +
-                         std::to_string(static_cast<int>(code)) + ")";
+        device->error_ = fmt::format("{} (error {})", text == nullptr ? "no reason given" : text,
+                                     static_cast<int>(code));
     }
 }
 

@@ -9,6 +9,7 @@
 
 #if HWY_TARGET != HWY_SCALAR
 #include "render/sampling/numbers-inl.h"
+#include "render/sampling/one_minus_epsilon.h"
 #endif
 
 #ifndef CAROM_MAKE_RAYS
@@ -30,19 +31,19 @@ inline MakeRays* make_rays_of_target() {
 
 #else
 
-HWY_INLINE V3 mix(const V3f& from, const V3f& to, F share) {
+HWY_INLINE F3 mix(const V3f& from, const V3f& to, F share) {
     return all(from) + (all(to) - all(from)) * share;
 }
 HWY_INLINE F mix(float from, float to, F share) {
     return all(from) + share * (all(to) - all(from));
 }
-HWY_INLINE V3 cross(const V3& a, const V3& b) {
+HWY_INLINE F3 cross(const F3& a, const F3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /// CameraFrame in every lane.
 struct FrameLanes {
-    V3 position, forward, right, up;
+    F3 position, forward, right, up;
     F pixel_size, focus_distance, lens_radius, blade_turns;
 };
 
@@ -63,7 +64,7 @@ HWY_INLINE FrameLanes frame_at(const ThinLensCamera& camera, F time) {
     frame.up = cross(frame.right, frame.forward);
     if (a.roll != 0 || b.roll != 0) {
         const SinCosLanes turn = sin_cos_turn(mix(a.roll, b.roll, time) * all(0.5f * kInversePi));
-        const V3 level = frame.right;
+        const F3 level = frame.right;
         frame.right = level * turn.cosine + frame.up * turn.sine;
         frame.up = frame.up * turn.cosine - level * turn.sine;
     }
@@ -84,7 +85,7 @@ HWY_INLINE F sample_trapezoid(F u, float switch_ratio) {
     const F opening = hn::Sqrt(all(2.f) * u * all(ramp) / all(height));
     const F closing =
         hn::Min(all(1.f) - hn::Sqrt(all(2.f) * (all(1.f) - u) * all(ramp) / all(height)),
-                all(0x1.fffffep-1f));
+                all(kOneMinusEpsilon));
     const F open = all(ramp) + (u - all(ramp_share)) / all(height);
     return select(hn::Lt(u, all(ramp_share)), opening,
                   select(hn::Gt(u, all(1 - ramp_share)), closing, open));
@@ -94,7 +95,7 @@ HWY_INLINE V2 sample_polygon(const V2& u, int blades, F rotation_turns) {
     const auto count = static_cast<float>(blades);
     const F scaled = u.x * all(count);
     const F blade = hn::Min(hn::Floor(scaled), all(count - 1));
-    const F share = hn::Min(scaled - blade, all(0x1.fffffep-1f));
+    const F share = hn::Min(scaled - blade, all(kOneMinusEpsilon));
     const F r = hn::Sqrt(share);
     const SinCosLanes a = sin_cos_turn(blade / all(count) + rotation_turns);
     const SinCosLanes b = sin_cos_turn((blade + all(1.f)) / all(count) + rotation_turns);
@@ -126,7 +127,7 @@ HWY_INLINE F filter_offset(const PixelFilterSampler& filter, F u) {
     return number(1) + number(2) * (u - number(0));
 }
 
-HWY_INLINE void store_ray(CameraBatch& batch, int first, const V3& origin, const V3& direction,
+HWY_INLINE void store_ray(CameraBatch& batch, int first, const F3& origin, const F3& direction,
                           F time) {
     const FloatTag d;
     hn::StoreU(origin.x, d, batch.origin[0] + first);
@@ -163,7 +164,7 @@ inline HWY_ATTR void make_rays_in_lanes(const ThinLensCamera& camera, const Came
         const F y = (all(centre.y - 0.5f) - as_floats(batch.y, first) -
                      filter_offset(camera.filter(), pixel_v)) *
                     frame.pixel_size;
-        const V3 picture = frame.forward + frame.right * x + frame.up * y;
+        const F3 picture = frame.forward + frame.right * x + frame.up * y;
         if (!camera.has_lens()) {
             store_ray(batch, first, frame.position, unit(picture), time);
             continue;
@@ -171,7 +172,7 @@ inline HWY_ATTR void make_rays_in_lanes(const ThinLensCamera& camera, const Came
         const V2 lens = camera.blades() == 0
                             ? sample_disk({u[2], u[3]})
                             : sample_polygon({u[2], u[3]}, camera.blades(), frame.blade_turns);
-        const V3 arm =
+        const F3 arm =
             frame.right * (frame.lens_radius * lens.x) + frame.up * (frame.lens_radius * lens.y);
         store_ray(batch, first, frame.position + arm, unit(picture * frame.focus_distance - arm),
                   time);

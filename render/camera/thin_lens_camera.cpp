@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/finite.h"
+#include "core/length.h"
 #include "render/sampling/warp.h"
 
 namespace carom::render {
@@ -60,10 +61,6 @@ CameraFrame make_frame(const CameraState& state, int height) {
     frame.lens_radius = static_cast<float>(state.lens_radius);
     frame.blade_turns = static_cast<float>(state.blade_rotation / (2 * std::numbers::pi));
     return frame;
-}
-
-V3f unit(const V3f& v) {
-    return v * (1 / std::sqrt(v.dot(v)));
 }
 
 template <class T>
@@ -176,10 +173,10 @@ ThinLensCamera::Aperture ThinLensCamera::aperture(const CameraSample& sample) co
 // side focus_distance * pixel_size and is seen under the angle of the ray to the axis.
 std::optional<ThinLensCamera::Arrival> ThinLensCamera::arrival(const Aperture& aperture,
                                                                const V3f& direction) const {
-    constexpr float kLeastCosine = 1e-3f;
+    constexpr float kLeastForwardCosine = 1e-3f;
     const CameraFrame& frame = aperture.frame;
     const float cosine = direction ^ frame.forward;
-    if (!(cosine > kLeastCosine)) {
+    if (!(cosine > kLeastForwardCosine)) {
         return std::nullopt;
     }
     const V3f in_focus =

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/core.h>
+
 namespace carom::render {
 namespace {
 
@@ -133,8 +135,8 @@ std::string problem_in(HeaderReader& reader) {
         const std::string_view type = reader.name();
         const std::string_view value = reader.bytes(reader.number());
         if (!is_known(type, value)) {
-            return "frames have no attribute of the type '" + std::string(type) + "' and length " +
-                   std::to_string(value.size());
+            return fmt::format("frames have no attribute of the type '{}' and length {}", type,
+                               value.size());
         }
         if (name == "compression" && value != std::string_view("\0", 1) && value != "\3") {
             return "frames are packed by 'zip'";

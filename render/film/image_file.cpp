@@ -14,6 +14,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include "core/assert.h"
@@ -51,9 +52,11 @@ void check_finite(const std::string& channel, std::size_t pixel, float value, in
                   const std::string& path) {
     if (!std::isfinite(value)) {
         const std::size_t columns = static_cast<std::size_t>(width);
-        refuse(path, "pixel (" + std::to_string(pixel % columns) + ", " +
-                         std::to_string(pixel / columns) + "), channel " + channel +
-                         ", is not a finite number; such a picture is not written");
+        refuse(
+            path,
+            fmt::format(
+                "pixel ({}, {}), channel {}, is not a finite number; such a picture is not written",
+                pixel % columns, pixel / columns, channel));
     }
 }
 
@@ -133,9 +136,8 @@ void check_opened(const OIIO::ImageSpec& spec, const std::string& path) {
                           spec.width <= kMaxEdge && spec.height <= kMaxEdge;
     if (!has_size || spec.nchannels < 4 || spec.nchannels > kMaxChannels ||
         static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) > kMaxPixels) {
-        refuse(path, "not a frame of carom: " + std::to_string(spec.width) + " x " +
-                         std::to_string(spec.height) + " pixels, " +
-                         std::to_string(spec.nchannels) + " channels");
+        refuse(path, fmt::format("not a frame of carom: {} x {} pixels, {} channels", spec.width,
+                                 spec.height, spec.nchannels));
     }
     for (int c = 0; c < 4; ++c) {
         if (spec.channelnames[static_cast<std::size_t>(c)] != kColourNames[c]) {

@@ -9,6 +9,7 @@
 
 #include "core/assert.h"
 #include "core/error.h"
+#include "core/text.h"
 
 namespace carom::render {
 
@@ -19,11 +20,7 @@ struct OcioView::Data {
 namespace {
 
 std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) {
-        text += (text.empty() ? "'" : ", '") + name + "'";
-    }
-    return text.empty() ? "none" : text;
+    return names.empty() ? "none" : "'" + join(names, "', '") + "'";
 }
 
 /// `name`, which must be among `known`.

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <sstream>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 #include "render/frame/aov_planes.h"
 
@@ -64,8 +66,8 @@ std::vector<Diagnostic> find_problems(const RenderSettings& settings, const RayB
     problems.unless_between("noise", settings.noise, 0.0, 1.0);
     problems.unless_between("max_samples", settings.max_samples, 1, 65536);
     if (settings.noise > 0 && settings.samples % 4 != 0) {
-        problems.add("samples", "samples is " + std::to_string(settings.samples) +
-                                    "; with noise it must be a multiple of 4");
+        problems.add("samples", fmt::format("samples is {}; with noise it must be a multiple of 4",
+                                            settings.samples));
     }
     problems.unless_between("max_bounces", settings.max_bounces, 0, 64);
     problems.unless_between("clamp", settings.clamp, 0.0, 1e30);

@@ -35,7 +35,7 @@ struct PixelSums {
         normal += Vec3(sample.normal);
         albedo += Vec3(sample.albedo);
         coverage += static_cast<double>(sample.coverage);
-        const double y = static_cast<double>(render::luminance(sample.radiance));
+        const double y = static_cast<double>(carom::luminance(sample.radiance));
         luminance += y;
         luminance2 += y * y;
         if (group >= 0) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/length.h"
 #include "render/geometry/intersect.h"
 #include "render/geometry/trigonometry.h"
 
@@ -14,10 +15,6 @@ constexpr float kTurn = 6.2831853f;  // rad
 float offset_at(const V3f& position, float reach) {
     const float size = std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
     return kOffsetShare * (size + reach);
-}
-
-V3f unit(const V3f& v) {
-    return v * (1 / std::sqrt(v.dot(v)));
 }
 
 V2f longitude_latitude(const V3f& p) {

@@ -3,6 +3,8 @@
 #include <fstream>
 #include <ios>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 #include "core/limits.h"
 #include "render/geometry/file_text.h"
@@ -24,7 +26,7 @@ constexpr std::streamoff kMaxFileBytes = 1'000'000'000;
 void check_numbers(MeshShape& mesh, const std::string& path) {
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         if (!is_finite(V3f(mesh.vertices[i]))) {
-            refuse(path, "vertex " + std::to_string(i) + " is not a finite point");
+            refuse(path, fmt::format("vertex {} is not a finite point", i));
         }
     }
     for (Vec3& normal : mesh.normals) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include <fmt/core.h>
 #include <tiny_obj_loader.h>
 
 #include "core/error.h"
@@ -40,7 +41,7 @@ bool has_digits(std::string_view text, int at_least) {
 /// wraps indices that are too large; so both are looked at before it runs.
 std::string problem_of(std::string_view line) {
     if (line.size() > kMaxLineBytes) {
-        return "longer than " + std::to_string(kMaxLineBytes) + " bytes";
+        return fmt::format("longer than {} bytes", kMaxLineBytes);
     }
     if (line.find('\0') != std::string_view::npos) {
         return "a zero byte; this is not an OBJ file";
@@ -73,9 +74,7 @@ void check_lines(std::string_view text, const std::string& path) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::string problem = problem_of(text.substr(begin, end - begin));
         if (!problem.empty()) {
-            std::string what("line ");
-            what.append(std::to_string(line_number)).append(": ").append(problem);
-            refuse(path, what);
+            refuse(path, fmt::format("line {}: {}", line_number, problem));
         }
         begin = end + 1;
     }
@@ -106,8 +105,8 @@ class MeshBuilder {
 
     void add_face(const tinyobj::index_t* indices, int count) {
         if (count < 3 || count > kMaxCorners) {
-            refuse(path_, "a face of " + std::to_string(count) + " corners (3 to " +
-                              std::to_string(kMaxCorners) + " are possible)");
+            refuse(path_,
+                   fmt::format("a face of {} corners (3 to {} are possible)", count, kMaxCorners));
         }
         std::vector<std::uint32_t> corners;
         std::vector<Vec3> places;
@@ -151,8 +150,8 @@ class MeshBuilder {
         const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(count);
         const std::ptrdiff_t at = index > 0 ? std::ptrdiff_t{index} - 1 : size + index;
         if (at < 0 || at >= size) {
-            refuse(path_, std::string("a face refers to ") + kind + " " + std::to_string(index) +
-                              ", but only " + std::to_string(count) + " came before it");
+            refuse(path_, fmt::format("a face refers to {} {}, but only {} came before it", kind,
+                                      index, count));
         }
         return at;
     }

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <span>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 #include "core/limits.h"
 #include "render/geometry/file_text.h"
@@ -133,8 +135,8 @@ class PlyReader {
     void read_corners(const PlyProperty& property) {
         const std::size_t count = values_.next_count(property.count_type);
         if (count < 3 || count > kMaxCorners) {
-            refuse(path_, "a face of " + std::to_string(count) + " corners (3 to " +
-                              std::to_string(kMaxCorners) + " are possible)");
+            refuse(path_,
+                   fmt::format("a face of {} corners (3 to {} are possible)", count, kMaxCorners));
         }
         for (std::size_t k = 0; k < count; ++k) {
             const double index = values_.next(property.type);
@@ -160,8 +162,8 @@ class PlyReader {
             places.clear();
             for (const std::uint32_t corner : corners) {
                 if (corner >= mesh_.vertices.size()) {
-                    refuse(path_, "a face refers to vertex " + std::to_string(corner) + " of " +
-                                      std::to_string(mesh_.vertices.size()));
+                    refuse(path_, fmt::format("a face refers to vertex {} of {}", corner,
+                                              mesh_.vertices.size()));
                 }
                 places.push_back(mesh_.vertices[corner]);
             }

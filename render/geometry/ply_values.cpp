@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 
 namespace carom::render {
@@ -76,7 +78,7 @@ class HeaderReader {
 
   private:
     [[noreturn]] void complain(const std::string& what) const {
-        refuse(path_, "line " + std::to_string(line_number_) + ": " + what);
+        refuse(path_, fmt::format("line {}: {}", line_number_, what));
     }
 
     void read_format(std::string_view word) {
@@ -121,7 +123,7 @@ class HeaderReader {
         auto& properties = header.elements.back().properties;
         properties.push_back(std::move(property));
         if (properties.size() > kMaxProperties) {
-            complain("more than " + std::to_string(kMaxProperties) + " properties");
+            complain(fmt::format("more than {} properties", kMaxProperties));
         }
     }
 
@@ -145,8 +147,8 @@ void check_counts(const PlyHeader& header, std::size_t left, const std::string& 
         const std::size_t bytes = least_bytes(element, header.format);
         // One more: the last number of a text need not be followed by a blank.
         if (bytes == 0 ? element.count > 0 : element.count > (left + 1) / bytes) {
-            refuse(path, std::to_string(element.count) + " of '" + element.name +
-                             "' are announced, more than the file has room for");
+            refuse(path, fmt::format("{} of '{}' are announced, more than the file has room for",
+                                     element.count, element.name));
         }
     }
 }

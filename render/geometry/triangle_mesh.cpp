@@ -3,6 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 #include "core/limits.h"
 #include "render/geometry/validity.h"
@@ -24,12 +26,10 @@ void check_sizes(const MeshShape& shape, const std::string& name) {
         refuse(name, beyond_limit(input_limit(kMaxMeshTriangles), "triangles or vertices"));
     }
     if (!shape.normals.empty() && shape.normals.size() != count) {
-        refuse(name, std::to_string(shape.normals.size()) + " normals for " +
-                         std::to_string(count) + " vertices");
+        refuse(name, fmt::format("{} normals for {} vertices", shape.normals.size(), count));
     }
     if (!shape.uv.empty() && shape.uv.size() != count) {
-        refuse(name, std::to_string(shape.uv.size()) + " texture coordinates for " +
-                         std::to_string(count) + " vertices");
+        refuse(name, fmt::format("{} texture coordinates for {} vertices", shape.uv.size(), count));
     }
 }
 
@@ -50,7 +50,7 @@ TriangleMesh make_mesh(const MeshShape& shape, const Mat44& map, const std::stri
         map.multVecMatrix(shape.vertices[i], p);
         mesh.vertices.push_back(V3f(p));
         if (!is_finite(mesh.vertices.back())) {
-            refuse(name, "vertex " + std::to_string(i) + " is not a finite point");
+            refuse(name, fmt::format("vertex {} is not a finite point", i));
         }
     }
     const Mat44 normal_map = map.inverse().transposed();
@@ -71,9 +71,8 @@ TriangleMesh make_mesh(const MeshShape& shape, const Mat44& map, const std::stri
         auto& triangle = mesh.triangles[i];
         for (const std::uint32_t index : triangle) {
             if (index >= mesh.vertices.size()) {
-                refuse(name, "triangle " + std::to_string(i) + " refers to vertex " +
-                                 std::to_string(index) + " of " +
-                                 std::to_string(mesh.vertices.size()));
+                refuse(name, fmt::format("triangle {} refers to vertex {} of {}", i, index,
+                                         mesh.vertices.size()));
             }
         }
         if (mirrors) {

@@ -2,12 +2,14 @@
 // the true values, the same bits everywhere and several times faster than the C library's.
 #pragma once
 
+#include <numbers>
+
 #include "render/geometry/ray.h"
 
 namespace carom::render {
 
-inline constexpr float kPi = 3.14159265358979323846f;
-inline constexpr float kInversePi = 0.31830988618379067154f;
+inline constexpr float kPi = std::numbers::pi_v<float>;
+inline constexpr float kInversePi = std::numbers::inv_pi_v<float>;
 
 struct SinCos {
     float sine, cosine;

@@ -5,19 +5,11 @@
 #include <variant>
 
 #include "core/assert.h"
+#include "render/integrator/shadow_ray_constants.h"
+#include "render/sampling/one_minus_epsilon.h"
 
 namespace carom::render {
 namespace {
-
-// Shadow rays end this share of the way before the light, so that they do not hit it.
-constexpr float kShadowReach = 1.0f - 2e-4f;
-
-constexpr float kBelowOne = 0x1.fffffep-1f;
-
-// An environment that gives less than this share of the light at a first vertex is sampled there
-// less often, down to kRarest: a dim room beside a bright lamp is not worth a shadow ray each time.
-constexpr float kAlwaysAbove = 0.125f;
-constexpr float kRarest = 0.125f;
 
 /// How many directions towards the environment a path's first vertex takes, on average.
 float environment_samples(const LightSet& lights, const ShadingVertex& vertex) {
@@ -147,7 +139,7 @@ void DirectLight::seek_all(Path& path, const ShadingVertex& vertex,
             if (u.x >= expected) {
                 continue;
             }
-            u.x = std::min(u.x / expected, kBelowOne);
+            u.x = std::min(u.x / expected, kOneMinusEpsilon);
         }
         for (int k = 0; k < samples; ++k) {
             seek(light, expected, lattice_point(u, k, samples), vertex, arrivals);

@@ -7,17 +7,13 @@
 #include <limits>
 #include <optional>
 
+#include "render/geometry/validity.h"
 #include "render/integrator/path_state.h"
+#include "render/integrator/shadow_ray_constants.h"
 #include "render/sampling/deviation.h"
 
 namespace carom::render {
 namespace {
-
-// Shadow rays end this share of the way before the light, so that they do not hit it.
-constexpr float kShadowReach = 1.0f - 2e-4f;
-
-// The pixel's cone after a bounce, for textures. A mirror may be curved.
-constexpr float kLeastCosine = 0.05f;
 
 // Every ray of the tree draws its numbers from sets of its own, found by its way there.
 constexpr std::uint32_t kRoot = 1;
@@ -31,11 +27,6 @@ std::uint32_t child_of(std::uint32_t node, std::uint32_t child) {
 
 bool is_black(const V3f& c) {
     return c.x <= 0 && c.y <= 0 && c.z <= 0;
-}
-
-bool is_valid(const V3f& c) {
-    const auto valid = [](float x) { return x >= 0 && x <= std::numeric_limits<float>::max(); };
-    return valid(c.x) && valid(c.y) && valid(c.z);
 }
 
 V3f mirrored(const V3f& wo, const V3f& normal) {
@@ -102,7 +93,7 @@ RadianceSample DistributedIntegrator::sample(const Ray& camera_ray, float pixel_
     TreeRay root{camera_ray};
     root.spread = pixel_spread;
     const V3f radiance = trace(root, work);
-    work.result.radiance = is_valid(radiance) ? radiance : V3f(0, 0, 0);
+    work.result.radiance = is_light(radiance) ? radiance : V3f(0, 0, 0);
     return work.result;
 }
 
@@ -124,7 +115,7 @@ V3f DistributedIntegrator::trace(const TreeRay& from, Work& work) const {
     const SurfacePoint point = scene_.frame.surface_at(from.ray, hit);
     const Material& material = scene_.materials[point.material];
     const float width = from.width + from.spread * hit.t;
-    const float cosine = std::max(std::abs(point.geometric_normal ^ wo), kLeastCosine);
+    const float cosine = std::max(std::abs(point.geometric_normal ^ wo), kLeastConeCosine);
     const Surface surface = material.resolve(point, wo, width / std::sqrt(cosine));
     if (is_camera_ray) {
         work.result.normal = surface.frame.z;

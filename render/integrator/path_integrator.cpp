@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "core/assert.h"
+#include "core/colour.h"
+#include "render/geometry/validity.h"
 
 namespace carom::render {
 namespace {
@@ -20,23 +22,12 @@ constexpr float kLeastSurvival = 0.2f;
 // Probability of being followed further of a path within glass that has had all its bounces.
 constexpr float kSurvivalInGlass = 0.95f;
 
-constexpr float kLeastCosine = 0.05f;
-
-float largest(const V3f& c) {
-    return std::max({c.x, c.y, c.z});
-}
-
-bool is_valid(const V3f& c) {
-    const auto valid = [](float x) { return x >= 0 && x <= std::numeric_limits<float>::max(); };
-    return valid(c.x) && valid(c.y) && valid(c.z);
-}
-
 }  // namespace
 
 // A wrong radiance stops the program where it is born, if expensive checks are on.
 void PathWork::validate([[maybe_unused]] const V3f& radiance) const {
 #ifdef CAROM_VALIDATION
-    if (!is_valid(radiance)) {
+    if (!is_light(radiance)) {
         std::fprintf(stderr, "radiance (%g, %g, %g) in sample %d of pixel (%d, %d)\n",
                      static_cast<double>(radiance.x), static_cast<double>(radiance.y),
                      static_cast<double>(radiance.z), index.sample, index.x, index.y);
@@ -79,7 +70,7 @@ RadianceSample PathIntegrator::total(PathWork& work) const {
         }
     }
     work.result.radiance = work.direct + work.indirect;
-    if (!is_valid(work.result.radiance)) {
+    if (!is_light(work.result.radiance)) {
         work.result.radiance = V3f(0, 0, 0);
     }
     return work.result;
@@ -178,7 +169,7 @@ bool PathIntegrator::meet(Path& path, const Hit& hit, PathWork& work) const {
 // `path.width` is that at the point.
 Surface PathIntegrator::resolve(const Path& path, const SurfacePoint& point) const {
     const V3f wo = -path.ray.direction;
-    const float cosine = std::max(std::abs(point.geometric_normal ^ wo), kLeastCosine);
+    const float cosine = std::max(std::abs(point.geometric_normal ^ wo), kLeastConeCosine);
     return scene_.materials[point.material].resolve(point, wo, path.width / std::sqrt(cosine));
 }
 

@@ -16,6 +16,9 @@ inline constexpr float kLobeShare = 0.25f;
 inline constexpr float kWidestSpread = 0.5f;
 inline constexpr float kMirrorSpread = 4.0f;
 
+/// A surface that is seen at a more grazing angle widens the pixel's cone no further.
+inline constexpr float kLeastConeCosine = 0.05f;
+
 /// How the latest direction was chosen: what a light that it meets must know to weigh itself
 /// against having been sampled from there (Veach and Guibas 1995, "Optimally combining sampling
 /// techniques for Monte Carlo rendering").

@@ -9,17 +9,13 @@
 namespace carom::render {
 namespace {
 
-// Lower bound on the cosine at the surface in estimates of a light that its horizon cuts: neither
-// then is chosen hardly ever.
-constexpr float kLeastCosine = 0.1f;
-
 // A disk that stands for a sphere light must not grow without end.
 constexpr float kWidestSine = 0.9f;
 
 /// Cosine towards the light's middle for an estimate; 0 if all of it lies below the horizon.
 /// `reach`: the light's radius over the distance.
 float surface_cosine(float cosine, float reach) {
-    return cosine + reach <= 0 ? 0.0f : std::max(cosine, kLeastCosine);
+    return cosine + reach <= 0 ? 0.0f : std::max(cosine, kLeastHorizonCosine);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <optional>
 #include <variant>
 
+#include "core/colour.h"
 #include "render/geometry/ray.h"
 #include "render/geometry/trigonometry.h"
 #include "render/scene/scene_description.h"
@@ -28,17 +29,16 @@ struct LightBlock {
     std::array<float, kSize> pdf;       // 1/sr, > 0
 };
 
+/// Lower bound on the cosine at the surface in estimates of a light that the surface's horizon
+/// cuts: such a light is still chosen now and then.
+inline constexpr float kLeastHorizonCosine = 0.1f;
+
 /// A point that light may come from, chosen by area, for connections that bend on their way.
 struct EmitterPoint {
     V3f position;
     V3f normal;     // unit, of the area that the point was chosen on, on the side of the receiver
     float pdf = 0;  // 1/m^2, > 0
 };
-
-/// A mean of the channels weighted like brightness (Rec. ITU-R BT.709-6, item 3.2).
-[[nodiscard]] inline float luminance(const V3f& c) {
-    return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;
-}
 
 /// One-sided rectangle, sampled evenly by area. (Sampling its solid angle evenly costs more than it
 /// gains for lamps a metre above a table.)

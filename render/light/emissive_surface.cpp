@@ -5,10 +5,10 @@
 
 #include <Imath/ImathBox.h>
 
+#include "render/sampling/one_minus_epsilon.h"
+
 namespace carom::render {
 namespace {
-
-constexpr float kLeastCosine = 0.1f;  // as in area_light.cpp: what the horizon cuts is still chosen
 
 float area_of(const EmissiveSurface::Triangle& t) {
     return 0.5f * (t[1] - t[0]).cross(t[2] - t[0]).length();
@@ -50,7 +50,8 @@ std::optional<LightSample> EmissiveSurface::sample(const V3f& point, const V2f& 
     const auto index = static_cast<std::size_t>(found - area_up_to_.begin());
     const float before = index > 0 ? area_up_to_[index - 1] : 0.0f;
     const float share = area_up_to_[index] - before;
-    const float rest = share > 0 ? std::clamp((u.x - before) / share, 0.0f, 0x1.fffffep-1f) : 0.5f;
+    const float rest =
+        share > 0 ? std::clamp((u.x - before) / share, 0.0f, kOneMinusEpsilon) : 0.5f;
     // Evenly over the triangle (Turk 1990, "Generating random points in triangles").
     const float root = std::sqrt(rest);
     const Triangle& t = triangles_[index];
@@ -76,7 +77,7 @@ float EmissiveSurface::importance(const V3f& point, const V3f& normal) const {
     // Some of it is above the horizon, or all of it is below.
     const float seen = distance > reach_ && cosine + reach_ / distance <= 0
                            ? 0.0f
-                           : std::max(cosine, kLeastCosine);
+                           : std::max(cosine, kLeastHorizonCosine);
     return luminance(radiance_) * area_ * 0.5f * seen / std::max(distance2, reach_ * reach_);
 }
 

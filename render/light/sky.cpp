@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include "core/error.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr int kColumns = 512;
 constexpr int kRows = 256;
-constexpr double kPi64 = 3.14159265358979323846;
+constexpr double kPi64 = std::numbers::pi;
 constexpr double kLumensPerWatt = 179;
 constexpr double kLowest = 0.02;  // cosine to the zenith; at the horizon the model has a pole
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/assert.h"
+#include "core/length.h"
 #include "render/material/fresnel.h"
 #include "render/material/microfacet.h"
 #include "render/material/sheen.h"
@@ -13,15 +14,9 @@
 namespace carom::render {
 namespace {
 
-constexpr float kLeastCosine = 1e-4f;
-
 /// On the side of the normal, not quite along the surface.
 V3f facing(const V3f& w) {
-    return {w.x, w.y, std::max(w.z, kLeastCosine)};
-}
-
-V3f unit(const V3f& v) {
-    return v * (1 / std::sqrt(v ^ v));
+    return {w.x, w.y, std::max(w.z, kLeastLocalCosine)};
 }
 
 }  // namespace

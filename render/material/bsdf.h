@@ -14,6 +14,10 @@
 
 namespace carom::render {
 
+/// Directions that a surface is seen from are kept at least this far off it: cosine, in the shading
+/// frame.
+inline constexpr float kLeastLocalCosine = 1e-4f;
+
 /// Which part of a surface scatters. A path may follow the coat and what lies below it separately:
 /// the two parts' values add up to the whole.
 enum class Layers : std::uint8_t { all, coat, base };

@@ -2,17 +2,10 @@
 
 #include <algorithm>
 
+#include "core/colour.h"
 #include "render/material/fresnel.h"
 
 namespace carom::render {
-namespace {
-
-float largest(const V3f& c) {
-    return std::max({c.x, c.y, c.z});
-}
-
-}  // namespace
-
 LobeWeights::LobeWeights(const Surface& surface, float cosine) {
     const LayerConstants& layers = *surface.layers;
     if (layers.coat_weight > 0 && !surface.is_inside) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/colour.h"
 #include "render/geometry/orthonormal_basis.h"
 #include "render/geometry/trigonometry.h"
 #include "render/sampling/reuse.h"
@@ -12,10 +13,6 @@ namespace carom::render {
 namespace {
 
 constexpr float kBroadest = 32.0f;  // exponent up to which a lobe is wide
-
-float largest(const V3f& c) {
-    return std::max({c.x, c.y, c.z});
-}
 
 /// A half turn of `w` about the unit `axis`.
 V3f turned(const V3f& w, const V3f& axis) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "render/geometry/trigonometry.h"
+#include "render/sampling/one_minus_epsilon.h"
 
 namespace carom::render {
 namespace {
@@ -38,7 +39,7 @@ float inverse_erf(float y) {
 V3f sample_deviation(const V2f& u, float spread) {
     const float scale = std::numbers::sqrt2_v<float> * spread;
     const float most = std::erf(0.5f * kPi / scale);
-    const float share = std::min(u.x * most, 0x1.fffffep-1f);
+    const float share = std::min(u.x * most, kOneMinusEpsilon);
     const float angle = std::min(scale * inverse_erf(share), 0.5f * kPi);
     const SinCos from_axis = sin_cos(angle);
     const SinCos azimuth = sin_cos_turn(u.y);

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/assert.h"
+#include "render/sampling/one_minus_epsilon.h"
 
 namespace carom::render {
 namespace {
@@ -65,12 +66,12 @@ Cell find_cell(std::span<const float> cdf, std::span<const std::uint16_t> cuts, 
     }
     const float width = cdf[index + 1] - cdf[index];
     const float within = width > 0 ? (u - cdf[index]) / width : 0;
-    return {index, std::min(within, 0x1.fffffep-1f)};
+    return {index, std::min(within, kOneMinusEpsilon)};
 }
 
 float coordinate(const Cell& cell, int count) {
     return std::min((static_cast<float>(cell.index) + cell.within) / static_cast<float>(count),
-                    0x1.fffffep-1f);
+                    kOneMinusEpsilon);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "render/geometry/ray.h"
 #include "render/geometry/trigonometry.h"
+#include "render/sampling/one_minus_epsilon.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
@@ -43,38 +44,38 @@ HWY_INLINE F select(M mask, F yes, F no) {
     return hn::IfThenElse(mask, yes, no);
 }
 
-struct V3 {
+struct F3 {
     F x, y, z;
 };
 
-HWY_INLINE V3 all(const V3f& v) {
+HWY_INLINE F3 all(const V3f& v) {
     return {all(v.x), all(v.y), all(v.z)};
 }
-HWY_INLINE V3 operator+(const V3& a, const V3& b) {
+HWY_INLINE F3 operator+(const F3& a, const F3& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-HWY_INLINE V3 operator-(const V3& a, const V3& b) {
+HWY_INLINE F3 operator-(const F3& a, const F3& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-HWY_INLINE V3 operator*(const V3& a, F s) {
+HWY_INLINE F3 operator*(const F3& a, F s) {
     return {a.x * s, a.y * s, a.z * s};
 }
-HWY_INLINE V3 operator*(const V3& a, const V3& b) {
+HWY_INLINE F3 operator*(const F3& a, const F3& b) {
     return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
-HWY_INLINE V3 operator-(const V3& a) {
+HWY_INLINE F3 operator-(const F3& a) {
     return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)};
 }
-HWY_INLINE F dot(const V3& a, const V3& b) {
+HWY_INLINE F dot(const F3& a, const F3& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-HWY_INLINE V3 unit(const V3& v) {
+HWY_INLINE F3 unit(const F3& v) {
     return v * (all(1.f) / hn::Sqrt(dot(v, v)));
 }
-HWY_INLINE F largest(const V3& v) {
+HWY_INLINE F largest(const F3& v) {
     return hn::Max(hn::Max(v.x, v.y), v.z);
 }
-HWY_INLINE V3 select(M mask, const V3& yes, const V3& no) {
+HWY_INLINE F3 select(M mask, const F3& yes, const F3& no) {
     return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
 }
 
@@ -126,12 +127,12 @@ HWY_INLINE V2 sample_disk(const V2& u) {
     return {select(wide, along, across), select(wide, across, along)};
 }
 
-HWY_INLINE V3 sample_cosine_hemisphere(const V2& u) {
+HWY_INLINE F3 sample_cosine_hemisphere(const V2& u) {
     const V2 p = sample_disk(u);
     return {p.x, p.y, hn::Sqrt(hn::Max(all(0.f), all(1.f) - (p.x * p.x + p.y * p.y)))};
 }
 
-HWY_INLINE V3 sample_cone(const V2& u, F one_minus_cos) {
+HWY_INLINE F3 sample_cone(const V2& u, F one_minus_cos) {
     const F height = u.x * one_minus_cos;
     const F sine = hn::Sqrt(hn::Max(all(0.f), height * (all(2.f) - height)));
     const SinCosLanes angle = sin_cos_turn(u.y);
@@ -145,12 +146,12 @@ HWY_INLINE F one_minus_cos_of_sphere(F radius, F distance) {
 }
 
 struct Basis {
-    V3 x, y, z;
+    F3 x, y, z;
 
-    HWY_INLINE V3 to_world(const V3& v) const { return x * v.x + y * v.y + z * v.z; }
+    HWY_INLINE F3 to_world(const F3& v) const { return x * v.x + y * v.y + z * v.z; }
 };
 
-HWY_INLINE Basis basis_around(const V3& z) {
+HWY_INLINE Basis basis_around(const F3& z) {
     const F sign = hn::CopySign(all(1.f), z.z);
     const F a = all(-1.f) / (sign + z.z);
     const F b = z.x * z.y * a;
@@ -161,7 +162,7 @@ HWY_INLINE Basis basis_around(const V3& z) {
 
 HWY_INLINE F stretched(F u, F share) {
     const F v = select(hn::Lt(u, share), u / share, (u - share) / (all(1.f) - share));
-    return hn::Min(v, all(0x1.fffffep-1f));
+    return hn::Min(v, all(kOneMinusEpsilon));
 }
 
 }  // namespace carom::render::HWY_NAMESPACE

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "render/sampling/one_minus_epsilon.h"
+
 namespace carom::render {
 
 /// `u` in [0, 1) decided between a part of size `share` (u < share) and the rest: where it lies
@@ -10,7 +12,7 @@ namespace carom::render {
 /// 1990, "Physically based lighting calculations for computer graphics", on choosing lights).
 [[nodiscard]] inline float stretched(float u, float share) {
     const float v = u < share ? u / share : (u - share) / (1.0f - share);
-    return std::min(v, 0x1.fffffep-1f);
+    return std::min(v, kOneMinusEpsilon);
 }
 
 }  // namespace carom::render

@@ -1,17 +1,13 @@
 #include "render/sampling/sampler.h"
 
+#include "core/splitmix.h"
 #include "render/sampling/sobol_point.h"
 
 namespace carom::render {
 namespace {
 
-/// Finaliser of SplitMix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number
-/// generators").
 std::uint64_t mix64(std::uint64_t z) {
-    z += 0x9e3779b97f4a7c15ull;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-    return z ^ (z >> 31);
+    return split_mix(z + kSplitMixStep);
 }
 
 }  // namespace

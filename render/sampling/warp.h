@@ -10,6 +10,7 @@
 
 #include "render/geometry/ray.h"
 #include "render/geometry/trigonometry.h"
+#include "render/sampling/one_minus_epsilon.h"
 
 namespace carom::render {
 
@@ -40,7 +41,7 @@ namespace carom::render {
 [[nodiscard]] inline V2f sample_polygon(const V2f& u, int blades, float rotation_turns) {
     const float scaled = u.x * static_cast<float>(blades);
     const float blade = std::min(std::floor(scaled), static_cast<float>(blades - 1));
-    const float share = std::min(scaled - blade, 0x1.fffffep-1f);
+    const float share = std::min(scaled - blade, kOneMinusEpsilon);
     const float r = std::sqrt(share);  // from the centre to the blade's edge
     const auto corner = [&](float index) {
         const float turns = index / static_cast<float>(blades) + rotation_turns;
@@ -123,7 +124,7 @@ namespace carom::render {
         return std::sqrt(2 * u * ramp / height);
     }
     if (u > 1 - ramp_share) {
-        return std::min(1 - std::sqrt(2 * (1 - u) * ramp / height), 0x1.fffffep-1f);
+        return std::min(1 - std::sqrt(2 * (1 - u) * ramp / height), kOneMinusEpsilon);
     }
     return ramp + (u - ramp_share) / height;
 }

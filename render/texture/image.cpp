@@ -4,6 +4,7 @@
 
 #include <Imath/half.h>
 #include <OpenImageIO/imagebuf.h>
+#include <fmt/core.h>
 
 #include "core/error.h"
 #include "core/limits.h"
@@ -38,9 +39,8 @@ LinearImage read_linear_image(const std::string& path, bool is_linear) {
     const std::size_t most = input_limit(kMostPixels);
     if (spec.width <= 0 || spec.height <= 0 || spec.width > kLongestSide ||
         spec.height > kLongestSide || spec.nchannels < 1 || spec.image_pixels() > most) {
-        throw Error("image '" + path + "' is " + std::to_string(spec.width) + " x " +
-                    std::to_string(spec.height) + " pixels; at most " + std::to_string(most) +
-                    " are read" + how_to_raise_limits());
+        throw Error(fmt::format("image '{}' is {} x {} pixels; at most {} are read{}", path,
+                                spec.width, spec.height, most, how_to_raise_limits()));
     }
     const bool decode = !is_linear && !spec.format.is_floating_point();
     const int channels = spec.nchannels;
@@ -59,10 +59,10 @@ LinearImage read_linear_image(const std::string& path, bool is_linear) {
         const float* value = &values[i * static_cast<std::size_t>(channels)];
         V3f colour = channels >= 3 ? V3f(value[0], value[1], value[2]) : V3f(value[0]);
         if (!is_usable(colour)) {
-            throw Error("image '" + path +
-                        "' holds a negative, infinite or undefined value at pixel (" +
-                        std::to_string(i % static_cast<std::size_t>(image.width)) + ", " +
-                        std::to_string(i / static_cast<std::size_t>(image.width)) + ")");
+            throw Error(fmt::format(
+                "image '{}' holds a negative, infinite or undefined value at pixel ({}, {})", path,
+                i % static_cast<std::size_t>(image.width),
+                i / static_cast<std::size_t>(image.width)));
         }
         if (decode) {
             colour = {srgb_to_linear(colour.x), srgb_to_linear(colour.y), srgb_to_linear(colour.z)};

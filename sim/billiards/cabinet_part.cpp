@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/core.h>
+
 #include "core/elementary.h"
 #include "sim/billiards/parts.h"
 #include "sim/billiards/surface_builder.h"
@@ -130,7 +132,7 @@ std::vector<Surface> build_legs(const TableLayout& layout) {
         for (int gap = 0; gap <= gaps; ++gap) {
             // In pairs at the ends and evenly between.
             const Vec2 axis(-reach.x + 2 * reach.x * gap / gaps, row == 0 ? -reach.y : reach.y);
-            legs.push_back(build_leg("leg_" + std::to_string(legs.size() + 1), axis,
+            legs.push_back(build_leg(fmt::format("leg_{}", legs.size() + 1), axis,
                                      -layout.measures.height, bottom + kLegInside));
         }
     }

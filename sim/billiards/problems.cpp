@@ -1,6 +1,7 @@
 #include <cmath>
-#include <cstdio>
 #include <numbers>
+
+#include <fmt/core.h>
 
 #include "core/elementary.h"
 #include "sim/billiards/parts.h"
@@ -10,9 +11,7 @@ namespace carom::sim::billiards {
 namespace {
 
 std::string millimetres(double metres) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g mm", metres * 1000);
-    return text;
+    return fmt::format("{:.4g} mm", metres * 1000);
 }
 
 class Problems {

@@ -5,7 +5,10 @@
 #include <numbers>
 #include <span>
 
+#include <fmt/core.h>
+
 #include "core/elementary.h"
+#include "core/splitmix.h"
 
 namespace carom::sim::billiards {
 
@@ -18,17 +21,10 @@ constexpr std::array<const char*, 16> kNames{
 // Far under the width of an atom: keeps touching balls from overlapping by rounding.
 constexpr double kRounding = 1e-13;
 
-/// Numbers as a function of (seed, index): the finaliser of SplitMix64 (Steele, Lea and Flood,
-/// "Fast splittable pseudorandom number generators", 2014), applied twice. In [0, 1).
+/// Numbers as a function of (seed, index): the output function of SplitMix64, applied twice. In
+/// [0, 1).
 double random_number(std::uint64_t seed, std::uint64_t index) {
-    const auto mix = [](std::uint64_t x) {
-        x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9U;
-        x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
-        return x ^ (x >> 31);
-    };
-    constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15U;
-    const std::uint64_t bits = mix(mix(seed + kGolden) + (index + 1) * kGolden);
-    return static_cast<double>(bits >> 11) * 0x1p-53;
+    return unit_number(split_mix(split_mix(seed + kSplitMixStep) + (index + 1) * kSplitMixStep));
 }
 
 /// Places of a triangular lattice, two mean diameters and gaps apart. Each ball but the first is
@@ -109,8 +105,8 @@ std::vector<PlacedBall> snooker(const TableMeasures& table, double ball_radius,
     Lattice lattice({pyramid + behind_pink, 0, z}, ball_radius, options);
     for (int row = 0; row < 5; ++row) {
         for (int column = 0; column <= row; ++column) {
-            balls.push_back({"red_" + std::to_string(balls.size() + 1), 0,
-                             lattice.place(row, column, row + 1)});
+            balls.push_back(
+                {fmt::format("red_{}", balls.size() + 1), 0, lattice.place(row, column, row + 1)});
         }
     }
     // Seen from baulk, yellow is on the right and green on the left.

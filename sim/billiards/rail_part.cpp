@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "sim/billiards/parts.h"
 #include "sim/billiards/surface_builder.h"
 
@@ -132,7 +134,7 @@ class Frame {
     }
 
     void add(WoodPiece piece) {
-        piece.name += std::to_string(pieces_.size() + 1);
+        piece.name += fmt::format("{}", pieces_.size() + 1);
         pieces_.push_back(std::move(piece));
     }
 

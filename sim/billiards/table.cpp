@@ -1,5 +1,7 @@
 #include "sim/billiards/table.h"
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 #include "sim/billiards/parts.h"
 
@@ -25,7 +27,7 @@ TableGeometry build_table(const TableMeasures& measures, double ball_radius, Tab
     for (const CushionLayout& cushion : layout.cushions) {
         add_faces(cushion, measures.cushion_width, geometry);
         geometry.surfaces.push_back(
-            build_cushion(layout, cushion, "cushion_" + std::to_string(++number)));
+            build_cushion(layout, cushion, fmt::format("cushion_{}", ++number)));
     }
     for (Surface& rail : build_rails(layout)) {
         geometry.surfaces.push_back(std::move(rail));

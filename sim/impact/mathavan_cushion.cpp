@@ -1,7 +1,8 @@
 #include "sim/impact/mathavan_cushion.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/length.h"
 
 namespace carom::sim {
 namespace {
@@ -33,10 +34,6 @@ Motion operator+(const Motion& a, const Motion& b) {
 }
 Motion operator*(const Motion& a, double s) {
     return {a.velocity * s, a.spin * s, a.work * s, a.friction * s};
-}
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
 }
 
 Vec3 across(const Vec3& v, const Vec3& normal) {

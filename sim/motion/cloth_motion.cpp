@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/length.h"
+
 namespace carom::sim {
 namespace {
 
@@ -12,10 +14,6 @@ const Vec3 kUp(0, 0, 1);
 constexpr double kSlipEpsilon = 1e-9;   // m/s
 constexpr double kSpeedEpsilon = 1e-9;  // m/s
 constexpr double kSpinEpsilon = 1e-9;   // rad/s
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
-}
 
 /// Spin about the vertical slows at a constant rate, 5/2 mu_sp g / R, until it stops.
 void add_spin_decay(Stretch& stretch, double radius, double gravity, double friction) {

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <utility>
 
+#include <fmt/core.h>
 #include <ode/ode.h>
 
 #include "core/error.h"
@@ -36,7 +37,7 @@ __attribute__((format(printf, 2, 0))) void on_message(int, const char* format,
 // ODE ends the process when these return, so they throw; the world being stepped is then given up.
 [[noreturn]] __attribute__((format(printf, 2, 0))) void on_error(int number, const char* format,
                                                                  std::va_list arguments) {
-    throw Error("ODE failed (" + std::to_string(number) + "): " + formatted(format, arguments));
+    throw Error(fmt::format("ODE failed ({}): {}", number, formatted(format, arguments)));
 }
 
 void start_once() {

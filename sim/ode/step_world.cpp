@@ -6,6 +6,7 @@
 #include "core/assert.h"
 #include "core/error.h"
 #include "core/finite.h"
+#include "core/length.h"
 #include "sim/motion/free_rotation.h"
 #include "sim/ode/handles.h"
 #include "sim/ode/process.h"
@@ -32,10 +33,6 @@ constexpr int kMostAttempts = 4;
 // length zero and gives up. What it moves a body by is lost in the margins.
 constexpr double kParting = 1e-7;
 constexpr double kGoldenRatio = 0.6180339887498949;
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
-}
 
 void load(dBodyID body, const MotionState& state) {
     CAROM_ASSERT(is_finite(state));
@@ -101,7 +98,7 @@ struct StepWorld::State {
     std::unique_ptr<World> world;
     JointGroup group;
     std::vector<dBodyID> bodies;
-    std::vector<StepBody> masses;
+    std::vector<BodyInertia> masses;
     std::vector<char> is_moving;
     std::vector<dJointFeedback> feedback;
     std::vector<Vec3> directions;  // of each contact's friction
@@ -121,7 +118,7 @@ struct StepWorld::State {
     [[nodiscard]] double pull_on(int number) const { return is_kinematic(number) ? 0 : 1; }
 
     void rebuild();
-    void create(const StepBody& from);
+    void create(const BodyInertia& from);
     void prepare(std::span<const int> moving, std::span<const MotionState> states,
                  std::span<const StepContact> contacts);
     [[nodiscard]] bool solve(const Attempt& attempt, double duration, const Vec3& gravity,
@@ -151,12 +148,12 @@ void StepWorld::State::rebuild() {
     group.reset(dJointGroupCreate(0));
     dWorldSetContactMaxCorrectingVel(world->get(), kCorrectingSpeed);
     bodies.clear();
-    for (const StepBody& mass : masses) {
+    for (const BodyInertia& mass : masses) {
         create(mass);
     }
 }
 
-void StepWorld::State::create(const StepBody& from) {
+void StepWorld::State::create(const BodyInertia& from) {
     dBodyID body = dBodyCreate(world->get());
     dMass mass;
     dMassSetParameters(&mass, from.mass, 0, 0, 0, from.inertia.x, from.inertia.y, from.inertia.z, 0,
@@ -176,7 +173,7 @@ StepWorld::StepWorld() : state_(std::make_unique<State>()) {
 
 StepWorld::~StepWorld() = default;
 
-int StepWorld::add(const StepBody& body) {
+int StepWorld::add(const BodyInertia& body) {
     state_->masses.push_back(body);
     state_->create(body);
     return static_cast<int>(state_->masses.size()) - 1;

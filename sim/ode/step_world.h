@@ -34,7 +34,7 @@ struct StepMotion {
     MotionState end;
 };
 
-struct StepBody {
+struct BodyInertia {
     double mass = 1;
     Vec3 inertia{1, 1, 1};
     bool is_kinematic = false;  // keeps its velocities whatever it meets
@@ -51,7 +51,7 @@ class StepWorld {
     StepWorld& operator=(const StepWorld&) = delete;
 
     /// Returns the body's number, counted from 0.
-    int add(const StepBody& body);
+    int add(const BodyInertia& body);
 
     /// Steps the bodies numbered in `moving` over `duration`. `middles` (same order): where they
     /// get to in half of it without any force; the contacts are those found there. Velocities are

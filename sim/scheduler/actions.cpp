@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/core.h>
 
 #include "core/elementary.h"
 #include "sim/stick/strike.h"
@@ -15,9 +16,7 @@ Vec3 in_world(Axes axes, const Quat& orientation, const Vec3& v) {
 }
 
 std::string seconds(double time) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3f s", time);
-    return text.data();
+    return fmt::format("{:.3f} s", time);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/core.h>
+
 namespace carom::sim {
 namespace {
 
@@ -148,8 +150,8 @@ std::vector<Diagnostic> ForceSchedule::unmet_triggers() const {
         const bool is_rest = trigger.kind == Trigger::Kind::resting;
         warnings.push_back(
             {Subject::event(i), "when",
-             "event " + std::to_string(i + 1) + " on '" + events_[i].object +
-                 "' never happened: " + (is_rest ? rests_.reason(i) : described(trigger))});
+             fmt::format("event {} on '{}' never happened: {}", i + 1, events_[i].object,
+                         is_rest ? rests_.reason(i) : described(trigger))});
     }
     return warnings;
 }

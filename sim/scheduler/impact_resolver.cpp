@@ -2,16 +2,13 @@
 
 #include <cmath>
 
+#include "core/length.h"
 #include "sim/impact/cushion_impact.h"
 #include "sim/scheduler/contact_numbers.h"
 #include "sim/scheduler/touch_finder.h"
 
 namespace carom::sim {
 namespace {
-
-Vec3 unit(const Vec3& v) {
-    return v / std::sqrt(v.dot(v));
-}
 
 /// Restitution and friction of two balls that meet.
 PairContact pair_law(const ContactLaw& law, const Ball& a, const Ball& b, double slip_speed) {

@@ -1,5 +1,7 @@
 #include "sim/scheduler/rest_watch.h"
 
+#include <fmt/core.h>
+
 namespace carom::sim {
 
 RestWatch::RestWatch(const std::vector<ForceEvent>& events) : events_(events) {
@@ -51,7 +53,7 @@ std::string RestWatch::reason(std::size_t event) const {
     const Wait& wait = waiting_.at(event);
     const std::string& name = events_[event].trigger->a;
     const std::string before =
-        wait.predecessor ? "event " + std::to_string(*wait.predecessor + 1) : "";
+        wait.predecessor ? fmt::format("event {}", *wait.predecessor + 1) : "";
     if (!wait.has_begun) {
         return "it comes after " + before + ", which waits for the same rest and did not happen";
     }

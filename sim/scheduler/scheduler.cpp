@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/core.h>
 
 #include "core/error.h"
 #include "sim/start_overlaps.h"
@@ -19,12 +20,10 @@ constexpr std::size_t kMostTouchesPerBall = 2000;
 
 std::string cap_warning(std::size_t most, const Touch& touch, const Ball& ball) {
     const Vec3 p = ball.stretch.position_at(touch.time);
-    std::array<char, 200> text{};
-    std::snprintf(text.data(), text.size(),
-                  "more than %zu touches at %.6f s near '%s' at (%.4f, %.4f, %.4f): "
-                  "touches are ignored for up to 1/60 s",
-                  most, touch.time, ball.name.c_str(), p.x, p.y, p.z);
-    return text.data();
+    return fmt::format(
+        "more than {} touches at {:.6f} s near '{}' at ({:.4f}, {:.4f}, {:.4f}): "
+        "touches are ignored for up to 1/60 s",
+        most, touch.time, ball.name, p.x, p.y, p.z);
 }
 
 }  // namespace

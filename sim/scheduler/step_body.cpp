@@ -1,13 +1,9 @@
 #include "sim/scheduler/step_body.h"
 
-#include <cmath>
+#include "core/length.h"
 
 namespace carom::sim {
 namespace {
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
-}
 
 StepBody ball_body(const Ball& ball) {
     StepBody body;

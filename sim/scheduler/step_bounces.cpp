@@ -1,9 +1,9 @@
 #include "sim/scheduler/step_bounces.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <string>
+
+#include <fmt/core.h>
 
 #include "sim/scheduler/contact_numbers.h"
 
@@ -73,11 +73,10 @@ void StepBounces::count_blow(const FoundContact& found, double time) {
     if (!warned_.insert(found.pair()).second) {
         return;
     }
-    std::array<char, 64> at{};
-    std::snprintf(at.data(), at.size(), "at %.3f s ", time);
-    recording_.warn({Subject::body(moved.name), "motion",
-                     at.data() + ("'" + caught.name) + "' is jammed by '" + moved.name +
-                         "', which keys move: there is no room for it"});
+    recording_.warn(
+        {Subject::body(moved.name), "motion",
+         fmt::format("at {:.3f} s '{}' is jammed by '{}', which keys move: there is no room for it",
+                     time, caught.name, moved.name)});
 }
 
 void StepBounces::bounce_ball(const FoundContact& found, double time) {

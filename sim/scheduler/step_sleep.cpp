@@ -1,7 +1,8 @@
 #include "sim/scheduler/step_sleep.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/length.h"
 
 namespace carom::sim {
 namespace {
@@ -17,10 +18,6 @@ constexpr double kLeaningSleepDelay = 0.5;
 constexpr double kRisingSpeed = 5e-4;
 /// A sleeper wakes when something comes against it faster than this (m/s).
 constexpr double kWakeSpeed = 0.01;
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
-}
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/length.h"
 #include "sim/spatial/axes.h"
 
 namespace carom::sim {
@@ -20,10 +21,6 @@ constexpr double kBesideBalanced = 1e-12;
 constexpr double kLevelNormal = 0.99;
 /// The axis of what lies on its side rises by less than this sine.
 constexpr double kLevelAxis = 0.01;
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
-}
 
 double cross(const Vec2& a, const Vec2& b) {
     return a.x * b.y - a.y * b.x;

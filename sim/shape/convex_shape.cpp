@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/length.h"
+
 namespace carom::sim {
 namespace {
 
@@ -13,10 +15,6 @@ constexpr double kSkin = 1e-3;
 constexpr double kMostSkin = 0.05;
 /// Where a cylinder's cap counts as facing, not its side: cosine of the angle to the axis.
 constexpr double kCapFaces = 0.7;
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
-}
 
 double sign(double x) {
     return x < 0 ? -1 : 1;

@@ -3,11 +3,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace carom::sim {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
@@ -159,11 +158,11 @@ Vec3 capsule_inertia(double radius, double length) {
 }
 
 double cylinder_volume(double radius, double height) {
-    return kPi * radius * radius * height;
+    return std::numbers::pi * radius * radius * height;
 }
 
 double capsule_volume(double radius, double length) {
-    return kPi * radius * radius * (length + 4.0 / 3.0 * radius);
+    return std::numbers::pi * radius * radius * (length + 4.0 / 3.0 * radius);
 }
 
 }  // namespace carom::sim

@@ -1,14 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/length.h"
 #include "sim/shape/convex_shape.h"
 
 namespace carom::sim {
 namespace {
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
-}
 
 Nearest from_outside(const Vec3& point, const Vec3& on_solid) {
     const Vec3 d = point - on_solid;

@@ -6,14 +6,12 @@
 #include <map>
 #include <utility>
 
+#include "core/length.h"
+
 namespace carom::sim {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
-}
 
 struct Facet {
     Corners corners{};

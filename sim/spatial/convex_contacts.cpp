@@ -6,14 +6,11 @@
 #include <optional>
 #include <utility>
 
+#include "core/length.h"
 #include "sim/spatial/axes.h"
 
 namespace carom::sim {
 namespace {
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
-}
 
 /// Tries directions for one that keeps the two farther apart than those before.
 class Separation {

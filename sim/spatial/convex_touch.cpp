@@ -1,19 +1,12 @@
 #include "sim/spatial/convex_touch.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "core/length.h"
 #include "sim/numeric/rotation.h"
 #include "sim/spatial/advance.h"
 
 namespace carom::sim {
-namespace {
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
-}
-
-}  // namespace
 
 Pose ConvexMotion::pose_at(double time) const {
     const double t = time - start;

@@ -6,6 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/length.h"
+
 namespace carom::sim {
 namespace {
 
@@ -60,10 +62,6 @@ struct EdgeUse {
         return std::tie(a.from, a.to, a.face) < std::tie(b.from, b.to, b.face);
     }
 };
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
-}
 
 class Builder {
   public:

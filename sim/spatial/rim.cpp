@@ -1,18 +1,11 @@
 #include "sim/spatial/rim.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "core/length.h"
 #include "sim/spatial/advance.h"
 
 namespace carom::sim {
-namespace {
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
-}
-
-}  // namespace
 
 SurfaceContact Rim::contact(const Vec3& ball_centre, double ball_radius) const {
     Vec3 outwards(ball_centre.x - centre.x, ball_centre.y - centre.y, 0);

@@ -1,18 +1,14 @@
 #include "sim/spatial/static_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
+#include "core/length.h"
 #include "sim/motion/time_of_impact.h"
 
 namespace carom::sim {
 namespace {
-
-double length(const Vec3& v) {
-    return std::sqrt(v.dot(v));
-}
 
 Aabb bounds_of(const MeshFeature& feature) {
     Aabb box{feature.points[0], feature.points[0]};

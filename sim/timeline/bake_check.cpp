@@ -1,6 +1,8 @@
 #include <cmath>
 #include <set>
 
+#include <fmt/core.h>
+
 #include "core/finite.h"
 #include "sim/timeline/bake_format.h"
 #include "sim/timeline/turning.h"
@@ -22,7 +24,7 @@ bool is_moderate(const Vec3& v) {
 
 Problem keys_problem(const Track& track) {
     const auto problem = [&](std::size_t index, const char* what) {
-        return "track '" + track.name() + "', key " + std::to_string(index) + ": " + what;
+        return fmt::format("track '{}', key {}: {}", track.name(), index, what);
     };
     const auto keys = track.keys();
     for (std::size_t index = 0; index < keys.size(); ++index) {
@@ -42,7 +44,7 @@ Problem keys_problem(const Track& track) {
 
 Problem tracks_problem(const std::vector<Track>& tracks) {
     if (tracks.size() > kMostTracks) {
-        return "it has more than " + std::to_string(kMostTracks) + " tracks";
+        return fmt::format("it has more than {} tracks", kMostTracks);
     }
     std::set<std::string_view> names;
     std::uint64_t substeps_in_all = 0;
@@ -51,7 +53,7 @@ Problem tracks_problem(const std::vector<Track>& tracks) {
             return "a track has no name";
         }
         if (track.name().size() > kLongestName) {
-            return "the name of a track is longer than " + std::to_string(kLongestName) + " bytes";
+            return fmt::format("the name of a track is longer than {} bytes", kLongestName);
         }
         if (!names.insert(track.name()).second) {
             return "two tracks are called '" + track.name() + "'";
@@ -72,7 +74,7 @@ Problem event_problem(const Event& event) {
         return "is of an unknown kind";
     }
     if (event.a.size() > kLongestName || event.b.size() > kLongestName) {
-        return "names an object in more than " + std::to_string(kLongestName) + " bytes";
+        return fmt::format("names an object in more than {} bytes", kLongestName);
     }
     if (!std::isfinite(event.time) || !std::isfinite(event.end_time) || !is_finite(event.place) ||
         !is_finite(event.normal) || !std::isfinite(event.normal_impulse) ||
@@ -87,7 +89,7 @@ Problem event_problem(const Event& event) {
 
 Problem events_problem(const std::vector<Event>& events) {
     for (std::size_t index = 0; index < events.size(); ++index) {
-        const std::string name = "event " + std::to_string(index);
+        const std::string name = fmt::format("event {}", index);
         if (const Problem problem = event_problem(events[index])) {
             return name + " " + *problem;
         }
@@ -101,7 +103,7 @@ Problem events_problem(const std::vector<Event>& events) {
 Problem energy_problem(const std::vector<EnergySample>& energy) {
     for (std::size_t index = 0; index < energy.size(); ++index) {
         const EnergySample& sample = energy[index];
-        const std::string name = "energy sample " + std::to_string(index);
+        const std::string name = fmt::format("energy sample {}", index);
         if (!std::isfinite(sample.time) || !std::isfinite(sample.kinetic) ||
             !std::isfinite(sample.potential)) {
             return name + " has a value that is not finite";
@@ -187,11 +189,11 @@ Problem warnings_problem(const std::vector<Diagnostic>& warnings) {
 
 Problem assets_problem(const std::vector<Asset>& assets) {
     if (assets.size() > kMostAssets) {
-        return "it has more than " + std::to_string(kMostAssets) + " assets";
+        return fmt::format("it has more than {} assets", kMostAssets);
     }
     for (const Asset& asset : assets) {
         if (asset.path.size() > kLongestPath) {
-            return "the path of an asset is longer than " + std::to_string(kLongestPath) + " bytes";
+            return fmt::format("the path of an asset is longer than {} bytes", kLongestPath);
         }
     }
     return {};

@@ -2,6 +2,8 @@
 #include <cstring>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "bake_generated.h"
 #include "core/error.h"
 #include "sim/timeline/bake_format.h"
@@ -82,8 +84,7 @@ std::vector<Track> read_tracks(const fb::Content& content, Budget& budget) {
         }
         std::string name = budget.text(*track->name());
         if (name.size() > kLongestName) {
-            throw Error("the name of a track is longer than " + std::to_string(kLongestName) +
-                        " bytes");
+            throw Error(fmt::format("the name of a track is longer than {} bytes", kLongestName));
         }
         tracks.emplace_back(std::move(name), std::move(keys));
     }
@@ -97,7 +98,7 @@ class Names {
         for (const flatbuffers::String* name : *content.names()) {
             names_.push_back(budget.text(*name));
             if (names_.back().size() > kLongestName) {
-                throw Error("a name is longer than " + std::to_string(kLongestName) + " bytes");
+                throw Error(fmt::format("a name is longer than {} bytes", kLongestName));
             }
         }
     }
@@ -192,10 +193,6 @@ flatbuffers::Verifier verifier_for(std::span<const std::byte> bytes) {
             kMostTables};
 }
 
-bool has_identifier(std::span<const std::byte> bytes) {
-    return bytes.size() >= 8 && std::memcmp(bytes.data() + 4, fb::EnvelopeIdentifier(), 4) == 0;
-}
-
 /// The inner buffer, after the envelope around it was found to be whole and unchanged. `bytes` are
 /// aligned to eight.
 std::span<const std::byte> open_envelope(std::span<const std::byte> bytes) {
@@ -205,17 +202,16 @@ std::span<const std::byte> open_envelope(std::span<const std::byte> bytes) {
     }
     const fb::Head& head = *flatbuffers::GetRoot<fb::EnvelopeHead>(bytes.data())->head();
     if (head.schema_version() != kSchemaVersion) {
-        throw Error("is in version " + std::to_string(head.schema_version()) +
-                    " of the format and this carom reads version " +
-                    std::to_string(kSchemaVersion) + "; bake the shot again");
+        throw Error(fmt::format(
+            "is in version {} of the format and this carom reads version {}; bake the shot again",
+            head.schema_version(), kSchemaVersion));
     }
     if (bytes.size() < head.file_size()) {
-        throw Error("is truncated: " + std::to_string(bytes.size()) + " of its " +
-                    std::to_string(head.file_size()) + " bytes are there");
+        throw Error(fmt::format("is truncated: {} of its {} bytes are there", bytes.size(),
+                                head.file_size()));
     }
     if (bytes.size() > head.file_size()) {
-        throw Error("is damaged: something follows its " + std::to_string(head.file_size()) +
-                    " bytes");
+        throw Error(fmt::format("is damaged: something follows its {} bytes", head.file_size()));
     }
     if (!verifier_for(bytes).VerifyBuffer<fb::Envelope>(nullptr)) {
         throw Error("is damaged: its envelope cannot be read");
@@ -241,6 +237,10 @@ bool is_aligned(std::span<const std::byte> bytes) {
 }
 
 }  // namespace
+
+bool has_bake_identifier(std::span<const std::byte> bytes) {
+    return bytes.size() >= 8 && std::memcmp(bytes.data() + 4, fb::EnvelopeIdentifier(), 4) == 0;
+}
 
 Bake decode_content(std::span<const std::byte> content) {
     if (!verifier_for(content).VerifyBuffer<fb::Content>(nullptr)) {
@@ -269,7 +269,7 @@ Bake decode_content(std::span<const std::byte> content) {
 }
 
 Bake decode_bake(std::span<const std::byte> bytes, const std::string& origin) {
-    if (!has_identifier(bytes)) {
+    if (!has_bake_identifier(bytes)) {
         throw Error("'" + origin + "' is not a carom bake");
     }
     std::vector<std::byte> copy;

@@ -41,4 +41,10 @@ struct Bake {
 void write_bake(const Bake& bake, const std::string& path);
 [[nodiscard]] Bake read_bake(const std::string& path);
 
+/// So many bytes of a file tell whether it is a bake.
+inline constexpr std::size_t kBakeHeadBytes = 8;
+
+/// Whether the first bytes of a file, kBakeHeadBytes or more, are those of a bake.
+[[nodiscard]] bool has_bake_identifier(std::span<const std::byte> head);
+
 }  // namespace carom::sim

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "core/assert.h"
 #include "core/error.h"
 #include "core/finite.h"
@@ -55,7 +57,7 @@ void Track::check_keys() const {
     for (std::size_t index = 0; index < keys_.size(); ++index) {
         const Key& key = keys_[index];
         const auto refuse = [&](const std::string& what) {
-            throw Error("track '" + name_ + "', key " + std::to_string(index) + ": " + what);
+            throw Error(fmt::format("track '{}', key {}: {}", name_, index, what));
         };
         if (!has_finite_values(key)) {
             refuse("a value is not finite");

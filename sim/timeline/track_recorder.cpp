@@ -5,6 +5,8 @@
 #include <span>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "core/assert.h"
 #include "core/error.h"
 #include "sim/timeline/hermite.h"
@@ -133,8 +135,8 @@ TrackRecorder::TrackRecorder(std::string name, KeyReduction reduction)
 
 void TrackRecorder::add_key(const Key& key, bool is_kept) {
     if (!dense_.empty() && !(key.time > dense_.back().time)) {
-        throw Error("track '" + name_ + "': a state at " + std::to_string(key.time) +
-                    " s comes after one at " + std::to_string(dense_.back().time) + " s");
+        throw Error(fmt::format("track '{}': a state at {:f} s comes after one at {:f} s", name_,
+                                key.time, dense_.back().time));
     }
     if (is_kept || dense_.empty()) {
         kept_.push_back(dense_.size());
@@ -151,15 +153,15 @@ void TrackRecorder::add(double time, const MotionState& state) {
     if (!is_same(last.position, state.position) || !is_same(last.orientation, state.orientation) ||
         !is_same(last.velocity_out, state.velocity) ||
         !is_same(last.angular_velocity_out, state.angular_velocity)) {
-        throw Error("track '" + name_ + "': two different states at " + std::to_string(time) +
-                    " s without a break");
+        throw Error(
+            fmt::format("track '{}': two different states at {:f} s without a break", name_, time));
     }
 }
 
 void TrackRecorder::add_break(double time, const MotionState& before, const MotionState& after) {
     if (!is_same(before.position, after.position) ||
         !is_same(before.orientation, after.orientation)) {
-        throw Error("track '" + name_ + "': the pose jumps at " + std::to_string(time) + " s");
+        throw Error(fmt::format("track '{}': the pose jumps at {:f} s", name_, time));
     }
     if (dense_.empty() || dense_.back().time != time) {
         Key key = smooth_key(time, before);
@@ -171,7 +173,7 @@ void TrackRecorder::add_break(double time, const MotionState& before, const Moti
     Key& last = dense_.back();
     if (!is_same(last.position, before.position) ||
         !is_same(last.orientation, before.orientation)) {
-        throw Error("track '" + name_ + "': the pose jumps at " + std::to_string(time) + " s");
+        throw Error(fmt::format("track '{}': the pose jumps at {:f} s", name_, time));
     }
     last.velocity_out = after.velocity;
     last.angular_velocity_out = after.angular_velocity;

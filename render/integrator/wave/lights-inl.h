@@ -18,21 +18,21 @@ namespace carom::render::HWY_NAMESPACE {
 
 /// A direction towards a light in every lane, and what comes from there.
 struct LightLanes {
-    V3 direction;
+    F3 direction;
     F distance;
     F pdf;
-    V3 radiance;
+    F3 radiance;
     M valid;
 };
 
-HWY_INLINE V3 radiance_of(const WaveLight& light, F pdf) {
+HWY_INLINE F3 radiance_of(const WaveLight& light, F pdf) {
     return light.fades ? all(light.radiance) : all(light.radiance) * (all(kPi) * pdf);
 }
 
-HWY_INLINE LightLanes sample_rectangle(const WaveLight& light, const V3& point, const V2& u) {
+HWY_INLINE LightLanes sample_rectangle(const WaveLight& light, const F3& point, const V2& u) {
     const F a = all(2.f) * u.x - all(1.f);
     const F b = all(2.f) * u.y - all(1.f);
-    const V3 way = all(light.centre) + all(light.edge_u) * a + all(light.edge_v) * b - point;
+    const F3 way = all(light.centre) + all(light.edge_u) * a + all(light.edge_v) * b - point;
     const F height = hn::Neg(dot(way, all(light.normal)));
     const F distance2 = dot(way, way);
     const F distance = hn::Sqrt(distance2);
@@ -41,13 +41,13 @@ HWY_INLINE LightLanes sample_rectangle(const WaveLight& light, const V3& point, 
             hn::Gt(height, all(0.f))};
 }
 
-HWY_INLINE LightLanes sample_sphere(const WaveLight& light, const V3& point, const V2& u) {
-    const V3 way = all(light.centre) - point;
+HWY_INLINE LightLanes sample_sphere(const WaveLight& light, const F3& point, const V2& u) {
+    const F3 way = all(light.centre) - point;
     const F radius = all(light.radius);
     const F distance2 = dot(way, way);
     const F distance = hn::Sqrt(distance2);
     const F one_minus_cos = one_minus_cos_of_sphere(radius, distance);
-    const V3 local = sample_cone(u, one_minus_cos);
+    const F3 local = sample_cone(u, one_minus_cos);
     const F sine2 = local.x * local.x + local.y * local.y;
     const F inside = hn::Sqrt(hn::Max(all(0.f), radius * radius - distance2 * sine2));
     const Basis basis = basis_around(way * (all(1.f) / distance));
@@ -57,12 +57,12 @@ HWY_INLINE LightLanes sample_sphere(const WaveLight& light, const V3& point, con
 }
 
 HWY_INLINE F surface_cosine(F cosine, F reach) {
-    constexpr float kLeastCosine = 0.1f;
-    return select(hn::Le(cosine + reach, all(0.f)), all(0.f), hn::Max(cosine, all(kLeastCosine)));
+    return select(hn::Le(cosine + reach, all(0.f)), all(0.f),
+                  hn::Max(cosine, all(kLeastHorizonCosine)));
 }
 
-HWY_INLINE F importance_of_rectangle(const WaveLight& light, const V3& point, const V3& normal) {
-    const V3 way = all(light.centre) - point;
+HWY_INLINE F importance_of_rectangle(const WaveLight& light, const F3& point, const F3& normal) {
+    const F3 way = all(light.centre) - point;
     const F distance2 = hn::Max(dot(way, way), all(1e-12f));
     const F distance = hn::Sqrt(distance2);
     const F height = hn::Neg(dot(way, all(light.normal)));
@@ -77,8 +77,8 @@ HWY_INLINE F importance_of_rectangle(const WaveLight& light, const V3& point, co
     return select(hn::Gt(height, all(0.f)), value, all(0.f));
 }
 
-HWY_INLINE F importance_of_sphere(const WaveLight& light, const V3& point, const V3& normal) {
-    const V3 way = all(light.centre) - point;
+HWY_INLINE F importance_of_sphere(const WaveLight& light, const F3& point, const F3& normal) {
+    const F3 way = all(light.centre) - point;
     const F distance = hn::Max(hn::Sqrt(dot(way, way)), all(1e-6f));
     const F radius = all(light.radius);
     const F solid_angle =
@@ -92,7 +92,7 @@ HWY_INLINE F importance_of_sphere(const WaveLight& light, const V3& point, const
 struct LanesAtOnce {
     alignas(64) float x[16], y[16], z[16];
 
-    HWY_INLINE explicit LanesAtOnce(const V3& v) {
+    HWY_INLINE explicit LanesAtOnce(const F3& v) {
         hn::Store(v.x, FloatTag(), x);
         hn::Store(v.y, FloatTag(), y);
         hn::Store(v.z, FloatTag(), z);
@@ -104,13 +104,13 @@ struct LanesAtOnce {
         y[i] = v.y;
         z[i] = v.z;
     }
-    HWY_INLINE V3 lanes() const {
+    HWY_INLINE F3 lanes() const {
         return {hn::Load(FloatTag(), x), hn::Load(FloatTag(), y), hn::Load(FloatTag(), z)};
     }
 };
 
-inline HWY_ATTR F importance_one_by_one(const LightSet& lights, std::size_t light, const V3& point,
-                                        const V3& normal, M wanted) {
+inline HWY_ATTR F importance_one_by_one(const LightSet& lights, std::size_t light, const F3& point,
+                                        const F3& normal, M wanted) {
     const LanesAtOnce points(point);
     const LanesAtOnce normals(normal);
     alignas(64) float values[16] = {};
@@ -125,7 +125,7 @@ inline HWY_ATTR F importance_one_by_one(const LightSet& lights, std::size_t ligh
 }
 
 inline HWY_ATTR LightLanes sample_one_by_one(const LightSet& lights, std::size_t light,
-                                             const V3& point, const V2& u, M wanted) {
+                                             const F3& point, const V2& u, M wanted) {
     const LanesAtOnce points(point);
     alignas(64) float u_x[16], u_y[16], is_wanted[16];
     hn::Store(u.x, FloatTag(), u_x);
@@ -153,8 +153,8 @@ inline HWY_ATTR LightLanes sample_one_by_one(const LightSet& lights, std::size_t
             radiances.lanes(), hn::Gt(hn::Load(FloatTag(), valid), all(0.f))};
 }
 
-HWY_INLINE F importance(const WaveScene& scene, std::size_t light, const V3& point,
-                        const V3& normal, M wanted) {
+HWY_INLINE F importance(const WaveScene& scene, std::size_t light, const F3& point,
+                        const F3& normal, M wanted) {
     switch (scene.light[light].kind) {
         case WaveLight::Kind::rectangle:
             return importance_of_rectangle(scene.light[light], point, normal);
@@ -168,7 +168,7 @@ HWY_INLINE F importance(const WaveScene& scene, std::size_t light, const V3& poi
                : importance_one_by_one(*scene.lights, light, point, normal, wanted);
 }
 
-HWY_INLINE LightLanes sample(const WaveScene& scene, std::size_t light, const V3& point,
+HWY_INLINE LightLanes sample(const WaveScene& scene, std::size_t light, const F3& point,
                              const V2& u, M wanted) {
     switch (scene.light[light].kind) {
         case WaveLight::Kind::rectangle:
@@ -189,7 +189,7 @@ struct ChoiceLanes {
     F u;
 };
 
-HWY_INLINE ChoiceLanes choose_light(const WaveScene& scene, const V3& point, const V3& normal, F u,
+HWY_INLINE ChoiceLanes choose_light(const WaveScene& scene, const F3& point, const F3& normal, F u,
                                     M wanted) {
     const IntTag di;
     ChoiceLanes choice{hn::Set(di, -1), all(0.f), all(0.f), u};

@@ -11,27 +11,27 @@ HWY_INLINE F by_object(const std::vector<float>& numbers, I object) {
 }
 
 struct SurfaceLanes {
-    V3 position, normal;
+    F3 position, normal;
 };
 
 /// What the rays are, and how far they go.
 struct MeetingLanes {
-    V3 origin, direction;
+    F3 origin, direction;
     F distance;
 };
 
-HWY_INLINE SurfaceLanes on_balls(const WaveObjects& objects, I object, const V3& centre,
+HWY_INLINE SurfaceLanes on_balls(const WaveObjects& objects, I object, const F3& centre,
                                  const MeetingLanes& ray) {
-    const V3 normal = unit((ray.origin - centre) + ray.direction * ray.distance);
+    const F3 normal = unit((ray.origin - centre) + ray.direction * ray.distance);
     return {centre + normal * by_object(objects.half_x, object), normal};
 }
 
-HWY_INLINE SurfaceLanes on_boxes(const WaveObjects& objects, I object, const V3& centre,
+HWY_INLINE SurfaceLanes on_boxes(const WaveObjects& objects, I object, const F3& centre,
                                  const MeetingLanes& ray) {
     const FloatTag d;
-    const V3 o = ray.origin - centre;
-    const V3 p = o + ray.direction * ray.distance;
-    const V3 half{by_object(objects.half_x, object), by_object(objects.half_y, object),
+    const F3 o = ray.origin - centre;
+    const F3 p = o + ray.direction * ray.distance;
+    const F3 half{by_object(objects.half_x, object), by_object(objects.half_y, object),
                   by_object(objects.half_z, object)};
     const M leaves = hn::And(hn::Lt(hn::Abs(o.x), half.x),
                              hn::And(hn::Lt(hn::Abs(o.y), half.y), hn::Lt(hn::Abs(o.z), half.z)));
@@ -40,8 +40,8 @@ HWY_INLINE SurfaceLanes on_boxes(const WaveObjects& objects, I object, const V3&
     const auto side_of = [&](F along) HWY_ATTR {
         return select(hn::Gt(along, all(0.f)), turn, hn::Neg(turn));
     };
-    const V3 side{side_of(ray.direction.x), side_of(ray.direction.y), side_of(ray.direction.z)};
-    const V3 out{side.x * p.x - half.x, side.y * p.y - half.y, side.z * p.z - half.z};
+    const F3 side{side_of(ray.direction.x), side_of(ray.direction.y), side_of(ray.direction.z)};
+    const F3 out{side.x * p.x - half.x, side.y * p.y - half.y, side.z * p.z - half.z};
     const M is_x = hn::And(hn::Ge(out.x, out.y), hn::Ge(out.x, out.z));
     const M is_z = hn::AndNot(is_x, hn::Gt(out.z, out.y));
     const M is_y = hn::AndNot(is_x, hn::Not(is_z));
@@ -49,7 +49,7 @@ HWY_INLINE SurfaceLanes on_boxes(const WaveObjects& objects, I object, const V3&
         return select(is_face, sign * limit, hn::Max(hn::Neg(limit), hn::Min(x, limit)));
     };
     const F zero = hn::Zero(d);
-    return {centre + V3{place(p.x, half.x, side.x, is_x), place(p.y, half.y, side.y, is_y),
+    return {centre + F3{place(p.x, half.x, side.x, is_x), place(p.y, half.y, side.y, is_y),
                         place(p.z, half.z, side.z, is_z)},
             {select(is_x, side.x, zero), select(is_y, side.y, zero), select(is_z, side.z, zero)}};
 }
@@ -60,12 +60,12 @@ inline HWY_ATTR void find_surfaces(const WaveScene& scene, const PathWave& paths
     for (int i = first; i < last; i += lane_count()) {
         const I path = load(vertices.path, i);
         const I object = load(vertices.object, i);
-        const V3 centre = load(vertices.position, i);
+        const F3 centre = load(vertices.position, i);
         const MeetingLanes ray{gather(paths.origin, path), gather(paths.direction, path),
                                load(vertices.distance, i)};
         const SurfaceLanes surface = are_boxes ? on_boxes(objects, object, centre, ray)
                                                : on_balls(objects, object, centre, ray);
-        const V3 normal = select(hn::Gt(dot(surface.normal, ray.direction), all(0.f)),
+        const F3 normal = select(hn::Gt(dot(surface.normal, ray.direction), all(0.f)),
                                  -surface.normal, surface.normal);
         const F size = hn::Max(hn::Max(hn::Abs(surface.position.x), hn::Abs(surface.position.y)),
                                hn::Abs(surface.position.z));
@@ -73,7 +73,7 @@ inline HWY_ATTR void find_surfaces(const WaveScene& scene, const PathWave& paths
         store(normal, vertices.geometric_normal, i);
         store(normal, vertices.normal, i);
         store(all(kOffsetShare) * (size + by_object(objects.reach, object)), vertices.offset, i);
-        store(V3{by_object(objects.red, object), by_object(objects.green, object),
+        store(F3{by_object(objects.red, object), by_object(objects.green, object),
                  by_object(objects.blue, object)},
               vertices.base, i);
         store(by_object(objects.coat_weight, object), vertices.coat_weight, i);

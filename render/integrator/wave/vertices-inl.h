@@ -20,18 +20,18 @@ struct VertexLanes {
     int first;  // of the vertices
     M valid;
     I path;
-    V3 position, geometric_normal, origin;
+    F3 position, geometric_normal, origin;
     Basis frame;
-    V3 throughput;
+    F3 throughput;
     F wo_z;
-    V3 wo;
+    F3 wo;
     F coat;
     F coat_choice;
-    V3 diffuse;
+    F3 diffuse;
     M has_sheen;
     bool any_sheen;  // only whether the work for sheen can be left out: no lane's numbers depend on
                      // it
-    V3 sheen;
+    F3 sheen;
     F choose_sheen;  // probability of the base being sampled by it
     M scatters;      // has a base that is not black
     M splits;
@@ -104,11 +104,11 @@ struct BaseLanes {
 };
 
 /// As Bsdf's evaluate_base and sheen.h, for `wi` at this cosine to the normal, above 0.
-HWY_INLINE BaseLanes base_towards(const VertexLanes& v, const V3& wi, F cosine) {
+HWY_INLINE BaseLanes base_towards(const VertexLanes& v, const F3& wi, F cosine) {
     BaseLanes base{cosine * all(kInversePi), all(0.f), all(0.f)};
     base.pdf = base.diffuse;
     if (v.any_sheen) {
-        const V3 h = v.wo + wi;
+        const F3 h = v.wo + wi;
         const F height = v.wo_z + cosine;
         const F sine2 = hn::Max(all(0.f), all(1.f) - height * height / dot(h, h));
         const F density = all(2.5f * kInversePi) * sine2 * hn::Sqrt(sine2);
@@ -120,8 +120,8 @@ HWY_INLINE BaseLanes base_towards(const VertexLanes& v, const V3& wi, F cosine) 
     return base;
 }
 
-HWY_INLINE V3 value_of(const VertexLanes& v, const BaseLanes& base) {
-    const V3 diffuse = v.diffuse * base.diffuse;
+HWY_INLINE F3 value_of(const VertexLanes& v, const BaseLanes& base) {
+    const F3 diffuse = v.diffuse * base.diffuse;
     return v.any_sheen ? select(v.has_sheen, diffuse + v.sheen * base.sheen, diffuse) : diffuse;
 }
 

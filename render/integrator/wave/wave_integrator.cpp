@@ -12,8 +12,6 @@ namespace {
 // Deeper paths are rare, and roulette decides about them: they are followed one by one.
 constexpr int kLastVertex = 4;
 
-constexpr float kLeastCosine = 1e-4f;  // as in bsdf.cpp
-
 /// What the kernels have made of a wave: the paths that go on and the light of the shadow rays.
 [[maybe_unused]] bool is_valid(const PathWave& paths) {
     for (int i = 0; i < paths.count; ++i) {
@@ -283,7 +281,7 @@ void WaveIntegrator::add_other_vertex(int path, Wave& wave) const {
     vertices.coat_ior.at[i] = surface.layers->coat_ior;
     const float sheen = surface.layers->sheen;
     const V3f& colour = surface.layers->sheen_colour;
-    const float height = std::max(-(surface.frame.z ^ alone.ray.direction), kLeastCosine);
+    const float height = std::max(-(surface.frame.z ^ alone.ray.direction), kLeastLocalCosine);
     vertices.sheen.set(i, colour * sheen);
     vertices.sheen_share.at[i] = sheen > 0 ? sheen * surface.layers->sheen_albedo.at(height) *
                                                  std::max({colour.x, colour.y, colour.z})

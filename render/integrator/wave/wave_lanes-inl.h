@@ -16,7 +16,7 @@ namespace carom::render::HWY_NAMESPACE {
 HWY_INLINE F load(const Floats& field, int i) {
     return hn::LoadU(FloatTag(), field.at + i);
 }
-HWY_INLINE V3 load(const Floats3& field, int i) {
+HWY_INLINE F3 load(const Floats3& field, int i) {
     return {load(field.x, i), load(field.y, i), load(field.z, i)};
 }
 HWY_INLINE I load(const Words& field, int i) {
@@ -25,7 +25,7 @@ HWY_INLINE I load(const Words& field, int i) {
 HWY_INLINE F gather(const Floats& field, I index) {
     return hn::GatherIndex(FloatTag(), field.at, index);
 }
-HWY_INLINE V3 gather(const Floats3& field, I index) {
+HWY_INLINE F3 gather(const Floats3& field, I index) {
     return {gather(field.x, index), gather(field.y, index), gather(field.z, index)};
 }
 HWY_INLINE I gather(const Words& field, I index) {
@@ -34,7 +34,7 @@ HWY_INLINE I gather(const Words& field, I index) {
 HWY_INLINE void store(F value, Floats& field, int i) {
     hn::StoreU(value, FloatTag(), field.at + i);
 }
-HWY_INLINE void store(const V3& value, Floats3& field, int i) {
+HWY_INLINE void store(const F3& value, Floats3& field, int i) {
     store(value.x, field.x, i);
     store(value.y, field.y, i);
     store(value.z, field.z, i);
@@ -43,7 +43,7 @@ HWY_INLINE void store(const V3& value, Floats3& field, int i) {
 HWY_INLINE void store_some(F value, M mask, Floats& field, int i) {
     hn::CompressStore(value, mask, FloatTag(), field.at + i);
 }
-HWY_INLINE void store_some(const V3& value, M mask, Floats3& field, int i) {
+HWY_INLINE void store_some(const F3& value, M mask, Floats3& field, int i) {
     store_some(value.x, mask, field.x, i);
     store_some(value.y, mask, field.y, i);
     store_some(value.z, mask, field.z, i);

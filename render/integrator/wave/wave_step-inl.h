@@ -2,10 +2,12 @@
 // directions are chosen. What integrator/direct_light.cpp, caustics.cpp and path_integrator.cpp do
 // for one path. Included once per instruction set.
 #include "render/integrator/path_state.h"
+#include "render/integrator/shadow_ray_constants.h"
 #include "render/integrator/wave/lights-inl.h"
 #include "render/integrator/wave/vertices-inl.h"
 #include "render/integrator/wave/wave_kernels.h"
 #include "render/sampling/numbers-inl.h"
+#include "render/sampling/one_minus_epsilon.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
@@ -14,7 +16,6 @@ namespace carom::render::HWY_NAMESPACE {
 /// light each vertex takes.
 HWY_INLINE void seek(const WaveStep& step, const VertexLanes& v, const LightLanes& light,
                      F expected, M wanted, int k) {
-    constexpr float kShadowReach = 1.0f - 2e-4f;
     const F cosine = dot(v.frame.z, light.direction);
     const F side = dot(v.geometric_normal, light.direction);
     const BaseLanes base = base_towards(v, light.direction, hn::Max(cosine, all(0.f)));
@@ -22,7 +23,7 @@ HWY_INLINE void seek(const WaveStep& step, const VertexLanes& v, const LightLane
     const F weight = power_heuristic(pdf, base_probability(v) * base.pdf);
     const M shines = hn::And(hn::And(wanted, light.valid),
                              hn::And(hn::Gt(side, all(0.f)), hn::Gt(cosine, all(0.f))));
-    const V3 value = v.throughput * value_of(v, base) * light.radiance * (weight / pdf);
+    const F3 value = v.throughput * value_of(v, base) * light.radiance * (weight / pdf);
     const M seen = hn::And(shines, hn::Gt(largest(value), all(0.f)));
     ShadowWave& out = step.shadows;
     const int at = k * out.stride + v.first;
@@ -38,8 +39,6 @@ HWY_INLINE void seek(const WaveStep& step, const VertexLanes& v, const LightLane
 }
 
 HWY_INLINE F environment_share(const WaveStep& step, const VertexLanes& v) {
-    constexpr float kAlwaysAbove = 0.125f;
-    constexpr float kRarest = 0.125f;
     const bool has_environment =
         std::any_of(step.scene.light.begin(), step.scene.light.end(),
                     [](const WaveLight& light) { return light.is_environment; });
@@ -83,7 +82,7 @@ HWY_INLINE void seek_all(const WaveStep& step, VertexLanes& v, const Numbers& nu
         if (known.is_environment) {
             expected = v.environment_samples;
             wanted = hn::And(wanted, hn::Or(hn::Ge(expected, all(1.f)), hn::Lt(u.x, expected)));
-            u.x = select(hn::Lt(expected, all(1.f)), hn::Min(u.x / expected, all(0x1.fffffep-1f)),
+            u.x = select(hn::Lt(expected, all(1.f)), hn::Min(u.x / expected, all(kOneMinusEpsilon)),
                          u.x);
         }
         seek(step, v, sample(step.scene, light, v.position, u, wanted), expected, wanted, k++);
@@ -120,7 +119,7 @@ HWY_INLINE void ask_balls(const WaveStep& step, const VertexLanes& v, const Numb
     const I own = hn::GatherIndex(IntTag(), scene.ball_of_object.data(), object);
     F total = all(0.f);
     for (std::size_t ball = 0; ball < scene.ball_x.size(); ++ball) {
-        const V3 way{all(scene.ball_x[ball]) - v.position.x, all(scene.ball_y[ball]) - v.position.y,
+        const F3 way{all(scene.ball_x[ball]) - v.position.x, all(scene.ball_y[ball]) - v.position.y,
                      all(scene.ball_z[ball]) - v.position.z};
         const F height = dot(way, v.geometric_normal) + all(scene.ball_reach[ball]);
         const F radius2 = all(scene.ball_radius2[ball]);
@@ -138,8 +137,8 @@ HWY_INLINE void ask_balls(const WaveStep& step, const VertexLanes& v, const Numb
 }
 
 struct Onward {
-    V3 direction;
-    V3 weight;
+    F3 direction;
+    F3 weight;
     F pdf, spread;
     I branch;
     I is_delta, connects, ball;
@@ -206,7 +205,7 @@ HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const V2& u,
     const M stretches = hn::And(by_chance, hn::Gt(v.coat_choice, all(0.f)));
     const F u_x = select(stretches, stretched(u.x, v.coat_choice), u.x);
     const F probability = base_probability(v);
-    V3 wi = sample_cosine_hemisphere({u_x, u.y});
+    F3 wi = sample_cosine_hemisphere({u_x, u.y});
     if (v.any_sheen) {
         const M by_sheen = hn::Lt(u_x, v.choose_sheen);
         const F rest =
@@ -273,11 +272,11 @@ inline HWY_ATTR void take_step(const WaveStep& step) {
 inline HWY_ATTR void sum_light(ShadowWave& shadows, int vertices) {
     const FloatTag d;
     for (int first = 0; first < vertices; first += lane_count()) {
-        V3 sum = all(V3f(0, 0, 0));
+        F3 sum = all(V3f(0, 0, 0));
         for (int k = 0; k < shadows.rays; ++k) {
             const int at = k * shadows.stride + first;
             const M arrives = hn::Gt(hn::LoadU(d, shadows.reach + at), all(0.f));
-            const V3 light{hn::LoadU(d, shadows.red + at), hn::LoadU(d, shadows.green + at),
+            const F3 light{hn::LoadU(d, shadows.red + at), hn::LoadU(d, shadows.green + at),
                            hn::LoadU(d, shadows.blue + at)};
             sum = sum + select(arrives, light, all(V3f(0, 0, 0)));
         }

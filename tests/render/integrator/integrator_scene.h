@@ -55,7 +55,7 @@ inline Estimate picture_luminance(const render::SceneDescription& scene,
             const auto result =
                 integrator.sample(lens.ray(x, y, stream.camera_sample()),
                                   lens.frame_at(0).pixel_size, stream, {x, y, sample}, count);
-            sum += static_cast<double>(render::luminance(result.radiance));
+            sum += static_cast<double>(carom::luminance(result.radiance));
         }
         means.push_back(sum / (16 * 16 * samples));
     }

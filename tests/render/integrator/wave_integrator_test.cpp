@@ -193,8 +193,8 @@ TEST_P(Waves, Gather_WhatPathsGatherOneAtATime) {
         EXPECT_LT((alone.albedo - together[i].albedo).length(), 1e-5f) << i;
         const float size = alone.radiance.length() + together[i].radiance.length();
         different += (alone.radiance - together[i].radiance).length() > 1e-3f * size ? 1 : 0;
-        sum_alone += static_cast<double>(render::luminance(alone.radiance));
-        sum_together += static_cast<double>(render::luminance(together[i].radiance));
+        sum_alone += static_cast<double>(carom::luminance(alone.radiance));
+        sum_together += static_cast<double>(carom::luminance(together[i].radiance));
     }
     // Rounding turns a path aside only where it grazes an edge.
     EXPECT_LE(different, static_cast<int>(tasks.size()) / 100);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/splitmix.h"
 #include "sim/billiards/rack.h"
 
 namespace carom::sim::test {
@@ -13,18 +14,12 @@ namespace {
 using billiards::RackKind;
 using billiards::TableKind;
 
-/// Steele, Lea, Flood: Fast splittable pseudorandom number generators, 2014 (SplitMix64).
 class Dice {
   public:
-    explicit Dice(std::uint64_t seed) : state_(seed * 0xD1342543DE82EF95U + 1) {}
+    explicit Dice(std::uint64_t seed) : random_(seed * 0xD1342543DE82EF95U + 1) {}
 
-    std::uint64_t next() {
-        state_ += 0x9E3779B97F4A7C15U;
-        std::uint64_t z = (state_ ^ (state_ >> 30U)) * 0xBF58476D1CE4E5B9U;
-        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-        return z ^ (z >> 31U);
-    }
-    double unit() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
+    std::uint64_t next() { return random_.next(); }
+    double unit() { return random_.next_unit(); }
     double between(double low, double high) { return low + (high - low) * unit(); }
     int below(int count) { return static_cast<int>(next() % static_cast<std::uint64_t>(count)); }
     bool one_in(int count) { return below(count) == 0; }
@@ -37,7 +32,7 @@ class Dice {
     }
 
   private:
-    std::uint64_t state_;
+    SplitMix64 random_;
 };
 
 constexpr double kLargestSolid = 0.11;  // half its diagonal, m

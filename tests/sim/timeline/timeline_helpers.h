@@ -6,23 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "core/splitmix.h"
 #include "sim/timeline/track.h"
 
 namespace carom::sim::test {
 
-/// Numbers as a function of (seed, index): splitmix64's finaliser.
 class Numbers {
   public:
-    explicit Numbers(std::uint64_t seed) : seed_(seed) {}
+    explicit Numbers(std::uint64_t seed) : random_(seed << 32) {}
 
     /// In [0, 1).
-    double unit() {
-        ++index_;
-        std::uint64_t x = (seed_ << 32) + index_ * 0x9E3779B97F4A7C15U;
-        x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9U;
-        x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
-        return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
-    }
+    double unit() { return random_.next_unit(); }
     /// One of 0 ... count - 1.
     std::size_t below(std::size_t count) {
         return static_cast<std::size_t>(unit() * static_cast<double>(count));
@@ -40,8 +34,7 @@ class Numbers {
     }
 
   private:
-    std::uint64_t seed_;
-    std::uint64_t index_ = 0;
+    SplitMix64 random_;
 };
 
 /// The same velocities on arriving and on leaving.

@@ -1,0 +1,29 @@
+// Small parts of sentences.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace carom {
+
+/// "a, b, c" for the separator ", ".
+[[nodiscard]] std::string join(std::span<const std::string> words, std::string_view separator);
+
+/// "a, b and c" for the last separator " and ".
+[[nodiscard]] std::string join(std::span<const std::string> words, std::string_view separator,
+                               std::string_view last_separator);
+
+/// Rounded to so many decimals, without zeros at the end: "1.25", "3"; never "-0".
+[[nodiscard]] std::string decimal_text(double value, int decimals);
+
+/// "1.25 s", to the microsecond.
+[[nodiscard]] std::string seconds_text(double seconds);
+
+/// How many insertions, deletions, substitutions and exchanges of neighbours turn `a` into `b`
+/// (Damerau 1964, "A technique for computer detection and correction of spelling errors", in its
+/// optimal string alignment form: no part is edited twice).
+[[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
+
+}  // namespace carom
