@@ -1,40 +1,16 @@
-#include "pipeline/cli/terminal/json_text.h"
+#include "core/json_text.h"
 
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
-namespace carom::cli {
+#include <fmt/core.h>
+
+#include "core/utf8.h"
+
+namespace carom {
 
 namespace {
-
-/// Length of the well-formed UTF-8 sequence at the text's start, 0 if there is none (Unicode 15,
-/// table 3-7).
-std::size_t sequence_length(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const auto in = [&](std::size_t i, int low, int high) {
-        return i < text.size() && byte(i) >= low && byte(i) <= high;
-    };
-    const int first = byte(0);
-    if (first < 0x80) {
-        return 1;
-    }
-    if (first >= 0xC2 && first <= 0xDF) {
-        return in(1, 0x80, 0xBF) ? 2 : 0;
-    }
-    if (first >= 0xE0 && first <= 0xEF) {
-        const int low = first == 0xE0 ? 0xA0 : 0x80;
-        const int high = first == 0xED ? 0x9F : 0xBF;  // no surrogates
-        return in(1, low, high) && in(2, 0x80, 0xBF) ? 3 : 0;
-    }
-    if (first >= 0xF0 && first <= 0xF4) {
-        const int low = first == 0xF0 ? 0x90 : 0x80;
-        const int high = first == 0xF4 ? 0x8F : 0xBF;
-        return in(1, low, high) && in(2, 0x80, 0xBF) && in(3, 0x80, 0xBF) ? 4 : 0;
-    }
-    return 0;
-}
 
 void append_ascii(std::string& out, char letter) {
     switch (letter) {
@@ -54,9 +30,7 @@ void append_ascii(std::string& out, char letter) {
             break;
     }
     if (static_cast<unsigned char>(letter) < 0x20) {
-        std::array<char, 8> escape{};
-        std::snprintf(escape.data(), escape.size(), "\\u%04x", static_cast<unsigned>(letter));
-        out += escape.data();
+        out += fmt::format("\\u{:04x}", static_cast<unsigned>(letter));
     } else {
         out += letter;
     }
@@ -76,18 +50,15 @@ std::string number(double value) {
 std::string json_string(std::string_view text) {
     std::string out = "\"";
     while (!text.empty()) {
-        const std::size_t length = sequence_length(text);
-        if (length == 0) {
+        const Utf8Character next = first_character(text);
+        if (!next) {
             out += "\xEF\xBF\xBD";  // U+FFFD
-            text.remove_prefix(1);
-            continue;
-        }
-        if (length == 1) {
+        } else if (next.bytes == 1) {
             append_ascii(out, text.front());
         } else {
-            out += text.substr(0, length);
+            out += text.substr(0, next.bytes);
         }
-        text.remove_prefix(length);
+        text.remove_prefix(next ? next.bytes : 1);
     }
     return out + "\"";
 }
@@ -105,7 +76,7 @@ JsonMembers& JsonMembers::add(std::string_view name, std::string_view value) {
 }
 
 JsonMembers& JsonMembers::add(std::string_view name, std::int64_t value) {
-    return add_raw(name, std::to_string(value));
+    return add_raw(name, fmt::format("{}", value));
 }
 
 JsonMembers& JsonMembers::add(std::string_view name, double value) {
@@ -126,4 +97,4 @@ JsonMembers& JsonMembers::add(const JsonMembers& others) {
     return *this;
 }
 
-}  // namespace carom::cli
+}  // namespace carom

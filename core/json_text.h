@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace carom::cli {
+namespace carom {
 
 /// With quotation marks. Bytes that are not UTF-8 become U+FFFD, so that the line always parses.
 [[nodiscard]] std::string json_string(std::string_view text);
@@ -40,4 +40,4 @@ class JsonMembers {
     std::string text_;
 };
 
-}  // namespace carom::cli
+}  // namespace carom

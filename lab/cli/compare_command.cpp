@@ -1,5 +1,6 @@
 #include <chrono>
-#include <cstdio>
+
+#include <fmt/core.h>
 
 #include "lab/cli/compare_triangles.h"
 #include "lab/cli/comparison_data.h"
@@ -31,16 +32,15 @@ LaboratoryScene scene_of_shot(const CompareCommand& command, CommandContext& con
     const std::int64_t frames = film_frames(input.shot);
     const std::int64_t frame = command.frame.value_or(0);
     if (frame >= frames) {
-        throw InputError("frame " + std::to_string(frame) +
-                         " is outside the film, which has the frames 0 to " +
-                         std::to_string(frames - 1));
+        throw InputError(fmt::format("frame {} is outside the film, which has the frames 0 to {}",
+                                     frame, frames - 1));
     }
     const sim::Bake bake = bake_of(input, command.input, command.cache, context);
     const pipeline::FilmSource source(input.shot, bake.timeline);
     pipeline::FrameInputs inputs = source.inputs(frame);
     LaboratoryScene scene;
     scene.name = input.shot.name;
-    scene.what = "frame " + std::to_string(frame);
+    scene.what = fmt::format("frame {}", frame);
     scene.scene = input.shot.scene;
     scene.tracks = std::move(inputs.tracks);
     scene.frame = inputs.frame;

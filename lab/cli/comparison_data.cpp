@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "core/json_text.h"
 #include "lab/comparison/comparison_text.h"
 #include "lab/comparison/growth_text.h"
-#include "pipeline/cli/terminal/json_text.h"
 #include "pipeline/export/csv_text.h"
 
 namespace carom::cli {

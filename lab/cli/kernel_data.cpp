@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/json_text.h"
 #include "lab/comparison/kernel_text.h"
-#include "pipeline/cli/terminal/json_text.h"
 #include "pipeline/export/csv_text.h"
 
 namespace carom::cli {

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include <fmt/core.h>
+
 #include "lab/comparison/bar_chart.h"
 #include "lab/comparison/comparison_text.h"
 
@@ -10,8 +12,8 @@ namespace carom::pipeline {
 std::string comparison_plot_svg(const Comparison& comparison, PlanPage page) {
     BarChart chart;
     chart.title = comparison.name;
-    chart.explanation = comparison.what + ", " + std::to_string(comparison.width) + " x " +
-                        std::to_string(comparison.height) + " pixels";
+    chart.explanation =
+        fmt::format("{}, {} x {} pixels", comparison.what, comparison.width, comparison.height);
     const std::array<const char*, 3> kinds{"primary rays", "secondary rays", "shadow rays"};
     std::vector<std::size_t> used;
     for (std::size_t i = 0; i < kinds.size(); ++i) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "lab/comparison/text_table.h"
 
 namespace carom::pipeline {
@@ -34,10 +36,10 @@ double per_ray(std::uint64_t tests, const KindCounts& rays) {
 }
 
 std::string first_lines(const Comparison& comparison) {
-    std::string text = comparison.name + ": " + comparison.what + "\n" +
-                       std::to_string(comparison.width) + "x" + std::to_string(comparison.height) +
-                       ", " + large_number(static_cast<double>(comparison.shapes)) + " shapes, " +
-                       large_number(static_cast<double>(comparison.rays.total().rays)) + " rays:";
+    std::string text = fmt::format("{}: {}\n{}x{}, {} shapes, {} rays:", comparison.name,
+                                   comparison.what, comparison.width, comparison.height,
+                                   large_number(static_cast<double>(comparison.shapes)),
+                                   large_number(static_cast<double>(comparison.rays.total().rays)));
     std::string kinds;
     for (std::size_t i = 0; i < kKinds.size(); ++i) {
         const std::uint64_t rays = comparison.rays.of[i].rays;

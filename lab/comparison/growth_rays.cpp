@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/splitmix.h"
 #include "lab/comparison/scene_parts.h"
 
 namespace carom::pipeline {
@@ -14,19 +15,12 @@ using render::Ray;
 using render::RayKind;
 using render::V3f;
 
-/// SplitMix64 (Steele, Lea and Flood 2014): the same numbers everywhere.
 class Numbers {
   public:
-    explicit Numbers(std::uint64_t seed) : state_(seed) {}
+    explicit Numbers(std::uint64_t seed) : random_(seed) {}
 
     /// In [0, 1).
-    double next() {
-        state_ += 0x9e3779b97f4a7c15u;
-        std::uint64_t x = state_;
-        x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-        x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-        return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
-    }
+    double next() { return random_.next_unit(); }
     /// Evenly over all directions.
     V3f direction() {
         const double z = 2 * next() - 1;
@@ -36,7 +30,7 @@ class Numbers {
     }
 
   private:
-    std::uint64_t state_;
+    SplitMix64 random_;
 };
 
 constexpr float kStep = 1e-4f;  // off what a ray has met, m

@@ -4,6 +4,8 @@
 #include <functional>
 #include <optional>
 
+#include <fmt/core.h>
+
 #include "lab/comparison/line_chart.h"
 #include "lab/comparison/text_table.h"
 
@@ -60,7 +62,7 @@ std::string table_of(const Growth& growth, const std::string& title, const Quant
     header.insert(header.end(), names.begin(), names.end());
     TextTable table(std::move(header));
     for (const std::size_t shapes : growth.sizes()) {
-        std::vector<std::string> row{std::to_string(shapes)};
+        std::vector<std::string> row{fmt::format("{}", shapes)};
         for (const std::string& name : names) {
             const GrowthPoint* point = growth.point(name, shapes);
             const auto value = point != nullptr ? quantity(*point) : std::nullopt;

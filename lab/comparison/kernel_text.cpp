@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+
+#include <fmt/core.h>
 
 #include "core/error.h"
 #include "lab/comparison/text_table.h"
@@ -66,10 +67,10 @@ std::string rates_tables(const KernelMeasurements& measured) {
         return {};
     }
     const std::size_t rounds = measured.rates.front().worst.size();
-    std::string text = "Millions of tests per second of CPU time, " +
-                       (rounds > 1 ? "the best of " + std::to_string(rounds) + " rounds"
-                                   : std::string("one round")) +
-                       "\n\n";
+    std::string text =
+        "Millions of tests per second of CPU time, " +
+        (rounds > 1 ? fmt::format("the best of {} rounds", rounds) : std::string("one round")) +
+        "\n\n";
     for (const Precision precision : kPrecisions) {
         for (const Rays rays : {Rays::random, Rays::worst}) {
             text += rates_table(measured, rays, precision);
@@ -79,15 +80,11 @@ std::string rates_tables(const KernelMeasurements& measured) {
 }
 
 std::string error_text(double error) {
-    std::array<char, 20> text{};
-    std::snprintf(text.data(), text.size(), "%.2e", error);
-    return text.data();
+    return fmt::format("{:.2e}", error);
 }
 
 std::string percent_text(double share) {
-    std::array<char, 20> text{};
-    std::snprintf(text.data(), text.size(), "%.1f %%", 100 * share);
-    return text.data();
+    return fmt::format("{:.1f} %", 100 * share);
 }
 
 std::string errors_table(const KernelMeasurements& measured) {
@@ -112,9 +109,7 @@ std::string errors_table(const KernelMeasurements& measured) {
 }
 
 std::string ratio_text(double ratio) {
-    std::array<char, 20> text{};
-    std::snprintf(text.data(), text.size(), "%.2f", ratio);
-    return text.data();
+    return fmt::format("{:.2f}", ratio);
 }
 
 std::string ratios_table(const KernelMeasurements& measured) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 namespace carom::pipeline {
 
 void LogAxis::add(double value) {
@@ -32,7 +34,7 @@ std::string power_text(int exponent) {
     }
     const std::string zeros(static_cast<std::size_t>(exponent % 3), '0');
     const char* prefix = exponent < 3 ? "" : exponent < 6 ? "k" : exponent < 9 ? "M" : "G";
-    return exponent < 12 ? "1" + zeros + prefix : "1e" + std::to_string(exponent);
+    return exponent < 12 ? "1" + zeros + prefix : fmt::format("1e{}", exponent);
 }
 
 }  // namespace carom::pipeline

@@ -1,14 +1,9 @@
 #include <cmath>
+#include <numbers>
 
 #include "lab/comparison/scene_parts.h"
 
 namespace carom::pipeline {
-
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
 
 // "A teapot in a stadium": all detail is in a place that is small against the whole.
 LaboratoryScene stadium() {
@@ -21,7 +16,7 @@ LaboratoryScene stadium() {
     constexpr int kTiers = 10;
     for (int tier = 0; tier < kTiers; ++tier) {
         for (int sector = 0; sector < kSectors; ++sector) {
-            const double turn = 2 * kPi * (sector + 0.5) / kSectors;
+            const double turn = 2 * std::numbers::pi * (sector + 0.5) / kSectors;
             const Vec3 outward(std::cos(turn), std::sin(turn), 0);
             const Vec3 place((70 + 3.0 * tier) * outward.x, (50 + 3.0 * tier) * outward.y,
                              0.5 + tier);
@@ -45,7 +40,7 @@ LaboratoryScene smooth_mesh() {
     add_surface(scene, "floor", {0.6, 0.6, 0.6});
     add_surface(scene, "knot", {0.3, 0.45, 0.75}, 0.3);
     render::MeshShape mesh = knot_mesh(100'000, 1);
-    mesh.smooth_angle = kPi / 3;
+    mesh.smooth_angle = std::numbers::pi / 3;
     add_object(scene, std::move(mesh), moved_to({0, 0, 0.45}), "knot");
     add_object(scene, render::BoxShape{{8, 8, 0.2}}, moved_to({0, 0, -0.1}), "floor");
     add_point_light(scene, {3, -3, 4}, 30);

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <utility>
+
+#include <fmt/core.h>
 
 namespace carom::pipeline {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// The (2, 3) knot on a torus of radii 2 and 1; t in [0, 2 pi).
 Vec3 knot_point(double t) {
@@ -48,7 +49,7 @@ void add_surface(LaboratoryScene& scene, const std::string& name, const Vec3& co
 
 void add_object(LaboratoryScene& scene, render::Shape shape, const Mat44& place,
                 const std::string& surface) {
-    const std::string name = "shape " + std::to_string(scene.scene.objects.size());
+    const std::string name = fmt::format("shape {}", scene.scene.objects.size());
     scene.scene.objects.push_back({name, std::move(shape), place, "", surface});
 }
 
@@ -56,7 +57,7 @@ void add_point_light(LaboratoryScene& scene, const Vec3& place, double intensity
     render::PointLight light;
     light.position = place;
     light.intensity = Vec3(intensity, intensity, intensity);
-    scene.scene.lights.push_back({"light " + std::to_string(scene.scene.lights.size()), light});
+    scene.scene.lights.push_back({fmt::format("light {}", scene.scene.lights.size()), light});
 }
 
 void set_camera(LaboratoryScene& scene, const Vec3& place, const Vec3& target, double fov) {
@@ -90,12 +91,13 @@ render::MeshShape knot_mesh(std::size_t triangles, double radius) {
     const std::size_t along = std::max<std::size_t>(3, triangles / (2 * around));
     render::MeshShape mesh;
     for (std::size_t i = 0; i < along; ++i) {
-        const double t = 2 * kPi * static_cast<double>(i) / static_cast<double>(along);
+        const double t = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(along);
         const Vec3 forward = (knot_point(t + 1e-4) - knot_point(t - 1e-4)).normalized();
         const Vec3 side = forward.cross(Vec3(0, 0, 1)).normalized();
         const Vec3 up = side.cross(forward);
         for (std::size_t k = 0; k < around; ++k) {
-            const double turn = 2 * kPi * static_cast<double>(k) / static_cast<double>(around);
+            const double turn =
+                2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(around);
             const Vec3 point =
                 knot_point(t) + (side * std::cos(turn) + up * std::sin(turn)) * kTube;
             mesh.vertices.push_back(point * (radius / kReach));

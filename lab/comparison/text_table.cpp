@@ -1,19 +1,13 @@
 #include "lab/comparison/text_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/core.h>
 
 namespace carom::pipeline {
 
 namespace {
-
-std::string format(const char* pattern, double value) {
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), pattern, value);
-    return text.data();
-}
 
 /// Two columns for one of several bytes are one too many: micro signs.
 std::size_t columns_of(const std::string& text) {
@@ -47,25 +41,26 @@ std::string TextTable::text() const {
 std::string short_number(double value) {
     const double size = std::abs(value);
     if (size >= 99.95 || size == 0) {
-        return format("%.0f", value);
+        return fmt::format("{:.0f}", value);
     }
     if (size < 1e-3) {
-        return format("%.2g", value);
+        return fmt::format("{:.2g}", value);
     }
-    return size >= 9.995     ? format("%.1f", value)
-           : size >= 0.9995  ? format("%.2f", value)
-           : size >= 0.09995 ? format("%.3f", value)
-                             : format("%.4f", value);
+    return size >= 9.995     ? fmt::format("{:.1f}", value)
+           : size >= 0.9995  ? fmt::format("{:.2f}", value)
+           : size >= 0.09995 ? fmt::format("{:.3f}", value)
+                             : fmt::format("{:.4f}", value);
 }
 
 std::string large_number(double value) {
     if (std::abs(value) >= 1e10) {
-        return format("%.0fM", value * 1e-6);
+        return fmt::format("{:.0f}M", value * 1e-6);
     }
     if (std::abs(value) >= 9.9995e5) {
-        return format("%.4gM", value * 1e-6);
+        return fmt::format("{:.4g}M", value * 1e-6);
     }
-    return std::abs(value) >= 9999.5 ? format("%.4gk", value * 1e-3) : format("%.0f", value);
+    return std::abs(value) >= 9999.5 ? fmt::format("{:.4g}k", value * 1e-3)
+                                     : fmt::format("{:.0f}", value);
 }
 
 }  // namespace carom::pipeline

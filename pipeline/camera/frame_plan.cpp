@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 #include "pipeline/camera/exposure.h"
 #include "pipeline/camera/rig_state.h"
@@ -45,8 +47,8 @@ std::vector<SeenRig> rigs_at(std::span<const CameraRig> rigs, const WideRational
         }
     }
     if (latest == nullptr) {
-        throw Error("no camera films frame " + std::to_string(number) + " at " +
-                    std::to_string(video_time.to_double()) + " s of the film");
+        throw Error(fmt::format("no camera films frame {} at {:f} s of the film", number,
+                                video_time.to_double()));
     }
     const double weight = faded_in(*latest, video_time).to_double();
     if (before == nullptr || weight == 1) {
@@ -108,8 +110,8 @@ std::vector<PlannedFrame> plan_mixed_frame(std::int64_t number, std::span<const 
             frames.push_back(plan(number, *seen.rig, timing, timeline));
             frames.back().weight = seen.weight;
         } catch (const Error& error) {
-            throw Error("camera '" + seen.rig->name + "', frame " + std::to_string(number) + ": " +
-                        error.what());
+            throw Error(
+                fmt::format("camera '{}', frame {}: {}", seen.rig->name, number, error.what()));
         }
     }
     return frames;

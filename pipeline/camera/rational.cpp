@@ -1,8 +1,8 @@
 #include "pipeline/camera/rational.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/core.h>
 
 #include "core/error.h"
 #include "pipeline/camera/wide_rational.h"
@@ -51,14 +51,14 @@ WideRational exact_value(double value) {
 
 Rational::Rational(std::int64_t numerator, std::int64_t denominator) {
     if (denominator == 0) {
-        throw Error("the fraction " + std::to_string(numerator) + "/0 has no value");
+        throw Error(fmt::format("the fraction {}/0 has no value", numerator));
     }
     const WideRational reduced(numerator, denominator);
     numerator_ = static_cast<std::int64_t>(reduced.numerator());
     denominator_ = static_cast<std::int64_t>(reduced.denominator());
     if (numerator_ != reduced.numerator() || denominator_ != reduced.denominator()) {
-        throw Error("the fraction " + std::to_string(numerator) + "/" +
-                    std::to_string(denominator) + " does not fit in 64 bits");
+        throw Error(
+            fmt::format("the fraction {}/{} does not fit in 64 bits", numerator, denominator));
     }
 }
 
@@ -68,9 +68,7 @@ Rational Rational::nearest(double value) {
     }
     const double size = std::fabs(value);
     if (!(size < 0x1p62) || !(size > 0x1p-62)) {
-        std::array<char, 32> text{};
-        std::snprintf(text.data(), text.size(), "%g", value);
-        throw Error("the number " + std::string(text.data()) + " has no fraction of 64 bits");
+        throw Error(fmt::format("the number {:g} has no fraction of 64 bits", value));
     }
     if (value == std::floor(value)) {
         return {static_cast<std::int64_t>(value)};
@@ -91,8 +89,8 @@ double Rational::to_double() const {
 }
 
 std::string Rational::to_string() const {
-    const std::string numerator = std::to_string(numerator_);
-    return denominator_ == 1 ? numerator : numerator + "/" + std::to_string(denominator_);
+    const std::string numerator = fmt::format("{}", numerator_);
+    return denominator_ == 1 ? numerator : fmt::format("{}/{}", numerator, denominator_);
 }
 
 Rational operator+(Rational a, Rational b) {

@@ -4,18 +4,14 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/text.h"
 #include "pipeline/camera/time_map.h"
 
 namespace carom::pipeline {
 namespace {
 
 std::string seconds(const Rational& time) {
-    std::string text = std::to_string(time.to_double());
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') {
-        text.pop_back();
-    }
-    return text + " s";
+    return seconds_text(time.to_double());
 }
 
 Rational length_of(const CameraRig& rig) {

@@ -1,6 +1,9 @@
 // What is wrong with rigs as a sequence.
 #include <algorithm>
 
+#include <fmt/core.h>
+
+#include "core/text.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/wide_rational.h"
 
@@ -12,12 +15,7 @@ std::string quoted(const CameraRig& rig) {
 }
 
 std::string seconds(const Rational& time) {
-    std::string text = std::to_string(time.to_double());
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') {
-        text.pop_back();
-    }
-    return text + " s";
+    return seconds_text(time.to_double());
 }
 
 void check_timing(const FilmTiming& timing, std::vector<RigProblem>& problems) {
@@ -34,11 +32,11 @@ void check_timing(const FilmTiming& timing, std::vector<RigProblem>& problems) {
                             {}});
     }
     if (!(timing.shutter.switch_ratio >= 0 && timing.shutter.switch_ratio <= 1)) {
-        problems.push_back({"the shutter's switch ratio is " +
-                                std::to_string(timing.shutter.switch_ratio) +
-                                "; it must be between 0 and 1",
-                            {},
-                            {}});
+        problems.push_back(
+            {fmt::format("the shutter's switch ratio is {:f}; it must be between 0 and 1",
+                         timing.shutter.switch_ratio),
+             {},
+             {}});
     }
 }
 

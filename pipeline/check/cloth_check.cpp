@@ -1,9 +1,9 @@
 // Balls on a cloth without cushions, which is drawn as far as it was thought to be needed.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
+
+#include <fmt/core.h>
 
 #include "pipeline/check/motion_check.h"
 
@@ -44,12 +44,9 @@ std::optional<double> leaves_at(const sim::billiards::TableMeasures& cloth, cons
 
 Problem warning_of(const std::string& ball, double time, const sim::billiards::TableMeasures& cloth,
                    const ShotSource* source) {
-    std::array<char, 200> text{};
-    std::snprintf(
-        text.data(), text.size(),
-        "' leaves the cloth that is drawn, %g m square, at %.3f s; it rolls on over nothing",
-        cloth.length, time);
-    const std::string message = "'" + ball + text.data();
+    const std::string message = fmt::format(
+        "'{}' leaves the cloth that is drawn, {:g} m square, at {:.3f} s; it rolls on over nothing",
+        ball, cloth.length, time);
     if (source != nullptr) {
         return source->problem_at({"balls", ball}, Severity::warning, message);
     }

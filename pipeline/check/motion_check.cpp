@@ -1,12 +1,13 @@
 #include "pipeline/check/motion_check.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <map>
 #include <optional>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
+#include "core/text.h"
 #include "pipeline/camera/exposure.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
@@ -29,17 +30,6 @@ Problem problem_at(const ShotSource* source, const std::vector<std::string>& pat
     return problem;
 }
 
-std::string trimmed_seconds(double seconds) {
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "%.3f", seconds);
-    std::string number = text.data();
-    number.erase(number.find_last_not_of('0') + 1);
-    if (number.back() == '.') {
-        number.pop_back();
-    }
-    return number + " s";
-}
-
 /// The frames of a camera at which something is the case.
 struct Stretch {
     std::int64_t first = 0, last = 0;
@@ -47,12 +37,11 @@ struct Stretch {
     /// "at 1.25 s of the film (frame 30)", "from 1.25 s to 2 s of the film (frames 30 to 48)"
     [[nodiscard]] std::string text(const FilmTiming& timing) const {
         const auto time = [&](std::int64_t frame) {
-            return trimmed_seconds(static_cast<double>(frame) / timing.fps.to_double());
+            return decimal_text(static_cast<double>(frame) / timing.fps.to_double(), 3) + " s";
         };
-        return first == last
-                   ? "at " + time(first) + " of the film (frame " + std::to_string(first) + ")"
-                   : "from " + time(first) + " to " + time(last) + " of the film (frames " +
-                         std::to_string(first) + " to " + std::to_string(last) + ")";
+        return first == last ? fmt::format("at {} of the film (frame {})", time(first), first)
+                             : fmt::format("from {} to {} of the film (frames {} to {})",
+                                           time(first), time(last), first, last);
     }
 };
 
@@ -100,7 +89,7 @@ class RigLook {
     }
 
     void report(std::size_t index, const ShotSource* source, std::vector<Problem>& problems) const {
-        const std::string number = std::to_string(index);
+        const std::string number = fmt::format("{}", index);
         const std::string camera = "camera '" + rig_.name + "' ";
         const auto tell = [&](const char* key, Severity severity, const std::string& message) {
             problems.push_back(

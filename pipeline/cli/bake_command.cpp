@@ -1,5 +1,7 @@
 #include <string>
 
+#include <fmt/core.h>
+
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
@@ -17,8 +19,8 @@ void run(const BakeCommand& command, CommandContext& context) {
     ShotInput input = read_shot_input(command.input, context.console);
     const sim::Bake bake = bake_of(input, command.input, command.cache, context);
     sim::write_bake(bake, path);
-    context.console.info(std::to_string(bake.timeline.tracks.size()) + " objects, " +
-                         std::to_string(bake.timeline.events.size()) + " events");
+    context.console.info(fmt::format("{} objects, {} events", bake.timeline.tracks.size(),
+                                     bake.timeline.events.size()));
     print_path(path);
 }
 

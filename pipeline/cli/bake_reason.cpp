@@ -6,8 +6,11 @@
 #include <iterator>
 #include <span>
 
+#include <fmt/core.h>
+
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/text.h"
 #include "pipeline/config/changed_keys.h"
 #include "pipeline/store/cache_folder.h"
 #include "sim/bake.h"
@@ -30,12 +33,8 @@ std::string record_path(const std::string& shot_path, const std::string& cache_f
 /// "a, b, c and 4 more"
 std::string shortened(const std::vector<std::string>& keys) {
     constexpr std::size_t kMost = 4;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(kMost, keys.size()); ++i) {
-        text += (i == 0 ? "" : ", ") + keys[i];
-    }
-    return keys.size() > kMost ? text + " and " + std::to_string(keys.size() - kMost) + " more"
-                               : text;
+    const std::string text = join(std::span(keys).first(std::min(kMost, keys.size())), ", ");
+    return keys.size() > kMost ? fmt::format("{} and {} more", text, keys.size() - kMost) : text;
 }
 
 }  // namespace

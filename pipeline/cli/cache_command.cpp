@@ -3,8 +3,10 @@
 #include <ctime>
 #include <optional>
 
+#include <fmt/core.h>
+
+#include "core/json_text.h"
 #include "pipeline/cli/run_program.h"
-#include "pipeline/cli/terminal/json_text.h"
 #include "pipeline/store/cache_care.h"
 #include "pipeline/store/cache_folder.h"
 
@@ -28,7 +30,7 @@ std::uint64_t limit_of(const CacheOptions& cache) {
 }
 
 std::string counted(std::uint64_t count, const char* noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 /// As the reader's clock shows it.
@@ -146,9 +148,9 @@ void verify(const CacheCommand& command, CommandContext& context) {
         }
     }
     if (!result.damaged.empty()) {
-        throw Error(counted(result.damaged.size(), "damaged file") + " of " +
-                    std::to_string(result.checked) + " in '" + folder + "'" +
-                    (command.keep ? "" : ", removed: they will be made again when needed"));
+        throw Error(fmt::format(
+            "{} of {} in '{}'{}", counted(result.damaged.size(), "damaged file"), result.checked,
+            folder, command.keep ? "" : ", removed: they will be made again when needed"));
     }
     context.console.info(counted(result.checked, "file") + " in '" + folder + "', all whole");
 }

@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <iterator>
 
+#include <fmt/core.h>
+
 #include "pipeline/check/motion_check.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
@@ -50,9 +52,9 @@ void check_motion(ShotInput& input, const CheckCommand& command, CommandContext&
     const std::optional<sim::Bake> bake = bake_of(input, command.cache, context);
     if (!bake) {
         context.console.info(
-            "its motion was not looked at: simulating it takes more than " +
-            std::to_string(kMostSteps / 1'000'000) +
-            " million steps; after 'carom bake' the bake that it keeps is looked at");
+            fmt::format("its motion was not looked at: simulating it takes more than {} million "
+                        "steps; after 'carom bake' the bake that it keeps is looked at",
+                        kMostSteps / 1'000'000));
         return;
     }
     const auto add = [&](std::vector<Problem> found) {

@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/core.h>
 
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
@@ -56,17 +57,11 @@ std::array<std::uint8_t, 3> colour_of(const Shot& shot, const std::string& rig) 
 }
 
 std::string line_of(const PlannedFrame& frame) {
-    std::array<char, 80> text{};
-    std::snprintf(text.data(), text.size(), "frame %lld  scene %.3f s  ",
-                  static_cast<long long>(frame.number), frame.scene_time);
-    return text.data() + frame.rig;
+    return fmt::format("frame {}  scene {:.3f} s  {}", frame.number, frame.scene_time, frame.rig);
 }
 
 std::string facts_of(const Shot& shot, std::int64_t frames) {
-    std::array<char, 80> text{};
-    std::snprintf(text.data(), text.size(), "%lld frames, %.6g per second",
-                  static_cast<long long>(frames), shot.timing.fps.to_double());
-    return text.data();
+    return fmt::format("{} frames, {:.6g} per second", frames, shot.timing.fps.to_double());
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <span>
 
+#include <fmt/core.h>
+
 #include "core/atomic_file.h"
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/output_file.h"
@@ -37,7 +39,7 @@ void write_drawing(const DrawingOutput& output, const std::string& svg) {
         return;
     }
     const std::vector<std::byte> png =
-        run_helper("carom-draw", "the program that draws pictures", std::to_string(output.width),
+        run_helper("carom-draw", "the program that draws pictures", fmt::format("{}", output.width),
                    std::as_bytes(std::span(svg)));
     write_file_atomically(output.path, png);
     print_path(output.path);

@@ -1,10 +1,10 @@
 #include "pipeline/cli/film_commands.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
+
+#include <fmt/core.h>
 
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/path_fit.h"
@@ -38,26 +38,25 @@ void tell_fitted_paths(const Shot& shot, const sim::Timeline& timeline, Console&
     std::vector<pipeline::FittedPath> fitted;
     (void)pipeline::with_fitted_paths(shot.cameras, timeline, &fitted);
     for (const pipeline::FittedPath& path : fitted) {
-        std::array<char, 32> millimetres{};
-        std::snprintf(millimetres.data(), millimetres.size(), "%.2g", path.error * 1000);
-        console.info("camera '" + path.rig + "': the " + (path.is_target ? "target" : "position") +
-                     " along '" + path.object + "' is a Bezier curve of degree " +
-                     std::to_string(path.degree) + ", at most " + millimetres.data() +
-                     " mm from it");
+        console.info(
+            fmt::format("camera '{}': the {} along '{}' is a Bezier curve of degree {}, at most "
+                        "{:.2g} mm from it",
+                        path.rig, path.is_target ? "target" : "position", path.object, path.degree,
+                        path.error * 1000));
     }
 }
 
 std::int64_t chosen_frame(const FrameCommand& command, const Shot& shot) {
     const std::int64_t count = film_frames(shot);
     std::int64_t frame = command.frame.value_or(0);
-    std::string asked = "frame " + std::to_string(frame);
+    std::string asked = fmt::format("frame {}", frame);
     if (!command.at.empty()) {
         frame = frame_shown_at(seconds_from_text(command.at), shot.timing.fps);
         asked = "--at " + command.at;
     }
     if (frame < 0 || frame >= count) {
-        throw InputError(asked + " is outside the film, which has the frames 0 to " +
-                         std::to_string(count - 1));
+        throw InputError(
+            fmt::format("{} is outside the film, which has the frames 0 to {}", asked, count - 1));
     }
     return frame;
 }
@@ -74,11 +73,11 @@ std::size_t sampled_lights(const Shot& shot) {
 /// "81 frames, 12 of them". The frames of a cross-fade are mixed from two pictures each: where
 /// there are more pictures than frames, those are what is counted.
 std::string counts_text(const pipeline::FilmJobResult& result) {
-    const std::string frames = std::to_string(result.frames) + " frames";
+    const std::string frames = fmt::format("{} frames", result.frames);
     const std::string made_of = result.pictures > result.frames
-                                    ? " made of " + std::to_string(result.pictures) + " pictures"
+                                    ? fmt::format(" made of {} pictures", result.pictures)
                                     : std::string();
-    return frames + made_of + ", " + std::to_string(result.rendered) + " of them";
+    return fmt::format("{}{}, {} of them", frames, made_of, result.rendered);
 }
 
 /// The distributed integrator's rays by kind, of what was rendered now.
@@ -117,11 +116,10 @@ void tell_status(const pipeline::FilmStatus& status) {
     if (!status.damaged.empty()) {
         text += "of these stored, but damaged: " + pipeline::frames_text(status.damaged) + "\n";
     }
-    text += std::to_string(status.frames.size()) + " frames, " +
-            std::to_string(status.stored.size()) + " there, " +
-            std::to_string(status.missing.size()) + " to render";
+    text += fmt::format("{} frames, {} there, {} to render", status.frames.size(),
+                        status.stored.size(), status.missing.size());
     if (status.pictures != std::ssize(status.missing)) {
-        text += ", which show " + std::to_string(status.pictures) + " pictures";
+        text += fmt::format(", which show {} pictures", status.pictures);
     }
     print_text(text + "\n");
 }
@@ -134,7 +132,7 @@ void check_picture_path(const std::string& path) {
 }
 
 std::string numbered_extension(std::int64_t frame) {
-    std::string digits = std::to_string(frame);
+    std::string digits = fmt::format("{}", frame);
     digits.insert(0, 4 - std::min<std::size_t>(4, digits.size()), '0');
     return "." + digits + ".png";
 }
@@ -199,7 +197,7 @@ void run(const MuxCommand& command, CommandContext& context) {
     const pipeline::FilmJobResult result = pipeline::mux_film(
         input.shot, bake, options, talk_about_job(context.console, frames), context.stop);
     context.console.end_progress();
-    context.console.info(std::to_string(result.frames) + " frames");
+    context.console.info(fmt::format("{} frames", result.frames));
     print_path(path);
 }
 

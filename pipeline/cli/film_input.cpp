@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/output_file.h"
@@ -56,13 +58,12 @@ std::int64_t count_job_frames(const Shot& shot, const FilmJobOptions& options,
     const std::int64_t all = film_frames(shot);
     const std::vector<std::int64_t> frames = options.frames.frames(all);
     if (frames.empty()) {
-        throw InputError("none of the film's frames, 0 to " + std::to_string(all - 1) +
-                         ", is in --frames " + text);
+        throw InputError(
+            fmt::format("none of the film's frames, 0 to {}, is in --frames {}", all - 1, text));
     }
     if (options.frames.last() >= all) {
-        console.warning("--frames " + text +
-                        " goes past the film's end, which has the frames 0 to " +
-                        std::to_string(all - 1));
+        console.warning(fmt::format(
+            "--frames {} goes past the film's end, which has the frames 0 to {}", text, all - 1));
     }
     return std::ssize(options.chunk.part_of(frames));
 }

@@ -2,6 +2,8 @@
 #include <cctype>
 #include <filesystem>
 
+#include <fmt/core.h>
+
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
@@ -61,8 +63,7 @@ void run(const ImportTrackCommand& command, CommandContext& context) {
     if (result.yaml.empty()) {
         throw InputError("'" + command.table + "' has " + count_text(result.problems));
     }
-    context.console.info(std::to_string(result.keys) + " keys for " + std::to_string(result.rows) +
-                         " rows");
+    context.console.info(fmt::format("{} keys for {} rows", result.keys, result.rows));
     write_text_output(path, result.yaml);
 }
 

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <set>
+
+#include <fmt/core.h>
 
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/time_map.h"
@@ -18,15 +18,8 @@ namespace {
 
 using pipeline::Shot;
 
-template <typename... Values>
-std::string format(const char* pattern, Values... values) {
-    std::array<char, 300> text{};
-    std::snprintf(text.data(), text.size(), pattern, values...);
-    return text.data();
-}
-
 std::string line(const char* name, const std::string& value) {
-    return format("%-12s", name) + value + "\n";
+    return fmt::format("{:<12}", name) + value + "\n";
 }
 
 std::string world_lines(const Shot& shot) {
@@ -34,29 +27,32 @@ std::string world_lines(const Shot& shot) {
     const auto balls = std::count_if(bodies.begin(), bodies.end(), [](const sim::Body& body) {
         return std::holds_alternative<sim::Sphere>(body.shape);
     });
-    return line("simulated",
-                format("%.6g s, steps of at most %.4g s", shot.world.duration, shot.world.step)) +
-           line("bodies", format("%td balls, %td others, %zu events of force", balls,
-                                 std::ssize(bodies) - balls, shot.world.events.size())) +
-           line("seen", format("%zu objects, %zu materials, %zu lights", shot.scene.objects.size(),
-                               shot.scene.materials.size(), shot.scene.lights.size()));
+    return line("simulated", fmt::format("{:.6g} s, steps of at most {:.4g} s", shot.world.duration,
+                                         shot.world.step)) +
+           line("bodies", fmt::format("{} balls, {} others, {} events of force", balls,
+                                      std::ssize(bodies) - balls, shot.world.events.size())) +
+           line("seen",
+                fmt::format("{} objects, {} materials, {} lights", shot.scene.objects.size(),
+                            shot.scene.materials.size(), shot.scene.lights.size()));
 }
 
 std::string film_lines(const Shot& shot) {
     const std::int64_t frames = pipeline::frame_count(shot.cameras, shot.timing);
     const double fps = shot.timing.fps.to_double();
-    std::string text = line(
-        "film", format("%lld frames, %.6g per second, %.6g s, ", static_cast<long long>(frames),
-                       fps, static_cast<double>(frames) / fps) +
-                    format("%dx%d, %d samples a pixel, ", shot.render.width, shot.render.height,
-                           shot.render.samples) +
-                    pipeline::default_extension(shot.output));
+    std::string text =
+        line("film",
+             fmt::format("{} frames, {:.6g} per second, {:.6g} s, ", static_cast<long long>(frames),
+                         fps, static_cast<double>(frames) / fps) +
+                 fmt::format("{}x{}, {} samples a pixel, ", shot.render.width, shot.render.height,
+                             shot.render.samples) +
+                 pipeline::default_extension(shot.output));
     for (const pipeline::CameraRig& rig : shot.cameras) {
         const pipeline::SceneStretch shown = pipeline::shown_scene_times(rig);
-        text += line(&rig == &shot.cameras.front() ? "cameras" : "",
-                     rig.name + format(": %.6g s to %.6g s of the film, shows %.6g s to %.6g s",
-                                       rig.video_start.to_double(), rig.video_end.to_double(),
-                                       shown.first.to_double(), shown.last.to_double()));
+        text += line(
+            &rig == &shot.cameras.front() ? "cameras" : "",
+            rig.name + fmt::format(": {:.6g} s to {:.6g} s of the film, shows {:.6g} s to {:.6g} s",
+                                   rig.video_start.to_double(), rig.video_end.to_double(),
+                                   shown.first.to_double(), shown.last.to_double()));
     }
     return text;
 }

@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "pipeline/cli/terminal/json_text.h"
+#include "core/json_text.h"
+#include "core/text.h"
 
 namespace carom::cli {
 
@@ -12,11 +13,7 @@ using pipeline::Fate;
 
 /// Objects, one per line.
 std::string array(const std::vector<std::string>& objects) {
-    std::string text = "[";
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        text += (i > 0 ? ",\n" : "\n") + objects[i];
-    }
-    return text + "]";
+    return objects.empty() ? "[]" : "[\n" + join(objects, ",\n") + "]";
 }
 
 void add_place(JsonMembers& members, const Vec3& p) {

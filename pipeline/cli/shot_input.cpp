@@ -4,7 +4,10 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <string_view>
+
+#include <fmt/core.h>
 
 #include "pipeline/cli/run_program.h"
 #include "pipeline/config/load_shot.h"
@@ -14,11 +17,8 @@ namespace carom::cli {
 
 namespace {
 
-// Bytes 4 to 7 of every bake (FlatBuffers' file identifier, sim/timeline/bake.fbs).
-constexpr std::string_view kBakeIdentifier = "CBAK";
-
 std::string counted(std::ptrdiff_t count, const char* noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 /// As a compiler would print it, with the severity emphasised.
@@ -78,10 +78,10 @@ bool is_bake_file(const std::string& path) {
     if (!std::filesystem::is_regular_file(path, ignored)) {
         return false;
     }
-    std::array<char, 8> head{};
+    std::array<char, sim::kBakeHeadBytes> head{};
     std::ifstream file(path, std::ios::binary);
     return file.read(head.data(), head.size()) &&
-           std::string_view(head.data() + 4, 4) == kBakeIdentifier;
+           sim::has_bake_identifier(std::as_bytes(std::span(head)));
 }
 
 sim::Bake read_bake_input(const std::string& path) {
@@ -139,9 +139,8 @@ JsonMembers members_of(const pipeline::Problem& problem) {
     }
     std::string trail;  // innermost first
     for (const pipeline::SourcePlace& by : problem.included_by) {
-        trail +=
-            (trail.empty() ? "" : " ") + by.file +
-            (by.line > 0 ? ":" + std::to_string(by.line) + ":" + std::to_string(by.column) : "");
+        trail += (trail.empty() ? "" : " ") + by.file +
+                 (by.line > 0 ? fmt::format(":{}:{}", by.line, by.column) : "");
     }
     if (!trail.empty()) {
         members.add("included_by", trail);

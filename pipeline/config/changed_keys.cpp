@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include <fmt/core.h>
+
 #include "pipeline/config/parse_yaml.h"
 
 namespace carom::pipeline {
@@ -53,7 +55,7 @@ void compare(const Node& before, const Node& after, const std::string& path,
     } else if (before.is_sequence() && after.is_sequence() &&
                before.items.size() == after.items.size()) {
         for (std::size_t i = 0; i < after.items.size(); ++i) {
-            compare(before.items[i], after.items[i], path + "[" + std::to_string(i) + "]", changed);
+            compare(before.items[i], after.items[i], fmt::format("{}[{}]", path, i), changed);
         }
     } else if (before.kind != after.kind || before.text != after.text ||
                before.items.size() != after.items.size()) {

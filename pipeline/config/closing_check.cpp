@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "pipeline/config/text.h"
 
 namespace carom::pipeline::config {
@@ -151,7 +153,7 @@ class ClosingFinder {
             const std::size_t line = line_number(at_);
             at_ = bracket;
             report(opened(bracket) + closed_by +
-                       (line == line_number(bracket) ? "" : " on line " + std::to_string(line)),
+                       (line == line_number(bracket) ? "" : fmt::format(" on line {}", line)),
                    1);
             return;
         }
@@ -165,7 +167,7 @@ class ClosingFinder {
         if (peek() == ']' || peek() == '}') {
             return false;
         }
-        const std::string line = std::to_string(line_number(at_));
+        const std::string line = fmt::format("{}", line_number(at_));
         at_ = open_.back();
         report(opened(at_) + " is not closed before line " + line +
                    ", which is not indented deeper than its key",
@@ -249,9 +251,10 @@ class ClosingFinder {
         }
         const std::size_t shallow = find_shallow_line(close);
         if (shallow != kNowhere) {
-            report(not_on_its_line(close) +
-                   "; the lines of a quoted text must be indented deeper than its key, and line " +
-                   std::to_string(line_number(shallow)) + " is not");
+            report(
+                fmt::format("{}; the lines of a quoted text must be indented deeper than its key, "
+                            "and line {} is not",
+                            not_on_its_line(close), line_number(shallow)));
             return;
         }
         token_column_ = column(at_);
@@ -267,8 +270,8 @@ class ClosingFinder {
     }
 
     [[nodiscard]] std::string not_on_its_line(std::size_t close) const {
-        return "the quote opened here is not closed on its line but only on line " +
-               std::to_string(line_number(close));
+        return fmt::format("the quote opened here is not closed on its line but only on line {}",
+                           line_number(close));
     }
 
     /// What follows the closing quote must be the end of the value.

@@ -9,6 +9,8 @@
 #include <optional>
 #include <system_error>
 
+#include <fmt/core.h>
+
 #include "core/limits.h"
 #include "pipeline/config/text.h"
 
@@ -214,7 +216,7 @@ bool read_text_file(const std::string& path, std::size_t most_bytes, std::string
         return false;
     }
     if (text.size() > most_bytes) {
-        text = "has more than " + std::to_string(most_bytes) + " bytes" + how_to_raise_limits();
+        text = fmt::format("has more than {} bytes{}", most_bytes, how_to_raise_limits());
         return false;
     }
     return true;

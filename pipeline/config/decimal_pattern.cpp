@@ -1,9 +1,11 @@
 #include "pipeline/config/decimal_pattern.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <vector>
+
+#include <fmt/core.h>
+
+#include "core/text.h"
 
 namespace carom::pipeline::config {
 
@@ -24,16 +26,13 @@ Decimal decimal(double value, bool upwards) {
     value = std::abs(value);  // -0 is 0
     const int magnitude = value > 0 ? static_cast<int>(std::floor(std::log10(value))) + 1 : 0;
     const int places = std::max(0, kDigits - magnitude);
-    std::array<char, 400> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), "%.*f", places, value);
+    std::string text = fmt::format("{:.{}f}", value, places);
     const double step = std::pow(10.0, -places);
-    const double shown = std::strtod(buffer.data(), nullptr);
+    const double shown = std::strtod(text.c_str(), nullptr);
     const double tolerance = 1e-12 * value;  // of the conversion from SI units
     if (std::abs(shown - value) > tolerance && (shown < value) == upwards) {
-        std::snprintf(buffer.data(), buffer.size(), "%.*f", places,
-                      shown + (upwards ? step : -step));
+        text = fmt::format("{:.{}f}", shown + (upwards ? step : -step), places);
     }
-    const std::string text = buffer.data();
     const std::size_t point = std::min(text.find('.'), text.size());
     Decimal result{text.substr(0, point), text.substr(std::min(point + 1, text.size()))};
     result.whole.erase(0, std::min(result.whole.find_first_not_of('0'), result.whole.size()));
@@ -42,11 +41,7 @@ Decimal decimal(double value, bool upwards) {
 }
 
 std::string alternatives(const std::vector<std::string>& forms) {
-    std::string text;
-    for (const std::string& form : forms) {
-        text += (text.empty() ? "" : "|") + form;
-    }
-    return "(" + text + ")";
+    return "(" + carom::join(forms, "|") + ")";
 }
 
 /// "[3-9]"; empty if the class is.
@@ -59,7 +54,7 @@ std::string digits(char low, char high) {
 
 /// "[0-9]{3}".
 std::string any_digits(std::size_t count) {
-    return count == 0 ? "" : "[0-9]{" + std::to_string(count) + "}";
+    return count == 0 ? "" : fmt::format("[0-9]{{{}}}", count);
 }
 
 /// Digit by digit: what first differs from `bound` is less (or more), what follows is any.
@@ -83,8 +78,7 @@ std::string at_most_pattern(const Decimal& bound, bool is_open) {
     if (!bound.whole.empty()) {
         forms.push_back(bound.whole.size() == 1
                             ? R"(0*(\.[0-9]*)?)"
-                            : "0*[0-9]{0," + std::to_string(bound.whole.size() - 1) +
-                                  R"(}(\.[0-9]*)?)");
+                            : fmt::format(R"(0*[0-9]{{0,{}}}(\.[0-9]*)?)", bound.whole.size() - 1));
         add_first_differences(forms, "0*", bound.whole, true, false);
     }
     if (!bound.fraction.empty()) {
@@ -104,7 +98,7 @@ std::string at_most_pattern(const Decimal& bound, bool is_open) {
 std::string at_least_pattern(const Decimal& bound, bool is_open) {
     std::vector<std::string> forms;
     const std::string same = "0*" + bound.whole;
-    forms.push_back("0*[1-9][0-9]{" + std::to_string(bound.whole.size()) + R"(,}(\.[0-9]*)?)");
+    forms.push_back(fmt::format(R"(0*[1-9][0-9]{{{},}}(\.[0-9]*)?)", bound.whole.size()));
     add_first_differences(forms, "0*", bound.whole, false, false);
     add_first_differences(forms, same + R"(\.)", bound.fraction, false, true);
     const std::string equal = same + (bound.fraction.empty() ? "" : R"(\.)" + bound.fraction);

@@ -1,8 +1,8 @@
 #include "pipeline/config/emit_yaml.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+
+#include <fmt/core.h>
 
 namespace carom::pipeline::config {
 
@@ -30,9 +30,7 @@ std::string double_quoted(const std::string& text) {
             quoted += '\\';
             quoted += c;
         } else if (byte < 0x20 || byte == 0x7F) {
-            std::array<char, 8> escape{};
-            std::snprintf(escape.data(), escape.size(), "\\x%02X", static_cast<unsigned>(byte));
-            quoted += escape.data();
+            quoted += fmt::format("\\x{:02X}", byte);
         } else {
             quoted += c;
         }

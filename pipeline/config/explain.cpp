@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "pipeline/config/emit_yaml.h"
 #include "pipeline/config/load_shot.h"
 #include "pipeline/config/sections/sections.h"
@@ -72,7 +74,7 @@ class Explainer {
         const Entry* scaled = section != nullptr ? section->value.find("short_side") : nullptr;
         if (scaled != nullptr) {
             short_side_ = &scaled->value;
-            picture_ = std::to_string(shot.render.width) + "x" + std::to_string(shot.render.height);
+            picture_ = fmt::format("{}x{}", shot.render.width, shot.render.height);
         }
     }
 
@@ -95,7 +97,7 @@ class Explainer {
         const SourcePlace place = source_.sources().describe(node.place);
         const std::string origin = place.file.starts_with("--")
                                        ? place.file
-                                       : place.file + ":" + std::to_string(place.line);
+                                       : fmt::format("{}:{}", place.file, place.line);
         return &node == short_side_ ? origin + ", makes the picture " + picture_ : origin;
     }
 

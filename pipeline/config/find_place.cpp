@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include <fmt/core.h>
+
 namespace carom::pipeline::config {
 
 namespace {
@@ -33,7 +35,7 @@ std::vector<std::string> path_of_body(const std::string& name, const Node& root)
 
 /// The one key of an event's entry is its kind: {"events", "0", "strike"}.
 std::vector<std::string> path_of_event(std::size_t index, const Node& root) {
-    std::vector<std::string> path{"events", std::to_string(index)};
+    std::vector<std::string> path{"events", fmt::format("{}", index)};
     const Entry* events = root.find("events");
     if (events != nullptr && index < events->value.items.size()) {
         const Node& item = events->value.items[index];

@@ -5,6 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "core/limits.h"
 #include "pipeline/config/layers.h"
 #include "pipeline/config/merge.h"
@@ -220,11 +222,11 @@ std::optional<Node> Gatherer::read_file(const std::string& path, std::string sho
         return std::nullopt;
     }
     if (trail.size() > kDeepestInclude || ++include_count_ > input_limit(kMostIncludes)) {
-        problems_.error(named_at,
-                        trail.size() > kDeepestInclude
-                            ? "files include each other deeper than " +
-                                  std::to_string(kDeepestInclude) + " levels"
-                            : beyond_limit(input_limit(kMostIncludes), "files are included"));
+        problems_.error(
+            named_at,
+            trail.size() > kDeepestInclude
+                ? fmt::format("files include each other deeper than {} levels", kDeepestInclude)
+                : beyond_limit(input_limit(kMostIncludes), "files are included"));
         return std::nullopt;
     }
     std::string text;

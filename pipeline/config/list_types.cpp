@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include <fmt/core.h>
+
 #include "pipeline/config/combined_types.h"
 #include "pipeline/config/number_types.h"
 #include "pipeline/config/text.h"
@@ -84,8 +86,8 @@ bool check_list(Reader& reader, const Node& node, const TypeInfo& type) {
     if (count < type.fewest || (type.most >= 0 && count > type.most)) {
         const std::string allowed =
             type.most < 0 && type.fewest == 1 ? describe(type) + " (at least one)" : describe(type);
-        reader.error(node.place, reader.value_name() + " must be " + allowed + ", not of " +
-                                     std::to_string(count));
+        reader.error(node.place,
+                     fmt::format("{} must be {}, not of {}", reader.value_name(), allowed, count));
         return false;
     }
     if (type.elements.at(0).kind == TypeInfo::Kind::quantity) {

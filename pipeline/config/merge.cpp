@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/text.h"
 
@@ -59,9 +61,9 @@ Node* step_into(Node& node, const Segment& segment, ProblemList& problems) {
     if (node.is_sequence()) {
         Node* element = find_element(node, segment.name);
         if (element == nullptr) {
-            problems.error(segment.place, "the list has no element " + quote(segment.name) +
-                                              " (it has " + std::to_string(node.items.size()) +
-                                              ", counted from 0)");
+            problems.error(segment.place,
+                           fmt::format("the list has no element {} (it has {}, counted from 0)",
+                                       quote(segment.name), node.items.size()));
         }
         return element;
     }

@@ -5,6 +5,8 @@
 #include <string>
 #include <variant>
 
+#include <fmt/core.h>
+
 #include "pipeline/config/combined_types.h"
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
@@ -20,7 +22,7 @@ void report_range(Reader& reader, const Node& node, const TypeInfo& type) {
 }
 
 std::string show_integer(std::int64_t value) {
-    return std::to_string(value);
+    return fmt::format("{}", value);
 }
 
 /// "'direction' is an angle and needs a unit; write '30 deg'"
@@ -171,9 +173,8 @@ ValueType<std::int64_t> integer64(std::int64_t low, std::int64_t high) {
             return std::nullopt;
         }
         if (is_too_large || value < low || value > high) {
-            reader.error(node.place, reader.value_name() + " must be at least " +
-                                         std::to_string(low) + " and at most " +
-                                         std::to_string(high) + ", not " + quote(node.text));
+            reader.error(node.place, fmt::format("{} must be at least {} and at most {}, not {}",
+                                                 reader.value_name(), low, high, quote(node.text)));
             return std::nullopt;
         }
         return value;

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include <fmt/core.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
@@ -48,9 +49,9 @@ bool check_raw_text(const SourceSet& sources, int source, ProblemList& problems,
                     const YamlLimits& limits) {
     const std::string& text = sources.at(source).text;
     if (text.size() > limits.bytes) {
-        problems.error({source, 0, 0, 1}, "the file has " + std::to_string(text.size()) +
-                                              " bytes; at most " + std::to_string(limits.bytes) +
-                                              " are read" + how_to_raise_limits());
+        problems.error({source, 0, 0, 1},
+                       fmt::format("the file has {} bytes; at most {} are read{}", text.size(),
+                                   limits.bytes, how_to_raise_limits()));
         return false;
     }
     const std::size_t invalid = find_invalid_utf8(text);
@@ -61,7 +62,7 @@ bool check_raw_text(const SourceSet& sources, int source, ProblemList& problems,
     std::size_t offset = 0;
     if (has_absurd_nesting(text, offset)) {
         problems.error(sources.place_at(source, offset, 1),
-                       "nested deeper than " + std::to_string(limits.depth) + " levels");
+                       fmt::format("nested deeper than {} levels", limits.depth));
         return false;
     }
     return true;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include <fmt/core.h>
+
 #include "core/printable.h"
 
 namespace carom::pipeline {
@@ -65,9 +67,9 @@ ShownLine show_line(const Problem& problem) {
 std::string place_text(const SourcePlace& place) {
     std::string text = place.file;
     if (place.line > 0) {
-        text += ":" + std::to_string(place.line);
+        text += fmt::format(":{}", place.line);
         if (place.column > 0) {
-            text += ":" + std::to_string(place.column);
+            text += fmt::format(":{}", place.column);
         }
     }
     return text;
@@ -92,7 +94,7 @@ std::string format(const Problem& problem) {
     if (problem.source_line.empty() || problem.place.line < 1) {
         return text + "\n" + trail_text(problem, "     ");
     }
-    const std::string number = std::to_string(problem.place.line);
+    const std::string number = fmt::format("{}", problem.place.line);
     const std::string margin(number.size() < 5 ? 5 - number.size() : 0, ' ');
     const std::string blank(margin.size() + number.size(), ' ');
     const ShownLine shown = show_line(problem);

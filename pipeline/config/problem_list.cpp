@@ -4,6 +4,8 @@
 #include <tuple>
 #include <utility>
 
+#include <fmt/core.h>
+
 namespace carom::pipeline::config {
 
 namespace {
@@ -45,7 +47,7 @@ std::vector<Problem> ProblemList::take() {
             problems.push_back({has_error() ? Severity::error : Severity::warning,
                                 {},
                                 {},
-                                "and " + std::to_string(rest) + " more problems",
+                                fmt::format("and {} more problems", rest),
                                 {},
                                 {}});
             break;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "pipeline/config/text.h"
 
 namespace carom::pipeline::config {
@@ -34,7 +36,7 @@ std::string Reader::value_name() const {
         if (!step->key.empty()) {
             return "'" + step->key + text + "'";
         }
-        text.insert(0, "[" + std::to_string(step->index) + "]");
+        text.insert(0, fmt::format("[{}]", step->index));
     }
     return "the shot";
 }
@@ -43,7 +45,7 @@ std::string Reader::key_path() const {
     std::string path;
     for (const Step& step : steps_) {
         if (step.key.empty()) {
-            path += "[" + std::to_string(step.index) + "]";
+            path += fmt::format("[{}]", step.index);
         } else {
             path += (path.empty() ? "" : ".") + step.key;
         }

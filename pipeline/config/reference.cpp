@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "pipeline/config/reference_examples.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/show_quantity.h"
@@ -74,8 +76,8 @@ std::string describe_list(const TypeInfo& type) {
     if (type.most < 0) {
         return "list: " + element;
     }
-    const std::string fewest = std::to_string(type.fewest);
-    const std::string most = std::to_string(type.most);
+    const std::string fewest = fmt::format("{}", type.fewest);
+    const std::string most = fmt::format("{}", type.most);
     return "list of " + (fewest == most ? most : fewest + " to " + most) + ": " + element;
 }
 

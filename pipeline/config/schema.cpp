@@ -1,12 +1,14 @@
 #include "pipeline/config/schema.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cstdio>
 #include <utility>
 #include <vector>
 
+#include <fmt/core.h>
+
+#include "core/json_text.h"
+#include "core/text.h"
 #include "pipeline/config/quantity_schema.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/show_quantity.h"
@@ -20,46 +22,26 @@ namespace {
 
 // ---- JSON -----------------------------------------------------------------------------------
 
-std::string quoted(const std::string& text) {
-    std::string json = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            json += '\\';
-        }
-        if (static_cast<unsigned char>(c) < 0x20) {
-            std::array<char, 8> code{};
-            std::snprintf(code.data(), code.size(), "\\u%04x", c);
-            json += code.data();
-        } else {
-            json += c;
-        }
-    }
-    return json + "\"";
-}
-
 using Members = std::vector<std::pair<std::string, std::string>>;  // name, JSON
 
 std::string object(const Members& members) {
-    std::string json;
+    std::vector<std::string> items;
+    items.reserve(members.size());
     for (const auto& [name, value] : members) {
-        json += (json.empty() ? "" : ", ") + quoted(name) + ": " + value;
+        items.push_back(json_string(name) + ": " + value);
     }
-    return "{" + json + "}";
+    return "{" + carom::join(items, ", ") + "}";
 }
 
 std::string array(const std::vector<std::string>& items) {
-    std::string json;
-    for (const std::string& item : items) {
-        json += (json.empty() ? "" : ", ") + item;
-    }
-    return "[" + json + "]";
+    return "[" + carom::join(items, ", ") + "]";
 }
 
 std::string quoted_array(const std::vector<std::string>& words) {
     std::vector<std::string> items;
     items.reserve(words.size());
     for (const std::string& word : words) {
-        items.push_back(quoted(word));
+        items.push_back(json_string(word));
     }
     return array(items);
 }
@@ -75,7 +57,7 @@ std::string plain_number_schema(const TypeInfo& type) {
     if (!type.needed_unit.empty()) {
         return type.range.contains(0) ? object({{"const", "0"}}) : std::string();
     }
-    Members number{{"type", quoted("number")}};
+    Members number{{"type", json_string("number")}};
     if (type.range.low) {
         number.emplace_back(type.range.low_open ? "exclusiveMinimum" : "minimum",
                             show(*type.range.low));
@@ -88,11 +70,11 @@ std::string plain_number_schema(const TypeInfo& type) {
 }
 
 std::string text_of(const std::string& pattern) {
-    return object({{"type", quoted("string")}, {"pattern", quoted(pattern)}});
+    return object({{"type", json_string("string")}, {"pattern", json_string(pattern)}});
 }
 
 std::string integer_schema(const TypeInfo& type) {
-    Members integer{{"type", quoted("integer")}};
+    Members integer{{"type", json_string("integer")}};
     // Beyond 2^53 numbers of JSON are not exact.
     if (type.range.low && *type.range.low > -9e15) {
         integer.emplace_back("minimum", show(*type.range.low));
@@ -100,22 +82,24 @@ std::string integer_schema(const TypeInfo& type) {
     if (type.range.high && *type.range.high < 9e15) {
         integer.emplace_back("maximum", show(*type.range.high));
     }
-    return any_of(
-        {object(integer), object({{"type", quoted("string")}, {"pattern", quoted("^-?[0-9]+$")}})});
+    return any_of({object(integer), object({{"type", json_string("string")},
+                                            {"pattern", json_string("^-?[0-9]+$")}})});
 }
 
 std::string text_schema(const TypeInfo& type) {
     if (type.noun.rfind("a colour", 0) == 0) {
-        return object({{"type", quoted("string")}, {"pattern", quoted("^#[0-9a-fA-F]{6}$")}});
+        return object(
+            {{"type", json_string("string")}, {"pattern", json_string("^#[0-9a-fA-F]{6}$")}});
     }
     // A word may look like a number to YAML.
-    return object({{"type", array({quoted("string"), quoted("number"), quoted("boolean")})}});
+    return object(
+        {{"type", array({json_string("string"), json_string("number"), json_string("boolean")})}});
 }
 
 std::string choice_schema(const TypeInfo& type) {
     std::vector<std::string> values;
     for (const std::string& word : type.choices) {
-        values.push_back(quoted(word));
+        values.push_back(json_string(word));
         double number = 0;
         const char* const end = word.data() + word.size();
         const auto [stop, code] = std::from_chars(word.data(), end, number);
@@ -137,16 +121,16 @@ class Schema {
             "{\n  \"$schema\": \"http://json-schema.org/draft-07/schema#\",\n"
             "  \"title\": \"a shot of carom\",\n"
             "  \"allOf\": [{\"$ref\": " +
-            quoted(reference(shot_spec().info(), false)) + "}],\n  \"definitions\": {\n";
+            json_string(reference(shot_spec().info(), false)) + "}],\n  \"definitions\": {\n";
         while (described_ < maps_.size()) {
             const Known known = maps_[described_];
             const std::string definition = describe_map(*known.map, known.is_whole);
-            json +=
-                (described_ > 0 ? ",\n" : "") + ("    " + quoted(known.name)) + ": " + definition;
+            json += (described_ > 0 ? ",\n" : "") + ("    " + json_string(known.name)) + ": " +
+                    definition;
             ++described_;
         }
         for (const Shared& shared : shared_) {
-            json += ",\n    " + quoted(shared.name) + ": " + shared.definition;
+            json += ",\n    " + json_string(shared.name) + ": " + shared.definition;
         }
         return json + "\n  }\n}\n";
     }
@@ -170,12 +154,12 @@ class Schema {
         int of_this_noun = 1;
         for (const Shared& known : shared_) {
             if (known.definition == definition) {
-                return object({{"$ref", quoted("#/definitions/" + known.name)}});
+                return object({{"$ref", json_string("#/definitions/" + known.name)}});
             }
             of_this_noun += known.name.starts_with(noun + "-text-") ? 1 : 0;
         }
-        shared_.push_back({noun + "-text-" + std::to_string(of_this_noun), definition});
-        return object({{"$ref", quoted("#/definitions/" + shared_.back().name)}});
+        shared_.push_back({fmt::format("{}-text-{}", noun, of_this_noun), definition});
+        return object({{"$ref", json_string("#/definitions/" + shared_.back().name)}});
     }
 
     std::string quantity_schema(const TypeInfo& type) {
@@ -204,7 +188,7 @@ class Schema {
         };
         std::string unique = name;
         for (int i = 2; is_taken(unique); ++i) {
-            unique = name + "-" + std::to_string(i);
+            unique = fmt::format("{}-{}", name, i);
         }
         maps_.push_back({&map, is_whole, unique});
         return "#/definitions/" + unique;
@@ -213,7 +197,7 @@ class Schema {
     std::string schema_of(const TypeInfo& type, bool is_whole) {
         switch (type.kind) {
             case TypeInfo::Kind::boolean:
-                return object({{"type", quoted("boolean")}});
+                return object({{"type", json_string("boolean")}});
             case TypeInfo::Kind::integer:
                 return integer_schema(type);
             case TypeInfo::Kind::quantity:
@@ -222,27 +206,27 @@ class Schema {
                 return text_schema(type);
             case TypeInfo::Kind::name:
             case TypeInfo::Kind::file:
-                return object({{"type", quoted("string")}});
+                return object({{"type", json_string("string")}});
             case TypeInfo::Kind::choice:
                 return choice_schema(type);
             case TypeInfo::Kind::list:
                 return list_schema(type);
             case TypeInfo::Kind::named:
                 return object(
-                    {{"type", quoted("object")},
+                    {{"type", json_string("object")},
                      {"propertyNames",
-                      object({{"pattern", quoted("^[A-Za-z_][A-Za-z0-9_-]{0,63}$")}})},
+                      object({{"pattern", json_string("^[A-Za-z_][A-Za-z0-9_-]{0,63}$")}})},
                      {"additionalProperties", any_of({schema_of(type.elements.at(0), is_whole),
-                                                      object({{"type", quoted("null")}})})}});
+                                                      object({{"type", json_string("null")}})})}});
             case TypeInfo::Kind::map:
                 if (is_whole && may_include(*type.map)) {
                     const std::string with_include =
                         array({object({{"required", quoted_array({"include"})}}),
-                               object({{"$ref", quoted(reference(*type.map, false))}})});
-                    return any_of({object({{"$ref", quoted(reference(*type.map, true))}}),
+                               object({{"$ref", json_string(reference(*type.map, false))}})});
+                    return any_of({object({{"$ref", json_string(reference(*type.map, true))}}),
                                    object({{"allOf", with_include}})});
                 }
-                return object({{"$ref", quoted(reference(*type.map, is_whole))}});
+                return object({{"$ref", json_string(reference(*type.map, is_whole))}});
             case TypeInfo::Kind::any_of: {
                 std::vector<std::string> alternatives;
                 for (const TypeInfo& element : type.elements) {
@@ -261,12 +245,13 @@ class Schema {
     }
 
     std::string list_schema(const TypeInfo& type) {
-        Members list{{"type", quoted("array")}, {"items", schema_of(type.elements.at(0), true)}};
+        Members list{{"type", json_string("array")},
+                     {"items", schema_of(type.elements.at(0), true)}};
         if (type.fewest > 0) {
-            list.emplace_back("minItems", std::to_string(type.fewest));
+            list.emplace_back("minItems", fmt::format("{}", type.fewest));
         }
         if (type.most >= 0) {
-            list.emplace_back("maxItems", std::to_string(type.most));
+            list.emplace_back("maxItems", fmt::format("{}", type.most));
         }
         return object(list);
     }
@@ -274,11 +259,12 @@ class Schema {
     std::string property(const KeyInfo& key, bool is_whole) {
         std::vector<std::string> alternatives{schema_of(key.type, is_whole)};
         if (!is_whole) {  // takes away what an included file says
-            alternatives.push_back(object({{"type", quoted("null")}}));
+            alternatives.push_back(object({{"type", json_string("null")}}));
         }
-        Members members{{"description", quoted(key.description)}};
+        Members members{{"description", json_string(key.description)}};
         if (!key.default_text.empty()) {
-            members[0].second = quoted(key.description + " (default: " + key.default_text + ")");
+            members[0].second =
+                json_string(key.description + " (default: " + key.default_text + ")");
         }
         members.emplace_back("anyOf", array(alternatives));
         return object(members);
@@ -289,7 +275,7 @@ class Schema {
         std::vector<std::string> required;
         for (const KeyInfo& key : map.keys) {
             properties += (properties.empty() ? "\n" : ",\n") +
-                          ("        " + quoted(key.name) + ": " + property(key, is_whole));
+                          ("        " + json_string(key.name) + ": " + property(key, is_whole));
             if (key.is_required && is_whole) {
                 required.push_back(key.name);
             }
@@ -298,7 +284,7 @@ class Schema {
         if (is_root) {
             required.emplace_back("carom");
         }
-        std::string json = "{\n      \"description\": " + quoted(map.description) +
+        std::string json = "{\n      \"description\": " + json_string(map.description) +
                            ",\n      \"type\": \"object\",\n      \"additionalProperties\": " +
                            "false,\n      \"properties\": {" + properties + "\n      }";
         if (!required.empty()) {

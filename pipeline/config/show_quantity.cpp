@@ -1,23 +1,17 @@
 #include "pipeline/config/show_quantity.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
+
+#include <fmt/core.h>
 
 namespace carom::pipeline::config {
 
 std::string show(double value) {
-    const double size = std::abs(value);
-    const auto form = value == 0 || (size >= 1e-4 && size < 1e16) ? std::chars_format::fixed
-                                                                  : std::chars_format::scientific;
-    std::array<char, 64> buffer{};
-    const auto [end, code] =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value + 0.0, form);
-    const std::string decimal(buffer.data(), end);
+    const std::string decimal = fmt::format("{}", value + 0.0);  // + 0.0: -0 becomes 0
     // A third or a 240th is shorter as such.
     const double inverse = std::round(1 / value);
     const bool is_inverse = value > 0 && value < 1 && inverse < 1e6 && 1 / inverse == value;
-    return is_inverse && decimal.size() > 8 ? "1/" + std::to_string(std::lround(inverse)) : decimal;
+    return is_inverse && decimal.size() > 8 ? fmt::format("1/{}", std::lround(inverse)) : decimal;
 }
 
 std::string show(double value, Dimension dimension) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/core.h>
+
 namespace carom::pipeline::config {
 
 namespace {
@@ -87,7 +89,7 @@ std::vector<SourcePlace> SourceSet::trail(const Place& place) const {
 
 std::string SourceSet::to_string(const Place& place) const {
     const SourcePlace where = describe(place);
-    return where.file + ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
+    return fmt::format("{}:{}:{}", where.file, where.line, where.column);
 }
 
 Place SourceSet::place_at(int index, std::size_t offset, std::size_t length_bytes) const {

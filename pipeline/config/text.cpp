@@ -4,6 +4,10 @@
 #include <array>
 #include <cstdint>
 
+#include <fmt/core.h>
+
+#include "core/text.h"
+#include "core/utf8.h"
 #include "pipeline/config/source_set.h"
 
 namespace carom::pipeline::config {
@@ -26,43 +30,6 @@ constexpr std::array kOddSpaces{
     SpaceName{"\u3000", "an ideographic space (U+3000)"},
 };
 
-/// Distance of the optimal string alignment, three rows at a time.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> before_last(b.size() + 1);
-    std::vector<std::size_t> last(b.size() + 1);
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) {
-        row[j] = j;
-    }
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::swap(before_last, last);
-        std::swap(last, row);
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t change = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-            row[j] = std::min({last[j] + 1, row[j - 1] + 1, change});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-                row[j] = std::min(row[j], before_last[j - 2] + 1);
-            }
-        }
-    }
-    return row[b.size()];
-}
-
-/// Length of the UTF-8 sequence that starts with `lead`; 0 if none does.
-std::size_t sequence_length(unsigned char lead) {
-    if (lead < 0x80) {
-        return lead == 0 ? 0 : 1;
-    }
-    if (lead >= 0xC2 && lead <= 0xDF) {
-        return 2;
-    }
-    if (lead >= 0xE0 && lead <= 0xEF) {
-        return 3;
-    }
-    return lead >= 0xF0 && lead <= 0xF4 ? 4 : 0;
-}
-
 }  // namespace
 
 std::string quote(std::string_view text) {
@@ -77,14 +44,7 @@ std::string quote(std::string_view text) {
 }
 
 std::string join(std::span<const std::string> words, std::string_view last) {
-    std::string text;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) {
-            text += i + 1 == words.size() ? " " + std::string(last) + " " : ", ";
-        }
-        text += words[i];
-    }
-    return text;
+    return carom::join(words, ", ", fmt::format(" {} ", last));
 }
 
 std::optional<std::string> nearest_name(std::string_view name, std::span<const std::string> known) {
@@ -123,26 +83,12 @@ std::optional<OddSpace> find_odd_space(std::string_view text) {
 }
 
 std::size_t find_invalid_utf8(std::string_view text) {
-    std::size_t i = 0;
-    while (i < text.size()) {
-        const auto lead = static_cast<unsigned char>(text[i]);
-        const std::size_t length = sequence_length(lead);
-        if (length == 0 || i + length > text.size()) {
+    for (std::size_t i = 0; i < text.size();) {
+        const Utf8Character next = first_character(text.substr(i));
+        if (!next || next.letter == 0) {
             return i;
         }
-        std::uint32_t code = length == 1 ? lead : lead & (0xFFU >> (length + 1));
-        for (std::size_t k = 1; k < length; ++k) {
-            const auto next = static_cast<unsigned char>(text[i + k]);
-            if ((next & 0xC0U) != 0x80U) {
-                return i;
-            }
-            code = (code << 6U) | (next & 0x3FU);
-        }
-        const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-        if (overlong || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF)) {
-            return i;
-        }
-        i += length;
+        i += next.bytes;
     }
     return std::string_view::npos;
 }

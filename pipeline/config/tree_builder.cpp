@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "core/limits.h"
 #include "pipeline/config/text.h"
 #include "pipeline/config/token.h"
@@ -15,7 +17,7 @@ void TreeBuilder::refuse(const Place& place, std::string message) {
 }
 
 void TreeBuilder::refuse_depth(const YAML::Mark& mark) {
-    refuse(token_place(mark), "nested deeper than " + std::to_string(limits_.depth) + " levels");
+    refuse(token_place(mark), fmt::format("nested deeper than {} levels", limits_.depth));
 }
 
 Place TreeBuilder::token_place(const YAML::Mark& mark) const {

@@ -1,5 +1,7 @@
 #include "pipeline/config/type_info.h"
 
+#include <fmt/core.h>
+
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
 
@@ -36,11 +38,11 @@ std::string plural(const TypeInfo& element) {
 std::string describe_list(const TypeInfo& type) {
     std::string count;
     if (type.fewest == type.most) {
-        count = std::to_string(type.fewest) + " ";
+        count = fmt::format("{} ", type.fewest);
     } else if (type.most > 0 && type.fewest == 0) {
-        count = "at most " + std::to_string(type.most) + " ";
+        count = fmt::format("at most {} ", type.most);
     } else if (type.most > 0) {
-        count = std::to_string(type.fewest) + " to " + std::to_string(type.most) + " ";
+        count = fmt::format("{} to {} ", type.fewest, type.most);
     }
     return "a list of " + count + plural(type.elements.at(0));
 }

@@ -4,6 +4,10 @@
 #include <cstdlib>
 #include <vector>
 
+#include <fmt/core.h>
+
+#include "core/text.h"
+
 namespace carom::pipeline::config {
 
 namespace {
@@ -22,11 +26,7 @@ Exponents plus(const Exponents& a, const Exponents& b) {
 }
 
 std::string group(const std::vector<std::string>& names) {
-    std::string pattern;
-    for (const std::string& name : names) {
-        pattern += (pattern.empty() ? "" : "|") + name;
-    }
-    return "(" + pattern + ")";
+    return "(" + carom::join(names, "|") + ")";
 }
 
 /// What the units that have a name of their own measure, each once.
@@ -46,7 +46,7 @@ std::string power_pattern(int power) {
     if (power == 1) {
         return R"((\^?1)?)";
     }
-    return (power > 0 ? R"(\^?)" : R"(\^-)") + std::to_string(std::abs(power));
+    return fmt::format("{}{}", power > 0 ? R"(\^?)" : R"(\^-)", std::abs(power));
 }
 
 std::string unit_to(const Exponents& exponents, int power) {

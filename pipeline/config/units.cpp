@@ -1,12 +1,11 @@
 #include "pipeline/config/units.h"
 
 #include <array>
+#include <numbers>
 
 namespace carom::pipeline::config {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 constexpr Exponents kLength{1, 0, 0, 0};
 constexpr Exponents kMass{0, 1, 0, 0};
@@ -37,9 +36,9 @@ constexpr std::array kUnits{
     Unit{"min", kTime, 60, {60, 1}},
     Unit{"h", kTime, 3600, {3600, 1}},
     Unit{"rad", kAngle, 1},
-    Unit{"deg", kAngle, kPi / 180, {1, 1}, true},
-    Unit{"turn", kAngle, 2 * kPi, {360, 1}, true},
-    Unit{"rpm", {0, 0, -1, 1}, 2 * kPi / 60},
+    Unit{"deg", kAngle, std::numbers::pi / 180, {1, 1}, true},
+    Unit{"turn", kAngle, 2 * std::numbers::pi, {360, 1}, true},
+    Unit{"rpm", {0, 0, -1, 1}, 2 * std::numbers::pi / 60},
     Unit{"mph", kSpeed, 0.44704, {1397, 3125}},
     Unit{"N", kForce, 1, {1, 1}},
     Unit{"mN", kForce, 0.001, {1, 1000}},
@@ -55,7 +54,7 @@ const std::array kDimensions{
     DimensionInfo{Dimension::mass, kMass, "a mass", "masses", "kg, g, oz, lb", "kg", 1},
     DimensionInfo{Dimension::time, kTime, "a time", "times", "s, ms, min", "s", 1},
     DimensionInfo{Dimension::angle, kAngle, "an angle", "angles", "rad, deg, turn", "deg",
-                  kPi / 180, true},
+                  std::numbers::pi / 180, true},
     DimensionInfo{Dimension::speed, kSpeed, "a speed", "speeds", "m/s, km/h, mph", "m/s", 1},
     DimensionInfo{Dimension::angular_speed,
                   {0, 0, -1, 1},

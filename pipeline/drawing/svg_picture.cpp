@@ -5,6 +5,7 @@
 #include <string>
 
 #include <cairo.h>
+#include <fmt/core.h>
 #include <librsvg/rsvg.h>
 
 #include "core/error.h"
@@ -75,8 +76,8 @@ std::vector<std::byte> svg_to_png(std::span<const std::byte> svg, int width) {
     }
     const double height = width * proportion_of(handle.get());
     if (width < 1 || width > kMostPixels || !(height >= 1 && height <= kMostPixels)) {
-        throw Error("cannot draw a picture of less than 1 or more than " +
-                    std::to_string(kMostPixels) + " pixels in a row");
+        throw Error(fmt::format(
+            "cannot draw a picture of less than 1 or more than {} pixels in a row", kMostPixels));
     }
     // Whole rows only: one that is covered in part would be a hairline.
     const Surface surface(

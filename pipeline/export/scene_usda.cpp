@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "pipeline/export/usda_text.h"
 
 namespace carom::pipeline {
@@ -33,7 +35,7 @@ std::string with_schema(const std::string& schema) {
 }
 
 std::string index_text(std::uint32_t index) {
-    return std::to_string(index);
+    return fmt::format("{}", index);
 }
 
 class UsdaWriter {
@@ -181,7 +183,7 @@ class UsdaWriter {
         for (std::size_t i = 0; i < patch.count; ++i) {
             faces.push_back(static_cast<std::uint32_t>(patch.first + i));
         }
-        text_.open("def GeomSubset \"field_" + std::to_string(number) + "\"",
+        text_.open(fmt::format("def GeomSubset \"field_{}\"", number),
                    {with_schema("MaterialBindingAPI")});
         text_.line("uniform token elementType = \"face\"");
         text_.line("uniform token familyName = \"materialBind\"");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "render/geometry/mesh_file.h"
@@ -15,11 +16,10 @@ using render::MeshShape;
 
 constexpr std::uint32_t kSides = 64;
 constexpr std::uint32_t kRings = 32;  // of a sphere, from pole to pole
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kPlaneSize = 40;  // m
+constexpr double kPlaneSize = 40;     // m
 
 Vec3 around(std::uint32_t side) {
-    const double angle = 2 * kPi * side / kSides;
+    const double angle = 2 * std::numbers::pi * side / kSides;
     return {std::cos(angle), std::sin(angle), 0};
 }
 
@@ -158,7 +158,7 @@ MeshShape unit_sphere_mesh() {
     MeshShape mesh;
     mesh.vertices.emplace_back(0, 0, -1);
     for (std::uint32_t ring = 1; ring < kRings; ++ring) {
-        const double latitude = kPi * (static_cast<double>(ring) / kRings - 0.5);
+        const double latitude = std::numbers::pi * (static_cast<double>(ring) / kRings - 0.5);
         for (std::uint32_t i = 0; i < kSides; ++i) {
             mesh.vertices.push_back(std::cos(latitude) * around(i) +
                                     Vec3(0, 0, std::sin(latitude)));

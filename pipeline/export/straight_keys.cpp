@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 #include "sim/timeline/rotation.h"
 
@@ -28,8 +30,9 @@ class Straightener {
 
   private:
     [[noreturn]] void refuse() const {
-        throw Error("'" + track_.name() + "' would need more than " + std::to_string(most_) +
-                    " keys; export a shorter or calmer shot, or .csv");
+        throw Error(fmt::format(
+            "'{}' would need more than {} keys; export a shorter or calmer shot, or .csv",
+            track_.name(), most_));
     }
 
     void add(double time) {

@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 
+#include <fmt/core.h>
+
 #include "core/assert.h"
 
 namespace carom::pipeline {
@@ -81,7 +83,7 @@ std::string UsdaNames::unique(std::string_view wanted) {
     }
     std::string result = name;
     for (int n = 2; !taken_.insert(result).second; ++n) {
-        result = name + "_" + std::to_string(n);
+        result = fmt::format("{}_{}", name, n);
     }
     return result;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
 
@@ -203,7 +205,7 @@ void Attributes::triple(Attribute& attribute, const Item& name, const Item& valu
         return;
     }
     if (value.group.size() != 3) {
-        refuse(value, std::to_string(value.group.size()));
+        refuse(value, fmt::format("{}", value.group.size()));
         return;
     }
     Vec3 vector;

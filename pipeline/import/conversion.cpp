@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <numbers>
+
+#include <fmt/core.h>
 
 namespace carom::pipeline::scene_text {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -37,7 +37,7 @@ std::string Names::claim(const std::string& name) {
     while (!taken_.insert(free).second) {
         int& number = latest_[made];
         number = number == 0 ? 2 : number + 1;
-        free = made + "_" + std::to_string(number);
+        free = fmt::format("{}_{}", made, number);
     }
     return free;
 }
@@ -46,9 +46,7 @@ std::string yaml(double value) {
     if (std::abs(value) < 1e-15) {
         return "0";
     }
-    char text[40];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return text;
+    return fmt::format("{:.9g}", value);
 }
 
 std::string yaml(const Vec3& value) {
@@ -62,9 +60,7 @@ std::string yaml_text(const std::string& value) {
             text += '\\';
         }
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-            char escape[8];
-            std::snprintf(escape, sizeof escape, "\\x%02x", static_cast<unsigned>(c));
-            text += escape;
+            text += fmt::format("\\x{:02x}", static_cast<unsigned>(c));
         } else {
             text += c;
         }
@@ -92,10 +88,10 @@ std::string yaml_rotation(const Vec3& x, const Vec3& y, const Vec3& z) {
         } else {
             axis = Vec3((x.z + z.x) / 4, (y.z + z.y) / 4, squares.z);
         }
-        angle = kPi;
+        angle = std::numbers::pi;
     }
-    return "rotate: {axis: " + yaml(axis.normalized()) + ", angle: " + yaml(angle * 180 / kPi) +
-           " deg}";
+    return "rotate: {axis: " + yaml(axis.normalized()) +
+           ", angle: " + yaml(angle * 180 / std::numbers::pi) + " deg}";
 }
 
 Vec3 middle_of_moving_spheres(const SceneModel& scene) {

@@ -1,6 +1,7 @@
 // Cameras as rigs, the film one after the other.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "pipeline/config/text.h"
@@ -12,7 +13,6 @@ namespace {
 
 using config::quote;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kDefaultFov = 2;  // distance of the plane of projection
 constexpr double kDefaultWidth = 320;
 constexpr double kDefaultHeight = 240;
@@ -98,7 +98,7 @@ double vertical_angle(double distance, double height_by_width) {
 }
 
 std::string degrees(double angle) {
-    return yaml(angle * 180 / kPi) + " deg";
+    return yaml(angle * 180 / std::numbers::pi) + " deg";
 }
 
 /// One value, or those at start and end.

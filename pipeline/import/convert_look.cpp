@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <sstream>
 
 #include "pipeline/config/text.h"
@@ -14,7 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 using config::quote;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kWidestSpread = 1.5;  // rad, of the format
 
 // ---- materials ------------------------------------------------------------------------------
@@ -144,7 +144,7 @@ std::string rectangle_light(const Light& light, const Vec3& towards, Conversion&
     const Vec3 level = Vec3(0, 0, 1).cross(n);
     const Vec3 u0 = level.dot(level) < 1e-12 ? Vec3(1, 0, 0) : level.normalized();
     const Vec3 our_u = axes.direction(u);
-    const double roll = std::atan2(our_u.dot(n.cross(u0)), our_u.dot(u0)) * 180 / kPi;
+    const double roll = std::atan2(our_u.dot(n.cross(u0)), our_u.dot(u0)) * 180 / std::numbers::pi;
     return "rectangle: [" + yaml(axes.length(width)) + ", " + yaml(axes.length(breadth)) +
            "], at: " + yaml(axes.place(middle)) + ", facing: " + yaml(n) + ", roll: " + yaml(roll) +
            " deg, radiance: " + yaml(light.colour.value_or(Vec3(1, 1, 1))) + kFalloff;
@@ -161,8 +161,8 @@ std::string light_text(const Light& light, const Vec3& towards, Conversion& conv
                    ", at: " + yaml(axes.place(*light.position)) + ", radiance: " + yaml(colour) +
                    kFalloff;
         case LightKind::point:
-            return "point: " + yaml(colour * kPi) + ", at: " + yaml(axes.place(*light.position)) +
-                   kFalloff;
+            return "point: " + yaml(colour * std::numbers::pi) +
+                   ", at: " + yaml(axes.place(*light.position)) + kFalloff;
     }
     return {};
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/text.h"
 #include "pipeline/config/text.h"
 #include "pipeline/import/conversion.h"
 
@@ -108,14 +109,10 @@ std::string rotation(const Object& object, const Axes& axes, Conversion& convers
     return yaml_rotation(our_x, our_z.cross(our_x), our_z);
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-    std::string text;
-    for (const std::string& part : parts) {
-        if (!part.empty()) {
-            text += (text.empty() ? "" : ", ") + part;
-        }
-    }
-    return text;
+/// The parts that are not empty, with commas between them.
+std::string joined(std::vector<std::string> parts) {
+    std::erase(parts, "");
+    return join(parts, ", ");
 }
 
 /// "plane: infinite, at: [...]"; empty after a problem.

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <sstream>
+
+#include <fmt/core.h>
 
 #include "core/error.h"
 #include "core/limits.h"
@@ -22,11 +25,10 @@ namespace {
 using scene_text::yaml;
 
 constexpr std::size_t kMostBytes = std::size_t{16} << 20;
-constexpr std::size_t kMostKeys = 1000;  // of a motion
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kShortWay = 0.9 * kPi;      // up to this a turn is told by its end
-constexpr double kFarthestTurn = 200 * kPi;  // of one key
-constexpr double kGap = 1e-6;                // s, between two keys in the place of a jump
+constexpr std::size_t kMostKeys = 1000;                   // of a motion
+constexpr double kShortWay = 0.9 * std::numbers::pi;      // up to this a turn is told by its end
+constexpr double kFarthestTurn = 200 * std::numbers::pi;  // of one key
+constexpr double kGap = 1e-6;  // s, between two keys in the place of a jump
 
 Quat about(const Vec3& axis, double angle) {
     return sim::rotation_from_vector(angle * axis);
@@ -43,11 +45,11 @@ Quat orientation_of(const TrackRow& row) {
 /// The whole turn whose remainder is `remainder`, of those the nearest to `expected`.
 Vec3 with_rounds(const Vec3& remainder, const Vec3& expected) {
     const double angle = remainder.length();
-    const Vec3 axis = angle > 1e-9              ? remainder / angle
-                      : expected.length() > kPi ? expected.normalized()
-                                                : Vec3(0, 0, 1);
-    const double rounds = std::round((expected.dot(axis) - angle) / (2 * kPi));
-    return remainder + 2 * kPi * rounds * axis;
+    const Vec3 axis = angle > 1e-9                           ? remainder / angle
+                      : expected.length() > std::numbers::pi ? expected.normalized()
+                                                             : Vec3(0, 0, 1);
+    const double rounds = std::round((expected.dot(axis) - angle) / (2 * std::numbers::pi));
+    return remainder + 2 * std::numbers::pi * rounds * axis;
 }
 
 /// How far it turns from one row to the next, world axes: with rounds if angular velocities or one
@@ -61,7 +63,8 @@ Vec3 turn_between(const TrackRow& from, const TrackRow& to, config::ProblemList&
         return remainder;
     }
     const Vec3 change = *to.angles - *from.angles;
-    if (std::max({std::abs(change.x), std::abs(change.y), std::abs(change.z)}) <= kPi) {
+    if (std::max({std::abs(change.x), std::abs(change.y), std::abs(change.z)}) <=
+        std::numbers::pi) {
         return remainder;
     }
     // An angle turns about its axis as the angles after it have turned that.
@@ -133,10 +136,9 @@ class Motion {
             make_keys();
             if (keys_.size() > kMostKeys) {
                 problems.error(rows_.front().place,
-                               "more than " + std::to_string(kMostKeys) +
-                                   " keys are needed to meet all rows within " +
-                                   config::show(1000 * options_.error) +
-                                   " mm: allow more with --error, or give fewer rows");
+                               fmt::format("more than {} keys are needed to meet all rows within "
+                                           "{} mm: allow more with --error, or give fewer rows",
+                                           kMostKeys, config::show(1000 * options_.error)));
                 return;
             }
             const sim::Track track = keyed_track("track", {keys_, options_.is_linear});
@@ -274,12 +276,10 @@ std::string whole_text(const std::string& table, const ImportTrackOptions& optio
     std::string from = std::filesystem::path(table).filename().string();
     std::ranges::replace_if(
         from, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-    std::string text =
-        "# Made by carom import-track from " + from + ": " + std::to_string(keys.size()) +
-        " keys for " + std::to_string(rows) + " rows" +
+    std::string text = fmt::format(
+        "# Made by carom import-track from {}: {} keys for {} rows{}.\n", from, keys.size(), rows,
         (keys.size() < rows ? ", met within " + config::show(1000 * options.error) + " mm"
-                            : std::string()) +
-        ".\n";
+                            : std::string()));
     if (options.name.empty()) {
         return text + "# Goes beneath an object of a shot, indented as its other keys are.\n" +
                motion_text(keys, options.is_linear, "");

@@ -1,5 +1,7 @@
 #include "pipeline/import/read_scene.h"
 
+#include <fmt/core.h>
+
 #include "core/limits.h"
 #include "pipeline/config/text.h"
 #include "pipeline/import/scene_reader.h"
@@ -98,9 +100,8 @@ void SceneReader::claim(const char* space, const Name& name, std::size_t index) 
     const auto [known, is_new] =
         names_.emplace(std::pair(std::string(space), name.text), Known{name.place, index});
     if (!is_new) {
-        problems_.error(name.place, std::string("a second ") + space + " " + quote(name.text) +
-                                        "; the first is in line " +
-                                        std::to_string(known->second.place.line));
+        problems_.error(name.place, fmt::format("a second {} {}; the first is in line {}", space,
+                                                quote(name.text), known->second.place.line));
     }
 }
 
@@ -141,8 +142,8 @@ void SceneReader::settings(const Name& name, const Item& block) {
         .real("recursion", s.recursion, {0, 32, true, false, true})
         .read(block.group, name.place);
     if (model_.settings) {
-        problems_.error(name.place, "second settings; the first are in line " +
-                                        std::to_string(model_.settings->name.place.line));
+        problems_.error(name.place, fmt::format("second settings; the first are in line {}",
+                                                model_.settings->name.place.line));
         return;
     }
     model_.settings = s;
@@ -170,9 +171,9 @@ void SceneReader::camera(const Name& name, const Item& block) {
         .read(block.group, name.place);
     for (const std::vector<Vec3>* points : {&c.positions, &c.targets}) {
         if (points->size() > 64) {
-            problems_.error(name.place, owner("camera", name) + " has a path of " +
-                                            std::to_string(points->size()) +
-                                            " points; at most 64 are possible");
+            problems_.error(name.place,
+                            fmt::format("{} has a path of {} points; at most 64 are possible",
+                                        owner("camera", name), points->size()));
         }
     }
     claim("camera", name, model_.cameras.size());

@@ -3,6 +3,8 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "pipeline/config/text.h"
 
 namespace carom::pipeline::scene_text {
@@ -57,8 +59,9 @@ class Splitter {
   private:
     void add_word(std::string_view word, const Place& place) {
         if (word.size() > kLongestWordBytes) {
-            problems_.error(place, "a word of " + std::to_string(word.size()) +
-                                       " bytes is longer than any name or number");
+            problems_.error(
+                place,
+                fmt::format("a word of {} bytes is longer than any name or number", word.size()));
             word = word.substr(0, 1);
         }
         open_.back().group.push_back({std::string(word), {}, false, place});
@@ -69,8 +72,8 @@ class Splitter {
             // What is nested too deeply is read into the last group that may be there.
             if (open_.size() > kDeepest) {
                 if (too_deep_++ == 0) {
-                    problems_.error(
-                        place, "braces are nested more than " + std::to_string(kDeepest) + " deep");
+                    problems_.error(place,
+                                    fmt::format("braces are nested more than {} deep", kDeepest));
                 }
                 return;
             }

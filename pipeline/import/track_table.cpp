@@ -5,8 +5,11 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <span>
+
+#include <fmt/core.h>
 
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
@@ -19,7 +22,6 @@ namespace {
 using config::Place;
 using config::quote;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLongest = 3600;   // s, as of the keys of a motion
 constexpr double kFarthest = 1e5;   // m
 constexpr double kShortest = 1e-6;  // s, between two keys
@@ -133,9 +135,8 @@ class TableReader {
 
     std::optional<TrackRow> read_row(const CsvLine& line) {
         if (line.cells.size() != lines_.front().cells.size()) {
-            problems_.error(line.place, std::to_string(line.cells.size()) + " values for " +
-                                            std::to_string(lines_.front().cells.size()) +
-                                            " columns");
+            problems_.error(line.place, fmt::format("{} values for {} columns", line.cells.size(),
+                                                    lines_.front().cells.size()));
             return std::nullopt;
         }
         if (has("object")) {
@@ -153,7 +154,8 @@ class TableReader {
             row.rotate = rotation(line);
         }
         if (has("rx")) {
-            row.angles = vector(line, {"rx", "ry", "rz"}, 1e6, "degrees") * (kPi / 180);
+            row.angles =
+                vector(line, {"rx", "ry", "rz"}, 1e6, "degrees") * (std::numbers::pi / 180);
         }
         if (has("vx")) {
             row.velocity = vector(line, {"vx", "vy", "vz"}, kFarthest, "m/s");
@@ -225,9 +227,10 @@ class TableReader {
                              row.position == last.position &&
                              (rows.size() < 2 || rows[rows.size() - 2].time < last.time);
         if (!is_jump) {
-            problems_.error(row.place, "time " + config::show(row.time) +
-                                           " s is not later than the " + config::show(last.time) +
-                                           " s of line " + std::to_string(last.place.line));
+            problems_.error(
+                row.place,
+                fmt::format("time {} s is not later than the {} s of line {}",
+                            config::show(row.time), config::show(last.time), last.place.line));
         }
     }
 

@@ -1,5 +1,7 @@
 #include "pipeline/job/damage_report.h"
 
+#include <fmt/core.h>
+
 namespace carom::pipeline {
 namespace {
 
@@ -17,9 +19,9 @@ void DamageReport::add(const std::string& path, const std::string& damage) {
 
 DamageReport::~DamageReport() {
     if (const int others = count_ - kMostNamed; others > 0) {
-        observer_.warning(std::to_string(others) +
-                          (others == 1 ? " more stored frame was" : " more stored frames were") +
-                          " damaged; 'carom cache verify' reads everything that is stored");
+        observer_.warning(fmt::format(
+            "{}{} damaged; 'carom cache verify' reads everything that is stored", others,
+            others == 1 ? " more stored frame was" : " more stored frames were"));
     }
 }
 

@@ -4,6 +4,8 @@
 #include <memory>
 #include <thread>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 #include "pipeline/job/cache_keeper.h"
 #include "pipeline/job/damage_report.h"
@@ -187,8 +189,7 @@ render::Film make_frame_with(const RenderFunction& render, const Shot& shot,
             return exported;
         }
     }
-    throw Error("frame " + std::to_string(frame) +
-                " was rendered, but the cache does not hold it whole");
+    throw Error(fmt::format("frame {} was rendered, but the cache does not hold it whole", frame));
 }
 
 }  // namespace carom::pipeline

@@ -1,5 +1,7 @@
 #include "pipeline/job/film_status.h"
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 #include "pipeline/job/film_pipeline.h"
 #include "pipeline/job/film_plan.h"
@@ -47,12 +49,11 @@ FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOpt
                        const JobObserver& observer, const std::stop_token& stop) {
     const FilmStatus status = film_status(shot, bake, options, stop);
     if (!status.missing.empty()) {
-        throw Error(std::to_string(status.missing.size()) + " of " +
-                    std::to_string(status.frames.size()) +
-                    " frames are not in the cache: " + frames_text(status.missing) +
-                    (status.damaged.empty()
-                         ? ""
-                         : " (stored, but damaged: " + frames_text(status.damaged) + ")"));
+        throw Error(fmt::format("{} of {} frames are not in the cache: {}{}", status.missing.size(),
+                                status.frames.size(), frames_text(status.missing),
+                                (status.damaged.empty() ? ""
+                                                        : " (stored, but damaged: " +
+                                                              frames_text(status.damaged) + ")")));
     }
     const auto refuse = [](const FrameInputs&, const WorkContext&) -> render::Film {
         throw Error("a frame vanished from the cache while the film was being written");

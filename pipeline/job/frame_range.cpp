@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 
 namespace carom::pipeline {
@@ -139,9 +141,9 @@ std::string frames_text(const std::vector<std::int64_t>& frames) {
         while (last + 1 < frames.size() && frames[last + 1] == frames[last] + 1) {
             ++last;
         }
-        text += (text.empty() ? "" : ", ") + std::to_string(frames[i]);
+        text += fmt::format("{}{}", (text.empty() ? "" : ", "), frames[i]);
         if (last > i) {
-            text += "-" + std::to_string(frames[last]);
+            text += fmt::format("-{}", frames[last]);
         }
         i = last + 1;
     }

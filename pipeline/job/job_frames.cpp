@@ -1,5 +1,7 @@
 #include "pipeline/job/job_frames.h"
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/store/cache_folder.h"
@@ -10,7 +12,7 @@ std::vector<std::int64_t> job_frames(const Shot& shot, const FilmJobOptions& opt
     const std::int64_t count = frame_count(shot.cameras, shot.timing);
     std::vector<std::int64_t> frames = options.chunk.part_of(options.frames.frames(count));
     if (frames.empty()) {
-        throw Error("none of the film's " + std::to_string(count) + " frames is asked for");
+        throw Error(fmt::format("none of the film's {} frames is asked for", count));
     }
     return frames;
 }

@@ -1,7 +1,6 @@
 #include "pipeline/job/job_metadata.h"
 
-#include <array>
-#include <cstdio>
+#include <fmt/core.h>
 
 #include "render/acceleration/analytic_kernels.h"
 #include "render/camera/camera_matrices.h"
@@ -11,9 +10,7 @@ namespace carom::pipeline {
 namespace {
 
 std::string number_text(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.9g", value);
-    return text.data();
+    return fmt::format("{:.9g}", value);
 }
 
 // "off", or the radiance above which indirect light was cut: such pictures are darker than true.
@@ -24,18 +21,18 @@ std::string clamp_text(double clamp) {
 std::map<std::string, std::string> render_metadata(const Shot& shot) {
     std::map<std::string, std::string> metadata{
         {"carom_version", CAROM_VERSION},
-        {"renderer_revision", std::to_string(render::kRendererRevision)},
+        {"renderer_revision", fmt::format("{}", render::kRendererRevision)},
         {"simd", std::string(render::simd_tier())}};
     if (shot.render.integrator == render::IntegratorKind::distributed) {
         const render::DistributedSettings& settings = shot.render.distributed;
         metadata["integrator"] = "distributed";
-        metadata["samples"] = std::to_string(camera_samples(settings));
-        metadata["recursion_limit"] = std::to_string(settings.recursion_limit);
+        metadata["samples"] = fmt::format("{}", camera_samples(settings));
+        metadata["recursion_limit"] = fmt::format("{}", settings.recursion_limit);
     } else {
         metadata["integrator"] = "path";
-        metadata["samples"] = std::to_string(shot.render.samples);
+        metadata["samples"] = fmt::format("{}", shot.render.samples);
         metadata["noise"] = shot.render.noise > 0 ? number_text(shot.render.noise) : "off";
-        metadata["max_bounces"] = std::to_string(shot.render.max_bounces);
+        metadata["max_bounces"] = fmt::format("{}", shot.render.max_bounces);
         metadata["clamp"] = clamp_text(shot.render.clamp);
     }
     return metadata;
@@ -46,13 +43,13 @@ void add_rays(const render::RenderStatistics& counts, render::ImageMetadata& met
     if (counts.camera_rays == 0) {
         return;
     }
-    metadata["rays_camera"] = std::to_string(counts.camera_rays);
-    metadata["rays_scattered"] = std::to_string(counts.scattered_rays);
-    metadata["rays_shadow"] = std::to_string(counts.shadow_rays);
+    metadata["rays_camera"] = fmt::format("{}", counts.camera_rays);
+    metadata["rays_scattered"] = fmt::format("{}", counts.scattered_rays);
+    metadata["rays_shadow"] = fmt::format("{}", counts.shadow_rays);
     if (metadata["integrator"] == "distributed") {
-        metadata["rays_reflection"] = std::to_string(counts.reflection_rays);
-        metadata["rays_refraction"] = std::to_string(counts.refraction_rays);
-        metadata["rays_shadow_needless"] = std::to_string(counts.needless_shadow_rays);
+        metadata["rays_reflection"] = fmt::format("{}", counts.reflection_rays);
+        metadata["rays_refraction"] = fmt::format("{}", counts.refraction_rays);
+        metadata["rays_shadow_needless"] = fmt::format("{}", counts.needless_shadow_rays);
     }
 }
 
@@ -79,7 +76,7 @@ render::ImageMetadata exported_frame_metadata(const Shot& shot, const sim::Timel
     }
     metadata["shot"] = shot.name;
     metadata["camera"] = planned.rig;
-    metadata["frame"] = std::to_string(frame);
+    metadata["frame"] = fmt::format("{}", frame);
     metadata["video_time"] = number_text(planned.video_time);
     metadata["scene_time"] = number_text(planned.scene_time);
     // The two that formats without keys of their own have a place for.

@@ -1,28 +1,22 @@
 #include "pipeline/job/overlay.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/core.h>
 
 namespace carom::pipeline {
 namespace {
 
 std::string line_of(OverlayItem item, const PlannedFrame& frame) {
-    std::array<char, 64> text{};
     switch (item) {
         case OverlayItem::frame:
-            std::snprintf(text.data(), text.size(), "frame %6lld",
-                          static_cast<long long>(frame.number));
-            break;
+            return fmt::format("frame {:6}", frame.number);
         case OverlayItem::scene_time:
-            std::snprintf(text.data(), text.size(), "scene %8.4f s", frame.scene_time);
-            break;
+            return fmt::format("scene {:8.4f} s", frame.scene_time);
         case OverlayItem::speed:
-            // Adding 0 makes -0 plain.
-            std::snprintf(text.data(), text.size(), "speed %8.4fx", frame.speed + 0.0);
             break;
     }
-    return text.data();
+    return fmt::format("speed {:8.4f}x", frame.speed + 0.0);  // + 0.0: -0 becomes 0
 }
 
 }  // namespace

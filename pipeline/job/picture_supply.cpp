@@ -1,5 +1,7 @@
 #include "pipeline/job/picture_supply.h"
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 
 namespace carom::pipeline {
@@ -74,8 +76,9 @@ void PictureSupply::repair(std::size_t picture, const std::stop_token& stop) {
     const FilmPlan::Picture& broken = plan_.pictures[picture];
     ++repairs_[picture];
     if (repairs_[picture] > kMostRepairs) {
-        throw Error("frame " + std::to_string(broken.frame) +
-                    " was rendered several times, but the cache never holds it whole");
+        throw Error(
+            fmt::format("frame {} was rendered several times, but the cache never holds it whole",
+                        broken.frame));
     }
     if (!try_make(picture, stop)) {
         held_.push_front(picture);

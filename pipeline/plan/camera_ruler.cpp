@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 #include "pipeline/camera/exposure.h"
 #include "pipeline/camera/rig_state.h"
@@ -179,7 +181,7 @@ std::string frame_step_text(int frame_step) {
     if (frame_step == 1) {
         return "each frame";
     }
-    return "each " + std::to_string(frame_step) + (frame_step == 2 ? "nd" : "th") + " frame";
+    return fmt::format("each {}{} frame", frame_step, frame_step == 2 ? "nd" : "th");
 }
 
 }  // namespace carom::pipeline

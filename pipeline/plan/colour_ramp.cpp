@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <tuple>
+
+#include <fmt/core.h>
 
 namespace carom::pipeline {
 
@@ -39,10 +40,8 @@ std::string ColourRamp::colour(std::size_t place) const {
 
 std::string ColourRamp::colour_at(double share) const {
     const Rgb rgb = is_warm ? mixed(kWarm, share) : mixed(kCold, share);
-    std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", static_cast<int>(std::lround(rgb[0])),
-                  static_cast<int>(std::lround(rgb[1])), static_cast<int>(std::lround(rgb[2])));
-    return text.data();
+    return fmt::format("#{:02x}{:02x}{:02x}", std::lround(rgb[0]), std::lround(rgb[1]),
+                       std::lround(rgb[2]));
 }
 
 std::vector<ColourRamp> colour_ramps(std::span<const RampEntry> entries) {

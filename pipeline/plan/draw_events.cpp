@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "pipeline/plan/figure_text.h"
 #include "pipeline/plan/plan_drawing.h"
 #include "pipeline/plan/shot_lookup.h"
@@ -87,7 +89,7 @@ void draw_badge(SvgText& svg, int number, const Vec2& centre) {
                         {"cy", svg_number(centre.y)},
                         {"r", svg_number(kBadge)}});
     svg.text(
-        "text", std::to_string(number),
+        "text", fmt::format("{}", number),
         {{"class", "number"}, {"x", svg_number(centre.x)}, {"y", svg_number(centre.y + 0.76)}});
 }
 
@@ -125,7 +127,7 @@ std::string without_number_text(const NumberedEvents& events) {
     if (count == 0) {
         return {};
     }
-    std::string text = std::to_string(count) + (count == 1 ? " impact" : " impacts");
+    std::string text = fmt::format("{}{}", count, count == 1 ? " impact" : " impacts");
     if (events.left_out == 0) {
         text += " below " + speed_text(kLeastNumberedSpeed);
     } else {

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <set>
 
+#include <fmt/core.h>
+
 #include "pipeline/plan/camera_ruler.h"
 #include "pipeline/plan/colour_ramp.h"
 #include "pipeline/plan/figure_text.h"
@@ -75,7 +77,7 @@ void draw_balls(PlanDrawing& plan, const std::set<std::size_t>& left_out, Flow& 
         draw_text(plan.svg, name, at + Vec2(2 * kBall + 1, 0));
     }
     if (solids > kMostObjects) {
-        const std::string more = "and " + std::to_string(solids - kMostObjects) + " more objects";
+        const std::string more = fmt::format("and {} more objects", solids - kMostObjects);
         draw_text(plan.svg, more, flow.next(text_width(more, kText)));
     }
 }

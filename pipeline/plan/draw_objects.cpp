@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "pipeline/plan/figure_text.h"
 #include "pipeline/plan/footprint.h"
 #include "pipeline/plan/plan_drawing.h"
@@ -132,7 +134,7 @@ void draw_ball_at_end(PlanDrawing& plan, const PlanObject& object) {
                                       object.paint.colour),
                                  "fill-opacity", "0.85"));
     if (object.paint.number > 0) {
-        plan.svg.text("text", std::to_string(object.paint.number),
+        plan.svg.text("text", fmt::format("{}", object.paint.number),
                       {{"class", "middle"},
                        {"x", svg_number(centre.x)},
                        {"y", svg_number(centre.y + 0.36 * radius)},
@@ -191,7 +193,7 @@ void draw_ball(SvgText& svg, const ObjectPaint& paint, const Vec2& centre, doubl
     }
     if (paint.number > 0) {
         svg.leaf("circle", with(circle("", centre, 0.56 * radius), "fill", white));
-        svg.text("text", std::to_string(paint.number),
+        svg.text("text", fmt::format("{}", paint.number),
                  {{"class", "middle"},
                   {"x", svg_number(centre.x)},
                   {"y", svg_number(centre.y + 0.3 * radius)},

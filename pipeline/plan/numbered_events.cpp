@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include <fmt/core.h>
+
 #include "pipeline/plan/event_words.h"
 #include "pipeline/plan/figure_text.h"
 #include "pipeline/plan/shot_lookup.h"
@@ -158,16 +160,16 @@ class Grouping {
 
     void finish(Group& group) const {
         if (group.is_row && group.count > 1) {
-            group.words.text = group.first.event.b + " … " + group.last + ": " +
-                               std::to_string(group.count) + " touches until " +
-                               time_text(group.end);
+            group.words.text = fmt::format("{} … {}: {} touches until {}", group.first.event.b,
+                                           group.last, group.count, time_text(group.end));
             if (group.first.a && group.first.b && group.first.a->before > group.first.b->before) {
                 group.words.text.replace(0, group.first.event.b.size(), group.first.event.a);
             }
-            group.words.label = std::to_string(group.count) + " touches";
+            group.words.label = fmt::format("{} touches", group.count);
         } else if (group.first.event.kind == EventKind::impact && group.count > 1) {
-            group.words.text = group.words.brief + ", and " + std::to_string(group.count - 1) +
-                               " more in " + milliseconds_text(group.end - group.first.event.time);
+            group.words.text =
+                fmt::format("{}, and {} more in {}", group.words.brief, group.count - 1,
+                            milliseconds_text(group.end - group.first.event.time));
         }
     }
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/core.h>
 
 namespace carom::pipeline {
 
@@ -91,10 +92,8 @@ int encoded(double linear) {
 }
 
 std::string hex(const Vec3& linear) {
-    std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", encoded(linear.x), encoded(linear.y),
-                  encoded(linear.z));
-    return text.data();
+    return fmt::format("#{:02x}{:02x}{:02x}", encoded(linear.x), encoded(linear.y),
+                       encoded(linear.z));
 }
 
 ObjectPaint paint_of(const render::ColourSource& source) {

@@ -6,6 +6,8 @@
 #include <cstdint>
 
 #include "core/assert.h"
+#include "core/text.h"
+#include "core/utf8.h"
 
 namespace carom::pipeline {
 
@@ -13,38 +15,8 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
-struct Decoded {
-    std::uint32_t letter = 0;
-    std::size_t bytes = 0;  // 0: not UTF-8
-};
-
-/// The first character of `text` (RFC 3629).
-Decoded decode(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned first = byte(0);
-    if (first < 0x80) {
-        return {first, 1};
-    }
-    const std::size_t bytes = first >= 0xF0 && first < 0xF8   ? 4
-                              : first >= 0xE0 && first < 0xF0 ? 3
-                              : first >= 0xC0 && first < 0xE0 ? 2
-                                                              : 0;
-    if (bytes == 0 || text.size() < bytes) {
-        return {};
-    }
-    std::uint32_t letter = first & (0xFFU >> (bytes + 1));
-    for (std::size_t i = 1; i < bytes; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80U) {
-            return {};
-        }
-        letter = letter << 6U | (byte(i) & 0x3FU);
-    }
-    constexpr std::array<std::uint32_t, 5> kSmallest{0, 0, 0x80, 0x800, 0x10000};
-    return letter < kSmallest.at(bytes) ? Decoded{} : Decoded{letter, bytes};
-}
-
 /// XML 1.0, production 2.
-bool is_allowed(std::uint32_t letter) {
+bool is_allowed(char32_t letter) {
     return letter == 0x9 || letter == 0xA || letter == 0xD ||
            (letter >= 0x20 && letter <= 0xD7FF) || (letter >= 0xE000 && letter <= 0xFFFD) ||
            (letter >= 0x10000 && letter <= 0x10FFFF);
@@ -52,7 +24,7 @@ bool is_allowed(std::uint32_t letter) {
 
 void append_escaped(std::string& out, std::string_view text) {
     while (!text.empty()) {
-        const Decoded next = decode(text);
+        const Utf8Character next = first_character(text);
         const std::size_t bytes = next.bytes == 0 ? 1 : next.bytes;
         if (next.bytes == 0 || !is_allowed(next.letter)) {
             out += kReplacement;
@@ -75,17 +47,7 @@ void append_escaped(std::string& out, std::string_view text) {
 
 std::string svg_number(double value) {
     CAROM_ASSERT(std::isfinite(value));
-    const double rounded = std::round(value * 100) / 100 + 0.0;  // + 0.0: -0 becomes 0
-    std::array<char, 400> digits{};                              // as long as a double may get
-    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), rounded,
-                                            std::chars_format::fixed, 2);
-    CAROM_ASSERT(error == std::errc());
-    std::string text(digits.data(), end);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') {
-        text.pop_back();
-    }
-    return text;
+    return decimal_text(std::round(value * 100) / 100, 2);
 }
 
 std::string svg_point(const Vec2& point) {

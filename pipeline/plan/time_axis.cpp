@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "pipeline/plan/figure_text.h"
 
 namespace carom::pipeline {
@@ -41,7 +43,7 @@ void draw_mark(SvgText& svg, const NumberedEvent& event, double x, double y, int
                         {"cx", svg_number(x)},
                         {"cy", svg_number(top)},
                         {"r", svg_number(kBadge)}});
-    svg.text("text", std::to_string(event.number),
+    svg.text("text", fmt::format("{}", event.number),
              {{"class", "number"},
               {"x", svg_number(x)},
               {"y", svg_number(top + 0.66)},

@@ -1,8 +1,8 @@
 #include "pipeline/report/report_text.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+
+#include <fmt/core.h>
 
 namespace carom::pipeline {
 
@@ -11,14 +11,6 @@ namespace {
 constexpr double kDegrees = 57.295779513082321;
 constexpr int kWidestWho = 17;
 constexpr int kWidestName = 14;
-
-/// printf into a string; lines here are short.
-template <typename... Values>
-std::string format(const char* pattern, Values... values) {
-    std::array<char, 300> text{};
-    std::snprintf(text.data(), text.size(), pattern, values...);
-    return text.data();
-}
 
 /// Left-aligned in `width` columns; too long a text loses its end.
 std::string in_columns(std::string text, int width) {
@@ -36,7 +28,8 @@ double shown(double value, double unit) {
 }
 
 std::string place_text(const Vec3& p) {
-    return format("%6.3f %6.3f %6.3f", shown(p.x, 1e-3), shown(p.y, 1e-3), shown(p.z, 1e-3));
+    return fmt::format("{:6.3f} {:6.3f} {:6.3f}", shown(p.x, 1e-3), shown(p.y, 1e-3),
+                       shown(p.z, 1e-3));
 }
 
 /// Where the law of motion changes the speed does not: it is given once. The spin is that after.
@@ -44,8 +37,8 @@ std::string motion_text(const std::optional<SpeedChange>& speeds, bool is_jump) 
     if (!speeds) {
         return std::string(20, ' ');
     }
-    return (is_jump ? format("%6.3f", speeds->before) : std::string(6, ' ')) +
-           format(" %6.3f %6.1f", speeds->after, speeds->spin_after.length());
+    return (is_jump ? fmt::format("{:6.3f}", speeds->before) : std::string(6, ' ')) +
+           fmt::format(" {:6.3f} {:6.1f}", speeds->after, speeds->spin_after.length());
 }
 
 bool is_jump(sim::EventKind kind) {
@@ -93,11 +86,12 @@ std::string events_table(const ShotReport& report) {
         const sim::Event& event = row.event;
         const bool is_impact = event.kind == sim::EventKind::impact;
         text += without_trailing_blanks(
-            format("%9.5f ", event.time) + in_columns(std::string(to_string(event.kind)), 9) + " " +
+            fmt::format("{:9.5f} ", event.time) +
+            in_columns(std::string(to_string(event.kind)), 9) + " " +
             in_columns(who_text(event), who) + " " + motion_text(row.a, is_jump(event.kind)) + " " +
             motion_text(row.b, is_jump(event.kind)) + " " +
-            (row.cut ? format("%5.1f", *row.cut * kDegrees) : std::string(5, ' ')) + " " +
-            (is_impact ? format("%7.4f", event.normal_impulse) : std::string(7, ' ')) + " " +
+            (row.cut ? fmt::format("{:5.1f}", *row.cut * kDegrees) : std::string(5, ' ')) + " " +
+            (is_impact ? fmt::format("{:7.4f}", event.normal_impulse) : std::string(7, ' ')) + " " +
             place_text(event.place));
     }
     return text;
@@ -106,15 +100,15 @@ std::string events_table(const ShotReport& report) {
 std::string fate_text(const ReportedObject& object) {
     switch (object.fate) {
         case Fate::rests:
-            return format("at rest since %.3f s", object.fate_time);
+            return fmt::format("at rest since {:.3f} s", object.fate_time);
         case Fate::spins:
-            return format("spinning since %.3f s", object.fate_time);
+            return fmt::format("spinning since {:.3f} s", object.fate_time);
         case Fate::moves:
-            return format("moving at %.3f m/s", object.speed);
+            return fmt::format("moving at {:.3f} m/s", object.speed);
         case Fate::potted:
-            return format("potted at %.3f s: ", object.fate_time) + object.pocket;
+            return fmt::format("potted at {:.3f} s: ", object.fate_time) + object.pocket;
         case Fate::off_table:
-            return format("off the table at %.3f s", object.fate_time);
+            return fmt::format("off the table at {:.3f} s", object.fate_time);
     }
     return {};
 }
@@ -130,8 +124,8 @@ std::string objects_table(const ShotReport& report) {
         "  path m top m/s     at s rise mm cushions    x m    y m    z m  at the end\n";
     for (const ReportedObject& object : report.objects) {
         text += in_columns(object.name, name) +
-                format(" %7.3f %7.3f %8.3f %7.1f %8d ", object.path, object.top_speed,
-                       object.top_time, 1000 * object.rise, object.cushions) +
+                fmt::format(" {:7.3f} {:7.3f} {:8.3f} {:7.1f} {:8} ", object.path, object.top_speed,
+                            object.top_time, 1000 * object.rise, object.cushions) +
                 place_text(object.place) + "  " + fate_text(object) + "\n";
     }
     return text;
@@ -142,22 +136,22 @@ std::string energy_table(const ShotReport& report) {
         in_columns("energy", 30) + "      time   kinetic J potential J     total J\n";
     for (const ReportedEnergy& mark : report.energy) {
         const sim::EnergySample& sample = mark.sample;
-        text += in_columns(mark.when, 30) + format(" %9.5f %11.6f %11.6f %11.6f\n", sample.time,
-                                                   sample.kinetic, shown(sample.potential, 1e-6),
-                                                   shown(sample.total(), 1e-6));
+        text += in_columns(mark.when, 30) +
+                fmt::format(" {:9.5f} {:11.6f} {:11.6f} {:11.6f}\n", sample.time, sample.kinetic,
+                            shown(sample.potential, 1e-6), shown(sample.total(), 1e-6));
     }
     if (report.largest_energy_rise == 0) {
         return text + "it never rises between force events\n";
     }
-    return text + format("largest rise between force events: %.1e of the kinetic energy\n",
-                         report.largest_energy_rise);
+    return text + fmt::format("largest rise between force events: {:.1e} of the kinetic energy\n",
+                              report.largest_energy_rise);
 }
 
 }  // namespace
 
 std::string report_text(const ShotReport& report) {
-    return format("%.3f s to %.3f s, %zu objects, %zu events\n\n", report.start_time,
-                  report.end_time, report.objects.size(), report.events.size()) +
+    return fmt::format("{:.3f} s to {:.3f} s, {} objects, {} events\n\n", report.start_time,
+                       report.end_time, report.objects.size(), report.events.size()) +
            events_table(report) + "\n" + objects_table(report) + "\n" + energy_table(report);
 }
 

@@ -1,12 +1,15 @@
 #include "pipeline/shot/ball_orientation.h"
 
 #include <cmath>
+#include <numbers>
+
+#include "core/splitmix.h"
 
 namespace carom::pipeline {
 
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
+constexpr double kDegree = std::numbers::pi / 180;
 
 /// FNV-1a (Fowler, Noll, Vo; parameters of draft-eastlake-fnv).
 std::uint64_t hash_name(std::string_view name) {
@@ -17,20 +20,15 @@ std::uint64_t hash_name(std::string_view name) {
     return hash;
 }
 
-/// The output function of SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number
-/// generators, OOPSLA 2014, figure 16).
 std::uint64_t mix(std::uint64_t z) {
-    z += 0x9E3779B97F4A7C15U;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31U);
+    return split_mix(z + kSplitMixStep);
 }
 
 /// Uniform in [low, high); `dimension` tells the draws of one ball apart.
 double draw(std::uint64_t seed, std::uint64_t name, std::uint64_t dimension, double low,
             double high) {
     const std::uint64_t bits = mix(mix(seed ^ mix(name)) + dimension);
-    return low + (high - low) * (static_cast<double>(bits >> 11U) * 0x1p-53);
+    return low + (high - low) * unit_number(bits);
 }
 
 Quat turn(const Vec3& unit_axis, double angle) {

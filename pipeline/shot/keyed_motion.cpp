@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 #include "sim/timeline/hermite.h"
@@ -13,8 +14,6 @@ namespace {
 
 using sim::Key;
 using sim::Turning;
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// A key with all that was left open filled in.
 struct Station {
@@ -61,7 +60,8 @@ Vec3 mean_velocity(const Vec3& before, const Vec3& after, double duration) {
 bool can_blend(const Vec3& before, const Vec3& after) {
     const double lengths = before.length() * after.length();
     const bool are_parallel = before.cross(after).length() <= 1e-9 * lengths;
-    return are_parallel || (before.length() <= kPi && after.length() <= kPi);
+    return are_parallel ||
+           (before.length() <= std::numbers::pi && after.length() <= std::numbers::pi);
 }
 
 /// Orientation in the middle of a turn and at its end, if the angular velocity goes linearly from
@@ -96,7 +96,8 @@ Key middle_key(const Key& from, const Key& to, const Vec3& turn) {
     const auto rest_of = [&](const Halves& reached) {
         return sim::rotation_vector(to.orientation * ~reached.end);
     };
-    const double farthest = 4 * (turn.length() + duration * (w0.length() + w1.length()) + kPi);
+    const double farthest =
+        4 * (turn.length() + duration * (w0.length() + w1.length()) + std::numbers::pi);
     for (int step = 0; step < kMostSteps; ++step) {
         const Vec3 rest = rest_of(halves);
         if (rest.length() <= kEnough) {

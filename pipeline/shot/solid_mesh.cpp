@@ -2,16 +2,15 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace carom::pipeline {
 namespace {
 
 constexpr std::uint32_t kSides = 96;
 constexpr int kRingsPerEnd = 24;
-constexpr double kPi = 3.14159265358979323846;
-
 Vec3 around(std::uint32_t side) {
-    const double angle = 2 * kPi * side / kSides;
+    const double angle = 2 * std::numbers::pi * side / kSides;
     return {std::cos(angle), std::sin(angle), 0};
 }
 
@@ -54,7 +53,7 @@ render::MeshShape capsule_mesh(const sim::Capsule& capsule) {
     for (const double end : {-1.0, 1.0}) {
         for (int i = 0; i <= kRingsPerEnd; ++i) {
             const int step = end < 0 ? i - kRingsPerEnd : i;
-            const double slope = 0.5 * kPi * step / kRingsPerEnd;
+            const double slope = 0.5 * std::numbers::pi * step / kRingsPerEnd;
             const bool is_pole = step == -kRingsPerEnd || step == kRingsPerEnd;
             add_ring(mesh, is_pole ? 0 : capsule.radius * std::cos(slope),
                      0.5 * end * capsule.length + capsule.radius * std::sin(slope), slope);

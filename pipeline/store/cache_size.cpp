@@ -1,9 +1,10 @@
 // Sizes of caches as people write them.
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <utility>
+
+#include <fmt/core.h>
 
 #include "core/error.h"
 #include "pipeline/store/cache_care.h"
@@ -67,9 +68,8 @@ std::string size_text(std::uint64_t bytes) {
     const auto value = static_cast<double>(bytes);
     for (const auto& [name, unit] : kUnits) {
         if (value >= 0.9995 * unit) {  // three digits of less would round up to it
-            std::array<char, 32> text{};
-            std::snprintf(text.data(), text.size(), unit == 1 ? "%.0f " : "%.3g ", value / unit);
-            return text.data() + std::string(name);
+            return unit == 1 ? fmt::format("{:.0f} {}", value, name)
+                             : fmt::format("{:.3g} {}", value / unit, name);
         }
     }
     return "0 B";

@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include "core/error.h"
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 // among those on others.
 std::string partial_name(const Hash128& key) {
     static std::atomic<std::uint64_t> count{0};
-    return key.to_string() + "-" + std::to_string(::getpid()) + "-" + std::to_string(++count);
+    return fmt::format("{}-{}-{}", key.to_string(), ::getpid(), ++count);
 }
 
 // A file being written, locked so that nobody takes it for a dead writer's. Removed unless it got
@@ -63,7 +64,7 @@ class PartialFile {
 };
 
 bool locks_work(const std::string& folder) {
-    const std::string path = folder + "/test-" + std::to_string(::getpid());
+    const std::string path = fmt::format("{}/test-{}", folder, ::getpid());
     try {
         const LockAttempt attempt = try_lock(path);
         ::unlink(path.c_str());

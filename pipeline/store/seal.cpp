@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -112,7 +113,7 @@ std::string damage_text(const std::string& path, const Hash128& key) {
         return "it is gone";
     }
     if (bytes->size() < kSealSize) {
-        return "it has " + std::to_string(bytes->size()) + " bytes, too few for a frame";
+        return fmt::format("it has {} bytes, too few for a frame", bytes->size());
     }
     const std::span<const std::byte> whole(*bytes);
     const std::span<const std::byte> seal = whole.last(kSealSize);

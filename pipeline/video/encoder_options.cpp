@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string_view>
 
+#include <fmt/core.h>
+
 #include "pipeline/video/codec_info.h"
 #include "pipeline/video/encoder_presets.h"
 
@@ -90,8 +92,8 @@ void set_hevc(AVCodecContext& context, const VideoFormat& format, const OutputSe
     context.pix_fmt = ten_bits ? AV_PIX_FMT_YUV420P10 : AV_PIX_FMT_YUV420P;
     set_option(context, "preset", output.preset, path);
     set_option(context, "profile", ten_bits ? "main10" : "main", path);
-    std::string parameters = "log-level=none:info=0:pools=" + std::to_string(output.threads) +
-                             ":frame-threads=" + std::to_string(std::min(output.threads, 16));
+    std::string parameters = fmt::format("log-level=none:info=0:pools={}:frame-threads={}",
+                                         output.threads, std::min(output.threads, 16));
     if (std::min(context.width, context.height) < 64) {
         parameters += ":ctu=16:max-tu-size=16";  // a picture must hold one block
     }
@@ -172,10 +174,10 @@ void set_encoder_options(AVCodecContext& context, Codec codec, const VideoFormat
 /// that goes from 0.005 cd/m^2 to the peak.
 std::string x265_hdr10(const Hdr10Settings& settings, const LightLevels& light) {
     const auto peak = std::llround(settings.peak);
-    return "hdr10=1:hdr10-opt=1:master-display=G(13250,34500)B(7500,3000)R(34000,16000)"
-           "WP(15635,16450)L(" +
-           std::to_string(peak * 10000) + ",50):max-cll=" + std::to_string(light.brightest) + "," +
-           std::to_string(light.brightest_mean);
+    return fmt::format(
+        "hdr10=1:hdr10-opt=1:master-display=G(13250,34500)B(7500,3000)R(34000,16000)WP(15635,16450)"
+        "L({},50):max-cll={},{}",
+        peak * 10000, light.brightest, light.brightest_mean);
 }
 
 LightLevels light_levels(const VideoFormat& format, const Hdr10Settings& settings) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <fmt/core.h>
+
 #include "pipeline/video/picture_kind.h"
 
 namespace carom::pipeline {
@@ -37,7 +39,7 @@ std::string path_in_sequence(const std::string& pattern, std::int64_t frame) {
     std::string name = fs::path(pattern).filename().string();
     const std::size_t first = name.find('#');
     const std::size_t end = std::min(name.find_first_not_of('#', first), name.size());
-    std::string digits = std::to_string(frame);
+    std::string digits = fmt::format("{}", frame);
     if (digits.size() < end - first) {
         digits.insert(0, end - first - digits.size(), '0');
     }

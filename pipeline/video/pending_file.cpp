@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -40,7 +41,7 @@ std::string leftover_suffix(const fs::path& target) {
 /// Different for every object of every process on the machine.
 std::string unique_middle() {
     static std::atomic<std::uint64_t> count{0};
-    return std::to_string(::getpid()) + "-" + std::to_string(count.fetch_add(1));
+    return fmt::format("{}-{}", ::getpid(), count.fetch_add(1));
 }
 
 bool is_linked(int descriptor) {

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "pipeline/video/codec_info.h"
 #include "pipeline/video/container.h"
 #include "pipeline/video/encoder_presets.h"
@@ -32,7 +34,7 @@ constexpr double kLeastBitRate = 1e4;
 constexpr double kMostBitRate = 1e9;
 
 std::string size_text(std::int64_t width, std::int64_t height) {
-    return std::to_string(width) + "x" + std::to_string(height);
+    return fmt::format("{}x{}", width, height);
 }
 
 std::string check_size(const VideoFormat& format, Codec codec) {
@@ -41,8 +43,8 @@ std::string check_size(const VideoFormat& format, Codec codec) {
     const std::string size = size_text(width, height);
     if (width < kSmallestSide || height < kSmallestSide || width > kLargestSide ||
         height > kLargestSide) {
-        return "a film of " + size + " pixels cannot be written: each side must be from " +
-               std::to_string(kSmallestSide) + " to " + std::to_string(kLargestSide);
+        return fmt::format("a film of {} pixels cannot be written: each side must be from {} to {}",
+                           size, kSmallestSide, kLargestSide);
     }
     const CodecInfo& limits = info(codec);
     const int even_width = limits.halves_width ? width % 2 : 0;
@@ -84,8 +86,9 @@ SettingProblem check_quality(const OutputSettings& output, Codec codec) {
     }
     if (output.crf && !(*output.crf >= 0 && *output.crf <= codec_info.worst_crf)) {
         return {{"crf", "codec"},
-                "crf must be from 0 (" + std::string(codec == Codec::hevc ? "best" : "lossless") +
-                    ") to " + std::to_string(static_cast<int>(codec_info.worst_crf)) + " (worst)"};
+                fmt::format("crf must be from 0 ({}) to {} (worst)",
+                            codec == Codec::hevc ? "best" : "lossless",
+                            static_cast<int>(codec_info.worst_crf))};
     }
     if (output.bit_rate &&
         !(*output.bit_rate >= kLeastBitRate && *output.bit_rate <= kMostBitRate)) {
@@ -97,11 +100,11 @@ SettingProblem check_quality(const OutputSettings& output, Codec codec) {
 SettingProblem check_bits(const OutputSettings& output, Codec codec) {
     if (output.bits && !info(codec).has_choice_of_bits && *output.bits != info(codec).bits) {
         return {{"bits", "codec"},
-                to_string(codec) + " always has " + std::to_string(info(codec).bits) +
-                    " bits per channel; leave out 'bits'"};
+                fmt::format("{} always has {} bits per channel; leave out 'bits'", to_string(codec),
+                            info(codec).bits)};
     }
     if (output.bits && *output.bits != 8 && *output.bits != 10) {
-        return {{"bits"}, "bits must be 8 or 10, not " + std::to_string(*output.bits)};
+        return {{"bits"}, fmt::format("bits must be 8 or 10, not {}", *output.bits)};
     }
     if (!output.hdr10) {
         return {};
@@ -124,8 +127,8 @@ SettingProblem check_bits(const OutputSettings& output, Codec codec) {
 SettingProblem check_encoder(const OutputSettings& output) {
     if (output.threads < 1 || output.threads > kMostThreads) {
         return {{"threads"},
-                "the encoder's threads must be from 1 to " + std::to_string(kMostThreads) +
-                    ", not " + std::to_string(output.threads)};
+                fmt::format("the encoder's threads must be from 1 to {}, not {}", kMostThreads,
+                            output.threads)};
     }
     if (find_preset(output.preset) == nullptr) {
         std::string text = "unknown encoder preset '" + output.preset + "'; there are ";

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/assert.h"
+#include "core/colour.h"
 #include "core/error.h"
 #include "pipeline/video/code_value.h"
 #include "pipeline/video/dither.h"
@@ -23,9 +24,8 @@ using Colour = std::array<float, 3>;
 // Beyond it every view is white; keeps the sums below finite.
 constexpr float kBrightest = 1e6F;
 
-/// Rec.709's luminance (ITU-R BT.709-6, item 3.2).
 float luminance(const Colour& c) {
-    return 0.2126F * c[0] + 0.7152F * c[1] + 0.0722F * c[2];
+    return carom::luminance({c[0], c[1], c[2]});
 }
 
 Colour exposed(const float* rgba, float gain) {

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdio>
 #include <set>
+
+#include <fmt/core.h>
+
+#include "core/json_text.h"
 
 namespace carom::render {
 namespace {
@@ -25,32 +28,15 @@ std::uint32_t little_endian(std::string_view bytes) {
 }
 
 std::string hex_text(std::uint32_t value) {
-    std::array<char, 9> text{};
-    std::snprintf(text.data(), text.size(), "%08x", value);
-    return text.data();
-}
-
-std::string json_text(std::string_view text) {
-    std::string result = "\"";
-    for (const char letter : text) {
-        const auto code = static_cast<unsigned char>(letter);
-        if (letter == '"' || letter == '\\') {
-            result += {'\\', letter};
-        } else if (code < 0x20) {
-            result += "\\u" + hex_text(code).substr(4);
-        } else {
-            result += letter;
-        }
-    }
-    return result + '"';
+    return fmt::format("{:08x}", value);
 }
 
 std::string manifest(const std::vector<std::string>& names) {
     std::string text = "{";
     for (const std::string& name : std::set<std::string>(names.begin(), names.end())) {
         text += text.size() > 1 ? "," : "";
-        text +=
-            json_text(name) + ":\"" + hex_text(std::bit_cast<std::uint32_t>(matte_id(name))) + '"';
+        text += json_string(name) + ":\"" + hex_text(std::bit_cast<std::uint32_t>(matte_id(name))) +
+                '"';
     }
     return text + "}";
 }
@@ -99,7 +85,7 @@ std::vector<std::string> matte_channels(std::string_view layer) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < kMatteRanks / 2; ++i) {
         for (const char* channel : {".R", ".G", ".B", ".A"}) {
-            names.push_back(std::string(layer) + "0" + std::to_string(i) + channel);
+            names.push_back(fmt::format("{}0{}{}", layer, i, channel));
         }
     }
     return names;

@@ -117,7 +117,7 @@ Problem energy_problem(const std::vector<EnergySample>& energy) {
 
 Problem contact_problem(const LastingContact& contact) {
     if (contact.a.size() > kLongestName || contact.b.size() > kLongestName) {
-        return "names an object in more than " + std::to_string(kLongestName) + " bytes";
+        return fmt::format("names an object in more than {} bytes", kLongestName);
     }
     if (!std::isfinite(contact.from) || !std::isfinite(contact.to) ||
         !std::isfinite(contact.normal_force) || !std::isfinite(contact.slip)) {
@@ -134,7 +134,7 @@ Problem contact_problem(const LastingContact& contact) {
 
 Problem contacts_problem(const std::vector<LastingContact>& contacts) {
     for (std::size_t index = 0; index < contacts.size(); ++index) {
-        const std::string name = "lasting contact " + std::to_string(index);
+        const std::string name = fmt::format("lasting contact {}", index);
         if (const Problem problem = contact_problem(contacts[index])) {
             return name + " " + *problem;
         }
@@ -148,9 +148,9 @@ Problem contacts_problem(const std::vector<LastingContact>& contacts) {
 Problem put_backs_problem(const std::vector<PutBack>& put_backs) {
     for (std::size_t index = 0; index < put_backs.size(); ++index) {
         const PutBack& put_back = put_backs[index];
-        const std::string name = "ball put back " + std::to_string(index);
+        const std::string name = fmt::format("ball put back {}", index);
         if (put_back.ball.size() > kLongestName) {
-            return name + " has a name of more than " + std::to_string(kLongestName) + " bytes";
+            return fmt::format("{} has a name of more than {} bytes", name, kLongestName);
         }
         if (!std::isfinite(put_back.time) || !is_finite(put_back.from) || !is_finite(put_back.to)) {
             return name + " has a value that is not finite";
@@ -164,21 +164,20 @@ Problem put_backs_problem(const std::vector<PutBack>& put_backs) {
 
 Problem warnings_problem(const std::vector<Diagnostic>& warnings) {
     if (warnings.size() > kMostWarnings) {
-        return "it has more than " + std::to_string(kMostWarnings) + " warnings";
+        return fmt::format("it has more than {} warnings", kMostWarnings);
     }
     for (std::size_t index = 0; index < warnings.size(); ++index) {
         const Diagnostic& warning = warnings[index];
-        const std::string name = "warning " + std::to_string(index);
+        const std::string name = fmt::format("warning {}", index);
         if (warning.subject.kind > Subject::Kind::object) {
             return name + " is about a subject of an unknown kind";
         }
         if (warning.subject.name.size() > kLongestName || warning.field.size() > kLongestName) {
-            return name + " names its subject in more than " + std::to_string(kLongestName) +
-                   " bytes";
+            return fmt::format("{} names its subject in more than {} bytes", name, kLongestName);
         }
         if (warning.sentence.empty() || warning.sentence.size() > kLongestSentence) {
-            return name + " has no sentence, or one of more than " +
-                   std::to_string(kLongestSentence) + " bytes";
+            return fmt::format("{} has no sentence, or one of more than {} bytes", name,
+                               kLongestSentence);
         }
         if (warning.severity != Severity::warning) {
             return name + " is an error";

@@ -1,10 +1,10 @@
-#include "pipeline/cli/terminal/json_text.h"
+#include "core/json_text.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-namespace carom::cli {
+namespace carom {
 namespace {
 
 TEST(JsonString, SpecialLetters_AreEscaped) {
@@ -44,4 +44,4 @@ TEST(JsonMembers, AddingOthers_KeepsTheCommasRight) {
 }
 
 }  // namespace
-}  // namespace carom::cli
+}  // namespace carom

@@ -1,18 +1,11 @@
 #include <sstream>
 
+#include "core/text.h"
 #include "pipeline/cli/help/completion.h"
 
 namespace carom::cli {
 
 namespace {
-
-std::string joined(const std::vector<std::string>& words, const char* separator) {
-    std::string text;
-    for (const std::string& word : words) {
-        text += (text.empty() ? "" : separator) + word;
-    }
-    return text;
-}
 
 std::vector<std::string> names_of(const std::vector<CommandInfo>& commands) {
     std::vector<std::string> names;
@@ -68,10 +61,10 @@ class BashWriter {
             describe(below, way);
         }
         // After those below it, whose lines begin like its own.
-        rest_ << "        '" << path << " -'*) _carom_find -W '" << joined(options, " ")
+        rest_ << "        '" << path << " -'*) _carom_find -W '" << join(options, " ")
               << "' -- \"$cur\" ;;\n        '" << path << " '*) ";
         if (!command.commands.empty()) {
-            rest_ << "_carom_find -W '" << joined(names_of(command.commands), " ")
+            rest_ << "_carom_find -W '" << join(names_of(command.commands), " ")
                   << "' -- \"$cur\" ";
         } else if (!command.arguments.empty()) {
             rest_ << words_of(command.arguments.front());
@@ -81,7 +74,7 @@ class BashWriter {
 
     static std::string value_of(const OptionInfo& option) {
         if (!option.choices.empty()) {
-            return "_carom_find -W '" + joined(option.choices, " ") + "' -- \"$cur\"; ";
+            return "_carom_find -W '" + join(option.choices, " ") + "' -- \"$cur\"; ";
         }
         if (option.takes_file()) {
             return "_carom_files -f -- \"$cur\"; ";
@@ -92,7 +85,7 @@ class BashWriter {
     static std::string words_of(const ArgumentInfo& argument) {
         return argument.choices.empty()
                    ? "_carom_files -f -- \"$cur\" "
-                   : "_carom_find -W '" + joined(argument.choices, " ") + "' -- \"$cur\" ";
+                   : "_carom_find -W '" + join(argument.choices, " ") + "' -- \"$cur\" ";
     }
 
     std::ostringstream steps_;   // which word leads to which command

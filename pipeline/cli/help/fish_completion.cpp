@@ -1,5 +1,6 @@
 #include <sstream>
 
+#include "core/text.h"
 #include "pipeline/cli/help/completion.h"
 
 namespace carom::cli {
@@ -15,14 +16,6 @@ std::string quoted(const std::string& text) {
         result += letter;
     }
     return result + "'";
-}
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) {
-        text += (text.empty() ? "" : " ") + word;
-    }
-    return text;
 }
 
 void write(std::ostringstream& out, const CommandInfo& command, const std::string& condition) {
@@ -49,7 +42,7 @@ void write(std::ostringstream& out, const CommandInfo& command, const std::strin
         }
         out << " -l " << option.long_name.substr(2);
         if (!option.choices.empty()) {
-            out << " -x -a " << quoted(joined(option.choices));
+            out << " -x -a " << quoted(join(option.choices, " "));
         } else if (option.takes_file()) {
             out << " -r -F";
         } else if (option.takes_folder()) {
@@ -61,7 +54,7 @@ void write(std::ostringstream& out, const CommandInfo& command, const std::strin
     }
     for (const ArgumentInfo& argument : command.arguments) {
         if (!argument.choices.empty()) {
-            out << line << " -f -a " << quoted(joined(argument.choices)) << "\n";
+            out << line << " -f -a " << quoted(join(argument.choices, " ")) << "\n";
         }
     }
     const std::string seen =

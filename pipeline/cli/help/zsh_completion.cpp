@@ -1,5 +1,6 @@
 #include <sstream>
 
+#include "core/text.h"
 #include "pipeline/cli/help/completion.h"
 
 namespace carom::cli {
@@ -22,17 +23,9 @@ std::string escaped(const std::string& text, const std::string& specials) {
     return result;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) {
-        text += (text.empty() ? "" : " ") + word;
-    }
-    return text;
-}
-
 std::string action_of(const std::vector<std::string>& choices, bool is_file, bool is_folder) {
     if (!choices.empty()) {
-        return "(" + joined(choices) + ")";
+        return "(" + join(choices, " ") + ")";
     }
     return is_file ? "_files" : is_folder ? "_files -/" : " ";
 }

@@ -1,6 +1,8 @@
 // Options of the commands that describe a shot without rendering it.
 #include <cstdlib>
 
+#include <fmt/core.h>
+
 #include "pipeline/cli/options/shared_options.h"
 #include "pipeline/export/sample_times.h"
 
@@ -16,8 +18,8 @@ std::string rate_problem(const std::string& text) {
     if (is_number && rate > 0 && rate <= pipeline::kHighestRate) {
         return {};
     }
-    return "'" + text + "' is not a number of samples per second above 0 and at most " +
-           std::to_string(static_cast<int>(pipeline::kHighestRate)) + ", as 240";
+    return fmt::format("'{}' is not a number of samples per second above 0 and at most {}, as 240",
+                       text, static_cast<int>(pipeline::kHighestRate));
 }
 
 }  // namespace

@@ -6,9 +6,7 @@
 #include <ctime>
 #include <mutex>
 
-#include <spdlog/details/null_mutex.h>
-#include <spdlog/logger.h>
-#include <spdlog/sinks/base_sink.h>
+#include <fmt/core.h>
 
 #include "core/printable.h"
 #include "pipeline/cli/terminal/progress_text.h"
@@ -36,10 +34,7 @@ std::string utc_text(std::chrono::system_clock::time_point time) {
     gmtime_r(&seconds, &calendar);
     std::array<char, 32> date{};
     std::strftime(date.data(), date.size(), "%Y-%m-%dT%H:%M:%S", &calendar);
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "%s.%03dZ", date.data(),
-                  static_cast<int>(milliseconds % 1000));
-    return text.data();
+    return fmt::format("{}.{:03}Z", date.data(), milliseconds % 1000);
 }
 
 /// The last word on what reaches the screen: keeps the bar below the lines.
@@ -74,17 +69,6 @@ std::string coloured(const std::string& text, const char* colour, bool wanted) {
     return wanted ? colour + text + kPlain : text;
 }
 
-std::string level_word(spdlog::level::level_enum level, bool colour) {
-    switch (level) {
-        case spdlog::level::err:
-            return coloured("error:", kRed, colour) + " ";
-        case spdlog::level::warn:
-            return coloured("warning:", kYellow, colour) + " ";
-        default:
-            return {};
-    }
-}
-
 /// {"time":...,"NAME":"VALUE",members}
 std::string json_line(const char* name, std::string_view value, const JsonMembers& members) {
     JsonMembers all;
@@ -92,41 +76,21 @@ std::string json_line(const char* name, std::string_view value, const JsonMember
     return all.object() + "\n";
 }
 
-/// Where spdlog's messages go: onto the screen, as a line for people or for machines.
-class ScreenSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
-  public:
-    explicit ScreenSink(Screen& screen) : screen_(screen) {}
-
-  protected:
-    void sink_it_(const spdlog::details::log_msg& message) override {
-        const std::string text(message.payload.data(), message.payload.size());
-        if (screen_.settings().json) {
-            const auto level = spdlog::level::to_string_view(message.level);
-            JsonMembers members;
-            members.add("message", text);
-            screen_.write_lines(json_line("level", {level.data(), level.size()}, members));
-        } else {
-            screen_.write_lines("carom: " + level_word(message.level, screen_.settings().colour) +
-                                printable_lines(text) + "\n");
-        }
-    }
-    void flush_() override {}
-
-  private:
-    Screen& screen_;  // guarded by the console's mutex
-};
-
 }  // namespace
 
 struct Console::State {
-    explicit State(ConsoleSettings given)
-        : screen(std::move(given)), logger("carom", std::make_shared<ScreenSink>(screen)) {
-        logger.set_level(screen.settings().quiet ? spdlog::level::warn : spdlog::level::info);
+    explicit State(ConsoleSettings given) : screen(std::move(given)) {}
+
+    /// A line for people or for machines. `level`: "info", "warning" or "error".
+    void write_message(const char* level, const std::string& prefix, const std::string& message) {
+        const std::lock_guard lock(mutex);
+        screen.write_lines(screen.settings().json
+                               ? json_line("level", level, JsonMembers().add("message", message))
+                               : "carom: " + prefix + printable_lines(message) + "\n");
     }
 
     std::mutex mutex;
     Screen screen;
-    spdlog::logger logger;
     std::string last_stage;
     double next_progress = 0;
 };
@@ -143,18 +107,17 @@ Console::~Console() {
 }
 
 void Console::info(const std::string& message) {
-    const std::lock_guard lock(state_->mutex);
-    state_->logger.info("{}", message);
+    if (!state_->screen.settings().quiet) {
+        state_->write_message("info", "", message);
+    }
 }
 
 void Console::warning(const std::string& message) {
-    const std::lock_guard lock(state_->mutex);
-    state_->logger.warn("{}", message);
+    state_->write_message("warning", warning_word("warning:") + " ", message);
 }
 
 void Console::error(const std::string& message) {
-    const std::lock_guard lock(state_->mutex);
-    state_->logger.error("{}", message);
+    state_->write_message("error", error_word("error:") + " ", message);
 }
 
 std::string Console::error_word(const std::string& word) const {

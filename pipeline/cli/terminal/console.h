@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/cli/terminal/json_text.h"
+#include "core/json_text.h"
 #include "pipeline/cli/terminal/progress_meter.h"
 
 namespace carom::cli {

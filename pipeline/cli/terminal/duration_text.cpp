@@ -2,7 +2,8 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/core.h>
 
 namespace carom::cli {
 
@@ -10,10 +11,7 @@ namespace {
 
 std::string two_units(long long large, const char* large_unit, long long small,
                       const char* small_unit) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%lld %s %02lld %s", large, large_unit, small,
-                  small_unit);
-    return text.data();
+    return fmt::format("{} {} {:02} {}", large, large_unit, small, small_unit);
 }
 
 }  // namespace
@@ -25,7 +23,7 @@ std::string duration_text(double seconds) {
     }
     const long long whole = std::llround(seconds);
     if (whole < 60) {
-        return std::to_string(whole) + " s";
+        return fmt::format("{} s", whole);
     }
     if (whole < 3600) {
         return two_units(whole / 60, "min", whole % 60, "s");
@@ -53,10 +51,8 @@ std::string rate_text(double value, const std::string& unit) {
             break;
         }
     }
-    std::array<char, 64> digits{};
     const int decimals = value >= 99.95 ? 0 : value >= 9.995 ? 1 : 2;
-    std::snprintf(digits.data(), digits.size(), "%.*f", decimals, value);
-    return std::string(digits.data()) + " " + letter + unit;
+    return fmt::format("{:.{}f} {}{}", value, decimals, letter, unit);
 }
 
 }  // namespace carom::cli

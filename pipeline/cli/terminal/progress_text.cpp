@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "pipeline/cli/terminal/duration_text.h"
 
 namespace carom::cli {
@@ -15,7 +17,7 @@ constexpr int kNarrowestBar = 8;
 
 // Rounded down: 100 % means done.
 std::string percent(double share) {
-    return std::to_string(std::lround(std::floor(share * 100)));
+    return fmt::format("{}", std::lround(std::floor(share * 100)));
 }
 
 std::string bar_of(double share, int width) {
@@ -32,8 +34,8 @@ std::string bar_of(double share, int width) {
 std::vector<std::string> bar_details(const ProgressSnapshot& snapshot) {
     std::vector<std::string> details;
     if (snapshot.frames_total > 0) {
-        const std::string total = std::to_string(snapshot.frames_total);
-        std::string done = std::to_string(snapshot.frames_done);
+        const std::string total = fmt::format("{}", snapshot.frames_total);
+        std::string done = fmt::format("{}", snapshot.frames_done);
         done.insert(0, total.size() - std::min(total.size(), done.size()), ' ');
         details.push_back(done + "/" + total);
     }
@@ -77,11 +79,10 @@ std::string progress_bar(const ProgressSnapshot& snapshot, int columns) {
 std::string progress_line(const ProgressSnapshot& snapshot) {
     std::string text = snapshot.stage + ": ";
     if (snapshot.frames_total > 0) {
-        text += std::to_string(snapshot.frames_done) + " of " +
-                std::to_string(snapshot.frames_total) + " frames (" + percent(snapshot.share) +
-                " %";
+        text += fmt::format("{} of {} frames ({} %", snapshot.frames_done, snapshot.frames_total,
+                            percent(snapshot.share));
         if (snapshot.frames_found > 0) {
-            text += ", " + std::to_string(snapshot.frames_found) + " from an earlier run";
+            text += fmt::format(", {} from an earlier run", snapshot.frames_found);
         }
         text += ")";
     } else {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "pipeline/cli/terminal/json_text.h"
+#include "core/json_text.h"
 #include "pipeline/cli/terminal/progress_meter.h"
 
 namespace carom::cli {

@@ -1,7 +1,10 @@
 #include "pipeline/config/build/body_shape.h"
 
+#include <numbers>
 #include <utility>
 #include <variant>
+
+#include <fmt/core.h>
 
 #include "core/error.h"
 #include "pipeline/config/text.h"
@@ -14,8 +17,6 @@ namespace carom::pipeline::config {
 namespace {
 
 using sim::BodyKind;
-
-constexpr double kPi = 3.14159265358979323846;
 
 std::string shape_name(const render::Shape& shape) {
     constexpr const char* kNames[] = {"sphere",   "box",           "plane", "rectangle", "mesh",
@@ -76,10 +77,10 @@ std::optional<sim::BodyShape> pushing_hull(const Named<ObjectSection>& object, B
         }
     }
     if (mesh && mesh->vertices.size() > kMostVertices) {
-        return refuse("a mesh of " + std::to_string(mesh->vertices.size()) +
-                      " vertices cannot push: its hull may be of " + std::to_string(kMostVertices) +
-                      " at most; let a simpler shape with the same 'motion' push for object '" +
-                      object.name + "'");
+        return refuse(
+            fmt::format("a mesh of {} vertices cannot push: its hull may be of {} at most; let a "
+                        "simpler shape with the same 'motion' push for object '{}'",
+                        mesh->vertices.size(), kMostVertices, object.name));
     }
     std::optional<sim::Polyhedron> hull;
     if (mesh) {
@@ -107,7 +108,7 @@ std::optional<double> volume(const ObjectSection& object) {
         return hull ? std::optional(sim::mass_properties(*hull).volume) : std::nullopt;
     }
     if (const auto* sphere = std::get_if<render::SphereShape>(&shape)) {
-        return 4.0 / 3.0 * kPi * sphere->radius * sphere->radius * sphere->radius;
+        return 4.0 / 3.0 * std::numbers::pi * sphere->radius * sphere->radius * sphere->radius;
     }
     if (const auto* box = std::get_if<render::BoxShape>(&shape)) {
         return box->size.x * box->size.y * box->size.z;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -31,7 +32,7 @@ std::vector<Vec3> disk_corners(double radius) {
     constexpr int kCorners = 64;
     std::vector<Vec3> corners;
     for (int i = 0; i < kCorners; ++i) {
-        const double angle = 2 * 3.14159265358979323846 * i / kCorners;
+        const double angle = 2 * std::numbers::pi * i / kCorners;
         corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
     }
     return corners;

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <set>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/time_map.h"
@@ -30,7 +32,7 @@ void add_cameras(Builder& builder) {
     for (std::size_t i = 0; i < builder.file.cameras.size(); ++i) {
         CameraRig rig = builder.file.cameras[i];
         if (rig.name.empty()) {
-            rig.name = "camera_" + std::to_string(i + 1);
+            rig.name = fmt::format("camera_{}", i + 1);
         }
         if (!names.insert(rig.name).second) {
             builder.reader.error(place_of_camera(builder, i),
@@ -123,12 +125,11 @@ void apply_short_side(Builder& builder) {
     render::RenderSettings& render = builder.shot.render;
     const PictureSize size = scaled_to_short_side({render.width, render.height}, *short_side);
     if (std::max(size.width, size.height) > render::kLongestSide) {
-        builder.reader.error(builder.place_of({"render", "short_side"}),
-                             "a short side of " + std::to_string(*short_side) +
-                                 " makes the picture " + std::to_string(size.width) + "x" +
-                                 std::to_string(size.height) + ", and no side may have more than " +
-                                 std::to_string(render::kLongestSide) +
-                                 " pixels; take a smaller one, or give 'size' alone");
+        builder.reader.error(
+            builder.place_of({"render", "short_side"}),
+            fmt::format("a short side of {} makes the picture {}x{}, and no side may have more "
+                        "than {} pixels; take a smaller one, or give 'size' alone",
+                        *short_side, size.width, size.height, render::kLongestSide));
         return;
     }
     render.width = size.width;

@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include "pipeline/config/sections/camera_values.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/show_quantity.h"
@@ -7,7 +9,6 @@ namespace carom::pipeline::config {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLongest = 3600;  // s
 
 ValueType<Focus> focus() {
@@ -170,7 +171,7 @@ void add_time(MapSpec<CameraRig>& s) {
 }
 
 void add_lens(MapSpec<CameraRig>& s) {
-    s.key("fov", &CameraRig::vertical_fov, eased("fov", angle(inside(0, kPi))),
+    s.key("fov", &CameraRig::vertical_fov, eased("fov", angle(inside(0, std::numbers::pi))),
           "vertical field of view: one value, [start, end] or {from, to, easing}");
     s.key("focal_length", &CameraRig::focal_length,
           eased("focal_length", lens_length(inside(0, 10))), "instead of `fov`; like fov");

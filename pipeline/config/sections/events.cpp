@@ -1,4 +1,5 @@
 #include <limits>
+#include <numbers>
 
 #include "pipeline/config/sections/sections.h"
 
@@ -10,7 +11,6 @@ using sim::ForceEvent;
 using sim::Strike;
 using sim::Trigger;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLongest = 3600;  // s
 
 const MapSpec<Trigger>& crossing_spec() {
@@ -255,7 +255,7 @@ void add_strike_keys(MapSpec<ForceEvent>& s) {
         angle(), "of the aim, counter-clockwise from +x");
     s.key(
         "elevation", [](ForceEvent& e) -> double& { return strike_of(e).elevation; },
-        angle(from_below(0, kPi / 2)), "of the stick's butt");
+        angle(from_below(0, std::numbers::pi / 2)), "of the stick's butt");
     s.key(
         "tip", [](ForceEvent& e) -> Vec2& { return strike_of(e).tip; },
         vector2(Dimension::none, between(-1, 1)),

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/show_quantity.h"
@@ -72,14 +73,13 @@ ValueType<EnvironmentSection> environment() {
 
 /// One angle, a hard edge, or two.
 ValueType<SpotAngles> spot_angle() {
-    constexpr double kHalfTurn = 3.14159265358979323846;
-    const auto one = convert<SpotAngles>(angle(above_up_to(0, kHalfTurn)), [](double edge) {
+    const auto one = convert<SpotAngles>(angle(above_up_to(0, std::numbers::pi)), [](double edge) {
         return SpotAngles{edge, edge};
     });
-    ValueType<SpotAngles> two = convert<SpotAngles>(list_of(angle(between(0, kHalfTurn)), 2, 2),
-                                                    [](const std::vector<double>& angles) {
-                                                        return SpotAngles{angles[0], angles[1]};
-                                                    });
+    ValueType<SpotAngles> two = convert<SpotAngles>(
+        list_of(angle(between(0, std::numbers::pi)), 2, 2), [](const std::vector<double>& angles) {
+            return SpotAngles{angles[0], angles[1]};
+        });
     ValueType<SpotAngles> result =
         any_of<SpotAngles>({{is_scalar, one}, {is_list, std::move(two)}});
     result.show = [](const SpotAngles& angles) {

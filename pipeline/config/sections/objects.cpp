@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 
 #include "pipeline/config/sections/object_shapes.h"
 #include "pipeline/config/sections/sections.h"
@@ -174,7 +175,7 @@ const MapSpec<ObjectSection>& object_spec() {
         s.key("axes", &ObjectSection::axes, list_of(vector3(Dimension::none), 3, 3),
               "instead of `rotate` and `scale`: where its x, y and z axes go, of any length and at "
               "any angles");
-        s.key("smooth", &ObjectSection::smooth, angle(between(0, 3.141592653589793)),
+        s.key("smooth", &ObjectSection::smooth, angle(between(0, std::numbers::pi)),
               "of a mesh: edges up to this angle between triangles look round");
         s.key("material", &ObjectSection::material, name_of(ReferenceKind::material),
               "of the look; without it a plain grey");

@@ -1,3 +1,7 @@
+#include <numbers>
+
+#include <fmt/core.h>
+
 #include "pipeline/config/fraction.h"
 #include "pipeline/config/picture_size.h"
 #include "pipeline/config/sections/sections.h"
@@ -11,11 +15,9 @@ namespace {
 using render::DistributedSettings;
 using render::RenderSettings;
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// A rotary shutter's angle as a share of a turn; exact where it was given in degrees.
 ValueType<Rational> shutter_turn() {
-    const TypeInfo type = quantity_info(Dimension::angle, between(0, 20 * kPi));
+    const TypeInfo type = quantity_info(Dimension::angle, between(0, 20 * std::numbers::pi));
     ValueType<Rational> result;
     result.info = type;
     result.read = [type](Reader& reader, const Node& node) -> std::optional<Rational> {
@@ -24,7 +26,7 @@ ValueType<Rational> shutter_turn() {
             return std::nullopt;
         }
         Quantity turns = *value;
-        turns.value /= 2 * kPi;
+        turns.value /= 2 * std::numbers::pi;
         turns.exact = value->exact ? divide(*value->exact, {360, 1}) : std::nullopt;
         return to_rational(turns);
     };
@@ -246,9 +248,10 @@ const MapSpec<RenderSection>& render_spec() {
         s.check([](Reader& reader, const Node& node, RenderSection& r) {
             const Entry* noise = node.find("noise");
             if (noise != nullptr && r.settings.noise > 0 && r.settings.samples % 4 != 0) {
-                reader.error(noise->value.place,
-                             "'noise' needs 'samples' to be a multiple of 4, which " +
-                                 std::to_string(r.settings.samples) + " is not");
+                reader.error(
+                    noise->value.place,
+                    fmt::format("'noise' needs 'samples' to be a multiple of 4, which {} is not",
+                                r.settings.samples));
             }
         });
         return s;

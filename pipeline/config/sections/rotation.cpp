@@ -1,6 +1,7 @@
 // Turns: of an object, of a key of its motion.
 #include <cmath>
 
+#include "core/length.h"
 #include "pipeline/config/sections/sections.h"
 
 namespace carom::pipeline::config {
@@ -42,10 +43,6 @@ const MapSpec<AxisAngle>& turn_spec() {
         "turn", "A turn about an axis since the key before, of any number of rounds.",
         between(-kMostRounds * kRound, kMostRounds * kRound));
     return spec;
-}
-
-Vec3 unit(const Vec3& axis) {
-    return axis / std::sqrt(axis.dot(axis));
 }
 
 Quat turn(const Vec3& axis, double angle) {

@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include "pipeline/config/sections/sections.h"
 
 namespace carom::pipeline::config {
@@ -7,8 +9,6 @@ namespace {
 using sim::billiards::RackKind;
 using sim::billiards::TableKind;
 
-constexpr double kPi = 3.14159265358979323846;
-
 const MapSpec<PocketSection>& pocket_spec() {
     static const MapSpec<PocketSection> spec = [] {
         MapSpec<PocketSection> s("pocket",
@@ -17,7 +17,8 @@ const MapSpec<PocketSection>& pocket_spec() {
               "between the ends of the two cushion noses, as if they were not rounded");
         s.key("throat", &PocketSection::throat, length(inside(0, 1)),
               "between the jaws where they meet the hole");
-        s.key("jaw_angle", &PocketSection::jaw_angle, angle(inside(kPi / 2, kPi)),
+        s.key("jaw_angle", &PocketSection::jaw_angle,
+              angle(inside(std::numbers::pi / 2, std::numbers::pi)),
               "between the cushion's nose line and the jaw");
         s.key("hole_radius", &PocketSection::hole_radius, length(inside(0, 1)),
               "of the hole in the slate");
