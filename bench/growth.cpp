@@ -51,7 +51,7 @@ ShapeSet shapes_of(const GrowthScene& scene) {
             for (int axis = 0; axis < 3; ++axis) {
                 sphere.path.c[0][axis] = static_cast<float>(object.world_from_object[3][axis]);
             }
-            shapes.spheres.push_back(sphere);
+            shapes.add_sphere(sphere);
             continue;
         }
         const RigidMotion motion(scene.tracks[next_track++], scene.frame.scene_open,
@@ -61,7 +61,7 @@ ShapeSet shapes_of(const GrowthScene& scene) {
             sphere.path = path[k];
             sphere.start = k == 0 ? -kInfinity : path[k].start;
             sphere.end = k + 1 == path.size() ? kInfinity : path[k].end;
-            shapes.spheres.push_back(sphere);
+            shapes.add_sphere(sphere);
         }
     }
     return shapes;
@@ -186,7 +186,7 @@ void add_balls(const std::vector<int>& sizes, Chart& chart) {
         const GrowthScene scene = make_ball_cloud(size);
         const ShapeSet shapes = shapes_of(scene);
         const HybridStructure tree(shapes, 0);
-        const HybridStructure loops(shapes, shapes.spheres.size() + 1);
+        const HybridStructure loops(shapes, loop_cost(shapes) + 1);
         const EmbreeStructure embree(make_embree_device(), shapes, {});
         const std::vector<double> rates = best_rates({&tree, &loops, &embree}, waves);
         const FrameCost cost = frame_cost(scene);

@@ -12,10 +12,10 @@ Extent extent_along(const Primitives& primitives, const Primitive& shape, const 
     const float middle = centre ^ normal;
     float reach = half ^ size;
     Extent extent{middle - reach, middle + reach};
-    if (shape.kind == Primitive::Kind::still_sphere) {
+    if (shape.shape == kLaneShape<StillSphere>) {
         reach = half.x;  // of a cube around it
         extent = {middle - reach, middle + reach};
-    } else if (shape.kind == Primitive::Kind::mesh_triangle) {
+    } else if (shape.shape == Primitive::kMeshTriangle) {
         extent = Extent{};
         for (const V3f& corner : primitives.corners(shape)) {
             extent.extend({corner ^ normal, corner ^ normal});

@@ -3,67 +3,95 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
-#include "render/acceleration/shapes.h"
+#include "render/geometry/affine.h"
+#include "render/geometry/ray.h"
+#include "render/geometry/rigid_motion.h"
 
 namespace carom::render {
 
 inline constexpr int kBlockLanes = 8;
 
-/// A number per lane. Unused lanes hold a shape that no ray meets and the object -1.
+/// A number per lane.
 struct alignas(32) Lanes {
     float values[kBlockLanes] = {};
+
+    [[nodiscard]] static constexpr Lanes all(float value) {
+        return {{value, value, value, value, value, value, value, value}};
+    }
 };
+
+/// The object in each lane; -1 in lanes that are not in use.
 struct alignas(32) ObjectLanes {
     std::int32_t values[kBlockLanes] = {-1, -1, -1, -1, -1, -1, -1, -1};
 };
 
+/// A sphere during one piece of its path. The pieces of one sphere have touching intervals of time.
+struct SphereStretch {
+    PathPiece path;
+    float start = -kInfinity;  // in force while start <= time < end
+    float end = kInfinity;
+    float radius = 1;
+    std::uint32_t object = 0;
+
+    [[nodiscard]] bool is_still() const {
+        return start == -kInfinity && end == kInfinity && path.is_constant();
+    }
+};
+
+// The default values of a block's lanes are a shape that no ray meets. `set` fills one lane, except
+// for its object, which BlockList::add has filled.
+
 struct StillSphereBlock {
     Lanes centre[3];
-    Lanes radius2;
+    Lanes radius2 = Lanes::all(-1);
     ObjectLanes object;
+
+    void set(int lane, const SphereStretch& sphere);
 };
 
 struct MovingSphereBlock {
     Lanes path[4][3];  // coefficient, axis
     Lanes path_start;
     Lanes start, end;  // in force while start <= time < end
-    Lanes radius2;
+    Lanes radius2 = Lanes::all(-1);
     ObjectLanes object;
+
+    void set(int lane, const SphereStretch& sphere);
+    [[nodiscard]] SphereStretch sphere(int lane) const;
 };
 
+/// Unused lanes are at infinity, which is no distance that a ray reports.
 struct AlignedBoxBlock {
-    Lanes planes[3][2];  // axis; low, high
+    Lanes planes[3][2] = {{Lanes::all(kInfinity), Lanes::all(kInfinity)},
+                          {Lanes::all(kInfinity), Lanes::all(kInfinity)},
+                          {Lanes::all(kInfinity), Lanes::all(kInfinity)}};  // axis; low, high
     ObjectLanes object;
+
+    void set(int lane, const V3f& low, const V3f& high);
 };
 
+/// A unit shape under an affine map. In unused lanes the map sends the whole world to (2, 2, 2),
+/// which lies outside every unit shape.
 struct MappedBlock {
-    Lanes map[4][3];  // rows of unit_from_world, the translation last
-    Lanes one_sided;  // 1 or 0
+    // Rows of unit_from_world, the translation last.
+    Lanes map[4][3] = {{}, {}, {}, {Lanes::all(2), Lanes::all(2), Lanes::all(2)}};
+    Lanes one_sided;  // rectangles: 1 if rays that come from below, z < 0, pass, or 0
     ObjectLanes object;
+
+    void set_map(int lane, const Affine& unit_from_world);
+    [[nodiscard]] Affine unit_from_world(int lane) const;
+    /// Does nothing: the shape has no profile (shape_list.h).
+    void set_profile(int /*lane*/, const V3f& /*profile*/) {}
+    [[nodiscard]] V3f profile_of(int /*lane*/) const { return V3f(0); }
 };
 
-struct FrustumBlock {
-    MappedBlock mapped;
-    Lanes middle, slope;
-    ObjectLanes object;
-};
+/// The same for unit shapes that have a profile (shape_list.h).
+struct ProfiledBlock : MappedBlock {
+    Lanes profile[3];
 
-/// All analytic shapes that stand still or are plain spheres, each kind in order of object.
-struct AnalyticBlocks {
-    std::vector<StillSphereBlock> still_spheres;
-    std::vector<MovingSphereBlock> moving_spheres;
-    std::vector<AlignedBoxBlock> boxes;
-    std::vector<MappedBlock> mapped_balls;
-    std::vector<MappedBlock> mapped_boxes;
-    std::vector<MappedBlock> rectangles;
-    std::vector<MappedBlock> triangles;
-    std::vector<MappedBlock> disks;
-    std::vector<FrustumBlock> frustums;
-    std::vector<MappedBlock> planes;
+    void set_profile(int lane, const V3f& shape_profile);
+    [[nodiscard]] V3f profile_of(int lane) const;
 };
-
-[[nodiscard]] AnalyticBlocks make_blocks(const ShapeSet& shapes);
 
 }  // namespace carom::render

@@ -69,47 +69,44 @@ HWY_INLINE bool scan_any(D d, const RayLanes<D>& ray, hn::Vec<D> t_max,
 using WideTag = hn::CappedTag<float, kBlockLanes>;
 using OneTag = hn::CappedTag<float, 1>;
 
+template <class... Shapes>
+HWY_INLINE void scan_all(ShapeList<Shapes...> /*list*/, const AnalyticBlocks& blocks,
+                         const Ray& ray, const RayLanes<WideTag>& lanes,
+                         BestLanes<WideTag>& nearest) {
+    const WideTag d;
+    (scan(d, lanes, blocks.of<Shapes>().blocks, test_for_ray(Shapes(), d, lanes, ray.direction),
+          nearest),
+     ...);
+}
+
 inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const Ray& ray, Candidate& best) {
     const WideTag d;
     const RayLanes<WideTag> lanes = broadcast(d, ray);
     BestLanes<WideTag> nearest{hn::Set(d, best.t),
                                hn::Set(Int<WideTag>(), static_cast<std::int32_t>(best.object))};
-    scan(d, lanes, blocks.moving_spheres, MovingSphereTest(), nearest);
-    scan(d, lanes, blocks.still_spheres, StillSphereTest(), nearest);
-    scan(d, lanes, blocks.boxes, AlignedBoxTest<WideTag>(d, lanes, ray.direction), nearest);
-    scan(d, lanes, blocks.mapped_boxes, MappedBoxTest(), nearest);
-    scan(d, lanes, blocks.mapped_balls, MappedBallTest(), nearest);
-    scan(d, lanes, blocks.rectangles, RectangleTest(), nearest);
-    scan(d, lanes, blocks.triangles, TriangleTest(), nearest);
-    scan(d, lanes, blocks.disks, DiskTest(), nearest);
-    scan(d, lanes, blocks.frustums, FrustumTest(), nearest);
-    scan(d, lanes, blocks.planes, PlaneTest(), nearest);
+    scan_all(LaneShapes(), blocks, ray, lanes, nearest);
     nearest.reduce(d, best);
 }
 
-/// Whether the ray meets any shape but a plain sphere.
-inline HWY_ATTR bool meets_other(const AnalyticBlocks& blocks, const Ray& ray,
-                                 const RayLanes<WideTag>& lanes) {
+template <class... Shapes>
+HWY_INLINE bool meets_any(ShapeList<Shapes...> /*list*/, const AnalyticBlocks& blocks,
+                          const Ray& ray, const RayLanes<WideTag>& lanes) {
     const WideTag d;
     const hn::Vec<WideTag> t_max = hn::Set(d, ray.t_max);
-    return scan_any(d, lanes, t_max, blocks.boxes,
-                    AlignedBoxTest<WideTag>(d, lanes, ray.direction)) ||
-           scan_any(d, lanes, t_max, blocks.mapped_boxes, MappedBoxTest()) ||
-           scan_any(d, lanes, t_max, blocks.mapped_balls, MappedBallTest()) ||
-           scan_any(d, lanes, t_max, blocks.rectangles, RectangleTest()) ||
-           scan_any(d, lanes, t_max, blocks.triangles, TriangleTest()) ||
-           scan_any(d, lanes, t_max, blocks.disks, DiskTest()) ||
-           scan_any(d, lanes, t_max, blocks.frustums, FrustumTest()) ||
-           scan_any(d, lanes, t_max, blocks.planes, PlaneTest());
+    return (scan_any(d, lanes, t_max, blocks.of<Shapes>().blocks,
+                     test_for_ray(Shapes(), d, lanes, ray.direction)) ||
+            ...);
 }
 
 inline HWY_ATTR bool any(const AnalyticBlocks& blocks, const Ray& ray) {
-    const WideTag d;
-    const RayLanes<WideTag> lanes = broadcast(d, ray);
-    const hn::Vec<WideTag> t_max = hn::Set(d, ray.t_max);
-    return scan_any(d, lanes, t_max, blocks.moving_spheres, MovingSphereTest()) ||
-           scan_any(d, lanes, t_max, blocks.still_spheres, StillSphereTest()) ||
-           meets_other(blocks, ray, lanes);
+    return meets_any(LaneShapes(), blocks, ray, broadcast(WideTag(), ray));
+}
+
+/// Whether the ray meets any shape except plain spheres, the first two of the list.
+template <class... Shapes>
+HWY_ATTR bool meets_other(ShapeList<StillSphere, MovingSphere, Shapes...> /*list*/,
+                          const AnalyticBlocks& blocks, const Ray& ray) {
+    return meets_any(ShapeList<Shapes...>(), blocks, ray, broadcast(WideTag(), ray));
 }
 
 /// A ray of a fan in every lane.
@@ -131,12 +128,12 @@ HWY_INLINE FanMask without_blocked(FanMask open, const Predicate& is_blocked) {
 }
 
 /// Spheres are set up once for all rays: where they are, as seen from the origin.
-template <class Block, class Test>
-HWY_INLINE FanMask past_spheres(const std::vector<Block>& blocks, const Test& test,
-                                const RayFan& fan, FanMask open) {
+template <class Shape>
+HWY_INLINE FanMask past_spheres(const BlockList<Shape>& list, const RayFan& fan, FanMask open) {
     const WideTag d;
     const RayLanes<WideTag> origin = broadcast_of_fan(fan, 0);
-    for (const Block& block : blocks) {
+    const LaneTest<Shape> test;
+    for (const auto& block : list.blocks) {
         for (int lane = 0; lane < kBlockLanes && open != 0;
              lane += static_cast<int>(hn::Lanes(d))) {
             hn::Vec<WideTag> offset[3];
@@ -153,13 +150,10 @@ HWY_INLINE FanMask past_spheres(const std::vector<Block>& blocks, const Test& te
 }
 
 inline HWY_ATTR FanMask any_of_fan(const AnalyticBlocks& blocks, const RayFan& fan, FanMask asked) {
-    const WideTag d;
-    FanMask open = past_spheres(blocks.moving_spheres, MovingSphereTest(), fan, asked);
-    open = past_spheres(blocks.still_spheres, StillSphereTest(), fan, open);
-    open = without_blocked(open, [&](int i) HWY_ATTR {
-        const Ray ray = fan.ray(i);
-        return meets_other(blocks, ray, broadcast(d, ray));
-    });
+    FanMask open = past_spheres(blocks.of<MovingSphere>(), fan, asked);
+    open = past_spheres(blocks.of<StillSphere>(), fan, open);
+    open = without_blocked(
+        open, [&](int i) HWY_ATTR { return meets_other(LaneShapes(), blocks, fan.ray(i)); });
     return asked & ~open;
 }
 
@@ -176,33 +170,28 @@ HWY_INLINE bool hit_one(const Block& block, int lane, const RayLanes<OneTag>& ra
     return true;
 }
 
-template <class Block, class Test>
-HWY_ATTR bool one_shape(const Block& block, int lane, const Ray& ray, float& t) {
-    return hit_one(block, lane, broadcast(OneTag(), ray), Test(), t);
+template <class Shape>
+HWY_INLINE bool hit_listed(const BlockList<Shape>& list, std::uint32_t index, const Ray& ray,
+                           float& t) {
+    const RayLanes<OneTag> lanes = broadcast(OneTag(), ray);
+    return hit_one(list.blocks[index / kBlockLanes], static_cast<int>(index % kBlockLanes), lanes,
+                   test_for_ray(Shape(), OneTag(), lanes, ray.direction), t);
 }
 
-inline HWY_ATTR bool one_box(const AlignedBoxBlock& block, int lane, const Ray& ray, float& t) {
-    const RayLanes<OneTag> lanes = broadcast(OneTag(), ray);
-    return hit_one(block, lane, lanes, AlignedBoxTest<OneTag>(OneTag(), lanes, ray.direction), t);
+template <class... Shapes>
+HWY_ATTR bool one_of(ShapeList<Shapes...> /*list*/, const AnalyticBlocks& blocks,
+                     std::uint32_t shape, std::uint32_t index, const Ray& ray, float& t) {
+    return ((shape == kLaneShape<Shapes> && hit_listed(blocks.of<Shapes>(), index, ray, t)) || ...);
+}
+
+inline HWY_ATTR bool one(const AnalyticBlocks& blocks, std::uint32_t shape, std::uint32_t index,
+                         const Ray& ray, float& t) {
+    return one_of(LaneShapes(), blocks, shape, index, ray, t);
 }
 
 inline const AnalyticKernels& kernels_of_target() {
-    static const AnalyticKernels kKernels = {
-        closest,
-        any,
-        any_of_fan,
-        one_shape<StillSphereBlock, StillSphereTest>,
-        one_shape<MovingSphereBlock, MovingSphereTest>,
-        one_box,
-        one_shape<MappedBlock, MappedBallTest>,
-        one_shape<MappedBlock, MappedBoxTest>,
-        one_shape<MappedBlock, RectangleTest>,
-        one_shape<MappedBlock, TriangleTest>,
-        one_shape<MappedBlock, DiskTest>,
-        one_shape<FrustumBlock, FrustumTest>,
-        one_shape<MappedBlock, PlaneTest>,
-        hwy::TargetName(HWY_TARGET),
-    };
+    static const AnalyticKernels kKernels = {closest, any, any_of_fan, one,
+                                             hwy::TargetName(HWY_TARGET)};
     return kKernels;
 }
 

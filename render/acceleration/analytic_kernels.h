@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "render/acceleration/analytic_blocks.h"
+#include "render/acceleration/block_lists.h"
 #include "render/geometry/ray.h"
 
 namespace carom::render {
@@ -32,17 +32,10 @@ struct AnalyticKernels {
     /// Those of the rays `asked` for that `any` is true of.
     FanMask (*any_of_fan)(const AnalyticBlocks& blocks, const RayFan& fan, FanMask asked);
 
-    // The shape in one lane: whether its first hit is nearer than `t`, which is then replaced.
-    bool (*still_sphere)(const StillSphereBlock& block, int lane, const Ray& ray, float& t);
-    bool (*moving_sphere)(const MovingSphereBlock& block, int lane, const Ray& ray, float& t);
-    bool (*box)(const AlignedBoxBlock& block, int lane, const Ray& ray, float& t);
-    bool (*mapped_ball)(const MappedBlock& block, int lane, const Ray& ray, float& t);
-    bool (*mapped_box)(const MappedBlock& block, int lane, const Ray& ray, float& t);
-    bool (*rectangle)(const MappedBlock& block, int lane, const Ray& ray, float& t);
-    bool (*triangle)(const MappedBlock& block, int lane, const Ray& ray, float& t);
-    bool (*disk)(const MappedBlock& block, int lane, const Ray& ray, float& t);
-    bool (*frustum)(const FrustumBlock& block, int lane, const Ray& ray, float& t);
-    bool (*plane)(const MappedBlock& block, int lane, const Ray& ray, float& t);
+    /// Shape `index` in the list of the shape numbered `shape` (kLaneShape): whether its first hit
+    /// is nearer than `t`, which is then replaced.
+    bool (*one)(const AnalyticBlocks& blocks, std::uint32_t shape, std::uint32_t index,
+                const Ray& ray, float& t);
 
     std::string_view tier;  // "AVX2", "SSE4" ...
 };

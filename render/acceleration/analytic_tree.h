@@ -4,27 +4,17 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/acceleration/analytic_blocks.h"
+#include "render/acceleration/shapes.h"
 #include "render/acceleration/wide_tree.h"
 
 namespace carom::render {
 
-/// What one test of a leaf takes: a block of one kind, or one shape that turns.
+/// What one test of a leaf takes: a block of a shape of the list, or a shape that moves and turns.
 struct TreePart {
-    enum class Kind : std::uint32_t {
-        still_spheres,
-        moving_spheres,
-        boxes,
-        mapped_balls,
-        mapped_boxes,
-        rectangles,
-        triangles,
-        disks,
-        frustums,
-        moving_shape
-    };
-    Kind kind = Kind::boxes;
-    std::uint32_t index = 0;  // in AnalyticTree::blocks, or in AnalyticTree::moving
+    static constexpr std::uint32_t kMoving = kLaneShapeCount;
+
+    std::uint32_t shape = 0;  // kLaneShape or kMoving
+    std::uint32_t index = 0;  // of the block in AnalyticTree::blocks, or in AnalyticTree::moving
 };
 
 struct AnalyticTree {
@@ -35,11 +25,11 @@ struct AnalyticTree {
     std::vector<std::uint32_t> first_part;  // by leaf, and one more: where the last one's end
 };
 
-/// Over all shapes but infinite planes and still meshes.
+/// Over all shapes except infinite ones and still meshes.
 [[nodiscard]] AnalyticTree make_analytic_tree(const ShapeSet& shapes);
 
-/// What no tree can hold.
-[[nodiscard]] ShapeSet infinite_planes(const ShapeSet& shapes);
+/// What no tree can hold: those without end.
+[[nodiscard]] ShapeSet infinite_shapes(const ShapeSet& shapes);
 
 /// What testing all of those for every ray costs, in single lanes of vectors: 1 for most; 8 for a
 /// shape that turns, which is tested alone.

@@ -1,7 +1,8 @@
 #include "render/acceleration/analytic_tree_kernels.h"
 
+#include <utility>
+
 #include "render/acceleration/moving_shape.h"
-#include "render/geometry/intersect.h"
 
 // As in analytic_kernels.cpp.
 #define HWY_DISABLED_TARGETS (HWY_AVX3 | HWY_AVX3_DL)
@@ -98,26 +99,50 @@ struct Noted {
     }
 };
 
+/// The tests of all shapes for one ray, set up once.
+template <class D, class List>
+struct RayTests;
+template <class D, class... Shapes>
+struct RayTests<D, ShapeList<Shapes...>> {
+    template <class Shape>
+    struct Of {
+        [[no_unique_address]] decltype(test_for_ray(Shape(), D(), std::declval<RayLanes<D>>(),
+                                                    V3f())) test;
+    };
+    struct All : Of<Shapes>... {};
+    All all;
+
+    HWY_INLINE RayTests(D d, const RayLanes<D>& lanes, const V3f& direction)
+        : all{Of<Shapes>{test_for_ray(Shapes(), d, lanes, direction)}...} {}
+
+    template <class Shape>
+    HWY_INLINE const auto& of() const {
+        return static_cast<const Of<Shape>&>(all).test;
+    }
+};
+
 template <class D, class Query>
 struct VisitLeaf {
     const AnalyticTree& tree;
     const Ray& ray;
     RayLanes<D> lanes;
-    AlignedBoxTest<D> box_test;
+    RayTests<D, LaneShapes> tests;
     Query query;
 
     HWY_INLINE VisitLeaf(D d, const AnalyticTree& tree_of, const Ray& of, const Query& asked)
         : tree(tree_of),
           ray(of),
           lanes(broadcast(d, of)),
-          box_test(d, lanes, of.direction),
+          tests(d, lanes, of.direction),
           query(asked) {}
 
     /// Whether the query is answered.
     HWY_INLINE bool operator()(std::uint32_t leaf) const {
         const std::uint32_t end = tree.first_part[leaf + 1];
         for (std::uint32_t i = tree.first_part[leaf]; i < end; ++i) {
-            if (ask(tree.parts[i])) {
+            const TreePart& part = tree.parts[i];
+            if (part.shape == TreePart::kMoving ? query(tree.moving[part.index], ray)
+                                                : ask_one_of(LaneShapes(), part)) {
                 return true;
             }
         }
@@ -125,33 +150,19 @@ struct VisitLeaf {
     }
 
   private:
-    HWY_INLINE bool ask(const TreePart& part) const {
-        const D d;
-        const AnalyticBlocks& blocks = tree.blocks;
-        const std::uint32_t i = part.index;
-        switch (part.kind) {
-            case TreePart::Kind::still_spheres:
-                return query(d, lanes, blocks.still_spheres[i], StillSphereTest());
-            case TreePart::Kind::moving_spheres:
-                return query(d, lanes, blocks.moving_spheres[i], MovingSphereTest());
-            case TreePart::Kind::boxes:
-                return query(d, lanes, blocks.boxes[i], box_test);
-            case TreePart::Kind::mapped_balls:
-                return query(d, lanes, blocks.mapped_balls[i], MappedBallTest());
-            case TreePart::Kind::mapped_boxes:
-                return query(d, lanes, blocks.mapped_boxes[i], MappedBoxTest());
-            case TreePart::Kind::rectangles:
-                return query(d, lanes, blocks.rectangles[i], RectangleTest());
-            case TreePart::Kind::triangles:
-                return query(d, lanes, blocks.triangles[i], TriangleTest());
-            case TreePart::Kind::disks:
-                return query(d, lanes, blocks.disks[i], DiskTest());
-            case TreePart::Kind::frustums:
-                return query(d, lanes, blocks.frustums[i], FrustumTest());
-            case TreePart::Kind::moving_shape:
-                return query(tree.moving[i], ray);
+    template <class... Shapes>
+    HWY_INLINE bool ask_one_of(ShapeList<Shapes...> /*list*/, const TreePart& part) const {
+        return ((part.shape == kLaneShape<Shapes> && ask<Shapes>(part.index)) || ...);
+    }
+
+    template <class Shape>
+    HWY_INLINE bool ask(std::uint32_t block) const {
+        if constexpr (Shape::kIsBounded) {
+            return query(D(), lanes, tree.blocks.of<Shape>().blocks[block],
+                         tests.template of<Shape>());
+        } else {
+            return false;
         }
-        return false;
     }
 };
 

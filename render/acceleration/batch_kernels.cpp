@@ -39,7 +39,7 @@ HWY_INLINE hn::Mask<BatchTag> finite_rays(const RayLanes<BatchTag>& rays) {
     return hn::Eq(hn::Mul(sum, hn::Zero(d)), hn::Zero(d));
 }
 
-/// Calls `query(block, shape, test)` for each shape, until one returns true.
+/// Calls `query(block, shape, test)` for each shape of a list, until one returns true.
 template <class Blocks, class Test, class Query>
 HWY_INLINE bool each_shape(const Blocks& blocks, const Test& test, const Query& query) {
     for (const auto& block : blocks) {
@@ -52,21 +52,12 @@ HWY_INLINE bool each_shape(const Blocks& blocks, const Test& test, const Query& 
     return false;
 }
 
-template <class Query>
-HWY_INLINE void all_shapes(const AnalyticBlocks& blocks, const RayLanes<BatchTag>& rays,
-                           const Query& query) {
-    if (each_shape(blocks.moving_spheres, MovingSphereTest(), query) ||
-        each_shape(blocks.still_spheres, StillSphereTest(), query) ||
-        each_shape(blocks.boxes, AlignedBoxRays<BatchTag>(BatchTag(), rays), query) ||
-        each_shape(blocks.mapped_boxes, MappedBoxTest(), query) ||
-        each_shape(blocks.mapped_balls, MappedBallTest(), query) ||
-        each_shape(blocks.rectangles, RectangleTest(), query) ||
-        each_shape(blocks.triangles, TriangleTest(), query) ||
-        each_shape(blocks.disks, DiskTest(), query) ||
-        each_shape(blocks.frustums, FrustumTest(), query)) {
-        return;
-    }
-    each_shape(blocks.planes, PlaneTest(), query);
+template <class Query, class... Shapes>
+HWY_INLINE void all_shapes(ShapeList<Shapes...> /*list*/, const AnalyticBlocks& blocks,
+                           const RayLanes<BatchTag>& rays, const Query& query) {
+    static_cast<void>(
+        (each_shape(blocks.of<Shapes>().blocks, test_for_rays(Shapes(), BatchTag(), rays), query) ||
+         ...));
 }
 
 inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const RayBatch& rays, float* t,
@@ -79,21 +70,22 @@ inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const RayBatch& rays,
         const hn::Vec<BatchTag> before = hn::LoadU(d, t + first);
         hn::Vec<BatchTag> nearest = hn::IfThenElseZero(valid_rays, before);
         hn::Vec<Int<BatchTag>> best = hn::LoadU(di, object + first);
-        all_shapes(blocks, lanes, [&](const auto& block, InAll shape, const auto& test) HWY_ATTR {
-            hn::Vec<BatchTag> other_t = nearest;
-            const hn::Mask<BatchTag> valid = test(d, lanes, block, shape, other_t);
-            if (hn::AllFalse(d, hn::And(valid, hn::Le(other_t, nearest)))) {
-                return false;
-            }
-            const auto other = hn::Set(di, block.object.values[shape.lane]);
-            const hn::Mask<BatchTag> lower = hn::RebindMask(d, hn::Lt(other, best));
-            const hn::Mask<BatchTag> better =
-                hn::Or(hn::Lt(other_t, nearest), hn::And(hn::Eq(other_t, nearest), lower));
-            const hn::Mask<BatchTag> take = hn::And(valid, better);
-            nearest = hn::IfThenElse(take, other_t, nearest);
-            best = hn::IfThenElse(hn::RebindMask(di, take), other, best);
-            return false;
-        });
+        all_shapes(LaneShapes(), blocks, lanes,
+                   [&](const auto& block, InAll shape, const auto& test) HWY_ATTR {
+                       hn::Vec<BatchTag> other_t = nearest;
+                       const hn::Mask<BatchTag> valid = test(d, lanes, block, shape, other_t);
+                       if (hn::AllFalse(d, hn::And(valid, hn::Le(other_t, nearest)))) {
+                           return false;
+                       }
+                       const auto other = hn::Set(di, block.object.values[shape.lane]);
+                       const hn::Mask<BatchTag> lower = hn::RebindMask(d, hn::Lt(other, best));
+                       const hn::Mask<BatchTag> better = hn::Or(
+                           hn::Lt(other_t, nearest), hn::And(hn::Eq(other_t, nearest), lower));
+                       const hn::Mask<BatchTag> take = hn::And(valid, better);
+                       nearest = hn::IfThenElse(take, other_t, nearest);
+                       best = hn::IfThenElse(hn::RebindMask(di, take), other, best);
+                       return false;
+                   });
         hn::StoreU(hn::IfThenElse(valid_rays, nearest, before), d, t + first);
         hn::StoreU(best, di, object + first);
     }
@@ -110,16 +102,17 @@ inline HWY_ATTR void block(const AnalyticBlocks& blocks, const RayBatch& rays, f
         const RayLanes<BatchTag> lanes = rays_from(rays, first);
         const hn::Mask<BatchTag> valid_rays = finite_rays(lanes);
         hn::Vec<BatchTag> reach = hn::IfThenElseZero(valid_rays, before);
-        all_shapes(blocks, lanes, [&](const auto& shapes, InAll shape, const auto& test) HWY_ATTR {
-            hn::Vec<BatchTag> other_t = reach;
-            const hn::Mask<BatchTag> valid = test(d, lanes, shapes, shape, other_t);
-            const hn::Mask<BatchTag> blocked = hn::And(valid, hn::Lt(other_t, reach));
-            if (hn::AllFalse(d, blocked)) {
-                return false;
-            }
-            reach = hn::IfThenElse(blocked, zero, reach);
-            return hn::AllFalse(d, hn::Gt(reach, zero));
-        });
+        all_shapes(LaneShapes(), blocks, lanes,
+                   [&](const auto& shapes, InAll shape, const auto& test) HWY_ATTR {
+                       hn::Vec<BatchTag> other_t = reach;
+                       const hn::Mask<BatchTag> valid = test(d, lanes, shapes, shape, other_t);
+                       const hn::Mask<BatchTag> blocked = hn::And(valid, hn::Lt(other_t, reach));
+                       if (hn::AllFalse(d, blocked)) {
+                           return false;
+                       }
+                       reach = hn::IfThenElse(blocked, zero, reach);
+                       return hn::AllFalse(d, hn::Gt(reach, zero));
+                   });
         hn::StoreU(hn::IfThenElse(valid_rays, reach, before), d, t + first);
     }
 }

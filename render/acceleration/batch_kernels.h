@@ -2,7 +2,7 @@
 // the processor has.
 #pragma once
 
-#include "render/acceleration/analytic_blocks.h"
+#include "render/acceleration/block_lists.h"
 #include "render/acceleration/ray_batch.h"
 
 namespace carom::render {

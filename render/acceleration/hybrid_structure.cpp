@@ -38,7 +38,7 @@ HybridStructure::HybridStructure(const ShapeSet& shapes, std::size_t tree_thresh
     meshes_ = shapes.meshes;
     if (loop_cost(shapes) >= tree_threshold) {
         tree_ = std::make_shared<const AnalyticTree>(make_analytic_tree(shapes));
-        set_loops(infinite_planes(shapes));
+        set_loops(infinite_shapes(shapes));
     } else {
         set_loops(shapes);
     }
@@ -54,8 +54,8 @@ HybridStructure::HybridStructure(const ShapeSet& shapes, std::shared_ptr<const A
 }
 
 void HybridStructure::set_loops(const ShapeSet& shapes) {
-    blocks_ = make_blocks(shapes);
-    moving_ = in_object_order(shapes.moving);
+    blocks_ = shapes.blocks;
+    moving_ = shapes.moving;
 }
 
 // The shapes in their blocks are left out, as for the others.

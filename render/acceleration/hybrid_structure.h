@@ -43,7 +43,7 @@ class HybridStructure final : public MeasuredStructure {
     const AnalyticTreeKernels& tree_kernels_;
     std::shared_ptr<const AnalyticTree> tree_;  // or null
     AnalyticBlocks blocks_;                     // what is not in the tree
-    std::vector<MovingShape> moving_;           // the same, in order of object
+    std::vector<MovingShape> moving_;           // the same
     std::shared_ptr<const TriangleScene> meshes_;
 };
 

@@ -9,7 +9,7 @@ namespace {
 constexpr float kWidening = 1.00002f;  // of bounds, against rounding
 
 bool may_meet(const MovingShape& shape, const Ray& ray) {
-    if (shape.kind == MovingShape::Kind::plane) {
+    if (shape.is_infinite()) {
         return true;
     }
     const V3f inverse(finite_reciprocal(ray.direction.x), finite_reciprocal(ray.direction.y),
@@ -18,7 +18,7 @@ bool may_meet(const MovingShape& shape, const Ray& ray) {
     return crossing && crossing->leave * kWidening >= ray.t_min && crossing->enter <= ray.t_max;
 }
 
-RaySegment<float> in_unit_axes(const MovingShape& shape, const Ray& local) {
+UnitRay in_unit_axes(const MovingShape& shape, const Ray& local) {
     return {shape.unit_from_body.point(local.origin), shape.unit_from_body.vector(local.direction),
             local.t_min, local.t_max};
 }
@@ -32,28 +32,11 @@ Ray in_body_axes(const MovingShape& shape, const Ray& ray) {
 }
 
 std::optional<float> intersect_analytic(const MovingShape& shape, const Ray& local) {
-    const RaySegment<float> segment = in_unit_axes(shape, local);
-    switch (shape.kind) {
-        case MovingShape::Kind::ball:
-            return intersect_sphere(segment, 1.f);
-        case MovingShape::Kind::box: {
-            const auto hit = intersect_box(segment, V3f(-1), V3f(1));
-            return hit ? std::optional(hit->t) : std::nullopt;
-        }
-        case MovingShape::Kind::rectangle:
-            return intersect_rectangle(segment, V2f(1));
-        case MovingShape::Kind::triangle:
-            return intersect_unit_triangle(segment);
-        case MovingShape::Kind::disk:
-            return intersect_unit_disk(segment);
-        case MovingShape::Kind::frustum:
-            return intersect_frustum(segment, shape.profile.middle, shape.profile.slope);
-        case MovingShape::Kind::plane:
-            return intersect_plane(segment);
-        case MovingShape::Kind::mesh:
-            break;
-    }
-    return std::nullopt;
+    using Distance = std::optional<float>;
+    const UnitRay ray = in_unit_axes(shape, local);
+    return visit_shape<Distance>(shape.kind, std::nullopt, [&](auto unit_shape) {
+        return decltype(unit_shape)::intersect(ray, shape.profile);
+    });
 }
 
 }  // namespace
@@ -63,7 +46,7 @@ bool intersect_moving(const MovingShape& shape, const Ray& ray, Hit& hit) {
         return false;
     }
     const Ray local = in_body_axes(shape, ray);
-    if (shape.kind == MovingShape::Kind::mesh) {
+    if (shape.kind == ShapeKind::mesh) {
         if (!shape.mesh->closest_hit(local, hit)) {
             return false;
         }
@@ -82,8 +65,8 @@ bool occluded_by_moving(const MovingShape& shape, const Ray& ray) {
         return false;
     }
     const Ray local = in_body_axes(shape, ray);
-    return shape.kind == MovingShape::Kind::mesh ? shape.mesh->any_hit(local)
-                                                 : intersect_analytic(shape, local).has_value();
+    return shape.kind == ShapeKind::mesh ? shape.mesh->any_hit(local)
+                                         : intersect_analytic(shape, local).has_value();
 }
 
 Imath::Box3f swept_bounds(const RigidMotion& motion, float reach) {

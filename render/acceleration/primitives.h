@@ -14,26 +14,14 @@ namespace carom::render {
 
 /// One of them: where it is, and its bounds.
 struct Primitive {
-    enum class Kind {
-        still_sphere,
-        moving_sphere,
-        box,
-        mapped_ball,
-        mapped_box,
-        rectangle,
-        triangle,
-        disk,
-        frustum,
-        plane,
-        moving,
-        mesh_triangle
-    };
-    Kind kind = Kind::box;
-    std::uint32_t index = 0;  // block * lanes + lane; of `moving`: in ShapeSet::moving; of meshes:
-                              // in the list of meshes
+    static constexpr std::uint32_t kMoving = kLaneShapeCount;
+    static constexpr std::uint32_t kMeshTriangle = kLaneShapeCount + 1;
+
+    std::uint32_t shape = 0;  // kLaneShape, kMoving or kMeshTriangle
+    std::uint32_t index = 0;  // in that shape's list; in ShapeSet::moving; in the list of meshes
     std::uint32_t object = 0;
     std::uint32_t number = 0;  // of a mesh's triangles
-    MovingBounds bounds;       // of infinite planes without meaning
+    MovingBounds bounds;       // of infinite shapes without meaning
 };
 
 /// All shapes of a frame. A sphere with impacts is one primitive for each stretch of its path.
@@ -60,13 +48,12 @@ class Primitives {
     [[nodiscard]] std::array<V3f, 3> corners(const Primitive& triangle) const;
     /// Of a sphere that stands still.
     [[nodiscard]] const StillSphereBlock& sphere_block(const Primitive& sphere) const {
-        return blocks_.still_spheres[sphere.index / kBlockLanes];
+        return blocks_.of<StillSphere>().blocks[sphere.index / kBlockLanes];
     }
 
   private:
-    template <class Block, class Shape, class Bounds>
-    void add(Primitive::Kind kind, const std::vector<Block>& blocks,
-             const std::vector<Shape>& shapes, const Bounds& bounds);
+    template <class Shape>
+    void add(const BlockList<Shape>& list);
     void add_meshes(std::span<const MeshEntry> meshes);
 
     const AnalyticKernels* kernels_ = nullptr;

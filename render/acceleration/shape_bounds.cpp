@@ -29,7 +29,7 @@ V3f derivative(const PathPiece& path, float time) {
 /// their motion on to the shutter's ends would magnify rounding.
 constexpr float kShortest = 1e-3f;
 
-/// Of the unit cube: what the margins of intersect.h add to a shape, and more.
+/// Of a unit shape: what the margins of intersect.h add to a shape, and more.
 constexpr double kUnitWidening = 1.00005;
 
 MovingBounds still(const Box& box) {
@@ -72,8 +72,22 @@ MovingBounds bounds_of(const SphereStretch& sphere) {
             widened({at_close + deviation.min - slack, at_close + deviation.max + slack})};
 }
 
-MovingBounds bounds_of(const AlignedBox& box) {
-    return still({box.low, box.high});
+MovingBounds bounds_of(const StillSphereBlock& block, int lane) {
+    SphereStretch sphere;
+    for (int axis = 0; axis < 3; ++axis) {
+        sphere.path.c[0][axis] = block.centre[axis].values[lane];
+    }
+    sphere.radius = std::sqrt(block.radius2.values[lane]);
+    return bounds_of(sphere);
+}
+
+MovingBounds bounds_of(const AlignedBoxBlock& block, int lane) {
+    Box box;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.min[axis] = block.planes[axis][0].values[lane];
+        box.max[axis] = block.planes[axis][1].values[lane];
+    }
+    return still(box);
 }
 
 MovingBounds bounds_of(const std::array<V3f, 3>& corners) {
@@ -88,22 +102,20 @@ MovingBounds bounds_of(const MovingShape& shape) {
     return still(shape.bounds);
 }
 
-/// The unit cube (flat: its slice z = 0) under the map's inverse.
-MovingBounds bounds_of(const MappedShape& shape, bool flat) {
-    Mat44 unit_from_world;
+/// The corners of the unit shape's box under the map's inverse.
+MovingBounds bounds_of(const Affine& unit_from_world, const V3f& half_size) {
+    Mat44 map;
     for (int row = 0; row < 3; ++row) {
         for (int axis = 0; axis < 3; ++axis) {
-            unit_from_world[row][axis] =
-                static_cast<double>(shape.unit_from_world.linear[row][axis]);
+            map[row][axis] = static_cast<double>(unit_from_world.linear[row][axis]);
         }
-        unit_from_world[3][row] = static_cast<double>(shape.unit_from_world.translation[row]);
+        map[3][row] = static_cast<double>(unit_from_world.translation[row]);
     }
-    const Mat44 world_from_unit = unit_from_world.inverse();
+    const Mat44 world_from_unit = map.inverse();
     Box box;
     for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 p((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1,
-                     flat ? 0 : ((corner & 4) ? 1 : -1));
-        box.extendBy(V3f((kUnitWidening * p) * world_from_unit));
+        const Vec3 side((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1, (corner & 4) ? 1 : -1);
+        box.extendBy(V3f((kUnitWidening * side * Vec3(half_size)) * world_from_unit));
     }
     return still(box);
 }

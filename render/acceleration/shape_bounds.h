@@ -31,12 +31,27 @@ struct MovingBounds {
 /// All hold the shape at every time at which it is in force, with room for the rounding of the
 /// kernels and of box tests.
 [[nodiscard]] MovingBounds bounds_of(const SphereStretch& sphere);
-[[nodiscard]] MovingBounds bounds_of(const AlignedBox& box);
-/// Of a unit ball, box or frustum; `flat`: of a unit rectangle, triangle or disk.
-[[nodiscard]] MovingBounds bounds_of(const MappedShape& shape, bool flat);
+[[nodiscard]] MovingBounds bounds_of(const StillSphereBlock& block, int lane);
+[[nodiscard]] MovingBounds bounds_of(const AlignedBoxBlock& block, int lane);
+/// Of a unit shape in a box of this half size.
+[[nodiscard]] MovingBounds bounds_of(const Affine& unit_from_world, const V3f& half_size);
 /// Of a triangle with these corners.
 [[nodiscard]] MovingBounds bounds_of(const std::array<V3f, 3>& corners);
-/// Not of planes.
+/// Not of infinite shapes.
 [[nodiscard]] MovingBounds bounds_of(const MovingShape& shape);
+
+/// Of a shape of the list.
+template <class Shape>
+[[nodiscard]] MovingBounds bounds_of(const BlockList<Shape>& list, std::uint32_t index) {
+    const auto& block = list.blocks[index / kBlockLanes];
+    const int lane = static_cast<int>(index % kBlockLanes);
+    if constexpr (CompleteUnitShape<Shape>) {
+        return bounds_of(block.unit_from_world(lane), Shape::half_size(block.profile_of(lane)));
+    } else if constexpr (std::same_as<Shape, MovingSphere>) {
+        return bounds_of(block.sphere(lane));
+    } else {
+        return bounds_of(block, lane);
+    }
+}
 
 }  // namespace carom::render

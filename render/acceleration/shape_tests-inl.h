@@ -2,7 +2,7 @@
 // rays against one shape. Included once per instruction set.
 #include <cmath>
 
-#include "render/acceleration/analytic_blocks.h"
+#include "render/acceleration/block_lists.h"
 #include "render/geometry/intersect.h"
 #include "render/geometry/ray.h"
 
@@ -77,7 +77,13 @@ HWY_INLINE hn::Mask<D> hit_sphere(D d, const RayLanes<D>& ray, const hn::Vec<D> 
     return hn::And(meets, hn::Gt(t, ray.t_min));
 }
 
-struct StillSphereTest {
+/// test(d, ray, block, lane, t) of a shape of the list: in which lanes the ray meets the shape
+/// beyond ray.t_min, and its distances. A shape without a test does not compile.
+template <class Shape>
+struct LaneTest;
+
+template <>
+struct LaneTest<StillSphere> {
     /// Where the spheres are, seen from the ray's origin; returns the squares of their radii.
     template <class D, class At>
     HWY_INLINE hn::Vec<D> place(D d, const RayLanes<D>& ray, const StillSphereBlock& block, At lane,
@@ -97,7 +103,8 @@ struct StillSphereTest {
     }
 };
 
-struct MovingSphereTest {
+template <>
+struct LaneTest<MovingSphere> {
     /// The same; spheres that are not in force at the ray's time get a radius that nothing meets.
     template <class D, class At>
     HWY_INLINE hn::Vec<D> place(D d, const RayLanes<D>& ray, const MovingSphereBlock& block,
@@ -220,7 +227,8 @@ HWY_INLINE hn::Vec<D> mapped_direction(D d, const RayLanes<D>& ray, const Mapped
     return mapped_coordinate(d, block, lane, axis, ray.direction, hn::Zero(d));
 }
 
-struct MappedBallTest {
+template <>
+struct LaneTest<UnitBall> {
     template <class D, class At>
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
                                       At lane, hn::Vec<D>& t) const {
@@ -243,7 +251,8 @@ struct MappedBallTest {
     }
 };
 
-struct MappedBoxTest {
+template <>
+struct LaneTest<UnitBox> {
     template <class D, class At>
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
                                       At lane, hn::Vec<D>& t) const {
@@ -262,7 +271,8 @@ struct MappedBoxTest {
     }
 };
 
-struct PlaneTest {
+template <>
+struct LaneTest<UnitPlane> {
     template <class D, class At>
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
                                       At lane, hn::Vec<D>& t) const {
@@ -293,7 +303,8 @@ HWY_INLINE PlanePoint<D> meet_plane(D d, const RayLanes<D>& ray, const MappedBlo
     return point;
 }
 
-struct RectangleTest {
+template <>
+struct LaneTest<UnitRectangle> {
     template <class D, class At>
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
                                       At lane, hn::Vec<D>& t) const {
@@ -307,7 +318,8 @@ struct RectangleTest {
     }
 };
 
-struct TriangleTest {
+template <>
+struct LaneTest<UnitTriangle> {
     template <class D, class At>
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
                                       At lane, hn::Vec<D>& t) const {
@@ -320,7 +332,8 @@ struct TriangleTest {
     }
 };
 
-struct DiskTest {
+template <>
+struct LaneTest<UnitDisk> {
     template <class D, class At>
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
                                       At lane, hn::Vec<D>& t) const {
@@ -331,24 +344,25 @@ struct DiskTest {
 };
 
 /// As cross_frustum in intersect.h, with its reasons.
-struct FrustumTest {
+template <>
+struct LaneTest<UnitFrustum> {
     template <class D, class At>
-    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const FrustumBlock& block,
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const ProfiledBlock& block,
                                       At lane, hn::Vec<D>& t) const {
-        const hn::Vec<D> v[3] = {mapped_direction(d, ray, block.mapped, lane, 0),
-                                 mapped_direction(d, ray, block.mapped, lane, 1),
-                                 mapped_direction(d, ray, block.mapped, lane, 2)};
-        hn::Vec<D> p[3] = {mapped_origin(d, ray, block.mapped, lane, 0),
-                           mapped_origin(d, ray, block.mapped, lane, 1),
-                           mapped_origin(d, ray, block.mapped, lane, 2)};
+        const hn::Vec<D> v[3] = {mapped_direction(d, ray, block, lane, 0),
+                                 mapped_direction(d, ray, block, lane, 1),
+                                 mapped_direction(d, ray, block, lane, 2)};
+        hn::Vec<D> p[3] = {mapped_origin(d, ray, block, lane, 0),
+                           mapped_origin(d, ray, block, lane, 1),
+                           mapped_origin(d, ray, block, lane, 2)};
         const hn::Vec<D> shift = hn::Neg(hn::Div(dot<D>(p, v), dot<D>(v, v)));
         for (int axis = 0; axis < 3; ++axis) {
             p[axis] = hn::MulAdd(shift, v[axis], p[axis]);
         }
         const hn::Vec<D> zero = hn::Zero(d);
         const hn::Vec<D> one = hn::Set(d, 1.f);
-        const hn::Vec<D> middle = load(d, block.middle, lane);
-        const hn::Vec<D> slope = load(d, block.slope, lane);
+        const hn::Vec<D> middle = load(d, block.profile[0], lane);
+        const hn::Vec<D> slope = load(d, block.profile[1], lane);
         const hn::Vec<D> radius = hn::MulAdd(slope, p[2], middle);
         const hn::Vec<D> narrowing = hn::Mul(slope, v[2]);
         const hn::Vec<D> a =
@@ -386,6 +400,28 @@ struct FrustumTest {
         return hn::Lt(t, hn::Set(d, kInfinity));
     }
 };
+
+/// The test of a shape for one ray in every lane; `direction` is that of the ray.
+template <class Shape, class D>
+HWY_INLINE LaneTest<Shape> test_for_ray(Shape /*shape*/, D /*d*/, const RayLanes<D>& /*ray*/,
+                                        const V3f& /*direction*/) {
+    return {};
+}
+template <class D>
+HWY_INLINE AlignedBoxTest<D> test_for_ray(AlignedBox /*shape*/, D d, const RayLanes<D>& ray,
+                                          const V3f& direction) {
+    return AlignedBoxTest<D>(d, ray, direction);
+}
+
+/// The same for rays that differ from lane to lane.
+template <class Shape, class D>
+HWY_INLINE LaneTest<Shape> test_for_rays(Shape /*shape*/, D /*d*/, const RayLanes<D>& /*rays*/) {
+    return {};
+}
+template <class D>
+HWY_INLINE AlignedBoxRays<D> test_for_rays(AlignedBox /*shape*/, D d, const RayLanes<D>& rays) {
+    return AlignedBoxRays<D>(d, rays);
+}
 
 }  // namespace carom::render::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

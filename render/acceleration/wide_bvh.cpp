@@ -7,7 +7,7 @@ namespace carom::render {
 WideBvh::WideBvh(const ShapeSet& shapes, std::span<const MeshEntry> meshes,
                  const StructureOptions& options)
     : options_(options),
-      planes_(infinite_planes(shapes)),
+      planes_(infinite_shapes(shapes)),
       shapes_(make_analytic_tree(shapes)),
       triangles_(make_triangle_tree(meshes)),
       shape_kernels_(best_tree_kernels()),

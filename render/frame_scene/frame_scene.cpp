@@ -59,30 +59,8 @@ void add_spheres(ShapeSet& shapes, const RigidMotion& motion, float radius, std:
         }
         sphere.radius = radius;
         sphere.object = object;
-        shapes.spheres.push_back(sphere);
+        shapes.add_sphere(sphere);
     }
-}
-
-MovingShape::Kind moving_kind(ShapeKind kind) {
-    switch (kind) {
-        case ShapeKind::ball:
-            return MovingShape::Kind::ball;
-        case ShapeKind::box:
-            return MovingShape::Kind::box;
-        case ShapeKind::rectangle:
-            return MovingShape::Kind::rectangle;
-        case ShapeKind::plane:
-            return MovingShape::Kind::plane;
-        case ShapeKind::triangle:
-            return MovingShape::Kind::triangle;
-        case ShapeKind::disk:
-            return MovingShape::Kind::disk;
-        case ShapeKind::frustum:
-            return MovingShape::Kind::frustum;
-        case ShapeKind::mesh:
-            break;
-    }
-    return MovingShape::Kind::mesh;
 }
 
 void add_moving(ShapeSet& shapes, const StaticGeometry::Data& geometry, std::uint32_t index,
@@ -99,7 +77,7 @@ void add_moving(ShapeSet& shapes, const StaticGeometry::Data& geometry, std::uin
         return;
     }
     MovingShape shape;
-    shape.kind = moving_kind(object.kind);
+    shape.kind = object.kind;
     shape.unit_from_body = object.frame.unit_from_world;
     shape.profile = object.profile;
     shape.motion = motion;
@@ -220,22 +198,12 @@ V3f FrameScene::centre(std::uint32_t object, float time) const {
                              : data_->geometry->objects[object].frame.world_from_unit.translation;
 }
 
-std::optional<FrameScene::SimpleShape> FrameScene::simple_shape(std::uint32_t object) const {
-    const SceneObject& description = data_->geometry->objects[object];
-    const bool moves = data_->motions[object] != nullptr;
-    const bool is_box = description.is_upright_box && !moves;
-    if (description.has_texture || description.light.has_value() ||
-        !(description.is_round || is_box)) {
-        return std::nullopt;
-    }
-    SimpleShape shape;
-    shape.kind = is_box ? SimpleShape::Kind::upright_box : SimpleShape::Kind::ball;
-    shape.moves = moves;
-    shape.material = description.material;
-    shape.centre = description.frame.world_from_unit.translation;
-    shape.half_size = description.half_size;
-    shape.reach = description.reach;
-    return shape;
+const SceneObject& FrameScene::object(std::uint32_t object) const {
+    return data_->geometry->objects[object];
+}
+
+bool FrameScene::moves(std::uint32_t object) const {
+    return data_->motions[object] != nullptr;
 }
 
 std::uint32_t FrameScene::material(std::uint32_t object) const {

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +15,7 @@
 
 namespace carom::render {
 
+struct SceneObject;    // render/frame_scene/scene_object.h
 class StaticGeometry;  // render/frame_scene/static_geometry.h: what all frames share
 
 /// Moving spheres keep their exact paths (Hermite stretches with the instants of impacts between
@@ -54,18 +54,10 @@ class FrameScene {
     [[nodiscard]] std::vector<Ball> balls() const;
     [[nodiscard]] V3f centre(std::uint32_t object, float time) const;
 
-    /// An object whose surface needs little to be found.
-    struct SimpleShape {
-        enum class Kind { ball, upright_box };
-        Kind kind = Kind::ball;
-        bool moves = false;  // balls only: `centre` tells where to
-        std::uint32_t material = 0;
-        V3f centre;       // of still ones
-        V3f half_size;    // of a box; a ball's radius three times
-        float reach = 0;  // see surface_offset
-    };
-    /// Balls, and still boxes along the world's axes, unless they have a texture or are lights.
-    [[nodiscard]] std::optional<SimpleShape> simple_shape(std::uint32_t object) const;
+    /// As its description says.
+    [[nodiscard]] const SceneObject& object(std::uint32_t object) const;
+    /// Whether it follows a track.
+    [[nodiscard]] bool moves(std::uint32_t object) const;
     [[nodiscard]] std::size_t object_count() const;
     [[nodiscard]] std::uint32_t material(std::uint32_t object) const;
 

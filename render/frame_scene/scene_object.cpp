@@ -47,54 +47,64 @@ Mat44 checked_transform(const ObjectDescription& description) {
     return m;
 }
 
-/// From the axes of the unit shape to the object's.
-struct ObjectFromUnit {
+/// An object's unit shape (shape_list.h), and where that is in the object's own axes.
+struct UnitOfObject {
+    ShapeKind kind;
+    Mat44 object_from_unit{};
+    V3f profile{0, 0, 0};
+};
+
+struct MakeUnit {
     const std::string& name;
 
-    Mat44 operator()(const SphereShape& shape) const {
+    UnitOfObject operator()(const SphereShape& shape) const {
         check_size(shape.radius, name, "the radius");
-        return scaling(Vec3(shape.radius));
+        return {ShapeKind::ball, scaling(Vec3(shape.radius))};
     }
-    Mat44 operator()(const BoxShape& shape) const {
+    UnitOfObject operator()(const BoxShape& shape) const {
         for (int axis = 0; axis < 3; ++axis) {
             check_size(shape.size[axis], name, "a box's edge");
         }
-        return scaling(0.5 * shape.size);
+        return {ShapeKind::box, scaling(0.5 * shape.size)};
     }
-    Mat44 operator()(const PlaneShape&) const { return Mat44(); }
-    Mat44 operator()(const RectangleShape& shape) const {
+    UnitOfObject operator()(const PlaneShape&) const { return {ShapeKind::plane}; }
+    UnitOfObject operator()(const RectangleShape& shape) const {
         check_size(shape.size.x, name, "a rectangle's edge");
         check_size(shape.size.y, name, "a rectangle's edge");
-        return scaling(Vec3(0.5 * shape.size.x, 0.5 * shape.size.y, 1));
+        return {ShapeKind::rectangle, scaling(Vec3(0.5 * shape.size.x, 0.5 * shape.size.y, 1))};
     }
-    Mat44 operator()(const MeshShape&) const { return Mat44(); }
-    Mat44 operator()(const TriangleShape& shape) const {
+    UnitOfObject operator()(const MeshShape&) const { return {ShapeKind::mesh}; }
+    UnitOfObject operator()(const TriangleShape& shape) const {
         const auto& [a, b, c] = shape.corners;
-        return flat(b - a, c - a, a, "a triangle's corners lie in a line");
+        return {ShapeKind::triangle, flat(b - a, c - a, a, "a triangle's corners lie in a line")};
     }
-    Mat44 operator()(const ParallelogramShape& shape) const {
+    UnitOfObject operator()(const ParallelogramShape& shape) const {
         const Vec3 half_u = 0.5 * shape.edge_u;
         const Vec3 half_v = 0.5 * shape.edge_v;
-        return flat(half_u, half_v, shape.corner + half_u + half_v,
-                    "the edges of a parallelogram are parallel");
+        return {ShapeKind::rectangle, flat(half_u, half_v, shape.corner + half_u + half_v,
+                                           "the edges of a parallelogram are parallel")};
     }
-    Mat44 operator()(const DiskShape& shape) const {
+    UnitOfObject operator()(const DiskShape& shape) const {
         check_size(shape.radius, name, "the radius");
-        return scaling(Vec3(shape.radius, shape.radius, 1));
+        return {ShapeKind::disk, scaling(Vec3(shape.radius, shape.radius, 1))};
     }
-    Mat44 operator()(const CylinderShape& shape) const {
+    UnitOfObject operator()(const CylinderShape& shape) const {
         check_size(shape.radius, name, "the radius");
         check_size(shape.height, name, "the height");
-        return scaling(Vec3(shape.radius, shape.radius, 0.5 * shape.height));
+        return {ShapeKind::frustum, scaling(Vec3(shape.radius, shape.radius, 0.5 * shape.height)),
+                V3f(1, 0, 0)};
     }
-    Mat44 operator()(const ConeShape& shape) const {
-        const double radius = std::max(shape.radius, shape.top_radius);
-        check_size(radius, name, "the larger radius of a cone");
+    UnitOfObject operator()(const ConeShape& shape) const {
+        const double larger = std::max(shape.radius, shape.top_radius);
+        check_size(larger, name, "the larger radius of a cone");
         check_size(shape.height, name, "the height");
         if (!(std::min(shape.radius, shape.top_radius) >= 0)) {
             refuse(name, "no radius of a cone may be negative");
         }
-        return scaling(Vec3(radius, radius, 0.5 * shape.height));
+        const Vec3 middle_and_slope(0.5 * (shape.top_radius + shape.radius) / larger,
+                                    0.5 * (shape.top_radius - shape.radius) / larger, 0);
+        return {ShapeKind::frustum, scaling(Vec3(larger, larger, 0.5 * shape.height)),
+                V3f(middle_and_slope)};
     }
 
   private:
@@ -110,29 +120,6 @@ struct ObjectFromUnit {
                      origin.z, 1);
     }
 };
-
-struct KindOf {
-    ShapeKind operator()(const SphereShape&) const { return ShapeKind::ball; }
-    ShapeKind operator()(const BoxShape&) const { return ShapeKind::box; }
-    ShapeKind operator()(const PlaneShape&) const { return ShapeKind::plane; }
-    ShapeKind operator()(const RectangleShape&) const { return ShapeKind::rectangle; }
-    ShapeKind operator()(const MeshShape&) const { return ShapeKind::mesh; }
-    ShapeKind operator()(const TriangleShape&) const { return ShapeKind::triangle; }
-    ShapeKind operator()(const ParallelogramShape&) const { return ShapeKind::rectangle; }
-    ShapeKind operator()(const DiskShape&) const { return ShapeKind::disk; }
-    ShapeKind operator()(const CylinderShape&) const { return ShapeKind::frustum; }
-    ShapeKind operator()(const ConeShape&) const { return ShapeKind::frustum; }
-};
-
-Profile profile_of(const Shape& shape) {
-    const auto* cone = std::get_if<ConeShape>(&shape);
-    if (cone == nullptr) {
-        return {};
-    }
-    const double larger = std::max(cone->radius, cone->top_radius);
-    return {static_cast<float>(0.5 * (cone->top_radius + cone->radius) / larger),
-            static_cast<float>(0.5 * (cone->top_radius - cone->radius) / larger)};
-}
 
 bool equal_scales(const Vec3& scale) {
     const double largest = std::max({scale.x, scale.y, scale.z});
@@ -159,29 +146,21 @@ bool is_upright(const Mat44& m) {
     return true;
 }
 
-/// As far the surface of the mapped unit shape is at most from the image of its centre.
-double reach_of(ShapeKind kind, const Mat44& world_from_unit) {
+/// How far the surface of the mapped unit shape is at most from the image of its centre. A plane
+/// has no such distance, and a mesh is measured.
+double reach_of(const UnitOfObject& unit, const Mat44& world_from_unit) {
     const Vec3 scale = axis_scales(world_from_unit);
-    if (!has_right_angles(world_from_unit)) {
-        return scale.x + scale.y + scale.z;
-    }
-    switch (kind) {
-        case ShapeKind::ball:
-            return std::max({scale.x, scale.y, scale.z});
-        case ShapeKind::box:
-            return scale.length();
-        case ShapeKind::rectangle:
-        case ShapeKind::triangle:
-            return std::hypot(scale.x, scale.y);
-        case ShapeKind::disk:
-            return std::max(scale.x, scale.y);
-        case ShapeKind::frustum:
-            return std::hypot(std::max(scale.x, scale.y), scale.z);
-        case ShapeKind::plane:
-        case ShapeKind::mesh:
-            break;
-    }
-    return 1;  // a plane has none, a mesh is measured
+    const bool is_straight = has_right_angles(world_from_unit);
+    return visit_shape(unit.kind, 1.0, [&](auto shape) {
+        using Shape = decltype(shape);
+        if (is_straight) {
+            return Shape::reach(scale, unit.profile);
+        }
+        // No shape reaches beyond its box or, if that is larger, the unit cube.
+        const V3f half = Shape::half_size(unit.profile);
+        return std::max(half.x, 1.f) * scale.x + std::max(half.y, 1.f) * scale.y +
+               std::max(half.z, 1.f) * scale.z;
+    });
 }
 
 double length_of_translation(const Mat44& m) {
@@ -222,18 +201,18 @@ SceneObject make_object(const ObjectDescription& description, std::uint32_t mate
     object.track = description.track;
     object.material = material;
     object.has_texture = has_texture;
-    object.kind = std::visit(KindOf{}, description.shape);
-    object.profile = profile_of(description.shape);
     const Mat44 world_from_object = checked_transform(description);
-    const Mat44 world_from_unit =
-        std::visit(ObjectFromUnit{description.name}, description.shape) * world_from_object;
+    const UnitOfObject unit = std::visit(MakeUnit{description.name}, description.shape);
+    const Mat44 world_from_unit = unit.object_from_unit * world_from_object;
+    object.kind = unit.kind;
+    object.profile = unit.profile;
     const double offset = object.is_tracked() ? length_of_translation(world_from_unit) : 0;
     const Vec3 scale = axis_scales(world_from_object);
     object.half_size = V3f(axis_scales(world_from_unit));
     object.is_round = object.kind == ShapeKind::ball && equal_scales(scale) && offset == 0 &&
                       has_right_angles(world_from_object);
     object.is_upright_box = object.kind == ShapeKind::box && is_upright(world_from_object);
-    object.reach = static_cast<float>(offset + reach_of(object.kind, world_from_unit));
+    object.reach = static_cast<float>(offset + reach_of(unit, world_from_unit));
     object.frame = frame_of(world_from_unit);
     object.metres_from_world = Affine::narrowed(world_from_object.inverse() * scaling(scale));
     if (const auto* mesh = std::get_if<MeshShape>(&description.shape)) {
@@ -267,7 +246,7 @@ std::optional<SceneObject> make_light_object(const LightDescription& description
         object.kind = ShapeKind::rectangle;
         object.is_one_sided = true;
         object.half_size = V3f(static_cast<float>(u.length()), static_cast<float>(v.length()), 1);
-        object.reach = static_cast<float>(reach_of(object.kind, world_from_unit));
+        object.reach = static_cast<float>(reach_of({object.kind}, world_from_unit));
         object.frame = frame_of(world_from_unit);
         return object;
     }

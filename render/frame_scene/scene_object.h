@@ -1,4 +1,4 @@
-// One object of a shot, checked and narrowed. For the .cpp files of this folder only.
+// One object of a shot, checked and narrowed.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,7 @@
 
 namespace carom::render {
 
-enum class ShapeKind { ball, box, rectangle, plane, mesh, triangle, disk, frustum };
-
-/// World axes (of what follows a track: the body's) and those of the unit shape (shapes.h).
+/// World axes (of what follows a track: the body's) and those of the unit shape (shape_list.h).
 struct UnitFrame {
     Affine unit_from_world;
     Affine world_from_unit;
@@ -36,7 +34,7 @@ struct SceneObject {
     float reach = 1;              // as far from the body's origin the surface is at most, m
     UnitFrame frame;              // of analytic shapes
     Affine metres_from_world;     // object axes in metres, scaled; with a track: from the body's
-    Profile profile{};            // of a frustum
+    V3f profile{0, 0, 0};         // of the unit shape (shape_list.h)
     std::shared_ptr<const TriangleMesh> mesh;  // still: world axes; with a track: body axes
 
     [[nodiscard]] bool is_tracked() const { return !track.empty(); }

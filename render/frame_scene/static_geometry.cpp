@@ -45,14 +45,25 @@ bool is_aligned(const Affine& world_from_unit) {
     return true;
 }
 
-AlignedBox aligned_box(const Affine& world_from_unit, std::uint32_t object) {
+void add_aligned_box(ShapeSet& shapes, const Affine& world_from_unit, std::uint32_t object) {
     V3f half(0, 0, 0);
     for (int row = 0; row < 3; ++row) {
         for (int k = 0; k < 3; ++k) {
             half[k] = std::max(half[k], std::abs(world_from_unit.linear[row][k]));
         }
     }
-    return {world_from_unit.translation - half, world_from_unit.translation + half, object};
+    const V3f& centre = world_from_unit.translation;
+    const auto [block, lane] = shapes.blocks.of<AlignedBox>().add(object);
+    block.set(lane, centre - half, centre + half);
+}
+
+template <class Shape>
+void add_mapped(BlockList<Shape>& list, const SceneObject& object, std::uint32_t index,
+                const UnitFrame& frame) {
+    const auto [block, lane] = list.add(index);
+    block.set_map(lane, frame.unit_from_world);
+    block.set_profile(lane, object.profile);
+    block.one_sided.values[lane] = object.is_one_sided ? 1.f : 0.f;
 }
 
 void add_objects(StaticGeometry::Data& data, const SceneDescription& scene) {
@@ -105,45 +116,21 @@ bool needs_embree(const StaticGeometry::Data& data) {
 
 }  // namespace
 
+// Meshes are in the shared scene of triangles.
 void add_still_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t index,
                      const UnitFrame& frame) {
-    const MappedShape mapped{frame.unit_from_world, index, object.is_one_sided, object.profile};
-    switch (object.kind) {
-        case ShapeKind::ball:
-            if (object.is_round) {
-                SphereStretch sphere;
-                sphere.path.c[0] = frame.world_from_unit.translation;
-                sphere.radius = object.half_size.x;
-                sphere.object = index;
-                shapes.spheres.push_back(sphere);
-            } else {
-                shapes.mapped_balls.push_back(mapped);
-            }
-            break;
-        case ShapeKind::box:
-            if (is_aligned(frame.world_from_unit)) {
-                shapes.boxes.push_back(aligned_box(frame.world_from_unit, index));
-            } else {
-                shapes.mapped_boxes.push_back(mapped);
-            }
-            break;
-        case ShapeKind::rectangle:
-            shapes.rectangles.push_back(mapped);
-            break;
-        case ShapeKind::triangle:
-            shapes.triangles.push_back(mapped);
-            break;
-        case ShapeKind::disk:
-            shapes.disks.push_back(mapped);
-            break;
-        case ShapeKind::frustum:
-            shapes.frustums.push_back(mapped);
-            break;
-        case ShapeKind::plane:
-            shapes.planes.push_back(mapped);
-            break;
-        case ShapeKind::mesh:
-            break;  // in the shared scene of triangles
+    if (object.is_round) {
+        SphereStretch sphere;
+        sphere.path.c[0] = frame.world_from_unit.translation;
+        sphere.radius = object.half_size.x;
+        sphere.object = index;
+        shapes.add_sphere(sphere);
+    } else if (object.kind == ShapeKind::box && is_aligned(frame.world_from_unit)) {
+        add_aligned_box(shapes, frame.world_from_unit, index);
+    } else {
+        visit_shape(object.kind, [&](auto shape) {
+            add_mapped(shapes.blocks.of<decltype(shape)>(), object, index, frame);
+        });
     }
 }
 
@@ -172,7 +159,7 @@ StaticGeometry::StaticGeometry(const SceneDescription& scene, const RenderSettin
         start = process_cpu_seconds();
         data->still_tree = std::make_shared<const AnalyticTree>(make_analytic_tree(data->still));
         data->build_seconds += process_cpu_seconds() - start;
-        data->beside_tree.planes = data->still.planes;
+        data->beside_tree = infinite_shapes(data->still);
         data->beside_tree.meshes = data->still.meshes;
     }
     data_ = std::move(data);

@@ -56,27 +56,19 @@ std::vector<Triangle> still_triangles(const StaticGeometry& geometry, std::uint3
     const V3f y(0, 1, 0);
     const V3f z(0, 0, 1);
     Faces faces(object.frame);
-    switch (object.kind) {
-        case ShapeKind::mesh:
-            return of_mesh(*object.mesh);
-        case ShapeKind::rectangle:
-            faces.add_square(V3f(0, 0, 0), x, y, z);
-            break;
-        case ShapeKind::triangle:
-            faces.add(V3f(0, 0, 0), x, y, z);
-            break;
-        case ShapeKind::box:
-            for (const float side : {1.0f, -1.0f}) {
-                faces.add_square(x * side, y, z, x * side);
-                faces.add_square(y * side, z, x, y * side);
-                faces.add_square(z * side, x, y, z * side);
-            }
-            break;
-        case ShapeKind::ball:
-        case ShapeKind::plane:
-        case ShapeKind::disk:
-        case ShapeKind::frustum:
-            break;
+    if (object.kind == ShapeKind::mesh) {
+        return of_mesh(*object.mesh);
+    }
+    if (object.kind == ShapeKind::rectangle) {
+        faces.add_square(V3f(0, 0, 0), x, y, z);
+    } else if (object.kind == ShapeKind::triangle) {
+        faces.add(V3f(0, 0, 0), x, y, z);
+    } else if (object.kind == ShapeKind::box) {
+        for (const float side : {1.0f, -1.0f}) {
+            faces.add_square(x * side, y, z, x * side);
+            faces.add_square(y * side, z, x, y * side);
+            faces.add_square(z * side, x, y, z * side);
+        }
     }
     return faces.take();
 }

@@ -125,7 +125,7 @@ TEST(LaboratoryOfAll, ManySpheresAndMeshes_BitsOfBruteForce) {
         sphere.path.c[0] = test::random_point(random, 2);
         sphere.radius = i % 100 == 0 ? 0.4f : 0.04f;
         sphere.object = scene.object_count++;
-        scene.shapes.spheres.push_back(sphere);
+        scene.shapes.add_sphere(sphere);
     }
     const std::vector<Asked> asked = asked_of_brute_force(scene, 6'000);
     for (const Named& named : kAll) {
@@ -140,7 +140,7 @@ TEST_P(Laboratory, ShapesInOnePlace_LowestObjectIsReported) {
         SphereStretch sphere;
         sphere.radius = 0.5f;
         sphere.object = 299 - i;
-        scene.shapes.spheres.push_back(sphere);
+        scene.shapes.add_sphere(sphere);
     }
     Ray ray;
     ray.origin = V3f(0.1f, 0.2f, -3);
@@ -166,7 +166,7 @@ TEST_P(Laboratory, Counts_AreOfTheRaysAndFewerThanBruteForces) {
         sphere.path.c[0] = test::random_point(random, 2);
         sphere.radius = 0.08f;
         sphere.object = i;
-        scene.shapes.spheres.push_back(sphere);
+        scene.shapes.add_sphere(sphere);
     }
     const auto structure = make(scene, GetParam().kind, {.counts = true});
     Hit hit;
@@ -207,7 +207,7 @@ RandomScene row_of_spheres(std::uint32_t count) {
         sphere.path.c[0] = V3f(static_cast<float>(i), 0, 0);
         sphere.radius = 0.4f;
         sphere.object = i;
-        scene.shapes.spheres.push_back(sphere);
+        scene.shapes.add_sphere(sphere);
     }
     return scene;
 }
@@ -243,7 +243,7 @@ TEST(LaboratoryOfMedianKdTree, ManyShapesInOnePlace_AreEachInOneLeaf) {
         sphere.path.c[0] = V3f(0.001f * static_cast<float>(i), 0, 0);
         sphere.radius = 0.5f;
         sphere.object = i;
-        scene.shapes.spheres.push_back(sphere);
+        scene.shapes.add_sphere(sphere);
     }
     const auto structure = make(scene, AccelerationKind::kd_tree_median, {.counts = true});
     Hit hit;
@@ -261,7 +261,7 @@ TEST(LaboratoryOfWideBvh, OneLeaf_CountsItsShapes) {
         sphere.path.c[0] = V3f(0, 0, static_cast<float>(i));
         sphere.radius = 0.5f;
         sphere.object = i;
-        scene.shapes.spheres.push_back(sphere);
+        scene.shapes.add_sphere(sphere);
     }
     const auto structure = make(scene, AccelerationKind::wide_bvh, {.counts = true});
     Ray through;
@@ -293,7 +293,7 @@ Hit alone(const Primitives& primitives, const Hit& hit, const Ray& ray) {
         Hit found;
         const bool is_it =
             primitive.object == hit.object &&
-            (primitive.kind != Primitive::Kind::mesh_triangle || primitive.number == hit.primitive);
+            (primitive.shape != Primitive::kMeshTriangle || primitive.number == hit.primitive);
         if (is_it && primitives.closest(primitive, ray, found) && found.t < best.t) {
             best = found;
         }

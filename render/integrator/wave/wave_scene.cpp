@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "render/frame_scene/scene_object.h"
+
 namespace carom::render {
 namespace {
 
@@ -35,21 +37,31 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
     return light;
 }
 
-/// How a wave finds the object's surface, and what that is made of.
-void add_object(const TransportScene& scene, std::uint32_t object, WaveObjects& objects) {
+/// What a wave can find a surface on by itself: balls, and still boxes along the world's axes,
+/// unless they have a texture or are lights.
+WaveObjects::Kind kind_of(const SceneObject& object, bool moves) {
     using Kind = WaveObjects::Kind;
-    const auto shape = scene.frame.simple_shape(object);
-    const Material* material = shape ? &scene.materials[shape->material] : nullptr;
+    if (object.has_texture || object.light.has_value()) {
+        return Kind::other;
+    }
+    if (object.is_round) {
+        return moves ? Kind::moving_ball : Kind::still_ball;
+    }
+    return object.is_upright_box && !moves ? Kind::box : Kind::other;
+}
+
+/// How a wave finds the object's surface, and what that is made of.
+void add_object(const TransportScene& scene, std::uint32_t index, WaveObjects& objects) {
+    using Kind = WaveObjects::Kind;
+    const SceneObject& object = scene.frame.object(index);
+    const Kind kind = kind_of(object, scene.frame.moves(index));
+    const Material* material = kind != Kind::other ? &scene.materials[object.material] : nullptr;
     const bool is_simple =
         material != nullptr && material->is_plain() && material->layers().sheen == 0;
     const auto base = is_simple ? material->constant_base() : std::nullopt;
-    const bool is_box = shape && shape->kind == FrameScene::SimpleShape::Kind::upright_box;
-    const Kind kind = is_box                  ? Kind::box
-                      : shape && shape->moves ? Kind::moving_ball
-                                              : Kind::still_ball;
     objects.kind.push_back(base ? kind : Kind::other);
-    const V3f centre = base ? shape->centre : V3f(0, 0, 0);
-    const V3f half = base ? shape->half_size : V3f(1, 1, 1);
+    const V3f centre = base ? object.frame.world_from_unit.translation : V3f(0, 0, 0);
+    const V3f half = base ? object.half_size : V3f(1, 1, 1);
     const V3f colour = base.value_or(V3f(0, 0, 0));
     objects.centre_x.push_back(centre.x);
     objects.centre_y.push_back(centre.y);
@@ -57,7 +69,7 @@ void add_object(const TransportScene& scene, std::uint32_t object, WaveObjects& 
     objects.half_x.push_back(half.x);
     objects.half_y.push_back(half.y);
     objects.half_z.push_back(half.z);
-    objects.reach.push_back(base ? shape->reach : 0);
+    objects.reach.push_back(base ? object.reach : 0);
     objects.red.push_back(colour.x);
     objects.green.push_back(colour.y);
     objects.blue.push_back(colour.z);

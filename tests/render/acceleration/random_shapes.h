@@ -66,11 +66,11 @@ inline Affine random_map(TestRandom& random, const V3f& half_size, float size) {
 }
 
 /// A cylinder, a cone or one cut off, either way up.
-inline render::Profile random_profile(TestRandom& random) {
+inline V3f random_profile(TestRandom& random) {
     const float other = std::max(0.f, random.between(-0.5f, 1.5f));
     const float top = random.next() % 2 == 0 ? 1 : std::min(other, 1.f);
     const float bottom = top == 1 ? std::min(other, 1.f) : 1;
-    return {0.5f * (top + bottom), 0.5f * (top - bottom)};
+    return V3f(0.5f * (top + bottom), 0.5f * (top - bottom), 0);
 }
 
 /// A path of three stretches with two impacts, turning fast.
@@ -102,8 +102,23 @@ inline void add_moving_sphere(render::ShapeSet& shapes, const render::RigidMotio
         sphere.end = i + 1 == path.size() ? render::kInfinity : path[i].end;
         sphere.radius = radius;
         sphere.object = object;
-        shapes.spheres.push_back(sphere);
+        shapes.add_sphere(sphere);
     }
+}
+
+template <class Shape>
+void add_mapped(render::ShapeSet& shapes, const Affine& unit_from_world, std::uint32_t object,
+                const V3f& profile = V3f(0), bool one_sided = false) {
+    const auto [block, lane] = shapes.blocks.of<Shape>().add(object);
+    block.set_map(lane, unit_from_world);
+    block.set_profile(lane, profile);
+    block.one_sided.values[lane] = one_sided ? 1.f : 0.f;
+}
+
+inline void add_aligned_box(render::ShapeSet& shapes, const V3f& low, const V3f& high,
+                            std::uint32_t object) {
+    const auto [block, lane] = shapes.blocks.of<render::AlignedBox>().add(object);
+    block.set(lane, low, high);
 }
 
 /// A closed, bumpy surface around the origin: 2 * rings * (2 * rings) triangles.
@@ -146,24 +161,25 @@ struct RandomScene {
             sphere.path.c[0] = random_point(random, 2);
             sphere.radius = random.between(0.05f, 0.3f);
             sphere.object = object_count++;
-            shapes.spheres.push_back(sphere);
+            shapes.add_sphere(sphere);
             const V3f low = random_point(random, 2);
             const V3f size = random_point(random, 0.2f) + V3f(0.25f);
-            shapes.boxes.push_back({low, low + size, object_count++});
+            add_aligned_box(shapes, low, low + size, object_count++);
             const V3f half = random_point(random, 0.1f) + V3f(0.15f);
-            shapes.mapped_boxes.push_back({random_map(random, half, 2), object_count++});
-            shapes.mapped_balls.push_back({random_map(random, half, 2), object_count++});
-            shapes.rectangles.push_back({random_map(random, half, 2), object_count++, i % 2 == 0});
-            shapes.triangles.push_back({random_map(random, half, 2), object_count++});
-            shapes.disks.push_back({random_map(random, half, 2), object_count++});
-            shapes.frustums.push_back(
-                {random_map(random, half, 2), object_count++, false, random_profile(random)});
+            add_mapped<render::UnitBox>(shapes, random_map(random, half, 2), object_count++);
+            add_mapped<render::UnitBall>(shapes, random_map(random, half, 2), object_count++);
+            add_mapped<render::UnitRectangle>(shapes, random_map(random, half, 2), object_count++,
+                                              V3f(0), i % 2 == 0);
+            add_mapped<render::UnitTriangle>(shapes, random_map(random, half, 2), object_count++);
+            add_mapped<render::UnitDisk>(shapes, random_map(random, half, 2), object_count++);
+            const Affine map = random_map(random, half, 2);
+            add_mapped<render::UnitFrustum>(shapes, map, object_count++, random_profile(random));
         }
-        shapes.planes.push_back({random_map(random, V3f(1), 0.2f), object_count++});
+        add_mapped<render::UnitPlane>(shapes, random_map(random, V3f(1), 0.2f), object_count++);
     }
 
     void add_moving(TestRandom& random, int count) {
-        using Kind = render::MovingShape::Kind;
+        using Kind = render::ShapeKind;
         for (int i = 0; i < count; ++i) {
             const render::RigidMotion motion(random_track(random, 2), 0, 1);
             add_moving_sphere(shapes, motion, random.between(0.05f, 0.3f), object_count++);

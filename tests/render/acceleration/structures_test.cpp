@@ -319,10 +319,10 @@ TEST(Structures, SameDistance_LowerObjectIsReported) {
         sphere.path.c[0] = V3f(static_cast<float>(i % 3), 0, 0);
         sphere.radius = 0.3f;
         sphere.object = static_cast<std::uint32_t>(11 - i);
-        scene.shapes.spheres.push_back(sphere);
+        scene.shapes.add_sphere(sphere);
         const float x = static_cast<float>(i % 4);
-        scene.shapes.boxes.push_back(
-            {V3f(x, 1, 0), V3f(x + 1, 2, 1), static_cast<std::uint32_t>(30 - i)});
+        test::add_aligned_box(scene.shapes, V3f(x, 1, 0), V3f(x + 1, 2, 1),
+                              static_cast<std::uint32_t>(30 - i));
     }
     const Structures structures(scene);
     for (int i = 0; i < 20'000; ++i) {

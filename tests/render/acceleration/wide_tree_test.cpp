@@ -87,7 +87,7 @@ TEST(AnalyticTree, ManyStillSpheres_SameBitsAsBruteForce) {
         // A few large ones among many small.
         sphere.radius = i % 100 == 0 ? 0.3f : 0.02f;
         sphere.object = i;
-        shapes.spheres.push_back(sphere);
+        shapes.add_sphere(sphere);
     }
     compare(shapes, 20'000, 2, 26);
 }
@@ -98,7 +98,7 @@ TEST(AnalyticTree, AllInOnePlace_LowestObjectIsReported) {
         SphereStretch sphere;
         sphere.radius = 0.5f;
         sphere.object = 999 - i;
-        shapes.spheres.push_back(sphere);
+        shapes.add_sphere(sphere);
     }
     const HybridStructure tree(shapes, kAlways);
     Ray ray;
@@ -117,12 +117,13 @@ TEST(AnalyticTree, SpheresAsStarsFarApart_AreAllFound) {
         sphere.path.c[0] = V3f(i % 2 == 0 ? place : -place, 0, 0);
         sphere.radius = 0.2f * place;
         sphere.object = i;
-        shapes.spheres.push_back(sphere);
+        shapes.add_sphere(sphere);
         place *= 1.15f;
     }
     const HybridStructure tree(shapes, kAlways);
     for (std::uint32_t i = 0; i < 200; ++i) {
-        const V3f centre = shapes.spheres[i].path.c[0];
+        const StillSphereBlock& block = shapes.blocks.of<StillSphere>().blocks[i / kBlockLanes];
+        const V3f centre(block.centre[0].values[i % kBlockLanes], 0, 0);
         Ray ray;
         ray.origin = centre + V3f(0, 0, -1);
         Hit hit;
@@ -168,8 +169,12 @@ TEST(BoundsOf, MovingSpheres_HoldThemAtEveryTimeInForce) {
         ShapeSet shapes;
         const RigidMotion motion(test::random_track(random, 2), random.unit(), 1);
         test::add_moving_sphere(shapes, motion, 0.1f, 0);
-        for (const SphereStretch& sphere : shapes.spheres) {
-            const MovingBounds bounds = bounds_of(sphere);
+        const BlockList<MovingSphere>& list = shapes.blocks.of<MovingSphere>();
+        EXPECT_EQ(list.size, motion.path().size());
+        for (std::uint32_t index = 0; index < list.size; ++index) {
+            const SphereStretch sphere =
+                list.blocks[index / kBlockLanes].sphere(static_cast<int>(index % kBlockLanes));
+            const MovingBounds bounds = bounds_of(list, index);
             const float from = std::max(sphere.start, 0.f);
             const float to = std::min(sphere.end, 1.f);
             for (int i = 0; i <= 20 && from <= to; ++i) {

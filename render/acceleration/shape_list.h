@@ -1,0 +1,233 @@
+// The one list of the shapes that rays can meet. What names them all is a fold over it.
+//
+// To add a shape: give it a ShapeKind, a struct below and a place in UnitShapes, and in
+// shape_tests-inl.h a LaneTest. What is forgotten does not compile.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include "core/vectors.h"
+#include "render/acceleration/analytic_blocks.h"
+#include "render/geometry/intersect.h"
+#include "render/geometry/unit_point.h"
+
+namespace carom::render {
+
+/// What an object is. All kinds except the last are unit shapes under an affine map.
+enum class ShapeKind : std::uint8_t {
+    ball,
+    box,
+    rectangle,
+    triangle,
+    disk,
+    frustum,
+    plane,
+    mesh,
+};
+
+/// Each unit shape has
+/// - kKind and Block, what eight of them are kept in for the kernels;
+/// - kIsBounded: whether a box can be put around it;
+/// - intersect(ray, profile): the first hit on a ray in the shape's own axes;
+/// - point(ray, t, profile): the surface where the ray meets it;
+/// - half_size(profile): of a box around it, centred at the origin;
+/// - reach(scale, profile): how far its surface is at most from its centre where the map stretches
+///   its axes by `scale` and leaves them at right angles.
+/// `profile` holds the numbers of a shape's form that no affine map can make from another's; most
+/// have none.
+template <ShapeKind kKindOfShape, class BlockOfShape = MappedBlock>
+struct UnitShape {
+    static constexpr ShapeKind kKind = kKindOfShape;
+    static constexpr bool kIsBounded = true;
+    using Block = BlockOfShape;
+    static V3f half_size(const V3f& /*profile*/) { return V3f(1); }
+};
+
+/// Of the plane z = 0.
+template <ShapeKind kKindOfShape>
+struct FlatShape : UnitShape<kKindOfShape> {
+    static V3f half_size(const V3f& /*profile*/) { return V3f(1, 1, 0); }
+    static double reach(const Vec3& scale, const V3f& /*profile*/) {
+        return std::hypot(scale.x, scale.y);
+    }
+};
+
+/// |p| <= 1.
+struct UnitBall : UnitShape<ShapeKind::ball> {
+    static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
+        return intersect_sphere(ray, 1.f);
+    }
+    static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
+        return on_unit_ball(ray, t);
+    }
+    static double reach(const Vec3& scale, const V3f& /*profile*/) {
+        return std::max({scale.x, scale.y, scale.z});
+    }
+};
+
+/// |x|, |y|, |z| <= 1.
+struct UnitBox : UnitShape<ShapeKind::box> {
+    static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
+        const auto hit = intersect_box(ray, V3f(-1), V3f(1));
+        return hit ? std::optional(hit->t) : std::nullopt;
+    }
+    static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
+        return on_unit_box(ray, t);
+    }
+    static double reach(const Vec3& scale, const V3f& /*profile*/) { return scale.length(); }
+};
+
+/// |x|, |y| <= 1.
+struct UnitRectangle : FlatShape<ShapeKind::rectangle> {
+    static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
+        return intersect_rectangle(ray, V2f(1));
+    }
+    static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
+        return on_unit_rectangle(ray, t);
+    }
+};
+
+/// x, y >= 0 and x + y <= 1.
+struct UnitTriangle : FlatShape<ShapeKind::triangle> {
+    static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
+        return intersect_unit_triangle(ray);
+    }
+    static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
+        return on_unit_triangle(ray, t);
+    }
+};
+
+/// x^2 + y^2 <= 1.
+struct UnitDisk : FlatShape<ShapeKind::disk> {
+    static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
+        return intersect_unit_disk(ray);
+    }
+    static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
+        return on_unit_disk(ray, t);
+    }
+    static double reach(const Vec3& scale, const V3f& /*profile*/) {
+        return std::max(scale.x, scale.y);
+    }
+};
+
+/// x^2 + y^2 <= (middle + slope z)^2 and |z| <= 1, with the profile (middle, slope, 0): (1, 0, 0)
+/// is a cylinder, (1/2, -1/2, 0) a cone.
+struct UnitFrustum : UnitShape<ShapeKind::frustum, ProfiledBlock> {
+    static std::optional<float> intersect(const UnitRay& ray, const V3f& profile) {
+        return intersect_frustum(ray, profile.x, profile.y);
+    }
+    static UnitPoint point(const UnitRay& ray, float t, const V3f& profile) {
+        return on_unit_frustum(ray, t, profile.x, profile.y);
+    }
+    static double reach(const Vec3& scale, const V3f& /*profile*/) {
+        return std::hypot(std::max(scale.x, scale.y), scale.z);
+    }
+};
+
+/// z = 0, without end.
+struct UnitPlane : UnitShape<ShapeKind::plane> {
+    static constexpr bool kIsBounded = false;
+    static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
+        return intersect_plane(ray);
+    }
+    static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
+        return on_unit_plane(ray, t);
+    }
+    static double reach(const Vec3& /*scale*/, const V3f& /*profile*/) { return 1; }
+};
+
+template <class... Shapes>
+struct ShapeList {
+    static constexpr std::size_t kSize = sizeof...(Shapes);
+
+    /// How many of the list come before `Shape`.
+    template <class Shape>
+    static constexpr std::uint32_t index_of() {
+        static_assert((std::same_as<Shape, Shapes> || ...), "the shape is not in the list");
+        std::uint32_t index = 0;
+        static_cast<void>(((std::same_as<Shape, Shapes> || (++index, false)) || ...));
+        return index;
+    }
+};
+
+/// In the order of ShapeKind.
+using UnitShapes =
+    ShapeList<UnitBall, UnitBox, UnitRectangle, UnitTriangle, UnitDisk, UnitFrustum, UnitPlane>;
+
+// Cases of balls and boxes that the kernels test faster than under an affine map.
+struct StillSphere {
+    using Block = StillSphereBlock;
+    static constexpr bool kIsBounded = true;
+};
+struct MovingSphere {
+    using Block = MovingSphereBlock;
+    static constexpr bool kIsBounded = true;
+};
+/// A box whose axes are those of the world.
+struct AlignedBox {
+    using Block = AlignedBoxBlock;
+    static constexpr bool kIsBounded = true;
+};
+
+template <class List>
+struct WithSpecialCases;
+template <class... Shapes>
+struct WithSpecialCases<ShapeList<Shapes...>> {
+    using List = ShapeList<StillSphere, MovingSphere, AlignedBox, Shapes...>;
+};
+
+/// Everything that the kernels know a test for.
+using LaneShapes = WithSpecialCases<UnitShapes>::List;
+
+/// The number by which a shape of the kernels is named where types cannot be.
+template <class Shape>
+inline constexpr std::uint32_t kLaneShape = LaneShapes::index_of<Shape>();
+inline constexpr std::uint32_t kLaneShapeCount = LaneShapes::kSize;
+
+template <class Shape>
+concept CompleteUnitShape = requires(const UnitRay& ray, float t, const V3f& profile,
+                                     const Vec3& scale, typename Shape::Block& block) {
+    { Shape::kKind } -> std::convertible_to<ShapeKind>;
+    { Shape::kIsBounded } -> std::convertible_to<bool>;
+    { Shape::intersect(ray, profile) } -> std::same_as<std::optional<float>>;
+    { Shape::point(ray, t, profile) } -> std::same_as<UnitPoint>;
+    { Shape::half_size(profile) } -> std::same_as<V3f>;
+    { Shape::reach(scale, profile) } -> std::same_as<double>;
+    block.set_profile(0, profile);
+};
+
+template <class... Shapes>
+constexpr bool is_complete(ShapeList<Shapes...> list) {
+    using List = decltype(list);
+    static_assert((CompleteUnitShape<Shapes> && ...), "a shape lacks a member");
+    static_assert(
+        ((static_cast<std::uint32_t>(Shapes::kKind) == List::template index_of<Shapes>()) && ...),
+        "the list is not in the order of ShapeKind");
+    static_assert(List::kSize == static_cast<std::size_t>(ShapeKind::mesh),
+                  "the list lacks a kind");
+    return true;
+}
+static_assert(is_complete(UnitShapes()));
+
+/// Calls `visitor(Shape())` with the unit shape that `kind` names; with none for meshes.
+template <class Visitor>
+void visit_shape(ShapeKind kind, const Visitor& visitor) {
+    const auto visit = [&]<class... Shapes>(ShapeList<Shapes...>) {
+        static_cast<void>(((kind == Shapes::kKind && (visitor(Shapes()), true)) || ...));
+    };
+    visit(UnitShapes());
+}
+/// Returns what it returns; `of_mesh` for meshes.
+template <class Result, class Visitor>
+[[nodiscard]] Result visit_shape(ShapeKind kind, Result of_mesh, const Visitor& visitor) {
+    visit_shape(kind, [&](auto shape) { of_mesh = visitor(shape); });
+    return of_mesh;
+}
+
+}  // namespace carom::render

@@ -1,0 +1,127 @@
+#include "render/geometry/unit_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/geometry/trigonometry.h"
+
+namespace carom::render {
+namespace {
+
+constexpr float kTurn = 6.2831853f;  // rad
+
+V2f across_disk(const V3f& p) {
+    return 0.5f * (V2f(p.x, p.y) + V2f(1));
+}
+
+}  // namespace
+
+V2f longitude_latitude(const V3f& p) {
+    const float turns = std::atan2(p.y, p.x) * (0.5f * kInversePi);
+    const float sine = std::clamp(p.z / p.length(), -1.f, 1.f);
+    return V2f(turns < 0 ? turns + 1 : turns, 0.5f + std::asin(sine) * kInversePi);
+}
+
+UnitPoint on_unit_ball(const UnitRay& ray, float t) {
+    const V3f p = ray.origin + t * ray.direction;
+    const V3f n = p * (1 / std::sqrt(p.dot(p)));
+    return {n, n, longitude_latitude(n), V2f(kTurn, 0.5f * kTurn), 0, 2};
+}
+
+// Of the three faces that a ray from outside can enter by, or leave by from inside, the one that
+// the place lies farthest out on.
+FacePoint on_box(const V3f& origin, const V3f& direction, float t, const V3f& half_size) {
+    const bool leaves = std::abs(origin.x) < half_size.x && std::abs(origin.y) < half_size.y &&
+                        std::abs(origin.z) < half_size.z;
+    V3f p = origin + t * direction;
+    FacePoint face{p, 0, 1};
+    float farthest = -kInfinity;
+    for (int k = 0; k < 3; ++k) {
+        const float side = (direction[k] > 0) == leaves ? 1.f : -1.f;
+        const float out = side * p[k] - half_size[k];
+        if (out > farthest) {
+            farthest = out;
+            face.axis = k;
+            face.side = side;
+        }
+        face.position[k] = std::clamp(p[k], -half_size[k], half_size[k]);
+    }
+    face.position[face.axis] = face.side * half_size[face.axis];
+    return face;
+}
+
+V2f across_face(const FacePoint& point, const V3f& half_size) {
+    const int x = (point.axis + 1) % 3;
+    const int y = (point.axis + 2) % 3;
+    return V2f(0.5f * (point.position[x] / half_size[x] + 1),
+               0.5f * (point.position[y] / half_size[y] + 1));
+}
+
+UnitPoint on_unit_box(const UnitRay& ray, float t) {
+    const FacePoint face = on_box(ray.origin, ray.direction, t, V3f(1));
+    V3f normal(0, 0, 0);
+    normal[face.axis] = face.side;
+    return {face.position,      normal, across_face(face, V3f(1)), V2f(2), (face.axis + 1) % 3,
+            (face.axis + 2) % 3};
+}
+
+UnitPoint on_unit_plane(const UnitRay& ray, float t) {
+    V3f p = ray.origin + t * ray.direction;
+    p.z = 0;
+    return {p, V3f(0, 0, 1), V2f(p.x, p.y), V2f(1)};
+}
+
+UnitPoint on_unit_rectangle(const UnitRay& ray, float t) {
+    V3f p = ray.origin + t * ray.direction;
+    p = V3f(std::clamp(p.x, -1.f, 1.f), std::clamp(p.y, -1.f, 1.f), 0);
+    return {p, V3f(0, 0, 1), 0.5f * (V2f(p.x, p.y) + V2f(1)), V2f(2)};
+}
+
+UnitPoint on_unit_triangle(const UnitRay& ray, float t) {
+    const V3f p = ray.origin + t * ray.direction;
+    const float x = std::clamp(p.x, 0.f, 1.f);
+    const float y = std::clamp(p.y, 0.f, 1.f - x);
+    return {V3f(x, y, 0), V3f(0, 0, 1), V2f(x, y), V2f(1)};
+}
+
+UnitPoint on_unit_disk(const UnitRay& ray, float t) {
+    const V3f p = ray.origin + t * ray.direction;
+    const V3f on_plane = V3f(p.x, p.y, 0) / std::max(1.f, std::sqrt(p.x * p.x + p.y * p.y));
+    return {on_plane, V3f(0, 0, 1), across_disk(on_plane), V2f(2)};
+}
+
+/// Of the faces that the ray meets, the one whose distance is nearest to t.
+UnitPoint on_unit_frustum(const UnitRay& ray, float t, float middle, float slope) {
+    using Crossings = FrustumCrossings<float>;
+    const Crossings crossings = cross_frustum(UnitRay{ray.origin, ray.direction}, middle, slope);
+    int face = Crossings::side_a;
+    float least = kInfinity;
+    for (int i = 0; i < 4; ++i) {
+        const float difference = std::abs(crossings.t[i] - t);
+        if (crossings.valid[i] && difference < least) {
+            least = difference;
+            face = i;
+        }
+    }
+    V3f p = ray.origin + t * ray.direction;
+    const float from_axis = std::sqrt(p.x * p.x + p.y * p.y);
+    if (face == Crossings::bottom || face == Crossings::top) {
+        const float end = face == Crossings::top ? 1.f : -1.f;
+        const float radius = middle + slope * end;
+        const float inwards = from_axis > radius ? radius / from_axis : 1.f;
+        p = V3f(inwards * p.x, inwards * p.y, end);
+        return {p, V3f(0, 0, end), across_disk(p), V2f(2)};
+    }
+    p.z = std::clamp(p.z, -1.f, 1.f);
+    const float radius = middle + slope * p.z;
+    const V2f out = from_axis > 0 ? V2f(p.x, p.y) / from_axis : V2f(1, 0);
+    const float turns = std::atan2(out.y, out.x) * (0.5f * kInversePi);
+    return {V3f(radius * out.x, radius * out.y, p.z),
+            V3f(out.x, out.y, -slope),
+            V2f(turns < 0 ? turns + 1 : turns, 0.5f * (p.z + 1)),
+            V2f(kTurn, 2),
+            0,
+            2};
+}
+
+}  // namespace carom::render
