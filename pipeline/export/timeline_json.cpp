@@ -1,5 +1,6 @@
 #include "pipeline/export/timeline_json.h"
 
+#include <array>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -23,37 +24,33 @@ Json list(const Quat& q) {
     return {q.r + 0, q.v.x + 0, q.v.y + 0, q.v.z + 0};
 }
 
+Json list(const Vec2& v) {
+    return {v.x, v.y};
+}
+
+Json value(double number) {
+    return number;
+}
+template <class Vector>
+Json value(const Vector& v) {
+    return list(v);
+}
+Json value(const std::array<Vec3, 3>& points) {
+    return {list(points[0]), list(points[1]), list(points[2])};
+}
+
 struct ShapeJson {
-    Json operator()(const render::SphereShape& s) const {
-        return {{"kind", "sphere"}, {"radius", s.radius}};
-    }
-    Json operator()(const render::BoxShape& s) const {
-        return {{"kind", "box"}, {"size", list(s.size)}};
-    }
-    Json operator()(const render::PlaneShape&) const { return {{"kind", "plane"}}; }
-    Json operator()(const render::RectangleShape& s) const {
-        return {{"kind", "rectangle"}, {"size", {s.size.x, s.size.y}}};
-    }
-    Json operator()(const render::TriangleShape& s) const {
-        return {{"kind", "triangle"},
-                {"corners", {list(s.corners[0]), list(s.corners[1]), list(s.corners[2])}}};
+    template <class Shape>
+    Json operator()(const Shape& shape) const {
+        Json json = Json::object();
+        json["kind"] = Shape::kName;
+        shape.fields([&](const char* name, const auto& field) { json[name] = value(field); });
+        return json;
     }
     Json operator()(const render::ParallelogramShape& s) const {
-        return {{"kind", "parallelogram"},
+        return {{"kind", s.kName},
                 {"corner", list(s.corner)},
                 {"edges", {list(s.edge_u), list(s.edge_v)}}};
-    }
-    Json operator()(const render::DiskShape& s) const {
-        return {{"kind", "disk"}, {"radius", s.radius}};
-    }
-    Json operator()(const render::CylinderShape& s) const {
-        return {{"kind", "cylinder"}, {"radius", s.radius}, {"height", s.height}};
-    }
-    Json operator()(const render::ConeShape& s) const {
-        return {{"kind", "cone"},
-                {"radius", s.radius},
-                {"top_radius", s.top_radius},
-                {"height", s.height}};
     }
     Json operator()(const render::MeshShape& s) const {
         if (!s.file.empty()) {

@@ -1,4 +1,5 @@
 // The still part of a scene as one hash.
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -8,6 +9,11 @@
 
 namespace carom::pipeline {
 namespace {
+
+template <class Shape>
+concept NamedShape = requires {
+    Shape::kName;
+};
 
 // Feeds a scene into a hash. Every alternative of a variant starts with its index.
 class SceneHasher {
@@ -53,25 +59,19 @@ class SceneHasher {
                     "', which the scene does not describe");
     }
 
-    void add(const render::SphereShape& sphere) { hasher_.add(sphere.radius); }
-    void add(const render::BoxShape& box) { hasher_.add(box.size); }
-    void add(const render::PlaneShape&) {}
-    void add(const render::RectangleShape& rectangle) { hasher_.add(rectangle.size); }
-
-    void add(const render::TriangleShape& triangle) {
-        for (const Vec3& corner : triangle.corners) {
-            hasher_.add(corner);
+    /// Any shape except meshes.
+    template <NamedShape Shape>
+    void add(const Shape& shape) {
+        shape.fields([this](const char* /*name*/, const auto& field) { add_field(field); });
+    }
+    template <class Field>
+    void add_field(const Field& field) {
+        hasher_.add(field);
+    }
+    void add_field(const std::array<Vec3, 3>& points) {
+        for (const Vec3& point : points) {
+            hasher_.add(point);
         }
-    }
-    void add(const render::ParallelogramShape& shape) {
-        hasher_.add(shape.corner).add(shape.edge_u).add(shape.edge_v);
-    }
-    void add(const render::DiskShape& disk) { hasher_.add(disk.radius); }
-    void add(const render::CylinderShape& cylinder) {
-        hasher_.add(cylinder.radius).add(cylinder.height);
-    }
-    void add(const render::ConeShape& cone) {
-        hasher_.add(cone.radius).add(cone.top_radius).add(cone.height);
     }
 
     void add(const render::MeshShape& mesh) {

@@ -15,57 +15,110 @@
 namespace carom::render {
 
 // ---- shapes, in the object's own axes --------------------------------------------------------
+//
+// kName is the shape's key in a shot. `fields` calls `visit(name, value)` for each field: hashes
+// and JSON are made from it.
 
 struct SphereShape {
+    static constexpr const char* kName = "sphere";
     double radius = 1;  // centre at the origin
+    template <class Visit>
+    void fields(const Visit& visit) const {
+        visit("radius", radius);
+    }
 };
 
 struct BoxShape {
+    static constexpr const char* kName = "box";
     Vec3 size{1, 1, 1};  // full edges, centre at the origin
+    template <class Visit>
+    void fields(const Visit& visit) const {
+        visit("size", size);
+    }
 };
 
 /// The infinite plane z = 0, its normal +z.
-struct PlaneShape {};
+struct PlaneShape {
+    static constexpr const char* kName = "plane";
+    template <class Visit>
+    void fields(const Visit& /*visit*/) const {}
+};
 
 /// Centre at the origin, normal +z, size x by y.
 struct RectangleShape {
+    static constexpr const char* kName = "rectangle";
     Vec2 size{1, 1};
+    template <class Visit>
+    void fields(const Visit& visit) const {
+        visit("size", size);
+    }
 };
 
 /// The front is the side from which the corners run counter-clockwise; uv are the weights of the
 /// second and third corner.
 struct TriangleShape {
+    static constexpr const char* kName = "triangle";
     std::array<Vec3, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};  // not in a line
+    template <class Visit>
+    void fields(const Visit& visit) const {
+        visit("corners", corners);
+    }
 };
 
 /// `corner`, `corner` + `edge_u`, `corner` + `edge_v` and the fourth; the front is the side from
 /// which `edge_u` turns to `edge_v` counter-clockwise. u and v run along the edges.
 struct ParallelogramShape {
+    static constexpr const char* kName = "parallelogram";
     Vec3 corner{0, 0, 0};
     Vec3 edge_u{1, 0, 0};  // not parallel to edge_v
     Vec3 edge_v{0, 1, 0};
+    template <class Visit>
+    void fields(const Visit& visit) const {
+        visit("corner", corner);
+        visit("edge_u", edge_u);
+        visit("edge_v", edge_v);
+    }
 };
 
 /// Centre at the origin, normal +z.
 struct DiskShape {
+    static constexpr const char* kName = "disk";
     double radius = 1;
+    template <class Visit>
+    void fields(const Visit& visit) const {
+        visit("radius", radius);
+    }
 };
 
 /// Solid, about z, from z = -height / 2 to height / 2.
 struct CylinderShape {
+    static constexpr const char* kName = "cylinder";
     double radius = 1;
     double height = 1;
+    template <class Visit>
+    void fields(const Visit& visit) const {
+        visit("radius", radius);
+        visit("height", height);
+    }
 };
 
 /// Solid, about z, from z = -height / 2 to height / 2. One of the radii may be 0: the tip.
 struct ConeShape {
+    static constexpr const char* kName = "cone";
     double radius = 1;  // at the bottom
     double top_radius = 0;
     double height = 1;
+    template <class Visit>
+    void fields(const Visit& visit) const {
+        visit("radius", radius);
+        visit("top_radius", top_radius);
+        visit("height", height);
+    }
 };
 
 /// Given in the scene itself (the table's surfaces) or read from an OBJ or PLY file.
 struct MeshShape {
+    static constexpr const char* kName = "mesh";
     std::string file;  // absolute path; empty: the arrays below
     /// Up to which angle between triangles, rad, an edge is made smooth: normals are made anew. 0:
     /// those that there are.

@@ -19,9 +19,7 @@ namespace {
 using sim::BodyKind;
 
 std::string shape_name(const render::Shape& shape) {
-    constexpr const char* kNames[] = {"sphere",   "box",           "plane", "rectangle", "mesh",
-                                      "triangle", "parallelogram", "disk",  "cylinder",  "cone"};
-    return kNames[shape.index()];
+    return std::visit([](const auto& one) { return std::string(one.kName); }, shape);
 }
 
 /// What collides with shapes that only stand and have no solid of their own; empty for others.
