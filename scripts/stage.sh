@@ -82,3 +82,20 @@ run_stage() {
   stage_telling_lines "$log" >&2
   exit 1
 }
+
+# build_release ROOT TARGET...: builds these targets of the release build, which it configures where that was never done.
+build_release() (
+  local tree=$1 build=$1/build/release
+  shift
+  export NINJA_STATUS='[%f/%t] '
+  mkdir -p "$build"
+  take_turn "$build/.lock" "building"
+  cd "$tree" || exit
+  if [ ! -f "$build/build.ninja" ]; then
+    run_stage "configuring" "$build/configure.log" no_progress cmake --preset release
+  fi
+  # If there is nothing to build, this takes a tenth of a second and prints nothing.
+  if ! ninja -C "$build" -n "$@" 2>/dev/null | grep -q 'no work to do'; then
+    run_stage "building" "$build/build.log" ninja_progress ninja -C "$build" "$@"
+  fi
+)

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 
@@ -98,6 +99,10 @@ std::string cannot_start(const std::string& what, const std::string& path, int r
 }  // namespace
 
 std::string helper_program(const std::string& name) {
+    const char* laboratory = std::getenv("CAROM_LAB");
+    if (name == "carom-lab" && laboratory != nullptr) {
+        return laboratory;
+    }
     std::error_code ignored;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", ignored);
     const std::filesystem::path folder = self.parent_path();
@@ -112,7 +117,7 @@ void become_program(const std::string& name, char** arguments) {
     const bool is_laboratory = name == "carom-lab";
     throw Error(
         cannot_start(is_laboratory ? "the laboratory" : "the renderer", path, errno,
-                     is_laboratory ? "is carom-lab installed?" : "is carom installed completely?"));
+                     is_laboratory ? "it is built by the target carom-lab and installed by the package carom-lab" : "is carom installed completely?"));
 }
 
 std::vector<std::byte> run_helper(const std::string& name, const std::string& what,

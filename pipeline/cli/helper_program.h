@@ -9,7 +9,8 @@
 
 namespace carom::cli {
 
-/// The path of "carom-film", found from where the running program is.
+/// The path of "carom-film", found from where the running program is. $CAROM_LAB, if set, names
+/// another program for "carom-lab": scripts/run has one that builds it first.
 [[nodiscard]] std::string helper_program(const std::string& name);
 
 /// Thrown by a command that another of these programs has to run.

@@ -238,5 +238,42 @@ TEST_F(CompareCommand, CtrlC_KeepsTheTrianglesThatAreMeasured) {
     EXPECT_THAT(result.out, ::testing::EndsWith("\ninterrupted: rounds or kernels are missing\n"));
 }
 
+// The shot has no meshes: all structures give the same pixels.
+TEST_F(CompareCommand, ShotWithAComparisonStructure_IsRenderedByTheLaboratory) {
+    const auto picture = [&](const std::string& structure) {
+        const RunResult result =
+            run({"frame", "tiny.yaml", "--set", "render.acceleration=" + structure, "-o",
+                 structure + ".png", "--quiet"});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(result.err, "");
+        return text_of(structure + ".png");
+    };
+    const std::string usual = picture("wide_bvh");
+    EXPECT_EQ(picture("bvh"), usual);
+    EXPECT_EQ(picture("kdtree"), usual);
+    const RunResult film =
+        run({"render", "tiny.yaml", "--set", "render.acceleration=grid", "-o", "film.mp4"});
+    EXPECT_EQ(film.exit_code, 0) << film.err;
+    EXPECT_TRUE(exists("film.mp4"));
+}
+
+TEST_F(CompareCommand, MissingLaboratory_IsSaidWhereItIsNeeded) {
+    carom::testing::RunOptions without = options();
+    without.environment["CAROM_LAB"] = path("no_laboratory");
+    const auto message = [&](const std::vector<std::string>& arguments) {
+        const RunResult result = carom::testing::run_carom(arguments, without);
+        EXPECT_EQ(result.exit_code, 1);
+        return result.err;
+    };
+    const std::string expected = "carom: error: cannot start the laboratory '" +
+                                 path("no_laboratory") +
+                                 "': No such file or directory; it is built by the target "
+                                 "carom-lab and installed by the package carom-lab\n";
+    EXPECT_EQ(message({"compare", "--scene", "stadium"}), expected);
+    EXPECT_EQ(message({"render", "tiny.yaml", "--set", "render.acceleration=bvh"}), expected);
+    EXPECT_EQ(stored_frames(), 0);
+    EXPECT_EQ(carom::testing::run_carom({"frame", "tiny.yaml"}, without).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace carom::cli

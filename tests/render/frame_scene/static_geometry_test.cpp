@@ -135,5 +135,54 @@ TEST(StaticGeometry, EmptyScene_IsFine) {
     EXPECT_FALSE(scene.frame.structure().closest_hit(Ray{}, hit));
 }
 
+TEST(StaticGeometry, ComparisonStructure_NamesTheProgramThatMakesIt) {
+    RenderSettings settings;
+    settings.acceleration = AccelerationKind::slabs;
+    std::string text;
+    try {
+        const StaticGeometry geometry({}, settings);
+    } catch (const Error& error) {
+        text = error.what();
+    }
+    const auto problem = structure_problem(AccelerationKind::slabs, nullptr);
+    ASSERT_TRUE(problem);
+    EXPECT_EQ(problem->kind, AccelerationKind::slabs);
+    EXPECT_EQ(problem->program, "carom-lab");
+    EXPECT_EQ(problem->sentence, text);
+    EXPECT_THAT(text, HasSubstr("'kay_kajiya'"));
+    EXPECT_THAT(text, HasSubstr("carom-lab"));
+    for (const AccelerationKind ours :
+         {AccelerationKind::hybrid, AccelerationKind::embree, AccelerationKind::wide_bvh}) {
+        EXPECT_FALSE(structure_problem(ours, nullptr));
+    }
+}
+
+/// A structure that meets nothing, recognised by its bytes.
+class Silent final : public MeasuredStructure {
+  public:
+    [[nodiscard]] bool closest_hit(const Ray& /*ray*/, Hit& /*hit*/) const override {
+        return false;
+    }
+    [[nodiscard]] bool any_hit(const Ray& /*ray*/) const override { return false; }
+    [[nodiscard]] std::size_t bytes() const override { return 4711; }
+};
+
+TEST(StaticGeometry, Factory_MakesWhatTheLibraryDoesNot) {
+    const StructureFactory factory =
+        [](AccelerationKind, const ShapeSet&, std::span<const MeshEntry>,
+           const StructureOptions&) -> std::unique_ptr<MeasuredStructure> {
+        return std::make_unique<Silent>();
+    };
+    const auto bytes_of = [&](AccelerationKind kind) {
+        RenderSettings settings;
+        settings.acceleration = kind;
+        const StaticGeometry geometry({}, settings, factory);
+        return FrameScene(geometry, {}, 0, 0).cost().bytes;
+    };
+    EXPECT_EQ(bytes_of(AccelerationKind::bvh), 4711u);
+    EXPECT_NE(bytes_of(AccelerationKind::wide_bvh), 4711u);
+    EXPECT_NE(bytes_of(AccelerationKind::hybrid), 4711u);
+}
+
 }  // namespace
 }  // namespace carom::test
