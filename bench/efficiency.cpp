@@ -10,7 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "bench/growth_scenes.h"
+#include "bench/bumpy_ball.h"
 #include "bench/peer_scene.h"
 #include "bench/picture.h"
 #include "core/cpu_time.h"

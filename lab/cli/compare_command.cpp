@@ -23,6 +23,7 @@ namespace carom::cli {
 namespace {
 
 using pipeline::Comparison;
+using pipeline::GrowingScene;
 using pipeline::LaboratoryScene;
 using pipeline::ShadowRays;
 
@@ -139,8 +140,12 @@ void run_growth(const CompareCommand& command, CommandContext& context) {
     pipeline::GrowthOptions options;
     options.structures = options_of(command).structures;
     options.largest = static_cast<std::size_t>(command.largest);
-    options.scene =
-        command.growth == "mesh" ? pipeline::GrowingScene::mesh : pipeline::GrowingScene::spheres;
+    for (const GrowingScene scene :
+         {GrowingScene::spheres, GrowingScene::mesh, GrowingScene::balls}) {
+        if (command.growth == name_of(scene)) {
+            options.scene = scene;
+        }
+    }
     const pipeline::Growth growth = with_progress(context, [&](const auto& progress) {
         return pipeline::measure_growth(options, progress, context.stop);
     });

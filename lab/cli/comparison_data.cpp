@@ -91,6 +91,7 @@ std::string point_object(const pipeline::GrowthPoint& point) {
             members.add(kind + "_rays", signed_of(point.tests.of[i].rays));
         }
     }
+    members.add("seconds_per_ray_of_batch", point.seconds_per_ray_of_batch);
     if (point.is_counted) {
         add_tests(members, point.tests);
     }
@@ -144,7 +145,7 @@ std::string growth_json(const pipeline::Growth& growth) {
 std::string growth_csv(const pipeline::Growth& growth) {
     pipeline::CsvText csv(
         csv_header("growth,structure,shapes,build_seconds,bytes,seconds_per_primary_ray,"
-                   "seconds_per_secondary_ray,seconds_per_shadow_ray"));
+                   "seconds_per_secondary_ray,seconds_per_shadow_ray,seconds_per_ray_of_batch"));
     for (const pipeline::GrowthPoint& point : growth.points) {
         csv.add(name_of(growth.scene))
             .add(point.name)
@@ -154,6 +155,7 @@ std::string growth_csv(const pipeline::Growth& growth) {
         for (const double seconds : point.seconds_per_ray) {
             csv.add(seconds);
         }
+        csv.add(point.seconds_per_ray_of_batch);
         add_tests(csv, point.tests, point.is_counted ? &point.tests : nullptr);
         csv.end_row();
     }

@@ -47,21 +47,61 @@ std::size_t ask(const render::AccelerationStructure& structure, std::span<const 
     return hits;
 }
 
-/// The least of several times: what else the machine does only ever slows.
-double seconds_per_ray(const render::AccelerationStructure& structure, std::span<const Ray> rays,
-                       double enough, const std::stop_token& stop) {
+/// As the product asks: many rays at a time for their nearest hits.
+void ask(const render::AccelerationStructure& structure, const std::vector<RayArrays>& arrays) {
+    for (const RayArrays& rays : arrays) {
+        std::array<render::Hit, kBatchRays> hits;
+        structure.closest_hits(rays.batch(), hits.data());
+    }
+}
+
+std::vector<RayArrays> arrays_of(std::span<const Ray> rays) {
+    std::vector<RayArrays> arrays;
+    for (std::size_t first = 0; first < rays.size(); first += kBatchRays) {
+        arrays.emplace_back(
+            rays.subspan(first, std::min<std::size_t>(kBatchRays, rays.size() - first)));
+    }
+    return arrays;
+}
+
+/// CPU time of `work`, the least of several times: what else the machine does only ever slows.
+template <class Work>
+double least_seconds(const Work& work, double enough, const std::stop_token& stop) {
     constexpr int kMost = 12;
     double least = 1e300;
     double all = 0;
     for (int i = 0; i < kMost && (i < 2 || all < enough); ++i) {
         check_stop(stop);
         const double start = process_cpu_seconds();
-        static_cast<void>(ask(structure, rays));
+        work();
         const double seconds = process_cpu_seconds() - start;
         all += seconds;
         least = std::min(least, seconds);
     }
-    return rays.empty() ? 0 : least / static_cast<double>(rays.size());
+    return least;
+}
+
+/// A scene at its own time.
+FrameScene frame_of(const StaticGeometry& geometry, const LaboratoryScene& scene,
+                    const render::StructureOptions& options = {}) {
+    return FrameScene(geometry, scene.tracks, scene.frame.scene_open, scene.frame.scene_close,
+                      options);
+}
+
+void time_rays(const render::AccelerationStructure& structure, const RaysByKind& rays,
+               double enough, const std::stop_token& stop, GrowthPoint& point) {
+    const auto per_ray = [](double seconds, std::size_t count) {
+        return count == 0 ? 0 : seconds / static_cast<double>(count);
+    };
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const auto one_by_one = [&] { static_cast<void>(ask(structure, rays[i])); };
+        point.seconds_per_ray[i] = per_ray(least_seconds(one_by_one, enough, stop), rays[i].size());
+    }
+    std::vector<Ray> both = rays[0];
+    both.insert(both.end(), rays[1].begin(), rays[1].end());
+    const std::vector<RayArrays> arrays = arrays_of(both);
+    const auto in_batches = [&] { ask(structure, arrays); };
+    point.seconds_per_ray_of_batch = per_ray(least_seconds(in_batches, enough, stop), both.size());
 }
 
 GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, std::size_t shapes,
@@ -72,16 +112,14 @@ GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, std::s
     point.shapes = shapes;
     const StaticGeometry geometry = geometry_of(scene, kind);
     {
-        const FrameScene frame(geometry, {}, 0, 0);
+        const FrameScene frame = frame_of(geometry, scene);
         point.build_seconds = frame.cost().build_seconds;
         point.bytes = frame.cost().bytes;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            point.seconds_per_ray[i] = seconds_per_ray(frame.structure(), rays[i], enough, stop);
-        }
+        time_rays(frame.structure(), rays, enough, stop, point);
     }
     point.is_counted = FrameMeter::can_count(kind);
     if (point.is_counted) {
-        const FrameScene counting(geometry, {}, 0, 0, {.counts = true});
+        const FrameScene counting = frame_of(geometry, scene, {.counts = true});
         for (const std::vector<Ray>& of_kind : rays) {
             check_stop(stop);
             static_cast<void>(ask(counting.structure(), of_kind));
@@ -114,6 +152,18 @@ std::vector<std::size_t> wanted_sizes(std::size_t largest) {
     return sizes;
 }
 
+LaboratoryScene scene_of(GrowingScene scene, std::size_t size) {
+    switch (scene) {
+        case GrowingScene::spheres:
+            return sphere_cloud(size);
+        case GrowingScene::balls:
+            return ball_cloud(size);
+        case GrowingScene::mesh:
+            break;
+    }
+    return single_knot(size);
+}
+
 std::size_t shapes_of(const LaboratoryScene& scene) {
     const auto* mesh = std::get_if<render::MeshShape>(&scene.scene.objects.front().shape);
     return mesh != nullptr ? mesh->triangles.size() : scene.scene.objects.size();
@@ -121,13 +171,12 @@ std::size_t shapes_of(const LaboratoryScene& scene) {
 
 void measure_size(std::size_t size, const GrowthOptions& options, const std::stop_token& stop,
                   const std::function<void(std::string_view)>& tell, Growth& growth) {
-    const LaboratoryScene scene =
-        options.scene == GrowingScene::spheres ? sphere_cloud(size) : single_knot(size);
+    const LaboratoryScene scene = scene_of(options.scene, size);
     const std::size_t shapes = shapes_of(scene);
     RaysByKind rays;
     {
         const StaticGeometry geometry = geometry_of(scene, AccelerationKind::wide_bvh);
-        const FrameScene frame(geometry, {}, 0, 0);
+        const FrameScene frame = frame_of(geometry, scene);
         rays = growth_rays(frame.structure(), kRays);
     }
     const double tests = 3.0 * static_cast<double>(kRays) * static_cast<double>(shapes);

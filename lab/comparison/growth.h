@@ -13,7 +13,8 @@ namespace carom::pipeline {
 
 enum class GrowingScene {
     spheres,  // in a cube, which they fill to the same part whatever their number
-    mesh      // a torus knot, of ever smaller triangles
+    mesh,     // a torus knot, of ever smaller triangles
+    balls     // like the spheres, but half of them move, each with an impact within the shutter
 };
 
 struct GrowthOptions {
@@ -31,6 +32,7 @@ struct GrowthPoint {
     double build_seconds = 0;  // CPU time
     std::size_t bytes = 0;
     std::array<double, 3> seconds_per_ray{};  // CPU time of finding hits, nothing else
+    double seconds_per_ray_of_batch = 0;      // nearest hits of kBatchRays rays at a time
     bool is_counted = false;
     render::TestCounts tests;
 };

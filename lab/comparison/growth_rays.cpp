@@ -33,6 +33,25 @@ class Numbers {
     SplitMix64 random_;
 };
 
+constexpr double kShutter = 1.0 / 48;  // s
+
+/// Along one line until the middle of the shutter, then along another.
+sim::Track bouncing_track(const std::string& name, const Vec3& place, const Vec3& before,
+                          const Vec3& after) {
+    sim::Key first;
+    first.position = place;
+    first.velocity_in = first.velocity_out = before;
+    sim::Key impact = first;
+    impact.time = 0.5 * kShutter;
+    impact.position = place + before * impact.time;
+    impact.velocity_out = after;
+    sim::Key last = impact;
+    last.time = kShutter;
+    last.position = impact.position + after * (last.time - impact.time);
+    last.velocity_in = last.velocity_out = after;
+    return {name, {first, impact, last}};
+}
+
 constexpr float kStep = 1e-4f;  // off what a ray has met, m
 
 /// Towards squares of the cloud's width, neighbours after one another as in tiles of a picture.
@@ -77,6 +96,26 @@ LaboratoryScene sphere_cloud(std::size_t shapes) {
     return scene;
 }
 
+LaboratoryScene ball_cloud(std::size_t balls) {
+    LaboratoryScene scene = sphere_cloud(balls);
+    scene.frame.scene_close = kShutter;
+    const double spacing = 2 / std::cbrt(static_cast<double>(balls));
+    Numbers numbers(~balls);
+    // Up to three quarters of the mean distance between balls while the shutter is open.
+    const auto velocity = [&] {
+        return Vec3(numbers.direction()) * (0.75 * spacing / kShutter * numbers.next());
+    };
+    for (std::size_t i = 1; i < balls; i += 2) {
+        render::ObjectDescription& ball = scene.scene.objects[i];
+        const Vec3 before = velocity();
+        scene.tracks.push_back(
+            bouncing_track(ball.name, ball.world_from_object.translation(), before, velocity()));
+        ball.track = ball.name;
+        ball.world_from_object = Mat44();
+    }
+    return scene;
+}
+
 LaboratoryScene single_knot(std::size_t shapes) {
     LaboratoryScene scene = empty_scene("mesh", {});
     add_surface(scene, "grey", {0.6, 0.6, 0.6});
@@ -90,7 +129,9 @@ std::array<std::vector<Ray>, 3> growth_rays(const render::AccelerationStructure&
     rays[0] = camera_rays(count);
     const V3f light(1.5f, -1, 4);
     Numbers numbers(1);
-    for (const Ray& ray : rays[0]) {
+    Numbers times(2);
+    for (Ray& ray : rays[0]) {
+        ray.time = static_cast<float>(times.next());
         Hit hit;
         if (!structure.closest_hit(ray, hit)) {
             continue;
@@ -101,6 +142,7 @@ std::array<std::vector<Ray>, 3> growth_rays(const render::AccelerationStructure&
         if ((onward.direction ^ ray.direction) > 0) {
             onward.direction = -onward.direction;
         }
+        onward.time = ray.time;
         onward.kind = RayKind::secondary;
         rays[1].push_back(onward);
         Ray shadow = onward;
@@ -111,6 +153,23 @@ std::array<std::vector<Ray>, 3> growth_rays(const render::AccelerationStructure&
         rays[2].push_back(shadow);
     }
     return rays;
+}
+
+RayArrays::RayArrays(std::span<const Ray> rays) : count_(static_cast<int>(rays.size())) {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            numbers_[axis][i] = rays[i].origin[static_cast<int>(axis)];
+            numbers_[3 + axis][i] = rays[i].direction[static_cast<int>(axis)];
+        }
+        numbers_[6][i] = rays[i].time;
+    }
+}
+
+render::RayBatch RayArrays::batch() const {
+    return {count_,
+            {numbers_[0].data(), numbers_[1].data(), numbers_[2].data()},
+            {numbers_[3].data(), numbers_[4].data(), numbers_[5].data()},
+            numbers_[6].data()};
 }
 
 }  // namespace carom::pipeline

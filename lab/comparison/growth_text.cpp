@@ -13,6 +13,24 @@ namespace carom::pipeline {
 
 namespace {
 
+/// What a scene is made of.
+const char* shapes_of(GrowingScene scene) {
+    return scene == GrowingScene::mesh ? "triangles" : name_of(scene);
+}
+
+/// The scene in words.
+const char* words_of(GrowingScene scene) {
+    switch (scene) {
+        case GrowingScene::spheres:
+            return "spheres in a cube";
+        case GrowingScene::balls:
+            return "balls in a cube, half of them moving";
+        case GrowingScene::mesh:
+            break;
+    }
+    return "triangles of a torus knot";
+}
+
 /// What is read off a point; nothing where it is not known.
 using Quantity = std::function<std::optional<double>(const GrowthPoint&)>;
 
@@ -94,19 +112,26 @@ LinePanel panel_of(const Growth& growth, const std::string& title, bool is_logar
 }  // namespace
 
 const char* name_of(GrowingScene scene) {
-    return scene == GrowingScene::spheres ? "spheres" : "mesh";
+    switch (scene) {
+        case GrowingScene::spheres:
+            return "spheres";
+        case GrowingScene::balls:
+            return "balls";
+        case GrowingScene::mesh:
+            break;
+    }
+    return "mesh";
 }
 
 std::string growth_text(const Growth& growth) {
-    std::string text = std::string("growth: ") +
-                       (growth.scene == GrowingScene::spheres ? "spheres in a cube"
-                                                              : "triangles of a torus knot") +
-                       "\n";
+    std::string text = std::string("growth: ") + words_of(growth.scene) + "\n";
     text += table_of(growth, "object tests per ray", objects_per_ray);
     text += table_of(growth, "box tests per ray", boxes_per_ray);
     text += table_of(growth, "ns per primary ray", nanoseconds(0));
     text += table_of(growth, "ns per secondary ray", nanoseconds(1));
     text += table_of(growth, "ns per shadow ray", nanoseconds(2));
+    text += table_of(growth, "ns per ray of 64",
+                     [](const GrowthPoint& point) { return 1e9 * point.seconds_per_ray_of_batch; });
     text += table_of(growth, "build ms",
                      [](const GrowthPoint& point) { return 1e3 * point.build_seconds; });
     text += table_of(growth, "memory MB", [](const GrowthPoint& point) {
@@ -117,10 +142,9 @@ std::string growth_text(const Growth& growth) {
 
 std::string growth_plot_svg(const Growth& growth, PlanPage page) {
     LineChart chart;
-    chart.title = std::string("Growth with the number of ") +
-                  (growth.scene == GrowingScene::spheres ? "spheres" : "triangles");
+    chart.title = std::string("Growth with the number of ") + shapes_of(growth.scene);
     chart.explanation = "the same rays for all: from a camera, onwards, to a light; means of these";
-    chart.across = growth.scene == GrowingScene::spheres ? "spheres" : "triangles";
+    chart.across = shapes_of(growth.scene);
     chart.names = growth.structures;
     chart.panels = {panel_of(growth, "tests of objects and boxes per ray", true, tests_per_ray),
                     panel_of(growth, "the same: a logarithm is a straight line", false,
