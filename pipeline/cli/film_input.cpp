@@ -17,12 +17,9 @@ using pipeline::Shot;
 
 ShotInput read_film_input(const InputOptions& input, CommandContext& context) {
     CheckedInput checked = load_shot_input(input);
-    if (checked.input) {
-        const auto problem =
-            render::structure_problem(checked.input->shot.render.acceleration, context.factory);
-        if (problem) {
-            throw OtherProgram(problem->program);
-        }
+    if (checked.input &&
+        render::find_problem(checked.input->shot.render.acceleration, context.factory)) {
+        throw OtherProgram(render::kComparisonProgram);
     }
     return accept_shot_input(std::move(checked), input, context.console);
 }

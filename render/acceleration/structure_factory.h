@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 
+#include "core/diagnostic.h"
 #include "render/acceleration/measured_structure.h"
 #include "render/acceleration/structure_options.h"
 #include "render/scene/render_settings.h"
@@ -22,15 +22,12 @@ using StructureFactory = std::unique_ptr<MeasuredStructure> (*)(AccelerationKind
                                                                 std::span<const MeshEntry> meshes,
                                                                 const StructureOptions& options);
 
-/// A structure that the library cannot make, and the program that can.
-struct StructureProblem {
-    AccelerationKind kind = AccelerationKind::hybrid;
-    std::string program;   // "carom-lab"
-    std::string sentence;  // for people
-};
+/// The program that passes in a factory.
+inline constexpr const char* kComparisonProgram = "carom-lab";
 
-/// Empty if the library makes the structure itself, or with `factory`, which may be null.
-[[nodiscard]] std::optional<StructureProblem> structure_problem(AccelerationKind kind,
-                                                                StructureFactory factory);
+/// None if the library makes the structure itself, or with `factory`, which may be null. The
+/// sentence names kComparisonProgram.
+[[nodiscard]] std::optional<Diagnostic> find_problem(AccelerationKind kind,
+                                                     StructureFactory factory);
 
 }  // namespace carom::render

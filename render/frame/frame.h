@@ -34,7 +34,7 @@ struct FrameInput {
 /// What all frames of a shot share: meshes, textures, the structure over still shapes. Immutable;
 /// any number of threads may render from it. Construction reads files and throws Error naming the
 /// file. `factory` makes the structures that the library does not make itself; without it those are
-/// an Error (structure_problem()).
+/// an Error (find_problem()).
 class PreparedScene {
   public:
     PreparedScene(const SceneDescription& scene, const RenderSettings& settings,

@@ -136,7 +136,7 @@ void add_still_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t 
 
 StaticGeometry::StaticGeometry(const SceneDescription& scene, const RenderSettings& settings,
                                StructureFactory factory) {
-    if (const auto problem = structure_problem(settings.acceleration, factory)) {
+    if (const auto problem = find_problem(settings.acceleration, factory)) {
         throw Error(problem->sentence);
     }
     auto data = std::make_unique<Data>();

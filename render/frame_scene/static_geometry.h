@@ -22,7 +22,7 @@ class StaticGeometry {
   public:
     /// Reads the mesh files. Throws Error that names the object or file: a mesh that cannot be
     /// read, a material that the scene does not have, a transform that cannot be inverted, a size
-    /// that is not positive; or whose sentence is that of structure_problem().
+    /// that is not positive; or whose sentence is that of find_problem().
     StaticGeometry(const SceneDescription& scene, const RenderSettings& settings,
                    StructureFactory factory = nullptr);
     ~StaticGeometry();

@@ -52,9 +52,9 @@ void add_other_measurements(CommandDescription& description, CompareCommand& com
                                                  "--quality", "--threads"};
     description
         .option("--growth", &command.growth, "NAME",
-                "Measure how the cost of a ray grows with the number of shapes: of spheres, or of "
-                "the triangles of a mesh.")
-        .one_of({"spheres", "mesh"})
+                "Measure how the cost of a ray grows with the number of shapes: of spheres, of "
+                "the triangles of a mesh, or of balls, half of which move.")
+        .one_of({"spheres", "mesh", "balls"})
         .excludes(about_a_frame);
     description
         .option("--largest", &command.largest, "N",

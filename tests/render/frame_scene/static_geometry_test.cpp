@@ -144,16 +144,16 @@ TEST(StaticGeometry, ComparisonStructure_NamesTheProgramThatMakesIt) {
     } catch (const Error& error) {
         text = error.what();
     }
-    const auto problem = structure_problem(AccelerationKind::slabs, nullptr);
+    const auto problem = find_problem(AccelerationKind::slabs, nullptr);
     ASSERT_TRUE(problem);
-    EXPECT_EQ(problem->kind, AccelerationKind::slabs);
-    EXPECT_EQ(problem->program, "carom-lab");
+    EXPECT_EQ(problem->subject.kind, Subject::Kind::settings);
+    EXPECT_EQ(problem->field, "acceleration");
     EXPECT_EQ(problem->sentence, text);
     EXPECT_THAT(text, HasSubstr("'kay_kajiya'"));
     EXPECT_THAT(text, HasSubstr("carom-lab"));
     for (const AccelerationKind ours :
          {AccelerationKind::hybrid, AccelerationKind::embree, AccelerationKind::wide_bvh}) {
-        EXPECT_FALSE(structure_problem(ours, nullptr));
+        EXPECT_FALSE(find_problem(ours, nullptr));
     }
 }
 
