@@ -41,7 +41,7 @@ function(carom_precompiled_headers holder)
   endif()
 endfunction()
 
-# What ccache needs to know which precompiled header a file was compiled with.
+# -fpch-preprocess: ccache needs it to see which precompiled header a file was compiled with.
 function(carom_use_precompiled_headers target holder)
   if(CAROM_PRECOMPILED_HEADERS)
     target_precompile_headers(${target} REUSE_FROM ${holder})
@@ -49,11 +49,20 @@ function(carom_use_precompiled_headers target holder)
   endif()
 endfunction()
 
+# What most files of our libraries include; HOLDER serves the libraries of this folder and those below it.
+macro(carom_precompile_for_libraries holder)
+  carom_precompiled_headers(${holder}
+    HEADERS <ImathMatrix.h> <ImathQuat.h> <algorithm> <cmath> <functional> <map> <optional> <sstream> <string> <variant> <vector>
+    LIBS Imath::Imath)
+  set(carom_headers_holder ${holder})
+endmacro()
+
 # carom_library(NAME SOURCES a.cpp … [PUBLIC libs…] [PRIVATE libs…]): a static library of ours.
 function(carom_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
   target_link_libraries(${name} PUBLIC carom_compile_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  carom_use_precompiled_headers(${name} ${carom_headers_holder})
 endfunction()
 
 # carom_test(NAME SOURCES a_test.cpp … LIBS libs… [TIMEOUT s]): one test program, every case of it known to CTest.
