@@ -4,9 +4,7 @@
 
 namespace carom {
 
-namespace {
-
-std::string printable_but(std::string_view text, std::string_view kept) {
+std::string printable(std::string_view text) {
     std::string shown;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const auto byte = static_cast<unsigned char>(text[i]);
@@ -14,23 +12,13 @@ std::string printable_but(std::string_view text, std::string_view kept) {
         if (byte == 0xC2 && next >= 0x80 && next <= 0x9F) {  // UTF-8 of U+0080 to U+009F
             shown += '?';
             ++i;
-        } else if ((byte < 0x20 && kept.find(text[i]) == std::string_view::npos) || byte == 0x7F) {
+        } else if ((byte < 0x20 && byte != '\t') || byte == 0x7F) {
             shown += '?';
         } else {
             shown += text[i];
         }
     }
     return shown;
-}
-
-}  // namespace
-
-std::string printable(std::string_view text) {
-    return printable_but(text, "\t");
-}
-
-std::string printable_lines(std::string_view text) {
-    return printable_but(text, "\t\n");
 }
 
 }  // namespace carom

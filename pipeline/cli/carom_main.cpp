@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 
 #include "core/error.h"
+#include "core/printable.h"
 #include "pipeline/cli/command_line.h"
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/run_program.h"
@@ -36,7 +37,7 @@ int become_other_program(Program program, char** arguments) {
     try {
         become_program(program == Program::film ? "carom-film" : "carom-lab", arguments);
     } catch (const carom::Error& error) {
-        std::fprintf(stderr, "carom: error: %s\n", error.what());
+        std::fprintf(stderr, "carom: error: %s\n", carom::printable(error.what()).c_str());
     }
     return kFailed;
 }

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/printable.h"
 #include "pipeline/cli/exit_code.h"
 #include "pipeline/cli/help_text.h"
 #include "pipeline/cli/program_description.h"
@@ -130,8 +131,8 @@ NothingToRun wrong_usage(const CLI::App& app, const CommandDescription& program,
     const auto chosen = app.get_subcommands();
     const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + " ";
     return {kWrongUsage, "",
-            "carom: error: " + complaint_about(app, program, error, arguments) + "\nSee 'carom " +
-                command + "--help'.\n"};
+            "carom: error: " + printable(complaint_about(app, program, error, arguments)) +
+                "\nSee 'carom " + command + "--help'.\n"};
 }
 
 }  // namespace

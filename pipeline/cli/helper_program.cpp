@@ -115,9 +115,10 @@ void become_program(const std::string& name, char** arguments) {
     const std::string path = helper_program(name);
     ::execv(path.c_str(), arguments);
     const bool is_laboratory = name == "carom-lab";
-    throw Error(
-        cannot_start(is_laboratory ? "the laboratory" : "the renderer", path, errno,
-                     is_laboratory ? "it is built by the target carom-lab and installed by the package carom-lab" : "is carom installed completely?"));
+    throw Error(cannot_start(
+        is_laboratory ? "the laboratory" : "the renderer", path, errno,
+        is_laboratory ? "it is built by the target carom-lab and installed by the package carom-lab"
+                      : "is carom installed completely?"));
 }
 
 std::vector<std::byte> run_helper(const std::string& name, const std::string& what,

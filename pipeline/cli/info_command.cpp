@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include "core/free_memory.h"
+#include "core/printable.h"
 #include "pipeline/camera/frame_plan.h"
 #include "pipeline/camera/time_map.h"
 #include "pipeline/check/motion_check.h"
@@ -10,6 +12,7 @@
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
 #include "pipeline/config/explain.h"
+#include "pipeline/job/memory_forecast.h"
 #include "pipeline/video/video_format.h"
 
 namespace carom::cli {
@@ -19,7 +22,7 @@ namespace {
 using pipeline::Shot;
 
 std::string line(const char* name, const std::string& value) {
-    return fmt::format("{:<12}", name) + value + "\n";
+    return fmt::format("{:<12}{}\n", name, printable(value));
 }
 
 std::string world_lines(const Shot& shot) {
@@ -46,6 +49,8 @@ std::string film_lines(const Shot& shot) {
                  fmt::format("{}x{}, {} samples a pixel, ", shot.render.width, shot.render.height,
                              shot.render.samples) +
                  pipeline::default_extension(shot.output));
+    text += line("memory", "about " + pipeline::memory_text(pipeline::forecast_memory(shot, "")) +
+                               " to render and encode the film");
     for (const pipeline::CameraRig& rig : shot.cameras) {
         const pipeline::SceneStretch shown = pipeline::shown_scene_times(rig);
         text += line(
@@ -75,6 +80,17 @@ std::string file_lines(const Shot& shot, const pipeline::ShotSource& source) {
     return text;
 }
 
+void warn_of_little_memory(const Shot& shot, Console& console) {
+    const std::uint64_t needed = pipeline::forecast_memory(shot, "");
+    const std::optional<std::uint64_t> free = free_memory();
+    if (free && needed > *free) {
+        console.warning(fmt::format(
+            "the film will need about {} of memory, and {} are free; a faster 'output.preset', a "
+            "smaller picture or a sequence of pictures (shot.####.exr) needs less",
+            pipeline::memory_text(needed), pipeline::memory_text(*free)));
+    }
+}
+
 }  // namespace
 
 void run(const InfoCommand& command, CommandContext& context) {
@@ -84,6 +100,7 @@ void run(const InfoCommand& command, CommandContext& context) {
         report_problems(pipeline::simulation_problems(input.bake->timeline, input.source.get()),
                         context.console);
     }
+    warn_of_little_memory(input.shot, context.console);
     const std::string text =
         command.resolved ? pipeline::explained_yaml(*input.source, input.shot)
                          : line("shot", input.shot.name) + film_lines(input.shot) +

@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 
+#include "core/printable.h"
 #include "core/write_all.h"
 #include "pipeline/cli/terminal/interrupts.h"
 
@@ -79,7 +80,7 @@ void print_text(const std::string& text) {
 }
 
 void print_path(const std::string& path) {
-    print_text(path + "\n");
+    print_text((isatty(STDOUT_FILENO) == 1 ? printable(path) : path) + "\n");
 }
 
 }  // namespace carom::cli

@@ -46,7 +46,8 @@ using CommandHandler = std::function<void(const Command&, CommandContext&)>;
 /// Runs `handler` and turns what it throws into a sentence on stderr and an exit code.
 [[nodiscard]] ExitCode run_command(const CommandLine& line, const CommandHandler& handler);
 
-/// Writes a result to stdout: a whole text, or a path on a line of its own. Throws Error.
+/// Writes a result to stdout: a whole text, or a path on a line of its own (on a terminal without
+/// its control characters). Throws Error.
 void print_text(const std::string& text);
 void print_path(const std::string& path);
 

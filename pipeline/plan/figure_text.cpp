@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/core.h>
-
 #include "core/text.h"
 
 namespace carom::pipeline {
@@ -12,10 +10,6 @@ namespace carom::pipeline {
 namespace {
 
 constexpr double kDegrees = 57.295779513082321;
-
-std::string fixed(double value, int decimals) {
-    return fmt::format("{:.{}f}", value, decimals);
-}
 
 }  // namespace
 

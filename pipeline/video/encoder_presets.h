@@ -9,16 +9,18 @@ namespace carom::pipeline {
 
 struct EncoderPreset {
     std::string_view name;
-    double av1 = 8;  // cpu-used of libaom
-    double vp9 = 4;  // cpu-used of libvpx
+    double av1 = 8;          // cpu-used of libaom
+    double vp9 = 4;          // cpu-used of libvpx
+    double h264_memory = 0;  // bytes per pixel that x264 keeps, at 8 bits (docs/reliability.md)
+    double hevc_memory = 0;  // and x265
 };
 
 inline constexpr std::array kEncoderPresets{
-    EncoderPreset{"ultrafast", 8, 5}, EncoderPreset{"superfast", 8, 5},
-    EncoderPreset{"veryfast", 8, 5},  EncoderPreset{"faster", 8, 5},
-    EncoderPreset{"fast", 8, 5},      EncoderPreset{"medium", 8, 4},
-    EncoderPreset{"slow", 6, 3},      EncoderPreset{"slower", 5, 2},
-    EncoderPreset{"veryslow", 4, 1},  EncoderPreset{"placebo", 2, 0},
+    EncoderPreset{"ultrafast", 8, 5, 10, 150}, EncoderPreset{"superfast", 8, 5, 50, 160},
+    EncoderPreset{"veryfast", 8, 5, 75, 165},  EncoderPreset{"faster", 8, 5, 100, 170},
+    EncoderPreset{"fast", 8, 5, 130, 180},     EncoderPreset{"medium", 8, 4, 170, 190},
+    EncoderPreset{"slow", 6, 3, 200, 215},     EncoderPreset{"slower", 5, 2, 225, 250},
+    EncoderPreset{"veryslow", 4, 1, 270, 280}, EncoderPreset{"placebo", 2, 0, 280, 290},
 };
 
 /// nullptr if there is none of that name.

@@ -19,8 +19,8 @@ TEST(Printable, Letters_StayInAnyScript) {
     EXPECT_EQ(printable("cut off \xC2"), "cut off \xC2");
 }
 
-TEST(Printable, Lines_StayLines) {
-    EXPECT_EQ(printable_lines("one\n\x1btwo\n"), "one\n?two\n");
+TEST(Printable, LineBreaks_DoNotStay) {
+    EXPECT_EQ(printable("shot\ncarom: error: a lie\r.yaml\t"), "shot?carom: error: a lie?.yaml\t");
 }
 
 }  // namespace

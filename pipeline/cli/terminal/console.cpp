@@ -86,7 +86,7 @@ struct Console::State {
         const std::lock_guard lock(mutex);
         screen.write_lines(screen.settings().json
                                ? json_line("level", level, JsonMembers().add("message", message))
-                               : "carom: " + prefix + printable_lines(message) + "\n");
+                               : "carom: " + prefix + printable(message) + "\n");
     }
 
     std::mutex mutex;
