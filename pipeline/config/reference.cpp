@@ -83,7 +83,7 @@ std::string describe_list(const TypeInfo& type) {
 
 std::string describe_alternatives(const TypeInfo& type) {
     if (type.noun == "changing") {
-        return describe_type(type.elements.at(0)) + "; two of them; or " +
+        return describe_type(type.elements.at(0)) + "; a list of two, [start, end]; or " +
                describe_type(type.elements.at(2));
     }
     return type.noun.empty() ? describe_elements(type.elements) : with_range(type.noun, type);
@@ -95,7 +95,7 @@ std::string describe_type(const TypeInfo& type) {
         case TypeInfo::Kind::map:
             return anchor(*type.map);
         case TypeInfo::Kind::named:
-            return "names, each with " + describe_type(type.elements.at(0));
+            return "map from names to " + describe_type(type.elements.at(0));
         case TypeInfo::Kind::any_of:
             return describe_alternatives(type);
         case TypeInfo::Kind::choice:
@@ -132,7 +132,7 @@ std::string cell(std::string text) {
 
 std::string describe_default(const KeyInfo& key) {
     if (key.is_required) {
-        return "needed";
+        return "required";
     }
     return key.default_text.empty() ? "" : "`" + key.default_text + "`";
 }

@@ -9,19 +9,20 @@ using render::BallTexture;
 /// The paint's keys for a texture, whose fields have defaults, and for changes of one.
 template <class T>
 void add_paint(MapSpec<T>& s) {
-    s.key("colour", &T::colour, colour(between(0, 1)), "of the ball or its stripe");
-    s.key("white", &T::white, colour(between(0, 1)), "of the number's disc and beside a stripe");
-    s.key("striped", &T::striped, boolean(), "a band of colour on white");
-    s.key("number", &T::number, integer(0, 99), "printed on the ball; 0: none");
+    s.key("colour", &T::colour, colour(between(0, 1)), "colour of the ball or of its stripe");
+    s.key("white", &T::white, colour(between(0, 1)),
+          "colour of the number's disc and of the parts beside a stripe");
+    s.key("striped", &T::striped, boolean(), "whether the colour is a stripe on white");
+    s.key("number", &T::number, integer(0, 99), "number printed on the ball; 0: none");
     s.key("disc_radius", &T::disc_radius, number(inside(0, 1)),
-          "of the number's disc, in ball radii");
+          "radius of the number's disc, in ball radii");
     s.key("spots", &T::spots, integer(0, 6), "small red dots, as on training balls: 0 or 6");
 }
 
 const MapSpec<BallLook>& ball_look_spec() {
     static const MapSpec<BallLook> spec = [] {
         MapSpec<BallLook> s("ball look",
-                            "How one ball is painted; what is left out is as in its set.");
+                            "The paint of one ball. The defaults are those of its set.");
         add_paint(s);
         return s;
     }();
@@ -51,16 +52,17 @@ const MapSpec<BallTexture>& ball_texture_spec() {
 const MapSpec<BallSetSection>& ball_set_spec() {
     static const MapSpec<BallSetSection> spec = [] {
         MapSpec<BallSetSection> s("ball_set",
-                                  "What all balls have in common unless one says otherwise.");
+                                  "Properties of all balls. A single ball may replace them.");
         s.key("kind", &BallSetSection::kind,
               choice<BallSet>({{"pool", BallSet::pool},
                                {"snooker", BallSet::snooker},
                                {"carom", BallSet::carom}}),
-              "gives radius, mass and colours; without it the table's kind does");
+              "determines radius, mass and colours. The default is the kind of the table");
         s.key("radius", &BallSetSection::radius, length(inside(0, 0.5)),
-              "pool 28.575 mm, snooker 26.19375 mm, carom 30.75 mm");
+              "radius of a ball. The defaults are pool 28.575 mm, snooker 26.19375 mm, carom 30.75 "
+              "mm");
         s.key("mass", &BallSetSection::mass, quantity(Dimension::mass, inside(0, 100)),
-              "pool 170.097 g, snooker 140 g, carom 210 g");
+              "mass of a ball. The defaults are pool 170.097 g, snooker 140 g, carom 210 g");
         return s;
     }();
     return spec;
@@ -68,21 +70,25 @@ const MapSpec<BallSetSection>& ball_set_spec() {
 
 const MapSpec<BallSection>& ball_spec() {
     static const MapSpec<BallSection> spec = [] {
-        MapSpec<BallSection> s("ball",
-                               "One ball. The name of a racked ball changes that one; any other "
-                               "name adds a ball.");
+        MapSpec<BallSection> s(
+            "ball",
+            "One ball. The name of a racked ball changes that ball; any other name adds a ball.");
         s.key("at", &BallSection::at, coordinates(Dimension::length),
-              "centre; with two coordinates it lies on the cloth. Needed unless it is racked");
-        s.key("velocity", &BallSection::velocity, coordinates(Dimension::speed), "at the start");
+              "position of the centre. With two coordinates the ball lies on the cloth. Required "
+              "unless the ball is racked");
+        s.key("velocity", &BallSection::velocity, coordinates(Dimension::speed),
+              "velocity at the start");
         s.key("spin", &BallSection::spin, vector3(Dimension::angular_speed),
               "angular velocity at the start, world axes");
         s.key("rotate", &BallSection::rotate, rotation(),
-              "how it is turned; without it the seed decides");
-        s.key("radius", &BallSection::radius, length(inside(0, 0.5)), "the set's unless given");
+              "orientation. By default the seed chooses it");
+        s.key("radius", &BallSection::radius, length(inside(0, 0.5)),
+              "radius. The default is that of the set");
         s.key("mass", &BallSection::mass, quantity(Dimension::mass, inside(0, 100)),
-              "the set's unless given");
+              "mass. The default is that of the set");
         s.key("look", &BallSection::look, ball_look(),
-              "a material's name or its own paint; a ball of the set has the set's colours");
+              "the name of a material, or a paint. By default a ball of the set has the set's "
+              "colours");
         return s;
     }();
     return spec;

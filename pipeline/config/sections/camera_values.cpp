@@ -12,12 +12,12 @@ constexpr double kTurn = 6.283185307179586;
 
 const MapSpec<ControlPoint>& control_point_spec() {
     static const MapSpec<ControlPoint> spec = [] {
-        MapSpec<ControlPoint> s("control point", "An object's place at a scene time.");
+        MapSpec<ControlPoint> s("control point", "The position of an object at a scene time.");
         s.key("of", &ControlPoint::of, name_of(ReferenceKind::moving), "the ball or object")
             .required();
         s.key("at", &ControlPoint::at, time(between(0, kLongest)), "scene time").required();
         s.key("offset", &ControlPoint::offset, vector3(Dimension::length),
-              "added to the place, world axes");
+              "offset that is added to the position, in world axes");
         return s;
     }();
     return spec;
@@ -134,35 +134,39 @@ void check_path(Reader& reader, const Node& node, PathKeys& /*keys*/) {
 
 const MapSpec<PathKeys>& path_spec() {
     static const MapSpec<PathKeys> spec = [] {
-        MapSpec<PathKeys> s("path", "Where a camera or its target goes.");
+        MapSpec<PathKeys> s("path", "The path of a camera or of its target.");
         s.key("bezier", &PathKeys::bezier, list_of(control_point(), 1, 64),
               "control points of a Bezier curve: points, or {of, at, offset}");
         s.key("spline", &PathKeys::spline, list_of(control_point(), 1, 256),
-              "points that a smooth curve goes through, like those of `bezier`");
+              "points that a smooth curve passes through, written like those of `bezier`");
         s.key("along", &PathKeys::along, name_of(ReferenceKind::moving),
-              "a Bezier curve fitted to where this ball or object was from `from` to `to`");
+              "a Bezier curve fitted to the path of this ball or object from `from` to `to`");
         s.key("follow", &PathKeys::follow, name_of(ReferenceKind::moving),
-              "stay with a ball or object");
-        s.key(
-            "orbit", &PathKeys::orbit, centre(),
-            "circle or ellipse around a point, {of, at, offset}, or a ball or object as it moves");
+              "the position of a ball or object as it moves");
+        s.key("orbit", &PathKeys::orbit, centre(),
+              "a circle or ellipse around a point, {of, at, offset}, or a ball or object as it "
+              "moves");
         s.key("pace", &PathKeys::even_pace, choice<bool>({{"time", false}, {"even", true}}),
-              "`even`: at constant speed along the curve");
-        s.key("easing", &PathKeys::easing, easing(), "of the way along the curve, as of values");
-        s.key("from", &PathKeys::from, time(between(0, kLongest)), "scene time, of `along`");
+              "speed along the curve; `even`: constant speed");
+        s.key("easing", &PathKeys::easing, easing(),
+              "easing of the motion along the curve, as for values that change");
+        s.key("from", &PathKeys::from, time(between(0, kLongest)), "start scene time of `along`");
         s.key("to", &PathKeys::to, time(between(0, kLongest)),
-              "scene time, of `along`; before `from`: backwards");
-        s.key("radius", &PathKeys::radii, radii(), "of the `orbit`: one, or two along x and y");
-        s.key("angles", &PathKeys::angles, angles(),
-              "of the `orbit`, start and end, from x towards y; else once round");
+              "end scene time of `along`; if it is before `from`, the path runs backwards");
+        s.key("radius", &PathKeys::radii, radii(),
+              "radius of the `orbit`, or two radii along x and y");
+        s.key(
+            "angles", &PathKeys::angles, angles(),
+            "start and end angle of the `orbit`, from x towards y. The default is one revolution");
         s.key("turn", &PathKeys::turn, rotation(),
-              "of the `orbit`'s plane: angles about x, y and z, or {axis, angle}");
+              "rotation of the plane of the `orbit`: angles about x, y and z, or {axis, angle}");
         s.key("offset", &PathKeys::offset, vector3(Dimension::length),
-              "from the object (`follow`, `along`) or the middle (`orbit`), world axes");
+              "offset from the object (`follow`, `along`) or from the centre (`orbit`), in world "
+              "axes");
         s.key("smoothing", &PathKeys::smoothing, time(between(0, 60)),
-              "width of the window that the followed path is averaged over");
+              "length of the time window over which the followed path is averaged");
         s.key("look_ahead", &PathKeys::look_ahead, time(between(-60, 60)),
-              "scene time by which the place is ahead of the frame's");
+              "scene time by which the position is ahead of the frame");
         s.exactly_one_of({"bezier", "spline", "along", "follow", "orbit"});
         s.check(check_path);
         return s;

@@ -20,12 +20,13 @@ namespace carom::pipeline::config {
 template <class V>
 ValueType<Eased<V>> eased(const std::string& key, ValueType<V> single) {
     const auto spec = std::make_shared<MapSpec<Eased<V>>>(
-        "changing " + key, "A value that changes over the camera's stretch of the film.");
-    spec->key("from", &Eased<V>::start, single, "at the start").required();
-    spec->key("to", &Eased<V>::end, single, "at the end").required();
-    spec->key("easing", &Eased<V>::easing, easing(),
-              "`smooth` starts and ends gently; [x1, y1, x2, y2] are the inner points of a cubic "
-              "Bezier curve from (0, 0) to (1, 1), value over time");
+        "changing " + key, "A value that changes during the camera's interval of the film.");
+    spec->key("from", &Eased<V>::start, single, "value at the start").required();
+    spec->key("to", &Eased<V>::end, single, "value at the end").required();
+    spec->key(
+        "easing", &Eased<V>::easing, easing(),
+        "`smooth` starts and ends gently; [x1, y1, x2, y2] are the inner control points of a cubic "
+        "Bezier curve from (0, 0) to (1, 1), value over time");
     const auto constant = convert<Eased<V>>(single, [](const V& value) {
         return Eased<V>{value, value, Easing::linear};
     });

@@ -122,16 +122,16 @@ void check_ramp(Reader& reader, const Node& node, TimeMap& map) {
 
 const MapSpec<TimeMap>& ramp_spec() {
     static const MapSpec<TimeMap> spec = [] {
-        MapSpec<TimeMap> s("speeds", "A stretch of scene time shown at changing speed.");
+        MapSpec<TimeMap> s("speeds", "Scene time that is shown at a changing speed.");
         s.key("from", &TimeMap::scene_start, exact(Dimension::time, between(0, kLongest)),
               "scene time at the camera's start")
             .required();
         s.key("speeds", &TimeMap::speeds, list_of(speed_key(), 1, 256),
-              "[film time, scene seconds per second of film]: 1 is as it was, 0 stands still, "
-              "negative is backwards")
+              "list of [film time, seconds of the scene per second of film]: 1 is real time, 0 "
+              "stands still, a negative speed runs backwards")
             .required();
         s.key("easing", &TimeMap::gentle, choice<bool>({{"linear", false}, {"smooth", true}}),
-              "how the speed gets from one to the next");
+              "how the speed changes from one value to the next");
         s.check(check_ramp);
         return s;
     }();
@@ -152,33 +152,37 @@ void add_time(MapSpec<CameraRig>& s) {
     // Used up before the sections are read (gather.h); stands here for the reference.
     s.set(
         "include", text("the name of a file"), [](CameraRig&, const auto&) {},
-        "a file with one camera, such as `rigs/orbit.yaml`, that this one is laid over");
-    s.key("name", &CameraRig::name, text("a camera's name"), "for messages and frames' metadata");
+        "a file with one camera, such as `rigs/orbit.yaml`, whose keys this camera inherits and "
+        "may replace");
+    s.key("name", &CameraRig::name, text("a camera's name"),
+          "name for messages and for the metadata of frames");
     s.set(
          "video", stretch(),
          [](CameraRig& rig, const Stretch& value) {
              rig.video_start = value.start;
              rig.video_end = value.end;
          },
-         "its stretch of the film: start and end in video time")
+         "interval of the film: start and end in video time")
         .required();
     s.key("scene", &CameraRig::time_map, time_map(),
-          "scene times shown at its start and end; the second before the first is reverse; one "
-          "time is a freeze; speeds at film times are a ramp")
+          "scene times at the start and at the end. If the second is before the first, time runs "
+          "backwards. One time stands still. Speeds at film times are a speed ramp")
         .required();
     s.key("fade", &CameraRig::fade, exact(Dimension::time, between(0, kLongest)),
-          "it is faded in over its first seconds; the camera before ends when these are over");
+          "duration of the fade-in at the start; the previous camera ends when the fade ends");
 }
 
 void add_lens(MapSpec<CameraRig>& s) {
     s.key("fov", &CameraRig::vertical_fov, eased("fov", angle(inside(0, std::numbers::pi))),
           "vertical field of view: one value, [start, end] or {from, to, easing}");
     s.key("focal_length", &CameraRig::focal_length,
-          eased("focal_length", lens_length(inside(0, 10))), "instead of `fov`; like fov");
+          eased("focal_length", lens_length(inside(0, 10))),
+          "focal length, instead of `fov`; like fov");
     s.key("sensor", &CameraRig::sensor_height, lens_length(inside(0, 10)),
-          "height of the picture in the camera, for `focal_length` and `f_number`");
+          "height of the camera's sensor, for `focal_length` and `f_number`");
     s.key("focus", &CameraRig::focus, eased("focus", focus()),
-          "a distance, `auto` (the target) or a ball or object; like fov");
+          "distance of the plane in focus: a length, `auto` (the target) or a ball or object; like "
+          "fov");
     s.key("aperture", &CameraRig::aperture, eased("aperture", lens_radius()),
           "radius of the lens; 0: everything is sharp; like fov");
     s.set(
@@ -186,8 +190,8 @@ void add_lens(MapSpec<CameraRig>& s) {
         [](CameraRig& rig, const Eased<Aperture>& value) { rig.aperture = value; },
         "instead of `aperture`: focal length / (2 radius)");
     s.key("blades", &CameraRig::blades, eased("blades", integer(0, 64)),
-          "of the iris: 0 (round) or at least 3; like fov, in whole numbers");
-    s.key("blade_rotation", &CameraRig::blade_rotation, angle(), "turn of the iris");
+          "number of blades of the iris: 0 (round) or at least 3; like fov, in whole numbers");
+    s.key("blade_rotation", &CameraRig::blade_rotation, angle(), "rotation of the iris");
     s.at_most_one_of({"aperture", "f_number"});
     s.at_most_one_of({"fov", "focal_length"});
 }
@@ -215,16 +219,19 @@ void check_camera(Reader& reader, const Node& node, CameraRig& rig) {
 
 const MapSpec<CameraRig>& camera_spec() {
     static const MapSpec<CameraRig> spec = [] {
-        MapSpec<CameraRig> s("camera", "A camera's way over a stretch of the film.");
+        MapSpec<CameraRig> s("camera", "A camera, and its path during an interval of the film.");
         add_time(s);
-        s.key("position", &CameraRig::position, camera_path(), "where it stands: a point or a path")
+        s.key("position", &CameraRig::position, camera_path(),
+              "position of the camera: a point or a path")
             .required();
-        s.key("target", &CameraRig::target, camera_path(), "what it looks at: a point or a path")
+        s.key("target", &CameraRig::target, camera_path(),
+              "point that the camera looks at: a point or a path")
             .required();
         add_lens(s);
-        s.key("roll", &CameraRig::roll, eased("roll", angle()), "turn about its axis; like fov");
+        s.key("roll", &CameraRig::roll, eased("roll", angle()),
+              "rotation about the viewing axis; like fov");
         s.key("up", &CameraRig::up, eased("up", vector3(Dimension::none)),
-              "which way is up in the picture; like fov");
+              "direction that is up in the picture; like fov");
         s.check(check_camera);
         return s;
     }();

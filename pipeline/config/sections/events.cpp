@@ -20,13 +20,15 @@ const MapSpec<Trigger>& crossing_spec() {
         // An end that could not be read differs from the other one, and from itself.
         prototype.from = prototype.to = Vec2(std::numeric_limits<double>::quiet_NaN());
         MapSpec<Trigger> s("crossing",
-                           "The centre of an object, seen from above, passes between two points, "
-                           "whichever way it goes.",
+                           "The centre of an object, seen from above, crosses the line between two "
+                           "points in either direction.",
                            prototype);
         s.key("object", &Trigger::a, name_of(ReferenceKind::simulated), "the ball or object")
             .required();
-        s.key("from", &Trigger::from, vector2(Dimension::length), "one end of the line").required();
-        s.key("to", &Trigger::to, vector2(Dimension::length), "the other end").required();
+        s.key("from", &Trigger::from, vector2(Dimension::length), "one end point of the line")
+            .required();
+        s.key("to", &Trigger::to, vector2(Dimension::length), "the other end point of the line")
+            .required();
         s.check([](Reader& reader, const Node& node, Trigger& trigger) {
             if (trigger.from == trigger.to) {
                 reader.error(node.find("to")->value.place,
@@ -40,7 +42,7 @@ const MapSpec<Trigger>& crossing_spec() {
 
 const MapSpec<Trigger>& trigger_spec() {
     static const MapSpec<Trigger> spec = [] {
-        MapSpec<Trigger> s("when", "Something that happens in the shot, and starts an event.");
+        MapSpec<Trigger> s("when", "A condition in the shot that starts an event.");
         s.set(
             "contact", list_of(name_of(ReferenceKind::touchable), 2, 2),
             [](Trigger& trigger, const std::vector<std::string>& names) {
@@ -68,11 +70,9 @@ const MapSpec<Trigger>& trigger_spec() {
                 trigger.kind = Trigger::Kind::resting;
                 trigger.a = std::move(name);
             },
-            "an object, or `all`, comes to rest: it has moved since the start of the shot, and now "
-            "it "
-            "rests. Several events that wait for the same thing take turns in the order of the "
-            "list: "
-            "each needs a motion that begins after the event before it");
+            "an object, or `all`, comes to rest after it has moved since the start of the shot. "
+            "Several events that wait for the same object happen one after the other, in the order "
+            "of the list: each waits for a motion that begins after the previous event");
         s.set(
             "crossing", record(crossing_spec()),
             [](Trigger& trigger, Trigger crossing) { trigger = std::move(crossing); },
@@ -86,10 +86,10 @@ const MapSpec<Trigger>& trigger_spec() {
 /// When the event happens; every kind has these.
 void add_start(MapSpec<ForceEvent>& s) {
     s.key("at", &ForceEvent::time, time(between(0, kLongest)),
-          "scene time; with `when`: not before");
+          "scene time. With `when`, the event does not happen before it");
     s.key("when", &ForceEvent::trigger, record(trigger_spec()),
-          "the first time that something happens");
-    s.key("after", &ForceEvent::after, time(between(0, kLongest)), "delay behind `at` or `when`");
+          "condition that starts the event when it becomes true for the first time");
+    s.key("after", &ForceEvent::after, time(between(0, kLongest)), "delay after `at` or `when`");
 }
 
 template <class Action>
@@ -108,22 +108,23 @@ template <class Action>
 void add_point_and_axes(MapSpec<ForceEvent>& s) {
     s.key(
         "at_point", [](ForceEvent& e) -> Vec3& { return std::get<Action>(e.action).at_point; },
-        vector3(Dimension::length), "where it acts, from the centre of mass, in `axes`");
+        vector3(Dimension::length),
+        "point where it acts, relative to the centre of mass, in `axes`");
     s.key(
         "axes", [](ForceEvent& e) -> sim::Axes& { return std::get<Action>(e.action).axes; },
         choice<sim::Axes>({{"world", sim::Axes::world}, {"body", sim::Axes::body}}),
-        "`body`: turned with the object");
+        "axes of the vectors; `body`: axes that rotate with the object");
 }
 
 const MapSpec<ForceEvent>& force_spec() {
     static const MapSpec<ForceEvent> spec = [] {
-        MapSpec<ForceEvent> s = event_of<sim::Force>("force", "A force during a time.");
+        MapSpec<ForceEvent> s = event_of<sim::Force>("force", "A force that acts for some time.");
         add_object(s);
         add_start(s);
         s.key(
              "for",
              [](ForceEvent& e) -> double& { return std::get<sim::Force>(e.action).duration; },
-             time(above_up_to(0, kLongest)), "how long it acts")
+             time(above_up_to(0, kLongest)), "duration for which it acts")
             .required();
         s.key(
              "newtons",
@@ -138,13 +139,14 @@ const MapSpec<ForceEvent>& force_spec() {
 
 const MapSpec<ForceEvent>& torque_spec() {
     static const MapSpec<ForceEvent> spec = [] {
-        MapSpec<ForceEvent> s = event_of<sim::Torque>("torque", "A torque during a time.");
+        MapSpec<ForceEvent> s =
+            event_of<sim::Torque>("torque", "A torque that acts for some time.");
         using sim::Torque;
         add_object(s);
         add_start(s);
         s.key(
              "for", [](ForceEvent& e) -> double& { return std::get<Torque>(e.action).duration; },
-             time(above_up_to(0, kLongest)), "how long it acts")
+             time(above_up_to(0, kLongest)), "duration for which it acts")
             .required();
         s.key(
              "newton_metres",
@@ -154,7 +156,7 @@ const MapSpec<ForceEvent>& torque_spec() {
         s.key(
             "axes", [](ForceEvent& e) -> sim::Axes& { return std::get<Torque>(e.action).axes; },
             choice<sim::Axes>({{"world", sim::Axes::world}, {"body", sim::Axes::body}}),
-            "`body`: turned with the object");
+            "axes of the vectors; `body`: axes that rotate with the object");
         return s;
     }();
     return spec;
@@ -162,7 +164,7 @@ const MapSpec<ForceEvent>& torque_spec() {
 
 const MapSpec<ForceEvent>& impulse_spec() {
     static const MapSpec<ForceEvent> spec = [] {
-        MapSpec<ForceEvent> s = event_of<sim::Impulse>("impulse", "A blow in an instant.");
+        MapSpec<ForceEvent> s = event_of<sim::Impulse>("impulse", "An instantaneous impulse.");
         add_object(s);
         add_start(s);
         s.key(
@@ -188,13 +190,14 @@ const MapSpec<ForceEvent>& velocity_spec() {
             [](ForceEvent& e) -> std::optional<Vec3>& {
                 return std::get<SetVelocity>(e.action).linear;
             },
-            vector3(Dimension::speed), "world axes; kept if not given");
+            vector3(Dimension::speed), "velocity in world axes. By default it is left unchanged");
         s.key(
             "angular",
             [](ForceEvent& e) -> std::optional<Vec3>& {
                 return std::get<SetVelocity>(e.action).angular;
             },
-            vector3(Dimension::angular_speed), "world axes; kept if not given");
+            vector3(Dimension::angular_speed),
+            "angular velocity in world axes. By default it is left unchanged");
         s.check([](Reader& reader, const Node& node, ForceEvent&) {
             if (node.find("linear") == nullptr && node.find("angular") == nullptr) {
                 reader.error(reader.key_place(),
@@ -229,7 +232,7 @@ void add_toward(MapSpec<ForceEvent>& s) {
             strike_of(event).toward = aim.toward;
             strike_of(event).toward_point = aim.toward_point;
         },
-        "what is aimed at: an object's centre at that moment, or a point");
+        "target of the aim: the centre of an object at that moment, or a point");
 }
 
 void check_tip(Reader& reader, const Node& node, ForceEvent& event) {
@@ -244,34 +247,36 @@ void check_tip(Reader& reader, const Node& node, ForceEvent& event) {
 void add_strike_keys(MapSpec<ForceEvent>& s) {
     s.key(
         "speed", [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).speed; },
-        quantity(Dimension::speed, above_up_to(0, 100)), "of the stick when it hits");
+        quantity(Dimension::speed, above_up_to(0, 100)), "speed of the stick at the impact");
     s.key(
         "ball_speed",
         [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).ball_speed; },
-        quantity(Dimension::speed, above_up_to(0, 100)), "the ball's own speed after the hit");
+        quantity(Dimension::speed, above_up_to(0, 100)), "speed of the ball after the impact");
     add_toward(s);
     s.key(
         "direction", [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).direction; },
-        angle(), "of the aim, counter-clockwise from +x");
+        angle(), "direction of the aim, counter-clockwise from +x");
     s.key(
         "elevation", [](ForceEvent& e) -> double& { return strike_of(e).elevation; },
-        angle(from_below(0, std::numbers::pi / 2)), "of the stick's butt");
+        angle(from_below(0, std::numbers::pi / 2)), "angle by which the stick's butt is raised");
     s.key(
         "tip", [](ForceEvent& e) -> Vec2& { return strike_of(e).tip; },
         vector2(Dimension::none, between(-1, 1)),
-        "offset to the right and up as the shooter sees it, in ball radii");
+        "offset of the tip from the centre, to the right and up for the player, in ball radii");
     s.key(
         "stick_mass", [](ForceEvent& e) -> double& { return strike_of(e).stick_mass; },
-        quantity(Dimension::mass, above_up_to(0, 10)), "of the whole stick");
+        quantity(Dimension::mass, above_up_to(0, 10)), "mass of the whole stick");
     s.key(
         "end_mass_ratio", [](ForceEvent& e) -> double& { return strike_of(e).end_mass_ratio; },
-        number(above_up_to(0, 1)), "the stick's effective end mass by the ball's: squirt");
+        number(above_up_to(0, 1)),
+        "effective end mass of the stick divided by the mass of the ball, which determines the "
+        "squirt");
 }
 
 const MapSpec<ForceEvent>& strike_spec() {
     static const MapSpec<ForceEvent> spec = [] {
-        MapSpec<ForceEvent> s = event_of<Strike>(
-            "strike", "A ball is struck by a cue stick (Alciatore, TP A-30, A-31).");
+        MapSpec<ForceEvent> s =
+            event_of<Strike>("strike", "A cue stick strikes a ball (Alciatore, TP A-30, A-31).");
         s.key("ball", &ForceEvent::object, name_of(ReferenceKind::ball), "the ball").required();
         add_start(s);
         add_strike_keys(s);
@@ -287,14 +292,14 @@ const MapSpec<ForceEvent>& strike_spec() {
 
 const MapSpec<EventSection>& event_spec() {
     static const MapSpec<EventSection> spec = [] {
-        MapSpec<EventSection> s("event", "What is done to a ball or object, and when.");
+        MapSpec<EventSection> s("event", "An action on a ball or object, and its time.");
         const auto store = [](EventSection& section, ForceEvent event) {
             section.event = std::move(event);
         };
-        s.set("strike", record(strike_spec()), store, "with a cue stick");
-        s.set("impulse", record(impulse_spec()), store, "a blow");
-        s.set("force", record(force_spec()), store, "a push during a time");
-        s.set("torque", record(torque_spec()), store, "a twist during a time");
+        s.set("strike", record(strike_spec()), store, "a strike with a cue stick");
+        s.set("impulse", record(impulse_spec()), store, "an instantaneous impulse");
+        s.set("force", record(force_spec()), store, "a force that acts for some time");
+        s.set("torque", record(torque_spec()), store, "a torque that acts for some time");
         s.set("velocity", record(velocity_spec()), store, "a change of velocity");
         s.exactly_one_of({"strike", "impulse", "force", "torque", "velocity"});
         s.check([](Reader& reader, const Node& node, EventSection& section) {

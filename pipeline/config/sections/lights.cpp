@@ -35,14 +35,14 @@ render::RectangleLight rectangle_light(const LightSection& keys) {
 const MapSpec<render::Sky>& sky_spec() {
     static const MapSpec<render::Sky> spec = [] {
         MapSpec<render::Sky> s("sky",
-                               "A clear sky (Preetham, Shirley and Smits 1999), without the sun's "
-                               "disk: for that add a directional light.");
+                               "A clear sky (Preetham, Shirley and Smits 1999) without the disk of "
+                               "the sun: add a directional light for the sun.");
         s.key("sun", &render::Sky::sun, vector3(Dimension::none),
               "direction towards the sun, above the horizon");
         s.key("turbidity", &render::Sky::turbidity, number(between(2, 10)),
-              "haze: 2 very clear, 3 clear, 6 hazy");
+              "amount of haze: 2 very clear, 3 clear, 6 hazy");
         s.key("ground", &render::Sky::ground, colour(between(0, 1)),
-              "albedo of all below the horizon");
+              "albedo of the ground below the horizon");
         s.check([](Reader& reader, const Node& node, render::Sky& sky) {
             if (!(sky.sun.length() > 1e-9) || !(sky.sun.normalized().z > 1e-3)) {
                 reader.error(node.find("sun")->value.place, "'sun' must point above the horizon");
@@ -132,39 +132,41 @@ const MapSpec<LightSection>& light_spec() {
     static const MapSpec<LightSection> spec = [] {
         MapSpec<LightSection> s(
             "light",
-            "A source of light. Points, spots and directional lights have no surface: they cast "
-            "hard shadows and are not seen but as a dot in smooth balls.");
+            "A light source. Points, spots and directional lights have no surface: they cast hard "
+            "shadows and are invisible except as a dot in smooth balls.");
         const auto strength = colour(between(0, kBrightest));
-        s.key("point", &LightSection::point, strength,
-              "light from one point: its intensity in W/sr");
+        s.key("point", &LightSection::point, strength, "point light: its intensity in W/sr");
         s.key("spot", &LightSection::spot, strength,
-              "light from one point within a cone: its intensity in W/sr");
+              "point light within a cone: its intensity in W/sr");
         s.key("directional", &LightSection::directional, strength,
-              "parallel light: irradiance in W/m^2 of what faces it");
+              "parallel light: irradiance in W/m^2 of a surface that faces it");
         s.key("rectangle", &LightSection::rectangle,
               vector2(Dimension::length, above_up_to(0, 1000)),
-              "its two edges; it radiates to one side");
-        s.key("sphere", &LightSection::sphere, length(above_up_to(0, 1000)), "its radius");
+              "lengths of the two edges; a rectangle radiates to one side");
+        s.key("sphere", &LightSection::sphere, length(above_up_to(0, 1000)),
+              "radius of a sphere that radiates");
         s.key("environment", &LightSection::environment, environment(),
-              "light from all around: an equirectangular picture, a colour or a sky; one at most");
+              "light from all directions: an equirectangular picture, a colour or a sky. A shot "
+              "has at most one");
         s.key("at", &LightSection::at, vector3(Dimension::length),
-              "where a point or spot is, or the centre of a rectangle or sphere");
+              "position of a point or spot, or of the centre of a rectangle or sphere");
         s.key("facing", &LightSection::facing, vector3(Dimension::none),
               "direction in which a rectangle, a spot or a directional light shines");
         s.key("angle", &LightSection::angle, spot_angle(),
-              "of a spot, from its axis: the edge, or [where it begins to fade, where it ends]");
-        s.key("roll", &LightSection::roll, angle(), "turn of a rectangle about `facing`");
-        s.key("rotation", &LightSection::rotation, angle(), "turn of an environment about z");
+              "angle of a spot from its axis: its edge, or [start of the falloff, edge]");
+        s.key("roll", &LightSection::roll, angle(), "rotation of a rectangle about `facing`");
+        s.key("rotation", &LightSection::rotation, angle(), "rotation of an environment about z");
         s.key("radiance", &LightSection::radiance, colour(between(0, kBrightest)),
-              "in W/(m^2 sr); multiplies an environment's picture");
+              "radiance in W/(m^2 sr). It multiplies the picture of an environment");
         s.key("strength", &LightSection::strength, number(between(0, kBrightest)),
-              "multiplies the radiance");
-        s.key("falloff", &LightSection::falloff,
-              choice<render::Falloff>({{"inverse_square", render::Falloff::inverse_square},
-                                       {"none", render::Falloff::none}}),
-              "how the light of a point, spot, rectangle or sphere fades with distance: `none` "
-              "gives every surface that faces it pi times the radiance in W/m^2, or a point's or "
-              "spot's number in W/m^2, however far away it is, which no real lamp does");
+              "factor of the radiance");
+        s.key(
+            "falloff", &LightSection::falloff,
+            choice<render::Falloff>({{"inverse_square", render::Falloff::inverse_square},
+                                     {"none", render::Falloff::none}}),
+            "how the light of a point, spot, rectangle or sphere decreases with distance. With "
+            "`none`, each surface that faces the light receives pi times the radiance in W/m^2 (or "
+            "the number of a point or spot in W/m^2) at any distance, which no real lamp does");
         s.exactly_one_of({"point", "spot", "directional", "rectangle", "sphere", "environment"});
         s.check(check_kind);
         return s;

@@ -14,9 +14,11 @@ constexpr double kBrightest = 1e9;
 const MapSpec<render::Coat>& coat_spec() {
     static const MapSpec<render::Coat> spec = [] {
         MapSpec<render::Coat> s("coat", "A clear layer on top.", {1.0, 1.5, 0.0});
-        s.key("weight", &render::Coat::weight, number(between(0, 1)), "0: no coat");
+        s.key("weight", &render::Coat::weight, number(between(0, 1)),
+              "weight of the coat; 0: no coat");
         s.key("ior", &render::Coat::ior, number(between(1, 3)), "index of refraction");
-        s.key("roughness", &render::Coat::roughness, number(between(0, 1)), "0: a mirror");
+        s.key("roughness", &render::Coat::roughness, number(between(0, 1)),
+              "roughness; 0: a mirror");
         return s;
     }();
     return spec;
@@ -27,16 +29,16 @@ const MapSpec<render::ImageTexture>& image_spec() {
         MapSpec<render::ImageTexture> s("image", "A picture, placed by the surface's uv.");
         s.key("file", &render::ImageTexture::file, file(), "the picture").required();
         s.key("scale", &render::ImageTexture::scale, vector2(Dimension::none, above_up_to(0, 1e4)),
-              "repeats along u and v");
+              "numbers of repetitions along u and v");
         s.key("size", &render::ImageTexture::size, vector2(Dimension::length, above_up_to(0, 1e4)),
-              "instead of `scale`: its width and height on flat shapes, cylinders and, around the "
-              "equator, spheres");
+              "instead of `scale`: width and height of the picture on flat shapes, on cylinders "
+              "and, around the equator, on spheres");
         s.key("offset", &render::ImageTexture::offset, vector2(Dimension::none),
-              "by which it is moved along u and v, in its own widths and heights");
+              "translation of the picture along u and v, in widths and heights of the picture");
         s.key("rotate", &render::ImageTexture::rotation, angle(),
-              "counter-clockwise about the corner where u and v are 0");
+              "rotation of the picture, counter-clockwise about the corner where u and v are 0");
         s.key("is_linear", &render::ImageTexture::is_linear, boolean(),
-              "its values are linear, not sRGB-encoded");
+              "whether the values of the picture are linear instead of sRGB-encoded");
         s.at_most_one_of({"scale", "size"});
         return s;
     }();
@@ -50,7 +52,7 @@ const MapSpec<render::ClothTexture>& cloth_spec() {
         s.key("thread", &render::ClothTexture::thread, length(inside(0, 1)),
               "spacing of the weave");
         s.key("variation", &render::ClothTexture::variation, number(between(0, 1)),
-              "of the colour, relative");
+              "relative variation of the colour");
         return s;
     }();
     return spec;
@@ -59,8 +61,9 @@ const MapSpec<render::ClothTexture>& cloth_spec() {
 const MapSpec<render::WoodTexture>& wood_spec() {
     static const MapSpec<render::WoodTexture> spec = [] {
         MapSpec<render::WoodTexture> s("wood", "Wood with rings along a grain.");
-        s.key("light", &render::WoodTexture::light, colour(between(0, 1)), "early wood");
-        s.key("dark", &render::WoodTexture::dark, colour(between(0, 1)), "late wood");
+        s.key("light", &render::WoodTexture::light, colour(between(0, 1)),
+              "colour of the early wood");
+        s.key("dark", &render::WoodTexture::dark, colour(between(0, 1)), "colour of the late wood");
         s.key("ring", &render::WoodTexture::ring, length(inside(0, 10)),
               "mean spacing of the rings");
         s.key("grain", &render::WoodTexture::grain, vector3(Dimension::none),
@@ -78,9 +81,10 @@ const MapSpec<render::WoodTexture>& wood_spec() {
 const MapSpec<render::CheckerTexture>& checker_spec() {
     static const MapSpec<render::CheckerTexture> spec = [] {
         MapSpec<render::CheckerTexture> s("checker", "Squares of two colours.");
-        s.key("even", &render::CheckerTexture::even, colour(between(0, 1)), "one colour");
-        s.key("odd", &render::CheckerTexture::odd, colour(between(0, 1)), "the other");
-        s.key("size", &render::CheckerTexture::size, length(inside(0, 1000)), "of a square");
+        s.key("even", &render::CheckerTexture::even, colour(between(0, 1)), "first colour");
+        s.key("odd", &render::CheckerTexture::odd, colour(between(0, 1)), "second colour");
+        s.key("size", &render::CheckerTexture::size, length(inside(0, 1000)),
+              "edge length of a square");
         return s;
     }();
     return spec;
@@ -99,10 +103,10 @@ const MapSpec<ColourSource>& texture_spec() {
     static const MapSpec<ColourSource> spec = [] {
         MapSpec<ColourSource> s("texture", "A colour that varies over the surface.");
         const auto store = [](ColourSource& source, auto texture) { source = std::move(texture); };
-        s.set("image", image(), store, "a picture: its file, or a map");
+        s.set("image", image(), store, "a picture: the name of its file, or a map");
         s.set("cloth", record(cloth_spec()), store, "woven cloth");
         s.set("wood", record(wood_spec()), store, "wood");
-        s.set("checker", record(checker_spec()), store, "squares");
+        s.set("checker", record(checker_spec()), store, "squares of two colours");
         s.set("ball", record(ball_texture_spec()), store, "a billiard ball");
         s.exactly_one_of({"image", "cloth", "wood", "checker", "ball"});
         return s;
@@ -125,29 +129,33 @@ ValueType<ColourSource> base() {
 const MapSpec<StandardMaterial>& standard_spec() {
     static const MapSpec<StandardMaterial> spec = [] {
         MapSpec<StandardMaterial> s(
-            "standard", "Layers from the bottom up: diffuse base, metal or glass, sheen, coat.");
+            "standard",
+            "Layers from the bottom to the top: diffuse base, metal or glass, sheen, coat.");
         s.key("base", &StandardMaterial::base, base(), "colour or a texture");
         s.key("metal", &StandardMaterial::metal, number(between(0, 1)),
               "1: the base is the reflectance of a metal");
         s.key("roughness", &StandardMaterial::roughness, number(between(0, 1)),
-              "of the base's highlight, and of glass: 0 is clear, more is frosted");
+              "roughness of the base's highlight, and of glass: 0 is clear, a higher value is "
+              "frosted");
         s.key("specular", &StandardMaterial::specular, number(between(0, 1)),
               "weight of the base's own dielectric highlight");
         s.key("transmission", &StandardMaterial::transmission, number(between(0, 1)),
-              "share of the base that is glass, filling what a closed surface encloses");
+              "fraction of the base that is glass, which fills the volume of a closed surface");
         s.key("ior", &StandardMaterial::ior, number(between(1, 3)),
               "index of refraction of the glass");
         s.key("transmission_colour", &StandardMaterial::transmission_colour, colour(between(0, 1)),
-              "what is left of light after `transmission_depth` of glass");
+              "fraction of light that remains after `transmission_depth` of glass");
         s.key("transmission_depth", &StandardMaterial::transmission_depth, length(between(0, 1000)),
-              "0: the colour is taken on at each surface");
+              "distance at which the transmission colour is reached; 0: the colour is applied at "
+              "each surface");
         s.key("sheen", &StandardMaterial::sheen, number(between(0, 1)),
-              "weight of the shine at grazing angles, as of cloth");
-        s.key("sheen_colour", &StandardMaterial::sheen_colour, colour(between(0, 1)), "its colour");
+              "weight of the reflection at grazing angles, as in cloth");
+        s.key("sheen_colour", &StandardMaterial::sheen_colour, colour(between(0, 1)),
+              "colour of the sheen");
         s.key("bump", &StandardMaterial::bump, number(between(0, 1)),
               "strength of the texture's own relief");
         s.key("emission", &StandardMaterial::emission, colour(between(0, kBrightest)),
-              "radiance of its front in W/(m^2 sr): the surface is a light");
+              "radiance of the surface's front in W/(m^2 sr), which makes it a light");
         s.key("coat", &StandardMaterial::coat, record(coat_spec()), "a clear layer on top");
         return s;
     }();
@@ -157,26 +165,27 @@ const MapSpec<StandardMaterial>& standard_spec() {
 const MapSpec<PhongMaterial>& phong_spec() {
     static const MapSpec<PhongMaterial> spec = [] {
         MapSpec<PhongMaterial> s(
-            "phong", "The classic surface. `path` scales its shares down to a sum of 1.");
+            "phong", "The classic Phong material. `path` scales its fractions down to a sum of 1.");
         const auto share = colour(between(0, 1));
         const auto spread = angle(between(0, render::kWidestPhongSpread));
         s.key("ambient", &PhongMaterial::ambient, share,
-              "colour under the ambient light; without it that of `diffuse`");
+              "colour under the ambient light. The default is that of `diffuse`");
         s.key("diffuse", &PhongMaterial::diffuse, base(), "colour or a texture");
-        s.key("specular", &PhongMaterial::specular, share, "colour of the highlights of lights");
+        s.key("specular", &PhongMaterial::specular, share, "colour of the highlights");
         s.key("shininess", &PhongMaterial::shininess, number(between(0, 1e6)),
-              "exponent of the highlights: more is sharper");
-        s.key("reflectance", &PhongMaterial::reflectance, share, "share of what is mirrored");
+              "exponent of the highlights: a higher value is sharper");
+        s.key("reflectance", &PhongMaterial::reflectance, share,
+              "fraction of light that is mirrored");
         s.key("reflectance_spread", &PhongMaterial::reflectance_spread, spread,
               "standard deviation of reflection rays from the mirror direction");
         s.key("transmittance", &PhongMaterial::transmittance, share,
-              "share of what is seen through the surface");
+              "fraction of light that is transmitted");
         s.key("transmittance_spread", &PhongMaterial::transmittance_spread, spread,
               "standard deviation of refraction rays from the refracted direction");
         s.key("index", &PhongMaterial::index, number(between(0.1, 10)),
-              "of refraction, of the inside over the outside");
+              "index of refraction of the inside divided by that of the outside");
         s.key("emission", &PhongMaterial::emission, colour(between(0, kBrightest)),
-              "radiance of its front in W/(m^2 sr): the surface is a light");
+              "radiance of the surface's front in W/(m^2 sr), which makes it a light");
         return s;
     }();
     return spec;
@@ -186,19 +195,20 @@ const MapSpec<PhongMaterial>& phong_spec() {
 
 const MapSpec<MaterialDescription>& material_spec() {
     static const MapSpec<MaterialDescription> spec = [] {
-        MapSpec<MaterialDescription> s("material", "A surface by name.");
+        MapSpec<MaterialDescription> s("material",
+                                       "A material of a surface, referred to by its name.");
         s.set(
             "standard", record(standard_spec()),
             [](MaterialDescription& material, StandardMaterial value) {
                 material.surface = std::move(value);
             },
-            "the layered surface");
+            "the layered material");
         s.set(
             "phong", record(phong_spec()),
             [](MaterialDescription& material, PhongMaterial value) {
                 material.phong = std::move(value);
             },
-            "the classic surface");
+            "the classic Phong material");
         s.exactly_one_of({"standard", "phong"});
         return s;
     }();

@@ -13,25 +13,25 @@ constexpr double kShortestGap = 1e-6;  // s; what is nearer would be a jump
 
 const MapSpec<MotionKey>& motion_key_spec() {
     static const MapSpec<MotionKey> spec = [] {
-        MapSpec<MotionKey> s(
-            "motion key",
-            "Where an object is at a scene time. What is left out is as in the key "
-            "before.");
+        MapSpec<MotionKey> s("motion key",
+                             "Position and orientation of an object at a scene time. The defaults "
+                             "are the values of the previous key.");
         s.key("at", &MotionKey::time, time(between(0, kLongest)), "scene time").required();
         s.key("position", &MotionKey::position,
               vector3(Dimension::length, between(-kFarthest, kFarthest)),
-              "of its origin, world axes; in the first key else the object's `at`");
+              "position of the object's origin in world coordinates. The default of the first key "
+              "is the object's `at`");
         s.key("rotate", &MotionKey::rotate, rotation(),
-              "like the object's, which it is in the first key unless said; reached by the shorter "
-              "way round");
+              "orientation, written like the object's `rotate`, which is the default of the first "
+              "key. The object rotates to it through the smaller angle");
         s.key("turn", &MotionKey::turn, rotation_vector(),
-              "instead of `rotate`: how far and which way it turns from the key before, more than "
-              "half a round too");
-        s.key(
-            "velocity", &MotionKey::velocity,
-            vector3(Dimension::speed, between(-kFastest, kFastest)),
-            "with which it passes, of a smooth motion; else the mean velocity from the key before "
-            "to the key after, and none in the first and the last key and beside a pause");
+              "instead of `rotate`: the rotation since the previous key, which may be more than "
+              "half a revolution");
+        s.key("velocity", &MotionKey::velocity,
+              vector3(Dimension::speed, between(-kFastest, kFastest)),
+              "velocity at the key, for a smooth motion. The default is the mean velocity from the "
+              "previous key to the next one, and zero at the first and the last key and next to a "
+              "pause");
         s.at_most_one_of({"rotate", "turn"});
         return s;
     }();
@@ -73,17 +73,16 @@ void check_order(Reader& reader, const Node& node, KeyedMotion& motion) {
 
 const MapSpec<KeyedMotion>& motion_spec() {
     static const MapSpec<KeyedMotion> spec = [] {
-        MapSpec<KeyedMotion> s(
-            "motion",
-            "Where an object goes that is not moved by physics. It stands before "
-            "the first key and after the last.");
+        MapSpec<KeyedMotion> s("motion",
+                               "The path of an object that keys move, not the simulation. The "
+                               "object stands still before the first key and after the last.");
         s.key("keys", &KeyedMotion::keys, list_of(record(motion_key_spec()), 2, 1000),
-              "in order of time")
+              "keys in order of time")
             .required();
         s.key("easing", &KeyedMotion::is_linear,
               choice<bool>({{"smooth", false}, {"linear", true}}),
-              "`smooth`: starts and stops gently and passes the keys between without a jolt; "
-              "`linear`: straight and at constant speed from key to key");
+              "`smooth`: the object starts and stops gently and passes the keys with a continuous "
+              "velocity; `linear`: it moves straight and at constant speed from key to key");
         s.check(check_order);
         return s;
     }();

@@ -22,11 +22,13 @@ void add_shape(MapSpec<ObjectSection>& spec, std::string name, ValueType<V> type
 
 const MapSpec<sim::Capsule>& capsule_spec() {
     static const MapSpec<sim::Capsule> spec = [] {
-        MapSpec<sim::Capsule> s("capsule", "A cylinder about z with a half ball on each end.");
-        s.key("radius", &sim::Capsule::radius, length(above_up_to(0, 1000)), "of all of it")
+        MapSpec<sim::Capsule> s("capsule",
+                                "A cylinder whose axis is z with a hemisphere at each end.");
+        s.key("radius", &sim::Capsule::radius, length(above_up_to(0, 1000)),
+              "radius of the cylinder and of the hemispheres")
             .required();
         s.key("length", &sim::Capsule::length, length(above_up_to(0, 1000)),
-              "between the centres of its ends")
+              "distance between the centres of the hemispheres")
             .required();
         return s;
     }();
@@ -35,10 +37,11 @@ const MapSpec<sim::Capsule>& capsule_spec() {
 
 const MapSpec<sim::Cylinder>& cylinder_spec() {
     static const MapSpec<sim::Cylinder> spec = [] {
-        MapSpec<sim::Cylinder> s("cylinder", "A cylinder about z.");
-        s.key("radius", &sim::Cylinder::radius, length(above_up_to(0, 1000)), "of its caps")
+        MapSpec<sim::Cylinder> s("cylinder", "A cylinder whose axis is z.");
+        s.key("radius", &sim::Cylinder::radius, length(above_up_to(0, 1000)), "radius of the caps")
             .required();
-        s.key("height", &sim::Cylinder::height, length(above_up_to(0, 1000)), "from cap to cap")
+        s.key("height", &sim::Cylinder::height, length(above_up_to(0, 1000)),
+              "height from cap to cap")
             .required();
         return s;
     }();
@@ -68,25 +71,27 @@ void add_solids(MapSpec<ObjectSection>& s) {
             object.shape = capsule_mesh(capsule);
             object.solid = capsule;
         },
-        "a cylinder with round ends, its axis along z");
+        "a cylinder with hemispherical ends whose axis is z");
     s.set(
         "cylinder", record(cylinder_spec()),
         [](ObjectSection& object, const sim::Cylinder& cylinder) {
             object.shape = render::CylinderShape{cylinder.radius, cylinder.height};
             object.solid = cylinder;
         },
-        "its axis along z");
+        "a shape whose axis is z");
     s.set("hull", list_of(vector3(Dimension::length, between(-1000, 1000)), 4, 1000), set_hull,
-          "the convex hull of points, four or more that are not in a plane");
+          "the convex hull of four or more points that are not all in one plane");
 }
 
 const MapSpec<render::ConeShape>& cone_spec() {
     static const MapSpec<render::ConeShape> spec = [] {
         using Cone = render::ConeShape;
-        MapSpec<Cone> s("cone", "A cone about z, its tip up, or cut off below the tip.");
-        s.key("radius", &Cone::radius, length(above_up_to(0, 1000)), "at the bottom").required();
-        s.key("top_radius", &Cone::top_radius, length(between(0, 1000)), "0: a tip");
-        s.key("height", &Cone::height, length(above_up_to(0, 1000)), "from bottom to top")
+        MapSpec<Cone> s("cone", "A cone whose axis is z, with its tip up, or a truncated cone.");
+        s.key("radius", &Cone::radius, length(above_up_to(0, 1000)), "radius at the bottom")
+            .required();
+        s.key("top_radius", &Cone::top_radius, length(between(0, 1000)),
+              "radius at the top; 0: a tip");
+        s.key("height", &Cone::height, length(above_up_to(0, 1000)), "height from bottom to top")
             .required();
         return s;
     }();
@@ -107,17 +112,17 @@ void add_flat_shapes(MapSpec<ObjectSection>& s) {
             object.shape = render::TriangleShape{{p[0], p[1], p[2]}};
             object.is_degenerate = !spans_area(p[1] - p[0], p[2] - p[0]);
         },
-        "its three corners, counter-clockwise seen from its front");
+        "the three corners, counter-clockwise seen from the front");
     s.set(
         "parallelogram", corners,
         [](ObjectSection& object, const std::vector<Vec3>& p) {
             object.shape = render::ParallelogramShape{p[0], p[1] - p[0], p[2] - p[0]};
             object.is_degenerate = !spans_area(p[1] - p[0], p[2] - p[0]);
         },
-        "a corner and its two neighbours; u runs to the first, v to the second");
+        "a corner and its two neighbours; u runs to the first neighbour, v to the second");
     add_shape(
         s, "disk", length(above_up_to(0, 1000)),
-        [](double radius) { return render::DiskShape{radius}; }, "radius; it faces +z");
+        [](double radius) { return render::DiskShape{radius}; }, "radius; the front faces +z");
 }
 
 }  // namespace
@@ -133,14 +138,14 @@ void add_shapes(MapSpec<ObjectSection>& s) {
     add_shape(
         s, "box", vector3(Dimension::length, above_up_to(0, 1000)),
         [](const Vec3& size) { return render::BoxShape{size}; },
-        "full lengths of its edges along x, y and z");
+        "lengths of the edges along x, y and z");
     add_shape(
         s, "sphere", length(above_up_to(0, 1000)),
-        [](double radius) { return render::SphereShape{radius}; }, "radius");
+        [](double radius) { return render::SphereShape{radius}; }, "radius of a sphere");
     add_shape(
         s, "rectangle", vector2(Dimension::length, above_up_to(0, 1000)),
         [](const Vec2& size) { return render::RectangleShape{size}; },
-        "lengths along x and y; it faces +z");
+        "lengths along x and y; the front faces +z");
     add_shape(
         s, "plane", choice<bool>({{"infinite", true}}), [](bool) { return render::PlaneShape{}; },
         "the infinite plane that faces +z");
@@ -155,7 +160,7 @@ void add_shapes(MapSpec<ObjectSection>& s) {
     add_flat_shapes(s);
     add_shape(
         s, "cone", record(cone_spec()), [](const render::ConeShape& cone) { return cone; },
-        "its axis along z");
+        "a shape whose axis is z");
     add_solids(s);
     s.exactly_one_of(shape_keys());
 }

@@ -12,23 +12,24 @@ using sim::BodyKind;
 
 const MapSpec<ObjectPhysics>& object_physics_spec() {
     static const MapSpec<ObjectPhysics> spec = [] {
-        MapSpec<ObjectPhysics> s("object physics", "An object's part in the simulation.");
-        s.key(
-            "kind", &ObjectPhysics::kind,
-            choice<BodyKind>({{"dynamic", BodyKind::dynamic},
-                              {"fixed", BodyKind::fixed},
-                              {"kinematic", BodyKind::kinematic}}),
-            "`dynamic`: the simulation moves it; `fixed`: others collide with it, it never moves; "
-            "`kinematic`: the keys of its `motion` move it, it pushes others and is not pushed; "
-            "else kinematic with a `motion`, dynamic without");
+        MapSpec<ObjectPhysics> s("object physics", "How an object takes part in the simulation.");
+        s.key("kind", &ObjectPhysics::kind,
+              choice<BodyKind>({{"dynamic", BodyKind::dynamic},
+                                {"fixed", BodyKind::fixed},
+                                {"kinematic", BodyKind::kinematic}}),
+              "`dynamic`: the simulation moves the object; `fixed`: others collide with it, but it "
+              "never moves; `kinematic`: the keys of its `motion` move it, and it pushes others "
+              "but is not pushed. The default is `kinematic` for an object with a `motion` and "
+              "`dynamic` for others");
         s.key("density", &ObjectPhysics::density,
               quantity(Dimension::density, above_up_to(0, 100'000)),
-              "gives the mass by the volume");
+              "density, from which the mass is computed with the volume");
         s.key("mass", &ObjectPhysics::mass, quantity(Dimension::mass, above_up_to(0, 100'000)),
-              "instead of the density");
+              "mass, instead of the density");
         s.key("material", &ObjectPhysics::material, text("a physical material"),
-              "for the contact law (see `physics.pairs`)");
-        s.key("velocity", &ObjectPhysics::velocity, vector3(Dimension::speed), "at the start");
+              "physical material for the contact law (see `physics.pairs`)");
+        s.key("velocity", &ObjectPhysics::velocity, vector3(Dimension::speed),
+              "velocity at the start");
         s.key("spin", &ObjectPhysics::spin, vector3(Dimension::angular_speed),
               "angular velocity at the start, world axes");
         s.at_most_one_of({"density", "mass"});
@@ -164,34 +165,35 @@ ValueType<Vec3> scale() {
 const MapSpec<ObjectSection>& object_spec() {
     static const MapSpec<ObjectSection> spec = [] {
         MapSpec<ObjectSection> s("object",
-                                 "Something else to see, and to collide with if it has "
-                                 "physics.");
+                                 "An object that is not a ball. It is visible, and others collide "
+                                 "with it if it has `physics`.");
         add_shapes(s);
-        s.key("at", &ObjectSection::at, vector3(Dimension::length), "its origin in world axes");
+        s.key("at", &ObjectSection::at, vector3(Dimension::length),
+              "position of the object's origin in world coordinates");
         s.key("rotate", &ObjectSection::rotate, rotation(),
               "angles about the world's x, y and z axis in this order, or {axis, angle}");
         s.key("scale", &ObjectSection::scale, scale(),
-              "by which its own axes are stretched before it is turned");
+              "factors by which the object's own axes are scaled before it is rotated");
         s.key("axes", &ObjectSection::axes, list_of(vector3(Dimension::none), 3, 3),
-              "instead of `rotate` and `scale`: where its x, y and z axes go, of any length and at "
-              "any angles");
+              "instead of `rotate` and `scale`: the vectors to which the x, y and z axes are "
+              "mapped, of any length and at any angles");
         s.key("smooth", &ObjectSection::smooth, angle(between(0, std::numbers::pi)),
-              "of a mesh: edges up to this angle between triangles look round");
+              "edges of a mesh look round if the angle between their triangles is at most this");
         s.key("material", &ObjectSection::material, name_of(ReferenceKind::material),
-              "of the look; without it a plain grey");
+              "material of the surface. The default is a plain grey");
         s.set(
             "physics", object_physics(),
             [](ObjectSection& object, const std::optional<ObjectPhysics>& value) {
                 object.physics = value;
             },
-            "`false`: seen only; `fixed`: others collide with it; `true`: `motion` moves it and it "
-            "pushes others; or a map",
+            "`false`: the object is only visible; `fixed`: others collide with it; `true`: "
+            "`motion` moves it and it pushes others; or a map",
             "false");
         s.set(
             "motion", record(motion_spec()),
             [](ObjectSection& object, const KeyedMotion& motion) { object.motion = motion; },
-            "it goes from key to key, beginning from `at` and `rotate`; seen only, or with "
-            "`physics: true` pushing what it meets");
+            "the object moves from key to key, beginning at `at` and `rotate`. It is only visible, "
+            "or with `physics: true` pushes the bodies that it touches");
         s.at_most_one_of({"rotate", "axes"});
         s.at_most_one_of({"scale", "axes"});
         s.check(note_shape_place);

@@ -42,11 +42,12 @@ ValueType<double> bit_rate() {
 const MapSpec<Hdr10Settings>& hdr10_spec() {
     static const MapSpec<Hdr10Settings> spec = [] {
         MapSpec<Hdr10Settings> s("hdr10",
-                                 "A film for displays of high dynamic range: PQ, BT.2020.");
+                                 "A film for displays with high dynamic range: PQ, BT.2020.");
         s.key("peak", &Hdr10Settings::peak, number(between(400, 10000)),
-              "cd/m^2 of the brightest white; highlights are compressed to stay below it");
+              "luminance of the brightest white in cd/m^2; highlights are compressed to stay below "
+              "it");
         s.key("white", &Hdr10Settings::white, number(above_up_to(0, 10000)),
-              "cd/m^2 of scene light 1");
+              "luminance of scene light 1 in cd/m^2");
         return s;
     }();
     return spec;
@@ -54,12 +55,14 @@ const MapSpec<Hdr10Settings>& hdr10_spec() {
 
 const MapSpec<OcioSettings>& ocio_spec() {
     static const MapSpec<OcioSettings> spec = [] {
-        MapSpec<OcioSettings> s("ocio", "Names out of an OpenColorIO configuration.");
+        MapSpec<OcioSettings> s("ocio", "Names in an OpenColorIO configuration.");
         s.key("display", &OcioSettings::display, text("a name"),
-              "without it the configuration's default");
-        s.key("view", &OcioSettings::view, text("a name"), "without it the display's default");
+              "display. The default is that of the configuration");
+        s.key("view", &OcioSettings::view, text("a name"),
+              "view. The default is that of the display");
         s.key("colour_space", &OcioSettings::colour_space, text("a name"),
-              "linear Rec.709, which films are in; without it the role scene_linear");
+              "name of linear Rec.709, the colour space of the film. The default is the role "
+              "scene_linear");
         return s;
     }();
     return spec;
@@ -69,9 +72,9 @@ const MapSpec<GlowSettings>& glow_spec() {
     static const MapSpec<GlowSettings> spec = [] {
         MapSpec<GlowSettings> s("glow", "Light that lens and eye scatter around bright points.");
         s.key("strength", &GlowSettings::strength, number(between(0, 1)),
-              "share of all light that is scattered: 0.05 is a little haze");
+              "fraction of all light that is scattered: 0.05 looks like a light haze");
         s.key("radius", &GlowSettings::radius, number(above_up_to(0, 1)),
-              "of the widest part, in picture heights");
+              "radius of the widest part, in picture heights");
         return s;
     }();
     return spec;
@@ -86,14 +89,15 @@ ValueType<std::vector<OverlayItem>> overlay_items() {
 
 const MapSpec<OverlaySettings>& overlay_spec() {
     static const MapSpec<OverlaySettings> spec = [] {
-        MapSpec<OverlaySettings> s("overlay", "What is written into the film.");
-        s.key("show", &OverlaySettings::show, overlay_items(), "a line each").required();
+        MapSpec<OverlaySettings> s("overlay", "Text that is written into the picture.");
+        s.key("show", &OverlaySettings::show, overlay_items(), "values to show, one per line")
+            .required();
         s.key("corner", &OverlaySettings::corner,
               choice<Corner>({{"top_left", Corner::top_left},
                               {"top_right", Corner::top_right},
                               {"bottom_left", Corner::bottom_left},
                               {"bottom_right", Corner::bottom_right}}),
-              "where");
+              "corner of the picture");
         s.key("size", &OverlaySettings::size, number(between(0.01, 0.5)),
               "height of a line, in picture heights");
         return s;
@@ -120,15 +124,16 @@ const MapSpec<OutputSettings>& output_spec() {
             names.emplace_back(codec.name, codec.codec);
         }
         s.key("codec", &OutputSettings::codec, choice<Codec>(names),
-              "of the video; without it what the file's extension says: vp9 for .webm, else h264 "
-              "(hevc with `hdr10`)");
+              "codec of the video. The default depends on the file's extension: vp9 for .webm, "
+              "h264 for others (hevc with `hdr10`)");
         s.key("crf", &OutputSettings::crf, number(between(0, 63)),
-              "quality: less is better and larger. Up to 51 for h264 (18 unless told otherwise: "
-              "looks lossless) and hevc (20), 63 for av1 and vp9 (24)");
+              "constant rate factor: a lower value gives better quality and a larger file. Up to "
+              "51 for h264 (default 18, which looks lossless) and hevc (default 20), up to 63 for "
+              "av1 and vp9 (default 24)");
         s.key("bit_rate", &OutputSettings::bit_rate, bit_rate(),
-              "the mean, instead of a crf: 8 Mbit/s, 500 kbit/s, 8e6");
+              "mean bit rate, instead of a crf: 8 Mbit/s, 500 kbit/s, 8e6");
         s.key("bits", &OutputSettings::bits, integer(8, 10),
-              "per channel, 8 or 10; 8 unless told otherwise, 10 with `hdr10`. prores always has "
+              "bits per channel, 8 or 10. The default is 8, or 10 with `hdr10`. prores always has "
               "10, ffv1 16");
         std::vector<std::pair<std::string, std::string>> presets;
         presets.reserve(kEncoderPresets.size());
@@ -136,18 +141,20 @@ const MapSpec<OutputSettings>& output_spec() {
             presets.emplace_back(preset.name, preset.name);
         }
         s.key("preset", &OutputSettings::preset, choice<std::string>(presets),
-              "how hard the encoder tries to make it small");
+              "how much time the encoder spends to make the file smaller");
         s.key("threads", &OutputSettings::threads, integer(1, 64),
-              "of the encoder; the file's bytes depend on it");
+              "threads of the encoder; the file's bytes depend on this number");
         s.key("view", &OutputSettings::view,
               choice<ViewTransform>({{"srgb", ViewTransform::srgb},
                                      {"filmic", ViewTransform::filmic},
                                      {"agx", ViewTransform::agx},
                                      {"ocio", ViewTransform::ocio},
                                      {"raw", ViewTransform::raw}}),
-              "from scene light to what a display shows; `ocio`: by the OpenColorIO configuration "
-              "that the environment variable OCIO names; `raw`: the numbers as they are");
-        s.key("ocio", &OutputSettings::ocio, record(ocio_spec()), "what of it, with `view: ocio`");
+              "view transform from scene light to the values of a display. `ocio` uses the "
+              "OpenColorIO configuration that the environment variable OCIO names; `raw` writes "
+              "the numbers as they are");
+        s.key("ocio", &OutputSettings::ocio, record(ocio_spec()),
+              "display, view and colour space for `view: ocio`");
         s.key("glow", &OutputSettings::glow, record(glow_spec()),
               "light that lens and eye scatter around bright points");
         s.check([](Reader& reader, const Node& node, OutputSettings& output) {
@@ -157,17 +164,17 @@ const MapSpec<OutputSettings>& output_spec() {
             }
         });
         s.key("hdr10", &OutputSettings::hdr10, record(hdr10_spec()),
-              "for displays of high dynamic range, instead of the view: 10-bit hevc");
+              "output for displays with high dynamic range, instead of the view: 10-bit hevc");
         s.key("overlay", &OutputSettings::overlay, overlay(),
-              "written into a corner of the film, a line each: `frame` (number), `scene_time`, "
-              "`speed`; or a map that says where and how large");
+              "values written into a corner of the film, one per line: `frame` (number), "
+              "`scene_time`, `speed`; or a map with position and size");
         s.key("title", &OutputSettings::title, text("a title"),
-              "in the file's metadata; else the shot's name");
+              "title in the file's metadata. The default is the shot's name");
         s.key("poster", &OutputSettings::poster, time(at_least(0)),
-              "video time of the frame that stands for the film: inside an .mp4, as "
-              "NAME-poster.jpg beside others");
+              "video time of the frame that is the film's cover picture: embedded in an .mp4, "
+              "written as NAME-poster.jpg for other files");
         s.at_most_one_of({"crf", "bit_rate"});
-        s.key("exposure", &OutputSettings::exposure, number(between(-32, 32)), "in stops");
+        s.key("exposure", &OutputSettings::exposure, number(between(-32, 32)), "exposure in stops");
         return s;
     }();
     return spec;

@@ -17,15 +17,17 @@ constexpr double kLargestFriction = 10;
 
 const MapSpec<BallCloth>& ball_cloth_spec() {
     static const MapSpec<BallCloth> spec = [] {
-        MapSpec<BallCloth> s("ball_cloth", "A ball on the cloth.");
+        MapSpec<BallCloth> s("ball_cloth",
+                             "Friction and restitution between a ball and the cloth.");
         s.key("sliding_friction", &BallCloth::sliding_friction,
-              number(between(0, kLargestFriction)), "while the ball slips on the cloth");
+              number(between(0, kLargestFriction)),
+              "coefficient of friction while the ball slides on the cloth");
         s.key("rolling_friction", &BallCloth::rolling_friction, number(between(0, 1)),
-              "deceleration of a rolling ball as a share of gravity");
+              "deceleration of a rolling ball as a fraction of gravity");
         s.key("spinning_friction", &BallCloth::spinning_friction, number(between(0, 1)),
-              "mu in 5/2 mu g / R, at which spin about the vertical decays");
+              "mu in 5/2 mu g / R, the rate at which spin about the vertical axis decays");
         s.key("restitution", &BallCloth::restitution, number(between(0, 1)),
-              "of a ball that falls on the slate");
+              "coefficient of restitution of a ball that falls on the slate");
         return s;
     }();
     return spec;
@@ -46,16 +48,17 @@ ValueType<BallBall> ball_friction() {
 
 const MapSpec<BallBall>& ball_ball_spec() {
     static const MapSpec<BallBall> spec = [] {
-        MapSpec<BallBall> s("ball_ball", "A ball against a ball.");
+        MapSpec<BallBall> s("ball_ball", "Friction and restitution between two balls.");
         s.key("restitution", &BallBall::restitution, number(between(0, 1)),
-              "along the line of centres");
+              "coefficient of restitution along the line of centres");
         s.set(
             "friction", ball_friction(),
             [](BallBall& law, const BallBall& value) {
                 law.friction = value.friction;
                 law.friction_model = value.friction_model;
             },
-            "Coulomb friction between them, or `alciatore`: by relative speed (TP A-14)",
+            "coefficient of Coulomb friction, or `alciatore`: a coefficient that depends on the "
+            "relative speed (TP A-14)",
             show(BallBall{}.friction));
         return s;
     }();
@@ -90,12 +93,14 @@ const MapSpec<CushionNumbers>& cushion_numbers_spec() {
     static const MapSpec<CushionNumbers> spec = [] {
         MapSpec<CushionNumbers> s(
             "cushion_numbers",
-            "What one model of the cushion uses. Published values: 0.85 and 0.2 for `han2005`, "
-            "0.98 and 0.14 for `mathavan2010`.");
+            "The values that one cushion model uses. The published values are 0.85 and 0.2 for "
+            "`han2005`, 0.98 and 0.14 for `mathavan2010`.");
         s.key("restitution", &CushionNumbers::restitution, number(between(0, 1)),
-              "as the model means it; else the published one");
-        s.key("friction", &CushionNumbers::friction, number(between(0, kLargestFriction)),
-              "between ball and cushion; else the published one");
+              "coefficient of restitution as the model defines it. The default is the published "
+              "value");
+        s.key(
+            "friction", &CushionNumbers::friction, number(between(0, kLargestFriction)),
+            "coefficient of friction between ball and cushion. The default is the published value");
         return s;
     }();
     return spec;
@@ -103,20 +108,23 @@ const MapSpec<CushionNumbers>& cushion_numbers_spec() {
 
 const MapSpec<CushionEntry>& ball_cushion_spec() {
     static const MapSpec<CushionEntry> spec = [] {
-        MapSpec<CushionEntry> s("ball_cushion", "A ball against a cushion.");
+        MapSpec<CushionEntry> s("ball_cushion", "The impact of a ball on a cushion.");
         s.key("model", &CushionEntry::model,
               choice<sim::CushionModel>({{"mirror", sim::CushionModel::mirror},
                                          {"han2005", sim::CushionModel::han2005},
                                          {"mathavan2010", sim::CushionModel::mathavan2010}}),
-              "which published model gives the impulse");
+              "the published model that gives the impulse");
         s.key(
             "restitution",
             [](CushionEntry& e) -> std::optional<double>& { return e.chosen.restitution; },
-            number(between(0, 1)), "as the model means it; else the model's own, below");
+            number(between(0, 1)),
+            "coefficient of restitution as the model defines it. The default is the value of the "
+            "model's own section below");
         s.key(
             "friction", [](CushionEntry& e) -> std::optional<double>& { return e.chosen.friction; },
             number(between(0, kLargestFriction)),
-            "between ball and cushion; else the model's own, below");
+            "coefficient of friction between ball and cushion. The default is the value of the "
+            "model's own section below");
         s.map("mirror", &CushionEntry::mirror, cushion_numbers_spec(),
               "used with the model `mirror`");
         s.map("han2005", &CushionEntry::han2005, cushion_numbers_spec(),
@@ -129,16 +137,18 @@ const MapSpec<CushionEntry>& ball_cushion_spec() {
 }
 
 void add_pair_keys(MapSpec<PairContact>& s) {
-    s.key("restitution", &PairContact::restitution, number(between(0, 1)), "along the normal");
+    s.key("restitution", &PairContact::restitution, number(between(0, 1)),
+          "coefficient of restitution along the normal");
     s.key("friction", &PairContact::friction, number(between(0, kLargestFriction)),
-          "Coulomb friction");
+          "coefficient of Coulomb friction");
     s.key("rolling_friction", &PairContact::rolling_friction, number(between(0, 1)),
-          "resistance to rolling");
+          "coefficient of rolling resistance");
 }
 
 const MapSpec<PairContact>& otherwise_spec() {
     static const MapSpec<PairContact> spec = [] {
-        MapSpec<PairContact> s("otherwise", "Any two materials that no other entry names.");
+        MapSpec<PairContact> s("otherwise",
+                               "Contact of any two materials that no other entry names.");
         add_pair_keys(s);
         return s;
     }();
@@ -152,7 +162,7 @@ struct PairEntry {
 
 const MapSpec<PairEntry>& pair_spec() {
     static const MapSpec<PairEntry> spec = [] {
-        MapSpec<PairEntry> s("pair", "Two physical materials that touch.");
+        MapSpec<PairEntry> s("pair", "The contact law of two physical materials.");
         s.key("between", &PairEntry::between, list_of(text("a physical material"), 2, 2),
               "the two materials, in any order: `ball`, `cloth`, `cushion`, `rail`, `floor` or an "
               "object's own")
@@ -163,10 +173,12 @@ const MapSpec<PairEntry>& pair_spec() {
                 name, [field](PairEntry& e) -> double& { return e.contact.*field; }, number(range),
                 description);
         };
-        add("restitution", &PairContact::restitution, between(0, 1), "along the normal");
-        add("friction", &PairContact::friction, between(0, kLargestFriction), "Coulomb friction");
+        add("restitution", &PairContact::restitution, between(0, 1),
+            "coefficient of restitution along the normal");
+        add("friction", &PairContact::friction, between(0, kLargestFriction),
+            "coefficient of Coulomb friction");
         add("rolling_friction", &PairContact::rolling_friction, between(0, 1),
-            "resistance to rolling");
+            "coefficient of rolling resistance");
         return s;
     }();
     return spec;
@@ -192,28 +204,28 @@ ValueType<Vec3> gravity() {
 
 const MapSpec<World>& physics_spec() {
     static const MapSpec<World> spec = [] {
-        MapSpec<World> s("physics", "Gravity, and what happens where two materials touch.");
+        MapSpec<World> s("physics", "Gravity, and the contact laws of pairs of materials.");
         s.set(
             "gravity", gravity(), [](World& world, const Vec3& value) { world.gravity = value; },
-            "downwards as one number, or a vector", show(9.81, Dimension::acceleration));
+            "one number (downwards) or a vector", show(9.81, Dimension::acceleration));
         s.map(
             "ball_cloth", [](World& w) -> BallCloth& { return w.contact_law.ball_cloth; },
-            ball_cloth_spec(), "a ball on the cloth");
+            ball_cloth_spec(), "contact of a ball with the cloth");
         s.map(
             "ball_ball", [](World& w) -> BallBall& { return w.contact_law.ball_ball; },
-            ball_ball_spec(), "a ball against a ball");
+            ball_ball_spec(), "contact of a ball with a ball");
         s.set(
             "ball_cushion", record(ball_cushion_spec()),
             [](World& w, const CushionEntry& e) { w.contact_law.ball_cushion = e.law(); },
-            "a ball against a cushion");
+            "contact of a ball with a cushion");
         s.map(
             "otherwise", [](World& w) -> PairContact& { return w.contact_law.otherwise; },
-            otherwise_spec(), "any other two materials");
+            otherwise_spec(), "contact of any other two materials");
         s.set("pairs", numbered("pair", pair_spec()), set_pairs,
-              "further pairs of physical materials");
+              "contact laws of further pairs of physical materials");
         s.key(
             "hop", [](World& w) -> bool& { return w.contact_law.hop; }, boolean(),
-            "keep the vertical part of impulses between balls and at cushions");
+            "keeps the vertical part of impulses between balls and at cushions");
         return s;
     }();
     return spec;

@@ -61,32 +61,32 @@ ShutterSection time_of(const Rational& time) {
 
 const MapSpec<ShutterSection>& shutter_spec() {
     static const MapSpec<ShutterSection> spec = [] {
-        MapSpec<ShutterSection> s("shutter", "How long each frame is exposed.");
+        MapSpec<ShutterSection> s("shutter", "The exposure of each frame.");
         s.set(
             "angle", shutter_turn(),
             [](ShutterSection& section, const Rational& turn) {
                 section.length = turn;
                 section.is_turn = true;
             },
-            "of a rotary shutter: 360 deg is open all the time", "180 deg");
+            "shutter angle of a rotary shutter: 360 deg is always open", "180 deg");
         s.set(
             "time", shutter_time(),
             [](ShutterSection& section, const Rational& time) {
                 section.length = time;
                 section.is_turn = false;
             },
-            "exposure, instead of the angle");
+            "exposure time, instead of the angle");
         s.key(
             "clock", &ShutterSection::clock,
             choice<ShutterClock>({{"video", ShutterClock::video}, {"scene", ShutterClock::scene}}),
-            "`scene` keeps the blur of real time in slow motion");
+            "clock of the exposure; `scene`: slow motion keeps the blur of real time");
         s.key("position", &ShutterSection::position,
               choice<ShutterPosition>({{"start", ShutterPosition::start},
                                        {"centre", ShutterPosition::centre},
                                        {"end", ShutterPosition::end}}),
-              "where the frame's own time lies in the exposure");
+              "position of the frame's own time within the exposure");
         s.key("switch_ratio", &ShutterSection::switch_ratio, number(between(0, 1)),
-              "share of the exposure that opening and closing take");
+              "fraction of the exposure during which the shutter opens and closes");
         s.at_most_one_of({"angle", "time"});
         return s;
     }();
@@ -139,23 +139,24 @@ const MapSpec<DistributedSettings>& distributed_spec() {
     static const MapSpec<DistributedSettings> spec = [] {
         MapSpec<DistributedSettings> s(
             "distributed",
-            "Rays of the distributed integrator. A count of 1 switches its effect off.");
+            "Numbers of rays of the distributed integrator. A count of 1 switches its effect off.");
         const auto count = integer(1, 1024);
         s.key("pixel_samples", &DistributedSettings::pixel_samples, count,
-              "over the pixel's filter");
+              "samples over the pixel filter");
         s.key("blur_samples", &DistributedSettings::blur_samples, count,
-              "over the exposure, for each of these");
+              "samples over the exposure, for each pixel sample");
         s.key("lens_samples", &DistributedSettings::lens_samples, count,
-              "over the lens, for each of these");
-        s.key("shadow_samples", &DistributedSettings::shadow_samples, count, "per light and point");
+              "samples over the lens, for each of these");
+        s.key("shadow_samples", &DistributedSettings::shadow_samples, count,
+              "shadow rays per light and shaded point");
         s.key("reflection_samples", &DistributedSettings::reflection_samples, count,
-              "per point, where the surface spreads them");
+              "rays per shaded point, if the surface spreads them");
         s.key("refraction_samples", &DistributedSettings::refraction_samples, count,
-              "per point, where the surface spreads them");
+              "rays per shaded point, if the surface spreads them");
         s.key("recursion_limit", &DistributedSettings::recursion_limit, integer(0, 32),
-              "generations of rays after the camera's");
+              "largest number of generations of rays after the camera ray");
         s.key("falloff", &DistributedSettings::falloff, boolean(),
-              "shadow, reflection and refraction samples halve with each generation");
+              "whether shadow, reflection and refraction samples halve with each generation");
         s.key("ambient_coefficient", &DistributedSettings::ambient_coefficient,
               number(between(0, 1e6)), "radiance of the ambient light");
         return s;
@@ -172,37 +173,38 @@ void add_sampling(MapSpec<RenderSection>& s) {
     add("integrator", &RenderSettings::integrator,
         choice<render::IntegratorKind>({{"path", render::IntegratorKind::path},
                                         {"distributed", render::IntegratorKind::distributed}}),
-        "how light is followed: by paths, or as the classic distributed ray tracer does");
+        "`path`: a path tracer; `distributed`: the classic distributed ray tracer");
     add("samples", &RenderSettings::samples, integer(1, 65536),
-        "per pixel; powers of two converge best; `path` only");
+        "samples per pixel, for `path` only. Powers of two converge best");
     add("noise", &RenderSettings::noise, number(between(0, 1)),
-        "adaptive sampling: beyond `samples`, which is a multiple of 4 then, pixels get more by "
-        "their noise until the frame's relative error (root mean square) is this; 0: all get "
+        "adaptive sampling: noisy pixels get more than `samples` (which is then a multiple of 4) "
+        "until the frame's relative error (root mean square) is this value; 0: each pixel gets "
         "`samples`");
     add("max_samples", &RenderSettings::max_samples, integer(1, 65536),
-        "of one pixel, where `noise` is set");
-    add("max_bounces", &RenderSettings::max_bounces, integer(0, 64), "of a path");
+        "largest number of samples of one pixel if `noise` is set");
+    add("max_bounces", &RenderSettings::max_bounces, integer(0, 64),
+        "largest number of bounces of a path");
     add("clamp", &RenderSettings::clamp, number(between(0, 1e6)),
-        "limit of a sample's indirect radiance, against fireflies; 0: off");
+        "limit of a sample's indirect radiance, which suppresses fireflies; 0: no limit");
     add("filter", &RenderSettings::filter,
         choice<render::PixelFilter>({{"box", render::PixelFilter::box},
                                      {"gaussian", render::PixelFilter::gaussian},
                                      {"blackman_harris", render::PixelFilter::blackman_harris}}),
-        "of the pixels");
+        "pixel filter");
     add("filter_width", &RenderSettings::filter_width, number(between(0.5, 8)),
-        "full width in pixels; box: 1. The Gaussian's standard deviation is a sixth of it");
+        "full width of the filter in pixels; 1 for `box`. The standard deviation of the Gaussian "
+        "is a sixth of it");
     add("acceleration", &RenderSettings::acceleration,
         choice<render::AccelerationKind>(acceleration_names()),
-        "structure that finds what a ray hits: `hybrid` is the fastest, the others are for "
-        "comparison (docs/developers/laboratory.md); the picture stays the same but for the "
-        "last bits");
+        "acceleration structure that finds the shape that a ray hits. `hybrid` is the fastest; the "
+        "others are for comparison (docs/developers/laboratory.md). The pictures are the same "
+        "except for the last bits");
     s.set(
         "seed", integer64(0, (std::int64_t{1} << 53U) - 1),
         [](RenderSection& r, std::int64_t seed) {
             r.settings.seed = static_cast<std::uint64_t>(seed);
         },
-        "chooses the noise and nothing else: another seed gives the same picture with other noise",
-        "0");
+        "seed of the noise. Another seed gives the same picture with other noise", "0");
 }
 
 std::vector<std::pair<std::string, std::string>> aov_names() {
@@ -227,12 +229,12 @@ const MapSpec<RenderSection>& render_spec() {
             },
             "width and height in pixels", "[1280, 720]");
         s.key("short_side", &RenderSection::short_side, side(),
-              "scales the picture until its shorter side has this many pixels; it keeps the shape "
-              "of `size`, and both sides are rounded to even numbers. The quality presets use it. "
-              "A `size` that is given over it, by a file that includes it or by `--set`, is taken "
-              "as it is");
+              "scales the picture until its shorter side has this many pixels. The aspect ratio of "
+              "`size` is kept, and both sides are rounded to even numbers. The quality presets use "
+              "this key. A `size` that replaces it, in a file that includes it or by `--set`, is "
+              "used unchanged");
         s.key("fps", &RenderSection::fps, exact(Dimension::frequency, above_up_to(0, 1000)),
-              "frames per second of video; exact, so 24000/1001 is itself");
+              "frames per second of video, exact: 24000/1001 is not rounded");
         s.key(
             "shutter", &RenderSection::shutter,
             any_of<ShutterSection>({{is_scalar, bare_shutter()}, {is_map, record(shutter_spec())}}),
@@ -241,7 +243,7 @@ const MapSpec<RenderSection>& render_spec() {
         s.map(
             "distributed",
             [](RenderSection& r) -> DistributedSettings& { return r.settings.distributed; },
-            distributed_spec(), "rays of the distributed integrator");
+            distributed_spec(), "numbers of rays of the distributed integrator");
         s.key(
             "aovs", [](RenderSection& r) -> std::vector<std::string>& { return r.settings.aovs; },
             list_of(choice<std::string>(aov_names()), 0, 9), "further channels of each frame");

@@ -18,8 +18,10 @@ struct AxisAngle {
 
 MapSpec<AxisAngle> make_axis_angle(const char* name, const char* description, Range range) {
     MapSpec<AxisAngle> s(name, description);
-    s.key("axis", &AxisAngle::axis, vector3(Dimension::none), "in world axes").required();
-    s.key("angle", &AxisAngle::angle, angle(range), "counter-clockwise seen against the axis")
+    s.key("axis", &AxisAngle::axis, vector3(Dimension::none), "axis in world coordinates")
+        .required();
+    s.key("angle", &AxisAngle::angle, angle(range),
+          "angle, counter-clockwise when the axis points towards the viewer")
         .required();
     s.check([](Reader& reader, const Node& node, AxisAngle& value) {
         if (value.axis.length() < 1e-9) {
@@ -34,13 +36,13 @@ MapSpec<AxisAngle> make_axis_angle(const char* name, const char* description, Ra
 
 const MapSpec<AxisAngle>& axis_angle_spec() {
     static const MapSpec<AxisAngle> spec =
-        make_axis_angle("rotation", "A turn about an axis.", any());
+        make_axis_angle("rotation", "A rotation about an axis.", any());
     return spec;
 }
 
 const MapSpec<AxisAngle>& turn_spec() {
     static const MapSpec<AxisAngle> spec = make_axis_angle(
-        "turn", "A turn about an axis since the key before, of any number of rounds.",
+        "turn", "A rotation about an axis since the previous key, of any number of revolutions.",
         between(-kMostRounds * kRound, kMostRounds * kRound));
     return spec;
 }

@@ -16,10 +16,10 @@ void add_file_keys(MapSpec<ShotFile>& s) {
     s.set("include",
           any_of<std::vector<std::string>>({{is_scalar, one}, {is_list, list_of(file_name)}}),
           ignore,
-          "files that this one is laid over, in their order: maps merge key by key, everything "
-          "else replaces, null takes away");
+          "files whose keys this file inherits, in their order. Maps are merged key by key, other "
+          "values are replaced, and null removes a key");
     s.set("quality", text("the name of a preset"), ignore,
-          "`draft`, `preview` or `final`: a preset beneath the shot's own keys");
+          "`draft`, `preview` or `final`: a preset whose keys the shot inherits and may replace");
 }
 
 }  // namespace
@@ -28,24 +28,26 @@ const MapSpec<ShotFile>& shot_spec() {
     static const MapSpec<ShotFile> spec = [] {
         MapSpec<ShotFile> s("shot", "The whole file.");
         add_file_keys(s);
-        s.map("simulation", &ShotFile::world, simulation_spec(), "how long and how finely");
+        s.map("simulation", &ShotFile::world, simulation_spec(),
+              "duration, time step and seed of the simulation");
         s.map("physics", &ShotFile::world, physics_spec(), "gravity and contacts");
-        s.map("ball_set", &ShotFile::ball_set, ball_set_spec(), "what all balls have in common");
+        s.map("ball_set", &ShotFile::ball_set, ball_set_spec(), "properties that all balls share");
         s.key("table", &ShotFile::table, record(table_spec()), "the billiard table");
         s.key("rack", &ShotFile::rack, record(rack_spec()), "the object balls of a game");
-        s.key("balls", &ShotFile::balls, named("ball", ball_spec()), "single balls");
-        s.key("objects", &ShotFile::objects, named("object", object_spec()), "other things");
+        s.key("balls", &ShotFile::balls, named("ball", ball_spec()), "individual balls");
+        s.key("objects", &ShotFile::objects, named("object", object_spec()), "other objects");
         s.key("events", &ShotFile::events, numbered("event", event_spec()),
-              "what is done to balls and objects");
+              "actions on balls and objects");
         s.set(
             "materials", named("material", material_spec()),
-            [](ShotFile& shot, auto value) { shot.materials = std::move(value); }, "surfaces");
+            [](ShotFile& shot, auto value) { shot.materials = std::move(value); },
+            "materials of surfaces");
         s.key("lights", &ShotFile::lights, named("light", light_spec()),
-              "sources of light; without any a lamp above the table and a dim room");
+              "light sources. Without any, the scene has a lamp above the table and a dim room");
         s.key("cameras", &ShotFile::cameras, numbered("camera", camera_spec()),
-              "who films which stretch of the film");
+              "cameras, each with its interval of the film");
         s.map("render", &ShotFile::render, render_spec(), "how frames are computed");
-        s.map("output", &ShotFile::output, output_spec(), "how they become a film");
+        s.map("output", &ShotFile::output, output_spec(), "how the frames become a film");
         s.check([](Reader& reader, const Node& node, ShotFile& shot) {
             const Entry* cameras = node.find("cameras");
             shot.cameras_place = cameras != nullptr ? cameras->key_place : reader.key_place();

@@ -11,23 +11,23 @@ using sim::billiards::TableKind;
 
 const MapSpec<PocketSection>& pocket_spec() {
     static const MapSpec<PocketSection> spec = [] {
-        MapSpec<PocketSection> s("pocket",
-                                 "One kind of pocket; what is left out is the standard's.");
+        MapSpec<PocketSection> s(
+            "pocket", "One kind of pocket. The defaults are those of the standard table.");
         s.key("mouth", &PocketSection::mouth, length(inside(0, 1)),
-              "between the ends of the two cushion noses, as if they were not rounded");
+              "distance between the ends of the two cushion noses, as if they were not rounded");
         s.key("throat", &PocketSection::throat, length(inside(0, 1)),
-              "between the jaws where they meet the hole");
+              "distance between the jaws where they meet the hole");
         s.key("jaw_angle", &PocketSection::jaw_angle,
               angle(inside(std::numbers::pi / 2, std::numbers::pi)),
-              "between the cushion's nose line and the jaw");
+              "angle between the line of the cushion nose and the jaw");
         s.key("hole_radius", &PocketSection::hole_radius, length(inside(0, 1)),
-              "of the hole in the slate");
+              "radius of the hole in the slate");
         s.key("shelf", &PocketSection::shelf, length(between(0, 1)),
-              "from the line of the mouth to the edge of the hole");
+              "distance from the line of the mouth to the edge of the hole");
         s.key("drop", &PocketSection::drop, length(inside(0, 2)),
-              "depth of the pocket's floor under the cloth");
+              "depth of the pocket's floor below the cloth");
         s.key("lip_radius", &PocketSection::lip_radius, length(between(0, 0.1)),
-              "rounding, seen from above, between nose and jaw");
+              "radius of the rounding between nose and jaw, seen from above");
         return s;
     }();
     return spec;
@@ -36,9 +36,9 @@ const MapSpec<PocketSection>& pocket_spec() {
 const MapSpec<PocketsSection>& pockets_spec() {
     static const MapSpec<PocketsSection> spec = [] {
         MapSpec<PocketsSection> s("pockets", "The pockets of a table.");
-        s.key("corner", &PocketsSection::corner, record(pocket_spec()), "the four in the corners");
+        s.key("corner", &PocketsSection::corner, record(pocket_spec()), "the four corner pockets");
         s.key("side", &PocketsSection::side, record(pocket_spec()),
-              "the two in the middle of the long sides");
+              "the two side pockets, in the middle of the long sides");
         return s;
     }();
     return spec;
@@ -96,27 +96,26 @@ const MapSpec<TableSection>& table_spec() {
                                  {"carom", TableKind::carom},
                                  {"cloth", TableKind::cloth},
                                  {"custom", TableKind::custom}}),
-              "`cloth` has no cushions and no end, and is drawn 6 m square; `custom` needs length "
-              "and "
-              "width");
+              "`cloth` is an infinite cloth without cushions, drawn 6 m square; `custom` requires "
+              "length and width");
         s.key("size", &TableSection::size, text("a table size such as 9 ft"),
               "pool: 7 ft, 8 ft, 9 ft; snooker: 12 ft; carom: 10 ft");
         s.key("length", &TableSection::length, length(between(0.1, 20)),
-              "of the playing field between the cushion noses, along x");
+              "length of the playing field between the cushion noses, along x");
         s.key("width", &TableSection::width, length(between(0.1, 20)),
-              "of the playing field, along y");
+              "width of the playing field, along y");
         s.key("cushion_height", &TableSection::cushion_height, length(inside(0, 0.5)),
-              "of the cushion's nose above the cloth");
+              "height of the cushion nose above the cloth");
         s.key("cushion_width", &TableSection::cushion_width, length(inside(0, 0.5)),
-              "from the nose to the rail");
+              "distance from the nose to the rail");
         s.key("rail_width", &TableSection::rail_width, length(inside(0, 1)),
-              "of the wooden rail outside the cushion");
+              "width of the wooden rail outside the cushion");
         s.key("rail_height", &TableSection::rail_height, length(inside(0, 0.5)),
-              "of the rail's top above the cloth");
+              "height of the rail's top above the cloth");
         s.key("height", &TableSection::height, length(inside(0, 5)),
-              "of the cloth above the floor");
+              "height of the cloth above the floor");
         s.key("pockets", &TableSection::pockets, pockets(),
-              "`none`, or the measures of both kinds");
+              "`none`, or the dimensions of both kinds of pocket");
         s.check(check_measures);
         return s;
     }();
