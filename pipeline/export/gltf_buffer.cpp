@@ -5,6 +5,8 @@
 #include <cstring>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "core/error.h"
 
 namespace carom::pipeline {
@@ -63,8 +65,8 @@ std::size_t GltfBuffer::add_indices(std::span<const std::uint32_t> indices) {
 
 std::size_t GltfBuffer::add_accessor(std::string_view bytes, nlohmann::ordered_json accessor,
                                      Use use) {
-    std::string key = std::to_string(static_cast<int>(use)) + accessor["type"].get<std::string>() +
-                      std::string(bytes);
+    std::string key = fmt::format("{}{}{}", static_cast<int>(use),
+                                  accessor["type"].get_ref<const std::string&>(), bytes);
     const auto known = known_.find(key);
     if (known != known_.end()) {
         return known->second;
