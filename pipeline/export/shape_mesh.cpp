@@ -96,6 +96,41 @@ MeshShape frustum_mesh(double bottom, double top, double height) {
     return mesh;
 }
 
+/// A unit sphere cut at its equator, each half at an end: the vertices of the equator stand twice,
+/// and the side joins them.
+MeshShape capsule_mesh(double radius, double length) {
+    MeshShape mesh = unit_sphere_mesh();
+    const auto split = static_cast<std::uint32_t>(mesh.vertices.size());
+    const std::uint32_t equator = 1 + (kRings / 2 - 1) * kSides;
+    for (std::uint32_t i = 0; i < kSides; ++i) {
+        const Vec3 vertex = mesh.vertices[equator + i];
+        mesh.vertices.push_back(vertex);
+        mesh.normals.push_back(mesh.normals[equator + i]);
+    }
+    // The lower half keeps the equator of the sphere, the upper half takes the copies.
+    const auto is_upper = [&](std::uint32_t corner) {
+        return corner < split && mesh.vertices[corner].z > 1e-9;
+    };
+    for (auto& triangle : mesh.triangles) {
+        if (std::ranges::any_of(triangle, is_upper)) {
+            for (std::uint32_t& corner : triangle) {
+                const bool is_on_equator = corner >= equator && corner < equator + kSides;
+                corner = is_on_equator ? split + corner - equator : corner;
+            }
+        }
+    }
+    for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
+        const bool goes_up = i >= split || is_upper(i);
+        mesh.vertices[i] = radius * mesh.vertices[i] + Vec3(0, 0, (goes_up ? 0.5 : -0.5) * length);
+    }
+    for (std::uint32_t i = 0; i < kSides; ++i) {
+        const std::uint32_t next = (i + 1) % kSides;
+        mesh.triangles.push_back({equator + i, equator + next, split + next});
+        mesh.triangles.push_back({equator + i, split + next, split + i});
+    }
+    return mesh;
+}
+
 struct MeshOf {
     MeshShape operator()(const render::SphereShape& sphere) const {
         MeshShape mesh = unit_sphere_mesh();
@@ -140,6 +175,9 @@ struct MeshOf {
     }
     MeshShape operator()(const render::ConeShape& cone) const {
         return frustum_mesh(cone.radius, cone.top_radius, cone.height);
+    }
+    MeshShape operator()(const render::CapsuleShape& capsule) const {
+        return capsule_mesh(capsule.radius, capsule.length);
     }
 };
 

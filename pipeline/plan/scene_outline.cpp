@@ -76,6 +76,15 @@ struct Points {
         add_circle(points, cone.top_radius, cone.height / 2);
         return points;
     }
+    std::vector<Vec3> operator()(const render::CapsuleShape& capsule) const {
+        std::vector<Vec3> points = (*this)(render::SphereShape{capsule.radius});
+        const std::size_t count = points.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            points.push_back(points[i] + Vec3(0, 0, capsule.length / 2));
+            points[i].z -= capsule.length / 2;
+        }
+        return points;
+    }
 };
 
 }  // namespace

@@ -8,29 +8,10 @@ namespace carom::pipeline {
 namespace {
 
 constexpr std::uint32_t kSides = 96;
-constexpr int kRingsPerEnd = 24;
+
 Vec3 around(std::uint32_t side) {
     const double angle = 2 * std::numbers::pi * side / kSides;
     return {std::cos(angle), std::sin(angle), 0};
-}
-
-void add_ring(render::MeshShape& mesh, double radius, double z, double slope) {
-    for (std::uint32_t i = 0; i < kSides; ++i) {
-        const Vec3 out = around(i);
-        mesh.vertices.push_back(out * radius + Vec3(0, 0, z));
-        mesh.normals.push_back(out * std::cos(slope) + Vec3(0, 0, std::sin(slope)));
-    }
-}
-
-/// Joins the last two rings.
-void join_rings(render::MeshShape& mesh) {
-    const auto upper = static_cast<std::uint32_t>(mesh.vertices.size()) - kSides;
-    const std::uint32_t lower = upper - kSides;
-    for (std::uint32_t i = 0; i < kSides; ++i) {
-        const std::uint32_t next = (i + 1) % kSides;
-        mesh.triangles.push_back({lower + i, lower + next, upper + next});
-        mesh.triangles.push_back({lower + i, upper + next, upper + i});
-    }
 }
 
 /// A flat side of its own vertices.
@@ -46,30 +27,6 @@ void add_side(render::MeshShape& mesh, const std::vector<Vec3>& corners, const V
 }
 
 }  // namespace
-
-render::MeshShape capsule_mesh(const sim::Capsule& capsule) {
-    render::MeshShape mesh;
-    // From pole to pole; the rings at the poles have no extent.
-    for (const double end : {-1.0, 1.0}) {
-        for (int i = 0; i <= kRingsPerEnd; ++i) {
-            const int step = end < 0 ? i - kRingsPerEnd : i;
-            const double slope = 0.5 * std::numbers::pi * step / kRingsPerEnd;
-            const bool is_pole = step == -kRingsPerEnd || step == kRingsPerEnd;
-            add_ring(mesh, is_pole ? 0 : capsule.radius * std::cos(slope),
-                     0.5 * end * capsule.length + capsule.radius * std::sin(slope), slope);
-            if (mesh.vertices.size() > kSides) {
-                join_rings(mesh);
-            }
-        }
-    }
-    // Triangles at the poles have two corners in one place.
-    std::erase_if(mesh.triangles, [&](const auto& t) {
-        return mesh.vertices[t[0]] == mesh.vertices[t[1]] ||
-               mesh.vertices[t[1]] == mesh.vertices[t[2]] ||
-               mesh.vertices[t[2]] == mesh.vertices[t[0]];
-    });
-    return mesh;
-}
 
 sim::TriangleMesh disk_mesh(double radius) {
     sim::TriangleMesh mesh;

@@ -1,4 +1,4 @@
-// Capsules and hulls as meshes to see, disks and cones as meshes to collide with.
+// Hulls as meshes to see, disks and cones as meshes to collide with.
 #pragma once
 
 #include "render/scene/scene_description.h"
@@ -7,10 +7,8 @@
 
 namespace carom::pipeline {
 
-/// Drawn with 96 sides around: inside the true surface by at most 0.06 % of the radius.
-[[nodiscard]] render::MeshShape capsule_mesh(const sim::Capsule& capsule);
-
-/// What balls collide with: inside the true surface by as much.
+/// What balls collide with: 96 sides around, inside the true surface by at most
+/// 0.06 % of the radius.
 [[nodiscard]] sim::TriangleMesh disk_mesh(double radius);
 [[nodiscard]] sim::TriangleMesh cone_mesh(const render::ConeShape& cone);
 

@@ -14,6 +14,7 @@
 
 #include "core/vectors.h"
 #include "render/acceleration/analytic_blocks.h"
+#include "render/geometry/capsule.h"
 #include "render/geometry/intersect.h"
 #include "render/geometry/unit_point.h"
 
@@ -27,6 +28,7 @@ enum class ShapeKind : std::uint8_t {
     triangle,
     disk,
     frustum,
+    capsule,
     plane,
     mesh,
 };
@@ -130,6 +132,21 @@ struct UnitFrustum : UnitShape<ShapeKind::frustum, ProfiledBlock> {
     }
 };
 
+/// All points within distance 1 of the segment from (0, 0, -h) to (0, 0, h), with the profile
+/// (h, 0, 0).
+struct UnitCapsule : UnitShape<ShapeKind::capsule, ProfiledBlock> {
+    static std::optional<float> intersect(const UnitRay& ray, const V3f& profile) {
+        return intersect_unit_capsule(ray, profile.x);
+    }
+    static UnitPoint point(const UnitRay& ray, float t, const V3f& profile) {
+        return on_unit_capsule(ray, t, profile.x);
+    }
+    static V3f half_size(const V3f& profile) { return V3f(1, 1, 1 + profile.x); }
+    static double reach(const Vec3& scale, const V3f& profile) {
+        return static_cast<double>(profile.x) * scale.z + std::max({scale.x, scale.y, scale.z});
+    }
+};
+
 /// z = 0, without end.
 struct UnitPlane : UnitShape<ShapeKind::plane> {
     static constexpr bool kIsBounded = false;
@@ -157,8 +174,8 @@ struct ShapeList {
 };
 
 /// In the order of ShapeKind.
-using UnitShapes =
-    ShapeList<UnitBall, UnitBox, UnitRectangle, UnitTriangle, UnitDisk, UnitFrustum, UnitPlane>;
+using UnitShapes = ShapeList<UnitBall, UnitBox, UnitRectangle, UnitTriangle, UnitDisk, UnitFrustum,
+                             UnitCapsule, UnitPlane>;
 
 // Cases of balls and boxes that the kernels test faster than under an affine map.
 struct StillSphere {

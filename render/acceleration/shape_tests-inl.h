@@ -401,6 +401,58 @@ struct LaneTest<UnitFrustum> {
     }
 };
 
+/// As intersect_unit_capsule in capsule.h, with its reasons.
+template <>
+struct LaneTest<UnitCapsule> {
+    template <class D, class At>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const ProfiledBlock& block,
+                                      At lane, hn::Vec<D>& t) const {
+        const hn::Vec<D> v[3] = {mapped_direction(d, ray, block, lane, 0),
+                                 mapped_direction(d, ray, block, lane, 1),
+                                 mapped_direction(d, ray, block, lane, 2)};
+        hn::Vec<D> p[3] = {mapped_origin(d, ray, block, lane, 0),
+                           mapped_origin(d, ray, block, lane, 1),
+                           mapped_origin(d, ray, block, lane, 2)};
+        const hn::Vec<D> length2 = dot<D>(v, v);
+        const hn::Vec<D> shift = hn::Neg(hn::Div(dot<D>(p, v), length2));
+        for (int axis = 0; axis < 3; ++axis) {
+            p[axis] = hn::MulAdd(shift, v[axis], p[axis]);
+        }
+        const hn::Vec<D> zero = hn::Zero(d);
+        const hn::Vec<D> half_length = load(d, block.profile[0], lane);
+        const hn::Vec<D> a = hn::Max(hn::MulAdd(v[0], v[0], hn::Mul(v[1], v[1])),
+                                     hn::Mul(hn::Set(d, kLeastLean), length2));
+        const hn::Vec<D> b = hn::MulAdd(p[0], v[0], hn::Mul(p[1], v[1]));
+        const hn::Vec<D> moment = hn::MulSub(p[0], v[1], hn::Mul(p[1], v[0]));
+        const hn::Vec<D> discriminant = hn::NegMulAdd(moment, moment, a);
+        const hn::Mask<D> meets = hn::Ge(discriminant, zero);
+        if (hn::AllFalse(d, meets)) {
+            return meets;
+        }
+        const hn::Vec<D> root = hn::Sqrt(hn::Max(discriminant, zero));
+        // The distance at which the line crosses the surface, on its way in or out; infinite if it
+        // passes by.
+        const auto crossing = [&](hn::Vec<D> signed_root) HWY_ATTR {
+            const hn::Vec<D> on_side = hn::Div(hn::Sub(signed_root, b), a);
+            const hn::Vec<D> z = hn::MulAdd(on_side, v[2], p[2]);
+            const hn::Vec<D> from_end[3] = {p[0], p[1],
+                                            hn::Sub(p[2], hn::CopySign(half_length, z))};
+            const hn::Vec<D> along = hn::Neg(hn::Div(dot<D>(from_end, v), length2));
+            const hn::Vec<D> beside[3] = {hn::MulAdd(along, v[0], from_end[0]),
+                                          hn::MulAdd(along, v[1], from_end[1]),
+                                          hn::MulAdd(along, v[2], from_end[2])};
+            const hn::Vec<D> in_ball = hn::Sub(hn::Set(d, 1.f), dot<D>(beside, beside));
+            const hn::Vec<D> half_chord = hn::Sqrt(hn::Div(hn::Max(in_ball, zero), length2));
+            const hn::Vec<D> on_ball = hn::Add(along, hn::CopySign(half_chord, signed_root));
+            const hn::Vec<D> on_end =
+                hn::IfThenElse(hn::Ge(in_ball, zero), on_ball, hn::Set(d, kInfinity));
+            return hn::Add(shift, hn::IfThenElse(hn::Le(hn::Abs(z), half_length), on_side, on_end));
+        };
+        t = first_beyond<D>(ray, crossing(hn::Neg(root)), crossing(root));
+        return hn::And(meets, hn::And(hn::Gt(t, ray.t_min), hn::Lt(t, hn::Set(d, kInfinity))));
+    }
+};
+
 /// The test of a shape for one ray in every lane; `direction` is that of the ray.
 template <class Shape, class D>
 HWY_INLINE LaneTest<Shape> test_for_ray(Shape /*shape*/, D /*d*/, const RayLanes<D>& /*ray*/,

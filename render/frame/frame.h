@@ -17,7 +17,7 @@
 namespace carom::render {
 
 /// Bumped whenever the renderer's pixels change for the same inputs.
-inline constexpr int kRendererRevision = 10;
+inline constexpr int kRendererRevision = 11;
 
 /// A frame's own inputs besides scene and tracks. Canonical: scene_open <= scene_close.
 struct FrameInput {

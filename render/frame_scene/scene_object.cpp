@@ -107,6 +107,13 @@ struct MakeUnit {
                 V3f(middle_and_slope)};
     }
 
+    UnitOfObject operator()(const CapsuleShape& shape) const {
+        check_size(shape.radius, name, "the radius");
+        check_size(shape.length, name, "the length");
+        return {ShapeKind::capsule, scaling(Vec3(shape.radius)),
+                V3f(static_cast<float>(0.5 * shape.length / shape.radius), 0, 0)};
+    }
+
   private:
     Mat44 flat(const Vec3& x, const Vec3& y, const Vec3& origin, const char* problem) const {
         const Vec3 normal = x.cross(y);

@@ -116,6 +116,18 @@ struct ConeShape {
     }
 };
 
+/// A cylinder about z with a half ball on each end, centre at the origin.
+struct CapsuleShape {
+    static constexpr const char* kName = "capsule";
+    double radius = 1;
+    double length = 1;  // between the centres of its ends
+    template <class Visit>
+    void fields(const Visit& visit) const {
+        visit("radius", radius);
+        visit("length", length);
+    }
+};
+
 /// Given in the scene itself (the table's surfaces) or read from an OBJ or PLY file.
 struct MeshShape {
     static constexpr const char* kName = "mesh";
@@ -129,8 +141,9 @@ struct MeshShape {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-using Shape = std::variant<SphereShape, BoxShape, PlaneShape, RectangleShape, MeshShape,
-                           TriangleShape, ParallelogramShape, DiskShape, CylinderShape, ConeShape>;
+using Shape =
+    std::variant<SphereShape, BoxShape, PlaneShape, RectangleShape, MeshShape, TriangleShape,
+                 ParallelogramShape, DiskShape, CylinderShape, ConeShape, CapsuleShape>;
 
 /// Something to see. Without a `track` it stands still at `world_from_object`, which may scale,
 /// shear and mirror it. With one the same map leads to the axes of the body that the track's pose

@@ -68,7 +68,7 @@ void add_solids(MapSpec<ObjectSection>& s) {
     s.set(
         "capsule", record(capsule_spec()),
         [](ObjectSection& object, const sim::Capsule& capsule) {
-            object.shape = capsule_mesh(capsule);
+            object.shape = render::CapsuleShape{capsule.radius, capsule.length};
             object.solid = capsule;
         },
         "a cylinder with hemispherical ends whose axis is z");

@@ -59,9 +59,13 @@ void expect_outward_normals(const MeshShape& mesh) {
 
 TEST(ShapeMesh, SolidShapes_AreClosedAndOfTheirVolume) {
     const std::vector<std::pair<render::Shape, double>> solids{
-        {render::SphereShape{0.5}, kPi / 6},      {render::BoxShape{{1, 2, 3}}, 6},
-        {render::CylinderShape{0.5, 2}, kPi / 2}, {render::ConeShape{1, 0, 3}, kPi},
-        {render::ConeShape{0, 1, 3}, kPi},        {render::ConeShape{1, 0.5, 1}, 1.75 * kPi / 3},
+        {render::SphereShape{0.5}, kPi / 6},
+        {render::BoxShape{{1, 2, 3}}, 6},
+        {render::CylinderShape{0.5, 2}, kPi / 2},
+        {render::ConeShape{1, 0, 3}, kPi},
+        {render::ConeShape{0, 1, 3}, kPi},
+        {render::ConeShape{1, 0.5, 1}, 1.75 * kPi / 3},
+        {render::CapsuleShape{0.5, 2}, kPi / 6 + kPi / 2},
     };
     for (const auto& [shape, expected] : solids) {
         const MeshShape mesh = shape_mesh(shape);

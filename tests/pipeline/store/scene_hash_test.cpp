@@ -71,7 +71,9 @@ TEST(SceneHash, Shapes_AllCount) {
                           hash_of(render::CylinderShape{}),
                           hash_of(render::CylinderShape{1, 2}),
                           hash_of(render::ConeShape{}),
-                          hash_of(render::ConeShape{1, 0.5, 1})});
+                          hash_of(render::ConeShape{1, 0.5, 1}),
+                          hash_of(render::CapsuleShape{}),
+                          hash_of(render::CapsuleShape{1, 2})});
 }
 
 TEST(SceneHash, Colours_AllCount) {

@@ -174,6 +174,8 @@ struct RandomScene {
             add_mapped<render::UnitDisk>(shapes, random_map(random, half, 2), object_count++);
             const Affine map = random_map(random, half, 2);
             add_mapped<render::UnitFrustum>(shapes, map, object_count++, random_profile(random));
+            add_mapped<render::UnitCapsule>(shapes, random_map(random, 0.5f * half, 2),
+                                            object_count++, V3f(random.between(0.1f, 3), 0, 0));
         }
         add_mapped<render::UnitPlane>(shapes, random_map(random, V3f(1), 0.2f), object_count++);
     }
@@ -184,7 +186,7 @@ struct RandomScene {
             const render::RigidMotion motion(random_track(random, 2), 0, 1);
             add_moving_sphere(shapes, motion, random.between(0.05f, 0.3f), object_count++);
             for (const Kind kind : {Kind::ball, Kind::box, Kind::rectangle, Kind::triangle,
-                                    Kind::disk, Kind::frustum, Kind::mesh}) {
+                                    Kind::disk, Kind::frustum, Kind::capsule, Kind::mesh}) {
                 render::MovingShape shape;
                 shape.kind = kind;
                 const V3f half_size = random_point(random, 0.1f) + V3f(0.15f);
@@ -194,8 +196,11 @@ struct RandomScene {
                 if (kind == Kind::frustum) {
                     shape.profile = random_profile(random);
                 }
+                if (kind == Kind::capsule) {
+                    shape.profile = V3f(random.between(0.1f, 3), 0, 0);
+                }
                 shape.motion = std::make_shared<render::RigidMotion>(random_track(random, 2), 0, 1);
-                float reach = half_size.length();
+                float reach = half_size.length() + half_size.z * shape.profile.x;
                 if (kind == Kind::mesh) {
                     meshes.push_back(std::make_unique<render::TriangleMesh>(bumpy_ball(0.2f, 6)));
                     const render::MeshEntry entry{meshes.back().get(), 0};

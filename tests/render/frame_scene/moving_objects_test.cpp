@@ -1,4 +1,5 @@
 // Objects that follow tracks.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -131,6 +132,44 @@ TEST(MovingBox, TumblingBox_IsWhereTheTrackHasIt) {
     builder.add_moving(BoxShape{Vec3(0.2, 0.4, 0.3)}, tumbling(), Vec3(1, 2, 1));
     for (const AccelerationKind kind : {AccelerationKind::hybrid, AccelerationKind::embree}) {
         expect_box_hits(builder, Vec3(0.1, 0.4, 0.15), kind);
+    }
+}
+
+/// All points within `radius` of the box |p| <= core.
+void expect_round_hits(const Shape& shape, const Vec3& core, double radius, AccelerationKind kind) {
+    SceneBuilder builder;
+    builder.add_moving(shape, tumbling());
+    const BuiltScene scene(builder, kOpen, kClose, kind);
+    TestRandom random(7);
+    for (int i = 0; i < 20'000; ++i) {
+        const float time = random.unit();
+        const MotionState state = builder.tracks[0].sample(scene_time(time));
+        // Towards a point within the core, from outside or, every third, from another one.
+        const Vec3 to = random_vector(random, 1) * core;
+        const Vec3 from = i % 3 == 0 ? random_vector(random, 1) * core : random_vector(random, 2);
+        const auto in_world = [&](const Vec3& p) {
+            return state.position + state.orientation.rotateVector(p);
+        };
+        const Ray ray = ray_from(in_world(from), in_world(to), time);
+        Hit hit;
+        ASSERT_TRUE(scene.frame.structure().closest_hit(ray, hit)) << i;
+        ASSERT_TRUE(scene.frame.structure().any_hit(ray));
+        const SurfacePoint point = scene.frame.surface_at(ray, hit);
+        const Quat back = ~state.orientation;
+        const Vec3 p = back.rotateVector(Vec3(point.position) - state.position);
+        Vec3 out = p;
+        for (int axis = 0; axis < 3; ++axis) {
+            out[axis] -= std::clamp(p[axis], -core[axis], core[axis]);
+        }
+        ASSERT_NEAR(out.length(), radius, 1e-4) << i;
+        const Vec3 normal = back.rotateVector(Vec3(point.geometric_normal));
+        ASSERT_LT((normal - out.normalized()).length(), 2e-3) << i;  // 1e-4 m of the radius
+    }
+}
+
+TEST(MovingCapsule, TumblingCapsule_IsWhereTheTrackHasIt) {
+    for (const AccelerationKind kind : {AccelerationKind::hybrid, AccelerationKind::embree}) {
+        expect_round_hits(CapsuleShape{0.1, 0.5}, Vec3(0, 0, 0.25), 0.1, kind);
     }
 }
 

@@ -48,6 +48,45 @@ double on_frustum(const Vec3& o, const Vec3& d, double r0, double r1, double h) 
     return nearest;
 }
 
+/// How far a point is from a convex body's core.
+using Distance = std::function<double(const Vec3& p)>;
+
+/// All points within `radius` of a convex core. The distance from it along a line is convex: its
+/// least value by ternary search, where it is `radius` on either side of that by bisection.
+double on_rounded(const Vec3& o, const Vec3& d, double radius, const Distance& distance) {
+    const auto at = [&](double t) { return distance(o + t * d); };
+    double low = -1e3;
+    double high = 1e3;
+    for (int i = 0; i < 200; ++i) {
+        const double third = (high - low) / 3;
+        if (at(low + third) < at(high - third)) {
+            high -= third;
+        } else {
+            low += third;
+        }
+    }
+    const double middle = 0.5 * (low + high);
+    if (at(middle) > radius) {
+        return kNone;
+    }
+    for (const double side : {-1.0, 1.0}) {
+        double in = middle;
+        double out = middle + side * 1e3;
+        for (int i = 0; i < 70; ++i) {
+            const double t = 0.5 * (in + out);
+            (at(t) <= radius ? in : out) = t;
+        }
+        if (in > 0) {
+            return in;
+        }
+    }
+    return kNone;
+}
+
+double beyond(double p, double half) {
+    return std::max(std::abs(p) - half, 0.0);
+}
+
 struct Case {
     const char* name;
     Shape shape;
@@ -126,6 +165,18 @@ std::vector<Case> cases() {
         {"funnel", ConeShape{0.2, 0.6, 0.9},
          [](const Vec3& o, const Vec3& d) { return on_frustum(o, d, 0.2, 0.6, 0.9); },
          around(0.6, 0.9)},
+        {"capsule", CapsuleShape{0.4, 1.1},
+         [](const Vec3& o, const Vec3& d) {
+             return on_rounded(
+                 o, d, 0.4, [](const Vec3& p) { return std::hypot(p.x, p.y, beyond(p.z, 0.55)); });
+         },
+         [](const Vec3& p, const V2f& uv) {
+             // The way along the surface from the lower pole to the upper.
+             const double on_axis = std::clamp(p.z, -0.55, 0.55);
+             const double latitude = std::atan2(p.z - on_axis, std::hypot(p.x, p.y));
+             const double way = 0.4 * (0.5 * kPi + latitude) + on_axis + 0.55;
+             return near_turn(uv.x, p) && near(uv.y, way / (0.4 * kPi + 1.1));
+         }},
     };
 }
 
@@ -276,6 +327,60 @@ TEST(Shapes, Cone_NormalLeansUpBySlope) {
     const SurfacePoint side = look(ConeShape{1, 0, 2}, Vec3(5, 0, 0), Vec3(0, 0, 0));
     expect_near(side.position, Vec3(0.5, 0, 0));
     expect_near(side.geometric_normal, Vec3(2, 0, 1) / std::sqrt(5.0));
+}
+
+TEST(Shapes, Capsule_MeetsRaysAlongItsAxisAndFromInside) {
+    const CapsuleShape capsule{0.5, 2};
+    const SurfacePoint pole = look(capsule, Vec3(0, 0, 5), Vec3(0, 0, 0));
+    expect_near(pole.position, Vec3(0, 0, 1.5));
+    expect_near(pole.geometric_normal, Vec3(0, 0, 1));
+    // Parallel to the axis beside it: 0.4 off, the end is 0.3 above the ball's centre.
+    const SurfacePoint end = look(capsule, Vec3(0, 0.4, -5), Vec3(0, 0.4, 0));
+    expect_near(end.position, Vec3(0, 0.4, -1.3));
+    expect_near(end.geometric_normal, Vec3(0, 0.8, -0.6));
+    const SurfacePoint inside = look(capsule, Vec3(0, 0.4, 0), Vec3(0, 0.4, 1));
+    expect_near(inside.position, Vec3(0, 0.4, 1.3));
+    const SurfacePoint side = look(capsule, Vec3(0, 0, 0.25), Vec3(3, 0, 0.25));
+    expect_near(side.position, Vec3(0.5, 0, 0.25));
+    expect_near(side.geometric_normal, Vec3(1, 0, 0));
+}
+
+TEST(Shapes, CapsuleSeam_PlaceAndNormalAreContinuous) {
+    SceneBuilder builder;
+    builder.add(CapsuleShape{0.5, 2}, Mat44());
+    const BuiltScene scene(builder);
+    std::optional<SurfacePoint> before;
+    for (int i = -2000; i <= 2000; ++i) {
+        const double height = 1 + 1e-5 * i;  // across the seam at z = 1
+        const Ray ray = ray_from(Vec3(5, 0.2, height), Vec3(0, 0.2, height));
+        Hit hit;
+        ASSERT_TRUE(scene.frame.structure().closest_hit(ray, hit));
+        const SurfacePoint point = scene.frame.surface_at(ray, hit);
+        if (before) {
+            ASSERT_LT((point.position - before->position).length(), 2e-5f);
+            ASSERT_LT((point.geometric_normal - before->geometric_normal).length(), 5e-5f);
+            ASSERT_LT((point.uv - before->uv).length(), 2e-5f);
+        }
+        before = point;
+    }
+}
+
+TEST(Shapes, SlenderCapsule_IsHitAllAlongItsLength) {
+    // A thousand radii long, from all directions, those along it among them.
+    TestRandom random(17);
+    SceneBuilder builder;
+    const Mat44 map = placed(Vec3(1, 2, 3), turn_about(Vec3(1, 2, 0), 1.1));
+    builder.add(CapsuleShape{0.002, 2}, map);
+    const BuiltScene scene(builder);
+    for (int i = 0; i < 20'000; ++i) {
+        const Vec3 aim = Vec3(0, 0, static_cast<double>(random.between(-1, 1)));
+        const Vec3 from = aim + random_vector(random, 1) * Vec3(0.1, 0.1, 1);
+        const Ray ray = ray_from(from * map, aim * map);
+        Hit hit;
+        ASSERT_TRUE(scene.frame.structure().closest_hit(ray, hit)) << i;
+        const Vec3 p = Vec3(scene.frame.surface_at(ray, hit).position) * map.inverse();
+        ASSERT_NEAR(std::hypot(p.x, p.y, beyond(p.z, 1)), 0.002, 2e-6) << i;
+    }
 }
 
 TEST(Shapes, RaysParallelToAConesSide_MeetTheOtherSide) {

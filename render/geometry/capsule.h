@@ -1,0 +1,62 @@
+// One ray against a unit capsule: all points within distance 1 of the segment from (0, 0, -h) to
+// (0, 0, h).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "render/geometry/intersect.h"
+#include "render/geometry/unit_point.h"
+
+namespace carom::render {
+
+/// A direction whose square across the axis is less than this part of the whole is taken for one
+/// that leans by that much, so that the cylinder's quadratic keeps its degree: 1e-7 rad.
+inline constexpr float kLeastLean = 1e-14f;
+
+/// Inigo Quilez, "Intersectors" (iquilezles.org/articles/intersectors), capIntersect: the line
+/// enters the infinite cylinder somewhere. If that is between the ends, there it enters the
+/// capsule; if it is beyond one end, it enters through the ball at that end or misses. It leaves in
+/// the same way. All is set up at the line's point nearest to the origin, which keeps the digits
+/// far away, and the cylinder's discriminant is formed from the line's distance to the axis: by
+/// Lagrange's identity b^2 - a c = a - (p x d)_z^2.
+template <class T>
+[[nodiscard]] std::optional<T> intersect_unit_capsule(const RaySegment<T>& ray, T half_length) {
+    const V3<T>& d = ray.direction;
+    const T length2 = d.dot(d);
+    const T shift = -ray.origin.dot(d) / length2;
+    const V3<T> p = ray.origin + shift * d;
+    const T a = std::max(d.x * d.x + d.y * d.y, T(kLeastLean) * length2);
+    const T b = p.x * d.x + p.y * d.y;
+    const T moment = p.x * d.y - p.y * d.x;
+    const T discriminant = a - moment * moment;
+    if (!(discriminant >= 0)) {
+        return std::nullopt;
+    }
+    const T root = std::sqrt(discriminant);
+    for (const T side : {T(-1), T(1)}) {  // in, out
+        T u = (side * root - b) / a;
+        const T z = p.z + u * d.z;
+        if (!(std::abs(z) <= half_length)) {
+            const V3<T> from_end(p.x, p.y, p.z - std::copysign(half_length, z));
+            const T along = -from_end.dot(d) / length2;
+            const V3<T> beside = from_end + along * d;
+            const T in_ball = 1 - beside.dot(beside);
+            if (!(in_ball >= 0)) {
+                continue;
+            }
+            u = along + side * std::sqrt(in_ball / length2);
+        }
+        if (ray.contains(shift + u)) {
+            return shift + u;
+        }
+    }
+    return std::nullopt;
+}
+
+/// The normal points away from the nearest point of the axis, which makes it continuous. v grows
+/// with the length of the surface from the lower pole to the upper.
+[[nodiscard]] UnitPoint on_unit_capsule(const UnitRay& ray, float t, float half_length);
+
+}  // namespace carom::render
