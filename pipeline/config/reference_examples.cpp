@@ -98,6 +98,12 @@ balls:
     at: [0.2, 0, 0.04]
     physics: {density: 650 kg/m^3}
 )"},
+        {"rounded box", R"(objects:
+  die:
+    rounded_box: {size: [16 mm, 16 mm, 16 mm], radius: 3 mm}
+    at: [0.2, 0, 0.008]
+    physics: {density: 1200 kg/m^3}
+)"},
         {"object physics", R"(objects:
   tile:
     box: [10 mm, 32 mm, 60 mm]

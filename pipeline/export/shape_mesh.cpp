@@ -131,6 +131,59 @@ MeshShape capsule_mesh(double radius, double length) {
     return mesh;
 }
 
+/// A place across a face of a rounded box: on the rounding beside its middle.
+struct Rounding {
+    double slope;  // of the normal against the face's own, at most 1: there the next face begins
+    double side;   // which end of the core it is round
+};
+
+/// `core`: half of the core's length across the face.
+std::vector<Rounding> roundings(double core) {
+    constexpr int kSteps = static_cast<int>(kSides) / 8;  // to the diagonal
+    std::vector<Rounding> result;
+    for (const int side : {-1, 1}) {
+        for (int i = 0; i <= kSteps; ++i) {
+            const int step = side < 0 ? i - kSteps : i;
+            if (step != 0 || side < 0 || core > 0) {
+                result.push_back(
+                    {std::tan(std::numbers::pi / 4 * step / kSteps), static_cast<double>(side)});
+            }
+        }
+    }
+    return result;
+}
+
+void add_rounded_face(MeshShape& mesh, const render::RoundedBoxShape& box, int axis, double side) {
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    const Vec3 core = box.core();
+    const auto across = roundings(core[u]);
+    const auto along = roundings(core[v]);
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const Rounding& j : along) {
+        for (const Rounding& i : across) {
+            Vec3 normal(0, 0, 0);
+            normal[axis] = side;
+            normal[u] = side * i.slope;  // which keeps the order seen from outside
+            normal[v] = j.slope;
+            normal.normalize();
+            Vec3 corner(0, 0, 0);
+            corner[axis] = side * core[axis];
+            corner[u] = side * i.side * core[u];
+            corner[v] = j.side * core[v];
+            mesh.vertices.push_back(corner + box.radius * normal);
+            mesh.normals.push_back(normal);
+        }
+    }
+    const auto width = static_cast<std::uint32_t>(across.size());
+    for (std::uint32_t row = 0; row + 1 < along.size(); ++row) {
+        for (std::uint32_t i = first + row * width; i + 1 < first + (row + 1) * width; ++i) {
+            mesh.triangles.push_back({i, i + 1, i + width + 1});
+            mesh.triangles.push_back({i, i + width + 1, i + width});
+        }
+    }
+}
+
 struct MeshOf {
     MeshShape operator()(const render::SphereShape& sphere) const {
         MeshShape mesh = unit_sphere_mesh();
@@ -178,6 +231,14 @@ struct MeshOf {
     }
     MeshShape operator()(const render::CapsuleShape& capsule) const {
         return capsule_mesh(capsule.radius, capsule.length);
+    }
+    MeshShape operator()(const render::RoundedBoxShape& box) const {
+        MeshShape mesh;
+        for (int axis = 0; axis < 3; ++axis) {
+            add_rounded_face(mesh, box, axis, -1);
+            add_rounded_face(mesh, box, axis, 1);
+        }
+        return mesh;
     }
 };
 

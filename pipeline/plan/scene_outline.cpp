@@ -85,6 +85,15 @@ struct Points {
         }
         return points;
     }
+    std::vector<Vec3> operator()(const render::RoundedBoxShape& box) const {
+        std::vector<Vec3> points;
+        for (const Vec3& corner : (*this)(render::BoxShape{2.0 * box.core()})) {
+            for (const Vec3& p : (*this)(render::SphereShape{box.radius})) {
+                points.push_back(corner + p);
+            }
+        }
+        return points;
+    }
 };
 
 }  // namespace

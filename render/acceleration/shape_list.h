@@ -16,6 +16,7 @@
 #include "render/acceleration/analytic_blocks.h"
 #include "render/geometry/capsule.h"
 #include "render/geometry/intersect.h"
+#include "render/geometry/rounded_box.h"
 #include "render/geometry/unit_point.h"
 
 namespace carom::render {
@@ -29,6 +30,7 @@ enum class ShapeKind : std::uint8_t {
     disk,
     frustum,
     capsule,
+    rounded_box,
     plane,
     mesh,
 };
@@ -147,6 +149,20 @@ struct UnitCapsule : UnitShape<ShapeKind::capsule, ProfiledBlock> {
     }
 };
 
+/// All points within distance 1 of the box |p| <= core, with the core as the profile.
+struct UnitRoundedBox : UnitShape<ShapeKind::rounded_box, ProfiledBlock> {
+    static std::optional<float> intersect(const UnitRay& ray, const V3f& profile) {
+        return intersect_unit_rounded_box(ray, profile);
+    }
+    static UnitPoint point(const UnitRay& ray, float t, const V3f& profile) {
+        return on_unit_rounded_box(ray, t, profile);
+    }
+    static V3f half_size(const V3f& profile) { return profile + V3f(1); }
+    static double reach(const Vec3& scale, const V3f& profile) {
+        return (scale * Vec3(profile)).length() + std::max({scale.x, scale.y, scale.z});
+    }
+};
+
 /// z = 0, without end.
 struct UnitPlane : UnitShape<ShapeKind::plane> {
     static constexpr bool kIsBounded = false;
@@ -175,7 +191,7 @@ struct ShapeList {
 
 /// In the order of ShapeKind.
 using UnitShapes = ShapeList<UnitBall, UnitBox, UnitRectangle, UnitTriangle, UnitDisk, UnitFrustum,
-                             UnitCapsule, UnitPlane>;
+                             UnitCapsule, UnitRoundedBox, UnitPlane>;
 
 // Cases of balls and boxes that the kernels test faster than under an affine map.
 struct StillSphere {

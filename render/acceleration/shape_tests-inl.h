@@ -453,6 +453,106 @@ struct LaneTest<UnitCapsule> {
     }
 };
 
+/// As RoundedBoxCrossing in rounded_box.h, with its reasons.
+template <>
+struct LaneTest<UnitRoundedBox> {
+    /// The line in the axes of the unit shape, and where it crosses the planes of the core's faces.
+    template <class D>
+    struct Line {
+        hn::Vec<D> p[3], v[3], core[3];
+        hn::Vec<D> near[3], far[3];
+    };
+
+    /// Narrows the pieces in which the line enters and leaves: `before` is behind every place at
+    /// which it comes closer, `behind` before every place at which it goes away.
+    template <class D>
+    HWY_INLINE static void pass(D d, const Line<D>& line, hn::Vec<D> t, hn::Vec<D>& before,
+                                hn::Vec<D>& behind) {
+        const hn::Vec<D> zero = hn::Zero(d);
+        hn::Vec<D> distance2 = zero;
+        hn::Vec<D> slope = zero;
+        for (int axis = 0; axis < 3; ++axis) {
+            const hn::Vec<D> x = hn::MulAdd(t, line.v[axis], line.p[axis]);
+            const hn::Vec<D> on_core =
+                hn::Min(hn::Max(x, hn::Neg(line.core[axis])), line.core[axis]);
+            const hn::Vec<D> out = hn::Sub(x, on_core);
+            distance2 = hn::MulAdd(out, out, distance2);
+            slope = hn::MulAdd(out, line.v[axis], slope);
+        }
+        const hn::Mask<D> is_outside = hn::Gt(distance2, hn::Set(d, 1.f));
+        before =
+            hn::IfThenElse(hn::And(is_outside, hn::Lt(slope, zero)), hn::Max(before, t), before);
+        behind =
+            hn::IfThenElse(hn::And(is_outside, hn::Gt(slope, zero)), hn::Min(behind, t), behind);
+    }
+
+    /// Sphere, cylinder or plane by the axes that count: before the core or behind it. `side`: -1
+    /// where the line enters, 1 where it leaves. Infinite where it does not meet that.
+    template <class D>
+    HWY_INLINE static hn::Vec<D> cross(D d, const Line<D>& line, const hn::Mask<D> (&is_before)[3],
+                                       const hn::Mask<D> (&is_behind)[3], hn::Vec<D> side) {
+        hn::Vec<D> from[3];
+        hn::Vec<D> along[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const hn::Mask<D> counts = hn::Or(is_before[axis], is_behind[axis]);
+            const hn::Vec<D> far_face = hn::CopySign(line.core[axis], line.v[axis]);
+            const hn::Vec<D> face = hn::IfThenElse(is_before[axis], hn::Neg(far_face), far_face);
+            from[axis] = hn::IfThenElseZero(counts, hn::Sub(line.p[axis], face));
+            along[axis] = hn::IfThenElseZero(counts, line.v[axis]);
+        }
+        const hn::Vec<D> length2 = dot<D>(along, along);
+        const hn::Vec<D> middle = hn::Neg(hn::Div(dot<D>(from, along), length2));
+        const hn::Vec<D> beside[3] = {hn::MulAdd(middle, along[0], from[0]),
+                                      hn::MulAdd(middle, along[1], from[1]),
+                                      hn::MulAdd(middle, along[2], from[2])};
+        const hn::Vec<D> in_ball = hn::Sub(hn::Set(d, 1.f), dot<D>(beside, beside));
+        const hn::Vec<D> half_chord = hn::Sqrt(hn::Div(hn::Max(in_ball, hn::Zero(d)), length2));
+        return hn::IfThenElse(hn::Ge(in_ball, hn::Zero(d)), hn::MulAdd(side, half_chord, middle),
+                              hn::Set(d, kInfinity));
+    }
+
+    template <class D, class At>
+    HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const ProfiledBlock& block,
+                                      At lane, hn::Vec<D>& t) const {
+        Line<D> line;
+        for (int axis = 0; axis < 3; ++axis) {
+            line.v[axis] = mapped_direction(d, ray, block, lane, axis);
+            line.p[axis] = mapped_origin(d, ray, block, lane, axis);
+            line.core[axis] = load(d, block.profile[axis], lane);
+        }
+        const hn::Vec<D> shift = hn::Neg(hn::Div(dot<D>(line.p, line.v), dot<D>(line.v, line.v)));
+        for (int axis = 0; axis < 3; ++axis) {
+            line.p[axis] = hn::MulAdd(shift, line.v[axis], line.p[axis]);
+            const hn::Vec<D> inverse = finite_reciprocals(d, line.v[axis]);
+            const hn::Vec<D> to_low =
+                hn::Mul(hn::Sub(hn::Neg(line.core[axis]), line.p[axis]), inverse);
+            const hn::Vec<D> to_high = hn::Mul(hn::Sub(line.core[axis], line.p[axis]), inverse);
+            line.near[axis] = hn::Min(to_low, to_high);
+            line.far[axis] = hn::Max(to_low, to_high);
+        }
+        const hn::Vec<D> highest = hn::Set(d, hwy::HighestValue<float>());
+        hn::Vec<D> before = hn::Neg(highest);
+        hn::Vec<D> behind = highest;
+        for (int axis = 0; axis < 3; ++axis) {
+            pass(d, line, line.near[axis], before, behind);
+            pass(d, line, line.far[axis], before, behind);
+        }
+        const hn::Mask<D> comes[3] = {hn::Gt(line.near[0], before), hn::Gt(line.near[1], before),
+                                      hn::Gt(line.near[2], before)};
+        const hn::Mask<D> came[3] = {hn::Le(line.far[0], before), hn::Le(line.far[1], before),
+                                     hn::Le(line.far[2], before)};
+        const hn::Mask<D> goes[3] = {hn::Ge(line.near[0], behind), hn::Ge(line.near[1], behind),
+                                     hn::Ge(line.near[2], behind)};
+        const hn::Mask<D> went[3] = {hn::Lt(line.far[0], behind), hn::Lt(line.far[1], behind),
+                                     hn::Lt(line.far[2], behind)};
+        const hn::Vec<D> one = hn::Set(d, 1.f);
+        const hn::Vec<D> enter = cross(d, line, comes, came, hn::Neg(one));
+        const hn::Vec<D> leave = cross(d, line, goes, went, one);
+        t = first_beyond<D>(ray, hn::Add(shift, enter), hn::Add(shift, leave));
+        return hn::And(hn::Gt(t, ray.t_min), hn::Lt(t, hn::Set(d, kInfinity)));
+    }
+};
+
 /// The test of a shape for one ray in every lane; `direction` is that of the ray.
 template <class Shape, class D>
 HWY_INLINE LaneTest<Shape> test_for_ray(Shape /*shape*/, D /*d*/, const RayLanes<D>& /*ray*/,

@@ -114,6 +114,18 @@ struct MakeUnit {
                 V3f(static_cast<float>(0.5 * shape.length / shape.radius), 0, 0)};
     }
 
+    UnitOfObject operator()(const RoundedBoxShape& shape) const {
+        check_size(shape.radius, name, "the radius");
+        for (int axis = 0; axis < 3; ++axis) {
+            check_size(shape.size[axis], name, "a rounded box's edge");
+            if (!(2 * shape.radius <= shape.size[axis])) {
+                refuse(name, "the radius of a rounded box is more than half of its smallest side");
+            }
+        }
+        return {ShapeKind::rounded_box, scaling(Vec3(shape.radius)),
+                V3f(shape.core() / shape.radius)};
+    }
+
   private:
     Mat44 flat(const Vec3& x, const Vec3& y, const Vec3& origin, const char* problem) const {
         const Vec3 normal = x.cross(y);

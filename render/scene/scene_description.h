@@ -2,6 +2,7 @@
 // colour is linear Rec.709, scene-referred.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -128,6 +129,24 @@ struct CapsuleShape {
     }
 };
 
+/// A box whose edges and corners are rounded, centre at the origin: all points within `radius` of a
+/// box that is smaller by that much on every side.
+struct RoundedBoxShape {
+    static constexpr const char* kName = "rounded_box";
+    Vec3 size{1, 1, 1};   // full lengths, the rounding included
+    double radius = 0.1;  // at most half of the smallest side
+    template <class Visit>
+    void fields(const Visit& visit) const {
+        visit("size", size);
+        visit("radius", radius);
+    }
+    /// Half the size of the box without the rounding.
+    [[nodiscard]] Vec3 core() const {
+        const Vec3 half = 0.5 * size - Vec3(radius);
+        return {std::max(half.x, 0.0), std::max(half.y, 0.0), std::max(half.z, 0.0)};
+    }
+};
+
 /// Given in the scene itself (the table's surfaces) or read from an OBJ or PLY file.
 struct MeshShape {
     static constexpr const char* kName = "mesh";
@@ -141,9 +160,9 @@ struct MeshShape {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-using Shape =
-    std::variant<SphereShape, BoxShape, PlaneShape, RectangleShape, MeshShape, TriangleShape,
-                 ParallelogramShape, DiskShape, CylinderShape, ConeShape, CapsuleShape>;
+using Shape = std::variant<SphereShape, BoxShape, PlaneShape, RectangleShape, MeshShape,
+                           TriangleShape, ParallelogramShape, DiskShape, CylinderShape, ConeShape,
+                           CapsuleShape, RoundedBoxShape>;
 
 /// Something to see. Without a `track` it stands still at `world_from_object`, which may scale,
 /// shear and mirror it. With one the same map leads to the axes of the body that the track's pose

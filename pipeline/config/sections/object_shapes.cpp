@@ -1,6 +1,8 @@
 // The shapes that an object may have: one key each.
 #include "pipeline/config/sections/object_shapes.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "pipeline/config/units.h"
@@ -48,6 +50,54 @@ const MapSpec<sim::Cylinder>& cylinder_spec() {
     return spec;
 }
 
+void check_rounding(Reader& reader, const Node& node, render::RoundedBoxShape& box) {
+    const double smallest = std::min({box.size.x, box.size.y, box.size.z});
+    const Entry* radius = node.find("radius");
+    if (radius != nullptr && node.find("size") != nullptr && 2 * box.radius > smallest) {
+        reader.error(radius->value.place,
+                     "the radius of " + reader.label() + " is more than half of its smallest side");
+    }
+}
+
+const MapSpec<render::RoundedBoxShape>& rounded_box_spec() {
+    static const MapSpec<render::RoundedBoxShape> spec = [] {
+        using Box = render::RoundedBoxShape;
+        MapSpec<Box> s("rounded box", "A box with round edges and corners.");
+        s.key("size", &Box::size, vector3(Dimension::length, above_up_to(0, 1000)),
+              "full lengths along x, y and z, the rounding included")
+            .required();
+        s.key("radius", &Box::radius, length(above_up_to(0, 1000)),
+              "of the rounding, at most half of the smallest side")
+            .required();
+        s.check(check_rounding);
+        return s;
+    }();
+    return spec;
+}
+
+/// What a rounded box collides as: the hull of 15 points on each corner, an eighth of a sphere. Its
+/// flat sides are those of the box; on edges and corners it lies inside by at most 2 % of the
+/// radius.
+std::vector<Vec3> rounded_box_points(const render::RoundedBoxShape& box) {
+    // Of 0, 22.5, 45, 67.5 and 90 degrees, without the mathematics library, whose last bits differ.
+    const double root = std::sqrt(0.5);
+    const std::array<double, 5> sines{0, std::sqrt((1 - root) / 2), root, std::sqrt((1 + root) / 2),
+                                      1};
+    std::vector<Vec3> points;
+    const Vec3 core = box.core();
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 side((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
+                        (corner & 4) != 0 ? 1 : -1);
+        for (std::size_t i = 0; i <= 4; ++i) {
+            for (std::size_t j = 0; i + j <= 4; ++j) {
+                const Vec3 out = Vec3(sines[i], sines[j], sines[4 - i - j]).normalized();
+                points.push_back(side * (core + box.radius * out));
+            }
+        }
+    }
+    return points;
+}
+
 /// The hull about its centre of mass: what `at` places is the origin of the points.
 void set_hull(ObjectSection& object, const std::vector<Vec3>& points) {
     const std::optional<sim::Polyhedron> hull = sim::convex_hull(points);
@@ -79,6 +129,13 @@ void add_solids(MapSpec<ObjectSection>& s) {
             object.solid = cylinder;
         },
         "a shape whose axis is z");
+    s.set(
+        "rounded_box", record(rounded_box_spec()),
+        [](ObjectSection& object, const render::RoundedBoxShape& box) {
+            object.shape = box;
+            object.solid = sim::ConvexHull{rounded_box_points(box)};
+        },
+        "a box with round edges and corners");
     s.set("hull", list_of(vector3(Dimension::length, between(-1000, 1000)), 4, 1000), set_hull,
           "the convex hull of four or more points that are not all in one plane");
 }
@@ -128,9 +185,9 @@ void add_flat_shapes(MapSpec<ObjectSection>& s) {
 }  // namespace
 
 const std::vector<std::string>& shape_keys() {
-    static const std::vector<std::string> keys{"box",  "sphere",   "rectangle",     "plane",
-                                               "mesh", "triangle", "parallelogram", "disk",
-                                               "cone", "capsule",  "cylinder",      "hull"};
+    static const std::vector<std::string> keys{
+        "box",  "sphere", "rectangle", "plane",    "mesh",        "triangle", "parallelogram",
+        "disk", "cone",   "capsule",   "cylinder", "rounded_box", "hull"};
     return keys;
 }
 

@@ -294,6 +294,39 @@ TEST(Objects, Solids_CollideAsTheyAreSeen) {
     }
 }
 
+TEST(Objects, RoundedBox_CollidesAsAHullInsideItWithItsFlatSides) {
+    const Shot shot = load_sections(
+        "objects:\n"
+        "  die: {rounded_box: {size: [4 cm, 2 cm, 3 cm], radius: 5 mm}, at: [0, 0, 1],\n"
+        "        physics: {density: 1000 kg/m^3}}\n"
+        "  ball: {rounded_box: {size: [2 cm, 2 cm, 2 cm], radius: 1 cm}, at: [1, 0, 1],\n"
+        "         physics: {density: 1000 kg/m^3}}\n");
+    EXPECT_TRUE(find_problems(shot.world).empty());
+    const auto& seen = std::get<render::RoundedBoxShape>(shot.scene.objects[0].shape);
+    EXPECT_EQ(seen.size, Vec3(0.04, 0.02, 0.03));
+    EXPECT_EQ(seen.radius, 0.005);
+    const Vec3 half = 0.5 * seen.size;
+    int on_side = 0;
+    for (const Vec3& p : std::get<sim::ConvexHull>(body(shot, "die").shape).points) {
+        Vec3 out(0, 0, 0);
+        for (int axis = 0; axis < 3; ++axis) {
+            out[axis] = std::max(std::abs(p[axis]) - (half[axis] - 0.005), 0.0);
+            on_side += std::abs(p[axis]) == half[axis] ? 1 : 0;
+        }
+        EXPECT_NEAR(out.length(), 0.005, 1e-15);
+    }
+    EXPECT_EQ(on_side, 6 * 4);  // the corners of the six flat sides
+    const double pi = 3.14159265358979;
+    const double core = 0.03 * 0.01 * 0.02;
+    const double sides = 2 * 0.005 * (0.03 * 0.01 + 0.01 * 0.02 + 0.02 * 0.03);
+    const double edges = pi * 0.005 * 0.005 * (0.03 + 0.01 + 0.02);
+    const double corners = 4.0 / 3 * pi * 0.005 * 0.005 * 0.005;
+    const double mass = 1000 * (core + sides + edges + corners);
+    EXPECT_LT(body(shot, "die").mass, mass);
+    EXPECT_NEAR(body(shot, "die").mass / mass, 1, 0.01);
+    EXPECT_NEAR(body(shot, "ball").mass / (1000 * 4.0 / 3 * pi * 1e-6), 1, 0.06);
+}
+
 TEST(Physics, OfWhatKeysMove_FollowsTheirTrack) {
     const Shot shot = load_sections(
         "objects:\n"

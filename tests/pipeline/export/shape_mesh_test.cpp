@@ -66,6 +66,11 @@ TEST(ShapeMesh, SolidShapes_AreClosedAndOfTheirVolume) {
         {render::ConeShape{0, 1, 3}, kPi},
         {render::ConeShape{1, 0.5, 1}, 1.75 * kPi / 3},
         {render::CapsuleShape{0.5, 2}, kPi / 6 + kPi / 2},
+        // The core, its six sides, twelve quarters of cylinders and eight eighths of a ball.
+        {render::RoundedBoxShape{{1, 2, 3}, 0.25},
+         0.5 * 1.5 * 2.5 + 2 * 0.25 * (0.5 * 1.5 + 1.5 * 2.5 + 2.5 * 0.5) +
+             kPi * 0.0625 * (0.5 + 1.5 + 2.5) + kPi / 48},
+        {render::RoundedBoxShape{{1, 1, 1}, 0.5}, kPi / 6},
     };
     for (const auto& [shape, expected] : solids) {
         const MeshShape mesh = shape_mesh(shape);

@@ -73,7 +73,10 @@ TEST(SceneHash, Shapes_AllCount) {
                           hash_of(render::ConeShape{}),
                           hash_of(render::ConeShape{1, 0.5, 1}),
                           hash_of(render::CapsuleShape{}),
-                          hash_of(render::CapsuleShape{1, 2})});
+                          hash_of(render::CapsuleShape{1, 2}),
+                          hash_of(render::RoundedBoxShape{}),
+                          hash_of(render::RoundedBoxShape{{1, 1, 2}, 0.1}),
+                          hash_of(render::RoundedBoxShape{{1, 1, 1}, 0.2})});
 }
 
 TEST(SceneHash, Colours_AllCount) {

@@ -73,6 +73,12 @@ inline V3f random_profile(TestRandom& random) {
     return V3f(0.5f * (top + bottom), 0.5f * (top - bottom), 0);
 }
 
+/// Half of a rounded box without its rounding; flat or without extent along some axes.
+inline V3f random_core(TestRandom& random) {
+    const V3f core = random_point(random, 2);
+    return V3f(std::max(core.x, 0.f), std::max(core.y, 0.f), std::max(core.z, 0.f));
+}
+
 /// A path of three stretches with two impacts, turning fast.
 inline sim::Track random_track(TestRandom& random, float size) {
     std::vector<sim::Key> keys;
@@ -176,6 +182,8 @@ struct RandomScene {
             add_mapped<render::UnitFrustum>(shapes, map, object_count++, random_profile(random));
             add_mapped<render::UnitCapsule>(shapes, random_map(random, 0.5f * half, 2),
                                             object_count++, V3f(random.between(0.1f, 3), 0, 0));
+            add_mapped<render::UnitRoundedBox>(shapes, random_map(random, 0.5f * half, 2),
+                                               object_count++, random_core(random));
         }
         add_mapped<render::UnitPlane>(shapes, random_map(random, V3f(1), 0.2f), object_count++);
     }
@@ -185,8 +193,9 @@ struct RandomScene {
         for (int i = 0; i < count; ++i) {
             const render::RigidMotion motion(random_track(random, 2), 0, 1);
             add_moving_sphere(shapes, motion, random.between(0.05f, 0.3f), object_count++);
-            for (const Kind kind : {Kind::ball, Kind::box, Kind::rectangle, Kind::triangle,
-                                    Kind::disk, Kind::frustum, Kind::capsule, Kind::mesh}) {
+            for (const Kind kind :
+                 {Kind::ball, Kind::box, Kind::rectangle, Kind::triangle, Kind::disk, Kind::frustum,
+                  Kind::capsule, Kind::rounded_box, Kind::mesh}) {
                 render::MovingShape shape;
                 shape.kind = kind;
                 const V3f half_size = random_point(random, 0.1f) + V3f(0.15f);
@@ -199,8 +208,11 @@ struct RandomScene {
                 if (kind == Kind::capsule) {
                     shape.profile = V3f(random.between(0.1f, 3), 0, 0);
                 }
+                if (kind == Kind::rounded_box) {
+                    shape.profile = random_core(random);
+                }
                 shape.motion = std::make_shared<render::RigidMotion>(random_track(random, 2), 0, 1);
-                float reach = half_size.length() + half_size.z * shape.profile.x;
+                float reach = half_size.length() + (half_size * shape.profile).length();
                 if (kind == Kind::mesh) {
                     meshes.push_back(std::make_unique<render::TriangleMesh>(bumpy_ball(0.2f, 6)));
                     const render::MeshEntry entry{meshes.back().get(), 0};

@@ -173,6 +173,13 @@ TEST(MovingCapsule, TumblingCapsule_IsWhereTheTrackHasIt) {
     }
 }
 
+TEST(MovingRoundedBox, TumblingBox_IsWhereTheTrackHasIt) {
+    for (const AccelerationKind kind : {AccelerationKind::hybrid, AccelerationKind::embree}) {
+        expect_round_hits(RoundedBoxShape{Vec3(0.4, 0.5, 0.8), 0.1}, Vec3(0.1, 0.15, 0.3), 0.1,
+                          kind);
+    }
+}
+
 TEST(MovingMesh, TumblingMesh_IsWhereTheTrackHasIt) {
     SceneBuilder builder;
     builder.add_moving(cube_mesh(), tumbling(), Vec3(0.1, 0.4, 0.15));

@@ -177,6 +177,23 @@ std::vector<Case> cases() {
              const double way = 0.4 * (0.5 * kPi + latitude) + on_axis + 0.55;
              return near_turn(uv.x, p) && near(uv.y, way / (0.4 * kPi + 1.1));
          }},
+        {"rounded box", RoundedBoxShape{Vec3(1, 0.8, 1.2), 0.25},
+         [](const Vec3& o, const Vec3& d) {
+             return on_rounded(o, d, 0.25, [](const Vec3& p) {
+                 return std::hypot(beyond(p.x, 0.25), beyond(p.y, 0.15), beyond(p.z, 0.35));
+             });
+         },
+         [](const Vec3& p, const V2f& uv) {
+             const Vec3 size(1, 0.8, 1.2);
+             for (int axis = 0; axis < 3; ++axis) {
+                 const int u = (axis + 1) % 3;
+                 const int v = (axis + 2) % 3;
+                 if (near(uv.x, p[u] / size[u] + 0.5) && near(uv.y, p[v] / size[v] + 0.5)) {
+                     return true;  // on one of the sides
+                 }
+             }
+             return false;
+         }},
     };
 }
 
@@ -363,6 +380,65 @@ TEST(Shapes, CapsuleSeam_PlaceAndNormalAreContinuous) {
         }
         before = point;
     }
+}
+
+TEST(Shapes, RoundedBox_FlatSidesEdgesAndCornersAreWhereTheyBelong) {
+    const RoundedBoxShape box{Vec3(2, 1, 3), 0.25};  // core: 0.75, 0.25, 1.25
+    const SurfacePoint flat = look(box, Vec3(0.7, 0.2, 9), Vec3(0.7, 0.2, 0));
+    expect_near(flat.position, Vec3(0.7, 0.2, 1.5));
+    EXPECT_EQ(flat.geometric_normal, V3f(0, 0, 1));
+    EXPECT_NEAR((flat.uv - V2f(0.85f, 0.7f)).length(), 0, 1e-6);
+    // Down onto the edge along y at +x, +z: 0.15 beyond the core, so 0.2 above it.
+    const SurfacePoint edge = look(box, Vec3(0.9, 0.1, 9), Vec3(0.9, 0.1, 0));
+    expect_near(edge.position, Vec3(0.9, 0.1, 1.45));
+    expect_near(edge.geometric_normal, Vec3(0.6, 0, 0.8));
+    // Straight at a corner, and from the middle out through it.
+    const Vec3 corner(0.75, 0.25, 1.25);
+    const Vec3 out = Vec3(1, 1, 1).normalized();
+    for (const Vec3& from : {corner + 3.0 * out, corner - 0.1 * out}) {
+        const SurfacePoint point = look(box, from, corner + 0.25 * out);
+        expect_near(point.position, corner + 0.25 * out);
+        expect_near(point.geometric_normal, out);
+    }
+    // Past the corner of the box around it, which is not there.
+    SceneBuilder builder;
+    builder.add(box, Mat44());
+    const BuiltScene scene(builder);
+    Hit hit;
+    EXPECT_FALSE(scene.frame.structure().closest_hit(
+        ray_from(Vec3(0.99, 0.49, 9), Vec3(0.99, 0.49, 0)), hit));
+    EXPECT_TRUE(scene.frame.structure().closest_hit(
+        ray_from(Vec3(-0.9, -0.4, 9), Vec3(-0.9, -0.4, 0)), hit));
+}
+
+TEST(Shapes, RoundedBoxWithoutACore_IsASphere) {
+    TestRandom random(18);
+    SceneBuilder round;
+    round.add(RoundedBoxShape{Vec3(1, 1, 1), 0.5}, Mat44());
+    SceneBuilder ball;
+    ball.add(SphereShape{0.5}, Mat44());
+    SceneBuilder pill;
+    pill.add(CapsuleShape{0.5, 1}, Mat44());
+    SceneBuilder long_box;
+    long_box.add(RoundedBoxShape{Vec3(1, 1, 2), 0.5}, Mat44());
+    const BuiltScene scenes[] = {BuiltScene(round), BuiltScene(ball), BuiltScene(long_box),
+                                 BuiltScene(pill)};
+    int hits = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Ray ray = ray_from(random_vector(random, 2), random_vector(random, 0.7f));
+        for (const int pair : {0, 2}) {
+            Hit a;
+            Hit b;
+            const bool found = scenes[pair].frame.structure().closest_hit(ray, a);
+            if (found != scenes[pair + 1].frame.structure().closest_hit(ray, b)) {
+                ADD_FAILURE() << i;
+            } else if (found) {
+                ++hits;
+                ASSERT_NEAR(a.t, b.t, 5e-4f) << i;  // grazing rays are that uncertain
+            }
+        }
+    }
+    EXPECT_GT(hits, 10'000);
 }
 
 TEST(Shapes, SlenderCapsule_IsHitAllAlongItsLength) {
