@@ -1,0 +1,158 @@
+// Changes a described value in one place after another, by the lists of its fields.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/fields.h"
+#include "core/vectors.h"
+
+namespace carom::testing {
+
+/// Every field of every struct in a value, every element of a vector's front, every alternative of
+/// a variant, with and without every optional.
+class FieldChanges {
+  public:
+    /// Called while one place is changed. `counts`: whether the lists say that hashes see it.
+    using Report = std::function<void(const std::string& place, bool counts)>;
+
+    /// `file`: a file that can stand in a field that names one.
+    explicit FieldChanges(Report report, std::string file = {})
+        : report_(std::move(report)), file_(std::move(file)) {}
+
+    /// Each change is undone before the next one. A type without an overload here needs a function
+    /// change_value(T&).
+    template <class T>
+    void of(T& value, const std::string& place = "", bool counts = true) {
+        if constexpr (Described<T>) {
+            for_each_field(value, [&](const auto& field, auto& member) {
+                this->of_field(field, member, place + "." + std::string(field.name), counts);
+            });
+        } else {
+            const T before = value;
+            change(value, place, counts);
+            value = before;
+        }
+    }
+
+  private:
+    template <class Field, class T>
+    void of_field(const Field& /*field*/, T& value, const std::string& place, bool counts) {
+        if constexpr (Field::kRole == FieldRole::file) {
+            const T before = std::exchange(value, file_);
+            report_(place, counts);
+            value = before;
+        } else if constexpr (Field::kRole == FieldRole::unhashed) {
+            of(value, place, false);
+        } else if constexpr (Field::kRole != FieldRole::hashed_elsewhere) {
+            of(value, place, counts);
+        }
+    }
+
+    template <class T>
+    void change(T& value, const std::string& place, bool counts) {
+        if constexpr (std::is_same_v<T, bool>) {
+            value = !value;
+        } else if constexpr (std::is_enum_v<T>) {
+            value = static_cast<T>(static_cast<std::underlying_type_t<T>>(value) + 1);
+        } else if constexpr (std::is_arithmetic_v<T>) {
+            value += 1;
+        } else {
+            change_value(value);
+        }
+        report_(place, counts);
+    }
+
+    void change(std::string& text, const std::string& place, bool counts) {
+        text += "x";
+        report_(place, counts);
+    }
+
+    void change(Vec2& v, const std::string& place, bool counts) {
+        of(v.x, place + ".x", counts);
+        of(v.y, place + ".y", counts);
+    }
+
+    void change(Vec3& v, const std::string& place, bool counts) {
+        of(v.x, place + ".x", counts);
+        of(v.y, place + ".y", counts);
+        of(v.z, place + ".z", counts);
+    }
+
+    void change(Quat& q, const std::string& place, bool counts) {
+        of(q.r, place + ".w", counts);
+        of(q.v, place, counts);
+    }
+
+    void change(Mat44& map, const std::string& place, bool counts) {
+        for (double* entry = map.getValue(); entry != map.getValue() + 16; ++entry) {
+            of(*entry, place + "[" + std::to_string(entry - map.getValue()) + "]", counts);
+        }
+    }
+
+    template <class T, std::size_t kSize>
+    void change(std::array<T, kSize>& values, const std::string& place, bool counts) {
+        for (std::size_t i = 0; i < kSize; ++i) {
+            of(values[i], place + "[" + std::to_string(i) + "]", counts);
+        }
+    }
+
+    template <class T>
+    void change(std::vector<T>& values, const std::string& place, bool counts) {
+        values.emplace_back();
+        report_(place + " and another", counts);
+        of(values.front(), place + "[0]", counts);
+    }
+
+    template <class T>
+    void change(std::map<std::pair<std::string, std::string>, T>& values, const std::string& place,
+                bool counts) {
+        using Key = std::pair<std::string, std::string>;
+        for (const Key& key : {Key("x", "x"), Key("x", "y"), Key("y", "x")}) {
+            values.clear();
+            of_new(values[key], place + "[" + key.first + key.second + "]", counts);
+        }
+    }
+
+    template <class T>
+    void change(std::optional<T>& value, const std::string& place, bool counts) {
+        if (value) {
+            of(*value, place, counts);
+            value.reset();
+            report_(place + " taken away", counts);
+        } else {
+            of_new(value.emplace(), place, counts);
+        }
+    }
+
+    template <class... T>
+    void change(std::variant<T...>& value, const std::string& place, bool counts) {
+        std::visit([&](auto& alternative) { of(alternative, place, counts); }, value);
+        const std::size_t before = value.index();
+        [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
+            ((kIndex == before ? void()
+                               : of_new(value.template emplace<kIndex>(),
+                                        place + "<" + std::to_string(kIndex) + ">", counts)),
+             ...);
+        }
+        (std::index_sequence_for<T...>{});
+    }
+
+    /// Of a part that was not there before.
+    template <class T>
+    void of_new(T& value, const std::string& place, bool counts) {
+        report_(place, counts);
+        of(value, place, counts);
+    }
+
+    Report report_;
+    std::string file_;
+};
+
+}  // namespace carom::testing
