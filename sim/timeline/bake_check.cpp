@@ -87,30 +87,10 @@ Problem event_problem(const Event& event) {
     return {};
 }
 
-Problem events_problem(const std::vector<Event>& events) {
-    for (std::size_t index = 0; index < events.size(); ++index) {
-        const std::string name = fmt::format("event {}", index);
-        if (const Problem problem = event_problem(events[index])) {
-            return name + " " + *problem;
-        }
-        if (index > 0 && events[index].time < events[index - 1].time) {
-            return name + " is earlier than the one before";
-        }
-    }
-    return {};
-}
-
-Problem energy_problem(const std::vector<EnergySample>& energy) {
-    for (std::size_t index = 0; index < energy.size(); ++index) {
-        const EnergySample& sample = energy[index];
-        const std::string name = fmt::format("energy sample {}", index);
-        if (!std::isfinite(sample.time) || !std::isfinite(sample.kinetic) ||
-            !std::isfinite(sample.potential)) {
-            return name + " has a value that is not finite";
-        }
-        if (index > 0 && sample.time < energy[index - 1].time) {
-            return name + " is earlier than the one before";
-        }
+Problem energy_problem(const EnergySample& sample) {
+    if (!std::isfinite(sample.time) || !std::isfinite(sample.kinetic) ||
+        !std::isfinite(sample.potential)) {
+        return "has a value that is not finite";
     }
     return {};
 }
@@ -132,31 +112,26 @@ Problem contact_problem(const LastingContact& contact) {
     return {};
 }
 
-Problem contacts_problem(const std::vector<LastingContact>& contacts) {
-    for (std::size_t index = 0; index < contacts.size(); ++index) {
-        const std::string name = fmt::format("lasting contact {}", index);
-        if (const Problem problem = contact_problem(contacts[index])) {
-            return name + " " + *problem;
-        }
-        if (index > 0 && contacts[index].from < contacts[index - 1].from) {
-            return name + " is earlier than the one before";
-        }
+Problem put_back_problem(const PutBack& put_back) {
+    if (put_back.ball.size() > kLongestName) {
+        return fmt::format("has a name of more than {} bytes", kLongestName);
+    }
+    if (!std::isfinite(put_back.time) || !is_finite(put_back.from) || !is_finite(put_back.to)) {
+        return "has a value that is not finite";
     }
     return {};
 }
 
-Problem put_backs_problem(const std::vector<PutBack>& put_backs) {
-    for (std::size_t index = 0; index < put_backs.size(); ++index) {
-        const PutBack& put_back = put_backs[index];
-        const std::string name = fmt::format("ball put back {}", index);
-        if (put_back.ball.size() > kLongestName) {
-            return fmt::format("{} has a name of more than {} bytes", name, kLongestName);
+/// The first problem of an element, or that it is not in order of time. `noun`: "event".
+template <class Value>
+Problem list_problem(const std::vector<Value>& values, const char* noun, double Value::*time,
+                     Problem (*problem_of)(const Value&)) {
+    for (std::size_t index = 0; index < values.size(); ++index) {
+        if (const Problem problem = problem_of(values[index])) {
+            return fmt::format("{} {} {}", noun, index, *problem);
         }
-        if (!std::isfinite(put_back.time) || !is_finite(put_back.from) || !is_finite(put_back.to)) {
-            return name + " has a value that is not finite";
-        }
-        if (index > 0 && put_back.time < put_backs[index - 1].time) {
-            return name + " is earlier than the one before";
+        if (index > 0 && values[index].*time < values[index - 1].*time) {
+            return fmt::format("{} {} is earlier than the one before", noun, index);
         }
     }
     return {};
@@ -211,16 +186,19 @@ Problem find_problem(const Bake& bake) {
     if (Problem problem = tracks_problem(timeline.tracks)) {
         return problem;
     }
-    if (Problem problem = events_problem(timeline.events)) {
+    if (Problem problem = list_problem(timeline.events, "event", &Event::time, event_problem)) {
         return problem;
     }
-    if (Problem problem = energy_problem(timeline.energy)) {
+    if (Problem problem =
+            list_problem(timeline.energy, "energy sample", &EnergySample::time, energy_problem)) {
         return problem;
     }
-    if (Problem problem = contacts_problem(timeline.lasting_contacts)) {
+    if (Problem problem = list_problem(timeline.lasting_contacts, "lasting contact",
+                                       &LastingContact::from, contact_problem)) {
         return problem;
     }
-    if (Problem problem = put_backs_problem(timeline.put_backs)) {
+    if (Problem problem =
+            list_problem(timeline.put_backs, "ball put back", &PutBack::time, put_back_problem)) {
         return problem;
     }
     if (Problem problem = warnings_problem(timeline.warnings)) {
