@@ -9,6 +9,7 @@ target_compile_options(carom_compile_options INTERFACE
   # False warnings of g++ 12 where it sees through std::string (its bugs 105329 and 105651); it no longer knows
   # that the header is the system's when that was precompiled.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>
   # The same source gives the same bits from g++ and clang, at -O0 and -O2.
   -ffp-contract=off -fno-math-errno -fno-trapping-math)
 option(CAROM_ASSERTIONS "cheap assertions in the program (CAROM_ASSERT)" OFF)
