@@ -186,9 +186,10 @@ std::vector<Case> cases() {
          [](const Vec3& p, const V2f& uv) {
              const Vec3 size(1, 0.8, 1.2);
              for (int axis = 0; axis < 3; ++axis) {
-                 const int u = (axis + 1) % 3;
-                 const int v = (axis + 2) % 3;
-                 if (near(uv.x, p[u] / size[u] + 0.5) && near(uv.y, p[v] / size[v] + 0.5)) {
+                 const int next = (axis + 1) % 3;
+                 const int last = (axis + 2) % 3;
+                 if (near(uv.x, p[next] / size[next] + 0.5) &&
+                     near(uv.y, p[last] / size[last] + 0.5)) {
                      return true;  // on one of the sides
                  }
              }
