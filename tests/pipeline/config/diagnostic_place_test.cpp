@@ -23,8 +23,10 @@ lights:
   lamp: {sphere: 10 cm, at: [0, 0, 2], radiance: 10}
 events:
   - impulse: {object: cue, newton_seconds: [0, 0.1, 0]}
-  - strike: {ball: cue, toward: 1, speed: 2, tip: [0, 0.3]}
+  - strike: {ball: cue, toward: one, speed: 2, tip: [0, 0.3]}
 render: {samples: 4}
+cameras:
+  - {position: [0, -3, 2], target: [0, 0, 0]}
 )";
 
 /// "line:column key"; "nowhere" if the problem is about the shot as a whole.
