@@ -46,4 +46,10 @@ sim::Bake bake_of(ShotInput& input, const InputOptions& options, const CacheOpti
     return bake;
 }
 
+sim::Timeline timeline_of_bake(const std::string& path, Console& console) {
+    sim::Timeline timeline = read_bake_input(path).timeline;
+    report_problems(pipeline::simulation_problems(timeline, nullptr), console);
+    return timeline;
+}
+
 }  // namespace carom::cli

@@ -13,4 +13,8 @@ namespace carom::cli {
 [[nodiscard]] sim::Bake bake_of(ShotInput& input, const InputOptions& options,
                                 const CacheOptions& cache, CommandContext& context);
 
+/// The timeline of a bake file, for commands that need nothing else of it: the shot's text in it is
+/// not read. The warnings of its simulation are reported. Throws Error.
+[[nodiscard]] sim::Timeline timeline_of_bake(const std::string& path, Console& console);
+
 }  // namespace carom::cli

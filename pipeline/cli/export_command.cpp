@@ -40,7 +40,7 @@ struct Source {
 
 Source read_source(const ExportCommand& command, bool shot_wanted, CommandContext& context) {
     if (!shot_wanted && is_bake_file(command.input.path)) {
-        return {std::nullopt, read_bake_input(command.input.path).timeline};
+        return {std::nullopt, timeline_of_bake(command.input.path, context.console)};
     }
     ShotInput input = read_shot_input(command.input, context.console);
     sim::Timeline timeline = bake_of(input, command.input, command.cache, context).timeline;

@@ -22,7 +22,7 @@ void write_report(const ReportCommand& command, const sim::Timeline& timeline) {
 void run(const ReportCommand& command, CommandContext& context) {
     check_output_folder(command.output);
     if (command.plot.empty() && is_bake_file(command.input.path)) {
-        return write_report(command, read_bake_input(command.input.path).timeline);
+        return write_report(command, timeline_of_bake(command.input.path, context.console));
     }
     if (!command.plot.empty()) {
         check_drawing_path(command.plot, "a plot");

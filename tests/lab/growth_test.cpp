@@ -114,6 +114,7 @@ Growth made_up() {
         brute.build_seconds = 0.001;
         brute.bytes = 100 * shapes;
         brute.seconds_per_ray = {1e-8 * static_cast<double>(shapes), 2e-8, 5e-8};
+        brute.seconds_per_ray_of_batch = 3e-8;
         brute.is_counted = true;
         brute.tests.of[0] = {10, 10 * shapes, 0, 0};
         GrowthPoint library = brute;
@@ -147,6 +148,10 @@ ns per secondary ray  brute_force  embree
 ns per shadow ray  brute_force  embree
 10                        50.0    50.0
 1000                      50.0    50.0
+
+ns per ray of 64  brute_force  embree
+10                       30.0    30.0
+1000                     30.0    30.0
 
 build ms  brute_force  embree
 10               1.00    1.00

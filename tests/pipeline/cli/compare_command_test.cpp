@@ -129,13 +129,13 @@ TEST_F(CompareCommand, WrongUse_IsRefusedWithASentence) {
     EXPECT_THAT(message({"--scene", "teapot"}), HasSubstr("--scene: teapot not in {sphere_cube,"));
     EXPECT_EQ(message({"tiny.yaml", "--scene", "stadium"}),
               "carom: error: SHOT|BAKE excludes --scene\n"
-              "'carom compare --help' says what there is\n");
+              "See 'carom compare --help'.\n");
     EXPECT_EQ(message({"--growth", "mesh", "--scene", "stadium"}),
               "carom: error: --scene excludes --growth\n"
-              "'carom compare --help' says what there is\n");
+              "See 'carom compare --help'.\n");
     EXPECT_EQ(message({"--scene", "stadium", "--largest", "100"}),
               "carom: error: --largest requires --growth\n"
-              "'carom compare --help' says what there is\n");
+              "See 'carom compare --help'.\n");
 }
 
 TEST_F(CompareCommand, CtrlC_PrintsWhatIsMeasured) {

@@ -20,7 +20,7 @@ class LightCommands : public EndToEnd {};
 TEST_F(LightCommands, Help_GoesToStdout) {
     const RunResult result = run({"--help"});
     EXPECT_EQ(result.exit_code, 0);
-    EXPECT_THAT(result.out, StartsWith("  carom render "));
+    EXPECT_THAT(result.out, StartsWith("Usage: carom COMMAND [OPTIONS]\n"));
     EXPECT_EQ(result.err, "");
 }
 
@@ -146,7 +146,7 @@ TEST_F(LightCommands, ExportAtAnImpossibleRate_IsRefusedInOneLine) {
         EXPECT_EQ(result.err, "carom: error: --rate: '" + rate +
                                   "' is not a number of samples per second above 0 and at most "
                                   "1000000, as 240\n"
-                                  "'carom export --help' says what there is\n");
+                                  "See 'carom export --help'.\n");
     }
 }
 

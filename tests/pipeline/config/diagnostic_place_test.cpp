@@ -26,7 +26,7 @@ events:
   - strike: {ball: cue, toward: one, speed: 2, tip: [0, 0.3]}
 render: {samples: 4}
 cameras:
-  - {position: [0, -3, 2], target: [0, 0, 0]}
+  - {video: [0 s, 1 s], scene: [0 s, 1 s], position: [0, -3, 2], target: [0, 0, 0]}
 )";
 
 /// "line:column key"; "nowhere" if the problem is about the shot as a whole.
@@ -39,10 +39,10 @@ std::string place_of(const Subject& subject, const std::string& field) {
         loaded.source->problem_of({subject, field, "a sentence", Severity::warning});
     EXPECT_EQ(problem.severity, Severity::warning);
     EXPECT_EQ(problem.message, "a sentence");
-    return problem.place.file.empty() ? "nowhere"
-                                      : std::to_string(problem.place.line) + ":" +
-                                            std::to_string(problem.place.column) + " " +
-                                            problem.key_path;
+    return problem.place.file.empty()
+               ? "nowhere"
+               : std::to_string(problem.place.line) + ":" + std::to_string(problem.place.column) +
+                     " " + problem.key_path;
 }
 
 TEST(DiagnosticPlace, Event_IsFoundByItsIndexAndField) {

@@ -60,9 +60,8 @@ TEST(MatteNotes, Layer_HasItsKeysAndAManifest) {
                             Pair("cryptomatte/3ae39a5/manifest", testing::_),
                             Pair("cryptomatte/3ae39a5/name", "CryptoObject")));
     const Film::Notes notes = matte_notes("CryptoObject", {"hello", "a \"b\"\n", "hello"});
-    EXPECT_THAT(
-        notes.at("cryptomatte/3ae39a5/manifest"),
-        testing::MatchesRegex(R"re(\{"a \\"b\\"\\u000a":"[0-9a-f]+","hello":"248bfa47"\})re"));
+    EXPECT_THAT(notes.at("cryptomatte/3ae39a5/manifest"),
+                testing::MatchesRegex(R"re(\{"a \\"b\\"\\n":"[0-9a-f]+","hello":"248bfa47"\})re"));
 }
 
 }  // namespace

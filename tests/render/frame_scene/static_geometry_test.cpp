@@ -68,14 +68,6 @@ TEST(StaticGeometry, BadMeshes_AreRefused) {
     EXPECT_EQ(message(builder), "'/no/such/mesh.obj': the mesh cannot be opened");
 }
 
-TEST(StaticGeometry, SkewedRectangleLight_Refused) {
-    SceneBuilder builder;
-    RectangleLight light;
-    light.edge_v = Vec3(0.2, 0.5, 0);
-    builder.scene.lights.push_back({"lamp", light});
-    EXPECT_THAT(message(builder), HasSubstr("object 'lamp': the edges and the unit normal"));
-}
-
 TEST(StaticGeometry, Lights_FollowTheObjects) {
     SceneBuilder builder;
     builder.add(SphereShape{}, Mat44());

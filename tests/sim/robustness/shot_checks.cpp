@@ -144,19 +144,21 @@ void check_pairs(const WorldDescription& world, const Timeline& timeline,
     struct Placed {
         const Body* body;
         double radius;
-        const Track* track;
+        const Track* track;  // nullptr of a ball that is fixed
         Vec3 place;
     };
     std::vector<Placed> balls;
     for (const Body& body : world.bodies) {
         if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
-            balls.push_back({&body, sphere->radius, timeline.find(body.name), Vec3(0, 0, 0)});
+            balls.push_back({&body, sphere->radius, timeline.find(body.name), body.pose.position});
         }
     }
     for (int k = 0; k <= 40; ++k) {
         const double time = world.duration * k / 40;
         for (std::size_t i = 0; i < balls.size(); ++i) {
-            balls[i].place = balls[i].track->sample(time).position;
+            if (balls[i].track != nullptr) {
+                balls[i].place = balls[i].track->sample(time).position;
+            }
             for (std::size_t j = 0; j < i; ++j) {
                 const double depth =
                     balls[i].radius + balls[j].radius - (balls[i].place - balls[j].place).length();
