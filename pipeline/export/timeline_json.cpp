@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/export/sample_times.h"
+#include "render/scene/scene_fields.h"
 
 namespace carom::pipeline {
 
@@ -44,7 +45,9 @@ struct ShapeJson {
     Json operator()(const Shape& shape) const {
         Json json = Json::object();
         json["kind"] = Shape::kName;
-        shape.fields([&](const char* name, const auto& field) { json[name] = value(field); });
+        for_each_field(shape, [&](const auto& field, const auto& member) {
+            json[std::string(field.name)] = value(member);
+        });
         return json;
     }
     Json operator()(const render::ParallelogramShape& s) const {

@@ -1,16 +1,15 @@
 #include "pipeline/store/frame_seed.h"
 
-#include "pipeline/store/camera_hash.h"
+#include "core/field_hasher.h"
+#include "render/camera/camera_fields.h"
 
 namespace carom::pipeline {
 
 std::uint64_t frame_seed(std::uint64_t render_seed, const render::FrameInput& frame) {
-    Hasher hasher;
+    FieldHasher hasher;
     hasher.add("carom frame seed, format 1");
-    hasher.add(render_seed);
-    hasher.add(frame.scene_open).add(frame.scene_close);
-    add_camera(hasher, frame.camera_open);
-    add_camera(hasher, frame.camera_close);
+    hasher.add(render_seed).add(frame.scene_open).add(frame.scene_close);
+    hasher.add_value(frame.camera_open).add_value(frame.camera_close);
     return hasher.finish().low;
 }
 

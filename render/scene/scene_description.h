@@ -17,42 +17,27 @@ namespace carom::render {
 
 // ---- shapes, in the object's own axes --------------------------------------------------------
 //
-// kName is the shape's key in a shot. `fields` calls `visit(name, value)` for each field: hashes
-// and JSON are made from it.
+// kName is the shape's key in a shot. Hashes and JSON are made from the lists in scene_fields.h.
 
 struct SphereShape {
     static constexpr const char* kName = "sphere";
     double radius = 1;  // centre at the origin
-    template <class Visit>
-    void fields(const Visit& visit) const {
-        visit("radius", radius);
-    }
 };
 
 struct BoxShape {
     static constexpr const char* kName = "box";
     Vec3 size{1, 1, 1};  // full edges, centre at the origin
-    template <class Visit>
-    void fields(const Visit& visit) const {
-        visit("size", size);
-    }
 };
 
 /// The infinite plane z = 0, its normal +z.
 struct PlaneShape {
     static constexpr const char* kName = "plane";
-    template <class Visit>
-    void fields(const Visit& /*visit*/) const {}
 };
 
 /// Centre at the origin, normal +z, size x by y.
 struct RectangleShape {
     static constexpr const char* kName = "rectangle";
     Vec2 size{1, 1};
-    template <class Visit>
-    void fields(const Visit& visit) const {
-        visit("size", size);
-    }
 };
 
 /// The front is the side from which the corners run counter-clockwise; uv are the weights of the
@@ -60,10 +45,6 @@ struct RectangleShape {
 struct TriangleShape {
     static constexpr const char* kName = "triangle";
     std::array<Vec3, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};  // not in a line
-    template <class Visit>
-    void fields(const Visit& visit) const {
-        visit("corners", corners);
-    }
 };
 
 /// `corner`, `corner` + `edge_u`, `corner` + `edge_v` and the fourth; the front is the side from
@@ -73,22 +54,12 @@ struct ParallelogramShape {
     Vec3 corner{0, 0, 0};
     Vec3 edge_u{1, 0, 0};  // not parallel to edge_v
     Vec3 edge_v{0, 1, 0};
-    template <class Visit>
-    void fields(const Visit& visit) const {
-        visit("corner", corner);
-        visit("edge_u", edge_u);
-        visit("edge_v", edge_v);
-    }
 };
 
 /// Centre at the origin, normal +z.
 struct DiskShape {
     static constexpr const char* kName = "disk";
     double radius = 1;
-    template <class Visit>
-    void fields(const Visit& visit) const {
-        visit("radius", radius);
-    }
 };
 
 /// Solid, about z, from z = -height / 2 to height / 2.
@@ -96,11 +67,6 @@ struct CylinderShape {
     static constexpr const char* kName = "cylinder";
     double radius = 1;
     double height = 1;
-    template <class Visit>
-    void fields(const Visit& visit) const {
-        visit("radius", radius);
-        visit("height", height);
-    }
 };
 
 /// Solid, about z, from z = -height / 2 to height / 2. One of the radii may be 0: the tip.
@@ -109,12 +75,6 @@ struct ConeShape {
     double radius = 1;  // at the bottom
     double top_radius = 0;
     double height = 1;
-    template <class Visit>
-    void fields(const Visit& visit) const {
-        visit("radius", radius);
-        visit("top_radius", top_radius);
-        visit("height", height);
-    }
 };
 
 /// A cylinder about z with a half ball on each end, centre at the origin.
@@ -122,11 +82,6 @@ struct CapsuleShape {
     static constexpr const char* kName = "capsule";
     double radius = 1;
     double length = 1;  // between the centres of its ends
-    template <class Visit>
-    void fields(const Visit& visit) const {
-        visit("radius", radius);
-        visit("length", length);
-    }
 };
 
 /// A box whose edges and corners are rounded, centre at the origin: all points within `radius` of a
@@ -135,11 +90,6 @@ struct RoundedBoxShape {
     static constexpr const char* kName = "rounded_box";
     Vec3 size{1, 1, 1};   // full lengths, the rounding included
     double radius = 0.1;  // at most half of the smallest side
-    template <class Visit>
-    void fields(const Visit& visit) const {
-        visit("size", size);
-        visit("radius", radius);
-    }
     /// Half the size of the box without the rounding.
     [[nodiscard]] Vec3 core() const {
         const Vec3 half = 0.5 * size - Vec3(radius);

@@ -5,12 +5,16 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "core/fields.h"
+#include "core/hash.h"
 #include "core/vectors.h"
 
 namespace carom::testing {
@@ -154,5 +158,18 @@ class FieldChanges {
     Report report_;
     std::string file_;
 };
+
+/// Expects of every change of `value` that `hash` differs from all others if the change counts, and
+/// that it stays otherwise. Returns how many hashes were seen.
+template <class T>
+std::size_t expect_changes_count(T& value, const std::function<Hash128()>& hash,
+                                 const std::string& file = {}) {
+    std::set<Hash128> hashes{hash()};
+    FieldChanges([&](const std::string& place,
+                     bool counts) { EXPECT_EQ(hashes.insert(hash()).second, counts) << place; },
+                 file)
+        .of(value);
+    return hashes.size();
+}
 
 }  // namespace carom::testing
