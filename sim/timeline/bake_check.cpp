@@ -1,10 +1,12 @@
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include <fmt/core.h>
 
-#include "core/finite.h"
 #include "sim/timeline/bake_format.h"
+#include "sim/timeline/event_fields.h"
+#include "sim/timeline/track_fields.h"
 #include "sim/timeline/turning.h"
 
 namespace carom::sim {
@@ -17,9 +19,28 @@ using Problem = std::optional<std::string>;
 constexpr double kLargestValue = 1e12;  // m, m/s, rad/s, s
 constexpr double kFastestJump = 1e15;   // m/s, from one key to the next
 
-bool is_moderate(const Vec3& v) {
-    return std::abs(v.x) <= kLargestValue && std::abs(v.y) <= kLargestValue &&
-           std::abs(v.z) <= kLargestValue;
+bool is_within(double value, double largest) {
+    return std::abs(value) <= largest;
+}
+bool is_within(const Vec3& v, double largest) {
+    return is_within(v.x, largest) && is_within(v.y, largest) && is_within(v.z, largest);
+}
+
+/// Whether no number among the fields is NaN or larger than this.
+template <Described T>
+bool has_numbers_within(const T& value, double largest) {
+    bool is_good = true;
+    for_each_field(value, [&](const auto& /*field*/, const auto& member) {
+        if constexpr (requires { is_within(member, largest); }) {
+            is_good = is_good && is_within(member, largest);
+        }
+    });
+    return is_good;
+}
+
+template <Described T>
+bool is_finite(const T& value) {
+    return has_numbers_within(value, std::numeric_limits<double>::max());
 }
 
 Problem keys_problem(const Track& track) {
@@ -29,9 +50,7 @@ Problem keys_problem(const Track& track) {
     const auto keys = track.keys();
     for (std::size_t index = 0; index < keys.size(); ++index) {
         const Key& key = keys[index];
-        if (!(std::abs(key.time) <= kLargestValue) || !is_moderate(key.position) ||
-            !is_moderate(key.velocity_in) || !is_moderate(key.velocity_out) ||
-            !is_moderate(key.angular_velocity_in) || !is_moderate(key.angular_velocity_out)) {
+        if (!has_numbers_within(key, kLargestValue)) {
             return problem(index, "a value is larger than 1e12");
         }
         if (index > 0 && !((key.position - keys[index - 1].position).length() <=
@@ -76,9 +95,7 @@ Problem event_problem(const Event& event) {
     if (event.a.size() > kLongestName || event.b.size() > kLongestName) {
         return fmt::format("names an object in more than {} bytes", kLongestName);
     }
-    if (!std::isfinite(event.time) || !std::isfinite(event.end_time) || !is_finite(event.place) ||
-        !is_finite(event.normal) || !std::isfinite(event.normal_impulse) ||
-        !std::isfinite(event.tangential_impulse) || !is_finite(event.vector)) {
+    if (!is_finite(event)) {
         return "has a value that is not finite";
     }
     if (event.end_time < event.time) {
@@ -88,8 +105,7 @@ Problem event_problem(const Event& event) {
 }
 
 Problem energy_problem(const EnergySample& sample) {
-    if (!std::isfinite(sample.time) || !std::isfinite(sample.kinetic) ||
-        !std::isfinite(sample.potential)) {
+    if (!is_finite(sample)) {
         return "has a value that is not finite";
     }
     return {};
@@ -99,8 +115,7 @@ Problem contact_problem(const LastingContact& contact) {
     if (contact.a.size() > kLongestName || contact.b.size() > kLongestName) {
         return fmt::format("names an object in more than {} bytes", kLongestName);
     }
-    if (!std::isfinite(contact.from) || !std::isfinite(contact.to) ||
-        !std::isfinite(contact.normal_force) || !std::isfinite(contact.slip)) {
+    if (!is_finite(contact)) {
         return "has a value that is not finite";
     }
     if (contact.to < contact.from) {
@@ -116,7 +131,7 @@ Problem put_back_problem(const PutBack& put_back) {
     if (put_back.ball.size() > kLongestName) {
         return fmt::format("has a name of more than {} bytes", kLongestName);
     }
-    if (!std::isfinite(put_back.time) || !is_finite(put_back.from) || !is_finite(put_back.to)) {
+    if (!is_finite(put_back)) {
         return "has a value that is not finite";
     }
     return {};

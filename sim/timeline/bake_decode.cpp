@@ -4,9 +4,9 @@
 
 #include <fmt/core.h>
 
-#include "bake_generated.h"
 #include "core/error.h"
 #include "sim/timeline/bake_format.h"
+#include "sim/timeline/bake_structs.h"
 #include "sim/timeline/turning.h"
 
 namespace carom::sim {
@@ -20,22 +20,6 @@ constexpr flatbuffers::uoffset_t kMostTables = kMostTracks + kMostAssets + kMost
 
 Hash128 from_format(const fb::Hash& hash) {
     return {hash.high(), hash.low()};
-}
-Vec3 from_format(const fb::Vec3& v) {
-    return {v.x(), v.y(), v.z()};
-}
-Quat from_format(const fb::Quat& q) {
-    return {q.w(), q.x(), q.y(), q.z()};
-}
-
-Key from_format(const fb::Key& key) {
-    return {key.time(),
-            from_format(key.position()),
-            from_format(key.orientation()),
-            from_format(key.velocity_in()),
-            from_format(key.angular_velocity_in()),
-            from_format(key.velocity_out()),
-            from_format(key.angular_velocity_out())};
 }
 
 /// In an honest file no two parts share bytes. A forged one might let many tracks share one list of
@@ -69,28 +53,6 @@ class Budget {
     std::size_t left_;
 };
 
-std::vector<Track> read_tracks(const fb::Content& content, Budget& budget) {
-    std::vector<Track> tracks;
-    std::uint64_t substeps_in_all = 0;
-    for (const fb::Track* track : *content.tracks()) {
-        std::vector<Key> keys;
-        keys.reserve(budget.list(*track->keys()).size());
-        for (const fb::Key* key : *track->keys()) {
-            keys.push_back(from_format(*key));
-        }
-        substeps_in_all += turn_substeps(keys);
-        if (substeps_in_all > kMostSubsteps) {
-            throw Error("its objects turn more than 1e6 rad about changing axes");
-        }
-        std::string name = budget.text(*track->name());
-        if (name.size() > kLongestName) {
-            throw Error(fmt::format("the name of a track is longer than {} bytes", kLongestName));
-        }
-        tracks.emplace_back(std::move(name), std::move(keys));
-    }
-    return tracks;
-}
-
 /// The names that structs refer to by their place.
 class Names {
   public:
@@ -102,7 +64,6 @@ class Names {
             }
         }
     }
-    /// `user` is what refers to it: "an event".
     [[nodiscard]] const std::string& at(std::uint32_t index, const char* user) const {
         if (index >= names_.size()) {
             throw Error(user + std::string(" refers to a name that is not there"));
@@ -114,46 +75,64 @@ class Names {
     std::vector<std::string> names_;
 };
 
-Event from_format(const fb::Event& event, const Names& names) {
-    if (event.kind() > fb::EventKind::MAX) {
-        throw Error("an event is of an unknown kind");
+/// Reads the fields of one kind of struct.
+class FieldReader {
+  public:
+    /// `user` is what refers to names: "an event".
+    FieldReader(const Names& names, const char* user) : names_(names), user_(user) {}
+
+    void read(double stored, double& value) const { value = stored; }
+    void read(const fb::Vec3& v, Vec3& value) const { value = {v.x(), v.y(), v.z()}; }
+    void read(const fb::Quat& q, Quat& value) const { value = {q.w(), q.x(), q.y(), q.z()}; }
+    void read(std::uint32_t index, std::string& name) const { name = names_.at(index, user_); }
+    void read(fb::EventKind stored, EventKind& kind) const {
+        if (stored > fb::EventKind::MAX) {
+            throw Error("an event is of an unknown kind");
+        }
+        kind = static_cast<EventKind>(stored);
     }
-    return {static_cast<EventKind>(event.kind()),
-            event.time(),
-            event.end_time(),
-            names.at(event.a(), "an event"),
-            names.at(event.b(), "an event"),
-            from_format(event.place()),
-            from_format(event.normal()),
-            event.normal_impulse(),
-            event.tangential_impulse(),
-            from_format(event.vector())};
+
+  private:
+    const Names& names_;
+    const char* user_;
+};
+
+template <class Value, class Struct, std::size_t... kIndex>
+Value value_of(const Struct& stored, const FieldReader& reader,
+               std::index_sequence<kIndex...> /*fields*/) {
+    Value value;
+    (reader.read(stored.template get_field<kIndex>(), value.*kMember<Value, Struct, kIndex>), ...);
+    return value;
 }
 
-LastingContact from_format(const fb::LastingContact& contact, const Names& names) {
-    return {names.at(contact.a(), "a lasting contact"),
-            names.at(contact.b(), "a lasting contact"),
-            contact.from(),
-            contact.to(),
-            contact.normal_force(),
-            contact.slip()};
-}
-
-PutBack from_format(const fb::PutBack& put_back, const Names& names) {
-    return {names.at(put_back.ball(), "a ball put back"), put_back.time(),
-            from_format(put_back.from()), from_format(put_back.to())};
-}
-
-/// A list whose elements refer to names.
 template <class Value, class Struct>
-std::vector<Value> read_list(const flatbuffers::Vector<const Struct*>& list, const Names& names,
-                             Budget& budget) {
+std::vector<Value> read_list(const flatbuffers::Vector<const Struct*>& list,
+                             const FieldReader& reader, Budget& budget) {
     std::vector<Value> values;
     values.reserve(budget.list(list).size());
     for (const Struct* element : list) {
-        values.push_back(from_format(*element, names));
+        values.push_back(value_of<Value>(
+            *element, reader, std::make_index_sequence<Struct::Traits::fields_number>{}));
     }
     return values;
+}
+
+std::vector<Track> read_tracks(const fb::Content& content, const Names& names, Budget& budget) {
+    std::vector<Track> tracks;
+    std::uint64_t substeps_in_all = 0;
+    for (const fb::Track* track : *content.tracks()) {
+        std::vector<Key> keys = read_list<Key>(*track->keys(), FieldReader(names, "a key"), budget);
+        substeps_in_all += turn_substeps(keys);
+        if (substeps_in_all > kMostSubsteps) {
+            throw Error("its objects turn more than 1e6 rad about changing axes");
+        }
+        std::string name = budget.text(*track->name());
+        if (name.size() > kLongestName) {
+            throw Error(fmt::format("the name of a track is longer than {} bytes", kLongestName));
+        }
+        tracks.emplace_back(std::move(name), std::move(keys));
+    }
+    return tracks;
 }
 
 std::vector<Diagnostic> read_warnings(const fb::Content& content, Budget& budget) {
@@ -169,15 +148,6 @@ std::vector<Diagnostic> read_warnings(const fb::Content& content, Budget& budget
                             Severity::warning});
     }
     return warnings;
-}
-
-std::vector<EnergySample> read_energy(const fb::Content& content, Budget& budget) {
-    std::vector<EnergySample> energy;
-    energy.reserve(budget.list(*content.energy()).size());
-    for (const fb::EnergySample* sample : *content.energy()) {
-        energy.push_back({sample->time(), sample->kinetic(), sample->potential()});
-    }
-    return energy;
 }
 
 std::vector<Asset> read_assets(const fb::Content& content, Budget& budget) {
@@ -252,13 +222,16 @@ Bake decode_content(std::span<const std::byte> content) {
     bake.physics_hash = from_format(*root.physics_hash());
     bake.timeline.start_time = root.start_time();
     bake.timeline.end_time = root.end_time();
-    bake.timeline.tracks = read_tracks(root, budget);
     const Names names(root, budget);
-    bake.timeline.events = read_list<Event>(*root.events(), names, budget);
-    bake.timeline.energy = read_energy(root, budget);
+    const auto reader = [&names](const char* user) { return FieldReader(names, user); };
+    bake.timeline.tracks = read_tracks(root, names, budget);
+    bake.timeline.events = read_list<Event>(*root.events(), reader("an event"), budget);
+    bake.timeline.energy =
+        read_list<EnergySample>(*root.energy(), reader("an energy sample"), budget);
     bake.timeline.lasting_contacts =
-        read_list<LastingContact>(*root.lasting_contacts(), names, budget);
-    bake.timeline.put_backs = read_list<PutBack>(*root.put_backs(), names, budget);
+        read_list<LastingContact>(*root.lasting_contacts(), reader("a lasting contact"), budget);
+    bake.timeline.put_backs =
+        read_list<PutBack>(*root.put_backs(), reader("a ball put back"), budget);
     bake.timeline.warnings = read_warnings(root, budget);
     bake.shot_text = budget.text(*root.shot_text());
     bake.assets = read_assets(root, budget);

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <map>
 
-#include "bake_generated.h"
 #include "core/error.h"
 #include "sim/timeline/bake_format.h"
+#include "sim/timeline/bake_structs.h"
 
 namespace carom::sim {
 
@@ -15,22 +15,6 @@ using flatbuffers::Offset;
 
 fb::Hash to_format(const Hash128& hash) {
     return {hash.high, hash.low};
-}
-fb::Vec3 to_format(const Vec3& v) {
-    return {v.x, v.y, v.z};
-}
-fb::Quat to_format(const Quat& q) {
-    return {q.r, q.v.x, q.v.y, q.v.z};
-}
-
-fb::Key to_format(const Key& key) {
-    return {key.time,
-            to_format(key.position),
-            to_format(key.orientation),
-            to_format(key.velocity_in),
-            to_format(key.angular_velocity_in),
-            to_format(key.velocity_out),
-            to_format(key.angular_velocity_out)};
 }
 
 /// Each name once, numbered in the order of its first use.
@@ -51,39 +35,35 @@ class NameTable {
     std::vector<std::string> names_;
 };
 
-fb::Event to_format(const Event& event, NameTable& names) {
-    const std::uint32_t a = names.index_of(event.a);
-    const std::uint32_t b = names.index_of(event.b);
-    return {static_cast<fb::EventKind>(event.kind),
-            a,
-            b,
-            event.time,
-            event.end_time,
-            to_format(event.place),
-            to_format(event.normal),
-            event.normal_impulse,
-            event.tangential_impulse,
-            to_format(event.vector)};
+// How the fields of structs are written.
+double to_format(double value, NameTable& /*names*/) {
+    return value;
+}
+fb::Vec3 to_format(const Vec3& v, NameTable& /*names*/) {
+    return {v.x, v.y, v.z};
+}
+fb::Quat to_format(const Quat& q, NameTable& /*names*/) {
+    return {q.r, q.v.x, q.v.y, q.v.z};
+}
+fb::EventKind to_format(EventKind kind, NameTable& /*names*/) {
+    return static_cast<fb::EventKind>(kind);
+}
+std::uint32_t to_format(const std::string& name, NameTable& names) {
+    return names.index_of(name);
 }
 
-fb::LastingContact to_format(const LastingContact& contact, NameTable& names) {
-    const std::uint32_t a = names.index_of(contact.a);
-    const std::uint32_t b = names.index_of(contact.b);
-    return {a, b, contact.from, contact.to, contact.normal_force, contact.slip};
+template <class Struct, class T, std::size_t... kIndex>
+Struct struct_of(const T& value, NameTable& names, std::index_sequence<kIndex...> /*fields*/) {
+    return {to_format(value.*kMember<T, Struct, kIndex>, names)...};
 }
 
-fb::PutBack to_format(const PutBack& put_back, NameTable& names) {
-    return {names.index_of(put_back.ball), put_back.time, to_format(put_back.from),
-            to_format(put_back.to)};
-}
-
-/// The structs of a list whose elements refer to names.
-template <class Struct, class Value>
-std::vector<Struct> structs_of(const std::vector<Value>& values, NameTable& names) {
+template <class Struct, class List>
+std::vector<Struct> structs_of(const List& values, NameTable& names) {
     std::vector<Struct> structs;
     structs.reserve(values.size());
-    for (const Value& value : values) {
-        structs.push_back(to_format(value, names));
+    for (const auto& value : values) {
+        structs.push_back(struct_of<Struct>(
+            value, names, std::make_index_sequence<Struct::Traits::fields_number>{}));
     }
     return structs;
 }
@@ -96,45 +76,28 @@ static_assert(static_cast<int>(EventKind::strike) == static_cast<int>(fb::EventK
                   static_cast<int>(EventKind::force) == static_cast<int>(fb::EventKind::force),
               "bake.fbs and event.h list the same kinds in the same order");
 
-Offset<fb::Track> write_track(FlatBufferBuilder& builder, const Track& track) {
-    std::vector<fb::Key> keys;
-    keys.reserve(track.keys().size());
-    for (const Key& key : track.keys()) {
-        keys.push_back(to_format(key));
-    }
-    const auto name_offset = builder.CreateString(track.name());
-    const auto keys_offset = builder.CreateVectorOfStructs(keys);
-    return fb::CreateTrack(builder, name_offset, keys_offset);
-}
-
-auto write_tracks(FlatBufferBuilder& builder, const std::vector<Track>& tracks) {
+auto write_tracks(FlatBufferBuilder& builder, const std::vector<Track>& tracks, NameTable& names) {
     std::vector<Offset<fb::Track>> offsets;
     offsets.reserve(tracks.size());
     for (const Track& track : tracks) {
-        offsets.push_back(write_track(builder, track));
+        const auto keys = structs_of<fb::Key>(track.keys(), names);
+        const auto name_offset = builder.CreateString(track.name());
+        const auto keys_offset = builder.CreateVectorOfStructs(keys);
+        offsets.push_back(fb::CreateTrack(builder, name_offset, keys_offset));
     }
     return builder.CreateVector(offsets);
-}
-
-auto write_energy(FlatBufferBuilder& builder, const std::vector<EnergySample>& energy) {
-    std::vector<fb::EnergySample> samples;
-    samples.reserve(energy.size());
-    for (const EnergySample& sample : energy) {
-        samples.emplace_back(sample.time, sample.kinetic, sample.potential);
-    }
-    return builder.CreateVectorOfStructs(samples);
 }
 
 auto write_warnings(FlatBufferBuilder& builder, const std::vector<Diagnostic>& warnings) {
     std::vector<Offset<fb::Warning>> offsets;
     offsets.reserve(warnings.size());
-    for (const Diagnostic& warning : warnings) {
-        const auto name = builder.CreateString(warning.subject.name);
-        const auto field = builder.CreateString(warning.field);
-        const auto sentence = builder.CreateString(warning.sentence);
-        offsets.push_back(fb::CreateWarning(builder,
-                                            static_cast<fb::SubjectKind>(warning.subject.kind),
-                                            name, warning.subject.index, field, sentence));
+    for (const auto& [subject, field, sentence, severity] : warnings) {  // none is an error
+        const auto& [kind, name, index] = subject;
+        const auto name_offset = builder.CreateString(name);
+        const auto field_offset = builder.CreateString(field);
+        const auto sentence_offset = builder.CreateString(sentence);
+        offsets.push_back(fb::CreateWarning(builder, static_cast<fb::SubjectKind>(kind),
+                                            name_offset, index, field_offset, sentence_offset));
     }
     return builder.CreateVector(offsets);
 }
@@ -142,10 +105,10 @@ auto write_warnings(FlatBufferBuilder& builder, const std::vector<Diagnostic>& w
 auto write_assets(FlatBufferBuilder& builder, const std::vector<Asset>& assets) {
     std::vector<Offset<fb::Asset>> offsets;
     offsets.reserve(assets.size());
-    for (const Asset& asset : assets) {
-        const fb::Hash hash = to_format(asset.content_hash);
-        const auto path = builder.CreateString(asset.path);
-        offsets.push_back(fb::CreateAsset(builder, path, &hash));
+    for (const auto& [path, content_hash] : assets) {
+        const fb::Hash hash = to_format(content_hash);
+        const auto path_offset = builder.CreateString(path);
+        offsets.push_back(fb::CreateAsset(builder, path_offset, &hash));
     }
     return builder.CreateVector(offsets);
 }
@@ -183,27 +146,30 @@ std::vector<std::byte> bytes_of(const FlatBufferBuilder& builder) {
 }  // namespace
 
 std::vector<std::byte> encode_content(const Bake& bake) {
-    const Timeline& timeline = bake.timeline;
+    const auto& [timeline, physics_hash, shot_text, assets] = bake;
+    const auto& [start_time, end_time, tracks, events, energy, lasting_contacts, put_backs,
+                 warnings] = timeline;
     FlatBufferBuilder builder;
     NameTable names;
-    const auto events = structs_of<fb::Event>(timeline.events, names);
-    const auto contacts = structs_of<fb::LastingContact>(timeline.lasting_contacts, names);
-    const auto put_backs = structs_of<fb::PutBack>(timeline.put_backs, names);
+    const auto event_structs = structs_of<fb::Event>(events, names);
+    const auto energy_structs = structs_of<fb::EnergySample>(energy, names);
+    const auto contact_structs = structs_of<fb::LastingContact>(lasting_contacts, names);
+    const auto put_back_structs = structs_of<fb::PutBack>(put_backs, names);
     // One after another: the order of a call's arguments is the compiler's to choose.
-    const auto tracks_offset = write_tracks(builder, timeline.tracks);
+    const auto tracks_offset = write_tracks(builder, tracks, names);
     const auto names_offset = builder.CreateVectorOfStrings(names.names());
-    const auto events_offset = builder.CreateVectorOfStructs(events);
-    const auto energy_offset = write_energy(builder, timeline.energy);
-    const auto contacts_offset = builder.CreateVectorOfStructs(contacts);
-    const auto put_backs_offset = builder.CreateVectorOfStructs(put_backs);
-    const auto warnings_offset = write_warnings(builder, timeline.warnings);
-    const auto text_offset = builder.CreateString(bake.shot_text);
-    const auto assets_offset = write_assets(builder, bake.assets);
-    const fb::Hash physics_hash = to_format(bake.physics_hash);
-    builder.Finish(fb::CreateContent(builder, &physics_hash, timeline.start_time, timeline.end_time,
-                                     tracks_offset, names_offset, events_offset, energy_offset,
-                                     contacts_offset, put_backs_offset, warnings_offset,
-                                     text_offset, assets_offset));
+    const auto events_offset = builder.CreateVectorOfStructs(event_structs);
+    const auto energy_offset = builder.CreateVectorOfStructs(energy_structs);
+    const auto contacts_offset = builder.CreateVectorOfStructs(contact_structs);
+    const auto put_backs_offset = builder.CreateVectorOfStructs(put_back_structs);
+    const auto warnings_offset = write_warnings(builder, warnings);
+    const auto text_offset = builder.CreateString(shot_text);
+    const auto assets_offset = write_assets(builder, assets);
+    const fb::Hash hash = to_format(physics_hash);
+    builder.Finish(fb::CreateContent(builder, &hash, start_time, end_time, tracks_offset,
+                                     names_offset, events_offset, energy_offset, contacts_offset,
+                                     put_backs_offset, warnings_offset, text_offset,
+                                     assets_offset));
     return bytes_of(builder);
 }
 

@@ -17,7 +17,7 @@
 #include "core/hash.h"
 #include "core/vectors.h"
 
-namespace carom::testing {
+namespace carom::test {
 
 /// Every field of every struct in a value, every element of a vector's front, every alternative of
 /// a variant, with and without every optional.
@@ -172,4 +172,4 @@ std::size_t expect_changes_count(T& value, const std::function<Hash128()>& hash,
     return hashes.size();
 }
 
-}  // namespace carom::testing
+}  // namespace carom::test

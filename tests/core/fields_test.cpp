@@ -65,12 +65,12 @@ TEST(Fields, Visit_SeesNamesAndValuesInOrder) {
 }
 
 TEST(FieldHasher, WhatCounts_ChangesTheHash) {
-    const std::string file = ::testing::TempDir() + "carom_fields_test";
+    const std::string file = testing::TempDir() + "carom_fields_test";
     std::ofstream(file) << "a picture";
     Lamp lamp{"desk", "", "study", {}, 2, Colour{}, {1, 2}};
     // The lamp, its image, bound twice, unbound twice, the colour's four numbers, the other
     // alternative twice, another number, a change of the first.
-    EXPECT_EQ(carom::testing::expect_changes_count(
+    EXPECT_EQ(carom::test::expect_changes_count(
                   lamp, [&] { return hash_of(lamp); }, file),
               1U + 1 + 2 + 2 + 4 + 2 + 2);
     const Hash128 hash = hash_of(lamp);

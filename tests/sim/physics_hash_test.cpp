@@ -16,7 +16,7 @@ static void change_value(std::shared_ptr<const Track>& track) {
 namespace test {
 namespace {
 
-using carom::testing::expect_changes_count;
+using carom::test::expect_changes_count;
 
 TEST(PhysicsHash, EveryField_ChangesIt) {
     WorldDescription world = cloth_world(1);

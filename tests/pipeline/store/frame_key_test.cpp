@@ -155,19 +155,19 @@ TEST(FrameKey, EveryFieldOfTheFrame_Enters) {
     i.frame.scene_close = 2;
     FrameInputs inputs = frame_inputs(i.frame, i.shutter, i.scene, i.timeline(), 0);
     const auto key = [&] { return frame_key(inputs, i.scene, {}, i.settings); };
-    EXPECT_EQ(carom::testing::expect_changes_count(inputs.frame, key), 1U + 3 + 2 * (3 * 3 + 6));
+    EXPECT_EQ(carom::test::expect_changes_count(inputs.frame, key), 1U + 3 + 2 * (3 * 3 + 6));
 }
 
 TEST(FrameKey, EverySettingOfTheIntegrator_Enters) {
     Inputs i;
     std::set<Hash128> keys{i.key()};
-    carom::testing::FieldChanges([&](const std::string& place, bool counts) {
+    carom::test::FieldChanges([&](const std::string& place, bool counts) {
         const bool is_used = !place.starts_with(".distributed");
         EXPECT_EQ(keys.insert(i.key()).second, counts && is_used) << place;
     }).of(i.settings);
     EXPECT_EQ(keys.size(), 1U + 12 + 2);  // an entry of the list of planes, and its change
     (void)distributed(i);
-    EXPECT_EQ(carom::testing::expect_changes_count(i.settings.distributed, [&] { return i.key(); }),
+    EXPECT_EQ(carom::test::expect_changes_count(i.settings.distributed, [&] { return i.key(); }),
               1U + 9);
 }
 

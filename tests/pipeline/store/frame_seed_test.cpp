@@ -27,7 +27,7 @@ TEST(FrameSeed, RenderSeed_ChangesIt) {
 TEST(FrameSeed, WhatTheFrameShowsWhen_ChangesIt) {
     render::FrameInput frame = sample_frame();
     std::set<std::uint64_t> seen{frame_seed(5, frame)};
-    carom::testing::FieldChanges([&](const std::string& place, bool) {
+    carom::test::FieldChanges([&](const std::string& place, bool) {
         EXPECT_EQ(seen.insert(frame_seed(5, frame)).second,
                   place != ".switch_ratio" && place != ".seed")
             << place;

@@ -9,7 +9,7 @@
 namespace carom::pipeline {
 namespace {
 
-using carom::testing::expect_changes_count;
+using carom::test::expect_changes_count;
 using carom::testing::ScratchFolder;
 using carom::testing::write_text;
 

@@ -9,8 +9,36 @@
 
 #include "bake_helpers.h"
 #include "core/error.h"
+#include "sim/timeline/event_fields.h"
+#include "sim/timeline/track_fields.h"
+#include "tests/core/field_changes.h"
+
+namespace carom {
+
+constexpr auto fields_of(Describes<Hash128>) {
+    return fields<Hash128>(field("high", &Hash128::high), field("low", &Hash128::low));
+}
+
+constexpr auto fields_of(Describes<Subject>) {
+    return fields<Subject>(field("kind", &Subject::kind), field("name", &Subject::name),
+                           field("index", &Subject::index));
+}
+
+constexpr auto fields_of(Describes<Diagnostic>) {
+    using T = Diagnostic;
+    return fields<T>(field("subject", &T::subject), field("field", &T::field),
+                     field("sentence", &T::sentence),
+                     unhashed("severity", &T::severity, "a bake has warnings only"));
+}
+
+}  // namespace carom
 
 namespace carom::sim {
+
+constexpr auto fields_of(Describes<Asset>) {
+    return fields<Asset>(field("path", &Asset::path), field("content_hash", &Asset::content_hash));
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,6 +49,61 @@ TEST(BakeFile, RoundTrip_IsEqualBitForBit) {
     const Bake again = decode_bake(bytes, "memory");
     EXPECT_EQ(again, bake);
     EXPECT_EQ(encode_bake(again), bytes);
+}
+
+/// One of everything, at a time that can be a second later.
+Bake one_of_each() {
+    Bake bake;
+    Timeline& timeline = bake.timeline;
+    timeline.end_time = 5;
+    timeline.tracks.emplace_back("cue", std::vector<Key>(1));
+    timeline.events.push_back({EventKind::impact, 0, 5, "cue", "one"});
+    timeline.lasting_contacts.push_back({"cue", "one", 0, 5, 1, 1});
+    timeline.put_backs.push_back({"cue", 0, {0, 0, 0}, {0, 0, 0}});
+    timeline.warnings.push_back({{}, "tip", "the tip misses", Severity::warning});
+    timeline.energy.emplace_back();
+    bake.assets.push_back({"/shade.obj", {1, 2}});
+    return bake;
+}
+
+TEST(BakeFile, RoundTrip_KeepsEveryField) {
+    Bake bake = one_of_each();
+    const std::vector<std::byte> before = encode_bake(bake);
+    std::size_t count = 0;
+    carom::test::FieldChanges changes([&](const std::string& place, bool is_kept) {
+        const std::vector<std::byte> bytes = is_kept ? encode_bake(bake) : before;
+        EXPECT_EQ(bytes != before, is_kept) << place;
+        EXPECT_TRUE(!is_kept || decode_bake(bytes, "memory") == bake) << place;
+        ++count;
+    });
+    changes.of(bake.physics_hash, "physics_hash");
+    changes.of(bake.shot_text, "shot_text");
+    changes.of(bake.assets[0], "asset");
+    changes.of(bake.timeline.start_time, "start_time");
+    changes.of(bake.timeline.end_time, "end_time");
+    changes.of(bake.timeline.events[0], "event");
+    changes.of(bake.timeline.lasting_contacts[0], "contact");
+    changes.of(bake.timeline.put_backs[0], "put_back");
+    changes.of(bake.timeline.warnings[0], "warning");
+    changes.of(bake.timeline.energy[0], "energy");
+    EXPECT_EQ(count, 2U + 1 + 3 + 2 + (7 + 9) + 6 + (2 + 6) + 6 + 3);
+}
+
+TEST(BakeFile, RoundTrip_KeepsEveryFieldOfAKey) {
+    Key key;
+    key.orientation = {0.6, 0.8, 0, 0};
+    const auto bake = [&key] {
+        Key unit = key;
+        unit.orientation.normalize();
+        Bake result = one_of_each();
+        result.timeline.tracks = {Track("cue", {unit})};
+        return result;
+    };
+    const Bake before = bake();
+    carom::test::FieldChanges([&](const std::string& place, bool) {
+        EXPECT_NE(bake(), before) << place;
+        EXPECT_EQ(decode_bake(encode_bake(bake()), "memory"), bake()) << place;
+    }).of(key);
 }
 
 TEST(BakeFile, RoundTrip_KeepsNegativeZeroAndDenormals) {
