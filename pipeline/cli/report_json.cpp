@@ -4,6 +4,7 @@
 
 #include "core/json_text.h"
 #include "core/text.h"
+#include "sim/timeline/event_fields.h"
 
 namespace carom::cli {
 
@@ -94,10 +95,10 @@ std::string object_object(const pipeline::ReportedObject& object) {
 }
 
 JsonMembers energy_members(const sim::EnergySample& sample) {
-    return JsonMembers()
-        .add("time", sample.time)
-        .add("kinetic", sample.kinetic)
-        .add("potential", sample.potential);
+    JsonMembers members;
+    for_each_field(sample,
+                   [&](const auto& field, double value) { members.add(field.name, value); });
+    return members;
 }
 
 std::string energy_object(const pipeline::ReportedEnergy& mark) {

@@ -7,8 +7,18 @@
 
 #include "pipeline/export/sample_times.h"
 #include "render/scene/scene_fields.h"
+#include "sim/timeline/event_fields.h"
+#include "sim/timeline/track_fields.h"
 
 namespace carom::pipeline {
+
+constexpr auto fields_of(Describes<ExportMaterial>) {
+    using T = ExportMaterial;
+    return fields<T>(field("name", &T::name), field("base", &T::base), field("metal", &T::metal),
+                     field("roughness", &T::roughness), field("transmission", &T::transmission),
+                     field("ior", &T::ior), field("coat", &T::coat),
+                     field("coat_roughness", &T::coat_roughness), field("emission", &T::emission));
+}
 
 namespace {
 
@@ -16,23 +26,29 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
 
-template <class Vector>
-Json list(const Vector& v) {
-    return {v.x + 0, v.y + 0, v.z + 0};  // + 0: no -0
-}
-
-Json list(const Quat& q) {
-    return {q.r + 0, q.v.x + 0, q.v.y + 0, q.v.z + 0};
-}
-
 Json list(const Vec2& v) {
     return {v.x, v.y};
+}
+Json list(const Vec3& v) {
+    return {v.x + 0, v.y + 0, v.z + 0};  // + 0: no -0
+}
+Json list(const Quat& q) {
+    return {q.r + 0, q.v.x + 0, q.v.y + 0, q.v.z + 0};
 }
 
 Json value(double number) {
     return number;
 }
+Json value(const std::string& text) {
+    return text;
+}
+Json value(sim::EventKind kind) {
+    return sim::to_string(kind);
+}
 template <class Vector>
+requires requires(const Vector& v) {
+    list(v);
+}
 Json value(const Vector& v) {
     return list(v);
 }
@@ -40,15 +56,24 @@ Json value(const std::array<Vec3, 3>& points) {
     return {list(points[0]), list(points[1]), list(points[2])};
 }
 
+/// `json` and all fields, in the order of their list.
+template <Described T>
+Json with_fields(Json json, const T& described) {
+    for_each_field(described, [&](const auto& field, const auto& member) {
+        json[std::string(field.name)] = value(member);
+    });
+    return json;
+}
+
+template <Described T>
+Json json_of(const T& described) {
+    return with_fields(Json::object(), described);
+}
+
 struct ShapeJson {
     template <class Shape>
     Json operator()(const Shape& shape) const {
-        Json json = Json::object();
-        json["kind"] = Shape::kName;
-        for_each_field(shape, [&](const auto& field, const auto& member) {
-            json[std::string(field.name)] = value(member);
-        });
-        return json;
+        return with_fields({{"kind", shape.kName}}, shape);
     }
     Json operator()(const render::ParallelogramShape& s) const {
         return {{"kind", s.kName},
@@ -66,18 +91,6 @@ struct ShapeJson {
         return {{"kind", "mesh"}, {"vertices", std::move(vertices)}, {"triangles", s.triangles}};
     }
 };
-
-Json material_json(const ExportMaterial& material) {
-    return {{"name", material.name},
-            {"base", list(material.base)},
-            {"metal", material.metal},
-            {"roughness", material.roughness},
-            {"transmission", material.transmission},
-            {"ior", material.ior},
-            {"coat", material.coat},
-            {"coat_roughness", material.coat_roughness},
-            {"emission", list(material.emission)}};
-}
 
 Json map_json(const Mat44& map) {
     Json rows = Json::array();
@@ -97,11 +110,7 @@ Json object_json(const render::ObjectDescription& object) {
 }
 
 Json state_json(double time, const MotionState& state) {
-    return {{"time", time},
-            {"position", list(state.position)},
-            {"orientation", list(state.orientation)},
-            {"velocity", list(state.velocity)},
-            {"angular_velocity", list(state.angular_velocity)}};
+    return with_fields({{"time", time}}, state);
 }
 
 /// The velocities are those on leaving; where it differs, what it arrived with stands beside them.
@@ -128,19 +137,6 @@ Json track_json(const sim::Track& track, const sim::Timeline& timeline,
         }
     }
     return {{"name", track.name()}, {"keys", std::move(keys)}};
-}
-
-Json event_json(const sim::Event& event) {
-    return {{"time", event.time},
-            {"end_time", event.end_time},
-            {"kind", sim::to_string(event.kind)},
-            {"a", event.a},
-            {"b", event.b},
-            {"place", list(event.place)},
-            {"normal", list(event.normal)},
-            {"normal_impulse", event.normal_impulse},
-            {"tangential_impulse", event.tangential_impulse},
-            {"vector", list(event.vector)}};
 }
 
 Json camera_json(const ExportCamera& camera) {
@@ -201,13 +197,9 @@ std::string timeline_json(const Shot& shot, const sim::Timeline& timeline, const
         {"tracks",
          all(timeline.tracks, [&](const sim::Track& t) { return track_json(t, timeline, rate); })},
         {"objects", all(shot.scene.objects, object_json)},
-        {"materials", all(scene.materials, material_json)},
-        {"events", all(timeline.events, event_json)},
-        {"energy",
-         all(timeline.energy,
-             [](const sim::EnergySample& e) {
-                 return Json{{"time", e.time}, {"kinetic", e.kinetic}, {"potential", e.potential}};
-             })},
+        {"materials", all(scene.materials, json_of<ExportMaterial>)},
+        {"events", all(timeline.events, json_of<sim::Event>)},
+        {"energy", all(timeline.energy, json_of<sim::EnergySample>)},
         {"cameras", all(scene.cameras, camera_json)}};
     return lines_of(document);
 }

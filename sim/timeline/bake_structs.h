@@ -22,7 +22,10 @@ consteval std::size_t place_in_list() {
     std::apply(
         [&](const auto&... listed) { (void)(((listed.name == name) || (++place, false)) || ...); },
         kFields<T>);
-    return place;  // one past the last, which std::get refuses: it is not in the list
+    if (place == kFieldCount<T>) {
+        throw "bake.fbs names a field that is not in the list";  // which nothing constant may do
+    }
+    return place;
 }
 
 /// The member of T that the struct's field number kIndex keeps.

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "sim/timeline/event_fields.h"
+#include "sim/timeline/track_fields.h"
 #include "tests/pipeline/export/sample_scene.h"
 
 namespace carom::pipeline {
@@ -50,6 +52,20 @@ TEST(TimelineJson, AtARate_IsSampledEvenly) {
     EXPECT_EQ(document["tracks"][0]["keys"].size(), 7U);
     EXPECT_FALSE(document["tracks"][0]["keys"][3].contains("velocity_before"));
     EXPECT_THROW((void)json(-1), Error);
+}
+
+template <class T>
+void expect_fields(const Json& json, const T& described) {
+    for_each_field(described, [&](const auto& field, const auto& /*value*/) {
+        EXPECT_TRUE(json.contains(field.name)) << field.name;
+    });
+}
+
+TEST(TimelineJson, EveryFieldOfAList_IsThere) {
+    const Json document = json();
+    expect_fields(document["events"][0], sim::Event{});
+    expect_fields(document["energy"][0], sim::EnergySample{});
+    expect_fields(document["tracks"][0]["keys"][0], MotionState{});
 }
 
 TEST(TimelineJson, TheRest_IsThere) {
