@@ -1,4 +1,4 @@
-# How every target of ours is compiled, stated once.
+# How every target of ours is compiled, stated once. Each links it PRIVATE: who links carom has warnings of his own.
 add_library(carom_compile_options INTERFACE)
 target_compile_features(carom_compile_options INTERFACE cxx_std_20)
 target_include_directories(carom_compile_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
@@ -66,17 +66,23 @@ endmacro()
 function(carom_library name)
   cmake_parse_arguments(ARG "PARSE_ALL" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
-  target_link_libraries(${name} PUBLIC carom_compile_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  target_link_libraries(${name} PRIVATE carom_compile_options PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   if(NOT ARG_PARSE_ALL)
     carom_use_precompiled_headers(${name} ${carom_headers_holder})
   endif()
 endfunction()
 
+# carom_program(NAME SOURCES a.cpp … LIBS libs…): a program of ours.
+function(carom_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE carom_compile_options ${ARG_LIBS})
+endfunction()
+
 # carom_test(NAME SOURCES a_test.cpp … LIBS libs… [TIMEOUT s]): one test program, every case of it known to CTest.
 function(carom_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBS" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE ${ARG_LIBS} GTest::gmock GTest::gtest_main)
+  carom_program(${name} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS} GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE CAROM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                              CAROM_BINARY_DIR="${PROJECT_BINARY_DIR}")
   carom_use_precompiled_headers(${name} carom_test_headers)
