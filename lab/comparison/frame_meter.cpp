@@ -2,6 +2,7 @@
 
 #include "core/cpu_time.h"
 #include "lab/structures/make_structure.h"
+#include "render/acceleration/structure_cost.h"
 #include "render/frame/frame.h"
 
 namespace carom::pipeline {

@@ -4,8 +4,10 @@
 #include <memory>
 #include <span>
 
+#include "render/acceleration/measured_structure.h"
 #include "render/acceleration/shapes.h"
 #include "render/acceleration/structure_factory.h"
+#include "render/acceleration/structure_options.h"
 #include "render/acceleration/triangle_scene.h"
 #include "render/scene/render_settings.h"
 

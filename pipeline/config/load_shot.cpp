@@ -13,6 +13,7 @@
 #include "pipeline/config/gather.h"
 #include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/sections/sections.h"
+#include "pipeline/config/shot_source.h"
 #include "pipeline/config/text.h"
 
 namespace carom::pipeline {

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "pipeline/config/problem.h"
-#include "pipeline/config/shot_source.h"
 #include "pipeline/shot/shot.h"
 
 namespace carom::pipeline {
+
+class ShotSource;  // pipeline/config/shot_source.h
 
 struct LoadResult {
     std::optional<Shot> shot;                  // set unless a problem is an error
@@ -22,6 +23,7 @@ struct LoadResult {
 /// configs/quality ("draft", "preview", "final") or empty, `camera_file` a file whose cameras take
 /// the place of the shot's (gather.h) or empty, `root` the folder that holds whatever the shot
 /// names (config_files.h) or empty. A file that cannot be read is a problem, not an exception.
+/// Nothing is simulated, which takes milliseconds. Any number of threads may load at the same time.
 [[nodiscard]] LoadResult load_shot(const std::string& path,
                                    const std::vector<std::string>& overrides = {},
                                    const std::string& quality = {},

@@ -53,6 +53,12 @@ void keep(const sim::Bake& bake, const std::string& path) {
     sim::write_bake(bake, path);
 }
 
+// Without the keyed motions, as it is kept.
+sim::Bake simulate(const Shot& shot, const WorkContext& context) {
+    return {sim::bake(shot.world, context), sim::physics_hash(shot.world), shot.resolved_text,
+            shot.assets};
+}
+
 }  // namespace
 
 void add_keyed_motions(sim::Bake& bake, const Shot& shot) {
@@ -65,6 +71,12 @@ void add_keyed_motions(sim::Bake& bake, const Shot& shot) {
             tracks.push_back(keyed);
         }
     }
+}
+
+sim::Bake bake_shot(const Shot& shot, const WorkContext& context) {
+    sim::Bake bake = simulate(shot, context);
+    add_keyed_motions(bake, shot);
+    return bake;
 }
 
 std::optional<sim::Bake> find_kept_bake(const Shot& shot, const std::string& cache_folder,
@@ -94,7 +106,7 @@ BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
     if (observer.on_progress) {
         context.progress = [&observer](double share) { observer.on_progress("bake", share); };
     }
-    sim::Bake bake{sim::bake(shot.world, context), physics_hash, shot.resolved_text, shot.assets};
+    sim::Bake bake = simulate(shot, context);
     try {
         keep(bake, bake_path(cache_folder, physics_hash));
     } catch (const Error& error) {

@@ -1,8 +1,26 @@
 #include "pipeline/job/film_job.h"
 
+#include <memory>
+
+#include "pipeline/job/exported_frame.h"
 #include "pipeline/job/film_pipeline.h"
+#include "pipeline/job/mixed_film.h"
 
 namespace carom::pipeline {
+namespace {
+
+// The part of a context that belongs to one of `count` equal steps.
+WorkContext step_of(const WorkContext& context, std::size_t step, std::size_t count) {
+    WorkContext part{{}, context.stop};
+    if (context.progress) {
+        part.progress = [&context, step, count](double share) {
+            context.progress((static_cast<double>(step) + share) / static_cast<double>(count));
+        };
+    }
+    return part;
+}
+
+}  // namespace
 
 FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                         const JobObserver& observer, const std::stop_token& stop) {
@@ -15,6 +33,22 @@ render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t fr
                         const std::stop_token& stop) {
     return make_frame_with(make_scene_renderer(shot, options.threads, options.factory), shot,
                            bake.timeline, frame, options, observer, stop);
+}
+
+FrameRenderer make_frame_renderer(const Shot& shot, const sim::Timeline& timeline, int threads) {
+    const auto source = std::make_shared<const FilmSource>(shot, timeline);
+    return [source, render = make_scene_renderer(shot, threads, nullptr)](
+               std::int64_t frame, const WorkContext& context) {
+        const std::vector<PlannedFrame> layers = source->layers(frame);
+        render::Film film = render(source->inputs(layers[0]), step_of(context, 0, layers.size()));
+        if (layers.size() > 1) {
+            const render::Film other =
+                render(source->inputs(layers[1]), step_of(context, 1, layers.size()));
+            mix_in(other, layers[1].weight, film);
+            film.statistics += other.statistics;
+        }
+        return exported_frame(film, *source, frame);
+    };
 }
 
 }  // namespace carom::pipeline

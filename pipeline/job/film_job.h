@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/progress.h"
 #include "pipeline/job/frame_range.h"
 #include "pipeline/shot/shot.h"
 #include "pipeline/store/cache_care.h"
@@ -64,6 +65,10 @@ struct BakedShot {
     BakeOrigin origin = BakeOrigin::made;
 };
 
+/// The shot's bake, simulated now, with its text, assets and keyed motions; nothing is kept. Any
+/// number of threads may bake at the same time. Throws Error if the world has problems, Stopped.
+[[nodiscard]] sim::Bake bake_shot(const Shot& shot, const WorkContext& context = {});
+
 /// The kept bake if its physics hash fits, else a new one, which is kept; with this shot's text,
 /// assets and keyed motions. A kept bake that is damaged is replaced. Throws Error, Stopped.
 [[nodiscard]] BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
@@ -74,14 +79,27 @@ struct BakedShot {
                                                       const std::string& cache_folder,
                                                       const JobObserver& observer);
 
-/// Throws Error, Stopped. What was finished before stays in the store; the video appears whole or
-/// not at all.
+/// Renders the frames that the store lacks and encodes all to `options.output`. Any number of
+/// threads and processes may make films from one store at the same time. Throws Error, Stopped.
+/// What was finished before stays in the store; the video appears whole or not at all.
 FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                         const JobObserver& observer, const std::stop_token& stop);
 
-/// One frame, from the store if it is there: then no rays are counted.
+/// One frame as the film has it before its view transform: linear light, rounded to half precision
+/// as the store holds it. From the store if it is there: then no rays are counted. Throws Error if
+/// the film has no such frame, Stopped.
 [[nodiscard]] render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t frame,
                                       const FilmJobOptions& options, const JobObserver& observer,
                                       const std::stop_token& stop);
+
+/// From a frame's number to its picture.
+using FrameRenderer = std::function<render::Film(std::int64_t frame, const WorkContext& context)>;
+
+/// Renders frames as make_frame does, but in memory: nothing is looked up, nothing kept or rounded.
+/// The scene is prepared with the first frame and serves all others. `timeline` is that of a bake
+/// with the shot's keyed motions; `threads` as in FilmJobOptions. The renderer refers to both
+/// arguments, is for one thread at a time, and throws like make_frame.
+[[nodiscard]] FrameRenderer make_frame_renderer(const Shot& shot, const sim::Timeline& timeline,
+                                                int threads = 0);
 
 }  // namespace carom::pipeline

@@ -6,14 +6,14 @@
 #include <span>
 
 #include "core/diagnostic.h"
-#include "render/acceleration/measured_structure.h"
-#include "render/acceleration/structure_options.h"
 #include "render/scene/render_settings.h"
 
 namespace carom::render {
 
+class MeasuredStructure;
 struct MeshEntry;
 struct ShapeSet;
+struct StructureOptions;
 
 /// Makes a structure over all shapes and the triangles of `meshes`, which outlive it. The library
 /// asks it only for structures that it does not make itself.

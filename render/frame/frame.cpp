@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "render/acceleration/flush_denormals.h"
+#include "render/acceleration/structure_cost.h"
 #include "render/frame/adaptive_progress.h"
 #include "render/frame/check_settings.h"
 #include "render/frame/prepared_scene.h"

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "core/progress.h"
-#include "render/acceleration/structure_cost.h"
 #include "render/acceleration/structure_factory.h"
 #include "render/camera/camera_state.h"
 #include "render/film/film.h"
@@ -15,6 +14,8 @@
 #include "sim/timeline/timeline.h"
 
 namespace carom::render {
+
+struct StructureProbe;  // render/acceleration/structure_cost.h
 
 /// Bumped whenever the renderer's pixels change for the same inputs.
 inline constexpr int kRendererRevision = 11;
@@ -52,9 +53,11 @@ class PreparedScene {
     std::unique_ptr<const Data> data_;
 };
 
-/// Renders one frame, tiles in parallel on oneTBB. The pixels depend on the arguments alone, not on
-/// threads. `tracks` need only hold the tracks that the scene names; a name without a track is an
-/// Error. `probe`: what finding hits cost is measured; the pixels stay the same.
+/// Renders one frame, tiles in parallel on oneTBB: settings.width x settings.height pixels of
+/// linear light. The pixels depend on the arguments alone, not on threads; any number of threads
+/// may call at the same time. `tracks` need only hold the tracks that the scene names; a name
+/// without a track is an Error, and so are settings with problems. Throws Stopped. `probe`: what
+/// finding hits cost is measured; the pixels stay the same.
 [[nodiscard]] Film render_frame(const PreparedScene& scene, std::span<const sim::Track> tracks,
                                 const FrameInput& frame, const RenderSettings& settings,
                                 const WorkContext& context = {}, StructureProbe* probe = nullptr);

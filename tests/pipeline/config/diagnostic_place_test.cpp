@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/config/load_shot.h"
+#include "pipeline/config/shot_source.h"
 
 namespace carom::pipeline {
 namespace {

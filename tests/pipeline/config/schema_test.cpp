@@ -17,6 +17,7 @@
 
 #include "pipeline/config/load_shot.h"
 #include "pipeline/config/parse_yaml.h"
+#include "pipeline/config/shot_source.h"
 
 namespace carom::pipeline {
 namespace {

@@ -68,6 +68,21 @@ std::string bake_path(const Shot& shot, const std::string& cache) {
     return cache + "/bakes/" + sim::physics_hash(shot.world).to_string() + ".bake";
 }
 
+TEST(BakeShot, Bake_IsTheOneThatIsKept) {
+    const ScratchFolder folder;
+    Shot shot = make_shot();
+    shot.keyed = {sim::Track("lamp", std::vector<sim::Key>(1))};
+    double last_share = -1;
+    const sim::Bake bake = bake_shot(shot, {[&](double share) { last_share = share; }, {}});
+    EXPECT_EQ(last_share, 1);
+    EXPECT_NE(bake.timeline.find("cue"), nullptr);
+    EXPECT_NE(bake.timeline.find("lamp"), nullptr);
+    EXPECT_EQ(bake, bake_or_reuse(shot, folder.path(), {}, {}).bake);
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW((void)bake_shot(shot, {{}, stop.get_token()}), Stopped);
+}
+
 TEST(BakeJob, SecondTime_TakesTheKeptBakeAndWarnsAgain) {
     const ScratchFolder cache;
     const Shot shot = make_shot();

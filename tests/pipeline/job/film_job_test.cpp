@@ -1,5 +1,8 @@
 #include "pipeline/job/film_job.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "core/error.h"
@@ -59,6 +62,58 @@ TEST(FilmJob, OneFrame_IsTheFilmsOwn) {
     ASSERT_TRUE(stored);
     EXPECT_EQ(frame.rgba, stored->rgba);
     EXPECT_THROW((void)make_frame(shot, bake, 12, options, {}, {}), Error);
+}
+
+/// The second camera moves and fades in from frame 4 to 7, so that these mix two pictures.
+Shot fading_shot() {
+    Shot shot = carom::testing::tiny_shot();
+    shot.cameras.push_back(shot.cameras[0]);
+    shot.cameras[0].video_end = {8, 24};
+    shot.cameras[0].time_map = {{8, 24}, 0};  // backwards: `motion` changes its sign
+    shot.cameras[1].name = "second";
+    shot.cameras[1].video_start = {4, 24};
+    shot.cameras[1].fade = {4, 24};
+    shot.cameras[1].position = BezierPath{{{{0.3, -0.8, 0.3}, "", 0}, {{0.2, -0.6, 0.3}, "", 0}}};
+    shot.render.aovs = {"motion"};
+    return shot;
+}
+
+TEST(FrameRenderer, Frames_AreTheFilmsOwnBeforeTheStoreRoundsThem) {
+    const ScratchFolder folder;
+    const Shot shot = fading_shot();
+    FilmJobOptions options;
+    options.cache_folder = folder.path();
+    const sim::Bake bake = make_bake();
+    const FrameRenderer render = make_frame_renderer(shot, bake.timeline, 1);
+    for (const std::int64_t number : {2, 5, 7, 10}) {
+        SCOPED_TRACE(number);
+        const render::Film stored = make_frame(shot, bake, number, options, {}, {});
+        const render::Film frame = render(number, {});
+        ASSERT_EQ(frame.rgba.size(), stored.rgba.size());
+        for (std::size_t i = 0; i < frame.rgba.size(); ++i) {
+            // Half precision keeps 11 bits (IEEE 754, binary16).
+            EXPECT_NEAR(frame.rgba[i], stored.rgba[i], std::abs(frame.rgba[i]) / 2048 + 1e-7);
+        }
+        ASSERT_EQ(frame.aovs.size(), stored.aovs.size());
+        EXPECT_EQ(frame.aovs.at(0).values, stored.aovs.at(0).values);
+        EXPECT_EQ(frame.statistics.camera_rays, (number > 4 && number < 8 ? 2U : 1U) * 2 * 32 * 18);
+    }
+    EXPECT_THROW((void)render(12, {}), Error);
+}
+
+TEST(FrameRenderer, Progress_IsOneOverBothPicturesOfAFade) {
+    const Shot shot = fading_shot();
+    const sim::Bake bake = make_bake();
+    std::vector<double> shares{0};
+    const auto note = [&](double share) { shares.push_back(share); };
+    (void)make_frame_renderer(shot, bake.timeline, 1)(5, {note, {}});
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_EQ(shares.back(), 1);
+    EXPECT_THAT(shares, ::testing::Contains(0.5));
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW((void)make_frame_renderer(shot, bake.timeline)(5, {{}, stop.get_token()}),
+                 Stopped);
 }
 
 TEST(FilmJob, StopBeforehand_RendersNothing) {
