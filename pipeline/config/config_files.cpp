@@ -80,6 +80,7 @@ ConfigFolders standard_config_folders() {
         wanted.push_back(*program / "../../share/carom/configs");  // libexec/carom/carom-film
     }
     wanted.emplace_back(CAROM_SOURCE_CONFIGS);
+    wanted.emplace_back(CAROM_INSTALLED_CONFIGS);
     ConfigFolders folders;
     for (const fs::path& path : wanted) {
         std::error_code code;

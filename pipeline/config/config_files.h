@@ -15,8 +15,8 @@ struct ConfigFolders {
     std::string root = {};
 };
 
-/// $CAROM_CONFIGS, share/carom/configs beside the program's own folder, and the source tree's
-/// configs; those that exist.
+/// $CAROM_CONFIGS, share/carom/configs beside the program's own folder, the source tree's configs,
+/// and those where carom is installed (for programs that only link it); those that exist.
 [[nodiscard]] ConfigFolders standard_config_folders();
 
 struct FoundFile {

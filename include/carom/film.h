@@ -1,0 +1,21 @@
+// carom::film: from a shot in YAML to its film. Includes carom/sim.h and carom/render.h, whose rules
+// hold here, too.
+//
+//   pipeline::load_shot       reads a shot with its includes, presets and overrides; returns the Shot
+//                             and every problem, each with its place in a file
+//   pipeline::Shot            world, scene, cameras and settings, as plain data
+//   pipeline::bake_shot       simulates it; bake_or_reuse takes the kept bake if there is one
+//   pipeline::frame_count     how many frames the film has; plan_frame: camera and times of each
+//   pipeline::make_frame_renderer   renders frames to memory
+//   pipeline::make_film       renders what the store of frames lacks, and writes the film
+//
+// Only bake_or_reuse, find_kept_bake, make_frame and make_film read and write a store: the folder
+// that their options name, or that of the command, ~/.cache/carom.
+#pragma once
+
+#include "carom/render.h"
+#include "carom/sim.h"
+#include "pipeline/camera/frame_plan.h"
+#include "pipeline/config/load_shot.h"
+#include "pipeline/job/film_job.h"
+#include "pipeline/shot/shot.h"
