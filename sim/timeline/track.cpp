@@ -38,26 +38,15 @@ Bounds united(const Bounds& a, const Bounds& b) {
     return both;
 }
 
-}  // namespace
-
-Track::Track(std::string name, std::vector<Key> keys)
-    : name_(std::move(name)), keys_(std::move(keys)) {
-    check_keys();
-    times_.reserve(keys_.size());
-    for (const Key& key : keys_) {
-        times_.push_back(key.time);
+/// Throws an Error that names the track and the key.
+void check_keys(const std::string& name, std::span<const Key> keys) {
+    if (keys.empty()) {
+        throw Error("track '" + name + "' has no keys");
     }
-    prepare_segments();
-}
-
-void Track::check_keys() const {
-    if (keys_.empty()) {
-        throw Error("track '" + name_ + "' has no keys");
-    }
-    for (std::size_t index = 0; index < keys_.size(); ++index) {
-        const Key& key = keys_[index];
+    for (std::size_t index = 0; index < keys.size(); ++index) {
+        const Key& key = keys[index];
         const auto refuse = [&](const std::string& what) {
-            throw Error(fmt::format("track '{}', key {}: {}", name_, index, what));
+            throw Error(fmt::format("track '{}', key {}: {}", name, index, what));
         };
         if (!has_finite_values(key)) {
             refuse("a value is not finite");
@@ -66,53 +55,66 @@ void Track::check_keys() const {
         if (!(std::abs(length2 - 1) <= 2e-6)) {
             refuse("the orientation is not a unit quaternion");
         }
-        if (index > 0 && !(keys_[index - 1].time < key.time)) {
+        if (index > 0 && !(keys[index - 1].time < key.time)) {
             refuse("its time is not after that of the key before");
         }
     }
-    if (turn_substeps(keys_) > kMostSubsteps) {
-        throw Error("track '" + name_ + "' turns more than 1e6 rad about changing axes");
+    if (turn_substeps(keys) > kMostSubsteps) {
+        throw Error("track '" + name + "' turns more than 1e6 rad about changing axes");
     }
 }
 
-void Track::prepare_segments() {
-    segments_.resize(keys_.size() - 1);
-    for (std::size_t index = 0; index < segments_.size(); ++index) {
-        const Turning turning = turning_between(keys_[index], keys_[index + 1]);
-        segments_[index].first_checkpoint = checkpoints_.size();
-        Quat orientation = keys_[index].orientation;
+}  // namespace
+
+Track::Track(std::string name, std::vector<Key> keys)
+    : data_(std::make_shared<const Data>(prepare(std::move(name), std::move(keys)))) {}
+
+Track::Data Track::prepare(std::string name, std::vector<Key> keys) {
+    check_keys(name, keys);
+    Data data{std::move(name), std::move(keys), {}, {}, {}};
+    data.times.reserve(data.keys.size());
+    for (const Key& key : data.keys) {
+        data.times.push_back(key.time);
+    }
+    data.segments.resize(data.keys.size() - 1);
+    for (std::size_t index = 0; index < data.segments.size(); ++index) {
+        const Turning turning = turning_between(data.keys[index], data.keys[index + 1]);
+        data.segments[index].first_checkpoint = data.checkpoints.size();
+        Quat orientation = data.keys[index].orientation;
         for (std::uint32_t substep = 0; substep < turning.substeps();) {
-            checkpoints_.push_back(orientation);
+            data.checkpoints.push_back(orientation);
             const std::uint32_t next = std::min(substep + kCheckpointSpacing, turning.substeps());
             orientation = turning.advance(orientation, substep, next);
             substep = next;
         }
-        segments_[index].residual = rotation_vector(keys_[index + 1].orientation * ~orientation);
+        data.segments[index].residual =
+            rotation_vector(data.keys[index + 1].orientation * ~orientation);
     }
+    return data;
 }
 
 // The last key at or before the time, which is not before the first.
 std::size_t Track::last_key_at(double scene_time) const {
-    const auto after = std::upper_bound(times_.begin(), times_.end(), scene_time);
-    CAROM_ASSERT(after != times_.begin());
-    return static_cast<std::size_t>(after - times_.begin()) - 1;
+    const auto after = std::upper_bound(data_->times.begin(), data_->times.end(), scene_time);
+    CAROM_ASSERT(after != data_->times.begin());
+    return static_cast<std::size_t>(after - data_->times.begin()) - 1;
 }
 
 PathStretch Track::segment_stretch(std::size_t index) const {
-    const Key& from = keys_[index];
-    const Key& to = keys_[index + 1];
+    const Key& from = data_->keys[index];
+    const Key& to = data_->keys[index + 1];
     return {from.time, to.time, from.position, to.position, from.velocity_out, to.velocity_in};
 }
 
 Quat Track::orientation_in(std::size_t index, double scene_time) const {
-    const Key& from = keys_[index];
-    const Key& to = keys_[index + 1];
-    const Segment& segment = segments_[index];
+    const Key& from = data_->keys[index];
+    const Key& to = data_->keys[index + 1];
+    const Segment& segment = data_->segments[index];
     const Turning turning = turning_between(from, to);
     const double elapsed = scene_time - from.time;
     const std::uint32_t substep = turning.substep_at(elapsed);
     const std::uint32_t checkpoint = substep / kCheckpointSpacing;
-    Quat orientation = turning.advance(checkpoints_[segment.first_checkpoint + checkpoint],
+    Quat orientation = turning.advance(data_->checkpoints[segment.first_checkpoint + checkpoint],
                                        checkpoint * kCheckpointSpacing, substep);
     orientation = turning.finish(orientation, substep, elapsed);
     if (segment.residual == Vec3(0)) {
@@ -123,8 +125,8 @@ Quat Track::orientation_in(std::size_t index, double scene_time) const {
 }
 
 MotionState Track::sample(double scene_time) const {
-    const Key& first = keys_.front();
-    const Key& last = keys_.back();
+    const Key& first = data_->keys.front();
+    const Key& last = data_->keys.back();
     if (scene_time < first.time) {
         return {first.position, first.orientation, Vec3(0), Vec3(0)};
     }
@@ -132,20 +134,20 @@ MotionState Track::sample(double scene_time) const {
         return {last.position, last.orientation, Vec3(0), Vec3(0)};
     }
     const std::size_t index = last_key_at(scene_time);
-    const Key& key = keys_[index];
+    const Key& key = data_->keys[index];
     if (scene_time == key.time) {
         return {key.position, key.orientation, key.velocity_out, key.angular_velocity_out};
     }
     const PathStretch stretch = segment_stretch(index);
     return {hermite_position(stretch, scene_time), orientation_in(index, scene_time),
             hermite_velocity(stretch, scene_time),
-            turning_between(key, keys_[index + 1]).angular_velocity(scene_time - key.time)};
+            turning_between(key, data_->keys[index + 1]).angular_velocity(scene_time - key.time)};
 }
 
 std::vector<Track::Piece> Track::pieces(double from, double to) const {
     CAROM_ASSERT(from <= to);
-    const Key& first = keys_.front();
-    const Key& last = keys_.back();
+    const Key& first = data_->keys.front();
+    const Key& last = data_->keys.back();
     std::vector<Piece> pieces;
     const auto add_rest = [&](const Vec3& position, double begin, double end) {
         const PathStretch rest{begin, end, position, position, Vec3(0), Vec3(0)};
@@ -157,7 +159,7 @@ std::vector<Track::Piece> Track::pieces(double from, double to) const {
     if (to > first.time && from < last.time) {
         const double begin = std::max(from, first.time);
         for (std::size_t index = last_key_at(begin);
-             index < segments_.size() && keys_[index].time < to; ++index) {
+             index < data_->segments.size() && data_->keys[index].time < to; ++index) {
             const PathStretch whole = segment_stretch(index);
             pieces.push_back({whole, std::max(begin, whole.start), std::min(to, whole.end)});
         }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,11 +41,11 @@ struct Bounds {
     Vec3 low, high;
 };
 
-/// Immutable. Positions follow the cubic Hermite curve through positions and velocities.
-/// Orientation: the angular velocity is linear between one key's outgoing and the next one's
-/// incoming value, the orientation its fourth-order Magnus integral in substeps of at most
-/// 0.5 rad, the residual to the next key spread linearly, so that turns beyond 180 degrees between
-/// keys survive.
+/// Immutable; copies share their keys, so a copy costs as little as a pointer. Positions follow the
+/// cubic Hermite curve through positions and velocities. Orientation: the angular velocity is
+/// linear between one key's outgoing and the next one's incoming value, the orientation its
+/// fourth-order Magnus integral in substeps of at most 0.5 rad, the residual to the next key spread
+/// linearly, so that turns beyond 180 degrees between keys survive.
 class Track {
   public:
     /// Keys in strictly increasing time, all values finite, quaternions of unit length within
@@ -52,8 +53,8 @@ class Track {
     /// Error otherwise, naming track and key.
     Track(std::string name, std::vector<Key> keys);
 
-    [[nodiscard]] const std::string& name() const { return name_; }
-    [[nodiscard]] std::span<const Key> keys() const { return keys_; }
+    [[nodiscard]] const std::string& name() const { return data_->name; }
+    [[nodiscard]] std::span<const Key> keys() const { return data_->keys; }
 
     /// Defined for every time: before the first and after the last key the end pose holds, with
     /// zero velocities. At the very instant of a break the outgoing velocities are returned.
@@ -68,7 +69,8 @@ class Track {
     [[nodiscard]] Bounds position_bounds(double from, double to) const;
 
     bool operator==(const Track& other) const {
-        return name_ == other.name_ && keys_ == other.keys_;
+        return data_ == other.data_ ||
+               (data_->name == other.data_->name && data_->keys == other.data_->keys);
     }
 
   private:
@@ -85,18 +87,21 @@ class Track {
         double to = 0;
     };
 
+    struct Data {
+        std::string name;
+        std::vector<Key> keys;
+        std::vector<double> times;  // of the keys, close together for the search
+        std::vector<Segment> segments;
+        std::vector<Quat> checkpoints;
+    };
+
+    [[nodiscard]] static Data prepare(std::string name, std::vector<Key> keys);
     [[nodiscard]] std::size_t last_key_at(double scene_time) const;
     [[nodiscard]] PathStretch segment_stretch(std::size_t index) const;
     [[nodiscard]] std::vector<Piece> pieces(double from, double to) const;
     [[nodiscard]] Quat orientation_in(std::size_t index, double scene_time) const;
-    void check_keys() const;
-    void prepare_segments();
 
-    std::string name_;
-    std::vector<Key> keys_;
-    std::vector<double> times_;  // of the keys, close together for the search
-    std::vector<Segment> segments_;
-    std::vector<Quat> checkpoints_;
+    std::shared_ptr<const Data> data_;
 };
 
 }  // namespace carom::sim
