@@ -25,7 +25,7 @@ Actions::Actions(const WorldDescription& world, Balls& balls, SteppedBodies& ste
                  Recording& recording)
     : world_(world), balls_(balls), stepped_(stepped), recording_(recording) {
     for (std::uint32_t i = 0; i < stepped.all().size(); ++i) {
-        index_.emplace(stepped.all()[i].name, i);
+        index_.emplace(*stepped.all()[i].name, i);
     }
 }
 
@@ -53,7 +53,7 @@ Quat Actions::axes_of(std::uint32_t body, double time) const {
 }
 
 const std::string& Actions::name_of(std::uint32_t body) const {
-    return stepped_.all()[body].name;
+    return *stepped_.all()[body].name;
 }
 
 void Actions::change(std::uint32_t body, double time, const MotionState& before,

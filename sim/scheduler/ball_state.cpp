@@ -25,7 +25,7 @@ GroundLaw cloth_law(const std::string& material, const ContactLaw& law) {
 Ball make_ball(const Body& body, double radius, const Surroundings& around) {
     Ball ball;
     ball.name = body.name;
-    ball.material = body.material;
+    ball.material = around.contacts.id_of(body.material);
     ball.mass = body.mass;
     ball.radius = radius;
     ball.cloth_law = cloth_law(body.material, around.law);

@@ -25,7 +25,7 @@ inline constexpr double kLeastMove = 2e-4;
 
 struct Ball {
     std::string name;
-    std::string material;
+    MaterialId material = MaterialId::other;
     std::size_t track = 0;  // its place among the moving bodies
     double mass = 0;
     double radius = 0;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "sim/scheduler/contact_numbers.h"
 #include "sim/spatial/convex_contacts.h"
 #include "sim/spatial/mesh_contacts.h"
 
@@ -52,10 +51,10 @@ std::vector<FoundContact> ContactFinder::find(const std::vector<StepBody>& bodie
 
 SurfaceInfo ContactFinder::info(int other) const {
     if (other == kCloth) {
-        return {"cloth", "cloth"};
+        return {"cloth", MaterialId::cloth};
     }
     if (other == kFloor) {
-        return {"floor", "floor"};
+        return {"floor", MaterialId::floor};
     }
     if (other <= kFirstFixed) {
         return around_.spheres[static_cast<std::size_t>(kFirstFixed - other)].info;
@@ -63,16 +62,20 @@ SurfaceInfo ContactFinder::info(int other) const {
     return around_.surfaces[static_cast<std::size_t>(kFirstSurface - other)];
 }
 
-void ContactFinder::add(int number, const StepBody& body, int other,
-                        const std::string& other_material, const SurfaceContact& contact,
-                        std::vector<FoundContact>& found) const {
-    const ContactNumbers numbers =
-        contact_numbers(around_.law, body.material, other_material, body.radius);
+void ContactFinder::add(int number, const StepBody& body, int other, MaterialId other_material,
+                        const SurfaceContact& contact, std::vector<FoundContact>& found) const {
+    const ContactNumbers& numbers = around_.contacts.between(body.material, other_material);
     FoundContact result;
     result.other = other;
-    result.contact = {number,           std::max(other, -1),   contact.point,
-                      contact.normal,   contact.depth,         numbers.restitution,
-                      numbers.friction, numbers.rolling_lever, numbers.spinning_lever};
+    result.contact = {number,
+                      std::max(other, -1),
+                      contact.point,
+                      contact.normal,
+                      contact.depth,
+                      numbers.restitution,
+                      numbers.friction,
+                      numbers.rolling_lever * body.radius,
+                      numbers.spinning_lever * body.radius};
     found.push_back(result);
 }
 
@@ -89,13 +92,13 @@ void ContactFinder::find_for_ball(int number, const StepBody& ball,
             contact = {Vec3(centre.x, centre.y, 0), Vec3(0, 0, 1), ball.radius - centre.z, 0};
         }
         if (contact.depth > -kMargin) {
-            add(number, ball, kCloth, "cloth", contact, found);
+            add(number, ball, kCloth, MaterialId::cloth, contact, found);
         }
     }
     if (around_.floor_height) {
         const double height = centre.z - *around_.floor_height;
         if (ball.radius - height > -kMargin) {
-            add(number, ball, kFloor, "floor",
+            add(number, ball, kFloor, MaterialId::floor,
                 {Vec3(centre.x, centre.y, *around_.floor_height), Vec3(0, 0, 1),
                  ball.radius - height, 0},
                 found);
@@ -217,10 +220,10 @@ void ContactFinder::find_level(int number, const StepBody& body,
     thin_out(on_cloth);
     thin_out(on_floor);
     for (const ConvexContact& contact : on_cloth) {
-        add(number, body, kCloth, "cloth", from_convex(contact), found);
+        add(number, body, kCloth, MaterialId::cloth, from_convex(contact), found);
     }
     for (const ConvexContact& contact : on_floor) {
-        add(number, body, kFloor, "floor", from_convex(contact), found);
+        add(number, body, kFloor, MaterialId::floor, from_convex(contact), found);
     }
 }
 

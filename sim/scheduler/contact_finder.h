@@ -46,7 +46,7 @@ class ContactFinder {
                                                                     const PlacedShape& b);
     void find_between(int a, const StepBody& first, int b, const StepBody& second,
                       std::vector<FoundContact>& found) const;
-    void add(int number, const StepBody& body, int other, const std::string& other_material,
+    void add(int number, const StepBody& body, int other, MaterialId other_material,
              const SurfaceContact& contact, std::vector<FoundContact>& found) const;
 
     const Surroundings& around_;

@@ -4,18 +4,20 @@
 
 #include "core/length.h"
 #include "sim/impact/cushion_impact.h"
-#include "sim/scheduler/contact_numbers.h"
+#include "sim/scheduler/contact_table.h"
 #include "sim/scheduler/touch_finder.h"
 
 namespace carom::sim {
 namespace {
 
 /// Restitution and friction of two balls that meet.
-PairContact pair_law(const ContactLaw& law, const Ball& a, const Ball& b, double slip_speed) {
-    if (a.material != "ball" || b.material != "ball") {
-        return law.between(a.material, b.material);
+ContactNumbers pair_law(const Surroundings& around, const Ball& a, const Ball& b,
+                        double slip_speed) {
+    ContactNumbers law = around.contacts.between(a.material, b.material);
+    if (a.material == MaterialId::ball && b.material == MaterialId::ball) {
+        law.friction = ball_friction(around.law.ball_ball, slip_speed);
     }
-    return {law.ball_ball.restitution, ball_friction(law.ball_ball, slip_speed), 0};
+    return law;
 }
 
 /// The foot of the perpendicular from `point` to the nose line of a face.
@@ -81,7 +83,7 @@ void ImpactResolver::meet_ball(const Touch& touch) {
     const Vec3 normal = unit(before_a.position - before_b.position);
     const double approach = -(before_a.velocity - before_b.velocity).dot(normal);
     const Vec3 slip = contact_slip(body_a, body_b, normal);
-    const PairContact law = pair_law(around_.law, a, b, std::sqrt(slip.dot(slip)));
+    const ContactNumbers law = pair_law(around_, a, b, std::sqrt(slip.dot(slip)));
     const ImpulsePair impulse =
         ball_ball_impact(balls_.solver(), body_a, body_b, normal, law.restitution, law.friction);
     // The reference models leave out what would make balls on the cloth hop.
@@ -131,8 +133,7 @@ void ImpactResolver::meet_box(const Touch& touch) {
     if (approach <= 0) {
         return balls_.hand_to_ode(touch.first, touch.time);
     }
-    const ContactNumbers law =
-        contact_numbers(around_.law, ball.material, box.material, ball.radius);
+    const ContactNumbers& law = around_.contacts.between(ball.material, box.material);
     const ode::ImpactBody ball_part{ball.mass,
                                     Vec3(0.4 * ball.mass * ball.radius * ball.radius),
                                     {before.position, Quat()},
@@ -147,7 +148,7 @@ void ImpactResolver::meet_box(const Touch& touch) {
         result = balls_.solver().solve(ball_part, box_part, impact);
     }
     if (approach > kQuietSpeed) {
-        recording_.log_impact(touch.time, ball.name, box.name, contact.point, contact.normal,
+        recording_.log_impact(touch.time, ball.name, *box.name, contact.point, contact.normal,
                               {result.normal_impulse, result.tangential_impulse});
     }
     body.state.velocity = result.first.linear;
@@ -164,7 +165,8 @@ void ImpactResolver::meet_surface(const Touch& touch) {
     const Ball& ball = balls_[touch.first];
     const Vec3 centre = ball.stretch.position_at(touch.time);
     if (touch.kind == TouchKind::rim) {
-        bounce(touch, around_.rims[touch.second].contact(centre, ball.radius), {"cloth", "cloth"});
+        bounce(touch, around_.rims[touch.second].contact(centre, ball.radius),
+               {"cloth", MaterialId::cloth});
     } else if (touch.kind == TouchKind::fixed_sphere) {
         const FixedSphere& sphere = around_.spheres[touch.second];
         const Vec3 normal = unit(centre - sphere.centre);
@@ -185,7 +187,7 @@ void ImpactResolver::meet_slate_from_below(const Touch& touch) {
     const Ball& ball = balls_[touch.first];
     const Vec3 down(0, 0, -1);
     const Vec3 top = ball.stretch.position_at(touch.time) - down * ball.radius;
-    bounce(touch, {top, down, 0, 0}, {"rail", "rail"});
+    bounce(touch, {top, down, 0, 0}, {"rail", MaterialId::rail});
 }
 
 void ImpactResolver::bounce(const Touch& touch, const SurfaceContact& contact,
@@ -194,8 +196,7 @@ void ImpactResolver::bounce(const Touch& touch, const SurfaceContact& contact,
     BallBody body = ball.body_at(touch.time);
     const MotionState before = body.state;
     const double approach = -before.velocity.dot(contact.normal);
-    const ContactNumbers law =
-        contact_numbers(around_.law, ball.material, info.material, ball.radius);
+    const ContactNumbers& law = around_.contacts.between(ball.material, info.material);
     const ImpulsePair impulse =
         is_lining(info.material, contact.normal)
             ? lining_impact(body, contact.normal, law.restitution, law.friction)
@@ -224,10 +225,10 @@ void ImpactResolver::meet_cushion(const Touch& touch, const Vec2& nearest) {
     const Vec3 inward = unit(Vec3(normal.x, normal.y, 0));
     const double approach = -before.velocity.dot(inward);
     ImpulsePair impulse;
-    if (ball.material == "ball") {
+    if (ball.material == MaterialId::ball) {
         impulse = cushion_impact(body, inward, normal, around_.law);
     } else {
-        const PairContact& law = around_.law.between(ball.material, "cushion");
+        const ContactNumbers& law = around_.contacts.between(ball.material, MaterialId::cushion);
         impulse = ball_static_impact(balls_.solver(), body, normal, law.restitution, law.friction);
     }
     if (!around_.law.hop) {
@@ -271,8 +272,9 @@ void ImpactResolver::land(const Touch& touch) {
     const MotionState before = ball.stretch.state_at(touch.time);
     if (around_.downward_gravity <= 0) {
         const Vec3 up(0, 0, 1);
-        bounce(touch, {before.position - up * ball.radius, up, 0, 0},
-               {ground_name(ground), ground_name(ground)});
+        bounce(
+            touch, {before.position - up * ball.radius, up, 0, 0},
+            {ground_name(ground), ground == Ground::floor ? MaterialId::floor : MaterialId::cloth});
         return;
     }
     ball.ground = ground;

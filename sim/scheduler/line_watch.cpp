@@ -29,7 +29,7 @@ LineWatch::LineWatch(const std::vector<ForceEvent>& events, const std::vector<St
             continue;
         }
         const auto body = std::find_if(bodies.begin(), bodies.end(),
-                                       [&](const StepBody& b) { return b.name == trigger->a; });
+                                       [&](const StepBody& b) { return *b.name == trigger->a; });
         if (body == bodies.end()) {
             continue;
         }

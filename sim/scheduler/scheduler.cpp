@@ -296,7 +296,7 @@ bool Scheduler::is_resting(const std::string& name) const {
         return balls_.all_rest() && stepped_.all_rest();
     }
     for (std::size_t i = 0; i < stepped_.all().size(); ++i) {
-        if (stepped_.all()[i].name == name) {
+        if (*stepped_.all()[i].name == name) {
             return i < balls_.all().size() ? balls_.all()[i].is_still()
                                            : !stepped_.all()[i].is_awake;
         }
@@ -307,7 +307,7 @@ bool Scheduler::is_resting(const std::string& name) const {
 bool Scheduler::is_moving(const std::string& name) const {
     const std::vector<StepBody>& bodies = stepped_.all();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const bool is_named = name.empty() || bodies[i].name == name;
+        const bool is_named = name.empty() || *bodies[i].name == name;
         if (is_named &&
             (i < balls_.all().size() ? balls_.all()[i].has_left() : bodies[i].has_left())) {
             return true;

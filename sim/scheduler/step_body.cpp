@@ -7,7 +7,7 @@ namespace {
 
 StepBody ball_body(const Ball& ball) {
     StepBody body;
-    body.name = ball.name;
+    body.name = &ball.name;
     body.material = ball.material;
     body.track = ball.track;
     body.is_ball = true;
@@ -23,32 +23,31 @@ SolidShape round_solid(const Sphere& sphere) {
             Vec3(1, 1, 1)};
 }
 
-StepBody kinematic_body(const Body& from) {
+StepSolid kinematic_solid(const Body& from) {
     const auto* sphere = std::get_if<Sphere>(&from.shape);
     const SolidShape solid = sphere != nullptr ? round_solid(*sphere) : *solid_shape(from.shape);
-    StepBody body;
-    body.name = from.name;
-    body.material = from.material;
-    body.shape = solid.shape;
-    body.principal = solid.principal;
-    body.path = std::make_shared<const KinematicPath>(*from.path, solid.principal);
-    body.state = body.path->at(0);
-    body.is_in = true;
-    return body;
+    return {&from, 0, solid, KinematicPath(*from.path, solid.principal)};
 }
 
-StepBody solid_body(const Body& from, const SolidShape& solid, std::size_t track) {
+StepBody solid_body(const StepSolid& solid, const ContactTable& contacts) {
+    const Body& from = *solid.body;
     StepBody body;
-    body.name = from.name;
-    body.material = from.material;
-    body.track = track;
-    body.shape = solid.shape;
-    body.principal = solid.principal;
+    body.name = &from.name;
+    body.material = contacts.id_of(from.material);
+    body.track = solid.track;
+    body.shape = solid.solid.shape.get();
+    body.principal = solid.solid.principal;
+    body.is_in = true;
+    if (solid.path) {
+        body.path = &*solid.path;
+        body.state = body.path->at(0);
+        return body;
+    }
     body.mass = from.mass;
-    body.inertia = solid.inertia * from.mass;
-    body.state = {from.pose.position, from.pose.orientation * solid.principal, from.velocity,
+    body.inertia = solid.solid.inertia * from.mass;
+    body.state = {from.pose.position, from.pose.orientation * body.principal, from.velocity,
                   from.angular_velocity};
-    body.is_in = body.is_awake = true;
+    body.is_awake = true;
     body.rested_at = {body.state.position, body.state.orientation};
     return body;
 }
@@ -112,25 +111,34 @@ ode::ImpactBody StepBody::impact_body() const {
             {state.velocity, state.angular_velocity}};
 }
 
-std::vector<StepBody> make_step_bodies(const WorldDescription& world,
-                                       const std::vector<Ball>& balls) {
-    std::vector<StepBody> bodies;
-    bodies.reserve(balls.size() + world.bodies.size());
-    for (const Ball& ball : balls) {
-        bodies.push_back(ball_body(ball));
-    }
+std::vector<StepSolid> make_step_solids(const WorldDescription& world) {
+    std::vector<StepSolid> solids;
     std::size_t track = 0;
     for (const Body& body : world.bodies) {
         if (body.kind == BodyKind::kinematic) {
-            bodies.push_back(kinematic_body(body));
+            solids.push_back(kinematic_solid(body));
         }
         if (body.kind != BodyKind::dynamic) {
             continue;
         }
         if (const auto solid = solid_shape(body.shape)) {
-            bodies.push_back(solid_body(body, *solid, track));
+            solids.push_back({&body, track, *solid, {}});
         }
         ++track;
+    }
+    return solids;
+}
+
+std::vector<StepBody> make_step_bodies(const std::vector<Ball>& balls,
+                                       const std::vector<StepSolid>& solids,
+                                       const ContactTable& contacts) {
+    std::vector<StepBody> bodies;
+    bodies.reserve(balls.size() + solids.size());
+    for (const Ball& ball : balls) {
+        bodies.push_back(ball_body(ball));
+    }
+    for (const StepSolid& solid : solids) {
+        bodies.push_back(solid_body(solid, contacts));
     }
     return bodies;
 }

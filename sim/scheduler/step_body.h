@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "core/pose.h"
@@ -17,14 +19,24 @@
 
 namespace carom::sim {
 
+/// A body of the world that is not a ball, with what is made once for it.
+struct StepSolid {
+    const Body* body = nullptr;
+    std::size_t track = 0;  // not of a kinematic body
+    SolidShape solid;
+    std::optional<KinematicPath> path;  // of a kinematic body
+};
+
+/// Holds numbers and references alone, so that all bodies are copied cheaply for every step that is
+/// tried.
 struct StepBody {
-    std::string name;
-    std::string material;
+    const std::string* name = nullptr;  // the ball's or the world's
+    MaterialId material = MaterialId::other;
     std::size_t track = 0;  // not of a kinematic body
     bool is_ball = false;
-    double radius = 0;                         // of a ball
-    std::shared_ptr<const ConvexShape> shape;  // of all others, along principal axes
-    Quat principal{};                          // turns those into the body's own axes
+    double radius = 0;                   // of a ball
+    const ConvexShape* shape = nullptr;  // of all others, along principal axes
+    Quat principal{};                    // turns those into the body's own axes
     double mass = 1;
     Vec3 inertia{1, 1, 1};  // principal moments
     bool is_in = false;     // ODE's; a ball while it is stepped or lying
@@ -35,13 +47,13 @@ struct StepBody {
     double least_speed = std::numeric_limits<double>::infinity();  // of its farthest point since
                                                                    // then, m/s
     Pose rested_at;  // of what is not a ball: where it last rested, or at the start
-    std::shared_ptr<const KinematicPath> path;  // of a kinematic body
+    const KinematicPath* path = nullptr;  // of a kinematic body
     int free_steps = 0;  // of a ball: steps since it last touched more than the ground
 
     [[nodiscard]] bool is_kinematic() const { return path != nullptr; }
     [[nodiscard]] bool is_box() const { return !is_ball && shape->is_box(); }
     [[nodiscard]] PlacedShape placed() const {
-        return {shape.get(), {state.position, state.orientation}};
+        return {shape, {state.position, state.orientation}};
     }
     /// A state of this body as tracks have it: the orientation of its own axes.
     [[nodiscard]] MotionState seen(const MotionState& internal) const;
@@ -65,8 +77,14 @@ struct StepBody {
     [[nodiscard]] ode::ImpactBody impact_body() const;
 };
 
-/// First the balls in their order, then what else moves in the world in its order.
-[[nodiscard]] std::vector<StepBody> make_step_bodies(const WorldDescription& world,
-                                                     const std::vector<Ball>& balls);
+static_assert(std::is_trivially_destructible_v<StepBody>);
+
+/// The bodies of the world that move and are not balls, in its order. Refers to the world.
+[[nodiscard]] std::vector<StepSolid> make_step_solids(const WorldDescription& world);
+
+/// First the balls, then the solids. Refers to both.
+[[nodiscard]] std::vector<StepBody> make_step_bodies(const std::vector<Ball>& balls,
+                                                     const std::vector<StepSolid>& solids,
+                                                     const ContactTable& contacts);
 
 }  // namespace carom::sim

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "sim/scheduler/contact_numbers.h"
+#include "sim/scheduler/contact_table.h"
 
 namespace carom::sim {
 
@@ -74,9 +74,9 @@ void StepBounces::count_blow(const FoundContact& found, double time) {
         return;
     }
     recording_.warn(
-        {Subject::body(moved.name), "motion",
+        {Subject::body(*moved.name), "motion",
          fmt::format("at {:.3f} s '{}' is jammed by '{}', which keys move: there is no room for it",
-                     time, caught.name, moved.name)});
+                     time, *caught.name, *moved.name)});
 }
 
 void StepBounces::bounce_ball(const FoundContact& found, double time) {
@@ -106,7 +106,7 @@ void StepBounces::bounce_ball(const FoundContact& found, double time) {
         take(*other, result.second, time);
     }
     recording_.log_impact(
-        time, ball.name, other != nullptr ? other->name : finder_.info(found.other).name,
+        time, *ball.name, other != nullptr ? *other->name : finder_.info(found.other).name,
         contact.point, contact.normal, {result.normal_impulse, result.tangential_impulse});
 }
 
@@ -196,7 +196,7 @@ void StepBounces::note(const FoundContact& found, const ImpulsePair& impulse) {
 void StepBounces::log_blows(double time) {
     for (const Blow& blow : blows_) {
         const auto name = [&](int number) {
-            return number >= 0 ? bodies_[static_cast<std::size_t>(number)].name
+            return number >= 0 ? *bodies_[static_cast<std::size_t>(number)].name
                                : finder_.info(number).name;
         };
         const ode::StepContact& contact = blow.contact.contact;

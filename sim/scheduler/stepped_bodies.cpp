@@ -17,7 +17,8 @@ SteppedBodies::SteppedBodies(const WorldDescription& world, const Surroundings& 
       balls_(balls),
       recording_(recording),
       finder_(around),
-      bodies_(make_step_bodies(world, balls.all())),
+      solids_(make_step_solids(world)),
+      bodies_(make_step_bodies(balls.all(), solids_, around.contacts)),
       sleep_(bodies_, balls, recording, around.gravity),
       bounces_(bodies_, sleep_, finder_, world_, balls, recording),
       trial_(world_, finder_, bounces_, around.gravity, bodies_) {
@@ -31,7 +32,7 @@ void SteppedBodies::start(double time) {
         if (body.is_ball) {
             continue;
         }
-        body.motion = {body.shape.get(), time, body.state};
+        body.motion = {body.shape, time, body.state};
         body.begin_rest(time);
         if (!body.is_kinematic()) {
             recording_.keep(body.track, time, body.seen(body.state));
@@ -49,7 +50,7 @@ void SteppedBodies::follow_paths(double time) {
         if (!body.is_awake) {
             body.state.velocity = body.state.angular_velocity = {0, 0, 0};
         }
-        body.motion = {body.shape.get(), time, body.state};
+        body.motion = {body.shape, time, body.state};
     }
 }
 
@@ -113,7 +114,7 @@ void SteppedBodies::show_paths() {
         if (body.is_ball) {
             balls_.show_step(number, trial_.start(), path);
         } else {
-            body.motion = {body.shape.get(), trial_.start(), path};
+            body.motion = {body.shape, trial_.start(), path};
         }
     }
 }
@@ -144,7 +145,7 @@ void SteppedBodies::stay(double time) {
         if (body.is_ball) {
             balls_.carry(number, time, body.state);
         } else {
-            body.motion = {body.shape.get(), time, body.state};
+            body.motion = {body.shape, time, body.state};
         }
     }
 }
@@ -156,11 +157,11 @@ void SteppedBodies::settle_box(StepBody& body, double end) {
         recording_.add(body.track, end, body.seen(body.state));
         body.state.velocity = body.state.angular_velocity = {0, 0, 0};
         recording_.keep(body.track, end, body.seen(body.state));
-        recording_.log(EventKind::resting, end, body.name, body.state.position);
+        recording_.log(EventKind::resting, end, *body.name, body.state.position);
     } else {
         recording_.add(body.track, end, body.seen(body.state));
     }
-    body.motion = {body.shape.get(), end, body.state};
+    body.motion = {body.shape, end, body.state};
 }
 
 /// The level surface that a ball touches; `touches_other`: something else, too.
@@ -223,7 +224,7 @@ void SteppedBodies::change_box(std::uint32_t number, double time, const Vec3& ve
     body.state.velocity = velocity;
     body.state.angular_velocity = angular_velocity;
     recording_.add_break(body.track, time, body.seen(before), body.seen(body.state));
-    body.motion = {body.shape.get(), time, body.state};
+    body.motion = {body.shape, time, body.state};
     if (!body.is_awake) {
         sleep_.wake(body, time);
     }

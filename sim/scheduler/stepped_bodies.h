@@ -72,7 +72,8 @@ class SteppedBodies {
     Balls& balls_;
     Recording& recording_;
     ContactFinder finder_;
-    std::vector<StepBody> bodies_;  // first the balls in their order, then the boxes
+    std::vector<StepSolid> solids_;  // which the bodies refer to
+    std::vector<StepBody> bodies_;   // first the balls in their order, then the boxes
     ode::StepWorld world_;
     StepSleep sleep_;
     StepBounces bounces_;

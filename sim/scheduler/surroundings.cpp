@@ -99,7 +99,10 @@ Aabb bounds_of(const std::vector<Vec3>& vertices) {
 }  // namespace
 
 Surroundings::Surroundings(const WorldDescription& world)
-    : gravity(world.gravity), law(world.contact_law), floor_height(world.floor_height) {
+    : gravity(world.gravity),
+      law(world.contact_law),
+      contacts(law),
+      floor_height(world.floor_height) {
     if (gravity.x == 0 && gravity.y == 0 && gravity.z < 0) {
         downward_gravity = -gravity.z;
     }
@@ -131,7 +134,7 @@ void Surroundings::add_table(const WorldDescription& world, bool has_boxes) {
         }
         const auto number = static_cast<std::uint32_t>(surfaces.size());
         table_mesh.add(surface.vertices, surface.triangles, number);
-        surfaces.push_back({*material, *material});
+        surfaces.push_back({*material, contacts.id_of(*material)});
         if (has_boxes) {
             box_obstacles.push_back({surfaces.back(), number,
                                      ode::TriangleSurface(surface.vertices, surface.triangles),
@@ -149,7 +152,7 @@ void Surroundings::add_fixed_bodies(const WorldDescription& world, bool has_boxe
         if (body.kind != BodyKind::fixed) {
             continue;
         }
-        const SurfaceInfo info{body.name, body.material};
+        const SurfaceInfo info{body.name, contacts.id_of(body.material)};
         if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
             spheres.push_back({info, body.pose.position, sphere->radius});
             continue;

@@ -9,6 +9,7 @@
 
 #include "sim/billiards/table.h"
 #include "sim/ode/box_collider.h"
+#include "sim/scheduler/contact_table.h"
 #include "sim/solid_shape.h"
 #include "sim/spatial/rim.h"
 #include "sim/spatial/static_mesh.h"
@@ -25,7 +26,7 @@ inline constexpr double kSlateUnderside = -0.025;
 /// What a triangle surface is called in the event log and which physical material it has.
 struct SurfaceInfo {
     std::string name;
-    std::string material;
+    MaterialId material = MaterialId::other;
 };
 
 struct FixedSphere {
@@ -60,6 +61,7 @@ struct Surroundings {
     /// form.
     double downward_gravity = 0;
     ContactLaw law;
+    ContactTable contacts;  // the same for pairs of materials
     bool has_cloth = false;
     bool has_cushions = false;
     Vec2 cloth_half_extent{0, 0};  // the cloth lies under |x|, |y| up to these
