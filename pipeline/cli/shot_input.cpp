@@ -37,23 +37,32 @@ std::string text_of(const pipeline::Problem& problem, const Console& console) {
     return text;
 }
 
+/// Whether the options change what was simulated. The bake knows the hash of that. An earlier
+/// revision of the simulation made another hash of the same world, so the hash of the shot as it
+/// was baked decides where the two differ.
+bool changes_physics(const sim::Bake& bake, const pipeline::Shot& changed,
+                     const InputOptions& input) {
+    const Hash128 physics_hash = sim::physics_hash(changed.world);
+    if (physics_hash == bake.physics_hash) {
+        return false;
+    }
+    const pipeline::LoadResult plain =
+        pipeline::load_shot_text(bake.shot_text, input.path, {}, {}, {}, input.root);
+    return plain.shot && sim::physics_hash(plain.shot->world) != physics_hash;
+}
+
 /// The shot that a bake carries, under the options given. They may change the look but not what
 /// was simulated.
 pipeline::LoadResult load_carried_shot(const sim::Bake& bake, const InputOptions& input) {
-    pipeline::LoadResult changed = pipeline::load_shot_text(
+    pipeline::LoadResult loaded = pipeline::load_shot_text(
         bake.shot_text, input.path, input.overrides, input.quality, input.camera_file, input.root);
     const bool may_differ = !input.overrides.empty() || !input.quality.empty();
-    if (changed.shot && may_differ) {
-        const pipeline::LoadResult plain =
-            pipeline::load_shot_text(bake.shot_text, input.path, {}, {}, {}, input.root);
-        if (plain.shot &&
-            sim::physics_hash(plain.shot->world) != sim::physics_hash(changed.shot->world)) {
-            throw InputError("'" + input.path +
-                             "' is a bake: --set cannot change what was simulated; bake the shot "
-                             "again");
-        }
+    if (loaded.shot && may_differ && changes_physics(bake, *loaded.shot, input)) {
+        throw InputError("'" + input.path +
+                         "' is a bake: --set cannot change what was simulated; bake the shot "
+                         "again");
     }
-    return changed;
+    return loaded;
 }
 
 /// The file to fix, in quotes: what was to be read, or the camera file if all errors are in that.
