@@ -102,11 +102,4 @@ Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& sce
     return hasher.finish();
 }
 
-Hash128 frame_key(const PlannedFrame& frame, const Shutter& shutter,
-                  const render::SceneDescription& scene, const Hash128& scene_hash,
-                  const render::RenderSettings& settings, const sim::Timeline& timeline) {
-    return frame_key(frame_inputs(frame, shutter, scene, timeline, settings.seed), scene,
-                     scene_hash, settings);
-}
-
 }  // namespace carom::pipeline

@@ -2,12 +2,9 @@
 #pragma once
 
 #include "core/hash.h"
-#include "pipeline/camera/camera_rig.h"
-#include "pipeline/camera/frame_plan.h"
 #include "pipeline/store/frame_inputs.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scene_description.h"
-#include "sim/timeline/timeline.h"
 
 namespace carom::pipeline {
 
@@ -15,15 +12,10 @@ namespace carom::pipeline {
 /// their paths). Computed once per shot.
 [[nodiscard]] Hash128 hash_scene(const render::SceneDescription& scene);
 
-/// Hash of: tracks cut to the shutter interval, camera values, `scene_hash`, render settings, the
-/// renderer's revision and SIMD tier. Neither the bake nor names nor the frame's number enter. The
-/// frame's seed follows from these (frame_seed.h), so it does not enter by itself.
-[[nodiscard]] Hash128 frame_key(const PlannedFrame& frame, const Shutter& shutter,
-                                const render::SceneDescription& scene, const Hash128& scene_hash,
-                                const render::RenderSettings& settings,
-                                const sim::Timeline& timeline);
-
-/// The same for inputs that are already cut out (frame_inputs.h).
+/// Hash of: what the tracks do while the shutter is open, camera values, `scene_hash`, render
+/// settings, the renderer's revision and SIMD tier. Neither the bake nor names nor the frame's
+/// number enter. The frame's seed follows from these (frame_seed.h), so it does not enter by
+/// itself.
 [[nodiscard]] Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& scene,
                                 const Hash128& scene_hash, const render::RenderSettings& settings);
 

@@ -177,14 +177,6 @@ std::vector<std::uint16_t> DisplayView::to_16(const render::Film& source) const 
     return display;
 }
 
-std::vector<std::uint16_t> to_display_16(const render::Film& film, const OutputSettings& output) {
-    return DisplayView(output).to_16(film);
-}
-
-std::vector<std::uint8_t> to_display_8(const render::Film& film, const OutputSettings& output) {
-    return DisplayView(output).to_8(film);
-}
-
 std::vector<std::uint8_t> DisplayView::to_8(const render::Film& film) const {
     const std::vector<std::uint16_t> fine = to_16(film);
     const auto width = static_cast<std::size_t>(film.width);

@@ -18,24 +18,18 @@ class DisplayView {
     /// has what the settings name.
     explicit DisplayView(const OutputSettings& output);
 
-    /// See below.
+    /// sRGB-encoded (by OpenColorIO: as its display wants it) 16-bit RGB (width * height * 3), row
+    /// by row from the top left. The colours are those of the film over black; alpha does not
+    /// enter. Values below 0 and NaN become black, values beyond the view's white become white.
     [[nodiscard]] std::vector<std::uint16_t> to_16(const render::Film& film) const;
+
+    /// The same in 8 bits, dithered with a pattern that depends on the pixel's place alone; 16-bit
+    /// values that are whole 8-bit ones (v * 257) stay what they are.
     [[nodiscard]] std::vector<std::uint8_t> to_8(const render::Film& film) const;
 
   private:
     OutputSettings output_;
     std::optional<render::OcioView> ocio_;
 };
-
-/// sRGB-encoded (by OpenColorIO: as its display wants it) 16-bit RGB (width * height * 3), row by
-/// row from the top left. The colours are those of the film over black; alpha does not enter.
-/// Values below 0 and NaN become black, values beyond the view's white become white.
-[[nodiscard]] std::vector<std::uint16_t> to_display_16(const render::Film& film,
-                                                       const OutputSettings& output);
-
-/// The same in 8 bits, dithered with a pattern that depends on the pixel's place alone; 16-bit
-/// values that are whole 8-bit ones (v * 257) stay what they are.
-[[nodiscard]] std::vector<std::uint8_t> to_display_8(const render::Film& film,
-                                                     const OutputSettings& output);
 
 }  // namespace carom::pipeline

@@ -69,7 +69,8 @@ struct Inputs {
     }
 
     [[nodiscard]] Hash128 key() const {
-        return frame_key(frame, shutter, scene, hash_scene(scene), settings, timeline());
+        return frame_key(frame_inputs(frame, shutter, scene, timeline(), settings.seed), scene,
+                         hash_scene(scene), settings);
     }
 };
 
@@ -254,6 +255,15 @@ TEST(FrameInputs, TracksThatRest_AreOneKey) {
     EXPECT_EQ(resting.tracks[0].keys()[0].position, Vec3(1, 0, 0.03));
     EXPECT_EQ(resting.frame.scene_open, 0);
     EXPECT_EQ(resting.frame.scene_close, 0);
+}
+
+TEST(FrameInputs, TracksThatMove_ShareTheTimelinesKeys) {
+    Inputs i;
+    const sim::Timeline timeline = i.timeline();
+    const FrameInputs inputs = frame_inputs(i.frame, i.shutter, i.scene, timeline, 0);
+    const sim::Track* original = timeline.find(inputs.tracks[0].name());
+    ASSERT_TRUE(original != nullptr && original->keys().size() > 1);
+    EXPECT_EQ(inputs.tracks[0].keys().data(), original->keys().data());
 }
 
 // A film of a frozen scene, or one that is retimed: the noise is that of what is shown.

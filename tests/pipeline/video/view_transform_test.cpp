@@ -30,7 +30,7 @@ std::vector<std::uint16_t> shown(const std::array<float, 3>& colour, ViewTransfo
     OutputSettings output;
     output.view = view;
     output.exposure = exposure;
-    return to_display_16(film_of({colour}, 1), output);
+    return DisplayView(output).to_16(film_of({colour}, 1));
 }
 
 TEST(SrgbView, LinearValues_FollowTheStandardsCurve) {
@@ -190,12 +190,12 @@ TEST(OcioView, NamesOrDefaults_GiveWhatTheConfigurationSays) {
     const render::Film film = film_of({{0.5F, 0.02F, 3.0F}}, 1);
     OutputSettings output;
     output.view = ViewTransform::ocio;
-    const auto plain = to_display_16(film, output);
+    const auto plain = DisplayView(output).to_16(film);
     EXPECT_NEAR(plain[0], 0.5 * 65535, 2);
     EXPECT_EQ(plain[2], 65535);
     output.ocio.display = "projector";
     output.exposure = 1;
-    const auto dim = to_display_16(film, output);
+    const auto dim = DisplayView(output).to_16(film);
     EXPECT_NEAR(dim[0], std::sqrt(0.5) * 65535, 8);
     EXPECT_NEAR(dim[1], std::sqrt(0.02) * 65535, 8);
 }
@@ -234,9 +234,9 @@ TEST(Views, Glow_IsAddedBeforeTheView) {
     colours[18 * 64 + 32] = {5000, 5000, 5000};
     const render::Film film = film_of(colours, 64);
     OutputSettings output;
-    EXPECT_EQ(to_display_16(film, output)[3 * (18 * 64 + 34)], 0);
+    EXPECT_EQ(DisplayView(output).to_16(film)[3 * (18 * 64 + 34)], 0);
     output.glow = {0.1, 0.1};
-    EXPECT_GT(to_display_16(film, output)[3 * (18 * 64 + 34)], 30000);
+    EXPECT_GT(DisplayView(output).to_16(film)[3 * (18 * 64 + 34)], 30000);
 }
 
 TEST(FilmicView, BrightSaturatedLight_GoesToWhite) {
@@ -274,7 +274,7 @@ TEST(Display8, WholeEightBitValues_Stay) {
     }
     OutputSettings output;
     output.view = ViewTransform::srgb;
-    const auto display = to_display_8(film_of(colours, 8), output);
+    const auto display = DisplayView(output).to_8(film_of(colours, 8));
     for (std::size_t i = 0; i < display.size(); i += 3) {
         ASSERT_EQ(display[i], 255);
         ASSERT_EQ(display[i + 1], 0);
@@ -293,8 +293,8 @@ TEST(Display8, SlowGradient_KeepsItsMeanInEveryTile) {
     OutputSettings output;
     output.view = ViewTransform::srgb;
     const render::Film film = film_of(colours, side);
-    const auto fine = to_display_16(film, output);
-    const auto coarse = to_display_8(film, output);
+    const auto fine = DisplayView(output).to_16(film);
+    const auto coarse = DisplayView(output).to_8(film);
     for (int tile = 0; tile < 16; ++tile) {
         double difference = 0;
         for (int i = 0; i < 256; ++i) {
@@ -312,7 +312,7 @@ TEST(Display8, SlowGradient_KeepsItsMeanInEveryTile) {
 TEST(Display8, SamePicture_GivesTheSameBytes) {
     std::vector<std::array<float, 3>> colours(100, {0.3F, 0.2F, 0.7F});
     const render::Film film = film_of(colours, 10);
-    EXPECT_EQ(to_display_8(film, OutputSettings{}), to_display_8(film, OutputSettings{}));
+    EXPECT_EQ(DisplayView(OutputSettings{}).to_8(film), DisplayView(OutputSettings{}).to_8(film));
 }
 
 }  // namespace
