@@ -12,8 +12,8 @@ namespace {
 render::Film read_picture(std::size_t picture, const FilmPlan& plan, const FrameStore& store,
                           PictureBoard& board, const std::stop_token& stop) {
     while (true) {
-        if (!board.wait_until_ready(picture, stop) || stop.stop_requested()) {
-            throw Stopped();
+        if (std::optional<render::Film> film = board.receive(picture, stop)) {
+            return std::move(*film);
         }
         if (std::optional<render::Film> film = store.read(plan.pictures[picture].key)) {
             return std::move(*film);

@@ -1,4 +1,4 @@
-// The encoding side of a job: from stored pictures to a video.
+// The encoding side of a job: from pictures to a video.
 #pragma once
 
 #include <stop_token>

@@ -1,11 +1,18 @@
 #include "pipeline/job/picture_board.h"
 
+#include <utility>
+
+#include "core/error.h"
+
 namespace carom::pipeline {
 
-void PictureBoard::mark_ready(std::size_t picture) {
+void PictureBoard::mark_ready(std::size_t picture, std::optional<render::Film> film) {
     {
         const std::scoped_lock lock(mutex_);
         is_ready_[picture] = true;
+        if (awaited_ == picture) {
+            film_ = std::move(film);
+        }
     }
     changed_.notify_all();
 }
@@ -39,6 +46,18 @@ void PictureBoard::wait_for_reader(const std::stop_token& stop) {
 bool PictureBoard::wait_until_ready(std::size_t picture, const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     return changed_.wait(lock, stop, [this, picture] { return is_ready_[picture]; });
+}
+
+std::optional<render::Film> PictureBoard::receive(std::size_t picture,
+                                                  const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    awaited_ = picture;
+    const bool is_ready = changed_.wait(lock, stop, [this, picture] { return is_ready_[picture]; });
+    awaited_.reset();
+    if (!is_ready || stop.stop_requested()) {
+        throw Stopped();
+    }
+    return std::exchange(film_, std::nullopt);
 }
 
 void PictureBoard::request_again(std::size_t picture) {

@@ -9,16 +9,19 @@
 #include <stop_token>
 #include <vector>
 
+#include "render/film/film.h"
+
 namespace carom::pipeline {
 
-/// Which pictures the store has, by index. The pictures themselves pass through the store alone, so
-/// nothing piles up here, and the encoder sees the same bits whoever rendered them.
+/// Which pictures the store has, by index. A picture that the encoder waits for is handed over in
+/// memory when it is rendered; it reads all others from the store, so that nothing piles up here.
 class PictureBoard {
   public:
     explicit PictureBoard(std::size_t pictures) : is_ready_(pictures, false) {}
 
     // The rendering side.
-    void mark_ready(std::size_t picture);
+    /// The store has the picture. `film`: as the store holds it, if it was rendered just now.
+    void mark_ready(std::size_t picture, std::optional<render::Film> film = {});
     /// A picture that the encoder could not read, if there is one.
     [[nodiscard]] std::optional<std::size_t> take_request();
     /// Whether the encoder has all that it needs, or has given up.
@@ -31,6 +34,10 @@ class PictureBoard {
     // The encoding side.
     /// False if stopped before.
     [[nodiscard]] bool wait_until_ready(std::size_t picture, const std::stop_token& stop);
+    /// The picture, if it is rendered while this waits for it; nothing if only the store has it.
+    /// Throws Stopped.
+    [[nodiscard]] std::optional<render::Film> receive(std::size_t picture,
+                                                      const std::stop_token& stop);
     /// The picture was announced but is not in the store, or not whole.
     void request_again(std::size_t picture);
     void reader_done();
@@ -40,6 +47,8 @@ class PictureBoard {
     std::condition_variable_any changed_;
     std::vector<bool> is_ready_;
     std::deque<std::size_t> requests_;
+    std::optional<std::size_t> awaited_;  // by receive()
+    std::optional<render::Film> film_;    // the picture that is awaited
     bool reader_is_done_ = false;
 };
 

@@ -1,6 +1,7 @@
 #include "pipeline/job/picture_maker.h"
 
 #include <chrono>
+#include <utility>
 
 #include "core/error.h"
 #include "pipeline/job/frame_grace.h"
@@ -10,14 +11,14 @@ namespace carom::pipeline {
 
 MadePicture PictureMaker::make(const FilmPlan::Picture& picture, const WorkContext& context) {
     if (store_.contains(picture.key)) {
-        return {PictureOrigin::stored, 0, {}};
+        return {PictureOrigin::stored};
     }
     const std::optional<FrameClaim> claim = store_.claim(picture.key);
     if (!claim) {
-        return {PictureOrigin::held, 0, {}};
+        return {PictureOrigin::held};
     }
     if (store_.contains(picture.key)) {  // finished between the two questions
-        return {PictureOrigin::stored, 0, {}};
+        return {PictureOrigin::stored};
     }
     if (context.stop.stop_requested()) {
         throw Stopped();
@@ -33,11 +34,14 @@ MadePicture PictureMaker::make(const FilmPlan::Picture& picture, const WorkConte
             context.progress(share);
         }
     };
-    const render::Film film = render_(inputs, frame_context);
-    store_.write(picture.key, film, stored_frame_metadata(source_.shot(), film.statistics));
+    render::Film film = render_(inputs, frame_context);
+    const render::RenderStatistics counts = film.statistics;
+    const render::ImageMetadata metadata = stored_frame_metadata(source_.shot(), counts);
+    store_.write(picture.key, film, metadata);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     expected_seconds_ = elapsed.count();  // of the next one
-    return {PictureOrigin::rendered, elapsed.count(), film.statistics};
+    return {PictureOrigin::rendered, elapsed.count(), counts,
+            render::as_stored(std::move(film), metadata)};
 }
 
 }  // namespace carom::pipeline

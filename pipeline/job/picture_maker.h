@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "pipeline/job/film_plan.h"
 #include "pipeline/job/scene_renderer.h"
@@ -19,6 +20,7 @@ struct MadePicture {
     PictureOrigin origin = PictureOrigin::held;
     double seconds = 0;  // spent rendering
     render::RenderStatistics counts{};
+    std::optional<render::Film> film{};  // as the store holds it, if it was rendered now
 
     [[nodiscard]] std::uint64_t rays() const {
         return counts.camera_rays + counts.scattered_rays + counts.shadow_rays;

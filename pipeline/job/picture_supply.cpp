@@ -1,5 +1,7 @@
 #include "pipeline/job/picture_supply.h"
 
+#include <utility>
+
 #include <fmt/core.h>
 
 #include "core/error.h"
@@ -45,7 +47,7 @@ bool PictureSupply::try_make(std::size_t picture, const std::stop_token& stop) {
         observer_.render_progress((static_cast<double>(reported_frames_) + share * kRendering) /
                                   static_cast<double>(plan_.picture_of.size()));
     };
-    const MadePicture made = maker_.make(plan_.pictures[picture], context);
+    MadePicture made = maker_.make(plan_.pictures[picture], context);
     if (made.origin == PictureOrigin::held) {
         return false;
     }
@@ -55,7 +57,7 @@ bool PictureSupply::try_make(std::size_t picture, const std::stop_token& stop) {
     }
     counts_ += made.counts;
     report(picture, made);
-    board_.mark_ready(picture);
+    board_.mark_ready(picture, std::move(made.film));
     if (keeper_ != nullptr && made.origin == PictureOrigin::rendered) {
         keeper_->picture_stored();
     }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include <Imath/half.h>
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fcntl.h>
@@ -146,12 +147,17 @@ void check_opened(const OIIO::ImageSpec& spec, const std::string& path) {
     }
 }
 
+/// Whether an attribute of the header comes back as a note of the film.
+bool is_note(const std::string& name) {
+    return name.starts_with("cryptomatte/") || name.starts_with(kRaysPrefix);
+}
+
 /// The notes that a film brought.
 Film::Notes notes_in(const OIIO::ImageSpec& spec) {
     Film::Notes notes;
     for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
         const std::string name = attribute.name().string();
-        if (name.rfind("cryptomatte/", 0) == 0 || name.rfind(kRaysPrefix, 0) == 0) {
+        if (is_note(name)) {
             notes[name] = attribute.get_string(0);
         }
     }
@@ -214,6 +220,16 @@ void write_exr(const Film& film, const std::string& path, const ImageMetadata& m
         add_standard(spec, *standard);
     }
     write_pixels(path, "openexr", spec, OIIO::TypeFloat, pixels.data());
+}
+
+Film as_stored(Film film, const ImageMetadata& metadata) {
+    for (float& value : film.rgba) {
+        value = Imath::half(std::clamp(value, -kLargestHalf, kLargestHalf));
+    }
+    film.notes.insert(metadata.begin(), metadata.end());
+    std::erase_if(film.notes, [](const auto& note) { return !is_note(note.first); });
+    film.statistics = {};
+    return film;
 }
 
 Film read_exr(const std::string& path) {

@@ -33,6 +33,11 @@ struct ExrStandardAttributes {
 void write_exr(const Film& film, const std::string& path, const ImageMetadata& metadata = {},
                const std::optional<ExrStandardAttributes>& standard = {});
 
+/// The film that read_exr reads where write_exr wrote this one: its colours are rounded to half,
+/// its notes are those of the header, and nothing has been counted. For films that write_exr
+/// accepts.
+[[nodiscard]] Film as_stored(Film film, const ImageMetadata& metadata);
+
 /// Reads what write_exr wrote, also of versions that named the channels of one value without their
 /// ".X". Throws Error for anything that is not such a file.
 [[nodiscard]] Film read_exr(const std::string& path);

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "pipeline/job/film_plan.h"
+#include "pipeline/job/picture_board.h"
 #include "pipeline/job/picture_supply.h"
 #include "pipeline/store/frame_store.h"
 #include "tests/pipeline/job/tiny_shot.h"
@@ -104,6 +105,71 @@ TEST(FilmPipeline, RunInPieces_GivesTheSameFilm) {
     EXPECT_EQ(pieces.film(pieces.renderer.function(), options).rendered, 3);
     EXPECT_EQ(pieces.film().rendered, 4);
     EXPECT_EQ(pieces.video(), whole.video());
+}
+
+// Colours that a half cannot hold, channels, and pictures so slow that the encoder waits for them.
+RenderFunction slow_and_fine(const Shot& shot) {
+    return [&shot](const FrameInputs& inputs, const WorkContext&) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        render::Film film = fake_picture(shot, inputs);
+        film.rgba[0] = 70000;
+        film.rgba[1] = 1.0001f;
+        film.aovs = {{"object_id.X", std::vector<float>(film.rgba.size() / 4, 2)},
+                     {"N.X", std::vector<float>(film.rgba.size() / 4, 0.3f)},
+                     {"Z", std::vector<float>(film.rgba.size() / 4, 1.00001f)}};
+        film.notes = {{"cryptomatte/3ae39a5/name", "CryptoObject"}};
+        return film;
+    };
+}
+
+TEST(FilmPipeline, Film_IsTheSameFromMemoryAndFromTheStore) {
+    for (const std::string name : {"film.mkv", "film.####.exr"}) {
+        Studio at_once, resumed;
+        const std::string file = name == "film.mkv" ? name : "film.0005.exr";
+        EXPECT_EQ(at_once.film(slow_and_fine(at_once.shot), at_once.options(name)).rendered,
+                  kPictures);
+        FilmJobOptions half = resumed.options("");
+        half.frames = parse_frame_range("0-4");
+        EXPECT_EQ(resumed.film(slow_and_fine(resumed.shot), half).rendered, 5);
+        EXPECT_EQ(resumed.film(slow_and_fine(resumed.shot), resumed.options(name)).rendered,
+                  kPictures - 5);
+        EXPECT_EQ(resumed.video(file), at_once.video(file)) << file;
+        fs::remove(resumed.folder.path(file));
+        EXPECT_EQ(resumed.film(slow_and_fine(resumed.shot), resumed.options(name)).rendered, 0);
+        EXPECT_EQ(resumed.video(file), at_once.video(file)) << file;
+    }
+}
+
+TEST(PictureBoard, PictureThatIsAwaited_IsHandedOver) {
+    constexpr int kAttempts = 200;  // the reader has to wait already, which it may be slow to do
+    PictureBoard board(kAttempts);
+    int handed_over = 0;
+    for (std::size_t i = 0; i < kAttempts && handed_over == 0; ++i) {
+        std::optional<render::Film> film;
+        std::thread reader([&] { film = board.receive(i, {}); });
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        board.mark_ready(i, render::Film{7, 5, {}, {}, {}, {}});
+        reader.join();
+        handed_over += film && film->width == 7 ? 1 : 0;
+    }
+    EXPECT_EQ(handed_over, 1);
+}
+
+TEST(PictureBoard, PictureThatNobodyAwaits_IsNotKept) {
+    PictureBoard board(2);
+    board.mark_ready(0, render::Film{7, 5, {}, {}, {}, {}});
+    EXPECT_FALSE(board.receive(0, {}));
+    board.request_again(0);
+    EXPECT_TRUE(board.take_request());
+    board.mark_ready(0);
+    EXPECT_FALSE(board.receive(0, {}));
+}
+
+TEST(PictureBoard, Stopped_HandsNothingOver) {
+    PictureBoard board(1);
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW((void)board.receive(0, stop.get_token()), Stopped);
 }
 
 TEST(FilmPipeline, ReversedFilm_SharesItsPictures) {

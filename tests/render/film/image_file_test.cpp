@@ -1,7 +1,9 @@
 #include "render/film/image_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -82,6 +84,31 @@ TEST_F(ImageFile, Exr_RoundTripsColoursAsHalfAndOthersAsFloat) {
         EXPECT_EQ(back.aovs[c].name, film.aovs[c].name);
         EXPECT_EQ(back.aovs[c].values, film.aovs[c].values);
     }
+}
+
+TEST_F(ImageFile, AsStored_IsWhatIsReadBack) {
+    Film film = some_film(37, 23);
+    film.aovs[0].values[5] = -1e30f;
+    // Ties, numbers below the least normal half, and what is beyond the largest.
+    const float odd[] = {1 + 0x1p-11f, 1 + 0x3p-11f, 0x1.8p-25f, 0x1p-25f, -0x1.23p-20f,
+                         65519,        65520,        -1e9f,      -0.0f,    0x1.ffep-15f};
+    std::copy(std::begin(odd), std::end(odd), film.rgba.begin());
+    film.notes = {{"cryptomatte/3ae39a5/name", "CryptoObject"}, {"from", "elsewhere"}};
+    film.statistics.camera_rays = 12;
+    const ImageMetadata metadata = {{"rays_camera", "12"}, {"carom_version", "1.2"}};
+    write_exr(film, path("a.exr"), metadata);
+    const Film read = read_exr(path("a.exr"));
+    const Film stored = as_stored(film, metadata);
+    EXPECT_EQ(std::memcmp(stored.rgba.data(), read.rgba.data(), 4 * read.rgba.size()), 0);
+    EXPECT_NE(stored.rgba, film.rgba);
+    ASSERT_EQ(stored.aovs.size(), read.aovs.size());
+    for (std::size_t c = 0; c < read.aovs.size(); ++c) {
+        EXPECT_EQ(stored.aovs[c].name, read.aovs[c].name);
+        EXPECT_EQ(stored.aovs[c].values, read.aovs[c].values);
+    }
+    EXPECT_EQ(stored.notes, read.notes);
+    EXPECT_EQ(stored.notes.at("rays_camera"), "12");
+    EXPECT_EQ(stored.statistics.camera_rays, read.statistics.camera_rays);
 }
 
 TEST_F(ImageFile, ExrWrittenAgain_IsIdentical) {
