@@ -1,54 +1,199 @@
 #include "pipeline/job/film_job.h"
 
+#include <exception>
 #include <memory>
+#include <thread>
 
+#include <fmt/core.h>
+
+#include "core/error.h"
+#include "pipeline/job/cache_keeper.h"
+#include "pipeline/job/damage_report.h"
 #include "pipeline/job/exported_frame.h"
-#include "pipeline/job/film_pipeline.h"
+#include "pipeline/job/film_encoder.h"
+#include "pipeline/job/job_frames.h"
 #include "pipeline/job/mixed_film.h"
+#include "pipeline/job/picture_supply.h"
+#include "pipeline/job/scene_renderer.h"
 
 namespace carom::pipeline {
 namespace {
 
-// The part of a context that belongs to one of `count` equal steps.
-WorkContext step_of(const WorkContext& context, std::size_t step, std::size_t count) {
-    WorkContext part{{}, context.stop};
-    if (context.progress) {
-        part.progress = [&context, step, count](double share) {
-            context.progress((static_cast<double>(step) + share) / static_cast<double>(count));
-        };
+FrameStore open_store(const FilmJobOptions& options, ObserverGate& observer,
+                      DamageReport& damages) {
+    FrameStore store(frames_folder(options),
+                     [&damages](const std::string& path, const std::string& damage) {
+                         damages.add(path, damage);
+                     });
+    if (!store.can_claim()) {
+        observer.warning("the cache '" + frames_folder(options) +
+                         "' cannot be locked; a second process would render the same frames again");
     }
-    return part;
+    return store;
 }
+
+RenderFunction renderer_of(const Shot& shot, const FilmJobOptions& options) {
+    return options.renderer ? options.renderer
+                            : make_scene_renderer(shot, options.threads, options.factory);
+}
+
+void mark_used(const FilmPlan& plan, const FrameStore& store) {
+    for (const FilmPlan::Picture& picture : plan.pictures) {
+        store.mark_used(picture.key);
+    }
+}
+
+// A job that makes a part of a film leaves room for the others, which it does not need itself:
+// films are put together from parts. Planning a thousand frames takes 50 ms.
+void mark_whole_film(const FilmSource& source, const FilmPlan& part, const FilmJobOptions& options,
+                     const FrameStore& store, const std::stop_token& stop) {
+    mark_used(part, store);
+    const std::vector<std::int64_t> frames = job_frames(source.shot(), {});
+    if (options.cache_limit == kNoLimit || part.frames.size() == frames.size()) {
+        return;
+    }
+    for (const std::int64_t frame : frames) {
+        try {
+            mark_used(plan_film(source, {frame}, stop), store);
+        } catch (const Stopped&) {
+            throw;
+        } catch (const Error&) {
+            continue;  // a frame that makes no picture stops only those who want it
+        }
+    }
+}
+
+// In the encoder's place when nothing is to be encoded: sees to it that the frames which were there
+// are whole.
+void await_pictures(const FilmPlan& plan, const FrameStore& store, PictureBoard& board,
+                    const std::stop_token& stop) {
+    for (std::size_t i = 0; i < plan.pictures.size();) {
+        if (!board.wait_until_ready(i, stop) || stop.stop_requested()) {
+            throw Stopped();
+        }
+        if (store.holds_whole(plan.pictures[i].key)) {
+            ++i;
+        } else {
+            store.discard_damaged(plan.pictures[i].key);
+            board.request_again(i);
+        }
+    }
+}
+
+// The encoder on a thread of its own. Whichever side fails stops the other.
+class EncoderThread {
+  public:
+    template <class Work>
+    EncoderThread(PictureBoard& board, std::stop_source& stop, Work work)
+        : thread_([this, &board, &stop, work] {
+              try {
+                  work();
+                  is_complete_ = true;
+              } catch (...) {
+                  failure_ = std::current_exception();
+                  stop.request_stop();
+              }
+              board.reader_done();
+          }) {}
+
+    /// Waits for the end. What the encoder threw is thrown here, unless it was only stopped.
+    void join() {
+        thread_.join();
+        try {
+            if (failure_) {
+                std::rethrow_exception(failure_);
+            }
+        } catch (const Stopped&) {
+            is_complete_ = false;
+        }
+    }
+
+    /// Whether the video is in its place.
+    [[nodiscard]] bool is_complete() const { return is_complete_; }
+
+  private:
+    std::exception_ptr failure_;
+    bool is_complete_ = false;
+    std::thread thread_;
+};
 
 }  // namespace
 
 FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                         const JobObserver& observer, const std::stop_token& stop) {
-    return make_film_with(make_scene_renderer(shot, options.threads, options.factory), shot,
-                          bake.timeline, options, observer, stop);
+    const std::vector<std::int64_t> frames = job_frames(shot, options);
+    ObserverGate gate(observer);
+    DamageReport damages(gate);
+    const FrameStore store = open_store(options, gate, damages);
+    const FilmSource source(shot, bake.timeline);
+    const FilmPlan plan = plan_film(source, frames, stop);
+    CacheKeeper keeper(cache_of(options), options.cache_limit, gate);
+    mark_whole_film(source, plan, options, store, stop);
+    keeper.prune();
+
+    // A film that cannot be written is heard of before anything is rendered.
+    const std::unique_ptr<FilmSink> sink =
+        options.output.empty() ? nullptr : make_film_sink(source, plan, options.output);
+    std::stop_source job_stop;
+    const std::stop_callback pass_on(stop, [&job_stop] { job_stop.request_stop(); });
+    PictureBoard board(plan.pictures.size());
+    PictureMaker maker(source, store, renderer_of(shot, options));
+    PictureSupply supply(plan, maker, board, gate, &keeper);
+    EncoderThread encoder(board, job_stop, [&] {
+        if (!sink) {
+            await_pictures(plan, store, board, job_stop.get_token());
+            return;
+        }
+        encode_film(*sink, plan, store, board, gate, job_stop.get_token());
+    });
+    std::exception_ptr failure;
+    try {
+        supply.run(job_stop.get_token());
+    } catch (...) {
+        failure = std::current_exception();
+        job_stop.request_stop();
+    }
+    encoder.join();  // its failure is the cause if both failed
+    if (!encoder.is_complete()) {
+        failure ? std::rethrow_exception(failure) : throw Stopped();
+    }
+    keeper.prune();
+    return {static_cast<std::int64_t>(frames.size()),
+            static_cast<std::int64_t>(plan.pictures.size()), supply.rendered(), supply.counts()};
 }
 
 render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t frame,
                         const FilmJobOptions& options, const JobObserver& observer,
                         const std::stop_token& stop) {
-    return make_frame_with(make_scene_renderer(shot, options.threads, options.factory), shot,
-                           bake.timeline, frame, options, observer, stop);
-}
-
-FrameRenderer make_frame_renderer(const Shot& shot, const sim::Timeline& timeline, int threads) {
-    const auto source = std::make_shared<const FilmSource>(shot, timeline);
-    return [source, render = make_scene_renderer(shot, threads, nullptr)](
-               std::int64_t frame, const WorkContext& context) {
-        const std::vector<PlannedFrame> layers = source->layers(frame);
-        render::Film film = render(source->inputs(layers[0]), step_of(context, 0, layers.size()));
-        if (layers.size() > 1) {
-            const render::Film other =
-                render(source->inputs(layers[1]), step_of(context, 1, layers.size()));
-            mix_in(other, layers[1].weight, film);
-            film.statistics += other.statistics;
+    ObserverGate gate(observer);
+    DamageReport damages(gate);
+    const FrameStore store = open_store(options, gate, damages);
+    const FilmSource source(shot, bake.timeline);
+    const FilmPlan plan = plan_film(source, {frame}, stop);
+    CacheKeeper keeper(cache_of(options), options.cache_limit, gate);
+    mark_whole_film(source, plan, options, store, stop);
+    keeper.prune();
+    PictureBoard board(plan.pictures.size());
+    board.reader_done();
+    PictureMaker maker(source, store, renderer_of(shot, options));
+    for (int attempt = 0; attempt < 2; ++attempt) {  // what was kept may be damaged, and is removed
+        PictureSupply supply(plan, maker, board, gate);
+        supply.run(stop);
+        if (std::optional<render::Film> film = store.read(plan.pictures[0].key)) {
+            if (const FilmPlan::Blend* blend = plan.blend_of(0)) {
+                const std::optional<render::Film> other =
+                    store.read(plan.pictures[blend->picture].key);
+                if (!other) {
+                    continue;
+                }
+                mix_in(*other, blend->weight, *film);
+            }
+            render::Film exported = exported_frame(*film, source, frame);
+            exported.statistics = supply.counts();
+            return exported;
         }
-        return exported_frame(film, *source, frame);
-    };
+    }
+    throw Error(fmt::format("frame {} was rendered, but the cache does not hold it whole", frame));
 }
 
 }  // namespace carom::pipeline

@@ -19,6 +19,8 @@
 
 namespace carom::pipeline {
 
+struct FrameInputs;  // pipeline/store/frame_inputs.h
+
 /// Told by a job as it goes; every call comes from one thread at a time.
 struct JobObserver {
     /// "bake", "render", "encode", one after the other; shares never decrease. Encoding goes on
@@ -39,6 +41,8 @@ struct FilmJobOptions {
     std::uint64_t cache_limit = kNoLimit;        // bytes; what was used longest ago goes first
     int threads = 0;                             // 0: as many as there are processors
     render::StructureFactory factory = nullptr;  // of what the renderer does not make itself
+    /// Makes the pictures in place of render_frame; `threads` and `factory` do not matter then.
+    std::function<render::Film(const FrameInputs&, const WorkContext&)> renderer{};
 };
 
 struct FilmJobResult {

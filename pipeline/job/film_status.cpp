@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include "core/error.h"
-#include "pipeline/job/film_pipeline.h"
 #include "pipeline/job/film_plan.h"
 #include "pipeline/job/job_frames.h"
 #include "pipeline/store/frame_store.h"
@@ -55,10 +54,11 @@ FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOpt
                                                         : " (stored, but damaged: " +
                                                               frames_text(status.damaged) + ")")));
     }
-    const auto refuse = [](const FrameInputs&, const WorkContext&) -> render::Film {
+    FilmJobOptions without_renderer = options;
+    without_renderer.renderer = [](const FrameInputs&, const WorkContext&) -> render::Film {
         throw Error("a frame vanished from the cache while the film was being written");
     };
-    return make_film_with(refuse, shot, bake.timeline, options, observer, stop);
+    return make_film(shot, bake, without_renderer, observer, stop);
 }
 
 }  // namespace carom::pipeline

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "pipeline/job/film_pipeline.h"
+#include "pipeline/job/film_job.h"
 #include "pipeline/job/mixed_film.h"
 #include "render/film/image_file.h"
 #include "tests/pipeline/job/tiny_shot.h"
@@ -12,6 +12,8 @@
 namespace carom::pipeline {
 namespace {
 
+using carom::testing::film_by;
+using carom::testing::frame_by;
 using carom::testing::read_text;
 using carom::testing::ScratchFolder;
 using carom::testing::tiny_shot;
@@ -63,7 +65,7 @@ struct FadeJob {
         observer.on_frame = [this](std::int64_t frame, bool, double, std::uint64_t) {
             told.push_back(frame);
         };
-        return make_film_with(renderer(), shot, tiny_timeline(), options(name), observer, {});
+        return film_by(renderer(), shot, tiny_timeline(), options(name), observer, {});
     }
 };
 
@@ -102,7 +104,7 @@ TEST(FadeFilm, Pictures_AreCountedBesideTheFrames) {
 TEST(FadeFilm, SingleFrame_IsTheOneOfTheFilm) {
     FadeJob job;
     const render::Film film =
-        make_frame_with(job.renderer(), job.shot, tiny_timeline(), 7, job.options(""), {}, {});
+        frame_by(job.renderer(), job.shot, tiny_timeline(), 7, job.options(""), {}, {});
     EXPECT_EQ(film.rgba[0], 2.5F);
 }
 
@@ -114,9 +116,8 @@ TEST(FadeFilm, Video_IsTheSameFromTheStore) {
     FadeJob pieces;  // only frames inside the fade, then all
     FilmJobOptions options = pieces.options("c.mkv");
     options.frames = parse_frame_range("5-6");
-    EXPECT_EQ(
-        make_film_with(pieces.renderer(), pieces.shot, tiny_timeline(), options, {}, {}).rendered,
-        2);
+    EXPECT_EQ(film_by(pieces.renderer(), pieces.shot, tiny_timeline(), options, {}, {}).rendered,
+              2);
     EXPECT_EQ(pieces.film("d.mkv").rendered, 0);
     EXPECT_EQ(read_text(job.folder.path("a.mkv")), read_text(pieces.folder.path("d.mkv")));
 }

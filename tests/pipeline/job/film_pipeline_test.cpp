@@ -1,5 +1,3 @@
-#include "pipeline/job/film_pipeline.h"
-
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
@@ -9,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "core/error.h"
+#include "pipeline/job/film_job.h"
 #include "pipeline/job/film_plan.h"
 #include "pipeline/job/picture_board.h"
 #include "pipeline/job/picture_supply.h"
@@ -21,6 +20,8 @@ namespace {
 
 using carom::testing::fake_picture;
 using carom::testing::FakeRenderer;
+using carom::testing::film_by;
+using carom::testing::frame_by;
 using carom::testing::read_text;
 using carom::testing::ScratchFolder;
 using carom::testing::write_text;
@@ -57,7 +58,7 @@ struct Studio {
     }
 
     FilmJobResult film(const RenderFunction& render, const FilmJobOptions& options) {
-        return make_film_with(render, shot, timeline, options, observer, stop.get_token());
+        return film_by(render, shot, timeline, options, observer, stop.get_token());
     }
 
     FilmJobResult film(const std::string& name = "film.mkv") {
@@ -318,7 +319,7 @@ TEST(FilmPipeline, TwoJobsAtOnce_RenderEachPictureOnce) {
     };
     FilmJobResult other;
     std::thread second([&] {
-        other = make_film_with(slow, studio.shot, studio.timeline, studio.options("b.mkv"), {}, {});
+        other = film_by(slow, studio.shot, studio.timeline, studio.options("b.mkv"), {}, {});
     });
     const FilmJobResult result = studio.film(slow, studio.options("a.mkv"));
     second.join();
@@ -481,8 +482,8 @@ TEST(FilmPipeline, NoFrameAskedFor_IsAnError) {
 TEST(FramePipeline, OneFrame_IsStoredAndSharedWithTheFilm) {
     Studio studio;
     const auto frame = [&] {
-        return make_frame_with(studio.renderer.function(), studio.shot, studio.timeline, 3,
-                               studio.options(), studio.observer, {});
+        return frame_by(studio.renderer.function(), studio.shot, studio.timeline, 3,
+                        studio.options(), studio.observer, {});
     };
     const render::Film first = frame();
     EXPECT_EQ(first.width, 32);

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "core/error.h"
-#include "pipeline/job/film_pipeline.h"
+#include "pipeline/job/film_job.h"
 #include "pipeline/job/film_plan.h"
 #include "pipeline/store/frame_store.h"
 #include "tests/pipeline/job/tiny_shot.h"
@@ -16,6 +16,8 @@ namespace carom::pipeline {
 namespace {
 
 using carom::testing::FakeRenderer;
+using carom::testing::film_by;
+using carom::testing::frame_by;
 using carom::testing::read_text;
 using carom::testing::ScratchFolder;
 using carom::testing::write_text;
@@ -42,7 +44,7 @@ struct Farm {
     FilmJobResult render(const FilmJobOptions& options) {
         JobObserver observer;
         observer.on_warning = [this](const std::string& text) { warning = text; };
-        return make_film_with(renderer.function(), shot, bake.timeline, options, observer, {});
+        return film_by(renderer.function(), shot, bake.timeline, options, observer, {});
     }
     FilmJobResult render_chunk(std::int64_t number, std::int64_t of) {
         FilmJobOptions chunk = options();
@@ -167,8 +169,7 @@ TEST(CacheLimit, OtherPartsOfTheFilm_Stay) {
     EXPECT_EQ(farm.render(options).rendered, 0);
     EXPECT_THAT(farm.status().missing, ElementsAre(8, 9, 10, 11));
     age_all();
-    (void)make_frame_with(farm.renderer.function(), farm.shot, farm.bake.timeline, 0, options, {},
-                          {});
+    (void)frame_by(farm.renderer.function(), farm.shot, farm.bake.timeline, 0, options, {}, {});
     EXPECT_THAT(farm.status().missing, ElementsAre(8, 9, 10, 11));
 }
 

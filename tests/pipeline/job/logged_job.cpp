@@ -7,7 +7,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "pipeline/job/film_pipeline.h"
+#include "pipeline/job/film_job.h"
 #include "pipeline/job/film_plan.h"
 #include "tests/pipeline/job/tiny_shot.h"
 
@@ -33,7 +33,7 @@ void run_logged_job(const std::string& cache, const std::string& video, const st
     observer.on_warning = [&](const std::string& text) {
         std::ofstream(log + ".warnings", std::ios::app) << text << '\n';
     };
-    (void)pipeline::make_film_with(render, shot, timeline, options, observer, {});
+    (void)film_by(render, shot, timeline, options, observer, {});
     ::close(file);
 }
 

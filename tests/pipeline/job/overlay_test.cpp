@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "pipeline/job/film_pipeline.h"
+#include "pipeline/job/film_job.h"
 #include "pipeline/video/overlay_extent.h"
 #include "render/film/image_file.h"
 #include "tests/pipeline/job/tiny_shot.h"
@@ -14,6 +14,7 @@ namespace carom::pipeline {
 namespace {
 
 using carom::testing::FakeRenderer;
+using carom::testing::film_by;
 using carom::testing::read_text;
 using carom::testing::ScratchFolder;
 using carom::testing::tiny_shot;
@@ -124,7 +125,7 @@ struct Job {
         FilmJobOptions options;
         options.output = folder.path(name);
         options.cache_folder = folder.path("cache");
-        return make_film_with(renderer.function(), shot, tiny_timeline(), options, {}, {});
+        return film_by(renderer.function(), shot, tiny_timeline(), options, {}, {});
     }
     [[nodiscard]] std::string bytes(const std::string& name) const {
         return read_text(folder.path(name));

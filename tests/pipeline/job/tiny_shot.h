@@ -22,6 +22,16 @@ namespace carom::testing {
 [[nodiscard]] render::Film fake_picture(const pipeline::Shot& shot,
                                         const pipeline::FrameInputs& inputs);
 
+/// make_film and make_frame of a bake with this timeline, with pictures by `render`.
+pipeline::FilmJobResult film_by(const pipeline::RenderFunction& render, const pipeline::Shot& shot,
+                                const sim::Timeline& timeline, pipeline::FilmJobOptions options,
+                                const pipeline::JobObserver& observer, const std::stop_token& stop);
+[[nodiscard]] render::Film frame_by(const pipeline::RenderFunction& render,
+                                    const pipeline::Shot& shot, const sim::Timeline& timeline,
+                                    std::int64_t frame, pipeline::FilmJobOptions options,
+                                    const pipeline::JobObserver& observer,
+                                    const std::stop_token& stop);
+
 /// fake_picture, and what was asked for.
 class FakeRenderer {
   public:

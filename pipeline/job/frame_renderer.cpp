@@ -1,0 +1,41 @@
+// Single frames to memory: without a store.
+#include <memory>
+
+#include "pipeline/job/exported_frame.h"
+#include "pipeline/job/film_job.h"
+#include "pipeline/job/mixed_film.h"
+#include "pipeline/job/scene_renderer.h"
+
+namespace carom::pipeline {
+namespace {
+
+// The part of a context that belongs to one of `count` equal steps.
+WorkContext step_of(const WorkContext& context, std::size_t step, std::size_t count) {
+    WorkContext part{{}, context.stop};
+    if (context.progress) {
+        part.progress = [&context, step, count](double share) {
+            context.progress((static_cast<double>(step) + share) / static_cast<double>(count));
+        };
+    }
+    return part;
+}
+
+}  // namespace
+
+FrameRenderer make_frame_renderer(const Shot& shot, const sim::Timeline& timeline, int threads) {
+    const auto source = std::make_shared<const FilmSource>(shot, timeline);
+    return [source, render = make_scene_renderer(shot, threads, nullptr)](
+               std::int64_t frame, const WorkContext& context) {
+        const std::vector<PlannedFrame> layers = source->layers(frame);
+        render::Film film = render(source->inputs(layers[0]), step_of(context, 0, layers.size()));
+        if (layers.size() > 1) {
+            const render::Film other =
+                render(source->inputs(layers[1]), step_of(context, 1, layers.size()));
+            mix_in(other, layers[1].weight, film);
+            film.statistics += other.statistics;
+        }
+        return exported_frame(film, *source, frame);
+    };
+}
+
+}  // namespace carom::pipeline
