@@ -139,7 +139,7 @@ std::array<std::vector<Ray>, 3> growth_rays(const render::AccelerationStructure&
         Ray onward;
         onward.origin = ray.origin + ray.direction * (hit.t - kStep);
         onward.direction = numbers.direction();
-        if ((onward.direction ^ ray.direction) > 0) {
+        if (onward.direction.dot(ray.direction) > 0) {
             onward.direction = -onward.direction;
         }
         onward.time = ray.time;

@@ -9,8 +9,8 @@ Extent extent_along(const Primitives& primitives, const Primitive& shape, const 
     const V3f centre = box.center();
     const V3f half = 0.5f * box.size();
     const V3f size(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
-    const float middle = centre ^ normal;
-    float reach = half ^ size;
+    const float middle = centre.dot(normal);
+    float reach = half.dot(size);
     Extent extent{middle - reach, middle + reach};
     if (shape.shape == kLaneShape<StillSphere>) {
         reach = half.x;  // of a cube around it
@@ -18,7 +18,7 @@ Extent extent_along(const Primitives& primitives, const Primitive& shape, const 
     } else if (shape.shape == Primitive::kMeshTriangle) {
         extent = Extent{};
         for (const V3f& corner : primitives.corners(shape)) {
-            extent.extend({corner ^ normal, corner ^ normal});
+            extent.extend({corner.dot(normal), corner.dot(normal)});
         }
     }
     const float far = std::abs(centre.x) + std::abs(centre.y) + std::abs(centre.z) + half.length();

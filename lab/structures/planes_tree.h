@@ -74,7 +74,7 @@ void PlanesTree<kNormals>::search(Query& query) const {
     std::array<Projected, kNormals> along{};
     for (std::size_t i = 0; i < kNormals; ++i) {
         const Vec3 normal(normals_[i]);
-        along[i] = {normal ^ Vec3(ray.origin), normal ^ Vec3(ray.direction)};
+        along[i] = {normal.dot(Vec3(ray.origin)), normal.dot(Vec3(ray.direction))};
     }
     Mailbox mailbox;
     std::vector<Part> waiting;

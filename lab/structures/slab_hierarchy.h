@@ -77,8 +77,8 @@ void SlabHierarchy::search(Query& query) const {
     const float far = 0x1p-18f * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z));
     Projected along{};
     for (std::size_t k = 0; k < kNormals; ++k) {
-        along.origin[k] = normals()[k] ^ o;
-        along.inverse[k] = finite_reciprocal(normals()[k] ^ ray.direction);
+        along.origin[k] = normals()[k].dot(o);
+        along.inverse[k] = finite_reciprocal(normals()[k].dot(ray.direction));
         along.margin[k] = far * std::abs(along.inverse[k]);
     }
     std::vector<Waiting> storage;

@@ -34,8 +34,8 @@ struct Frame {
     explicit Frame(const Imath::V3d& direction) : along(direction) {
         const Imath::V3d other =
             std::abs(along.x) < 0.5 ? Imath::V3d(1, 0, 0) : Imath::V3d(0, 1, 0);
-        x = (along % other).normalized();
-        y = along % x;
+        x = along.cross(other).normalized();
+        y = along.cross(x);
     }
 };
 
@@ -107,7 +107,7 @@ TestSet make_edge_set(int groups, std::uint64_t seed) {
         const V3f c(random.in_cube());
         const V3f other(random.in_cube());
         const V3f origin(random.in_cube());
-        const V3f across = (a - origin) % (b - origin);
+        const V3f across = (a - origin).cross(b - origin);
         if (across.dot(c - origin) * across.dot(other - origin) >= 0) {
             continue;
         }

@@ -17,7 +17,7 @@ M44d world_to_camera(const CameraFrame& frame) {
         for (int row = 0; row < 3; ++row) {
             matrix[row][column] = axes[column][row];
         }
-        matrix[3][column] = -(position ^ axes[column]);
+        matrix[3][column] = -position.dot(axes[column]);
     }
     return matrix;
 }

@@ -175,15 +175,15 @@ std::optional<ThinLensCamera::Arrival> ThinLensCamera::arrival(const Aperture& a
                                                                const V3f& direction) const {
     constexpr float kLeastForwardCosine = 1e-3f;
     const CameraFrame& frame = aperture.frame;
-    const float cosine = direction ^ frame.forward;
+    const float cosine = direction.dot(frame.forward);
     if (!(cosine > kLeastForwardCosine)) {
         return std::nullopt;
     }
     const V3f in_focus =
         (aperture.position - frame.position) / frame.focus_distance + direction / cosine;
     const float scale = 1 / frame.pixel_size;
-    const V2f place(half_width_ + (in_focus ^ frame.right) * scale,
-                    half_height_ - (in_focus ^ frame.up) * scale);
+    const V2f place(half_width_ + in_focus.dot(frame.right) * scale,
+                    half_height_ - in_focus.dot(frame.up) * scale);
     const auto reach = static_cast<float>(0.5 * filter_.width());
     if (place.x < -reach || place.y < -reach || place.x > 2 * half_width_ + reach ||
         place.y > 2 * half_height_ + reach) {

@@ -120,7 +120,7 @@ AovPlanes::Seen AovPlanes::look(int x, int y) const {
     }
     const V3f point = ray.origin + ray.direction * hit.t;
     const CameraFrame frame = camera_.frame_at(kMiddle);
-    seen.depth = (point - frame.position) ^ frame.forward;
+    seen.depth = (point - frame.position).dot(frame.forward);
     seen.motion = motion_of(scene_.moved(hit.object, point, kMiddle, 0),
                             scene_.moved(hit.object, point, kMiddle, 1));
     seen.object = static_cast<float>(hit.object + 1);

@@ -19,7 +19,7 @@ class Faces {
         const Affine& map = frame_.world_from_unit;
         Triangle t{map.point(a), map.point(b), map.point(c)};
         const V3f normal = Affine::normal(front, frame_.unit_from_world);
-        if (((t[1] - t[0]).cross(t[2] - t[0]) ^ normal) < 0) {
+        if ((t[1] - t[0]).cross(t[2] - t[0]).dot(normal) < 0) {
             std::swap(t[1], t[2]);
         }
         triangles_.push_back(t);

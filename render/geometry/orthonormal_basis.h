@@ -22,7 +22,7 @@ struct OrthonormalBasis {
     }
 
     [[nodiscard]] V3f to_world(const V3f& v) const { return v.x * x + v.y * y + v.z * z; }
-    [[nodiscard]] V3f from_world(const V3f& v) const { return V3f(v ^ x, v ^ y, v ^ z); }
+    [[nodiscard]] V3f from_world(const V3f& v) const { return V3f(v.dot(x), v.dot(y), v.dot(z)); }
 };
 
 }  // namespace carom::render

@@ -38,7 +38,7 @@ float mirror_angle(float between, float radius_over_a, float radius_over_b) {
 
 /// A unit vector at right angles to the unit `axis`, towards `other`.
 V3f across(const V3f& axis, const V3f& other) {
-    const V3f side = other - axis * (axis ^ other);
+    const V3f side = other - axis * axis.dot(other);
     const float length2 = side.length2();
     return length2 > 1e-14f ? side / std::sqrt(length2) : OrthonormalBasis::around(axis).x;
 }
@@ -57,7 +57,7 @@ std::optional<SpecularPoint> specular_point(const V3f& a, const V3f& b, const V3
     const V3f axis = to_a / distance_a;
     const V3f other = to_b / distance_b;
     const V3f side = across(axis, other);
-    const float between = std::atan2(side ^ other, axis ^ other);
+    const float between = std::atan2(side.dot(other), axis.dot(other));
     const float radius_over_a = radius / distance_a;
     const float radius_over_b = radius / distance_b;
     const float angle = mirror_angle(between, radius_over_a, radius_over_b);
@@ -71,8 +71,8 @@ std::optional<SpecularPoint> specular_point(const V3f& a, const V3f& b, const V3
     const V3f leg_b = b - point.position;
     point.from = leg_a.length();
     point.to = leg_b.length();
-    point.cosine = (leg_a ^ point.normal) / point.from;
-    if (!(point.cosine > 0) || !((leg_b ^ point.normal) > 0)) {
+    point.cosine = leg_a.dot(point.normal) / point.from;
+    if (!(point.cosine > 0) || !(leg_b.dot(point.normal) > 0)) {
         return std::nullopt;
     }
     const float sum = point.from + point.to;

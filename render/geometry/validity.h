@@ -22,7 +22,7 @@ using carom::is_finite;
 }
 
 [[nodiscard]] inline bool is_unit(const V3f& v) {
-    return is_finite(v) && std::abs((v ^ v) - 1.0f) < 1e-3f;
+    return is_finite(v) && std::abs(v.dot(v) - 1.0f) < 1e-3f;
 }
 
 }  // namespace carom::render

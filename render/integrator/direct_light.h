@@ -36,7 +36,7 @@ struct ShadingVertex {
 
     /// Where a ray in this direction starts: on the far side if it passes through the surface.
     [[nodiscard]] V3f origin_towards(const V3f& direction) const {
-        const bool passes = bsdf.transmits() && (surface.geometric_normal ^ direction) < 0;
+        const bool passes = bsdf.transmits() && surface.geometric_normal.dot(direction) < 0;
         return passes ? position * 2.0f - origin : origin;
     }
 };

@@ -30,13 +30,13 @@ bool is_black(const V3f& c) {
 }
 
 V3f mirrored(const V3f& wo, const V3f& normal) {
-    return normal * (2 * (normal ^ wo)) - wo;
+    return normal * (2 * normal.dot(wo)) - wo;
 }
 
 /// Snell's law: sin(transmitted) = sin(incident) / `relative_index`. Empty at total reflection.
 std::optional<V3f> refracted(const V3f& wo, const V3f& normal, float relative_index) {
     const float eta = 1 / relative_index;
-    const float cosine = normal ^ wo;
+    const float cosine = normal.dot(wo);
     const float cosine2 = 1 - eta * eta * (1 - cosine * cosine);
     if (cosine2 <= 0) {
         return std::nullopt;
@@ -115,7 +115,7 @@ V3f DistributedIntegrator::trace(const TreeRay& from, Work& work) const {
     const SurfacePoint point = scene_.frame.surface_at(from.ray, hit);
     const Material& material = scene_.materials[point.material];
     const float width = from.width + from.spread * hit.t;
-    const float cosine = std::max(std::abs(point.geometric_normal ^ wo), kLeastConeCosine);
+    const float cosine = std::max(std::abs(point.geometric_normal.dot(wo)), kLeastConeCosine);
     const Surface surface = material.resolve(point, wo, width / std::sqrt(cosine));
     if (is_camera_ray) {
         work.result.normal = surface.frame.z;
@@ -165,12 +165,12 @@ V3f DistributedIntegrator::from_light(std::size_t light, const V2f& u, const Ver
     work.count.shadow_rays += 1;
     const Surface& surface = vertex.surface;
     const auto sample = scene_.lights.sample(light, vertex.point.position, u);
-    const float cosine = sample ? surface.frame.z ^ sample->direction : 0.0f;
+    const float cosine = sample ? surface.frame.z.dot(sample->direction) : 0.0f;
     V3f scattered(0, 0, 0);
-    if (cosine > 0 && (surface.geometric_normal ^ sample->direction) > 0) {
+    if (cosine > 0 && surface.geometric_normal.dot(sample->direction) > 0) {
         const PhongModel& model = vertex.model;
         scattered = model.diffuse_colour(surface.base) * cosine;
-        const float highlight = mirrored(sample->direction, surface.frame.z) ^ vertex.wo;
+        const float highlight = mirrored(sample->direction, surface.frame.z).dot(vertex.wo);
         if (highlight > 0) {
             scattered += model.specular * std::pow(highlight, model.shininess);
         }
@@ -195,7 +195,7 @@ V3f DistributedIntegrator::sent_on(const Vertex& vertex, Work& work) const {
     V3f transmittance = model.transmittance;
     V3f sum(0, 0, 0);
     if (!is_black(transmittance)) {
-        const bool from_outside = (vertex.point.geometric_normal ^ vertex.wo) >= 0;
+        const bool from_outside = vertex.point.geometric_normal.dot(vertex.wo) >= 0;
         const float relative_index = from_outside ? model.index : 1 / model.index;
         if (const auto axis = refracted(vertex.wo, vertex.surface.frame.z, relative_index)) {
             const Lobe lobe{*axis, model.transmittance_spread, settings_.refraction_samples, -1, 1};
@@ -219,7 +219,7 @@ V3f DistributedIntegrator::gathered(const Lobe& lobe, const Vertex& vertex, Work
     const V3f outside = vertex.surface.geometric_normal * lobe.side;
     // A bent normal may mirror or refract to the wrong side; the surface's own does not.
     V3f axis = lobe.axis;
-    if ((axis ^ outside) <= 0) {
+    if (axis.dot(outside) <= 0) {
         axis = lobe.side > 0 ? mirrored(vertex.wo, outside) : -vertex.wo;
     }
     const OrthonormalBasis basis = OrthonormalBasis::around(axis);
@@ -240,7 +240,7 @@ V3f DistributedIntegrator::gathered(const Lobe& lobe, const Vertex& vertex, Work
             const V2f u = lattice_point(V2f(numbers[0], numbers[1]), k, samples);
             local = sample_deviation(u, lobe.spread);
             child.ray.direction = basis.to_world(local).normalized();
-            if ((child.ray.direction ^ outside) <= 0) {
+            if (child.ray.direction.dot(outside) <= 0) {
                 child.ray.direction = basis.to_world(V3f(-local.x, -local.y, local.z)).normalized();
             }
         }

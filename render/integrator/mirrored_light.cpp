@@ -25,7 +25,8 @@ bool from_area(const TransportScene& scene, std::size_t light, const SpecularPoi
         return false;
     }
     mirrored.reach = *reach;
-    mirrored.solid_angle = mirror.spread * std::abs(target.normal ^ mirrored.onward) / target.pdf;
+    mirrored.solid_angle =
+        mirror.spread * std::abs(target.normal.dot(mirrored.onward)) / target.pdf;
     mirrored.radiance *= emitted;
     return true;
 }

@@ -169,7 +169,7 @@ bool PathIntegrator::meet(Path& path, const Hit& hit, PathWork& work) const {
 // `path.width` is that at the point.
 Surface PathIntegrator::resolve(const Path& path, const SurfacePoint& point) const {
     const V3f wo = -path.ray.direction;
-    const float cosine = std::max(std::abs(point.geometric_normal ^ wo), kLeastConeCosine);
+    const float cosine = std::max(std::abs(point.geometric_normal.dot(wo)), kLeastConeCosine);
     return scene_.materials[point.material].resolve(point, wo, path.width / std::sqrt(cosine));
 }
 
@@ -196,7 +196,7 @@ bool PathIntegrator::is_sought(const Path& path, const Hit& hit) const {
 
 void PathIntegrator::add_emission(const Path& path, const Hit& hit, PathWork& work) const {
     const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
-    const float cosine = -(point.geometric_normal ^ path.ray.direction);
+    const float cosine = -point.geometric_normal.dot(path.ray.direction);
     const Material& material = scene_.materials[point.material];
     if (cosine > 0 && material.is_emissive()) {
         work.add(path.throughput * direct_.met_object(path, hit, material.emission(), cosine),

@@ -33,7 +33,7 @@ RectangleEmitter::RectangleEmitter(const RectangleLight& light)
 std::optional<LightSample> RectangleEmitter::sample(const V3f& point, const V2f& u) const {
     const V3f on_light = centre_ + edge_u_ * (2.0f * u.x - 1.0f) + edge_v_ * (2.0f * u.y - 1.0f);
     const V3f way = on_light - point;
-    const float height = -(way ^ normal_);
+    const float height = -way.dot(normal_);
     if (height <= 0) {
         return std::nullopt;
     }
@@ -46,7 +46,7 @@ std::optional<LightSample> RectangleEmitter::sample(const V3f& point, const V2f&
 std::optional<LightBlock> RectangleEmitter::sample_block(const V3f& point,
                                                          const std::array<V2f, 4>& u) const {
     const V3f way = centre_ - point;
-    const float height = -(way ^ normal_);
+    const float height = -way.dot(normal_);
     if (height <= 0) {
         return std::nullopt;
     }
@@ -71,23 +71,23 @@ std::optional<LightBlock> RectangleEmitter::sample_block(const V3f& point,
 }
 
 float RectangleEmitter::pdf(const V3f& /*point*/, const V3f& direction, float distance) const {
-    const float cosine = -(direction ^ normal_);
+    const float cosine = -direction.dot(normal_);
     return cosine > 0 ? distance * distance / (cosine * area_) : 0.0f;
 }
 
 V3f RectangleEmitter::emitted(const V3f& direction) const {
-    return (direction ^ normal_) > 0 ? radiance_ : V3f(0, 0, 0);
+    return direction.dot(normal_) > 0 ? radiance_ : V3f(0, 0, 0);
 }
 
 float RectangleEmitter::importance(const V3f& point, const V3f& normal) const {
     const V3f way = centre_ - point;
     const float distance2 = std::max(way.length2(), 1e-12f);
     const float distance = std::sqrt(distance2);
-    const float height = -(way ^ normal_);
+    const float height = -way.dot(normal_);
     if (height <= 0) {
         return 0;
     }
-    const float cosine = surface_cosine((way ^ normal) / distance, half_diagonal_ / distance);
+    const float cosine = surface_cosine(way.dot(normal) / distance, half_diagonal_ / distance);
     if (!fades_) {
         return luminance(radiance_) * kPi * cosine;
     }
@@ -152,7 +152,7 @@ float SphereEmitter::importance(const V3f& point, const V3f& normal) const {
     const float solid_angle =
         fades_ ? 2.0f * kPi * one_minus_cos_of_sphere(radius_, distance) : kPi;
     return luminance(radiance_) * solid_angle *
-           surface_cosine((way ^ normal) / distance, radius_ / distance);
+           surface_cosine(way.dot(normal) / distance, radius_ / distance);
 }
 
 // A ray that meets the light passes its middle within the radius. It crosses the disk at an angle
@@ -174,7 +174,7 @@ bool SphereEmitter::can_sample_area(float distance, float reach) const {
 std::optional<float> SphereEmitter::distance_along(const V3f& origin, const V3f& direction,
                                                    float /*to_point*/) const {
     const V3f way = centre_ - origin;
-    const float along = way ^ direction;
+    const float along = way.dot(direction);
     const float beside2 = (way - direction * along).length2();
     const float inside2 = radius_ * radius_ - beside2;
     if (inside2 <= 0 || along <= 0) {

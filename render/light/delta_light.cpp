@@ -45,7 +45,7 @@ std::optional<LightSample> DeltaLight::sample(const V3f& point) const {
         return std::nullopt;
     }
     const V3f towards = way / distance;
-    if (share_at(-(towards ^ direction_)) <= 0) {
+    if (share_at(-towards.dot(direction_)) <= 0) {
         return std::nullopt;
     }
     return LightSample{towards, distance, kDeltaPdf, V2f(0, 0)};
@@ -55,7 +55,7 @@ V3f DeltaLight::radiance(const LightSample& sample) const {
     if (is_parallel_) {
         return power_ * kDeltaPdf;
     }
-    const float share = share_at(-(sample.direction ^ direction_));
+    const float share = share_at(-sample.direction.dot(direction_));
     const float distance2 = fades_ ? sample.distance * sample.distance : 1.0f;
     return power_ * (share / distance2) * kDeltaPdf;
 }
@@ -66,7 +66,7 @@ V3f DeltaLight::source(const V3f& centre, float reach) const {
 }
 
 V3f DeltaLight::intensity(const V3f& direction, float distance) const {
-    const float share = is_parallel_ ? 1.0f : share_at(direction ^ direction_);
+    const float share = is_parallel_ ? 1.0f : share_at(direction.dot(direction_));
     return power_ * (fades_ ? share : share * (distance * distance));
 }
 
@@ -82,7 +82,7 @@ float DeltaLight::irradiance_within(const V3f& centre, float reach) const {
     // The edge of what is lit is nearest in the direction of the axis.
     const auto angle_of = [](float cosine) { return std::acos(std::clamp(cosine, -1.0f, 1.0f)); };
     const bool is_dark =
-        outer_cosine_ > -1 && angle_of((way ^ direction_) / distance) >
+        outer_cosine_ > -1 && angle_of(way.dot(direction_) / distance) >
                                   angle_of(outer_cosine_) + std::asin(reach / distance);
     return is_dark ? 0.0f : luminance(power_) / (fades_ ? distance * distance : 1.0f);
 }
@@ -93,7 +93,7 @@ float DeltaLight::importance(const V3f& point, const V3f& normal) const {
         return 0;
     }
     // A light at the horizon's edge is chosen a little all the same: normals are interpolated.
-    const float cosine = at->direction ^ normal;
+    const float cosine = at->direction.dot(normal);
     return cosine <= 0 ? 0.0f : luminance(radiance(*at)) * (std::max(cosine, 0.1f) / kDeltaPdf);
 }
 

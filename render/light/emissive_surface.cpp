@@ -62,7 +62,7 @@ std::optional<LightSample> EmissiveSurface::sample(const V3f& point, const V2f& 
     if (!(distance > 1e-9f)) {
         return std::nullopt;
     }
-    const float cosine = -(way ^ normal) / distance;
+    const float cosine = -way.dot(normal) / distance;
     if (cosine <= 0) {
         return std::nullopt;
     }
@@ -73,7 +73,7 @@ float EmissiveSurface::importance(const V3f& point, const V3f& normal) const {
     const V3f way = centre_ - point;
     const float distance2 = std::max(way.length2(), 1e-12f);
     const float distance = std::sqrt(distance2);
-    const float cosine = (way ^ normal) / distance;
+    const float cosine = way.dot(normal) / distance;
     // Some of it is above the horizon, or all of it is below.
     const float seen = distance > reach_ && cosine + reach_ / distance <= 0
                            ? 0.0f

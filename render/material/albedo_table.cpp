@@ -39,7 +39,7 @@ float microfacet_albedo(float alpha, float cosine, const Reflectance& reflectanc
     return mean_over_square([&](const V2f& u) {
         const V3f m = ggx.sample_visible(wo, u);
         const V3f wi = mirrored(wo, m);
-        return wi.z <= 0 ? 0.0f : reflectance(wo ^ m) * ggx.sample_weight(wo, wi);
+        return wi.z <= 0 ? 0.0f : reflectance(wo.dot(m)) * ggx.sample_weight(wo, wi);
     });
 }
 
@@ -89,7 +89,7 @@ AlbedoTable AlbedoTable::of_glass(float alpha, float index) {
                    const V3f m = ggx.sample_visible(wo, u);
                    const V3f wi = refracted_at(wo, m, index);
                    return wi.z >= 0 ? 0.0f
-                                    : (1.0f - fresnel_dielectric(wo ^ m, index)) /
+                                    : (1.0f - fresnel_dielectric(wo.dot(m), index)) /
                                           (1.0f + ggx.lambda(V3f(wi.x, wi.y, -wi.z)));
                });
     });

@@ -80,7 +80,7 @@ BsdfValue Bsdf::evaluate_coat(const V3f& wi) const {
     }
     const Ggx ggx(layers.coat_alpha);
     const V3f m = (wo_ + wi).normalized();
-    const float reflected = fresnel_dielectric(wo_ ^ m, layers.coat_ior);
+    const float reflected = fresnel_dielectric(wo_.dot(m), layers.coat_ior);
     return {V3f(layers.coat_weight * reflected * ggx.reflection(wo_, wi, m)),
             ggx.reflection_pdf(wo_, m)};
 }
@@ -97,7 +97,7 @@ BsdfValue Bsdf::evaluate_base(const V3f& wi) const {
     if (lobes_.facets > 0 && surface_->layers->alpha > 0) {
         const Ggx ggx(surface_->layers->alpha);
         const V3f m = (wo_ + wi).normalized();
-        result.value += lobes_.facet_reflectance(*surface_, wo_ ^ m) *
+        result.value += lobes_.facet_reflectance(*surface_, wo_.dot(m)) *
                         (lobes_.facets * ggx.reflection(wo_, wi, m));
         result.pdf += lobes_.choose_facets * ggx.reflection_pdf(wo_, m);
     }
@@ -124,7 +124,7 @@ BsdfValue Bsdf::evaluate_through(Layers layers, const V3f& wi) const {
 // A direction counts only if it is on the same side of the surface and of the shading normal's.
 BsdfValue Bsdf::evaluate_phong(const V3f& wi) const {
     const V3f local = surface_->frame.from_world(wi);
-    if ((local.z > 0) != ((surface_->geometric_normal ^ wi) > 0)) {
+    if ((local.z > 0) != (surface_->geometric_normal.dot(wi) > 0)) {
         return {};
     }
     const PhongLobes::Value value = phong_->evaluate(local);
@@ -138,7 +138,7 @@ std::optional<BsdfSample> Bsdf::sample_phong(const V2f& u) const {
     }
     BsdfSample sample;
     sample.direction = surface_->frame.to_world(chosen->direction).normalized();
-    if ((chosen->direction.z > 0) != ((surface_->geometric_normal ^ sample.direction) > 0)) {
+    if ((chosen->direction.z > 0) != (surface_->geometric_normal.dot(sample.direction) > 0)) {
         return std::nullopt;
     }
     if (chosen->is_delta) {
@@ -226,7 +226,7 @@ std::optional<BsdfSample> Bsdf::sample_glass(Layers layers, const V2f& u, float 
 std::optional<BsdfSample> Bsdf::pass(const V3f& wi, const V3f& weight) const {
     BsdfSample sample;
     sample.direction = unit(surface_->frame.to_world(wi));
-    if (wi.z >= 0 || (surface_->geometric_normal ^ sample.direction) >= 0) {
+    if (wi.z >= 0 || surface_->geometric_normal.dot(sample.direction) >= 0) {
         return std::nullopt;
     }
     sample.weight = weight;
@@ -237,7 +237,7 @@ std::optional<BsdfSample> Bsdf::pass(const V3f& wi, const V3f& weight) const {
 std::optional<BsdfSample> Bsdf::mirror(const V3f& weight) const {
     BsdfSample sample;
     sample.direction = unit(surface_->frame.to_world(V3f(-wo_.x, -wo_.y, wo_.z)));
-    if ((surface_->geometric_normal ^ sample.direction) <= 0) {
+    if (surface_->geometric_normal.dot(sample.direction) <= 0) {
         return std::nullopt;
     }
     sample.weight = weight;
@@ -249,7 +249,7 @@ std::optional<BsdfSample> Bsdf::mirror(const V3f& weight) const {
 std::optional<BsdfSample> Bsdf::finish(Layers layers, const V3f& wi, bool passes) const {
     BsdfSample sample;
     sample.direction = unit(surface_->frame.to_world(wi));
-    const float side = surface_->geometric_normal ^ sample.direction;
+    const float side = surface_->geometric_normal.dot(sample.direction);
     if (passes ? wi.z >= 0 || side >= 0 : wi.z <= 0 || side <= 0) {
         return std::nullopt;
     }

@@ -88,11 +88,11 @@ class Bsdf {
         if (phong_) {
             return layers == Layers::coat ? BsdfValue{} : evaluate_phong(wi);
         }
-        if ((surface_->geometric_normal ^ wi) <= 0) {
+        if (surface_->geometric_normal.dot(wi) <= 0) {
             return lobes_.glass > 0 ? evaluate_through(layers, surface_->frame.from_world(wi))
                                     : BsdfValue{};
         }
-        return is_lambert(layers) ? lambert(layers, surface_->frame.z ^ wi)
+        return is_lambert(layers) ? lambert(layers, surface_->frame.z.dot(wi))
                                   : evaluate_local(layers, surface_->frame.from_world(wi));
     }
     [[nodiscard]] std::optional<BsdfSample> sample_any(Layers layers, const V2f& u) const;

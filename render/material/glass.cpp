@@ -84,7 +84,7 @@ GlassLobe::Value GlassLobe::evaluate(const V3f& wi) const {
     const Ggx ggx(glass_.alpha);
     if (wi.z > 0) {
         const V3f m = (wo_ + wi).normalized();
-        return {scale_ * fresnel_dielectric(wo_ ^ m, index_) * ggx.reflection(wo_, wi, m),
+        return {scale_ * fresnel_dielectric(wo_.dot(m), index_) * ggx.reflection(wo_, wi, m),
                 reflectance_ * ggx.reflection_pdf(wo_, m)};
     }
     V3f m = wo_ + wi * index_;
@@ -93,8 +93,8 @@ GlassLobe::Value GlassLobe::evaluate(const V3f& wi) const {
         return {};
     }
     m *= (m.z < 0 ? -1.0f : 1.0f) / length;
-    const float cos_o = wo_ ^ m;
-    const float cos_i = wi ^ m;
+    const float cos_o = wo_.dot(m);
+    const float cos_i = wi.dot(m);
     if (cos_o <= 0 || cos_i >= 0) {
         return {};
     }

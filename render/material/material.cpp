@@ -94,18 +94,18 @@ V3f Material::mirror_reflectance(float cosine) const {
 
 Surface Material::resolve(const SurfacePoint& point, const V3f& wo, float footprint) const {
     Surface surface;
-    const bool from_behind = (point.geometric_normal ^ wo) < 0;
+    const bool from_behind = point.geometric_normal.dot(wo) < 0;
     surface.geometric_normal = from_behind ? -point.geometric_normal : point.geometric_normal;
     V3f normal = from_behind ? -point.shading_normal : point.shading_normal;
     if (bump_ > 0) {
         const Texture::Relief relief = texture_.relief(point, footprint);
         const V3f shift = relief.normal_shift * bump_;
         surface.base = limited(relief.colour);
-        normal = (normal + shift - normal * (normal ^ shift)).normalized();
+        normal = (normal + shift - normal * normal.dot(shift)).normalized();
     } else {
         surface.base = limited(texture_.colour(point, footprint));
     }
-    if ((normal ^ wo) <= 0) {
+    if (normal.dot(wo) <= 0) {
         normal = surface.geometric_normal;  // a smoothed or bumped normal turned away from view
     }
     surface.frame = OrthonormalBasis::around(normal);

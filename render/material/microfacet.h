@@ -69,13 +69,13 @@ class Ggx {
 
 /// `w` mirrored at the facet with unit normal `m`.
 [[nodiscard]] inline V3f mirrored(const V3f& w, const V3f& m) {
-    return m * (2.0f * (w ^ m)) - w;
+    return m * (2.0f * w.dot(m)) - w;
 }
 
 /// The direction on the far side of a facet `m`, with w.m > 0 and `index` of the far side over that
 /// of `w`; (0, 0, 0) at total reflection (Walter 2007, eq. 40).
 [[nodiscard]] inline V3f refracted_at(const V3f& w, const V3f& m, float index) {
-    const float cosine = w ^ m;
+    const float cosine = w.dot(m);
     const float inverse = 1.0f / index;
     const float through2 = 1.0f - inverse * inverse * (1.0f - cosine * cosine);
     if (through2 <= 0) {

@@ -16,7 +16,7 @@ constexpr float kBroadest = 32.0f;  // exponent up to which a lobe is wide
 
 /// A half turn of `w` about the unit `axis`.
 V3f turned(const V3f& w, const V3f& axis) {
-    return axis * (2 * (axis ^ w)) - w;
+    return axis * (2 * axis.dot(w)) - w;
 }
 
 /// Where light that goes out to the unit `wo` comes from on the other side (Snell); empty at total
@@ -38,7 +38,7 @@ PhongLobes::Lobe::Lobe(const V3f& the_share, const V3f& the_axis, const CosineLo
       kept(shape.exponent < 0 ? 1.0f : shape.kept.at(std::abs(the_axis.z))) {}
 
 float PhongLobes::Lobe::density(const V3f& wi) const {
-    const float cosine = axis ^ wi;
+    const float cosine = axis.dot(wi);
     return cosine > 0 ? (exponent + 1) * (0.5f * kInversePi) * std::pow(cosine, exponent) : 0.0f;
 }
 

@@ -66,13 +66,13 @@ Exact exact(const TestSet& set, std::size_t ray, std::int64_t in_group, double e
     const V3d a(triangle.a);
     const V3d b(triangle.b);
     const V3d c(triangle.c);
-    const V3d normal = (b - a) % (c - a);
+    const V3d normal = (b - a).cross(c - a);
     const double along = normal.dot(d);
     Exact result{};
     result.t = normal.dot(a - o) / along;
     const V3d p = o + result.t * d - a;
-    result.u = ((p % (c - a)).dot(normal)) / normal.dot(normal);
-    result.v = (((b - a) % p).dot(normal)) / normal.dot(normal);
+    result.u = p.cross(c - a).dot(normal) / normal.dot(normal);
+    result.v = (b - a).cross(p).dot(normal) / normal.dot(normal);
     const double longest = std::max({(b - a).length(), (c - a).length(), (c - b).length()});
     const double height = normal.length() / longest;
     const double size =

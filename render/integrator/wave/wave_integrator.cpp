@@ -281,7 +281,7 @@ void WaveIntegrator::add_other_vertex(int path, Wave& wave) const {
     vertices.coat_ior.at[i] = surface.layers->coat_ior;
     const float sheen = surface.layers->sheen;
     const V3f& colour = surface.layers->sheen_colour;
-    const float height = std::max(-(surface.frame.z ^ alone.ray.direction), kLeastLocalCosine);
+    const float height = std::max(-surface.frame.z.dot(alone.ray.direction), kLeastLocalCosine);
     vertices.sheen.set(i, colour * sheen);
     vertices.sheen_share.at[i] = sheen > 0 ? sheen * surface.layers->sheen_albedo.at(height) *
                                                  std::max({colour.x, colour.y, colour.z})

@@ -10,7 +10,7 @@ namespace carom::render {
 namespace {
 
 V3f mirrored(const V3f& direction, const V3f& normal) {
-    return direction - normal * (2 * (direction ^ normal));
+    return direction - normal * (2 * direction.dot(normal));
 }
 
 TEST(SpecularPoint, OverManyPlaces_TheMirroredRayMeetsTheSecondPoint) {
@@ -64,14 +64,14 @@ TEST(SpecularPoint, Spread_IsThatOfNeighbouringRays) {
         using Imath::V3d;
         const auto landing = [&](const V3d& direction) {
             const V3d origin(a);
-            const double along = -(origin ^ direction);
+            const double along = -origin.dot(direction);
             const double half = std::sqrt(static_cast<double>(radius * radius) -
                                           (origin + direction * along).length2());
             const V3d where = origin + direction * (along - half);
             const V3d normal = where.normalized();
-            const V3d out = direction - normal * (2 * (direction ^ normal));
+            const V3d out = direction - normal * (2 * direction.dot(normal));
             const V3d axis = V3d(b - point->position).normalized();
-            return where + out * ((V3d(b) - where) ^ axis) / (out ^ axis);
+            return where + out * (V3d(b) - where).dot(axis) / out.dot(axis);
         };
         const V3d direction = V3d(point->position - a).normalized();
         const OrthonormalBasis basis = OrthonormalBasis::around(V3f(direction));

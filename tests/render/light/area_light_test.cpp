@@ -30,10 +30,10 @@ SphereLight bulb() {
 double distance_to(const RectangleLight& light, const V3f& point, const V3f& direction) {
     const Vec3 o(point);
     const Vec3 d(direction);
-    const double t = ((light.centre - o) ^ light.normal) / (d ^ light.normal);
+    const double t = (light.centre - o).dot(light.normal) / d.dot(light.normal);
     const Vec3 p = o + d * t - light.centre;
-    const bool inside = std::abs(p ^ light.edge_u) <= light.edge_u.length2() &&
-                        std::abs(p ^ light.edge_v) <= light.edge_v.length2();
+    const bool inside = std::abs(p.dot(light.edge_u)) <= light.edge_u.length2() &&
+                        std::abs(p.dot(light.edge_v)) <= light.edge_v.length2();
     return inside ? t : -1;
 }
 
@@ -46,7 +46,7 @@ double polygon_irradiance(const std::vector<Vec3>& corners, const Vec3& point, c
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Vec3 a = (corners[i] - point).normalized();
         const Vec3 b = (corners[(i + 1) % corners.size()] - point).normalized();
-        sum += std::acos(a ^ b) * (a.cross(b).normalized() ^ normal);
+        sum += std::acos(a.dot(b)) * a.cross(b).normalized().dot(normal);
     }
     return std::abs(0.5 * sum);
 }
@@ -82,15 +82,15 @@ TEST(RectangleEmitter, Samples_FollowPdf) {
                 EXPECT_TRUE(sample.has_value());
                 const Vec3 place =
                     Vec3(point) + Vec3(sample->direction) * sample->distance - light.centre;
-                return Vec2(0.5 + 0.5 * (place ^ light.edge_u) / light.edge_u.length2(),
-                            0.5 + 0.5 * (place ^ light.edge_v) / light.edge_v.length2());
+                return Vec2(0.5 + 0.5 * place.dot(light.edge_u) / light.edge_u.length2(),
+                            0.5 + 0.5 * place.dot(light.edge_v) / light.edge_v.length2());
             },
             [&](const Vec2& place) {
                 const Vec3 way = light.centre + light.edge_u * (2 * place.x - 1) +
                                  light.edge_v * (2 * place.y - 1) - Vec3(point);
                 const double distance = way.length();
                 const double per_place =
-                    -(way ^ light.normal) / distance * 0.6 / (distance * distance);
+                    -way.dot(light.normal) / distance * 0.6 / (distance * distance);
                 return per_place *
                        emitter.pdf(point, V3f(way / distance), static_cast<float>(distance));
             },
@@ -153,7 +153,7 @@ TEST(RectangleEmitter, Irradiance_IsLambertsFormula) {
         const float y = random.unit();
         const auto sample = emitter.sample(point, V2f(x, y));
         const double value =
-            (sample->direction ^ normal) * emitter.emitted(-sample->direction).x / sample->pdf;
+            sample->direction.dot(normal) * emitter.emitted(-sample->direction).x / sample->pdf;
         sum += value;
         squares += value * value;
     }
@@ -181,7 +181,7 @@ TEST(SphereEmitter, Irradiance_IsPiTimesSquareOfTheRatio) {
         const float y = random.unit();
         const auto sample = emitter.sample(point, V2f(x, y));
         const double value =
-            (sample->direction ^ normal) * emitter.emitted(-sample->direction).x / sample->pdf;
+            sample->direction.dot(normal) * emitter.emitted(-sample->direction).x / sample->pdf;
         sum += value;
         squares += value * value;
     }

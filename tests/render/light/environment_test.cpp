@@ -106,7 +106,7 @@ TEST_F(EnvironmentImage, SampledIrradiance_EqualsTheIntegralOfRadiance) {
             const V2f u((static_cast<float>(j) + 0.5f) / kSteps,
                         (static_cast<float>(i) + 0.5f) / kSteps);
             const V3f d = sample_sphere(u);
-            integral += std::max(0.0f, d ^ normal) * environment.radiance(d).y;
+            integral += std::max(0.0f, d.dot(normal)) * environment.radiance(d).y;
         }
     }
     integral *= 4 * static_cast<double>(kPi) / (kSteps * kSteps);
@@ -118,7 +118,7 @@ TEST_F(EnvironmentImage, SampledIrradiance_EqualsTheIntegralOfRadiance) {
         const float x = random.unit();
         const float y = random.unit();
         const auto sample = environment.sample(V2f(x, y));
-        const double value = std::max(0.0f, sample->direction ^ normal) *
+        const double value = std::max(0.0f, sample->direction.dot(normal)) *
                              environment.radiance(*sample).y / sample->pdf;
         sum += value;
         squares += value * value;

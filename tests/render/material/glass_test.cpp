@@ -34,7 +34,7 @@ struct Energy {
 Energy sampled_energy(const Bsdf& bsdf, const V3f& wo) {
     constexpr int kSamples = 200'000;
     Energy energy;
-    const float side = wo ^ kNormal;
+    const float side = wo.dot(kNormal);
     for (int i = 0; i < kSamples; ++i) {
         // Roberts 2018, as in bsdf_energy_test.cpp.
         const auto at = [&](double step) {
@@ -43,7 +43,7 @@ Energy sampled_energy(const Bsdf& bsdf, const V3f& wo) {
         };
         if (const auto s =
                 bsdf.sample(Layers::all, V2f(at(0.7548776662466927), at(0.5698402909980532)))) {
-            const bool passes = (s->direction ^ kNormal) * side < 0;
+            const bool passes = s->direction.dot(kNormal) * side < 0;
             (passes ? energy.passed : energy.reflected) += static_cast<double>(s->weight.x);
         }
     }
@@ -63,13 +63,13 @@ TEST(ClearGlass, BothSides_ShareLightByFresnelAndBendItBySnell) {
             const auto mirrored = bsdf.sample(Layers::all, V2f(0.99f * fresnel, 0.5f));
             const auto bent = bsdf.sample(Layers::all, V2f(1.01f * fresnel, 0.5f));
             ASSERT_TRUE(mirrored && mirrored->is_delta && bent && bent->is_delta);
-            EXPECT_GT((mirrored->direction ^ kNormal) * side, 0);
-            EXPECT_LT((bent->direction ^ kNormal) * side, 0);
+            EXPECT_GT(mirrored->direction.dot(kNormal) * side, 0);
+            EXPECT_LT(bent->direction.dot(kNormal) * side, 0);
             EXPECT_NEAR(mirrored->weight.x, 1, 1e-5f);
             EXPECT_NEAR(bent->weight.x, 1, 1e-5f);
             // n sin is kept, in the plane of incidence.
-            const V3f across_wo = wo - kNormal * (wo ^ kNormal);
-            const V3f across_wi = bent->direction - kNormal * (bent->direction ^ kNormal);
+            const V3f across_wo = wo - kNormal * wo.dot(kNormal);
+            const V3f across_wi = bent->direction - kNormal * bent->direction.dot(kNormal);
             EXPECT_LT((across_wi * index + across_wo).length(), 2e-6f) << angle << " " << side;
         }
     }
@@ -83,14 +83,14 @@ TEST(ClearGlass, BeyondTheCriticalAngle_MirrorsEverything) {
         const Surface surface = resolve(material, kNormal, within);
         const auto sample = Bsdf(surface, within).sample(Layers::all, V2f(u, 0.3f));
         ASSERT_TRUE(sample);
-        EXPECT_LT(sample->direction ^ kNormal, 0);
+        EXPECT_LT(sample->direction.dot(kNormal), 0);
         EXPECT_FLOAT_EQ(sample->weight.x, 1);
     }
     const V3f shallower = viewer(critical - 0.01f, -1);
     const Surface surface = resolve(material, kNormal, shallower);
     const auto sample = Bsdf(surface, shallower).sample(Layers::all, V2f(0.999f, 0.3f));
     ASSERT_TRUE(sample);
-    EXPECT_GT(sample->direction ^ kNormal, 0);
+    EXPECT_GT(sample->direction.dot(kNormal), 0);
 }
 
 TEST(ClearGlass, Colour_IsTakenOnAtTheSurfaceOrByTheWayWithin) {
