@@ -1,6 +1,7 @@
 // bin/carom: reads the command line and runs what needs no renderer. For the rest it becomes
 // libexec/carom/carom-film, which links OpenImageIO (200 ms to load) and libav.
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,9 @@
 #include "core/error.h"
 #include "core/printable.h"
 #include "pipeline/cli/command_line.h"
+#include "pipeline/cli/completion.h"
 #include "pipeline/cli/helper_program.h"
+#include "pipeline/cli/manual_pages.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/terminal/standard_descriptors.h"
 
@@ -25,6 +28,11 @@ bool has_address_space() {
     return ::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur >= kLeastAddressSpace;
 }
 
+int report(const carom::Error& error) {
+    std::fprintf(stderr, "carom: error: %s\n", carom::printable(error.what()).c_str());
+    return kFailed;
+}
+
 /// Returns only if it fails.
 int become_other_program(Program program, char** arguments) {
     if (!has_address_space()) {
@@ -37,16 +45,35 @@ int become_other_program(Program program, char** arguments) {
     try {
         become_program(program == Program::film ? "carom-film" : "carom-lab", arguments);
     } catch (const carom::Error& error) {
-        std::fprintf(stderr, "carom: error: %s\n", carom::printable(error.what()).c_str());
+        return report(error);
     }
-    return kFailed;
+}
+
+/// What the completion scripts and the build call, which is not in the help. Empty for all else.
+std::optional<int> hidden_command(const std::vector<std::string>& words) {
+    if (!words.empty() && words.front() == "__complete") {
+        return print({kDone, completion_lines({words.begin() + 1, words.end()}), ""});
+    }
+    if (words.size() == 2 && words.front() == "__manual") {
+        try {
+            write_manual(words.back());
+        } catch (const carom::Error& error) {
+            return report(error);
+        }
+        return kDone;
+    }
+    return std::nullopt;
 }
 
 }  // namespace
 
 int main(int argument_count, char** arguments) {
     hold_standard_descriptors();
-    const auto parsed = parse_command_line({arguments + 1, arguments + argument_count});
+    const std::vector<std::string> words(arguments + 1, arguments + argument_count);
+    if (const std::optional<int> exit_code = hidden_command(words)) {
+        return *exit_code;
+    }
+    const auto parsed = parse_command_line(words);
     if (const auto* nothing = std::get_if<NothingToRun>(&parsed)) {
         return print(*nothing);
     }

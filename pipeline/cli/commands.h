@@ -210,20 +210,13 @@ struct ImportTrackCommand {
 void describe(ImportTrackCommand& command, CommandDescription& description);
 void run(const ImportTrackCommand& command, CommandContext& context);
 
-/// Words for a shell.
+/// The script that completes in a shell.
 struct CompletionCommand {
     std::string shell;   // "bash", "zsh", "fish"
     std::string output;  // empty: standard output
 };
 void describe(CompletionCommand& command, CommandDescription& description);
 void run(const CompletionCommand& command, CommandContext& context);
-
-/// The manual page.
-struct ManualCommand {
-    std::string output;  // empty: standard output
-};
-void describe(ManualCommand& command, CommandDescription& description);
-void run(const ManualCommand& command, CommandContext& context);
 
 /// Acceleration structures against each other. Texts as they were typed.
 struct CompareCommand {
@@ -299,7 +292,6 @@ inline constexpr std::tuple kCommandTable{
                               "Print the JSON Schema of shots, for editors."},
     CommandRow<CompletionCommand>{"completion", Group::tools, Program::carom,
                                   "Print the script that completes carom's words in a shell."},
-    CommandRow<ManualCommand>{"manual", Group::tools, Program::carom, "Print the manual page."},
 };
 
 template <class... T>

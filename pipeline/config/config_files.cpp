@@ -195,6 +195,22 @@ FoundFile find_config_file(std::string_view name, const std::string& folder,
                 (is_missing ? file_hint(fs::path(name), folder, folders) : "")};
 }
 
+std::vector<std::string> preset_names(const ConfigFolders& folders) {
+    std::vector<std::string> names;
+    for (const std::string& folder : folders.folders) {
+        std::error_code code;
+        for (const fs::directory_entry& entry :
+             fs::directory_iterator(fs::path(folder) / "quality", code)) {
+            if (entry.path().extension() == ".yaml") {
+                names.push_back(entry.path().stem().string());
+            }
+        }
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
 bool read_text_file(const std::string& path, std::size_t most_bytes, std::string& text) {
     const std::string problem = problem_with(path);
     if (!problem.empty()) {

@@ -29,6 +29,9 @@ struct FoundFile {
 [[nodiscard]] FoundFile find_config_file(std::string_view name, const std::string& folder,
                                          const ConfigFolders& folders);
 
+/// The quality presets, by name.
+[[nodiscard]] std::vector<std::string> preset_names(const ConfigFolders& folders);
+
 /// The whole text of a regular file of at most `most_bytes`. False: `text` says what is wrong.
 [[nodiscard]] bool read_text_file(const std::string& path, std::size_t most_bytes,
                                   std::string& text);

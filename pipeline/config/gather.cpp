@@ -54,7 +54,6 @@ class Gatherer {
     void merge_rigs(Node& own, std::vector<OpenFile>& trail);
     std::optional<Node> read_rig(const Node& name, std::vector<OpenFile>& trail);
     bool check_version(const Node& root);
-    [[nodiscard]] std::vector<std::string> preset_names() const;
 
     SourceSet& sources_;
     const ConfigFolders& folders_;
@@ -242,25 +241,9 @@ std::optional<Node> Gatherer::read_file(const std::string& path, std::string sho
     return tree;
 }
 
-std::vector<std::string> Gatherer::preset_names() const {
-    std::vector<std::string> names;
-    for (const std::string& folder : folders_.folders) {
-        std::error_code code;
-        for (const fs::directory_entry& entry :
-             fs::directory_iterator(fs::path(folder) / "quality", code)) {
-            if (entry.path().extension() == ".yaml") {
-                names.push_back(entry.path().stem().string());
-            }
-        }
-    }
-    std::sort(names.begin(), names.end());
-    names.erase(std::unique(names.begin(), names.end()), names.end());
-    return names;
-}
-
 std::optional<Node> Gatherer::read_preset(const std::string& name, const Place& place,
                                           std::vector<OpenFile>& trail) {
-    const std::vector<std::string> known = preset_names();
+    const std::vector<std::string> known = preset_names(folders_);
     const std::string& folder = sources_.at(place.source).folder;
     const bool is_name = !name.empty() && name.find('/') == std::string::npos;
     const FoundFile found =

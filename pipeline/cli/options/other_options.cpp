@@ -128,10 +128,4 @@ void describe(CompletionCommand& command, CommandDescription& description) {
         {"carom completion bash -o ~/.bash_completion", "For a carom that is not installed."}};
 }
 
-void describe(ManualCommand& command, CommandDescription& description) {
-    description.details = {"An installed carom has it as 'man carom'."};
-    add_output(description, command.output, "Write to this file instead of standard output.");
-    description.examples = {{"carom manual -o carom.1 && man -l carom.1", "Read it."}};
-}
-
 }  // namespace carom::cli

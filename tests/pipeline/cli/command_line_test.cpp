@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pipeline/cli/help/option_table.h"
+#include "pipeline/cli/program_description.h"
 
 namespace carom::cli {
 namespace {
@@ -41,7 +41,8 @@ TEST(CommandLine, Help_ShowsTheFourFirstCommandsAndThenAllInGroups) {
 
 std::vector<std::string> all_commands() {
     std::vector<std::string> names;
-    for (const CommandInfo& command : describe_command_line().commands) {
+    ProgramOptions options;
+    for (const CommandDescription& command : describe_program(options).commands) {
         names.push_back(command.name);
     }
     EXPECT_GE(names.size(), 17U);
