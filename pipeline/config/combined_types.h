@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,26 +18,29 @@ struct Alternative {
     ValueType<V> type;
 };
 
+/// An alternative without its C++ type.
+struct AnyAlternative {
+    std::function<bool(const Node&)> accepts;
+    TypeInfo info;
+    ReadFunction read_into;
+};
+
+/// What any one of the alternatives may be.
+[[nodiscard]] TypeInfo any_of_info(const std::vector<AnyAlternative>& alternatives);
+
+/// Reads with the first alternative that accepts the node.
+[[nodiscard]] ReadFunction read_any_of(std::vector<AnyAlternative> alternatives);
+
 /// The first alternative that accepts the node reads it.
 template <class V>
-ValueType<V> any_of(std::vector<Alternative<V>> alternatives) {
-    ValueType<V> result;
-    result.info.kind = TypeInfo::Kind::any_of;
+ValueType<V> any_of(std::initializer_list<Alternative<V>> alternatives) {
+    std::vector<AnyAlternative> all;
     for (const Alternative<V>& alternative : alternatives) {
-        result.info.elements.push_back(alternative.type.info);
+        all.push_back(
+            {alternative.accepts, alternative.type.info, alternative.type.read.read_into()});
     }
-    const TypeInfo type = result.info;
-    result.read = [type, alternatives](Reader& reader, const Node& node) -> std::optional<V> {
-        for (const Alternative<V>& alternative : alternatives) {
-            if (alternative.accepts(node)) {
-                return alternative.type.read(reader, node);
-            }
-        }
-        reader.wrong_type(node, describe(type));
-        return std::nullopt;
-    };
-    result.show = alternatives.front().type.show;
-    return result;
+    return {any_of_info(all), ValueReader<V>(read_any_of(std::move(all))),
+            alternatives.begin()->type.show};
 }
 
 inline bool is_scalar(const Node& node) {
@@ -57,11 +61,11 @@ inline bool is_word(const Node& node) {
 
 /// The value of `from` carried into another type.
 template <class To, class From, class Convert>
-ValueType<To> convert(ValueType<From> from, Convert function) {
+ValueType<To> convert(const ValueType<From>& from, Convert function) {
     ValueType<To> result;
     result.info = from.info;
-    auto read = from.read;
-    result.read = [read, function](Reader& reader, const Node& node) -> std::optional<To> {
+    result.read = [read = from.read, function](Reader& reader,
+                                               const Node& node) -> std::optional<To> {
         std::optional<From> value = read(reader, node);
         return value ? std::optional<To>(function(std::move(*value))) : std::nullopt;
     };

@@ -96,6 +96,14 @@ bool check_list(Reader& reader, const Node& node, const TypeInfo& type) {
     return true;
 }
 
+std::string show_list(const std::vector<std::string>& shown) {
+    std::string text = "[";
+    for (const std::string& value : shown) {
+        text += (text.size() > 1 ? ", " : "") + value;
+    }
+    return text + "]";
+}
+
 ValueType<Vec3> vector3(Dimension dimension, Range range) {
     return vector_type<Vec3, 3>(dimension, range);
 }

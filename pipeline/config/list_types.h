@@ -14,35 +14,38 @@ namespace carom::pipeline::config {
 /// Whether `node` is a list of the allowed length; says what is wrong otherwise.
 [[nodiscard]] bool check_list(Reader& reader, const Node& node, const TypeInfo& type);
 
+/// "[1, 2]"; what is empty is left out.
+[[nodiscard]] std::string show_list(const std::vector<std::string>& shown);
+
 /// `fewest` to `most` values of one type; most -1: any number.
 template <class V>
-ValueType<std::vector<V>> list_of(ValueType<V> element, int fewest = 0, int most = -1) {
+ValueType<std::vector<V>> list_of(const ValueType<V>& element, int fewest = 0, int most = -1) {
     ValueType<std::vector<V>> result;
     result.info.kind = TypeInfo::Kind::list;
     result.info.elements = {element.info};
     result.info.fewest = fewest;
     result.info.most = most;
     const TypeInfo type = result.info;
-    result.read = [type, element](Reader& reader,
-                                  const Node& node) -> std::optional<std::vector<V>> {
+    result.read = [type, read = element.read](Reader& reader,
+                                              const Node& node) -> std::optional<std::vector<V>> {
         if (!check_list(reader, node, type)) {
             return std::nullopt;
         }
         std::vector<V> values;
         for (std::size_t i = 0; i < node.items.size(); ++i) {
             const Reader::Scope scope(reader, i, node.items[i].place);
-            if (std::optional<V> value = element.read(reader, node.items[i])) {
+            if (std::optional<V> value = read(reader, node.items[i])) {
                 values.push_back(std::move(*value));
             }
         }
         return values.size() == node.items.size() ? std::optional(std::move(values)) : std::nullopt;
     };
-    result.show = [element](const std::vector<V>& values) {
-        std::string shown = "[";
+    result.show = [show = element.show](const std::vector<V>& values) {
+        std::vector<std::string> shown;
         for (const V& value : values) {
-            shown += (shown.size() > 1 ? ", " : "") + (element.show ? element.show(value) : "");
+            shown.push_back(show ? show(value) : std::string());
         }
-        return shown + "]";
+        return show_list(shown);
     };
     return result;
 }

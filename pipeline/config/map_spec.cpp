@@ -86,16 +86,7 @@ void check_group(Reader& reader, const Node& node, const KeyGroup& group, bool m
     }
 }
 
-}  // namespace
-
-std::vector<std::string> MapInfo::key_names() const {
-    std::vector<std::string> names;
-    for (const KeyInfo& key : keys) {
-        names.push_back(key.name);
-    }
-    return names;
-}
-
+/// Reports entries of `node` that `info` does not know, missing required keys and broken groups.
 void check_keys(Reader& reader, const Node& node, const MapInfo& info) {
     std::set<std::string> meant;  // by misspelt keys: not missing as well
     bool has_unknown = false;
@@ -118,6 +109,83 @@ void check_keys(Reader& reader, const Node& node, const MapInfo& info) {
     }
     for (const KeyGroup& group : info.groups) {
         check_group(reader, node, group, !has_unknown && !reader.is_partial());
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> MapInfo::key_names() const {
+    std::vector<std::string> names;
+    for (const KeyInfo& key : keys) {
+        names.push_back(key.name);
+    }
+    return names;
+}
+
+KeyTable::KeyTable(std::string_view name, std::string_view description) {
+    info_.name = name;
+    info_.description = description;
+}
+
+KeyTable::KeyTable(const KeyTable&) = default;
+KeyTable::KeyTable(KeyTable&&) noexcept = default;
+KeyTable::~KeyTable() = default;
+
+void KeyTable::add(std::string_view name, const TypeInfo& type, std::string_view default_text,
+                   std::string_view description, Step read) {
+    info_.keys.push_back(
+        {std::string(name), type, std::string(default_text), std::string(description)});
+    steps_.push_back(std::move(read));
+}
+
+void KeyTable::add_field(std::string_view name, const TypeInfo& type, std::string_view default_text,
+                         std::string_view description, ReadFunction read, std::ptrdiff_t offset) {
+    add(name, type, default_text, description,
+        [read = std::move(read), offset](Reader& reader, const Node& node, void* target) {
+            read(reader, node, static_cast<char*>(target) + offset);
+        });
+}
+
+void KeyTable::add_map(std::string_view name, const MapInfo& map, std::string_view description,
+                       Step read) {
+    TypeInfo type;
+    type.kind = TypeInfo::Kind::map;
+    type.map = &map;
+    add(name, type, {}, description, std::move(read));
+    info_.keys.back().is_always_there = true;
+}
+
+void KeyTable::require_last() {
+    info_.keys.back().is_required = true;
+    info_.keys.back().default_text.clear();
+}
+
+void KeyTable::add_group(KeyGroup::Rule rule, std::vector<std::string> keys) {
+    info_.groups.push_back({rule, std::move(keys)});
+}
+
+void KeyTable::add_check(Step check) {
+    checks_.push_back(std::move(check));
+}
+
+void KeyTable::read(Reader& reader, const Node& node, void* target) const {
+    if (!node.is_map()) {
+        reader.wrong_type(node, "a map of keys");
+        return;
+    }
+    check_keys(reader, node, info_);
+    for (std::size_t i = 0; i < info_.keys.size(); ++i) {
+        if (const Entry* entry = node.find(info_.keys[i].name)) {
+            const Reader::Scope scope(reader, entry->key, entry->key_place);
+            if (entry->value.is_null()) {
+                reader.error(entry->key_place, reader.value_name() + " has no value");
+                continue;
+            }
+            steps_[i](reader, entry->value, target);
+        }
+    }
+    for (const Step& check : checks_) {
+        check(reader, node, target);
     }
 }
 

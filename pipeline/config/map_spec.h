@@ -2,9 +2,11 @@
 // C++ fields of the same names. The parser, docs/reference.md and the JSON Schema read this table.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -41,143 +43,185 @@ struct MapInfo {
     [[nodiscard]] std::vector<std::string> key_names() const;
 };
 
+/// Reads a node into the object at `value`; false after a problem was reported, and then the object
+/// is as it was. Without the object's C++ type, so that the compiler generates what copies and
+/// calls such functions once and not for each type.
+using ReadFunction = std::function<bool(Reader&, const Node&, void* value)>;
+
+/// How a V is read: a ReadFunction that is made from, and called like, a function that returns
+/// std::optional<V>.
+template <class V>
+class ValueReader {
+  public:
+    ValueReader() = default;
+    explicit ValueReader(ReadFunction read_into) : read_into_(std::move(read_into)) {}
+
+    template <class Function>
+    ValueReader& operator=(Function function) {
+        read_into_ = [function](Reader& reader, const Node& node, void* value) {
+            std::optional<V> read = function(reader, node);
+            if (read) {
+                *static_cast<V*>(value) = std::move(*read);
+            }
+            return read.has_value();
+        };
+        return *this;
+    }
+
+    std::optional<V> operator()(Reader& reader, const Node& node) const {
+        std::optional<V> value(std::in_place);
+        if (!read_into_(reader, node, &*value)) {
+            value.reset();
+        }
+        return value;
+    }
+
+    [[nodiscard]] const ReadFunction& read_into() const { return read_into_; }
+
+  private:
+    ReadFunction read_into_;
+};
+
 /// A type of value: described, read and shown.
 template <class V>
 struct ValueType {
     TypeInfo info;
-    /// Empty after a problem was reported.
-    std::function<std::optional<V>(Reader&, const Node&)> read;
+    ValueReader<V> read;  // empty after a problem was reported
     /// As it would be typed; may be empty (such defaults are left out of the reference).
     std::function<std::string(const V&)> show;
 };
 
-/// Reports entries of `node` that `info` does not know, missing required keys and broken groups.
-void check_keys(Reader& reader, const Node& node, const MapInfo& info);
+/// The keys of a map and how each is read, without the C++ type that the map fills. It keeps what
+/// the compiler generates for each key of each type small.
+class KeyTable {
+  public:
+    /// Reads a value into the object at `target`, or checks that object.
+    using Step = std::function<void(Reader&, const Node&, void* target)>;
 
-namespace detail {
+    KeyTable(std::string_view name, std::string_view description);
+    KeyTable(const KeyTable&);
+    KeyTable(KeyTable&&) noexcept;
+    KeyTable& operator=(const KeyTable&) = delete;
+    KeyTable& operator=(KeyTable&&) = delete;
+    ~KeyTable();
 
-template <class T>
-struct is_optional : std::false_type {};
-template <class V>
-struct is_optional<std::optional<V>> : std::true_type {};
+    void add(std::string_view name, const TypeInfo& type, std::string_view default_text,
+             std::string_view description, Step read);
+    /// A key whose value is read into what is `offset` bytes into the target.
+    void add_field(std::string_view name, const TypeInfo& type, std::string_view default_text,
+                   std::string_view description, ReadFunction read, std::ptrdiff_t offset);
+    /// A map of keys that is read in place.
+    void add_map(std::string_view name, const MapInfo& map, std::string_view description,
+                 Step read);
+    void require_last();
+    void add_group(KeyGroup::Rule rule, std::vector<std::string> keys);
+    void add_check(Step check);
 
-}  // namespace detail
+    [[nodiscard]] const MapInfo& info() const { return info_; }
+
+    void read(Reader& reader, const Node& node, void* target) const;
+
+  private:
+    MapInfo info_;
+    std::vector<Step> steps_;  // one for each key
+    std::vector<Step> checks_;
+};
 
 /// The keys of a map that fills a T. Built once, then only read.
 template <class T>
 class MapSpec {
   public:
-    MapSpec(std::string name, std::string description, T prototype = {})
-        : prototype_(std::move(prototype)) {
-        info_.name = std::move(name);
-        info_.description = std::move(description);
-    }
+    MapSpec(std::string_view name, std::string_view description, T prototype = {})
+        : table_(name, description), prototype_(std::move(prototype)) {}
 
     /// `access` is a member pointer or a function from T& to the field (V or std::optional<V>).
     template <class Access, class V>
-    MapSpec& key(std::string name, Access access, ValueType<V> type, std::string description) {
+    MapSpec& key(std::string_view name, Access access, const ValueType<V>& type,
+                 std::string_view description) {
         using Field = std::remove_reference_t<std::invoke_result_t<Access, T&>>;
         std::string default_text;
         if constexpr (std::is_same_v<Field, V>) {
             default_text = type.show ? type.show(std::invoke(access, prototype_)) : std::string();
         }
-        auto read = type.read;
-        return add({std::move(name), std::move(type.info), std::move(default_text),
-                    std::move(description), false, false},
-                   [access, read](Reader& reader, const Node& node, T& target) {
-                       if (auto value = read(reader, node)) {
-                           std::invoke(access, target) = std::move(*value);
-                       }
-                   });
+        if constexpr (std::is_member_object_pointer_v<Access> && std::is_same_v<Field, V>) {
+            table_.add_field(name, type.info, default_text, description, type.read.read_into(),
+                             offset_of(&std::invoke(access, prototype_)));
+        } else {
+            table_.add(name, type.info, default_text, description,
+                       [access, read = type.read](Reader& reader, const Node& node, void* target) {
+                           if (auto value = read(reader, node)) {
+                               std::invoke(access, *static_cast<T*>(target)) = std::move(*value);
+                           }
+                       });
+        }
+        return *this;
     }
 
     /// The same for what is not one field: `set` takes (T&, V).
     template <class V, class Set>
-    MapSpec& set(std::string name, ValueType<V> type, Set setter, std::string description,
-                 std::string default_text = {}) {
-        auto read = type.read;
-        return add({std::move(name), std::move(type.info), std::move(default_text),
-                    std::move(description), false, false},
-                   [setter, read](Reader& reader, const Node& node, T& target) {
+    MapSpec& set(std::string_view name, const ValueType<V>& type, Set setter,
+                 std::string_view description, std::string_view default_text = {}) {
+        table_.add(name, type.info, default_text, description,
+                   [setter, read = type.read](Reader& reader, const Node& node, void* target) {
                        if (auto value = read(reader, node)) {
-                           setter(target, std::move(*value));
+                           setter(*static_cast<T*>(target), std::move(*value));
                        }
                    });
+        return *this;
     }
 
     /// A map of keys read in place, so that what it leaves out keeps the field's value. `spec` must
     /// outlive this one (they are all static).
     template <class Access, class U>
-    MapSpec& map(std::string name, Access access, const MapSpec<U>& spec, std::string description) {
-        TypeInfo type;
-        type.kind = TypeInfo::Kind::map;
-        type.map = &spec.info();
-        return add({std::move(name), std::move(type), {}, std::move(description), false, true},
-                   [access, &spec](Reader& reader, const Node& node, T& target) {
-                       spec.read(reader, node, std::invoke(access, target));
-                   });
+    MapSpec& map(std::string_view name, Access access, const MapSpec<U>& spec,
+                 std::string_view description) {
+        table_.add_map(name, spec.info(), description,
+                       [access, &spec](Reader& reader, const Node& node, void* target) {
+                           spec.read(reader, node, std::invoke(access, *static_cast<T*>(target)));
+                       });
+        return *this;
     }
 
     /// The key added last must be there, and so has no default.
     MapSpec& required() {
-        info_.keys.back().is_required = true;
-        info_.keys.back().default_text.clear();
+        table_.require_last();
         return *this;
     }
 
     MapSpec& exactly_one_of(std::vector<std::string> keys) {
-        info_.groups.push_back({KeyGroup::Rule::exactly_one, std::move(keys)});
+        table_.add_group(KeyGroup::Rule::exactly_one, std::move(keys));
         return *this;
     }
 
     MapSpec& at_most_one_of(std::vector<std::string> keys) {
-        info_.groups.push_back({KeyGroup::Rule::at_most_one, std::move(keys)});
+        table_.add_group(KeyGroup::Rule::at_most_one, std::move(keys));
         return *this;
     }
 
     /// What only holds between keys; called when all of them have been read.
-    MapSpec& check(std::function<void(Reader&, const Node&, T&)> check) {
-        checks_.push_back(std::move(check));
+    MapSpec& check(void (*function)(Reader&, const Node&, T&)) {
+        table_.add_check([function](Reader& reader, const Node& node, void* target) {
+            function(reader, node, *static_cast<T*>(target));
+        });
         return *this;
     }
 
-    [[nodiscard]] const MapInfo& info() const { return info_; }
+    [[nodiscard]] const MapInfo& info() const { return table_.info(); }
     [[nodiscard]] const T& prototype() const { return prototype_; }
 
     /// Reads the map `node` into `target`; its problems go to the reader.
     void read(Reader& reader, const Node& node, T& target) const {
-        if (!node.is_map()) {
-            reader.wrong_type(node, "a map of keys");
-            return;
-        }
-        check_keys(reader, node, info_);
-        for (std::size_t i = 0; i < info_.keys.size(); ++i) {
-            if (const Entry* entry = node.find(info_.keys[i].name)) {
-                const Reader::Scope scope(reader, entry->key, entry->key_place);
-                if (entry->value.is_null()) {
-                    reader.error(entry->key_place, reader.value_name() + " has no value");
-                    continue;
-                }
-                bindings_[i](reader, entry->value, target);
-            }
-        }
-        for (const auto& check : checks_) {
-            check(reader, node, target);
-        }
+        table_.read(reader, node, &target);
     }
 
   private:
-    using Binding = std::function<void(Reader&, const Node&, T&)>;
-
-    MapSpec& add(KeyInfo key, Binding binding) {
-        info_.keys.push_back(std::move(key));
-        bindings_.push_back(std::move(binding));
-        return *this;
+    /// Of a field of the prototype.
+    [[nodiscard]] std::ptrdiff_t offset_of(const void* field) const {
+        return static_cast<const char*>(field) -
+               static_cast<const char*>(static_cast<const void*>(&prototype_));
     }
 
-    MapInfo info_;
-    std::vector<Binding> bindings_;
-    std::vector<std::function<void(Reader&, const Node&, T&)>> checks_;
+    KeyTable table_;
     T prototype_;
 };
 

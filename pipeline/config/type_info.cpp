@@ -57,6 +57,13 @@ std::string describe_alternatives(const TypeInfo& type) {
 
 }  // namespace
 
+TypeInfo::TypeInfo() = default;
+TypeInfo::TypeInfo(const TypeInfo&) = default;
+TypeInfo::TypeInfo(TypeInfo&&) noexcept = default;
+TypeInfo& TypeInfo::operator=(const TypeInfo&) = default;
+TypeInfo& TypeInfo::operator=(TypeInfo&&) noexcept = default;
+TypeInfo::~TypeInfo() = default;
+
 bool Range::contains(double value) const {
     const bool above = !low || (low_open ? value > *low : value >= *low);
     const bool below = !high || (high_open ? value < *high : value <= *high);

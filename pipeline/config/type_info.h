@@ -35,6 +35,14 @@ struct TypeInfo {
         map,     // `map`
         any_of,  // one of `elements`
     };
+    // Written in type_info.cpp, so that not every file that copies one generates them again.
+    TypeInfo();
+    TypeInfo(const TypeInfo&);
+    TypeInfo(TypeInfo&&) noexcept;
+    TypeInfo& operator=(const TypeInfo&);
+    TypeInfo& operator=(TypeInfo&&) noexcept;
+    ~TypeInfo();
+
     Kind kind = Kind::text;
     Dimension dimension = Dimension::none;
     Range range;

@@ -18,7 +18,7 @@ namespace carom::pipeline::config {
 /// One value, [start, end], or {from, to, easing}. A value that is itself a list is told from the
 /// pair by what is in it.
 template <class V>
-ValueType<Eased<V>> eased(const std::string& key, ValueType<V> single) {
+ValueType<Eased<V>> eased(const std::string& key, const ValueType<V>& single) {
     const auto spec = std::make_shared<MapSpec<Eased<V>>>(
         "changing " + key, "A value that changes during the camera's interval of the film.");
     spec->key("from", &Eased<V>::start, single, "value at the start").required();
@@ -50,8 +50,8 @@ ValueType<Eased<V>> eased(const std::string& key, ValueType<V> single) {
     ValueType<Eased<V>> result =
         any_of<Eased<V>>({{is_single, constant}, {is_list, pair}, {is_map, map}});
     result.info.noun = "changing";
-    result.show = [single](const Eased<V>& value) {
-        return single.show ? single.show(value.start) : std::string();
+    result.show = [show = single.show](const Eased<V>& value) {
+        return show ? show(value.start) : std::string();
     };
     return result;
 }
