@@ -79,16 +79,33 @@ function(carom_program name)
   target_link_libraries(${name} PRIVATE carom_compile_options ${ARG_LIBS})
 endfunction()
 
-# carom_test(NAME SOURCES a_test.cpp … LIBS libs… [TIMEOUT s]): one test program, every case of it known to CTest.
+# carom_test(NAME SOURCES a_test.cpp … LIBS libs… [TIMEOUT s] [SHARDS n]): a test program. CTest runs all its cases in one
+# process, since the start of a process with our libraries takes up to a quarter of a second, or in SHARDS processes, so that
+# the cores share a long program. A case that takes longer than TIMEOUT ends the process (tests/test_main.cpp).
 function(carom_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBS" ${ARGN})
-  carom_program(${name} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS} GTest::gmock GTest::gtest_main)
+  cmake_parse_arguments(ARG "" "TIMEOUT;SHARDS" "SOURCES;LIBS" ${ARGN})
+  carom_program(${name} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS} GTest::gmock carom_test_main)
   target_compile_definitions(${name} PRIVATE CAROM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                              CAROM_BINARY_DIR="${PROJECT_BINARY_DIR}")
   carom_use_precompiled_headers(${name} carom_test_headers)
+  # Checks take long to optimise and are run once.
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+  if(NOT ARG_SHARDS)
+    set(ARG_SHARDS 1)
+  endif()
+  foreach(shard RANGE 1 ${ARG_SHARDS})
+    set(test ${name})
+    if(ARG_SHARDS GREATER 1)
+      string(APPEND test _${shard}_of_${ARG_SHARDS})
+    endif()
+    math(EXPR index "${shard} - 1")
+    add_test(NAME ${test} COMMAND ${name})
+    set_tests_properties(${test} PROPERTIES
+      ENVIRONMENT "CAROM_CASE_TIMEOUT=${ARG_TIMEOUT};GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${index}"
+      TIMEOUT 7200)
+  endforeach()
 endfunction()
