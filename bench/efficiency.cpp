@@ -61,7 +61,7 @@ std::vector<Picture> read_pictures(const std::vector<std::string>& paths) {
 void report_other(const std::vector<Picture>& ours, const std::vector<Picture>& other,
                   const PeerScene& scene) {
     constexpr int kBlock = 8;
-    constexpr double kShare = 0.01;
+    constexpr double kTolerance = 0.01;
     constexpr double kErrors = 3;
     double trimmed = 0;
     double all = 0;
@@ -71,11 +71,11 @@ void report_other(const std::vector<Picture>& ours, const std::vector<Picture>& 
     }
     std::printf("%zu other pictures: relMSE %.3e trimmed / %.3e all\n", other.size(), trimmed, all);
     const BlockComparison c =
-        compare_blocks(ours, other, scene.settings.width, kBlock, kShare, kErrors);
+        compare_blocks(ours, other, scene.settings.width, kBlock, kTolerance, kErrors);
     std::printf(
         "blocks of %d x %d: %d, of which %d differ by more than %.0f %% and %.0f standard "
         "errors; worst %.2f %% at (%d, %d); means differ by %.3f %%\n",
-        kBlock, kBlock, c.blocks, c.beyond, 100 * kShare, kErrors, 100 * c.worst, c.worst_x,
+        kBlock, kBlock, c.blocks, c.beyond, 100 * kTolerance, kErrors, 100 * c.worst, c.worst_x,
         c.worst_y, 100 * c.mean_difference);
 }
 

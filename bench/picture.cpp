@@ -65,10 +65,10 @@ BlockMean block_mean(const std::vector<Picture>& runs, int width, int x0, int y0
 Picture mean_of(const std::vector<Picture>& pictures, std::size_t except) {
     Picture mean(pictures[0].size(), 0.0f);
     const std::size_t count = pictures.size() - (except < pictures.size() ? 1 : 0);
-    const float share = 1.0f / static_cast<float>(count);
+    const float weight = 1.0f / static_cast<float>(count);
     for (std::size_t k = 0; k < pictures.size(); ++k) {
         for (std::size_t i = 0; k != except && i < mean.size(); ++i) {
-            mean[i] += share * pictures[k][i];
+            mean[i] += weight * pictures[k][i];
         }
     }
     return mean;
@@ -78,18 +78,18 @@ std::vector<Error> errors_of(const std::vector<Picture>& pictures, const std::st
     std::vector<Error> errors;
     const Picture known = reference.empty() ? Picture() : read_picture(reference);
     const double others = static_cast<double>(pictures.size()) - 1;
-    const double own_share = known.empty() ? others / (others + 1) : 1;
+    const double own_fraction = known.empty() ? others / (others + 1) : 1;
     for (std::size_t k = 0; k < pictures.size(); ++k) {
         Error error = relative_error(pictures[k], known.empty() ? mean_of(pictures, k) : known);
-        error.all *= own_share;
-        error.trimmed *= own_share;
+        error.all *= own_fraction;
+        error.trimmed *= own_fraction;
         errors.push_back(error);
     }
     return errors;
 }
 
 BlockComparison compare_blocks(const std::vector<Picture>& a, const std::vector<Picture>& b,
-                               int width, int block, double share, double standard_errors) {
+                               int width, int block, double tolerance, double standard_errors) {
     if (a.size() < 2 || b.size() < 2 || a[0].size() != b[0].size()) {
         throw std::runtime_error("blocks need two sets of at least two pictures of one size");
     }
@@ -106,7 +106,8 @@ BlockComparison compare_blocks(const std::vector<Picture>& a, const std::vector<
             sum_b += in_b.mean;
             const double difference = std::abs(in_a.mean - in_b.mean);
             const double error = std::sqrt(in_a.variance + in_b.variance);
-            const double excess = difference / std::max(share * in_b.mean, standard_errors * error);
+            const double excess =
+                difference / std::max(tolerance * in_b.mean, standard_errors * error);
             result.blocks += 1;
             result.beyond += excess > 1 ? 1 : 0;
             if (excess > worst_excess) {

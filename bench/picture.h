@@ -34,7 +34,7 @@ struct BlockComparison {
 /// Means over square blocks (and all channels) of two sets of runs, each with at least two.
 [[nodiscard]] BlockComparison compare_blocks(const std::vector<Picture>& a,
                                              const std::vector<Picture>& b, int width, int block,
-                                             double share, double standard_errors);
+                                             double tolerance, double standard_errors);
 
 /// Both throw std::runtime_error.
 [[nodiscard]] Picture read_picture(const std::string& path);

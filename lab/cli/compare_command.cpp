@@ -107,8 +107,8 @@ double now() {
 template <class Measure>
 auto with_progress(CommandContext& context, const Measure& measure) {
     ProgressMeter meter;
-    auto result = measure([&](std::string_view /*structure*/, double share) {
-        meter.on_progress("compare", share, now());
+    auto result = measure([&](std::string_view /*structure*/, double fraction) {
+        meter.on_progress("compare", fraction, now());
         context.console.progress(meter.snapshot(now()));
     });
     context.console.end_progress();

@@ -36,8 +36,8 @@ KernelMeasurements measure(const MeasureOptions& options, CommandContext& contex
     ProgressMeter meter;
     WorkContext work;
     work.stop = context.stop;
-    work.progress = [&](double share) {
-        meter.on_progress("compare", share, now());
+    work.progress = [&](double fraction) {
+        meter.on_progress("compare", fraction, now());
         context.console.progress(meter.snapshot(now()));
     };
     KernelMeasurements measured = render::triangle::measure_kernels(options, work);

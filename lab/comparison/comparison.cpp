@@ -48,8 +48,8 @@ RenderSettings one_sample(RenderSettings settings) {
 }
 
 /// The same view in fewer pixels.
-RenderSettings in_part(RenderSettings settings, double share) {
-    const double scale = std::sqrt(std::min(share, 1.0));
+RenderSettings in_part(RenderSettings settings, double fraction) {
+    const double scale = std::sqrt(std::min(fraction, 1.0));
     const auto smaller = [&](int size) {
         return std::max(1, static_cast<int>(std::lround(size * scale)));
     };
@@ -183,9 +183,9 @@ class ComparisonRun {
         // Most rows take two frames; the rays' count is the first one's second.
         const double steps =
             2.0 * static_cast<double>(options_.structures.size() * options_.shadow_rays.size());
-        const WorkContext context{[&, kind](double share) {
-                                      told_ =
-                                          std::max(told_, std::min(1.0, (done_ + share) / steps));
+        const WorkContext context{[&, kind](double fraction) {
+                                      told_ = std::max(told_,
+                                                       std::min(1.0, (done_ + fraction) / steps));
                                       progress_(name_of(kind), told_);
                                   },
                                   stop_};

@@ -57,7 +57,7 @@ struct Comparison {
 };
 
 /// `doing`: the structure that is at work; `share` of everything that is done, in [0, 1].
-using ComparisonProgress = std::function<void(std::string_view doing, double share)>;
+using ComparisonProgress = std::function<void(std::string_view doing, double fraction)>;
 
 /// Every frame is rendered with its tests counted, where they can be, and apart from that for its
 /// time: several times if it is quick, of which the least counts. When

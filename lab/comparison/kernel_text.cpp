@@ -83,8 +83,8 @@ std::string error_text(double error) {
     return fmt::format("{:.2e}", error);
 }
 
-std::string percent_text(double share) {
-    return fmt::format("{:.1f} %", 100 * share);
+std::string percent_text(double fraction) {
+    return fmt::format("{:.1f} %", 100 * fraction);
 }
 
 std::string errors_table(const KernelMeasurements& measured) {

@@ -76,17 +76,17 @@ void draw_lines(SvgText& svg, const LineChart& chart, const LinePanel& panel, co
     for (const ChartLine& line : panel.lines) {
         const auto index = static_cast<std::size_t>(std::ranges::find(chart.names, line.name) -
                                                     chart.names.begin());
-        std::vector<Vec2> way;
+        std::vector<Vec2> path;
         for (const Vec2& point : line.points) {
-            way.emplace_back(across.at(point.x), upwards.at(point.y));
+            path.emplace_back(across.at(point.x), upwards.at(point.y));
         }
         svg.open("g");
         svg.text("title", line.name);
         svg.leaf("path", {{"class", "path curve"},
                           {"stroke", rig_colour(index % kColours)},
                           {"stroke-dasharray", dashes_of(index)},
-                          {"d", svg_path(way, false)}});
-        for (const Vec2& place : way) {
+                          {"d", svg_path(path, false)}});
+        for (const Vec2& place : path) {
             svg.leaf("circle", {{"cx", svg_number(place.x)},
                                 {"cy", svg_number(place.y)},
                                 {"r", "0.7"},

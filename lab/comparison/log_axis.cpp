@@ -24,8 +24,8 @@ int LogAxis::highest() const {
 }
 
 double LogAxis::at(double value) const {
-    const double share = (std::log10(value) - lowest()) / (highest() - lowest());
-    return from_ + (to_ - from_) * std::clamp(share, 0.0, 1.0);
+    const double fraction = (std::log10(value) - lowest()) / (highest() - lowest());
+    return from_ + (to_ - from_) * std::clamp(fraction, 0.0, 1.0);
 }
 
 std::string power_text(int exponent) {

@@ -84,7 +84,7 @@ Mat44 turned_to(const Vec3& axis, const Vec3& place) {
 
 render::MeshShape knot_mesh(std::size_t triangles, double radius) {
     constexpr double kTube = 0.45;
-    constexpr double kReach = 3 + kTube;
+    constexpr double kOuterRadius = 3 + kTube;
     // About as long as wide.
     const auto around = std::max<std::size_t>(
         3, static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(triangles) / 24))));
@@ -100,7 +100,7 @@ render::MeshShape knot_mesh(std::size_t triangles, double radius) {
                 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(around);
             const Vec3 point =
                 knot_point(t) + (side * std::cos(turn) + up * std::sin(turn)) * kTube;
-            mesh.vertices.push_back(point * (radius / kReach));
+            mesh.vertices.push_back(point * (radius / kOuterRadius));
         }
     }
     for (std::size_t i = 0; i < along; ++i) {

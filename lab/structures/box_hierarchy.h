@@ -53,7 +53,7 @@ class BoxHierarchy {
         while (!waiting.empty()) {
             const Waiting next = waiting.back();
             waiting.pop_back();
-            if (next.enter > query.reach()) {
+            if (next.enter > query.t_max()) {
                 continue;
             }
             if (next.is_shape) {

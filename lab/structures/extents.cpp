@@ -10,11 +10,11 @@ Extent extent_along(const Primitives& primitives, const Primitive& shape, const 
     const V3f half = 0.5f * box.size();
     const V3f size(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
     const float middle = centre.dot(normal);
-    float reach = half.dot(size);
-    Extent extent{middle - reach, middle + reach};
+    float half_width = half.dot(size);
+    Extent extent{middle - half_width, middle + half_width};
     if (shape.shape == kLaneShape<StillSphere>) {
-        reach = half.x;  // of a cube around it
-        extent = {middle - reach, middle + reach};
+        half_width = half.x;  // of a cube around it
+        extent = {middle - half_width, middle + half_width};
     } else if (shape.shape == Primitive::kMeshTriangle) {
         extent = Extent{};
         for (const V3f& corner : primitives.corners(shape)) {

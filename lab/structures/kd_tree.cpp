@@ -44,8 +44,9 @@ std::optional<Plane> Builder::best_plane(const Members& members, const Box& regi
         std::array<std::size_t, kPlaces + 1> begins{};
         std::array<std::size_t, kPlaces + 1> ends{};
         const auto bin = [&](float place) {
-            const float share = (place - low) / size * static_cast<float>(kPlaces);
-            return static_cast<std::size_t>(std::clamp(share, 0.0f, static_cast<float>(kPlaces)));
+            const float place_in_bins = (place - low) / size * static_cast<float>(kPlaces);
+            return static_cast<std::size_t>(
+                std::clamp(place_in_bins, 0.0f, static_cast<float>(kPlaces)));
         };
         for (const std::uint32_t member : members) {
             begins[std::min(bin(tree.boxes[member].min[axis]), kPlaces - 1)] += 1;

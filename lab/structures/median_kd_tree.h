@@ -38,7 +38,7 @@ class MedianKdTree {
         Query& query;
         const MedianKdTree& tree;
 
-        [[nodiscard]] float reach() const { return query.reach(); }
+        [[nodiscard]] float t_max() const { return query.t_max(); }
         void note_node() { query.note_node(); }
         [[nodiscard]] bool enters(const Imath::Box3f& box, float& enter) {
             return query.enters(box, enter);

@@ -21,23 +21,23 @@ class Query {
         : primitives_(primitives), ray_(ray), any_(any) {
         best_.t = ray.t_max;
         // As in wide_traversal-inl.h: boxes grow by a share of the origin's coordinates.
-        constexpr float kShare = 0x1p-18f;
+        constexpr float kMarginFraction = 0x1p-18f;
         const V3f& o = ray.origin;
-        const float margin = kShare * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z));
+        const float margin = kMarginFraction * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z));
         slack_ = static_cast<double>(margin);
         for (int axis = 0; axis < 3; ++axis) {
             const float reciprocal = finite_reciprocal(ray.direction[axis]);
             const float apart = std::copysign(margin, ray.direction[axis]);
             inverse_[axis] = reciprocal;
-            near_share_[axis] = (o[axis] + apart) * reciprocal;
-            far_share_[axis] = (o[axis] - apart) * reciprocal;
+            near_origin_[axis] = (o[axis] + apart) * reciprocal;
+            far_origin_[axis] = (o[axis] - apart) * reciprocal;
             near_side_[static_cast<std::size_t>(axis)] = std::signbit(ray.direction[axis]) ? 1 : 0;
         }
     }
 
     [[nodiscard]] const Ray& ray() const { return ray_; }
     /// What begins beyond this needs no look.
-    [[nodiscard]] float reach() const { return best_.t; }
+    [[nodiscard]] float t_max() const { return best_.t; }
     [[nodiscard]] const Hit& best() const { return best_; }
     [[nodiscard]] bool found() const { return best_.object != kNoObject; }
     [[nodiscard]] const KindCounts& counts() const { return counts_; }
@@ -67,8 +67,8 @@ class Query {
             const bool down = near_side_[static_cast<std::size_t>(axis)] != 0;
             const float near = (down ? box.max : box.min)[axis];
             const float far = (down ? box.min : box.max)[axis];
-            enter = std::max(enter, near * inverse_[axis] - near_share_[axis]);
-            leave = std::min(leave, far * inverse_[axis] - far_share_[axis]);
+            enter = std::max(enter, near * inverse_[axis] - near_origin_[axis]);
+            leave = std::min(leave, far * inverse_[axis] - far_origin_[axis]);
         }
         return enter <= leave;
     }
@@ -93,7 +93,7 @@ class Query {
     bool any_;
     Hit best_;
     double slack_ = 0;
-    V3f inverse_, near_share_, far_share_;
+    V3f inverse_, near_origin_, far_origin_;
     std::array<int, 3> near_side_{};
     KindCounts counts_;
 };

@@ -83,7 +83,9 @@ void sort_along_curve(std::vector<Entry>& entries) {
     constexpr float kCells = 0x1p21f - 1;
     for (const Entry& entry : entries) {
         const V3f at = (entry.box.center() - centres.min) / edge;
-        const auto cell = [](float share) { return static_cast<std::uint32_t>(share * kCells); };
+        const auto cell = [](float fraction) {
+            return static_cast<std::uint32_t>(fraction * kCells);
+        };
         placed.push_back({hilbert_place({cell(at.x), cell(at.y), cell(at.z)}), entry});
     }
     std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {

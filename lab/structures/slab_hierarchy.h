@@ -57,7 +57,7 @@ template <class Query>
 bool SlabHierarchy::enters(const Node& node, const Projected& along, Query& query, float& enter) {
     query.note_boxes(1);
     enter = query.ray().t_min;
-    float leave = query.reach();
+    float leave = query.t_max();
     for (std::size_t k = 0; k < kNormals && enter <= leave; ++k) {
         const float at_low = (node.slabs[k].low - along.origin[k]) * along.inverse[k];
         const float at_high = (node.slabs[k].high - along.origin[k]) * along.inverse[k];
@@ -88,7 +88,7 @@ void SlabHierarchy::search(Query& query) const {
     if (enters(nodes_[0], along, query, enter)) {
         waiting.push({enter, 0});
     }
-    while (!waiting.empty() && waiting.top().enter <= query.reach()) {
+    while (!waiting.empty() && waiting.top().enter <= query.t_max()) {
         const Node& node = nodes_[waiting.top().node];
         waiting.pop();
         query.note_node();

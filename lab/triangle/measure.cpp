@@ -26,7 +26,7 @@ double rate_of(const Variant& variant, const TestSet& set) {
     return 1e-6 * static_cast<double>(set.test_count()) / std::max(least, 1e-9);
 }
 
-double share_slipped(const Form& form, Precision precision, const TestSet& edges) {
+double slipped_fraction(const Form& form, Precision precision, const TestSet& edges) {
     const auto run = make_run({form, Packing::single, precision}, edges);
     run->run();
     const std::vector<NearestHit> hits = run->hits();
@@ -97,7 +97,7 @@ bool measure_errors(const std::vector<Form>& forms, const MeasureOptions& option
                 return false;
             }
             FormErrors errors = errors_of(form, precision, set, reference);
-            errors.slipped = share_slipped(form, precision, edges);
+            errors.slipped = slipped_fraction(form, precision, edges);
             result.errors.push_back(errors);
         }
     }

@@ -64,7 +64,7 @@ class RaysRun final : public KernelRun {
             for (int i = 0; i < rays_in_group_; i += kCount) {
                 const std::size_t first =
                     group * static_cast<unsigned>(rays_in_group_) + static_cast<unsigned>(i);
-                meet_all(rays + i, triangles, first);
+                intersect_all(rays + i, triangles, first);
             }
         }
     }
@@ -83,7 +83,7 @@ class RaysRun final : public KernelRun {
     }
 
   private:
-    void meet_all(const T* numbers, const Triangle* triangles, std::size_t first) {
+    void intersect_all(const T* numbers, const Triangle* triangles, std::size_t first) {
         const D d;
         RayIn<L> ray[kVectors];
         V u[kVectors];
@@ -105,13 +105,13 @@ class RaysRun final : public KernelRun {
             const auto record =
                 broadcast<Kernel, L, T>(record_of<Kernel, ScalarLanes<T>>(triangles[i]));
             for (int k = 0; k < kVectors; ++k) {
-                const auto met = Kernel::template meet<kDivision>(ray[k], record);
-                if (!L::none(met.valid)) {
-                    ray[k].t_max = hn::IfThenElse(met.valid, met.t, ray[k].t_max);
-                    u[k] = hn::IfThenElse(met.valid, met.u, u[k]);
-                    v[k] = hn::IfThenElse(met.valid, met.v, v[k]);
+                const auto hit = Kernel::template intersect<kDivision>(ray[k], record);
+                if (!L::none(hit.valid)) {
+                    ray[k].t_max = hn::IfThenElse(hit.valid, hit.t, ray[k].t_max);
+                    u[k] = hn::IfThenElse(hit.valid, hit.u, u[k]);
+                    v[k] = hn::IfThenElse(hit.valid, hit.v, v[k]);
                     triangle[k] =
-                        hn::IfThenElse(met.valid, hn::Set(d, static_cast<T>(i)), triangle[k]);
+                        hn::IfThenElse(hit.valid, hn::Set(d, static_cast<T>(i)), triangle[k]);
                 }
             }
         }

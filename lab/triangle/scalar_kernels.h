@@ -1,4 +1,4 @@
-// The seven kernels for one ray and one triangle: Kernel::meet<Division>(ray, record) and
+// The seven kernels for one ray and one triangle: Kernel::intersect<Division>(ray, record) and
 // Kernel::prepare(input), with L = ScalarLanes<float> or ScalarLanes<double>.
 #pragma once
 

@@ -70,11 +70,11 @@ class SingleRun final : public KernelRun {
     Best<T> nearest(scalar::RayIn<L> ray, const Triangle* triangles) const {
         Best<T> best;
         for (int i = 0; i < triangles_in_group_; ++i) {
-            const auto met =
-                Kernel::template meet<kDivision>(ray, scalar::record_of<Kernel, L>(triangles[i]));
-            if (met.valid) {
-                best = {met.t, met.u, met.v, i};
-                ray.t_max = met.t;
+            const auto hit = Kernel::template intersect<kDivision>(
+                ray, scalar::record_of<Kernel, L>(triangles[i]));
+            if (hit.valid) {
+                best = {hit.t, hit.u, hit.v, i};
+                ray.t_max = hit.t;
             }
         }
         return best;

@@ -114,9 +114,9 @@ TestSet make_edge_set(int groups, std::uint64_t seed) {
         set.triangles.insert(set.triangles.end(), 4, {a, b, c});
         set.triangles.insert(set.triangles.end(), 4, {b, a, other});
         for (int i = 0; i < set.rays_in_group; ++i) {
-            const float share = (static_cast<float>(i) + 0.5f) / 8;
+            const float fraction = (static_cast<float>(i) + 0.5f) / 8;
             set.origins.push_back(origin);
-            set.directions.push_back((a + share * (b - a) - origin).normalized());
+            set.directions.push_back((a + fraction * (b - a) - origin).normalized());
         }
     }
     return set;

@@ -107,10 +107,10 @@ class TrianglesRun final : public KernelRun {
         Best best;
         for (int i = 0; i < blocks_in_group_; ++i) {
             for (int lane = 0; lane < kCount; lane += kLanes) {
-                const auto met = Kernel::template meet<kDivision>(
+                const auto hit = Kernel::template intersect<kDivision>(
                     ray, record_of<Kernel, L>(load(blocks[i], lane)));
-                if (!L::none(met.valid)) {
-                    keep_nearest(met, i * kCount + lane, best);
+                if (!L::none(hit.valid)) {
+                    keep_nearest(hit, i * kCount + lane, best);
                     ray.t_max = hn::Set(d, best.t);
                 }
             }
@@ -127,16 +127,16 @@ class TrianglesRun final : public KernelRun {
         return triangles;
     }
 
-    static HWY_INLINE void keep_nearest(const MetIn<L>& met, int first, Best& best) {
+    static HWY_INLINE void keep_nearest(const HitIn<L>& hit, int first, Best& best) {
         const D d;
         alignas(64) T t[kLanes];
         alignas(64) T u[kLanes];
         alignas(64) T v[kLanes];
         std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(d, met.valid, bits);
-        hn::Store(met.t, d, t);
-        hn::Store(met.u, d, u);
-        hn::Store(met.v, d, v);
+        hn::StoreMaskBits(d, hit.valid, bits);
+        hn::Store(hit.t, d, t);
+        hn::Store(hit.u, d, u);
+        hn::Store(hit.v, d, v);
         for (unsigned left = bits[0]; left != 0; left &= left - 1) {
             const int k = std::countr_zero(left);
             if (t[k] < best.t) {

@@ -1,4 +1,4 @@
-// What every acceleration structure answers.
+// The interface of all acceleration structures.
 #pragma once
 
 #include "render/acceleration/ray_batch.h"
@@ -7,29 +7,31 @@
 namespace carom::render {
 
 /// Built over a frame's shapes for one shutter interval; immutable and shared by all threads. Rays
-/// must be finite with unit directions; implementations make every ray safe before handing it to a
-/// library.
+/// need unit directions; implementations reject or clamp invalid rays (safe_ray.h) before they call
+/// a library.
 class AccelerationStructure {
   public:
     virtual ~AccelerationStructure() = default;
 
-    /// The nearest hit in (ray.t_min, ray.t_max); false and an untouched `hit` if there is none.
-    /// Of two hits at the same distance the lower (object, primitive) is reported.
+    /// The nearest hit in (ray.t_min, ray.t_max); without one, returns false and leaves `hit`
+    /// untouched. Of two hits at the same distance the one with the lower (object, primitive) is
+    /// returned.
     [[nodiscard]] virtual bool closest_hit(const Ray& ray, Hit& hit) const = 0;
 
     /// Whether anything is hit in (ray.t_min, ray.t_max).
     [[nodiscard]] virtual bool any_hit(const Ray& ray) const = 0;
 
-    /// The rays of a fan that `any_hit` is true of.
-    [[nodiscard]] virtual FanMask any_hits(const RayFan& fan) const {
-        FanMask hits = 0;
-        for (int i = 0; i < fan.count; ++i) {
-            hits |= any_hit(fan.ray(i)) ? FanMask{1} << i : 0;
+    /// The rays of a packet for which `any_hit` is true.
+    [[nodiscard]] virtual PacketMask any_hits(const ShadowRayPacket& packet) const {
+        PacketMask hits = 0;
+        for (int i = 0; i < packet.count; ++i) {
+            hits |= any_hit(packet.ray(i)) ? PacketMask{1} << i : 0;
         }
         return hits;
     }
 
-    /// `closest_hit` of each ray, without bound; without a hit the object is kNoObject.
+    /// `closest_hit` of each ray without an upper bound; a ray without a hit gets the object
+    /// kNoObject.
     virtual void closest_hits(const RayBatch& rays, Hit* hits) const {
         for (int i = 0; i < rays.count; ++i) {
             hits[i] = Hit{};
@@ -37,11 +39,12 @@ class AccelerationStructure {
         }
     }
 
-    /// Sets reach[i] to 0 where ray i meets anything before it; 0 asks for nothing.
-    virtual void drop_blocked(const RayBatch& rays, float* reach) const {
+    /// Occlusion tests: sets t_max[i] to 0 if ray i hits anything in (0, t_max[i]). Rays whose
+    /// t_max is 0 are skipped.
+    virtual void test_occlusion(const RayBatch& rays, float* t_max) const {
         for (int i = 0; i < rays.count; ++i) {
-            if (reach[i] > 0 && any_hit(rays.ray(i, reach[i]))) {
-                reach[i] = 0;
+            if (t_max[i] > 0 && any_hit(rays.ray(i, t_max[i]))) {
+                t_max[i] = 0;
             }
         }
     }

@@ -4,14 +4,14 @@
 
 namespace carom::render {
 
-void StillSphereBlock::set(int lane, const SphereStretch& sphere) {
+void StillSphereBlock::set(int lane, const SphereSegment& sphere) {
     for (int axis = 0; axis < 3; ++axis) {
         centre[axis].values[lane] = sphere.path.c[0][axis];
     }
     radius2.values[lane] = sphere.radius * sphere.radius;
 }
 
-void MovingSphereBlock::set(int lane, const SphereStretch& sphere) {
+void MovingSphereBlock::set(int lane, const SphereSegment& sphere) {
     for (int k = 0; k < 4; ++k) {
         for (int axis = 0; axis < 3; ++axis) {
             path[k][axis].values[lane] = sphere.path.c[k][axis];
@@ -23,8 +23,8 @@ void MovingSphereBlock::set(int lane, const SphereStretch& sphere) {
     radius2.values[lane] = sphere.radius * sphere.radius;
 }
 
-SphereStretch MovingSphereBlock::sphere(int lane) const {
-    SphereStretch result;
+SphereSegment MovingSphereBlock::sphere(int lane) const {
+    SphereSegment result;
     for (int k = 0; k < 4; ++k) {
         for (int axis = 0; axis < 3; ++axis) {
             result.path.c[k][axis] = path[k][axis].values[lane];

@@ -1,4 +1,4 @@
-// Analytic shapes, eight to a block, one in each lane of a vector.
+// Analytic shapes in blocks of eight, one in each lane of a vector.
 #pragma once
 
 #include <cstddef>
@@ -26,10 +26,10 @@ struct alignas(32) ObjectLanes {
     std::int32_t values[kBlockLanes] = {-1, -1, -1, -1, -1, -1, -1, -1};
 };
 
-/// A sphere during one piece of its path. The pieces of one sphere have touching intervals of time.
-struct SphereStretch {
+/// A sphere during one segment of its path. The time intervals of a sphere's segments adjoin.
+struct SphereSegment {
     PathPiece path;
-    float start = -kInfinity;  // in force while start <= time < end
+    float start = -kInfinity;  // valid while start <= time < end
     float end = kInfinity;
     float radius = 1;
     std::uint32_t object = 0;
@@ -39,29 +39,29 @@ struct SphereStretch {
     }
 };
 
-// The default values of a block's lanes are a shape that no ray meets. `set` fills one lane, except
-// for its object, which BlockList::add has filled.
+// By default the lanes of a block hold a shape that no ray hits. `set` fills one lane, except for
+// its object, which BlockList::add fills.
 
 struct StillSphereBlock {
     Lanes centre[3];
     Lanes radius2 = Lanes::all(-1);
     ObjectLanes object;
 
-    void set(int lane, const SphereStretch& sphere);
+    void set(int lane, const SphereSegment& sphere);
 };
 
 struct MovingSphereBlock {
     Lanes path[4][3];  // coefficient, axis
     Lanes path_start;
-    Lanes start, end;  // in force while start <= time < end
+    Lanes start, end;  // valid while start <= time < end
     Lanes radius2 = Lanes::all(-1);
     ObjectLanes object;
 
-    void set(int lane, const SphereStretch& sphere);
-    [[nodiscard]] SphereStretch sphere(int lane) const;
+    void set(int lane, const SphereSegment& sphere);
+    [[nodiscard]] SphereSegment sphere(int lane) const;
 };
 
-/// Unused lanes are at infinity, which is no distance that a ray reports.
+/// Unused lanes are at infinity, a distance that is never a hit.
 struct AlignedBoxBlock {
     Lanes planes[3][2] = {{Lanes::all(kInfinity), Lanes::all(kInfinity)},
                           {Lanes::all(kInfinity), Lanes::all(kInfinity)},
@@ -71,22 +71,22 @@ struct AlignedBoxBlock {
     void set(int lane, const V3f& low, const V3f& high);
 };
 
-/// A unit shape under an affine map. In unused lanes the map sends the whole world to (2, 2, 2),
-/// which lies outside every unit shape.
+/// A unit shape under an affine map. In unused lanes the map sends every point to (2, 2, 2), which
+/// lies outside all unit shapes.
 struct MappedBlock {
-    // Rows of unit_from_world, the translation last.
+    // Rows of unit_from_world; the translation is the last one.
     Lanes map[4][3] = {{}, {}, {}, {Lanes::all(2), Lanes::all(2), Lanes::all(2)}};
-    Lanes one_sided;  // rectangles: 1 if rays that come from below, z < 0, pass, or 0
+    Lanes one_sided;  // rectangles: 1 if rays from below, z < 0, pass; otherwise 0
     ObjectLanes object;
 
     void set_map(int lane, const Affine& unit_from_world);
     [[nodiscard]] Affine unit_from_world(int lane) const;
-    /// Does nothing: the shape has no profile (shape_list.h).
+    /// Does nothing, because the shape has no profile (shape_list.h).
     void set_profile(int /*lane*/, const V3f& /*profile*/) {}
     [[nodiscard]] V3f profile_of(int /*lane*/) const { return V3f(0); }
 };
 
-/// The same for unit shapes that have a profile (shape_list.h).
+/// A MappedBlock for unit shapes with a profile (shape_list.h).
 struct ProfiledBlock : MappedBlock {
     Lanes profile[3];
 

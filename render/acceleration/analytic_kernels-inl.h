@@ -10,7 +10,8 @@ struct BestLanes {
     hn::Vec<D> t;
     hn::Vec<Int<D>> object;
 
-    /// Nearer, or as near and lower; the object -1, none yet, is never tied.
+    /// Accepts nearer hits, and of equally near ones the lower object. Object -1, no hit yet, is
+    /// never replaced at equal distance.
     HWY_INLINE void offer(D d, hn::Mask<D> valid, hn::Vec<D> other_t, const ObjectLanes& objects,
                           int lane) {
         if (hn::AllFalse(d, hn::And(valid, hn::Le(other_t, t)))) {
@@ -30,7 +31,8 @@ struct BestLanes {
         const float nearest = hn::GetLane(hn::MinOfLanes(d, t));
         const hn::Mask<D> at_nearest = hn::Eq(t, hn::Set(d, nearest));
         if (hn::AllFalse(d, at_nearest)) {
-            return;  // all are infinite, which Highway's emulated tier takes for the largest number
+            return;  // all are infinite; Highway's emulated target takes infinity for the largest
+                     // float
         }
         const hn::Vec<Int<D>> candidates = hn::IfThenElse(
             hn::RebindMask(di, at_nearest), object, hn::Set(di, hwy::LimitsMax<std::int32_t>()));
@@ -89,8 +91,8 @@ inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const Ray& ray, Candi
 }
 
 template <class... Shapes>
-HWY_INLINE bool meets_any(ShapeList<Shapes...> /*list*/, const AnalyticBlocks& blocks,
-                          const Ray& ray, const RayLanes<WideTag>& lanes) {
+HWY_INLINE bool hits_any(ShapeList<Shapes...> /*list*/, const AnalyticBlocks& blocks,
+                         const Ray& ray, const RayLanes<WideTag>& lanes) {
     const WideTag d;
     const hn::Vec<WideTag> t_max = hn::Set(d, ray.t_max);
     return (scan_any(d, lanes, t_max, blocks.of<Shapes>().blocks,
@@ -99,61 +101,63 @@ HWY_INLINE bool meets_any(ShapeList<Shapes...> /*list*/, const AnalyticBlocks& b
 }
 
 inline HWY_ATTR bool any(const AnalyticBlocks& blocks, const Ray& ray) {
-    return meets_any(LaneShapes(), blocks, ray, broadcast(WideTag(), ray));
+    return hits_any(LaneShapes(), blocks, ray, broadcast(WideTag(), ray));
 }
 
-/// Whether the ray meets any shape except plain spheres, the first two of the list.
+/// Whether the ray hits any shape except plain spheres, which are the first two of the list.
 template <class... Shapes>
-HWY_ATTR bool meets_other(ShapeList<StillSphere, MovingSphere, Shapes...> /*list*/,
-                          const AnalyticBlocks& blocks, const Ray& ray) {
-    return meets_any(ShapeList<Shapes...>(), blocks, ray, broadcast(WideTag(), ray));
+HWY_ATTR bool hits_other(ShapeList<StillSphere, MovingSphere, Shapes...> /*list*/,
+                         const AnalyticBlocks& blocks, const Ray& ray) {
+    return hits_any(ShapeList<Shapes...>(), blocks, ray, broadcast(WideTag(), ray));
 }
 
-/// A ray of a fan in every lane.
-HWY_INLINE RayLanes<WideTag> broadcast_of_fan(const RayFan& fan, int index) {
-    return broadcast(WideTag(), fan.ray(index));
+/// One ray of a packet in every lane.
+HWY_INLINE RayLanes<WideTag> broadcast_from_packet(const ShadowRayPacket& packet, int index) {
+    return broadcast(WideTag(), packet.ray(index));
 }
 
-/// Calls `is_blocked(index)` for each ray of `open`, and takes those out that are.
+/// Returns `open` without the rays for which `is_occluded(index)` is true.
 template <class Predicate>
-HWY_INLINE FanMask without_blocked(FanMask open, const Predicate& is_blocked) {
-    FanMask rest = open;
+HWY_INLINE PacketMask without_occluded(PacketMask open, const Predicate& is_occluded) {
+    PacketMask rest = open;
     for (int i = 0; open >> i != 0; ++i) {
-        const FanMask bit = FanMask{1} << i;
-        if ((open & bit) != 0 && is_blocked(i)) {
+        const PacketMask bit = PacketMask{1} << i;
+        if ((open & bit) != 0 && is_occluded(i)) {
             rest &= ~bit;
         }
     }
     return rest;
 }
 
-/// Spheres are set up once for all rays: where they are, as seen from the origin.
+/// The spheres' positions relative to the common origin are computed once for all rays.
 template <class Shape>
-HWY_INLINE FanMask past_spheres(const BlockList<Shape>& list, const RayFan& fan, FanMask open) {
+HWY_INLINE PacketMask past_spheres(const BlockList<Shape>& list, const ShadowRayPacket& packet,
+                                   PacketMask open) {
     const WideTag d;
-    const RayLanes<WideTag> origin = broadcast_of_fan(fan, 0);
+    const RayLanes<WideTag> origin = broadcast_from_packet(packet, 0);
     const LaneTest<Shape> test;
     for (const auto& block : list.blocks) {
         for (int lane = 0; lane < kBlockLanes && open != 0;
              lane += static_cast<int>(hn::Lanes(d))) {
             hn::Vec<WideTag> offset[3];
             const hn::Vec<WideTag> radius2 = test.place(d, origin, block, lane, offset);
-            open = without_blocked(open, [&](int i) HWY_ATTR {
-                const RayLanes<WideTag> ray = broadcast_of_fan(fan, i);
+            open = without_occluded(open, [&](int i) HWY_ATTR {
+                const RayLanes<WideTag> ray = broadcast_from_packet(packet, i);
                 hn::Vec<WideTag> t = hn::Zero(d);
                 const hn::Mask<WideTag> valid = hit_sphere(d, ray, offset, radius2, t);
-                return !hn::AllFalse(d, hn::And(valid, hn::Lt(t, hn::Set(d, fan.t_max[i]))));
+                return !hn::AllFalse(d, hn::And(valid, hn::Lt(t, hn::Set(d, packet.t_max[i]))));
             });
         }
     }
     return open;
 }
 
-inline HWY_ATTR FanMask any_of_fan(const AnalyticBlocks& blocks, const RayFan& fan, FanMask asked) {
-    FanMask open = past_spheres(blocks.of<MovingSphere>(), fan, asked);
-    open = past_spheres(blocks.of<StillSphere>(), fan, open);
-    open = without_blocked(
-        open, [&](int i) HWY_ATTR { return meets_other(LaneShapes(), blocks, fan.ray(i)); });
+inline HWY_ATTR PacketMask any_of_packet(const AnalyticBlocks& blocks,
+                                         const ShadowRayPacket& packet, PacketMask asked) {
+    PacketMask open = past_spheres(blocks.of<MovingSphere>(), packet, asked);
+    open = past_spheres(blocks.of<StillSphere>(), packet, open);
+    open = without_occluded(
+        open, [&](int i) HWY_ATTR { return hits_other(LaneShapes(), blocks, packet.ray(i)); });
     return asked & ~open;
 }
 
@@ -190,7 +194,7 @@ inline HWY_ATTR bool one(const AnalyticBlocks& blocks, std::uint32_t shape, std:
 }
 
 inline const AnalyticKernels& kernels_of_target() {
-    static const AnalyticKernels kKernels = {closest, any, any_of_fan, one,
+    static const AnalyticKernels kKernels = {closest, any, any_of_packet, one,
                                              hwy::TargetName(HWY_TARGET)};
     return kKernels;
 }

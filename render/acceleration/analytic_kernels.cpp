@@ -2,7 +2,7 @@
 
 #include "render/geometry/intersect.h"
 
-// Tiers above AVX2 bring nothing for these loops and would change the bits.
+// Targets above AVX2 do not speed up these loops and would change the bits.
 #define HWY_DISABLED_TARGETS (HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/acceleration/analytic_kernels.cpp"

@@ -1,5 +1,5 @@
-// Rays against blocks of analytic shapes, vectorised, for the best instruction set that the
-// processor has, up to AVX2 (the bits of a picture must not depend on having more).
+// Intersection of rays with blocks of analytic shapes, vectorised for the best instruction set that
+// the processor has, up to AVX2 (the bits of a picture must not depend on wider ones).
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace carom::render {
 
-/// The nearest hit so far: `t` begins as the ray's t_max and `object` as kNoObject. A hit replaces
-/// it if it is nearer, or as near and of a lower object.
+/// The nearest hit found yet: `t` begins as the ray's t_max and `object` as kNoObject. A nearer hit
+/// replaces it, or an equally near one of a lower object.
 struct Candidate {
     float t = kInfinity;
     std::uint32_t object = kNoObject;
@@ -25,15 +25,17 @@ struct Candidate {
     }
 };
 
-/// Rays must be safe (safe_ray.h). The tests of one shape compute the same bits as those of all.
+/// Rays must be safe (safe_ray.h). The test of a single shape computes the same bits as that of all
+/// shapes.
 struct AnalyticKernels {
     void (*closest)(const AnalyticBlocks& blocks, const Ray& ray, Candidate& best);
     bool (*any)(const AnalyticBlocks& blocks, const Ray& ray);
-    /// Those of the rays `asked` for that `any` is true of.
-    FanMask (*any_of_fan)(const AnalyticBlocks& blocks, const RayFan& fan, FanMask asked);
+    /// Those of the rays `asked` for which `any` is true.
+    PacketMask (*any_of_packet)(const AnalyticBlocks& blocks, const ShadowRayPacket& packet,
+                                PacketMask asked);
 
-    /// Shape `index` in the list of the shape numbered `shape` (kLaneShape): whether its first hit
-    /// is nearer than `t`, which is then replaced.
+    /// Whether the first hit of shape `index` in the list of the shape type `shape` (kLaneShape) is
+    /// nearer than `t`; if so, replaces `t`.
     bool (*one)(const AnalyticBlocks& blocks, std::uint32_t shape, std::uint32_t index,
                 const Ray& ray, float& t);
 
@@ -42,7 +44,7 @@ struct AnalyticKernels {
 
 [[nodiscard]] const AnalyticKernels& best_kernels();
 
-/// The instruction set that rays are traced with; part of a frame's key.
+/// The instruction set with which rays are traced; part of a frame's key.
 [[nodiscard]] std::string_view simd_tier();
 
 }  // namespace carom::render

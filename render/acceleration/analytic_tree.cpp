@@ -9,13 +9,13 @@
 namespace carom::render {
 namespace {
 
-/// A shape by its number in the list (TreePart::kMoving for those that turn) and its place there.
+/// A shape: its number in the list (TreePart::kMoving for moving shapes) and its index there.
 struct Listed {
     std::uint32_t shape = 0;
     std::uint32_t index = 0;
 };
 
-/// All bounded shapes of a set.
+/// Lists all bounded shapes of a set.
 class Lister {
   public:
     explicit Lister(const ShapeSet& shapes) {
@@ -72,7 +72,8 @@ class TreeMaker {
         }
     }
 
-    /// The leaf's shapes of one kind, which fit into one block, behind those of the leaves before.
+    /// Appends the leaf's shapes of one kind, which fit into one block, to the earlier leaves'
+    /// shapes.
     template <class Shape>
     void add_block(const WideLeaf& leaf, const BlockList<Shape>& all) {
         BlockList<Shape> few;

@@ -1,4 +1,4 @@
-// Many analytic shapes under one hierarchy of boxes that move with them.
+// A bounding volume hierarchy over analytic shapes, with moving boxes.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace carom::render {
 
-/// What one test of a leaf takes: a block of a shape of the list, or a shape that moves and turns.
+/// What one test in a leaf covers: a block of a shape in the list, or one moving shape.
 struct TreePart {
     static constexpr std::uint32_t kMoving = kLaneShapeCount;
 
@@ -22,17 +22,17 @@ struct AnalyticTree {
     AnalyticBlocks blocks;  // filled leaf by leaf
     std::vector<MovingShape> moving;
     std::vector<TreePart> parts;
-    std::vector<std::uint32_t> first_part;  // by leaf, and one more: where the last one's end
+    std::vector<std::uint32_t> first_part;  // by leaf, with the total number at the end
 };
 
-/// Over all shapes except infinite ones and still meshes.
+/// Builds a tree over all shapes except infinite ones and static meshes.
 [[nodiscard]] AnalyticTree make_analytic_tree(const ShapeSet& shapes);
 
-/// What no tree can hold: those without end.
+/// The infinite shapes of a set, which no tree can hold.
 [[nodiscard]] ShapeSet infinite_shapes(const ShapeSet& shapes);
 
-/// What testing all of those for every ray costs, in single lanes of vectors: 1 for most; 8 for a
-/// shape that turns, which is tested alone.
+/// Cost of testing all bounded shapes for every ray, in single lanes of vectors: 1 for most; 8 for
+/// a moving shape, which is tested alone.
 [[nodiscard]] std::size_t loop_cost(const ShapeSet& shapes);
 
 }  // namespace carom::render

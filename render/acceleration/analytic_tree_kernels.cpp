@@ -4,7 +4,7 @@
 
 #include "render/acceleration/moving_shape.h"
 
-// As in analytic_kernels.cpp.
+// See analytic_kernels.cpp.
 #define HWY_DISABLED_TARGETS (HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/acceleration/analytic_tree_kernels.cpp"
@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
-/// Asks for the nearest hit.
+/// A query for the nearest hit.
 struct ClosestInBlock {
     Hit* best;
 
@@ -58,7 +58,7 @@ struct ClosestInBlock {
     }
 };
 
-/// Asks whether there is one.
+/// A query for any hit.
 struct AnyInBlock {
     float t_max;
 
@@ -80,7 +80,7 @@ struct AnyInBlock {
     }
 };
 
-/// A question whose tests `tally` notes.
+/// A query whose tests are counted by `tally`.
 template <class Question, class Tally>
 struct Noted {
     Question question;
@@ -136,7 +136,7 @@ struct VisitLeaf {
           tests(d, lanes, of.direction),
           query(asked) {}
 
-    /// Whether the query is answered.
+    /// Returns true if the query is answered.
     HWY_INLINE bool operator()(std::uint32_t leaf) const {
         const std::uint32_t end = tree.first_part[leaf + 1];
         for (std::uint32_t i = tree.first_part[leaf]; i < end; ++i) {

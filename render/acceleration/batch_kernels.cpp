@@ -29,7 +29,7 @@ HWY_INLINE RayLanes<BatchTag> rays_from(const RayBatch& rays, int first) {
     return lanes;
 }
 
-/// Rays of finite numbers, as safe_ray.h has it: the others hit nothing.
+/// Rays with finite numbers only, as in safe_ray.h; other rays hit nothing.
 HWY_INLINE hn::Mask<BatchTag> finite_rays(const RayLanes<BatchTag>& rays) {
     const BatchTag d;
     hn::Vec<BatchTag> sum = rays.time;
@@ -91,7 +91,7 @@ inline HWY_ATTR void closest(const AnalyticBlocks& blocks, const RayBatch& rays,
     }
 }
 
-inline HWY_ATTR void block(const AnalyticBlocks& blocks, const RayBatch& rays, float* t) {
+inline HWY_ATTR void occlude(const AnalyticBlocks& blocks, const RayBatch& rays, float* t) {
     const BatchTag d;
     const hn::Vec<BatchTag> zero = hn::Zero(d);
     for (int first = 0; first < rays.count; first += static_cast<int>(hn::Lanes(d))) {
@@ -101,24 +101,24 @@ inline HWY_ATTR void block(const AnalyticBlocks& blocks, const RayBatch& rays, f
         }
         const RayLanes<BatchTag> lanes = rays_from(rays, first);
         const hn::Mask<BatchTag> valid_rays = finite_rays(lanes);
-        hn::Vec<BatchTag> reach = hn::IfThenElseZero(valid_rays, before);
+        hn::Vec<BatchTag> t_max = hn::IfThenElseZero(valid_rays, before);
         all_shapes(LaneShapes(), blocks, lanes,
                    [&](const auto& shapes, InAll shape, const auto& test) HWY_ATTR {
-                       hn::Vec<BatchTag> other_t = reach;
+                       hn::Vec<BatchTag> other_t = t_max;
                        const hn::Mask<BatchTag> valid = test(d, lanes, shapes, shape, other_t);
-                       const hn::Mask<BatchTag> blocked = hn::And(valid, hn::Lt(other_t, reach));
-                       if (hn::AllFalse(d, blocked)) {
+                       const hn::Mask<BatchTag> occluded = hn::And(valid, hn::Lt(other_t, t_max));
+                       if (hn::AllFalse(d, occluded)) {
                            return false;
                        }
-                       reach = hn::IfThenElse(blocked, zero, reach);
-                       return hn::AllFalse(d, hn::Gt(reach, zero));
+                       t_max = hn::IfThenElse(occluded, zero, t_max);
+                       return hn::AllFalse(d, hn::Gt(t_max, zero));
                    });
-        hn::StoreU(hn::IfThenElse(valid_rays, reach, before), d, t + first);
+        hn::StoreU(hn::IfThenElse(valid_rays, t_max, before), d, t + first);
     }
 }
 
 inline const BatchKernels& batch_kernels_of_target() {
-    static constexpr BatchKernels kKernels = {closest, block};
+    static constexpr BatchKernels kKernels = {closest, occlude};
     return kKernels;
 }
 

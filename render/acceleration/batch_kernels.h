@@ -1,5 +1,5 @@
-// Many rays against a few analytic shapes, a ray in every lane, for the best instruction set that
-// the processor has.
+// Intersection of many rays with a few analytic shapes, one ray per lane, for the best instruction
+// set that the processor has.
 #pragma once
 
 #include "render/acceleration/block_lists.h"
@@ -8,12 +8,12 @@
 namespace carom::render {
 
 struct BatchKernels {
-    /// The nearest hit of each ray before t[i], as analytic_kernels.h's `closest`: t and object are
-    /// replaced where there is one.
+    /// The nearest hit of each ray before t[i], by the rules of AnalyticKernels::closest: replaces
+    /// t and object where a hit exists.
     void (*closest)(const AnalyticBlocks& blocks, const RayBatch& rays, float* t,
                     std::int32_t* object);
-    /// Sets t[i] to 0 where ray i meets something before it.
-    void (*block)(const AnalyticBlocks& blocks, const RayBatch& rays, float* t);
+    /// Sets t[i] to 0 if ray i hits anything before it.
+    void (*occlude)(const AnalyticBlocks& blocks, const RayBatch& rays, float* t);
 };
 
 [[nodiscard]] const BatchKernels& best_batch_kernels();

@@ -1,4 +1,4 @@
-// All analytic shapes that stand still or are plain spheres, in blocks, a list for each shape.
+// All static analytic shapes and plain spheres in blocks, with a list for each shape.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace carom::render {
 
-/// Copies what is in a lane of one block into a lane of another.
+/// Copies one lane of a block into a lane of another.
 template <class Block>
 void copy_lane(const Block& from, int lane, Block& to, int to_lane) {
     static_assert(std::is_trivially_copyable_v<Block> && sizeof(Block) % sizeof(Lanes) == 0,
@@ -36,7 +36,7 @@ struct BlockList {
     std::vector<Block> blocks;
     std::uint32_t size = 0;  // lanes in use, from the first on
 
-    /// The next lane, with the object in it; the caller sets the rest.
+    /// Returns the next lane with its object set; the caller sets the rest.
     Lane add(std::uint32_t object) {
         const int lane = static_cast<int>(size++ % kBlockLanes);
         if (lane == 0) {
@@ -45,7 +45,7 @@ struct BlockList {
         blocks.back().object.values[lane] = static_cast<std::int32_t>(object);
         return {blocks.back(), lane};
     }
-    /// A copy of lane `index` of `other`.
+    /// Appends a copy of lane `index` of `other`.
     void add_from(const BlockList& other, std::uint32_t index) {
         const Lane added = add(other.object(index));
         copy_lane(other.blocks[index / kBlockLanes], static_cast<int>(index % kBlockLanes),

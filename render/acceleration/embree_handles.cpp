@@ -12,7 +12,7 @@
 namespace carom::render {
 namespace {
 
-/// AVX2 and no more, so that the bits do not depend on what else the processor has.
+/// AVX2 and nothing wider, so that the bits do not depend on the processor.
 const char* device_settings() {
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? "isa=avx2"
                                                                            : "max_isa=sse4.2";
@@ -47,7 +47,7 @@ void EmbreeDevice::note_error(void* self, RTCError code, const char* text) {
 
 bool EmbreeDevice::note_memory(void* self, ssize_t bytes, bool /*post*/) {
     static_cast<EmbreeDevice*>(self)->bytes_ += bytes;
-    return true;  // go on
+    return true;  // continue
 }
 
 void EmbreeDevice::check(const std::string& doing) const {
@@ -77,9 +77,9 @@ GeometryHandle make_triangle_geometry(const EmbreeDevice& device, const Triangle
 }
 
 void commit_alone(const EmbreeDevice& device, RTCScene scene) {
-    // Embree does not promise that its hierarchy is the same for any number of threads, and the
-    // hierarchy decides between triangles at the same distance; building alone leaves no doubt.
-    // (Its own setting, threads=1, would throttle oneTBB in the whole process, and
+    // Embree does not promise that its hierarchy is independent of the number of threads, and the
+    // hierarchy decides between triangles at the same distance; a build on one thread is safe.
+    // (Embree's own setting, threads=1, would throttle oneTBB in the whole process, and
     // rtcJoinCommitScene works in the device's arena instead of this one.)
     tbb::task_arena alone(1);
     alone.execute([&] { rtcCommitScene(scene); });

@@ -1,4 +1,4 @@
-// Embree's handles with owners. For the .cpp files of this folder only.
+// Owning wrappers of Embree's handles. Internal to this folder.
 #pragma once
 
 #include <algorithm>
@@ -26,12 +26,12 @@ class EmbreeDevice {
 
     [[nodiscard]] RTCDevice get() const { return device_; }
 
-    /// What all scenes of this device hold.
+    /// Bytes used by all scenes of this device.
     [[nodiscard]] std::size_t bytes() const {
         return static_cast<std::size_t>(std::max<ssize_t>(bytes_, 0));
     }
 
-    /// Throws Error if Embree reported one since the last call. `doing`: "building ...".
+    /// Throws Error if Embree has reported an error since the last call. `doing`: "building ...".
     void check(const std::string& doing) const;
 
   private:
@@ -51,11 +51,11 @@ struct EmbreeRelease {
 using SceneHandle = std::unique_ptr<RTCSceneTy, EmbreeRelease>;
 using GeometryHandle = std::unique_ptr<RTCGeometryTy, EmbreeRelease>;
 
-/// Triangles as a committed geometry. The mesh's index list is used in place.
+/// A committed geometry of triangles. The mesh's index list is used in place.
 [[nodiscard]] GeometryHandle make_triangle_geometry(const EmbreeDevice& device,
                                                     const TriangleMesh& mesh);
 
-/// Builds the scene's hierarchy on the calling thread alone.
+/// Builds the scene's hierarchy on the calling thread only.
 void commit_alone(const EmbreeDevice& device, RTCScene scene);
 
 /// `ray` must be safe (safe_ray.h).

@@ -12,9 +12,9 @@ namespace carom::render {
 struct EmbreeStructure::Data {
     explicit Data(Primitives all) : shapes(std::move(all)) {}
 
-    // Destroyed from the last to the first: the scene goes before what it refers to.
+    // Members are destroyed from the last to the first: the scene before what it refers to.
     std::shared_ptr<const EmbreeDevice> device;
-    std::vector<std::uint32_t> mesh_objects;  // by Embree's geometry number
+    std::vector<std::uint32_t> mesh_objects;  // by Embree's geometry ID
     Primitives shapes;
     SceneHandle scene;
 
@@ -71,7 +71,7 @@ bool EmbreeStructure::closest_hit(const Ray& ray, Hit& hit) const {
     const bool found = query.hit.geomID != RTC_INVALID_GEOMETRY_ID && query.ray.tfar < safe.t_max &&
                        query.ray.tfar > safe.t_min;
     Hit best = found ? data_->to_hit(query) : Hit{safe.t_max, kNoObject, 0, 0, 0};
-    data_->shapes.find_closest_plane(safe, best);  // which no hierarchy can hold
+    data_->shapes.find_closest_plane(safe, best);  // no hierarchy can hold infinite planes
     if (best.object == kNoObject) {
         return false;
     }
@@ -84,7 +84,7 @@ bool EmbreeStructure::any_hit(const Ray& ray) const {
         return false;
     }
     const Ray safe = made_safe(ray);
-    if (data_->shapes.first_plane_met(safe) < data_->shapes.planes().size()) {
+    if (data_->shapes.first_plane_hit(safe) < data_->shapes.planes().size()) {
         return true;
     }
     QueryContext context;

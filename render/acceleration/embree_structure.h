@@ -1,4 +1,4 @@
-// Everything in one scene of Embree.
+// All shapes in one Embree scene.
 #pragma once
 
 #include <memory>
@@ -12,13 +12,14 @@ namespace carom::render {
 class EmbreeDevice;
 struct MeshEntry;
 
-/// The yardstick for the hybrid structure: analytic shapes are user geometry, moving spheres with
-/// bounds that move; still meshes are triangles of the same scene. Same hits as HybridStructure,
-/// except which of two triangles at the very same distance is named.
+/// The reference for HybridStructure: analytic shapes are user geometry, moving spheres have moving
+/// bounds, and static meshes are triangles of the same scene. The hits are those of
+/// HybridStructure, except that of two triangles at exactly the same distance either may be
+/// reported.
 class EmbreeStructure final : public MeasuredStructure {
   public:
-    /// `shapes.meshes` is not used: the still meshes are given themselves and outlive this.
-    /// Throws Error.
+    /// `shapes.meshes` is not used: the static meshes are given by `meshes` and must outlive this
+    /// object. Throws Error.
     EmbreeStructure(std::shared_ptr<const EmbreeDevice> device, const ShapeSet& shapes,
                     std::span<const MeshEntry> meshes);
     ~EmbreeStructure() override;

@@ -37,7 +37,7 @@ void intersect_callback(const RTCIntersectFunctionNArguments* args) {
     query->hit.instID[0] = args->context->instID[0];
     query->hit.u = hit.u;
     query->hit.v = hit.v;
-    // A moving mesh's own triangle travels where a normal is not asked for.
+    // The normal is not needed, so its field carries the triangle of a moving mesh.
     query->hit.Ng_x = __builtin_bit_cast(float, hit.primitive);
 }
 
@@ -60,7 +60,7 @@ GeometryHandle make_user_geometry(const EmbreeDevice& device, const Primitives& 
     rtcSetGeometryUserPrimitiveCount(geometry.get(),
                                      static_cast<unsigned>(shapes.bounded().size()));
     rtcSetGeometryTimeStepCount(geometry.get(), 2);
-    // Embree takes a pointer to mutable data; the callbacks only read.
+    // Embree takes a pointer to mutable data; the callbacks only read it.
     rtcSetGeometryUserData(geometry.get(), const_cast<Primitives*>(&shapes));
     rtcSetGeometryBoundsFunction(geometry.get(), bounds_callback, nullptr);
     rtcSetGeometryIntersectFunction(geometry.get(), intersect_callback);

@@ -1,4 +1,4 @@
-// Primitives as Embree's user geometry. For the .cpp files of this folder only.
+// Primitives as Embree user geometry. Internal to this folder.
 #pragma once
 
 #include "render/acceleration/embree_handles.h"
@@ -6,15 +6,14 @@
 
 namespace carom::render {
 
-/// A query's own data behind Embree's context, which must come first.
+/// The data of one query, behind Embree's context, which must be the first member.
 struct QueryContext {
     RTCIntersectContext embree;
     const Ray* ray = nullptr;          // safe
     Candidate nearest{-1, kNoObject};  // the last hit of a user shape
 };
 
-/// One geometry over all of `shapes` that are bounded, committed; `shapes` outlives it and is not
-/// moved.
+/// One committed geometry over all bounded shapes of `shapes`, which outlives it and is not moved.
 [[nodiscard]] GeometryHandle make_user_geometry(const EmbreeDevice& device,
                                                 const Primitives& shapes);
 

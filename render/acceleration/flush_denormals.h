@@ -1,13 +1,13 @@
-// The floating-point mode that Embree asks for.
+// The floating-point mode that Embree requires.
 #pragma once
 
 #include <xmmintrin.h>
 
 namespace carom::render {
 
-/// While alive, this thread treats denormal numbers as zero (FTZ and DAZ). Rays are traced under
-/// it; simulations never run under it. A task of oneTBB takes the mode that its arena was made with
-/// and not its caller's, so every task that traces rays has one of its own.
+/// While it exists, this thread treats denormal numbers as zero (FTZ and DAZ). Rays are traced in
+/// this mode; simulations never run in it. A oneTBB task takes the mode that its arena was created
+/// with rather than its caller's, so every task that traces rays has its own object.
 class FlushDenormals {
   public:
     FlushDenormals() : saved_(_mm_getcsr()) {

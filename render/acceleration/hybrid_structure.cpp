@@ -12,13 +12,13 @@
 namespace carom::render {
 namespace {
 
-/// Lets a search that wants hits before t_max also find one at `t` itself, for the tie rule.
+/// Bound for a search below t_max that must also find a hit at `t` itself, for the tie rule.
 float just_beyond(float t) {
     return std::nextafter(t, kInfinity);
 }
 
 constexpr int kBatch = 64;   // rays
-constexpr int kBeyond = 16;  // numbers that kernels may touch beyond the last ray
+constexpr int kBeyond = 16;  // numbers that kernels may access beyond the last ray
 
 RayBatch part_of(const RayBatch& rays, int first) {
     RayBatch part = rays;
@@ -58,7 +58,7 @@ void HybridStructure::set_loops(const ShapeSet& shapes) {
     moving_ = shapes.moving;
 }
 
-// The shapes in their blocks are left out, as for the others.
+// Without the shapes in their blocks, as for the other structures.
 std::size_t HybridStructure::bytes() const {
     return (tree_ ? bytes_of(tree_->tree) : 0) + (meshes_ ? meshes_->bytes() : 0);
 }
@@ -89,7 +89,7 @@ bool HybridStructure::closest_hit(const Ray& ray, Hit& hit) const {
     return true;
 }
 
-// Goes on where loops and tree have found `best`, or nothing yet; `remaining` ends just beyond it.
+// Continues after loops and tree have found `best`, or nothing; `remaining` ends just beyond it.
 bool HybridStructure::find_among_others(Ray remaining, Hit& best) const {
     const auto accept = [&](const Hit& other) {
         const bool is_tie = other.t == best.t && other.object < best.object;
@@ -130,27 +130,27 @@ bool HybridStructure::any_hit(const Ray& ray) const {
     return meshes_ && meshes_->any_hit(safe);
 }
 
-FanMask HybridStructure::any_hits(const RayFan& fan) const {
-    RayFan safe = fan;
-    safe.time = std::clamp(fan.time, 0.f, 1.f);
-    FanMask traceable = 0;
-    for (int i = 0; i < fan.count; ++i) {
-        traceable |= is_traceable(fan.ray(i)) ? FanMask{1} << i : 0;
+PacketMask HybridStructure::any_hits(const ShadowRayPacket& packet) const {
+    ShadowRayPacket safe = packet;
+    safe.time = std::clamp(packet.time, 0.f, 1.f);
+    PacketMask traceable = 0;
+    for (int i = 0; i < packet.count; ++i) {
+        traceable |= is_traceable(packet.ray(i)) ? PacketMask{1} << i : 0;
     }
-    FanMask hits = kernels_.any_of_fan(blocks_, safe, traceable);
+    PacketMask hits = kernels_.any_of_packet(blocks_, safe, traceable);
     const auto meets_one_by_one = [&](const Ray& ray) {
         return (tree_ && tree_kernels_.any(*tree_, ray)) ||
                std::any_of(moving_.begin(), moving_.end(), [&](const MovingShape& shape) {
                    return occluded_by_moving(shape, ray);
                });
     };
-    for (int i = 0; i < fan.count && (tree_ || !moving_.empty()); ++i) {
-        const FanMask bit = FanMask{1} << i;
+    for (int i = 0; i < packet.count && (tree_ || !moving_.empty()); ++i) {
+        const PacketMask bit = PacketMask{1} << i;
         if ((traceable & ~hits & bit) != 0 && meets_one_by_one(safe.ray(i))) {
             hits |= bit;
         }
     }
-    const FanMask open = traceable & ~hits;
+    const PacketMask open = traceable & ~hits;
     return meshes_ && open != 0 ? hits | meshes_->any_hits(safe, open) : hits;
 }
 
@@ -177,18 +177,18 @@ void HybridStructure::closest_hits(const RayBatch& rays, Hit* hits) const {
     }
 }
 
-// Goes on where loops have found `best`, or nothing before the ray's end.
+// Continues after loops have found `best`, or nothing before the ray's end.
 void HybridStructure::find_in_tree(const Ray& ray, Hit& best) const {
     if (tree_) {
         tree_kernels_.closest(*tree_, made_safe(ray), best);
     }
 }
 
-void HybridStructure::drop_blocked(const RayBatch& rays, float* reach) const {
-    batch_kernels_.block(blocks_, rays, reach);
+void HybridStructure::test_occlusion(const RayBatch& rays, float* t_max) const {
+    batch_kernels_.occlude(blocks_, rays, t_max);
     for (int i = 0; i < rays.count && (tree_ || !moving_.empty()); ++i) {
-        const Ray ray = rays.ray(i, reach[i]);
-        if (!(reach[i] > 0) || !is_traceable(ray)) {
+        const Ray ray = rays.ray(i, t_max[i]);
+        if (!(t_max[i] > 0) || !is_traceable(ray)) {
             continue;
         }
         const auto blocks = [&](const MovingShape& shape) {
@@ -196,11 +196,11 @@ void HybridStructure::drop_blocked(const RayBatch& rays, float* reach) const {
         };
         if ((tree_ && tree_kernels_.any(*tree_, made_safe(ray))) ||
             std::any_of(moving_.begin(), moving_.end(), blocks)) {
-            reach[i] = 0;
+            t_max[i] = 0;
         }
     }
     if (meshes_) {
-        meshes_->drop_blocked(rays, reach);
+        meshes_->test_occlusion(rays, t_max);
     }
 }
 

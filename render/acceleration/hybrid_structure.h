@@ -1,4 +1,5 @@
-// Analytic shapes in the lanes of vectors, many of them under a tree, meshes in Embree.
+// The default structure: analytic shapes in vector lanes, many of them in a tree, and meshes in
+// Embree.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +14,15 @@
 
 namespace carom::render {
 
-/// From which loop_cost on a tree is faster than testing all (docs/developers/performance.md).
+/// The loop_cost from which a tree is faster than testing all shapes
+/// (docs/developers/performance.md).
 inline constexpr std::size_t kTreeThreshold = 160;
 
-/// The default. The handful of balls and boxes of a billiard shot is tested by brute force, eight
-/// at a time, which no hierarchy beats; from a cost of `tree_threshold` on all but infinite planes
-/// go into a tree instead, which gives the same hits. Only then are triangles asked, within the
-/// distance found. Many still shapes may come in a tree that frames share; then only the others are
-/// in `shapes`, and they are tested in loops.
+/// The few balls and boxes of a billiard shot are tested by brute force, eight at a time, which no
+/// hierarchy beats. From a cost of `tree_threshold` on all shapes except infinite planes go into a
+/// tree, which gives the same hits. Triangles are tested last, within the distance found. A tree of
+/// many static shapes may be shared between frames; then only the other shapes are in `shapes`, and
+/// they are tested in loops.
 class HybridStructure final : public MeasuredStructure {
   public:
     explicit HybridStructure(const ShapeSet& shapes, std::size_t tree_threshold = kTreeThreshold);
@@ -28,9 +30,9 @@ class HybridStructure final : public MeasuredStructure {
 
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const override;
     [[nodiscard]] bool any_hit(const Ray& ray) const override;
-    [[nodiscard]] FanMask any_hits(const RayFan& fan) const override;
+    [[nodiscard]] PacketMask any_hits(const ShadowRayPacket& packet) const override;
     void closest_hits(const RayBatch& rays, Hit* hits) const override;
-    void drop_blocked(const RayBatch& rays, float* reach) const override;
+    void test_occlusion(const RayBatch& rays, float* t_max) const override;
     [[nodiscard]] std::size_t bytes() const override;
 
   private:
@@ -41,9 +43,9 @@ class HybridStructure final : public MeasuredStructure {
     const AnalyticKernels& kernels_;
     const BatchKernels& batch_kernels_;
     const AnalyticTreeKernels& tree_kernels_;
-    std::shared_ptr<const AnalyticTree> tree_;  // or null
-    AnalyticBlocks blocks_;                     // what is not in the tree
-    std::vector<MovingShape> moving_;           // the same
+    std::shared_ptr<const AnalyticTree> tree_;  // may be null
+    AnalyticBlocks blocks_;                     // shapes outside the tree
+    std::vector<MovingShape> moving_;           // likewise
     std::shared_ptr<const TriangleScene> meshes_;
 };
 

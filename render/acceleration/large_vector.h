@@ -1,4 +1,4 @@
-// Arrays that rays jump about in.
+// A vector for data with random access.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace carom::render {
 
-/// Begins at a line of the cache; large arrays ask for large pages, as each jump would otherwise
-/// cost a walk through the page table as well.
+/// Aligned to cache lines. Large arrays request huge pages, because otherwise each random access
+/// also costs a walk through the page table.
 template <class T>
 struct LargePages {
     using value_type = T;

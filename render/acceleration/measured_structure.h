@@ -1,4 +1,4 @@
-// A structure that tells what it costs.
+// A structure that reports its cost.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace carom::render {
 class MeasuredStructure : public AccelerationStructure {
   public:
     [[nodiscard]] virtual std::size_t bytes() const = 0;  // without the shapes themselves
-    /// Tests of all rays so far; all 0 where they are not counted.
+    /// Tests of all rays traced with it; all 0 if they are not counted.
     [[nodiscard]] virtual TestCounts counts() const { return {}; }
 };
 

@@ -6,9 +6,9 @@
 namespace carom::render {
 namespace {
 
-constexpr float kWidening = 1.00002f;  // of bounds, against rounding
+constexpr float kWidening = 1.00002f;  // of bounds, for rounding
 
-bool may_meet(const MovingShape& shape, const Ray& ray) {
+bool may_hit(const MovingShape& shape, const Ray& ray) {
     if (shape.is_infinite()) {
         return true;
     }
@@ -42,7 +42,7 @@ std::optional<float> intersect_analytic(const MovingShape& shape, const Ray& loc
 }  // namespace
 
 bool intersect_moving(const MovingShape& shape, const Ray& ray, Hit& hit) {
-    if (!may_meet(shape, ray)) {
+    if (!may_hit(shape, ray)) {
         return false;
     }
     const Ray local = in_body_axes(shape, ray);
@@ -61,7 +61,7 @@ bool intersect_moving(const MovingShape& shape, const Ray& ray, Hit& hit) {
 }
 
 bool occluded_by_moving(const MovingShape& shape, const Ray& ray) {
-    if (!may_meet(shape, ray)) {
+    if (!may_hit(shape, ray)) {
         return false;
     }
     const Ray local = in_body_axes(shape, ray);
@@ -69,8 +69,8 @@ bool occluded_by_moving(const MovingShape& shape, const Ray& ray) {
                                          : intersect_analytic(shape, local).has_value();
 }
 
-Imath::Box3f swept_bounds(const RigidMotion& motion, float reach) {
-    const V3f margin(reach * kWidening);
+Imath::Box3f swept_bounds(const RigidMotion& motion, float bounding_radius) {
+    const V3f margin(bounding_radius * kWidening);
     return {motion.position_bounds().min - margin, motion.position_bounds().max + margin};
 }
 

@@ -58,11 +58,11 @@ bool Primitives::closest(const Primitive& shape, const Ray& ray, Hit& hit) const
     }
     if (shape.shape == Primitive::kMeshTriangle) {
         const auto [a, b, c] = corners(shape);
-        const auto met = moller_trumbore(ray, a, b, c);
-        if (met) {
-            hit = {met->t, shape.object, shape.number, met->u, met->v};
+        const auto found = moller_trumbore(ray, a, b, c);
+        if (found) {
+            hit = {found->t, shape.object, shape.number, found->u, found->v};
         }
-        return met.has_value();
+        return found.has_value();
     }
     float t = ray.t_max;
     const bool found = kernels_->one(blocks_, shape.shape, shape.index, ray, t);
@@ -85,12 +85,12 @@ void Primitives::find_closest_plane(const Ray& ray, Hit& best) const {
     }
 }
 
-std::size_t Primitives::first_plane_met(const Ray& ray) const {
-    const auto met = std::ranges::find_if(planes_, [&](const Primitive& plane) {
+std::size_t Primitives::first_plane_hit(const Ray& ray) const {
+    const auto plane = std::ranges::find_if(planes_, [&](const Primitive& plane) {
         Hit hit;
         return closest(plane, ray, hit);
     });
-    return static_cast<std::size_t>(met - planes_.begin());
+    return static_cast<std::size_t>(plane - planes_.begin());
 }
 
 }  // namespace carom::render

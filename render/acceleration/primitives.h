@@ -1,4 +1,4 @@
-// Shapes one at a time, as hierarchies and grids ask for them.
+// Single shapes, as hierarchies and grids need them.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace carom::render {
 
-/// One of them: where it is, and its bounds.
+/// One shape: its place in the lists, and its bounds.
 struct Primitive {
     static constexpr std::uint32_t kMoving = kLaneShapeCount;
     static constexpr std::uint32_t kMeshTriangle = kLaneShapeCount + 1;
@@ -20,33 +20,35 @@ struct Primitive {
     std::uint32_t shape = 0;  // kLaneShape, kMoving or kMeshTriangle
     std::uint32_t index = 0;  // in that shape's list; in ShapeSet::moving; in the list of meshes
     std::uint32_t object = 0;
-    std::uint32_t number = 0;  // of a mesh's triangles
-    MovingBounds bounds;       // of infinite shapes without meaning
+    std::uint32_t number = 0;  // the triangle in its mesh
+    MovingBounds bounds;       // meaningless for infinite shapes
 };
 
-/// All shapes of a frame. A sphere with impacts is one primitive for each stretch of its path.
+/// All shapes of a frame. A sphere with impacts is one primitive for each segment of its path.
 class Primitives {
   public:
-    /// Infinite planes come in a list of their own, the triangles of `meshes` last; those of
-    /// `shapes.meshes` are left out. The meshes outlive the list.
+    /// Infinite planes have a list of their own; the triangles of `meshes` come last. The triangles
+    /// in `shapes.meshes` are left out. The meshes must outlive this object.
     explicit Primitives(const ShapeSet& shapes, std::span<const MeshEntry> meshes = {});
 
     [[nodiscard]] std::span<const Primitive> bounded() const { return bounded_; }
     [[nodiscard]] std::span<const Primitive> planes() const { return planes_; }
 
-    /// The nearest hit of one in (ray.t_min, ray.t_max) of a safe ray; false and an untouched `hit`
-    /// if there is none. Analytic shapes give the bits that HybridStructure gives.
+    /// The nearest hit of one primitive in (ray.t_min, ray.t_max) of a safe ray; without one,
+    /// returns false and leaves `hit` untouched. Analytic shapes give the same bits as
+    /// HybridStructure.
     [[nodiscard]] bool closest(const Primitive& primitive, const Ray& ray, Hit& hit) const;
 
-    /// Replaces `best` by the nearest hit of an infinite plane that is nearer, or as near and of a
-    /// lower object. A `best` without an object ends where the ray does.
+    /// Replaces `best` by the nearest hit of an infinite plane if that is nearer, or equally near
+    /// and of a lower object. A `best` without an object stands for the end of the ray.
     void find_closest_plane(const Ray& ray, Hit& best) const;
-    /// Index of the first plane that the ray meets; their number if it meets none.
-    [[nodiscard]] std::size_t first_plane_met(const Ray& ray) const;
+    /// Index of the first plane in the list that the ray hits; the number of planes if it hits
+    /// none.
+    [[nodiscard]] std::size_t first_plane_hit(const Ray& ray) const;
 
-    /// Corners of a mesh's triangle.
+    /// The corners of a mesh triangle.
     [[nodiscard]] std::array<V3f, 3> corners(const Primitive& triangle) const;
-    /// Of a sphere that stands still.
+    /// The block of a static sphere.
     [[nodiscard]] const StillSphereBlock& sphere_block(const Primitive& sphere) const {
         return blocks_.of<StillSphere>().blocks[sphere.index / kBlockLanes];
     }

@@ -1,4 +1,4 @@
-// Rays of different origins and times side by side, an array for each number.
+// Rays with different origins and times as a structure of arrays.
 #pragma once
 
 #include <array>
@@ -8,14 +8,14 @@
 
 namespace carom::render {
 
-/// Borrowed arrays of `count` numbers; those that kernels read and write have room for 16 more,
-/// whatever they hold. Directions have unit length, times lie in [0, 1]; rays begin at 0.
+/// Borrowed arrays of `count` numbers. Arrays that kernels read and write have room for 16 more
+/// numbers of any value. Directions have unit length, times lie in [0, 1], and rays begin at 0.
 struct RayBatch {
     int count = 0;
     std::array<const float*, 3> origin{};
     std::array<const float*, 3> direction{};
     const float* time = nullptr;
-    RayKind kind = RayKind::secondary;  // of those that are asked for their nearest hits
+    RayKind kind = RayKind::secondary;  // of the rays in closest-hit queries
 
     [[nodiscard]] Ray ray(int i, float t_max) const {
         return {V3f(origin[0][i], origin[1][i], origin[2][i]),

@@ -9,7 +9,7 @@ namespace {
 
 using Box = Imath::Box3f;
 
-/// Room for the rounding of box tests, Embree's own among them.
+/// A margin for the rounding of box tests, including Embree's.
 Box widened(const Box& box) {
     Box result = box;
     for (int axis = 0; axis < 3; ++axis) {
@@ -25,11 +25,11 @@ V3f derivative(const PathPiece& path, float time) {
     return path.c[1] + d * (2.f * path.c[2] + 3.f * d * path.c[3]);
 }
 
-/// Stretches in force for less than this part of the shutter get a box that does not move: carrying
-/// their motion on to the shutter's ends would magnify rounding.
+/// Segments shorter than this fraction of the shutter get a static box: extrapolating their motion
+/// to the shutter's ends would magnify rounding.
 constexpr float kShortest = 1e-3f;
 
-/// Of a unit shape: what the margins of intersect.h add to a shape, and more.
+/// Exceeds the margins that intersect.h adds to a unit shape.
 constexpr double kUnitWidening = 1.00005;
 
 MovingBounds still(const Box& box) {
@@ -38,10 +38,10 @@ MovingBounds still(const Box& box) {
 
 }  // namespace
 
-/// From the control points of the path's Bezier form, whose hull the curve lies in: a box around
-/// how far they are off the chord is carried along the chord. Beyond the stretch's own time, where
-/// it does not count, the box goes on as it went.
-MovingBounds bounds_of(const SphereStretch& sphere) {
+/// The curve lies in the convex hull of the control points of its Bézier form: a box around their
+/// deviations from the chord moves along the chord. Outside the segment's time, where the box does
+/// not matter, it continues linearly.
+MovingBounds bounds_of(const SphereSegment& sphere) {
     const float from = std::max(sphere.start, 0.f);
     const float to = std::max(from, std::min(sphere.end, 1.f));
     const float third = (to - from) / 3;
@@ -66,14 +66,14 @@ MovingBounds bounds_of(const SphereStretch& sphere) {
     const V3f velocity = (p3 - p0) * (1 / (to - from));
     const V3f at_open = p0 - from * velocity;
     const V3f at_close = p3 + (1 - to) * velocity;
-    // Where the chord ends far away rounding there must not narrow the box here.
+    // A chord that is extrapolated far has rounding errors, which must not narrow the box here.
     const V3f slack = V3f(4e-7f * ((at_open - p0).length() + (at_close - p3).length())) + radius;
     return {widened({at_open + deviation.min - slack, at_open + deviation.max + slack}),
             widened({at_close + deviation.min - slack, at_close + deviation.max + slack})};
 }
 
 MovingBounds bounds_of(const StillSphereBlock& block, int lane) {
-    SphereStretch sphere;
+    SphereSegment sphere;
     for (int axis = 0; axis < 3; ++axis) {
         sphere.path.c[0][axis] = block.centre[axis].values[lane];
     }
@@ -102,7 +102,7 @@ MovingBounds bounds_of(const MovingShape& shape) {
     return still(shape.bounds);
 }
 
-/// The corners of the unit shape's box under the map's inverse.
+/// The corners of the unit shape's box, mapped to world space.
 MovingBounds bounds_of(const Affine& unit_from_world, const V3f& half_size) {
     Mat44 map;
     for (int row = 0; row < 3; ++row) {

@@ -1,4 +1,4 @@
-// Boxes around shapes while the shutter is open.
+// Bounding boxes of shapes while the shutter is open.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace carom::render {
 
-/// A box that moves and grows evenly from the shutter's opening, time 0, to its closing, time 1.
+/// A box that moves and grows linearly from the shutter's opening, time 0, to its closing, time 1.
 struct MovingBounds {
     Imath::Box3f open, close;
 
@@ -19,7 +19,7 @@ struct MovingBounds {
     }
 };
 
-/// Half the surface; 0 of an empty box.
+/// Half the surface area; 0 for an empty box.
 [[nodiscard]] inline float half_area(const Imath::Box3f& box) {
     if (box.isEmpty()) {
         return 0;
@@ -28,19 +28,19 @@ struct MovingBounds {
     return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-/// All hold the shape at every time at which it is in force, with room for the rounding of the
-/// kernels and of box tests.
-[[nodiscard]] MovingBounds bounds_of(const SphereStretch& sphere);
+/// Every box contains its shape at all times at which the shape is valid, with a margin for the
+/// rounding of kernels and box tests.
+[[nodiscard]] MovingBounds bounds_of(const SphereSegment& sphere);
 [[nodiscard]] MovingBounds bounds_of(const StillSphereBlock& block, int lane);
 [[nodiscard]] MovingBounds bounds_of(const AlignedBoxBlock& block, int lane);
-/// Of a unit shape in a box of this half size.
+/// Of a unit shape that fits in a box of this half size.
 [[nodiscard]] MovingBounds bounds_of(const Affine& unit_from_world, const V3f& half_size);
 /// Of a triangle with these corners.
 [[nodiscard]] MovingBounds bounds_of(const std::array<V3f, 3>& corners);
-/// Not of infinite shapes.
+/// For bounded shapes only.
 [[nodiscard]] MovingBounds bounds_of(const MovingShape& shape);
 
-/// Of a shape of the list.
+/// Of a shape in the list.
 template <class Shape>
 [[nodiscard]] MovingBounds bounds_of(const BlockList<Shape>& list, std::uint32_t index) {
     const auto& block = list.blocks[index / kBlockLanes];

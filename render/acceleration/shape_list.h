@@ -1,7 +1,8 @@
-// The one list of the shapes that rays can meet. What names them all is a fold over it.
+// The single list of the shapes that rays can hit. All code that enumerates shapes is a fold over
+// it.
 //
-// To add a shape: give it a ShapeKind, a struct below and a place in UnitShapes, and in
-// shape_tests-inl.h a LaneTest. What is forgotten does not compile.
+// To add a shape: give it a ShapeKind, a struct below and a place in UnitShapes, and a LaneTest in
+// shape_tests-inl.h. A missing part does not compile.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,7 @@
 
 namespace carom::render {
 
-/// What an object is. All kinds except the last are unit shapes under an affine map.
+/// The kind of an object. All kinds except the last are unit shapes under an affine map.
 enum class ShapeKind : std::uint8_t {
     ball,
     box,
@@ -36,15 +37,15 @@ enum class ShapeKind : std::uint8_t {
 };
 
 /// Each unit shape has
-/// - kKind and Block, what eight of them are kept in for the kernels;
-/// - kIsBounded: whether a box can be put around it;
-/// - intersect(ray, profile): the first hit on a ray in the shape's own axes;
-/// - point(ray, t, profile): the surface where the ray meets it;
-/// - half_size(profile): of a box around it, centred at the origin;
-/// - reach(scale, profile): how far its surface is at most from its centre where the map stretches
-///   its axes by `scale` and leaves them at right angles.
-/// `profile` holds the numbers of a shape's form that no affine map can make from another's; most
-/// have none.
+/// - kKind and Block, the storage of eight of them for the kernels;
+/// - kIsBounded: whether a bounding box exists;
+/// - intersect(ray, profile): the first hit of a ray in the shape's own axes;
+/// - point(ray, t, profile): the surface point where the ray hits it;
+/// - half_size(profile): of a bounding box centred at the origin;
+/// - bounding_radius(scale, profile): the largest distance of its surface from its centre if the
+///   map scales its axes by `scale` and keeps them perpendicular.
+/// `profile` holds the parameters of the shape that an affine map cannot produce; most shapes have
+/// none.
 template <ShapeKind kKindOfShape, class BlockOfShape = MappedBlock>
 struct UnitShape {
     static constexpr ShapeKind kKind = kKindOfShape;
@@ -53,11 +54,11 @@ struct UnitShape {
     static V3f half_size(const V3f& /*profile*/) { return V3f(1); }
 };
 
-/// Of the plane z = 0.
+/// Base of the shapes in the plane z = 0.
 template <ShapeKind kKindOfShape>
 struct FlatShape : UnitShape<kKindOfShape> {
     static V3f half_size(const V3f& /*profile*/) { return V3f(1, 1, 0); }
-    static double reach(const Vec3& scale, const V3f& /*profile*/) {
+    static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
         return std::hypot(scale.x, scale.y);
     }
 };
@@ -70,7 +71,7 @@ struct UnitBall : UnitShape<ShapeKind::ball> {
     static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
         return on_unit_ball(ray, t);
     }
-    static double reach(const Vec3& scale, const V3f& /*profile*/) {
+    static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
         return std::max({scale.x, scale.y, scale.z});
     }
 };
@@ -84,7 +85,9 @@ struct UnitBox : UnitShape<ShapeKind::box> {
     static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
         return on_unit_box(ray, t);
     }
-    static double reach(const Vec3& scale, const V3f& /*profile*/) { return scale.length(); }
+    static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
+        return scale.length();
+    }
 };
 
 /// |x|, |y| <= 1.
@@ -115,7 +118,7 @@ struct UnitDisk : FlatShape<ShapeKind::disk> {
     static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
         return on_unit_disk(ray, t);
     }
-    static double reach(const Vec3& scale, const V3f& /*profile*/) {
+    static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
         return std::max(scale.x, scale.y);
     }
 };
@@ -129,7 +132,7 @@ struct UnitFrustum : UnitShape<ShapeKind::frustum, ProfiledBlock> {
     static UnitPoint point(const UnitRay& ray, float t, const V3f& profile) {
         return on_unit_frustum(ray, t, profile.x, profile.y);
     }
-    static double reach(const Vec3& scale, const V3f& /*profile*/) {
+    static double bounding_radius(const Vec3& scale, const V3f& /*profile*/) {
         return std::hypot(std::max(scale.x, scale.y), scale.z);
     }
 };
@@ -144,12 +147,12 @@ struct UnitCapsule : UnitShape<ShapeKind::capsule, ProfiledBlock> {
         return on_unit_capsule(ray, t, profile.x);
     }
     static V3f half_size(const V3f& profile) { return V3f(1, 1, 1 + profile.x); }
-    static double reach(const Vec3& scale, const V3f& profile) {
+    static double bounding_radius(const Vec3& scale, const V3f& profile) {
         return static_cast<double>(profile.x) * scale.z + std::max({scale.x, scale.y, scale.z});
     }
 };
 
-/// All points within distance 1 of the box |p| <= core, with the core as the profile.
+/// All points within distance 1 of the box |p| <= core; the profile is `core`.
 struct UnitRoundedBox : UnitShape<ShapeKind::rounded_box, ProfiledBlock> {
     static std::optional<float> intersect(const UnitRay& ray, const V3f& profile) {
         return intersect_unit_rounded_box(ray, profile);
@@ -158,12 +161,12 @@ struct UnitRoundedBox : UnitShape<ShapeKind::rounded_box, ProfiledBlock> {
         return on_unit_rounded_box(ray, t, profile);
     }
     static V3f half_size(const V3f& profile) { return profile + V3f(1); }
-    static double reach(const Vec3& scale, const V3f& profile) {
+    static double bounding_radius(const Vec3& scale, const V3f& profile) {
         return (scale * Vec3(profile)).length() + std::max({scale.x, scale.y, scale.z});
     }
 };
 
-/// z = 0, without end.
+/// The infinite plane z = 0.
 struct UnitPlane : UnitShape<ShapeKind::plane> {
     static constexpr bool kIsBounded = false;
     static std::optional<float> intersect(const UnitRay& ray, const V3f& /*profile*/) {
@@ -172,14 +175,14 @@ struct UnitPlane : UnitShape<ShapeKind::plane> {
     static UnitPoint point(const UnitRay& ray, float t, const V3f& /*profile*/) {
         return on_unit_plane(ray, t);
     }
-    static double reach(const Vec3& /*scale*/, const V3f& /*profile*/) { return 1; }
+    static double bounding_radius(const Vec3& /*scale*/, const V3f& /*profile*/) { return 1; }
 };
 
 template <class... Shapes>
 struct ShapeList {
     static constexpr std::size_t kSize = sizeof...(Shapes);
 
-    /// How many of the list come before `Shape`.
+    /// The number of shapes in the list before `Shape`.
     template <class Shape>
     static constexpr std::uint32_t index_of() {
         static_assert((std::same_as<Shape, Shapes> || ...), "the shape is not in the list");
@@ -193,7 +196,7 @@ struct ShapeList {
 using UnitShapes = ShapeList<UnitBall, UnitBox, UnitRectangle, UnitTriangle, UnitDisk, UnitFrustum,
                              UnitCapsule, UnitRoundedBox, UnitPlane>;
 
-// Cases of balls and boxes that the kernels test faster than under an affine map.
+// Special cases of balls and boxes that are faster to test than under an affine map.
 struct StillSphere {
     using Block = StillSphereBlock;
     static constexpr bool kIsBounded = true;
@@ -202,7 +205,7 @@ struct MovingSphere {
     using Block = MovingSphereBlock;
     static constexpr bool kIsBounded = true;
 };
-/// A box whose axes are those of the world.
+/// A box along the axes of the world.
 struct AlignedBox {
     using Block = AlignedBoxBlock;
     static constexpr bool kIsBounded = true;
@@ -215,10 +218,10 @@ struct WithSpecialCases<ShapeList<Shapes...>> {
     using List = ShapeList<StillSphere, MovingSphere, AlignedBox, Shapes...>;
 };
 
-/// Everything that the kernels know a test for.
+/// All shapes for which the kernels have a test.
 using LaneShapes = WithSpecialCases<UnitShapes>::List;
 
-/// The number by which a shape of the kernels is named where types cannot be.
+/// The number of a kernel shape, where its type cannot be used.
 template <class Shape>
 inline constexpr std::uint32_t kLaneShape = LaneShapes::index_of<Shape>();
 inline constexpr std::uint32_t kLaneShapeCount = LaneShapes::kSize;
@@ -231,7 +234,7 @@ concept CompleteUnitShape = requires(const UnitRay& ray, float t, const V3f& pro
     { Shape::intersect(ray, profile) } -> std::same_as<std::optional<float>>;
     { Shape::point(ray, t, profile) } -> std::same_as<UnitPoint>;
     { Shape::half_size(profile) } -> std::same_as<V3f>;
-    { Shape::reach(scale, profile) } -> std::same_as<double>;
+    { Shape::bounding_radius(scale, profile) } -> std::same_as<double>;
     block.set_profile(0, profile);
 };
 
@@ -248,7 +251,7 @@ constexpr bool is_complete(ShapeList<Shapes...> list) {
 }
 static_assert(is_complete(UnitShapes()));
 
-/// Calls `visitor(Shape())` with the unit shape that `kind` names; with none for meshes.
+/// Calls `visitor(Shape())` with the unit shape of `kind`; does nothing for meshes.
 template <class Visitor>
 void visit_shape(ShapeKind kind, const Visitor& visitor) {
     const auto visit = [&]<class... Shapes>(ShapeList<Shapes...>) {
@@ -256,7 +259,7 @@ void visit_shape(ShapeKind kind, const Visitor& visitor) {
     };
     visit(UnitShapes());
 }
-/// Returns what it returns; `of_mesh` for meshes.
+/// Returns the visitor's result; `of_mesh` for meshes.
 template <class Result, class Visitor>
 [[nodiscard]] Result visit_shape(ShapeKind kind, Result of_mesh, const Visitor& visitor) {
     visit_shape(kind, [&](auto shape) { of_mesh = visitor(shape); });

@@ -1,4 +1,4 @@
-// Rays against analytic shapes in the lanes of vectors: one ray against several shapes, or several
+// Intersection tests of analytic shapes in vector lanes: one ray against several shapes, or several
 // rays against one shape. Included once per instruction set.
 #include <cmath>
 
@@ -31,13 +31,13 @@ HWY_INLINE RayLanes<D> broadcast(D d, const Ray& ray) {
             hn::Set(d, ray.time)};
 }
 
-/// A number of each shape of a block from `lane` on, for one ray.
+/// A number of each shape of a block, from `lane` on, for one ray.
 template <class D>
 HWY_INLINE hn::Vec<D> load(D d, const Lanes& lanes, int lane) {
     return hn::LoadU(d, lanes.values + lane);
 }
 
-/// One shape of a block, for a ray in every lane.
+/// One shape of a block in all lanes, for a ray in every lane.
 struct InAll {
     int lane;
 };
@@ -51,15 +51,15 @@ HWY_INLINE hn::Vec<D> dot(const hn::Vec<D> (&a)[3], const hn::Vec<D> (&b)[3]) {
     return hn::MulAdd(a[0], b[0], hn::MulAdd(a[1], b[1], hn::Mul(a[2], b[2])));
 }
 
-/// The nearer of two distances (near <= far) beyond t_min.
+/// The nearer of two distances (near <= far) that is greater than t_min.
 template <class D>
 HWY_INLINE hn::Vec<D> first_beyond(const RayLanes<D>& ray, hn::Vec<D> near, hn::Vec<D> far) {
     return hn::IfThenElse(hn::Gt(near, ray.t_min), near, far);
 }
 
-/// A sphere whose centre lies at `offset` from the ray's origin; the direction has unit length.
-/// Discriminant from the distance between centre and line (Haines, Günther and Akenine-Möller 2019,
-/// "Precision improvements for ray/sphere intersection", section 7.3).
+/// A sphere with its centre at `offset` from the ray's origin; the direction has unit length. The
+/// discriminant is computed from the distance between centre and line (Haines, Günther and
+/// Akenine-Möller 2019, "Precision improvements for ray/sphere intersection", section 7.3).
 template <class D>
 HWY_INLINE hn::Mask<D> hit_sphere(D d, const RayLanes<D>& ray, const hn::Vec<D> (&offset)[3],
                                   hn::Vec<D> radius2, hn::Vec<D>& t) {
@@ -77,14 +77,14 @@ HWY_INLINE hn::Mask<D> hit_sphere(D d, const RayLanes<D>& ray, const hn::Vec<D> 
     return hn::And(meets, hn::Gt(t, ray.t_min));
 }
 
-/// test(d, ray, block, lane, t) of a shape of the list: in which lanes the ray meets the shape
-/// beyond ray.t_min, and its distances. A shape without a test does not compile.
+/// test(d, ray, block, lane, t) of a shape in the list: returns the lanes in which the ray hits the
+/// shape beyond ray.t_min, and writes the distances. A shape without a test does not compile.
 template <class Shape>
 struct LaneTest;
 
 template <>
 struct LaneTest<StillSphere> {
-    /// Where the spheres are, seen from the ray's origin; returns the squares of their radii.
+    /// The spheres' positions relative to the ray's origin; returns their squared radii.
     template <class D, class At>
     HWY_INLINE hn::Vec<D> place(D d, const RayLanes<D>& ray, const StillSphereBlock& block, At lane,
                                 hn::Vec<D> (&offset)[3]) const {
@@ -105,7 +105,8 @@ struct LaneTest<StillSphere> {
 
 template <>
 struct LaneTest<MovingSphere> {
-    /// The same; spheres that are not in force at the ray's time get a radius that nothing meets.
+    /// The same for moving spheres; those that are not valid at the ray's time get a radius that no
+    /// ray hits.
     template <class D, class At>
     HWY_INLINE hn::Vec<D> place(D d, const RayLanes<D>& ray, const MovingSphereBlock& block,
                                 At lane, hn::Vec<D> (&offset)[3]) const {
@@ -131,14 +132,14 @@ struct LaneTest<MovingSphere> {
     }
 };
 
-/// 1 / x with a huge finite number in place of infinity, so that zero times it is zero.
+/// 1 / x, with a huge finite number in place of infinity, so that its product with zero is zero.
 template <class D>
 HWY_INLINE hn::Vec<D> finite_reciprocals(D d, hn::Vec<D> x) {
     const hn::Vec<D> size = hn::Max(hn::Abs(x), hn::Set(d, 1e-30f));
     return hn::Div(hn::Set(d, 1.f), hn::CopySign(size, x));
 }
 
-/// Slabs of Kay and Kajiya 1986, from the distances to the near and far planes of each pair.
+/// The slab test of Kay and Kajiya 1986, from the distances to the near and far plane of each pair.
 template <class D>
 HWY_INLINE hn::Mask<D> hit_slabs(const RayLanes<D>& ray, const hn::Vec<D> (&near)[3],
                                  const hn::Vec<D> (&far)[3], hn::Vec<D>& t) {
@@ -151,20 +152,20 @@ HWY_INLINE hn::Mask<D> hit_slabs(const RayLanes<D>& ray, const hn::Vec<D> (&near
 template <class D>
 struct AlignedBoxTest {
     hn::Vec<D> inverse[3];
-    hn::Vec<D> origin_share[3];  // origin / direction
-    int near_side[3];            // which of the two planes the ray meets first
+    hn::Vec<D> scaled_origin[3];  // origin / direction
+    int near_side[3];             // which of the two planes the ray hits first
 
     HWY_INLINE AlignedBoxTest(D d, const RayLanes<D>& ray, const V3f& direction)
         : inverse{hn::Set(d, finite_reciprocal(direction.x)),
                   hn::Set(d, finite_reciprocal(direction.y)),
                   hn::Set(d, finite_reciprocal(direction.z))},
-          origin_share{hn::Mul(ray.origin[0], inverse[0]), hn::Mul(ray.origin[1], inverse[1]),
-                       hn::Mul(ray.origin[2], inverse[2])},
+          scaled_origin{hn::Mul(ray.origin[0], inverse[0]), hn::Mul(ray.origin[1], inverse[1]),
+                        hn::Mul(ray.origin[2], inverse[2])},
           near_side{std::signbit(direction.x) ? 1 : 0, std::signbit(direction.y) ? 1 : 0,
                     std::signbit(direction.z) ? 1 : 0} {}
 
     HWY_INLINE hn::Vec<D> distance(D d, const Lanes& plane, int lane, int axis) const {
-        return hn::MulSub(load(d, plane, lane), inverse[axis], origin_share[axis]);
+        return hn::MulSub(load(d, plane, lane), inverse[axis], scaled_origin[axis]);
     }
 
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const AlignedBoxBlock& block,
@@ -179,17 +180,17 @@ struct AlignedBoxTest {
     }
 };
 
-/// The same for rays that differ from lane to lane.
+/// The slab test for rays that differ from lane to lane.
 template <class D>
 struct AlignedBoxRays {
     hn::Vec<D> inverse[3];
-    hn::Vec<D> origin_share[3];
+    hn::Vec<D> scaled_origin[3];
 
     HWY_INLINE AlignedBoxRays(D d, const RayLanes<D>& ray)
         : inverse{finite_reciprocals(d, ray.direction[0]), finite_reciprocals(d, ray.direction[1]),
                   finite_reciprocals(d, ray.direction[2])},
-          origin_share{hn::Mul(ray.origin[0], inverse[0]), hn::Mul(ray.origin[1], inverse[1]),
-                       hn::Mul(ray.origin[2], inverse[2])} {}
+          scaled_origin{hn::Mul(ray.origin[0], inverse[0]), hn::Mul(ray.origin[1], inverse[1]),
+                        hn::Mul(ray.origin[2], inverse[2])} {}
 
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const AlignedBoxBlock& block,
                                       InAll shape, hn::Vec<D>& t) const {
@@ -197,9 +198,9 @@ struct AlignedBoxRays {
         hn::Vec<D> far[3];
         for (int axis = 0; axis < 3; ++axis) {
             const hn::Vec<D> low = hn::MulSub(load(d, block.planes[axis][0], shape), inverse[axis],
-                                              origin_share[axis]);
+                                              scaled_origin[axis]);
             const hn::Vec<D> high = hn::MulSub(load(d, block.planes[axis][1], shape), inverse[axis],
-                                               origin_share[axis]);
+                                               scaled_origin[axis]);
             near[axis] = hn::Min(low, high);
             far[axis] = hn::Max(low, high);
         }
@@ -284,15 +285,15 @@ struct LaneTest<UnitPlane> {
     }
 };
 
-/// Where the ray meets the plane z = 0 of the unit shape in each lane.
+/// Where the ray crosses the plane z = 0 of the unit shape in each lane.
 template <class D>
 struct PlanePoint {
     hn::Vec<D> x, y, slope;
 };
 
 template <class D, class At>
-HWY_INLINE PlanePoint<D> meet_plane(D d, const RayLanes<D>& ray, const MappedBlock& block, At lane,
-                                    hn::Vec<D>& t) {
+HWY_INLINE PlanePoint<D> intersect_plane(D d, const RayLanes<D>& ray, const MappedBlock& block,
+                                         At lane, hn::Vec<D>& t) {
     PlanePoint<D> point;
     point.slope = mapped_direction(d, ray, block, lane, 2);
     t = hn::Neg(hn::Div(mapped_origin(d, ray, block, lane, 2), point.slope));
@@ -308,10 +309,10 @@ struct LaneTest<UnitRectangle> {
     template <class D, class At>
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
                                       At lane, hn::Vec<D>& t) const {
-        const PlanePoint<D> at = meet_plane(d, ray, block, lane, t);
+        const PlanePoint<D> at = intersect_plane(d, ray, block, lane, t);
         const hn::Vec<D> one = hn::Set(d, 1.f);
         const hn::Mask<D> inside = hn::And(hn::Le(hn::Abs(at.x), one), hn::Le(hn::Abs(at.y), one));
-        // From behind (slope > 0) a one-sided rectangle is not there.
+        // A one-sided rectangle is invisible from behind (slope > 0).
         const hn::Mask<D> seen = hn::Or(hn::Lt(at.slope, hn::Zero(d)),
                                         hn::Eq(load(d, block.one_sided, lane), hn::Zero(d)));
         return hn::And(hn::And(inside, seen), hn::Gt(t, ray.t_min));
@@ -323,7 +324,7 @@ struct LaneTest<UnitTriangle> {
     template <class D, class At>
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
                                       At lane, hn::Vec<D>& t) const {
-        const PlanePoint<D> at = meet_plane(d, ray, block, lane, t);
+        const PlanePoint<D> at = intersect_plane(d, ray, block, lane, t);
         const hn::Vec<D> low = hn::Set(d, -kTriangleMargin);
         const hn::Vec<D> high = hn::Set(d, 1 + kTriangleMargin);
         const hn::Mask<D> inside = hn::And(hn::And(hn::Ge(at.x, low), hn::Ge(at.y, low)),
@@ -337,13 +338,13 @@ struct LaneTest<UnitDisk> {
     template <class D, class At>
     HWY_INLINE hn::Mask<D> operator()(D d, const RayLanes<D>& ray, const MappedBlock& block,
                                       At lane, hn::Vec<D>& t) const {
-        const PlanePoint<D> at = meet_plane(d, ray, block, lane, t);
+        const PlanePoint<D> at = intersect_plane(d, ray, block, lane, t);
         const hn::Vec<D> radius2 = hn::MulAdd(at.x, at.x, hn::Mul(at.y, at.y));
         return hn::And(hn::Le(radius2, hn::Set(d, 1.f)), hn::Gt(t, ray.t_min));
     }
 };
 
-/// As cross_frustum in intersect.h, with its reasons.
+/// See cross_frustum in intersect.h.
 template <>
 struct LaneTest<UnitFrustum> {
     template <class D, class At>
@@ -390,8 +391,9 @@ struct LaneTest<UnitFrustum> {
             const hn::Vec<D> u = hn::Div(hn::Sub(end, p[2]), v[2]);
             const hn::Vec<D> x = hn::MulAdd(u, v[0], p[0]);
             const hn::Vec<D> y = hn::MulAdd(u, v[1], p[1]);
-            const hn::Vec<D> reach = hn::Add(cap_radius, margin);
-            offer(u, hn::Le(hn::MulAdd(x, x, hn::Mul(y, y)), hn::Mul(reach, reach)));
+            const hn::Vec<D> widened_radius = hn::Add(cap_radius, margin);
+            offer(u,
+                  hn::Le(hn::MulAdd(x, x, hn::Mul(y, y)), hn::Mul(widened_radius, widened_radius)));
         };
         offer_side(hn::Div(q, a));
         offer_side(hn::Div(c, q));
@@ -401,7 +403,7 @@ struct LaneTest<UnitFrustum> {
     }
 };
 
-/// As intersect_unit_capsule in capsule.h, with its reasons.
+/// See intersect_unit_capsule in capsule.h.
 template <>
 struct LaneTest<UnitCapsule> {
     template <class D, class At>
@@ -430,8 +432,8 @@ struct LaneTest<UnitCapsule> {
             return meets;
         }
         const hn::Vec<D> root = hn::Sqrt(hn::Max(discriminant, zero));
-        // The distance at which the line crosses the surface, on its way in or out; infinite if it
-        // passes by.
+        // The distance at which the line enters or leaves the surface; infinite if the line misses
+        // it.
         const auto crossing = [&](hn::Vec<D> signed_root) HWY_ATTR {
             const hn::Vec<D> on_side = hn::Div(hn::Sub(signed_root, b), a);
             const hn::Vec<D> z = hn::MulAdd(on_side, v[2], p[2]);
@@ -453,18 +455,19 @@ struct LaneTest<UnitCapsule> {
     }
 };
 
-/// As RoundedBoxCrossing in rounded_box.h, with its reasons.
+/// See RoundedBoxCrossing in rounded_box.h.
 template <>
 struct LaneTest<UnitRoundedBox> {
-    /// The line in the axes of the unit shape, and where it crosses the planes of the core's faces.
+    /// The line in the axes of the unit shape, and its crossings with the planes of the core's
+    /// faces.
     template <class D>
     struct Line {
         hn::Vec<D> p[3], v[3], core[3];
         hn::Vec<D> near[3], far[3];
     };
 
-    /// Narrows the pieces in which the line enters and leaves: `before` is behind every place at
-    /// which it comes closer, `behind` before every place at which it goes away.
+    /// Narrows the intervals in which the line enters and leaves: `before` is behind every crossing
+    /// at which the line approaches the core, `behind` before every crossing at which it recedes.
     template <class D>
     HWY_INLINE static void pass(D d, const Line<D>& line, hn::Vec<D> t, hn::Vec<D>& before,
                                 hn::Vec<D>& behind) {
@@ -486,8 +489,8 @@ struct LaneTest<UnitRoundedBox> {
             hn::IfThenElse(hn::And(is_outside, hn::Gt(slope, zero)), hn::Min(behind, t), behind);
     }
 
-    /// Sphere, cylinder or plane by the axes that count: before the core or behind it. `side`: -1
-    /// where the line enters, 1 where it leaves. Infinite where it does not meet that.
+    /// The distance to the sphere, cylinder or plane for the axes that count, before or behind the
+    /// core; infinite if the line misses it. `side`: -1 where the line enters, 1 where it leaves.
     template <class D>
     HWY_INLINE static hn::Vec<D> cross(D d, const Line<D>& line, const hn::Mask<D> (&is_before)[3],
                                        const hn::Mask<D> (&is_behind)[3], hn::Vec<D> side) {
@@ -553,7 +556,7 @@ struct LaneTest<UnitRoundedBox> {
     }
 };
 
-/// The test of a shape for one ray in every lane; `direction` is that of the ray.
+/// The test of a shape for one ray in all lanes; `direction` is the ray's.
 template <class Shape, class D>
 HWY_INLINE LaneTest<Shape> test_for_ray(Shape /*shape*/, D /*d*/, const RayLanes<D>& /*ray*/,
                                         const V3f& /*direction*/) {
@@ -565,7 +568,7 @@ HWY_INLINE AlignedBoxTest<D> test_for_ray(AlignedBox /*shape*/, D d, const RayLa
     return AlignedBoxTest<D>(d, ray, direction);
 }
 
-/// The same for rays that differ from lane to lane.
+/// The test of a shape for rays that differ from lane to lane.
 template <class Shape, class D>
 HWY_INLINE LaneTest<Shape> test_for_rays(Shape /*shape*/, D /*d*/, const RayLanes<D>& /*rays*/) {
     return {};

@@ -1,4 +1,4 @@
-// The shapes of one frame as acceleration structures take them: world axes, float, plain data.
+// The shapes of one frame as input of acceleration structures: world axes, float, plain data.
 // Object indices are below 2^31.
 #pragma once
 
@@ -16,30 +16,30 @@ namespace carom::render {
 
 class TriangleScene;
 
-/// Anything except a plain sphere that moves or turns: tested in the axes of its unit shape
-/// (meshes: of the body) at the ray's time.
+/// Any moving shape except a sphere: it is tested in the axes of its unit shape (meshes: of the
+/// body) at the ray's time.
 struct MovingShape {
     ShapeKind kind = ShapeKind::box;
     Affine unit_from_body;
-    V3f profile{0, 0, 0};  // shape_list.h
+    V3f profile{0, 0, 0};  // see shape_list.h
     std::shared_ptr<const RigidMotion> motion;
     std::shared_ptr<const TriangleScene> mesh;  // in body axes, object indices 0
     Imath::Box3f bounds;                        // world axes, over the whole shutter
     std::uint32_t object = 0;
 
-    /// Whether it has no end, so that no box can be put around it.
+    /// Whether the shape is infinite, so that no bounding box exists.
     [[nodiscard]] bool is_infinite() const {
         return visit_shape(kind, false, [](auto shape) { return !decltype(shape)::kIsBounded; });
     }
 };
 
-/// Everything that rays can meet in a frame.
+/// Everything that rays can hit in a frame.
 struct ShapeSet {
     AnalyticBlocks blocks;
     std::vector<MovingShape> moving;
-    std::shared_ptr<const TriangleScene> meshes;  // all still ones; may be null
+    std::shared_ptr<const TriangleScene> meshes;  // all static meshes; may be null
 
-    void add_sphere(const SphereStretch& sphere) {
+    void add_sphere(const SphereSegment& sphere) {
         if (sphere.is_still()) {
             const auto [block, lane] = blocks.of<StillSphere>().add(sphere.object);
             block.set(lane, sphere);

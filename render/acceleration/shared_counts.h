@@ -1,4 +1,4 @@
-// Counts that many threads add to.
+// Counters that many threads add to.
 #pragma once
 
 #include <mutex>
@@ -9,7 +9,7 @@ namespace carom::render {
 
 class SharedCounts {
   public:
-    /// What one ray took; its `rays` is not looked at.
+    /// Adds the tests of one ray; `counts.rays` is ignored.
     void add_ray(RayKind kind, KindCounts counts) {
         counts.rays = 1;
         const std::scoped_lock lock(mutex_);

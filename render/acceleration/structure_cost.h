@@ -1,4 +1,4 @@
-// What a structure costs to have and to ask.
+// The cost of a structure: build time, memory, tests.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +9,16 @@
 namespace carom::render {
 
 struct StructureCost {
-    double build_seconds = 0;        // CPU time, what all frames share included
-    double frame_build_seconds = 0;  // of it, what the frame itself had to build
+    double build_seconds = 0;        // CPU time, including what frames share
+    double frame_build_seconds = 0;  // of that, what this frame built itself
     std::size_t bytes = 0;           // without the shapes themselves
-    TestCounts counts;               // where tests are counted
+    TestCounts counts;               // if tests are counted
 };
 
-/// Given to a frame that is measured.
+/// Passed to a frame that is measured.
 struct StructureProbe {
-    StructureOptions options;  // how its structure is to answer
-    StructureCost cost;        // filled once it is rendered
+    StructureOptions options;  // for the frame's structure
+    StructureCost cost;        // filled in when the frame is rendered
 };
 
 }  // namespace carom::render

@@ -1,4 +1,4 @@
-// Structures that a program has beside those of the library.
+// Structures that a program adds to those of the library.
 #pragma once
 
 #include <memory>
@@ -16,17 +16,17 @@ struct ShapeSet;
 struct StructureOptions;
 
 /// Makes a structure over all shapes and the triangles of `meshes`, which outlive it. The library
-/// asks it only for structures that it does not make itself.
+/// calls it only for structures that it does not make itself.
 using StructureFactory = std::unique_ptr<MeasuredStructure> (*)(AccelerationKind kind,
                                                                 const ShapeSet& shapes,
                                                                 std::span<const MeshEntry> meshes,
                                                                 const StructureOptions& options);
 
-/// The program that passes in a factory.
+/// The program that supplies a factory.
 inline constexpr const char* kComparisonProgram = "carom-lab";
 
-/// None if the library makes the structure itself, or with `factory`, which may be null. The
-/// sentence names kComparisonProgram.
+/// None if the library makes the structure itself, or if a factory is given (`factory` may be
+/// null). The sentence names kComparisonProgram.
 [[nodiscard]] std::optional<Diagnostic> find_problem(AccelerationKind kind,
                                                      StructureFactory factory);
 

@@ -1,4 +1,4 @@
-// What finding hits costs, counted.
+// Counts of the tests that rays need.
 #pragma once
 
 #include <array>
@@ -11,9 +11,9 @@ namespace carom::render {
 /// Tests for rays of one kind.
 struct KindCounts {
     std::uint64_t rays = 0;
-    std::uint64_t objects = 0;  // rays against shapes
-    std::uint64_t boxes = 0;    // against boxes, slabs, planes and cells that bound them
-    std::uint64_t nodes = 0;    // of a hierarchy, or cells, entered
+    std::uint64_t objects = 0;  // tests of shapes
+    std::uint64_t boxes = 0;    // tests of boxes, slabs, planes and cells that bound shapes
+    std::uint64_t nodes = 0;    // nodes of a hierarchy, or cells, that were entered
 
     KindCounts& operator+=(const KindCounts& other) {
         rays += other.rays;
@@ -24,7 +24,7 @@ struct KindCounts {
     }
 };
 
-/// By RayKind.
+/// Counts by RayKind.
 struct TestCounts {
     std::array<KindCounts, 3> of{};
 

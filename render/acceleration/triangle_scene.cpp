@@ -10,9 +10,9 @@
 namespace carom::render {
 
 struct TriangleScene::Data {
-    // The device outlives the scene: members are destroyed from the last to the first.
+    // Members are destroyed from the last to the first: the scene before its device.
     std::shared_ptr<const EmbreeDevice> device;
-    std::vector<std::uint32_t> objects;  // by Embree's geometry number
+    std::vector<std::uint32_t> objects;  // by Embree's geometry ID
     SceneHandle scene;
 };
 
@@ -45,7 +45,7 @@ bool TriangleScene::closest_hit(const Ray& ray, Hit& hit) const {
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(data_->scene.get(), &context, &query);
-    // Embree's interval is closed, ours is open.
+    // Embree's interval is closed, that of closest_hit open.
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID || !(query.ray.tfar < ray.t_max) ||
         !(query.ray.tfar > ray.t_min)) {
         return false;
@@ -60,38 +60,38 @@ bool TriangleScene::any_hit(const Ray& ray) const {
     rtcInitIntersectContext(&context);
     RTCRay query = to_embree(ray);
     rtcOccluded1(data_->scene.get(), &context, &query);
-    return query.tfar < 0;  // Embree's mark: minus infinity
+    return query.tfar < 0;  // Embree marks an occluded ray with minus infinity
 }
 
-FanMask TriangleScene::any_hits(const RayFan& fan, FanMask asked) const {
-    static_assert(RayFan::kMost == 8);
+PacketMask TriangleScene::any_hits(const ShadowRayPacket& packet, PacketMask asked) const {
+    static_assert(ShadowRayPacket::kMost == 8);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     RTCRay8 query{};
-    alignas(32) int valid[RayFan::kMost];
-    for (int i = 0; i < RayFan::kMost; ++i) {
+    alignas(32) int valid[ShadowRayPacket::kMost];
+    for (int i = 0; i < ShadowRayPacket::kMost; ++i) {
         valid[i] = (asked >> i & 1u) != 0 ? -1 : 0;
-        query.org_x[i] = fan.origin.x;
-        query.org_y[i] = fan.origin.y;
-        query.org_z[i] = fan.origin.z;
-        query.time[i] = fan.time;
+        query.org_x[i] = packet.origin.x;
+        query.org_y[i] = packet.origin.y;
+        query.org_z[i] = packet.origin.z;
+        query.time[i] = packet.time;
         query.mask[i] = ~0u;
     }
-    std::copy_n(fan.direction[0], RayFan::kMost, query.dir_x);
-    std::copy_n(fan.direction[1], RayFan::kMost, query.dir_y);
-    std::copy_n(fan.direction[2], RayFan::kMost, query.dir_z);
-    std::copy_n(fan.t_max, RayFan::kMost, query.tfar);
+    std::copy_n(packet.direction[0], ShadowRayPacket::kMost, query.dir_x);
+    std::copy_n(packet.direction[1], ShadowRayPacket::kMost, query.dir_y);
+    std::copy_n(packet.direction[2], ShadowRayPacket::kMost, query.dir_z);
+    std::copy_n(packet.t_max, ShadowRayPacket::kMost, query.tfar);
     rtcOccluded8(valid, data_->scene.get(), &context, &query);
-    FanMask hits = 0;
-    for (int i = 0; i < fan.count; ++i) {
-        hits |= valid[i] != 0 && query.tfar[i] < 0 ? FanMask{1} << i : 0;
+    PacketMask hits = 0;
+    for (int i = 0; i < packet.count; ++i) {
+        hits |= valid[i] != 0 && query.tfar[i] < 0 ? PacketMask{1} << i : 0;
     }
     return hits;
 }
 
-// Eight of the rays that are asked for at a time.
-void TriangleScene::drop_blocked(const RayBatch& rays, float* reach) const {
+// Collects the rays to be tested into packets of eight.
+void TriangleScene::test_occlusion(const RayBatch& rays, float* t_max) const {
     constexpr int kPacket = 8;
     RTCRay8 query{};
     alignas(32) int valid[kPacket];
@@ -105,12 +105,12 @@ void TriangleScene::drop_blocked(const RayBatch& rays, float* reach) const {
         }
         rtcOccluded8(valid, data_->scene.get(), &context, &query);
         for (int i = 0; i < count; ++i) {
-            reach[index[i]] = query.tfar[i] < 0 ? 0 : reach[index[i]];
+            t_max[index[i]] = query.tfar[i] < 0 ? 0 : t_max[index[i]];
         }
         count = 0;
     };
     for (int i = 0; i < rays.count; ++i) {
-        if (reach[i] <= 0 || !is_traceable(rays.ray(i, reach[i]))) {
+        if (t_max[i] <= 0 || !is_traceable(rays.ray(i, t_max[i]))) {
             continue;
         }
         index[count] = i;
@@ -121,7 +121,7 @@ void TriangleScene::drop_blocked(const RayBatch& rays, float* reach) const {
         query.dir_y[count] = rays.direction[1][i];
         query.dir_z[count] = rays.direction[2][i];
         query.tnear[count] = 0;
-        query.tfar[count] = reach[i];
+        query.tfar[count] = t_max[i];
         query.time[count] = rays.time[i];
         query.mask[count] = ~0u;
         count += 1;

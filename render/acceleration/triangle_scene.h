@@ -1,4 +1,4 @@
-// Triangles behind Embree.
+// Triangle meshes in Embree.
 #pragma once
 
 #include <cstddef>
@@ -14,34 +14,34 @@ namespace carom::render {
 
 class EmbreeDevice;
 
-/// A mesh that is part of a scene, and the object that its hits name.
+/// A mesh of a scene, and the object that its hits report.
 struct MeshEntry {
     const TriangleMesh* mesh = nullptr;  // outlives the scene
     std::uint32_t object = 0;
 };
 
-/// A hierarchy over the triangles of meshes, built once; immutable and shared by threads. The same
-/// meshes give the same hits, whatever the number of threads.
+/// A hierarchy over the triangles of meshes; immutable after construction and shared by threads.
+/// The same meshes give the same hits, whatever the number of threads.
 class TriangleScene {
   public:
-    /// Throws Error with Embree's reason if it fails (out of memory).
+    /// Throws Error with Embree's reason if the build fails (out of memory).
     TriangleScene(std::shared_ptr<const EmbreeDevice> device, std::span<const MeshEntry> meshes);
     ~TriangleScene();
     TriangleScene(const TriangleScene&) = delete;
     TriangleScene& operator=(const TriangleScene&) = delete;
 
-    /// The nearest hit in (t_min, t_max) of a safe ray (safe_ray.h); false and an untouched `hit`
-    /// if there is none. Of triangles met at the very same distance it is always the same one, not
-    /// necessarily the first.
+    /// The nearest hit in (t_min, t_max) of a safe ray (safe_ray.h); without one, returns false and
+    /// leaves `hit` untouched. Of triangles at exactly the same distance it always reports the same
+    /// one, not necessarily the first.
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const;
     [[nodiscard]] bool any_hit(const Ray& ray) const;
-    /// The rays `asked` for of a fan of safe rays for which `any_hit` is true.
-    [[nodiscard]] FanMask any_hits(const RayFan& fan, FanMask asked) const;
+    /// Those of the rays `asked` of a packet of safe rays for which `any_hit` is true.
+    [[nodiscard]] PacketMask any_hits(const ShadowRayPacket& packet, PacketMask asked) const;
 
-    /// As AccelerationStructure's, for safe rays.
-    void drop_blocked(const RayBatch& rays, float* reach) const;
+    /// See AccelerationStructure; for safe rays.
+    void test_occlusion(const RayBatch& rays, float* t_max) const;
 
-    /// What it takes with everything else of its device.
+    /// Bytes used by all scenes of this Embree device.
     [[nodiscard]] std::size_t bytes() const;
 
     struct Data;
@@ -51,7 +51,7 @@ class TriangleScene {
     std::unique_ptr<Data> data_;
 };
 
-/// A device of Embree, with AVX2 where the processor has it. Throws Error.
+/// Returns an Embree device, with AVX2 if the processor has it. Throws Error.
 [[nodiscard]] std::shared_ptr<const EmbreeDevice> make_embree_device();
 
 }  // namespace carom::render

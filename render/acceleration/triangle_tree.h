@@ -1,4 +1,4 @@
-// Many triangles under a wide tree, eight at a time.
+// Triangles in a wide bounding volume hierarchy, eight to a block.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,16 @@
 
 namespace carom::render {
 
-/// Eight triangles. Unused lanes hold one without an area, which no ray meets.
+/// Eight triangles. Unused lanes hold a degenerate triangle, which no ray hits.
 struct alignas(64) TriangleBlock {
     Lanes corner[3];  // by axis
     Lanes edge_b[3], edge_c[3];
 };
 
-/// What a block's triangles are called.
+/// Objects and indices of a block's triangles.
 struct TriangleNames {
     ObjectLanes object;
-    ObjectLanes number;  // in its mesh
+    ObjectLanes number;  // index in the mesh
 };
 
 struct TriangleTree {
@@ -33,14 +33,14 @@ struct TriangleTree {
 
 [[nodiscard]] TriangleTree make_triangle_tree(std::span<const MeshEntry> meshes);
 
-/// Rays must be safe (safe_ray.h). The test gives the bits of moller_trumbore.h.
+/// Rays must be safe (safe_ray.h). The test gives the same bits as moller_trumbore.h.
 struct TriangleTreeKernels {
-    /// As AnalyticTreeKernels::closest; of equally near hits that with the lower object, then the
-    /// lower triangle.
+    /// As AnalyticTreeKernels::closest; of equally near hits the one with the lower object wins,
+    /// then the one with the lower triangle.
     void (*closest)(const TriangleTree& tree, const Ray& ray, Hit& best);
     bool (*any)(const TriangleTree& tree, const Ray& ray);
 
-    /// The same, what they take added to `counts`.
+    /// `closest`, and adds the number of tests to `counts`.
     void (*closest_counted)(const TriangleTree& tree, const Ray& ray, Hit& best,
                             KindCounts& counts);
     bool (*any_counted)(const TriangleTree& tree, const Ray& ray, KindCounts& counts);

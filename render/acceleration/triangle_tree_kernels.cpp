@@ -1,6 +1,6 @@
 #include "render/acceleration/triangle_tree.h"
 
-// As in analytic_kernels.cpp.
+// See analytic_kernels.cpp.
 #define HWY_DISABLED_TARGETS (HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/acceleration/triangle_tree_kernels.cpp"
@@ -18,7 +18,7 @@ using Tag = hn::CappedTag<float, kBlockLanes>;
 using F = hn::Vec<Tag>;
 namespace kernels = triangle::HWY_NAMESPACE;
 using L = VectorLanes<Tag>;
-using TriangleLanes = kernels::MetIn<L>;
+using TriangleLanes = kernels::HitIn<L>;
 
 HWY_INLINE kernels::Triple<F> load(const Lanes (&lanes)[3], int lane) {
     const Tag d;
@@ -36,24 +36,25 @@ HWY_INLINE kernels::RayIn<L> ray_in_all(const Ray& ray, float t_max) {
             hn::Set(d, t_max)};
 }
 
-HWY_INLINE TriangleLanes meet(const TriangleBlock& block, int lane, const kernels::RayIn<L>& ray) {
+HWY_INLINE TriangleLanes intersect(const TriangleBlock& block, int lane,
+                                   const kernels::RayIn<L>& ray) {
     const kernels::MollerTrumbore::Record<L> triangles{
         load(block.corner, lane), load(block.edge_b, lane), load(block.edge_c, lane)};
-    return kernels::MollerTrumbore::meet<triangle::Division::early>(ray, triangles);
+    return kernels::MollerTrumbore::intersect<triangle::Division::early>(ray, triangles);
 }
 
-HWY_INLINE void offer(const TriangleNames& names, const TriangleLanes& met, int lane, Hit& best) {
+HWY_INLINE void offer(const TriangleNames& names, const TriangleLanes& hit, int lane, Hit& best) {
     const Tag d;
     alignas(32) float t[kBlockLanes], u[kBlockLanes], v[kBlockLanes];
     std::uint8_t bits[8] = {};
-    const auto near = hn::And(met.valid, hn::Le(met.t, hn::Set(d, best.t)));
+    const auto near = hn::And(hit.valid, hn::Le(hit.t, hn::Set(d, best.t)));
     if (hn::AllFalse(d, near)) {
         return;
     }
     hn::StoreMaskBits(d, near, bits);
-    hn::Store(met.t, d, t);
-    hn::Store(met.u, d, u);
-    hn::Store(met.v, d, v);
+    hn::Store(hit.t, d, t);
+    hn::Store(hit.u, d, u);
+    hn::Store(hit.v, d, v);
     for (unsigned left = bits[0]; left != 0; left &= left - 1) {
         const int k = std::countr_zero(left);
         const auto object = static_cast<std::uint32_t>(names.object.values[lane + k]);
@@ -73,12 +74,12 @@ HWY_INLINE void find_closest(const TriangleTree& tree, const Ray& ray, const Tal
         return;
     }
     const Tag d;
-    // Of equally near ones the lowest: offer() decides.
+    // offer() decides between equally near hits.
     const auto lanes = ray_in_all(ray, kInfinity);
     const auto visit = [&](std::uint32_t leaf) HWY_ATTR {
         tally.shapes(tree.names[leaf].object);
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            offer(tree.names[leaf], meet(tree.blocks[leaf], lane, lanes), lane, best);
+            offer(tree.names[leaf], intersect(tree.blocks[leaf], lane, lanes), lane, best);
         }
         return false;
     };
@@ -97,7 +98,7 @@ HWY_INLINE bool find_any(const TriangleTree& tree, const Ray& ray, const Tally& 
     const auto visit = [&](std::uint32_t leaf) HWY_ATTR {
         tally.shapes(tree.names[leaf].object);
         for (int lane = 0; lane < kBlockLanes; lane += static_cast<int>(hn::Lanes(d))) {
-            found = found || !L::none(meet(tree.blocks[leaf], lane, lanes).valid);
+            found = found || !L::none(intersect(tree.blocks[leaf], lane, lanes).valid);
         }
         return found;
     };

@@ -48,7 +48,7 @@ bool WideBvh::any_hit(const Ray& ray) const {
     if (options_.counts) {
         return find_any_counted(safe);
     }
-    return planes_.first_plane_met(safe) < planes_.planes().size() ||
+    return planes_.first_plane_hit(safe) < planes_.planes().size() ||
            shape_kernels_.any(shapes_, safe) || triangle_kernels_.any(triangles_, safe);
 }
 
@@ -63,9 +63,9 @@ void WideBvh::find_closest_counted(const Ray& safe, RayKind kind, Hit& best) con
 
 bool WideBvh::find_any_counted(const Ray& safe) const {
     KindCounts counts;
-    const std::size_t met = planes_.first_plane_met(safe);
-    const bool is_plane = met < planes_.planes().size();
-    counts.objects = met + (is_plane ? 1 : 0);
+    const std::size_t first = planes_.first_plane_hit(safe);
+    const bool is_plane = first < planes_.planes().size();
+    counts.objects = first + (is_plane ? 1 : 0);
     const bool found = is_plane || shape_kernels_.any_counted(shapes_, safe, counts) ||
                        triangle_kernels_.any_counted(triangles_, safe, counts);
     counts_.add_ray(RayKind::shadow, counts);

@@ -1,4 +1,4 @@
-// Trees with eight children to a node over everything, triangles included.
+// The product's wide bounding volume hierarchies over all shapes, triangles included.
 #pragma once
 
 #include "render/acceleration/analytic_tree.h"
@@ -11,9 +11,9 @@
 
 namespace carom::render {
 
-/// What `hybrid` uses for many analytic shapes, and another one for meshes: boxes are tested eight
-/// at a time, shapes eight to a leaf. Counted are the shapes and boxes in the lanes of what is
-/// tested.
+/// The tree that HybridStructure uses for many analytic shapes, and a second one for meshes: boxes
+/// are tested eight at a time, and a leaf has up to eight shapes. Shapes and boxes are counted by
+/// lanes in use.
 class WideBvh final : public MeasuredStructure {
   public:
     WideBvh(const ShapeSet& shapes, std::span<const MeshEntry> meshes,

@@ -1,4 +1,4 @@
-// What the way of a ray through a wide tree takes, counted or not: an argument of what goes it.
+// Optional counting of the tests in a tree traversal.
 #pragma once
 
 #include <algorithm>
@@ -9,26 +9,26 @@
 
 namespace carom::render {
 
-/// Counts nothing and costs nothing.
+/// Counts nothing, at no cost.
 struct NoTally {
     void node(const WideNode& /*node*/) const {}
     void shapes(const ObjectLanes& /*objects*/) const {}
     void shape() const {}
 };
 
-/// Lanes that are in use, since the others are tested to no purpose.
+/// Counts the lanes in use, because the others are tested without need.
 class Tally {
   public:
-    /// Adds to `counts`.
+    /// `counts` is borrowed and added to.
     explicit Tally(KindCounts& counts) : counts_(&counts) {}
 
-    /// The boxes of a node's children.
+    /// Counts the boxes of a node's children.
     void node(const WideNode& node) const {
         counts_->nodes += 1;
         counts_->boxes += static_cast<std::uint64_t>(
             std::ranges::count_if(node.children, [](std::int32_t child) { return child != 0; }));
     }
-    /// All shapes of a block, also where some of them would have done.
+    /// Counts all shapes of a block, even if a hit was found in a part of them.
     void shapes(const ObjectLanes& objects) const {
         counts_->objects += static_cast<std::uint64_t>(
             std::ranges::count_if(objects.values, [](std::int32_t object) { return object >= 0; }));

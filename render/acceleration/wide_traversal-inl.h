@@ -1,4 +1,4 @@
-// The way of a ray through a wide tree, for one instruction set; included once per set.
+// Traversal of a wide tree by one ray; included once per instruction set.
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -12,33 +12,34 @@ namespace carom::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One ray as box tests take it. Boxes are widened by a share of the origin's coordinates, so that
-/// no box is missed whose shape's own test, rounded otherwise, would hit.
+/// One ray in the form that box tests need. Boxes are widened by a fraction of the origin's
+/// coordinates, so that rounding never makes a box test miss a shape that the shape's own test
+/// hits.
 template <class D>
 struct TreeRay {
     hn::Vec<D> inverse[3];
-    hn::Vec<D> near_share[3], far_share[3];  // origin / direction, moved apart
+    hn::Vec<D> near_origin[3], far_origin[3];  // origin / direction, moved apart
     hn::Vec<D> t_min;
     hn::Vec<D> time;
-    int near_side[3];  // which of two planes the ray meets first
+    int near_side[3];  // which of two planes the ray crosses first
 
     HWY_INLINE TreeRay(D d, const Ray& ray)
         : t_min(hn::Set(d, ray.t_min)), time(hn::Set(d, ray.time)) {
-        constexpr float kShare = 0x1p-18f;
+        constexpr float kMarginFraction = 0x1p-18f;
         const V3f& o = ray.origin;
-        const float margin = kShare * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z));
+        const float margin = kMarginFraction * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z));
         for (int axis = 0; axis < 3; ++axis) {
             const float reciprocal = finite_reciprocal(ray.direction[axis]);
             const float apart = std::copysign(margin, ray.direction[axis]);
             inverse[axis] = hn::Set(d, reciprocal);
-            near_share[axis] = hn::Set(d, (o[axis] + apart) * reciprocal);
-            far_share[axis] = hn::Set(d, (o[axis] - apart) * reciprocal);
+            near_origin[axis] = hn::Set(d, (o[axis] + apart) * reciprocal);
+            far_origin[axis] = hn::Set(d, (o[axis] - apart) * reciprocal);
             near_side[axis] = std::signbit(ray.direction[axis]) ? 1 : 0;
         }
     }
 };
 
-/// The children whose boxes the ray meets before `limit`, a bit for each, and where it enters them.
+/// A bit for each child whose box the ray enters before `limit`, and the distances of entry.
 template <bool kMoving, class D>
 HWY_INLINE unsigned enter_children(D d, const TreeRay<D>& ray, const WideTree& tree,
                                    std::uint32_t index, float limit, float* HWY_RESTRICT enters) {
@@ -55,11 +56,11 @@ HWY_INLINE unsigned enter_children(D d, const TreeRay<D>& ray, const WideTree& t
         };
         const auto near = [&](int axis) HWY_ATTR {
             return hn::MulSub(plane(axis, ray.near_side[axis]), ray.inverse[axis],
-                              ray.near_share[axis]);
+                              ray.near_origin[axis]);
         };
         const auto far = [&](int axis) HWY_ATTR {
             return hn::MulSub(plane(axis, 1 - ray.near_side[axis]), ray.inverse[axis],
-                              ray.far_share[axis]);
+                              ray.far_origin[axis]);
         };
         // In pairs: no result waits for more than two others.
         const hn::Vec<D> enter = hn::Max(hn::Max(near(0), near(1)), hn::Max(near(2), ray.t_min));
@@ -73,7 +74,7 @@ HWY_INLINE unsigned enter_children(D d, const TreeRay<D>& ray, const WideTree& t
     return children;
 }
 
-/// Asks the memory for something that will be wanted soon.
+/// Prefetches data that is needed soon.
 template <class T>
 HWY_INLINE void prefetch(const T& wanted) {
     const char* at = reinterpret_cast<const char*>(&wanted);
@@ -86,15 +87,15 @@ struct NoPrefetch {
     HWY_INLINE void operator()(std::uint32_t /*leaf*/) const {}
 };
 
-/// Which of a node's children comes first.
+/// The order in which a node's children are visited.
 enum class Order {
     nearest,
-    any  // where one hit is enough, it is not worth the sorting
+    any  // for any-hit queries, where sorting does not pay
 };
 
-/// Calls `visit(leaf)` for leaves that the ray meets before `limit`, which visits may lower; ends
-/// when one returns true. `prefetch_leaf(leaf)` is called for those that have to wait. `tally`
-/// notes the nodes.
+/// Calls `visit(leaf)` for the leaves whose boxes the ray enters before `limit`, which visits may
+/// lower; ends when a visit returns true. `prefetch_leaf(leaf)` is called for leaves that have to
+/// wait. `tally` counts the nodes.
 template <bool kMoving, Order kOrder = Order::nearest, class D, class Tally, class Visit,
           class PrefetchLeaf = NoPrefetch>
 HWY_INLINE void traverse(D d, const WideTree& tree, const Ray& ray, const float& limit,
@@ -108,7 +109,8 @@ HWY_INLINE void traverse(D d, const WideTree& tree, const Ray& ray, const float&
     int count = 0;
     const TreeRay<D> tree_ray(d, ray);
     alignas(32) float enters[kBlockLanes];
-    // Into the list, the farthest first; `before`: what was there already.
+    // Insertion into the stack of waiting children, the farthest first; `before`: its size at the
+    // node.
     const auto let_wait = [&](const Waiting& child, int before) HWY_ATTR {
         if (child.child >= 0) {
             prefetch(tree.nodes[static_cast<std::uint32_t>(child.child)]);

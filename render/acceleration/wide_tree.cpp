@@ -14,19 +14,19 @@ namespace {
 using Box = Imath::Box3f;
 
 constexpr int kBins = 32;     // at most
-constexpr int kFewBins = 16;  // of few items: more would take longer than they do
+constexpr int kFewBins = 16;  // for few items, where more bins cost more than they gain
 constexpr std::uint32_t kFewItems = 256;
 constexpr std::uint32_t kLargestLeaf = kBlockLanes;
 constexpr float kNodeCost = 1.5f;      // of one child's box, in tests of a full leaf; measured
 constexpr float kWideNodeCost = 1.0f;  // of the boxes of eight children
-constexpr int kDepthOfHeuristic = 40;  // below, items are halved: 2^32 of them end at depth 72
+constexpr int kDepthOfHeuristic = 40;  // below, items are halved: 2^32 items end at depth 72
 
 float vectors(std::uint32_t count) {
     const std::uint32_t whole = (count + kBlockLanes - 1) / kBlockLanes;
     return static_cast<float>(whole);
 }
 
-/// A node of the binary tree that is made first.
+/// A node of the intermediate binary tree.
 struct BinaryNode {
     MovingBounds bounds;
     float area = 0;                      // at the middle of the shutter
@@ -37,7 +37,7 @@ struct BinaryNode {
 
 struct Split {
     int axis = 0;
-    int bin = 0;  // items of this bin and above go right
+    int bin = 0;  // items of this bin and above go to the right
     float cost = 0;
 };
 
@@ -46,7 +46,7 @@ struct Bin {
     std::uint32_t count = 0;
 };
 
-/// From place along an axis to bin.
+/// Maps positions along an axis to bins.
 struct BinMap {
     int bins;
     float low, scale;
@@ -105,7 +105,7 @@ class BinaryBuilder {
         return index;
     }
 
-    /// Where the right half begins after items were sorted into halves; `first` for a leaf.
+    /// Sorts the items into two halves and returns where the right one begins; `first` for a leaf.
     std::uint32_t split(const BinaryNode& node, const Box& centres, int depth) {
         const std::uint32_t end = node.first + node.count;
         if (node.count <= 1) {
@@ -127,7 +127,7 @@ class BinaryBuilder {
         return static_cast<std::uint32_t>(right - order.begin());
     }
 
-    /// Its cost is in tests of full leaves times area; nothing if all centres are in one place.
+    /// The cost is in tests of full leaves times area; empty if all centres coincide.
     [[nodiscard]] std::optional<Split> best_split(const BinaryNode& node,
                                                   const Box& centres) const {
         std::optional<Split> best;
@@ -177,14 +177,14 @@ class BinaryBuilder {
     std::vector<Box> middles_;
 };
 
-/// What wide nodes over a binary tree cost at least, and how they are cut out of it then (after
-/// Ylitie, Karras and Laine 2017, "Efficient incoherent ray traversal on GPUs through compressed
-/// wide BVHs", section 3.1): for each binary node the least cost of a forest of at most 1, 2 ... 8
-/// trees that together hold all below it.
+/// The least cost of wide nodes over a binary tree, and how they are cut out of it (after Ylitie,
+/// Karras and Laine 2017, "Efficient incoherent ray traversal on GPUs through compressed wide
+/// BVHs", section 3.1): for each binary node the least cost of a forest of at most 1, 2 ... 8 trees
+/// that together contain everything below it.
 class Forests {
   public:
     explicit Forests(const std::vector<BinaryNode>& binary) : forests_(binary.size()) {
-        // Children come after their parents.
+        // In reverse order, because children come after their parents.
         for (std::size_t i = binary.size(); i-- > 0;) {
             const BinaryNode& node = binary[i];
             if (node.is_leaf()) {
@@ -205,7 +205,7 @@ class Forests {
                 }
             }
             forest.cost[1] = kWideNodeCost * node.area + forest.cost[kMost];
-            // Fewer trees than allowed may be cheaper; their number is passed on.
+            // A forest of fewer trees than allowed may be cheaper; its number of trees is recorded.
             for (std::size_t trees = 2; trees <= kMost; ++trees) {
                 if (forest.cost[trees - 1] <= forest.cost[trees] && trees < kMost) {
                     forest.cost[trees] = forest.cost[trees - 1];
@@ -218,11 +218,11 @@ class Forests {
         }
     }
 
-    /// The binary nodes that become children of the wide node over `root`, which is no leaf.
+    /// The binary nodes that become children of the wide node over the inner node `root`.
     [[nodiscard]] std::vector<std::uint32_t> children_of(const std::vector<BinaryNode>& binary,
                                                          std::uint32_t root) const {
         std::vector<std::uint32_t> children;
-        share(binary, root, kMost, true, children);
+        distribute(binary, root, kMost, true, children);
         return children;
     }
 
@@ -230,12 +230,12 @@ class Forests {
     static constexpr std::size_t kMost = kBlockLanes;
     struct Forest {
         std::array<float, kMost + 1> cost{};            // by number of trees
-        std::array<std::uint8_t, kMost + 1> to_left{};  // of so many trees
-        std::array<std::uint8_t, kMost + 1> given{};    // how many of those allowed are used
+        std::array<std::uint8_t, kMost + 1> to_left{};  // how many of these trees are on the left
+        std::array<std::uint8_t, kMost + 1> given{};    // how many of the allowed trees are used
     };
 
-    void share(const std::vector<BinaryNode>& binary, std::uint32_t index, std::size_t trees,
-               bool is_root, std::vector<std::uint32_t>& children) const {
+    void distribute(const std::vector<BinaryNode>& binary, std::uint32_t index, std::size_t trees,
+                    bool is_root, std::vector<std::uint32_t>& children) const {
         const BinaryNode& node = binary[index];
         const Forest& forest = forests_[index];
         const std::size_t used = is_root ? trees : forest.given[trees];
@@ -244,14 +244,14 @@ class Forests {
             return;
         }
         const std::size_t to_left = forest.to_left[trees];
-        share(binary, node.left, to_left, false, children);
-        share(binary, node.right, used - to_left, false, children);
+        distribute(binary, node.left, to_left, false, children);
+        distribute(binary, node.right, used - to_left, false, children);
     }
 
     std::vector<Forest> forests_;
 };
 
-/// Takes up to eight binary nodes at a time into one wide one.
+/// Collapses up to eight binary nodes at a time into one wide node.
 class Collapser {
   public:
     explicit Collapser(const std::vector<BinaryNode>& binary) : binary_(binary), forests_(binary) {
@@ -326,7 +326,7 @@ WideTree build_wide_tree(std::span<const MovingBounds> items) {
     BinaryBuilder binary(items);
     WideTree tree = std::move(Collapser(binary.nodes).tree);
     tree.order = std::move(binary.order);
-    tree.nodes = LargeVector<WideNode>(tree.nodes);  // without what growing has reserved
+    tree.nodes = LargeVector<WideNode>(tree.nodes);  // without unused capacity
     if (std::none_of(items.begin(), items.end(), moves)) {
         tree.travels.clear();
         tree.travels.shrink_to_fit();

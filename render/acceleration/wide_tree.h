@@ -1,4 +1,4 @@
-// A hierarchy of boxes, eight children to a node, over anything that has bounds.
+// A bounding volume hierarchy with eight children per node, over anything that has bounds.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace carom::render {
 
-/// The boxes of eight children when the shutter opens. Lanes without a child hold a box that no
+/// The boxes of eight children at the shutter's opening. Lanes without a child hold a box that no
 /// ray enters.
 struct alignas(64) WideNode {
     Lanes planes[3][2];          // axis; low, high
     std::int32_t children[8]{};  // > 0: a node; < 0: the leaf -1 - child; 0: none
 };
 
-/// How far those planes go until it closes.
+/// How far those planes move until the shutter closes.
 struct alignas(32) WideTravel {
     Lanes planes[3][2];
 };
@@ -30,7 +30,7 @@ struct WideLeaf {
     std::uint32_t count = 0;
 };
 
-/// The root is node 0; there is none without items.
+/// The root is node 0; without items there are no nodes.
 struct WideTree {
     LargeVector<WideNode> nodes;
     std::vector<WideTravel> travels;  // by node; empty if nothing moves
@@ -38,19 +38,20 @@ struct WideTree {
     std::vector<std::uint32_t> order;  // indices of items
 };
 
-/// What it takes, items left out.
+/// Memory of the tree without its items.
 [[nodiscard]] inline std::size_t bytes_of(const WideTree& tree) {
     return tree.nodes.size() * sizeof(WideNode) + tree.travels.size() * sizeof(WideTravel) +
            tree.leaves.size() * sizeof(WideLeaf);
 }
 
-/// As many as a traversal must be able to keep aside: seven for each level.
+/// Bound on the number of waiting children in a traversal: seven for each level.
 inline constexpr int kWideTreeDepth = 80;
 
-/// By the surface area heuristic on the boxes at the middle of the shutter, 32 bins to an axis (16
-/// for few items) (MacDonald and Booth 1990; Wald 2007, "On fast construction of SAH-based bounding
-/// volume hierarchies"), with a leaf costing as many tests as it fills vectors of eight (Wald,
-/// Benthin and Boulos 2008, "Getting rid of packets"). The same items give the same tree.
+/// Built with the surface area heuristic on the boxes at the middle of the shutter, with 32 bins
+/// per axis (16 for few items) (MacDonald and Booth 1990; Wald 2007, "On fast construction of
+/// SAH-based bounding volume hierarchies"). The cost of a leaf is the number of vectors of eight
+/// that it fills (Wald, Benthin and Boulos 2008, "Getting rid of packets"). The same items give the
+/// same tree.
 [[nodiscard]] WideTree build_wide_tree(std::span<const MovingBounds> items);
 
 }  // namespace carom::render

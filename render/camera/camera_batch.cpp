@@ -2,13 +2,13 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/camera/camera_batch.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)  // one by one there
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)  // these make rays one by one
 #include <hwy/foreach_target.h>                      // compiles this file once per instruction set
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
 #if HWY_TARGET != HWY_SCALAR
-#include "render/sampling/numbers-inl.h"
+#include "render/sampling/lane_sampler-inl.h"
 #include "render/sampling/one_minus_epsilon.h"
 #endif
 
@@ -31,11 +31,11 @@ inline MakeRays* make_rays_of_target() {
 
 #else
 
-HWY_INLINE F3 mix(const V3f& from, const V3f& to, F share) {
-    return all(from) + (all(to) - all(from)) * share;
+HWY_INLINE F3 mix(const V3f& from, const V3f& to, F weight) {
+    return all(from) + (all(to) - all(from)) * weight;
 }
-HWY_INLINE F mix(float from, float to, F share) {
-    return all(from) + share * (all(to) - all(from));
+HWY_INLINE F mix(float from, float to, F weight) {
+    return all(from) + weight * (all(to) - all(from));
 }
 HWY_INLINE F3 cross(const F3& a, const F3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -53,7 +53,7 @@ HWY_INLINE FrameLanes still_frame(const CameraFrame& frame) {
             all(frame.lens_radius), all(frame.blade_turns)};
 }
 
-/// ThinLensCamera's frame_at.
+/// ThinLensCamera::frame_at.
 HWY_INLINE FrameLanes frame_at(const ThinLensCamera& camera, F time) {
     const ThinLensCamera::Moving& a = camera.open();
     const ThinLensCamera::Moving& b = camera.close();
@@ -81,29 +81,29 @@ HWY_INLINE F sample_trapezoid(F u, float switch_ratio) {
         return u;
     }
     const float height = 1 / (1 - ramp);
-    const float ramp_share = 0.5f * ramp * height;
+    const float ramp_probability = 0.5f * ramp * height;
     const F opening = hn::Sqrt(all(2.f) * u * all(ramp) / all(height));
     const F closing =
         hn::Min(all(1.f) - hn::Sqrt(all(2.f) * (all(1.f) - u) * all(ramp) / all(height)),
                 all(kOneMinusEpsilon));
-    const F open = all(ramp) + (u - all(ramp_share)) / all(height);
-    return select(hn::Lt(u, all(ramp_share)), opening,
-                  select(hn::Gt(u, all(1 - ramp_share)), closing, open));
+    const F open = all(ramp) + (u - all(ramp_probability)) / all(height);
+    return select(hn::Lt(u, all(ramp_probability)), opening,
+                  select(hn::Gt(u, all(1 - ramp_probability)), closing, open));
 }
 
 HWY_INLINE V2 sample_polygon(const V2& u, int blades, F rotation_turns) {
     const auto count = static_cast<float>(blades);
     const F scaled = u.x * all(count);
     const F blade = hn::Min(hn::Floor(scaled), all(count - 1));
-    const F share = hn::Min(scaled - blade, all(kOneMinusEpsilon));
-    const F r = hn::Sqrt(share);
+    const F fraction = hn::Min(scaled - blade, all(kOneMinusEpsilon));
+    const F r = hn::Sqrt(fraction);
     const SinCosLanes a = sin_cos_turn(blade / all(count) + rotation_turns);
     const SinCosLanes b = sin_cos_turn((blade + all(1.f)) / all(count) + rotation_turns);
     const F first = all(1.f) - u.y;
     return {r * (first * a.cosine + u.y * b.cosine), r * (first * a.sine + u.y * b.sine)};
 }
 
-/// PixelFilterSampler's offset.
+/// PixelFilterSampler::offset.
 HWY_INLINE F filter_offset(const PixelFilterSampler& filter, F u) {
     const std::vector<PixelFilterSampler::Cell>& cells = filter.cells();
     if (cells.empty()) {
@@ -139,8 +139,8 @@ HWY_INLINE void store_ray(CameraBatch& batch, int first, const F3& origin, const
     hn::StoreU(time, d, batch.time + first);
 }
 
-HWY_INLINE F as_floats(const std::int32_t* numbers, int first) {
-    return hn::ConvertTo(FloatTag(), hn::LoadU(IntTag(), numbers + first));
+HWY_INLINE F as_floats(const std::int32_t* words, int first) {
+    return hn::ConvertTo(FloatTag(), hn::LoadU(IntTag(), words + first));
 }
 
 inline HWY_ATTR void make_rays_in_lanes(const ThinLensCamera& camera, const CameraFixings& fixings,
@@ -148,10 +148,11 @@ inline HWY_ATTR void make_rays_in_lanes(const ThinLensCamera& camera, const Came
     const IntTag di;
     const V2f centre = camera.centre();
     for (int first = 0; first < batch.count; first += lane_count()) {
-        const Numbers numbers(hn::BitCast(WordTag(), hn::LoadU(di, batch.pixel_hash + first)),
-                              hn::BitCast(WordTag(), hn::LoadU(di, batch.reversed_sample + first)));
+        const LaneSampler sampler(
+            hn::BitCast(WordTag(), hn::LoadU(di, batch.pixel_hash + first)),
+            hn::BitCast(WordTag(), hn::LoadU(di, batch.reversed_sample + first)));
         F u[5];
-        numbers.camera(u);
+        sampler.get_camera_sample(u);
         const F pixel_u = fixings.centred ? all(0.5f) : u[0];
         const F pixel_v = fixings.centred ? all(0.5f) : u[1];
         const F instant = fixings.instantaneous ? all(0.5f) : u[4];

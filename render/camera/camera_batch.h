@@ -1,4 +1,4 @@
-// Camera rays of many samples at once, in the lanes of vectors.
+// Camera rays of many samples at once, in vector lanes.
 #pragma once
 
 #include <cstdint>
@@ -7,18 +7,19 @@
 
 namespace carom::render {
 
-/// Samples and their rays, an array for each number; vectors may touch what lies beyond the last.
+/// Samples and their rays as a structure of arrays; vector code may access elements beyond the
+/// last.
 struct CameraBatch {
     static constexpr int kMost = 256;
     static constexpr int kStorage = kMost + 16;
 
     int count = 0;
-    // Which sample: pixel, and what its random numbers depend on (sampler.h).
+    // Identity of a sample: its pixel, and the state of its random numbers (sampler.h).
     alignas(64) std::int32_t x[kStorage] = {};
     alignas(64) std::int32_t y[kStorage] = {};
     alignas(64) std::int32_t pixel_hash[kStorage] = {};
     alignas(64) std::int32_t reversed_sample[kStorage] = {};
-    // Its ray.
+    // The sample's ray.
     alignas(64) float origin[3][kStorage] = {};
     alignas(64) float direction[3][kStorage] = {};
     alignas(64) float time[kStorage] = {};
@@ -33,13 +34,13 @@ struct CameraBatch {
     }
 };
 
-/// What is not sampled.
+/// The effects that are switched off.
 struct CameraFixings {
-    bool centred = false;        // every ray through its pixel's centre
-    bool instantaneous = false;  // every ray in the middle of the shutter
+    bool centred = false;        // every ray passes through its pixel's centre
+    bool instantaneous = false;  // every ray is in the middle of the shutter
 };
 
-/// The `ray` of the camera for each sample, as far as rounding goes.
+/// Computes ThinLensCamera::ray for each sample, except for rounding.
 void make_rays(const ThinLensCamera& camera, const CameraFixings& fixings, CameraBatch& batch);
 
 }  // namespace carom::render

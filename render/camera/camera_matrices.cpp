@@ -7,7 +7,7 @@ namespace {
 
 using M44d = Imath::M44d;
 
-constexpr double kNearest = 1e-3;  // m, where z is 0: the camera has no near plane of its own
+constexpr double kNearest = 1e-3;  // m, where z is 0; the camera itself has no near plane
 
 M44d world_to_camera(const CameraFrame& frame) {
     const Vec3 position(frame.position);
@@ -22,7 +22,7 @@ M44d world_to_camera(const CameraFrame& frame) {
     return matrix;
 }
 
-/// `picture`: the size of the picture at a distance of 1.
+/// `picture`: the size of the picture at distance 1.
 M44d camera_to_ndc(const Vec2& picture) {
     M44d matrix(0.0);
     matrix[0][0] = 1 / picture.x;

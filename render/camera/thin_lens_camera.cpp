@@ -48,7 +48,7 @@ CameraFrame make_frame(const CameraState& state, int height) {
     const Vec3 forward = (state.target - state.position).normalized();
     const Vec3 level = forward.cross(state.up).normalized();
     const Vec3 upright = level.cross(forward);
-    // The camera turned by +roll about its axis shows the picture turned the other way.
+    // A camera rotated by +roll about its axis shows the picture rotated the other way.
     const double c = std::cos(state.roll);
     const double s = std::sin(state.roll);
     CameraFrame frame;
@@ -64,8 +64,8 @@ CameraFrame make_frame(const CameraState& state, int height) {
 }
 
 template <class T>
-T mix(const T& from, const T& to, float share) {
-    return from + share * (to - from);
+T mix(const T& from, const T& to, float weight) {
+    return from + weight * (to - from);
 }
 
 }  // namespace
@@ -140,7 +140,7 @@ Ray ThinLensCamera::pinhole_ray(const CameraFrame& frame, const V2f& picture) co
     return ray;
 }
 
-// From the centre of the lens.
+// Offset from the centre of the lens.
 V3f ThinLensCamera::on_lens(const CameraFrame& frame, const V2f& lens) const {
     const V2f p =
         frame.lens_radius *
@@ -169,8 +169,8 @@ ThinLensCamera::Aperture ThinLensCamera::aperture(const CameraSample& sample) co
     return result;
 }
 
-// The ray's crossing of the focus plane is where the picture's point lies. A pixel there has the
-// side focus_distance * pixel_size and is seen under the angle of the ray to the axis.
+// The ray crosses the focus plane at the picture's point. A pixel there has the side focus_distance
+// * pixel_size and is seen at the angle between ray and axis.
 std::optional<ThinLensCamera::Arrival> ThinLensCamera::arrival(const Aperture& aperture,
                                                                const V3f& direction) const {
     constexpr float kLeastForwardCosine = 1e-3f;
@@ -184,9 +184,9 @@ std::optional<ThinLensCamera::Arrival> ThinLensCamera::arrival(const Aperture& a
     const float scale = 1 / frame.pixel_size;
     const V2f place(half_width_ + in_focus.dot(frame.right) * scale,
                     half_height_ - in_focus.dot(frame.up) * scale);
-    const auto reach = static_cast<float>(0.5 * filter_.width());
-    if (place.x < -reach || place.y < -reach || place.x > 2 * half_width_ + reach ||
-        place.y > 2 * half_height_ + reach) {
+    const auto filter_radius = static_cast<float>(0.5 * filter_.width());
+    if (place.x < -filter_radius || place.y < -filter_radius ||
+        place.x > 2 * half_width_ + filter_radius || place.y > 2 * half_height_ + filter_radius) {
         return std::nullopt;
     }
     return Arrival{place, frame.pixel_size * frame.pixel_size * cosine * cosine * cosine};

@@ -1,4 +1,4 @@
-// From a camera sample to a ray: pixel filter, thin lens, shutter.
+// From a camera sample to a ray, through pixel filter, thin lens and shutter.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace carom::render {
 
-/// The camera's values in the form that rays are made from: axes scaled so that the picture plane
-/// lies at distance 1. World axes, metres.
+/// The camera's parameters in the form that ray generation needs: axes scaled so that the image
+/// plane is at distance 1. World axes, metres.
 struct CameraFrame {
     V3f position;
     V3f forward;               // unit, along the optical axis
@@ -27,49 +27,50 @@ struct CameraFrame {
 /// target, up, roll, focus, lens and the tangent of half the field of view change linearly.
 /// Immutable; every method may be called from any thread.
 ///
-/// Focus plane perpendicular to the optical axis. Pixel (0, 0) is at the top left; the picture's
-/// centre is (width / 2, height / 2).
+/// The focus plane is perpendicular to the optical axis. Pixel (0, 0) is at the top left; the
+/// picture's centre is (width / 2, height / 2).
 class ThinLensCamera {
   public:
-    /// `switch_ratio`: share of the exposure spent opening and closing, [0, 1]. Throws Error if a
-    /// state is unusable: an axis of no length or along `up`, a field of view outside (0, pi), a
-    /// focus distance not above 0, a negative lens radius, 1 or 2 blades, or a NaN.
+    /// `switch_ratio`: fraction of the exposure in which the shutter opens and closes, [0, 1].
+    /// Throws Error if a state is invalid: an axis of zero length or along `up`, a field of view
+    /// outside (0, pi), a focus distance that is not above 0, a negative lens radius, 1 or 2
+    /// blades, or a NaN.
     ThinLensCamera(const CameraState& open, const CameraState& close, int width, int height,
                    double switch_ratio, PixelFilter filter, double filter_width);
 
-    /// Unit direction, t_min 0, t_max infinite. With no lens and no motion the ray through a point
-    /// of the picture does not depend on the sample's lens and time, bit for bit.
+    /// Unit direction, t_min 0, t_max infinite. Without lens and motion the ray through a point of
+    /// the picture does not depend on the sample's lens and time, to the last bit.
     [[nodiscard]] Ray ray(int pixel_x, int pixel_y, const CameraSample& sample) const;
 
-    /// A point of the lens at an instant.
+    /// A point on the lens at one time.
     struct Aperture {
         CameraFrame frame;
         V3f position;
         float time = 0;
     };
-    /// What `ray` would start from for the same lens and time.
+    /// The origin of `ray` for the same lens and time.
     [[nodiscard]] Aperture aperture(const CameraSample& sample) const;
 
-    /// Where in the picture light arrives from a direction.
+    /// Where in the picture light from a direction lands.
     struct Arrival {
         V2f place;                    // pixels from the top left
         float pixel_solid_angle = 0;  // sr per pixel there, seen from that point of the lens
     };
-    /// Light that comes to a point of the lens against the unit `direction`; empty from behind or
-    /// where it lands farther outside the picture than the filter reaches.
+    /// Light that arrives at a point on the lens along the unit `direction`; empty if it comes from
+    /// behind or lands outside the picture by more than the filter radius.
     [[nodiscard]] std::optional<Arrival> arrival(const Aperture& aperture,
                                                  const V3f& direction) const;
 
     [[nodiscard]] const PixelFilterSampler& filter() const { return filter_; }
 
-    /// The camera's values at `time` within the shutter, [0, 1].
+    /// The camera's parameters at `time` within the shutter, [0, 1].
     [[nodiscard]] CameraFrame frame_at(float time) const;
 
-    /// Where in the picture (pixels) the point is seen through the centre of the lens at `time`;
-    /// nothing behind the camera.
+    /// The position in the picture (pixels) of the point, seen through the centre of the lens at
+    /// `time`; empty for points behind the camera.
     [[nodiscard]] std::optional<V2f> project(const V3f& point, float time) const;
 
-    /// A frame, and the values that change linearly where the frame's own do not.
+    /// A frame, and the parameters that change linearly where those of the frame do not.
     struct Moving {
         CameraFrame frame;
         V3f axis;  // from position to target
@@ -77,7 +78,7 @@ class ThinLensCamera {
         float roll = 0;
         float blade_rotation = 0;
     };
-    // What rays are made of, for code that makes many at once.
+    // For code that makes many rays at once.
     [[nodiscard]] const Moving& open() const { return open_; }
     [[nodiscard]] const Moving& close() const { return close_; }
     [[nodiscard]] V2f centre() const { return {half_width_, half_height_}; }  // pixels
@@ -86,7 +87,7 @@ class ThinLensCamera {
     [[nodiscard]] bool moves() const { return moves_; }
     [[nodiscard]] bool has_lens() const { return has_lens_; }
 
-    /// Solid angle (sr) of a pixel in the centre of the picture, at the shutter's opening.
+    /// Solid angle (sr) of a pixel in the centre of the picture when the shutter opens.
     [[nodiscard]] float pixel_solid_angle() const;
 
   private:

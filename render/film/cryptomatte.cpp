@@ -18,7 +18,7 @@ std::uint32_t scrambled(std::uint32_t block) {
     return std::rotl(block * kFirstFactor, 15) * kSecondFactor;
 }
 
-/// Up to four bytes, the first one lowest.
+/// Up to four bytes, the lowest first.
 std::uint32_t little_endian(std::string_view bytes) {
     std::uint32_t value = 0;
     for (std::size_t i = bytes.size(); i > 0; --i) {

@@ -1,6 +1,6 @@
-// Mattes by name in a picture's own channels, as compositors read them: J. Friedman and A. C.
-// Jones, "Fully automatic ID mattes with support for motion blur and transparency", SIGGRAPH 2015
-// posters; the layout is that of Psyop's "Cryptomatte Specification", version 1.2.
+// Cryptomatte channels: J. Friedman and A. C. Jones, "Fully automatic ID mattes with support for
+// motion blur and transparency", SIGGRAPH 2015 posters, with the layout of Psyop's "Cryptomatte
+// Specification", version 1.2.
 #pragma once
 
 #include <array>
@@ -16,28 +16,29 @@ namespace carom::render {
 /// A. Appleby's MurmurHash3, the 32-bit variant for x86, with seed 0.
 [[nodiscard]] std::uint32_t murmur_hash3_32(std::string_view text);
 
-/// The number that stands for a name in the channels: the hash's bits as a float, its exponent
-/// moved off 0 and 255 so that it is neither denormal nor infinite nor NaN.
+/// The ID of a name in the channels: the hash's bits as a float, with the exponent kept off 0 and
+/// 255 so that it is never denormal, infinite or NaN.
 [[nodiscard]] float matte_id(std::string_view name);
 
-/// What a pixel shows most of comes first; six things at most.
+/// Number of objects or materials that a pixel stores, those of largest coverage first.
 inline constexpr std::size_t kMatteRanks = 6;
 
 struct MatteRank {
-    float id = 0;        // 0 with coverage 0: nothing further
-    float coverage = 0;  // share of the pixel's samples, [0, 1]
+    float id = 0;        // 0 with coverage 0: unused
+    float coverage = 0;  // fraction of the pixel's samples, [0, 1]
 
     bool operator==(const MatteRank&) const = default;
 };
 using MatteRanks = std::array<MatteRank, kMatteRanks>;
 
-/// Largest coverage first; equal ids count as one, equal coverages stay in the order given.
+/// Sorted by coverage, the largest first; equal ids are merged, equal coverages keep their order.
 [[nodiscard]] MatteRanks ranked(const std::vector<MatteRank>& seen);
 
-/// "LAYER00.R", id of the first rank; .G its coverage; .B and .A the second's; "LAYER01.R" ...
+/// "LAYER00.R", id of the first rank; .G its coverage; .B and .A those of the second; "LAYER01.R"
+/// ...
 [[nodiscard]] std::vector<std::string> matte_channels(std::string_view layer);
 
-/// What a file's header says of the layer: "cryptomatte/ID/name", hash, conversion and manifest,
+/// The header entries of the layer: "cryptomatte/ID/name", hash, conversion, and the manifest,
 /// which maps `names` to their hashes.
 [[nodiscard]] Film::Notes matte_notes(std::string_view layer,
                                       const std::vector<std::string>& names);

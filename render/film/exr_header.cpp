@@ -12,15 +12,15 @@
 namespace carom::render {
 namespace {
 
-constexpr std::size_t kMostHeaderBytes = std::size_t{16} << 20;  // a manifest of mattes is long
+constexpr std::size_t kMostHeaderBytes = std::size_t{16} << 20;  // manifests can be long
 constexpr std::size_t kLongestName = 255;
 constexpr int kMostAttributes = 4096;
-/// Version 2 of the format; of the flags only long names: one part of scan lines.
+/// Version 2 of the format, with no flag except long names: one part with scan lines.
 constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kLongNames = 0x400;
 constexpr std::uint32_t kMagic = 20000630;
-/// What a frame needs, with its length where the format gives one; OpenEXR believes the type and
-/// not the length that stands before the value.
+/// The attributes of a frame, with their lengths where the format defines them; OpenEXR trusts the
+/// type and ignores the length in the file.
 struct AttributeType {
     std::string_view name;
     std::size_t length = 0;  // 0: any
@@ -36,10 +36,10 @@ constexpr std::array<AttributeType, 11> kTypes{{{"string"},
                                                 {"m44f", 64},
                                                 {"rational", 8},
                                                 {"chromaticities", 32}}};
-/// Deflate packs a byte into a thousandth of one at best (RFC 1951: 258 bytes in two bits).
+/// Deflate compresses by less than this factor (RFC 1951: 258 bytes in two bits).
 constexpr double kMostPacked = 1100;
 
-/// Little-endian values from the front of the file; what is beyond it is not there.
+/// Reads little-endian values from the front of the file; beyond the loaded part there are none.
 class HeaderReader {
   public:
     HeaderReader(std::string_view bytes, std::uintmax_t file_length)
@@ -81,7 +81,7 @@ class HeaderReader {
         return taken;
     }
 
-    /// Of the file, behind what was read.
+    /// Bytes of the file after what was read.
     [[nodiscard]] std::uintmax_t remaining() const { return rest_.size() + beyond_; }
 
   private:
@@ -90,7 +90,7 @@ class HeaderReader {
     bool is_good_ = true;
 };
 
-/// Width times height of a box2i; 0 if there is none.
+/// Width times height of a box2i; 0 if it is not one.
 double area_of(std::string_view window) {
     HeaderReader reader(window, window.size());
     const auto edge = [&] {
@@ -103,7 +103,7 @@ double area_of(std::string_view window) {
     return reader.is_good() && x1 >= x0 && y1 >= y0 ? (x1 - x0 + 1) * (y1 - y0 + 1) : 0;
 }
 
-/// Channels: a name, then 16 bytes, for each; an empty name at the end.
+/// A channel list: a name and 16 bytes for each channel, and an empty name at the end.
 bool is_channel_list(std::string_view value) {
     HeaderReader reader(value, value.size());
     while (reader.is_good() && !reader.name().empty()) {
@@ -148,7 +148,7 @@ std::string problem_in(HeaderReader& reader) {
     if (!reader.is_good()) {
         return "its header is longer than the file, or than headers are";
     }
-    // At least a half a pixel.
+    // A pixel has at least one half float.
     if (!(pixels > 0) || 2 * pixels / kMostPacked > static_cast<double>(reader.remaining())) {
         return "the file is too short for its pixels";
     }

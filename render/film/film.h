@@ -14,15 +14,15 @@ struct Channel {
     std::vector<float> values;
 };
 
-/// What the renderer counted.
+/// Counters of the renderer.
 struct RenderStatistics {
     std::uint64_t camera_rays = 0;
-    std::uint64_t scattered_rays = 0;  // by any way that surfaces send light on
+    std::uint64_t scattered_rays = 0;  // continued from a surface: reflection and transmission
     std::uint64_t shadow_rays = 0;
-    // By the distributed integrator only, which keeps kinds apart:
+    // By the distributed integrator only, which counts kinds separately:
     std::uint64_t reflection_rays = 0;       // of the scattered rays
     std::uint64_t refraction_rays = 0;       // of the scattered rays
-    std::uint64_t needless_shadow_rays = 0;  // of the shadow rays: known to be dark, never traced
+    std::uint64_t needless_shadow_rays = 0;  // counted as shadow rays, but known dark: not traced
 
     RenderStatistics& operator+=(const RenderStatistics& other) {
         camera_rays += other.camera_rays;
@@ -36,14 +36,14 @@ struct RenderStatistics {
 };
 
 struct Film {
-    /// By key, as in an EXR file's header.
+    /// Header entries by key, as in an EXR file.
     using Notes = std::map<std::string, std::string>;
 
     int width = 0;  // pixels
     int height = 0;
     std::vector<float> rgba;  // width * height * 4, row by row from the top left; alpha is coverage
     std::vector<Channel> aovs;
-    Notes notes;  // what the channels mean: Cryptomatte's manifests
+    Notes notes;  // descriptions of the channels: Cryptomatte's manifests
     RenderStatistics statistics;
 };
 

@@ -69,7 +69,7 @@ void check_sizes(const Film& film) {
     }
 }
 
-/// Pixel by pixel: all channels as floats, colours clamped to what a half can hold.
+/// Interleaves the channels as floats, with colours clamped to the range of half.
 std::vector<float> interleave(const Film& film, const std::string& path) {
     const std::size_t channels = 4 + film.aovs.size();
     std::vector<float> pixels(pixel_count(film) * channels);
@@ -116,14 +116,15 @@ void write_file(const std::string& path, std::span<const std::byte> bytes) {
     }
 }
 
-/// `format`: the library's name of it, or a path whose extension says which.
+/// `format`: the library's name of the format, or a path with its extension.
 void write_pixels(const std::string& path, const std::string& format, const OIIO::ImageSpec& spec,
                   const OIIO::TypeDesc& type, const void* pixels) {
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
     if (!output) {
         refuse(path, "no picture can be written in that format: " + reason(OIIO::geterror()));
     }
-    // Into memory: the library's own files lose the error of their last write.
+    // Writes to memory first, because the library's own file output loses the error of the last
+    // write.
     OIIO::Filesystem::IOVecOutput memory;
     output->set_ioproxy(&memory);
     if (!output->open(path, spec) || !output->write_image(type, pixels) || !output->close()) {
@@ -147,12 +148,12 @@ void check_opened(const OIIO::ImageSpec& spec, const std::string& path) {
     }
 }
 
-/// Whether an attribute of the header comes back as a note of the film.
+/// Whether an attribute of the header is a note of the film.
 bool is_note(const std::string& name) {
     return name.starts_with("cryptomatte/") || name.starts_with(kRaysPrefix);
 }
 
-/// The notes that a film brought.
+/// The notes of a film in a file's header.
 Film::Notes notes_in(const OIIO::ImageSpec& spec) {
     Film::Notes notes;
     for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
@@ -164,7 +165,7 @@ Film::Notes notes_in(const OIIO::ImageSpec& spec) {
     return notes;
 }
 
-/// Earlier versions stored these channels without the last part of their names.
+/// The current name of a channel; earlier versions stored some without the last part.
 std::string present_name(const std::string& channel) {
     constexpr std::array<std::string_view, 3> kOld{"object_id", "material_id", "variance"};
     const bool is_old = std::find(kOld.begin(), kOld.end(), channel) != kOld.end();
@@ -236,7 +237,7 @@ Film read_exr(const std::string& path) {
     if (const std::string problem = find_exr_header_problem(path); !problem.empty()) {
         refuse(path, "the frame cannot be read: " + problem);
     }
-    // No other format's reader is to see it.
+    // Only OpenEXR's reader may see the file.
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create("openexr");
     OIIO::ImageSpec spec;
     if (!input || !input->open(path, spec)) {

@@ -7,18 +7,18 @@
 
 namespace carom::render {
 
-/// Empty names: what the configuration has as its default.
+/// Empty names select the configuration's defaults.
 struct OcioNames {
     std::string display;
     std::string view;
-    std::string colour_space;  // that of the film: linear Rec.709; empty: the role scene_linear
+    std::string colour_space;  // of the film: linear Rec.709; empty: the role scene_linear
 };
 
-/// From scene-referred light to a display's signal. Immutable; any number of threads may use it.
+/// Converts scene-referred light to a display signal. Immutable; any number of threads may use it.
 class OcioView {
   public:
-    /// `config`: path of a configuration, or of the kind that starts with ocio://. Throws Error:
-    /// unreadable, or without the names.
+    /// `config`: path of a configuration, or a built-in one by ocio://. Throws Error if it is
+    /// unreadable or lacks the names.
     OcioView(const std::string& config, const OcioNames& names);
     ~OcioView();
     OcioView(const OcioView&) = delete;
@@ -26,7 +26,7 @@ class OcioView {
     OcioView(OcioView&&) noexcept;
     OcioView& operator=(OcioView&&) noexcept;
 
-    /// In place: width * height RGB triples.
+    /// Converts width * height RGB triples in place.
     void apply(std::vector<float>& rgb, int width, int height) const;
 
   private:

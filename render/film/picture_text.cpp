@@ -18,7 +18,7 @@ constexpr double kMargin = 0.6;     // from the picture's edges, in lines
 constexpr double kEdge = 0.09;      // width of the dark edge, in lines
 constexpr float kEdgeDarkness = 0.8F;
 
-/// The font as OpenImageIO finds it: by name, else where Debian's package fonts-dejavu-core has it.
+/// The font as OpenImageIO finds it: by name, otherwise in Debian's package fonts-dejavu-core.
 std::string usable_font() {
     for (const char* name :
          {"DejaVuSansMono", "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"}) {
@@ -31,7 +31,7 @@ std::string usable_font() {
         "fonts-dejavu-core)");
 }
 
-/// Coverage by letters, [0, 255], over a rectangle of the picture.
+/// Coverage by the letters, [0, 255], over a rectangle of the picture.
 struct Mask {
     int left = 0;
     int top = 0;
@@ -77,7 +77,7 @@ Mask draw_letters(const PictureText& text, int width, int height) {
     return mask;
 }
 
-/// The coverage of the letters grown by `radius` pixels.
+/// The letters' coverage dilated by `radius` pixels.
 float grown(const Mask& mask, int x, int y, int radius) {
     float most = 0;
     for (int dy = -radius; dy <= radius; ++dy) {

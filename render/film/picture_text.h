@@ -1,4 +1,4 @@
-// Lines of text in a finished picture.
+// Text overlays on a finished picture.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@ struct PictureText {
     double size = 0.045;  // of a line, in picture heights
 };
 
-/// White letters with a dark edge over display-encoded RGB (width * height * 3, row by row from the
-/// top left). `white` is the value of their white. What does not fit is cut off. Throws Error if
-/// the font (DejaVu Sans Mono) is not there.
+/// Draws white letters with a dark edge over display-encoded RGB (width * height * 3, row by row
+/// from the top left). `white` is the value of the letters' white. Text beyond the picture is cut
+/// off. Throws Error if the font (DejaVu Sans Mono) is missing.
 void draw_text(const PictureText& text, std::span<std::uint16_t> rgb, int width, int height,
                std::uint16_t white = 65535);
 void draw_text(const PictureText& text, std::span<std::uint8_t> rgb, int width, int height);

@@ -11,10 +11,10 @@
 namespace carom::render {
 namespace {
 
-constexpr int kEstimates = 16;  // in the time of the first samples
+constexpr int kEstimates = 16;  // during the first samples
 
-/// Close to the golden section of `tiles` and without a common divisor, so that its multiples visit
-/// every tile once and spread evenly.
+/// Close to the golden section of `tiles` and coprime to it, so that its multiples visit every tile
+/// once and are evenly spread.
 int spreading_stride(int tiles) {
     int stride = std::max(1, static_cast<int>(std::lround(0.618 * tiles)));
     while (std::gcd(stride, tiles) != 1) {
@@ -52,7 +52,7 @@ void AdaptiveProgress::first_samples_done(int tile, const std::vector<double>& d
     }
 }
 
-/// By a plan for the tiles that have begun alone.
+/// From a plan for the tiles that have their first samples.
 double AdaptiveProgress::expected_ratio() const {
     std::vector<double> all;
     for (const BegunTile& tile : begun_) {
@@ -92,11 +92,11 @@ void AdaptiveProgress::tile_done(int tile) {
     report(done_count_ == tiles_ ? 1 : work_ / std::max(all_work_, work_));
 }
 
-/// A share that turned out too large stands until the work has caught up.
-void AdaptiveProgress::report(double share) {
-    share_ = std::clamp(share, share_, 1.0);
+/// A fraction that was overestimated stays until the work has caught up.
+void AdaptiveProgress::report(double fraction) {
+    fraction_ = std::clamp(fraction, fraction_, 1.0);
     if (callback_) {
-        callback_(share_);
+        callback_(fraction_);
     }
 }
 

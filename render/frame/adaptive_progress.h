@@ -1,4 +1,4 @@
-// How far an adaptive frame has come, although how many samples it needs shows only on the way.
+// Progress of an adaptive frame, whose number of samples is only known after its first samples.
 #pragma once
 
 #include <mutex>
@@ -9,26 +9,25 @@
 
 namespace carom::render {
 
-/// The share of a frame's work, in seconds of a thread, that is done. The first samples of every
-/// tile are timed, and its further samples take so much longer as they are more. While the first
-/// samples are taken, the tiles that have theirs stand for all others: the noise that they show
-/// says what the plan is going to be. Nothing is reported before they are enough. Any thread may
-/// call.
+/// The fraction of a frame's work, in thread seconds, that is done. The first samples of every tile
+/// are timed; the further samples of a tile are assumed to take time in proportion. While first
+/// samples are taken, the finished tiles stand for all others: their noise predicts the plan.
+/// Nothing is reported before enough tiles are finished. Any thread may call.
 class AdaptiveProgress {
   public:
     AdaptiveProgress(const ProgressCallback& callback, const RenderSettings& settings, int tiles);
 
-    /// The tile that is to be the n-th to get its first samples: early ones lie all over the frame.
+    /// The tile that takes its first samples as the n-th; early ones are spread over the frame.
     [[nodiscard]] int nth_tile(int n) const;
 
-    /// The tile's first samples took `seconds`; `deviations` of some of its pixels, as
-    /// samples_per_deviation wants them.
+    /// Reports that the tile's first samples took `seconds`; `deviations` of some of its pixels,
+    /// for samples_per_deviation().
     void first_samples_done(int tile, const std::vector<double>& deviations, double seconds);
 
-    /// How many further samples each tile gets, as a multiple of its first ones.
+    /// Sets the number of further samples of each tile, as a multiple of its first ones.
     void set_plan(std::vector<double> further);
 
-    /// The tile has its further samples.
+    /// Reports that the tile has its further samples.
     void tile_done(int tile);
 
   private:
@@ -38,7 +37,7 @@ class AdaptiveProgress {
     };
 
     [[nodiscard]] double expected_ratio() const;
-    void report(double share);
+    void report(double fraction);
 
     const ProgressCallback& callback_;
     RenderSettings settings_;
@@ -48,11 +47,11 @@ class AdaptiveProgress {
     std::vector<BegunTile> begun_;  // all tiles, by their index
     int begun_count_ = 0;
     int done_count_ = 0;
-    double ratio_ = 0;             // of the work after the first samples to theirs, expected
+    double ratio_ = 0;             // expected work after the first samples over theirs
     std::vector<double> further_;  // of each tile
-    double work_ = 0;              // s, so far
-    double all_work_ = 0;          // s, once there is a plan
-    double share_ = 0;
+    double work_ = 0;              // s, done
+    double all_work_ = 0;          // s, once a plan exists
+    double fraction_ = 0;
 };
 
 }  // namespace carom::render

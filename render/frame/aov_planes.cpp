@@ -8,16 +8,16 @@ namespace carom::render {
 namespace {
 
 constexpr float kMiddle = 0.5f;              // of the shutter
-constexpr float kBackgroundDistance = 1e5f;  // m, for the motion of what is infinitely far
+constexpr float kBackgroundDistance = 1e5f;  // m, for the motion of the background
 
 struct Aov {
     std::string_view name;
-    std::array<std::string_view, 3> channels;  // empty names: fewer than three
+    std::array<std::string_view, 3> channels;  // empty names if there are fewer than three
     bool is_seen_by_centre;
 };
 
-// A name of more than one letter ends in ".X" or the like: compositors take what is before the last
-// dot for a layer and drop channels that have none.
+// A name of more than one letter ends in ".X" or similar: compositors take the part before the last
+// dot as the layer and drop channels without one.
 constexpr std::array<Aov, 7> kAovs{{{"depth", {"Z"}, true},
                                     {"normal", {"N.X", "N.Y", "N.Z"}, false},
                                     {"albedo", {"albedo.R", "albedo.G", "albedo.B"}, false},
@@ -30,7 +30,7 @@ constexpr std::string_view kObjectMatte = "cryptomatte_object";
 constexpr std::string_view kMaterialMatte = "cryptomatte_material";
 constexpr std::string_view kObjectLayer = "CryptoObject";
 constexpr std::string_view kMaterialLayer = "CryptoMaterial";
-// What lights, which have no material, are called among materials.
+// The material name of lights, which have no material.
 constexpr const char* kLightMaterial = "light";
 
 const Aov* find_aov(std::string_view name) {
@@ -84,7 +84,7 @@ AovPlanes::AovPlanes(const RenderSettings& settings, const FrameInput& frame,
     }
 }
 
-/// The names of its channels.
+/// Adds the channels of a matte and returns their names.
 std::vector<std::string> AovPlanes::add_matte(std::string_view name) {
     if (name == kObjectMatte) {
         for (const std::string& object : scene_names_.objects) {

@@ -1,4 +1,4 @@
-// The channels beside the picture: what was seen, not how bright it was.
+// AOVs: the channels of a frame besides its colour.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,18 @@
 
 namespace carom::render {
 
-/// Z of pixels that see nothing, m.
+/// Depth (Z, m) of pixels that see only background.
 inline constexpr float kFarDepth = 1e10f;
 
 [[nodiscard]] bool is_aov(std::string_view name);
-/// Whether the channel of that name holds what scene and materials are called.
+/// Whether the channel contains mattes, which need the names of objects and materials.
 [[nodiscard]] bool is_matte(std::string_view name);
 
-/// What the indices of hits are called.
+/// Names of objects and materials by their indices in hits.
 struct SceneNames {
-    std::vector<std::string> objects;  // and after them the area lights
+    std::vector<std::string> objects;  // followed by the area lights
     std::vector<std::string> materials;
-    std::vector<std::uint32_t> material_of;  // by object; a light's is beyond all materials
+    std::vector<std::uint32_t> material_of;  // by object; for lights, beyond all materials
 };
 
 struct ObjectCount {
@@ -36,25 +36,25 @@ struct ObjectCount {
 
 /// Means over a pixel's samples.
 struct PixelMeans {
-    std::span<const ObjectCount> objects;  // met by how many of `samples`
+    std::span<const ObjectCount> objects;  // hit, and by how many of `samples`
     int samples = 1;
     V3f normal{0, 0, 0};
     V3f albedo{0, 0, 0};
     float variance = 0;  // of the mean luminance
 };
 
-/// Collects the channels that were asked for, one pixel at a time and from any thread:
-///   depth      Z                 m along the optical axis; kFarDepth where nothing is
+/// Collects the requested channels, one pixel at a time and from any thread:
+///   depth      Z                 m along the optical axis; kFarDepth for the background
 ///   normal     N.X N.Y N.Z       world axes, towards the camera; mean over the samples
 ///   albedo     albedo.R .G .B    base colour; mean over the samples
 ///   motion     motion.X .Y       pixels (right, down) that the point moves from open to close
-///   object_id  object_id.X       1 + index in the scene's objects, then its lights; 0: nothing
-///   material_id material_id.X    1 + index in the scene's materials; 0: nothing, or a light
+///   object_id  object_id.X       1 + index in the scene's objects, then its lights; 0: background
+///   material_id material_id.X    1 + index in the scene's materials; 0: background, or a light
 ///   variance   variance.X        of the pixel's mean luminance, as if samples were independent
 ///   cryptomatte_object, cryptomatte_material
 ///              CryptoObject00.R ... mattes by the names of objects and materials (cryptomatte.h)
-/// Depth, motion, object and material belong to what the pixel's centre sees through the centre of
-/// the lens in the middle of the shutter: they have no noise and no mixed values.
+/// Depth, motion, object and material are those that the pixel's centre sees through the centre of
+/// the lens in the middle of the shutter: they have neither noise nor mixed values.
 class AovPlanes {
   public:
     AovPlanes(const RenderSettings& settings, const FrameInput& frame, const FrameScene& scene,
@@ -62,12 +62,12 @@ class AovPlanes {
 
     [[nodiscard]] bool empty() const { return channels_.empty(); }
 
-    /// Whether `write` needs to know which objects a pixel's samples met.
+    /// Whether `write` needs to know which objects a pixel's samples hit.
     [[nodiscard]] bool needs_objects() const { return !notes_.empty(); }
 
     void write(int x, int y, const PixelMeans& means);
 
-    /// In the order of `settings.aovs`.
+    /// The channels in the order of `settings.aovs`.
     [[nodiscard]] std::vector<Channel> take() { return std::move(channels_); }
     [[nodiscard]] Film::Notes take_notes() { return std::move(notes_); }
 
@@ -86,8 +86,8 @@ class AovPlanes {
 
     std::vector<std::string> names_;
     const SceneNames& scene_names_;
-    std::vector<float> object_ids_;    // of Cryptomatte, by object
-    std::vector<float> material_ids_;  // ditto: of the object's material
+    std::vector<float> object_ids_;    // for Cryptomatte, by object
+    std::vector<float> material_ids_;  // for Cryptomatte, of the object's material
     Film::Notes notes_;
     std::vector<Channel> channels_;
     const FrameScene& scene_;

@@ -15,7 +15,7 @@ class Problems {
   public:
     template <class Value>
     void unless_between(const char* name, Value value, Value low, Value high) {
-        // Written so that NaN is a problem too.
+        // The condition is written so that NaN is a problem, too.
         if (!(value >= low && value <= high)) {
             std::ostringstream text;
             text << name << " is " << value << "; it must lie between " << low << " and " << high;
@@ -28,7 +28,7 @@ class Problems {
     void add_all(const std::vector<Diagnostic>& problems) {
         list_.insert(list_.end(), problems.begin(), problems.end());
     }
-    /// What the fields of the following problems begin with.
+    /// Sets the prefix of the fields of the following problems.
     void go_into(const std::string& field) { prefix_ = field + "."; }
     [[nodiscard]] std::vector<Diagnostic> take() { return std::move(list_); }
 

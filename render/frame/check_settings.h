@@ -1,4 +1,4 @@
-// Settings that cannot be rendered with are refused before any work.
+// Checks of settings before rendering.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace carom::render {
 
-/// One problem per value outside the range that its header states; the fields are called as in a
-/// shot's file. Empty: all is well.
+/// One problem per value outside the range stated at its declaration; fields are named as in a
+/// shot. Empty if all values are valid.
 [[nodiscard]] std::vector<Diagnostic> find_problems(const RenderSettings& settings,
                                                     const RayBranches& branches);
 [[nodiscard]] std::vector<Diagnostic> find_problems(const FrameInput& frame);
 
-/// Throws Error with all sentences of both.
+/// Throws Error with the sentences of all problems of settings and frame.
 void check(const RenderSettings& settings, const FrameInput& frame, const RayBranches& branches);
 
 }  // namespace carom::render

@@ -17,7 +17,7 @@
 namespace carom::render {
 namespace {
 
-/// Counts finished tiles and tells the caller, one call at a time.
+/// Counts finished tiles and calls the caller's function, one call at a time.
 class TileProgress {
   public:
     TileProgress(const ProgressCallback& callback, int tiles)
@@ -39,8 +39,8 @@ class TileProgress {
     std::mutex mutex_;
 };
 
-/// `render_tile` for each of 0 to `tiles` - 1, in parallel, and `tile_done` for each that was not
-/// stopped; the counts are added to `total` in this order.
+/// Calls `render_tile` for each of 0 to `tiles` - 1 in parallel, and `tile_done` for each one that
+/// was not stopped; adds the counts to `total` in this order.
 template <class RenderTile, class TileDone>
 void for_all_tiles(int tiles, const WorkContext& context, RenderStatistics& total,
                    const RenderTile& render_tile, const TileDone& tile_done) {
@@ -102,7 +102,7 @@ void render_adaptively(TileRenderer& renderer, const RenderSettings& settings,
         [&](int tile) { progress.tile_done(tile); });
 }
 
-/// The images of lights in balls, as well sampled as the picture is on average.
+/// Adds the images of lights in balls, with as many samples as the picture has on average.
 void add_reflections(TileRenderer& renderer, const RenderSettings& settings,
                      const WorkContext& context, RenderStatistics& total) {
     const std::size_t number = renderer.reflection_count();

@@ -1,4 +1,4 @@
-// What a pixel's samples add up to.
+// Sums over a pixel's samples.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace carom::render {
 
-/// In double: thousands of samples lose nothing. Samples are added in their order.
+/// In double, so that thousands of samples lose no precision. Samples are added in their order.
 struct PixelSums {
     static constexpr int kGroups = 4;
 
@@ -22,12 +22,13 @@ struct PixelSums {
     double coverage = 0;
     double luminance = 0;
     double luminance2 = 0;
-    /// Luminance of each quarter of the first samples: how they differ says how noisy the pixel is.
+    /// Sums of luminance over each quarter of the first samples; their differences estimate the
+    /// noise.
     std::array<float, kGroups> groups{};
-    /// How many samples met which object; empty unless they are counted.
+    /// How many samples hit which object; empty unless objects are counted.
     std::vector<ObjectCount> objects;
 
-    /// `group`: of the sample, or -1.
+    /// `group`: the quarter that the sample belongs to, or -1.
     void add(const RadianceSample& sample, int group = -1) {
         CAROM_VALIDATE(is_light(sample.radiance) && is_finite(sample.normal) &&
                        is_light(sample.albedo));

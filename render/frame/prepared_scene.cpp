@@ -47,7 +47,7 @@ SceneNames names_of(const SceneDescription& scene) {
             static_cast<std::uint32_t>(std::distance(names.materials.begin(), found)));
     }
     for (const LightDescription& light : scene.lights) {
-        // The others have no shape that a ray could meet.
+        // Other lights have no shape that rays could hit.
         if (std::holds_alternative<RectangleLight>(light.light) ||
             std::holds_alternative<SphereLight>(light.light)) {
             names.objects.push_back(light.name);
@@ -70,7 +70,8 @@ void add_shining_objects(LightSet& lights, const SceneDescription& scene,
 
 PreparedScene::Data* make_data(const SceneDescription& scene, const RenderSettings& settings,
                                StructureFactory factory) {
-    LightSet lights(scene.lights);  // first: it refuses what the geometry could not hold
+    LightSet lights(
+        scene.lights);  // first, because it rejects lights that the geometry cannot hold
     StaticGeometry geometry(scene, settings, factory);
     std::vector<Material> materials = make_materials(scene);
     add_shining_objects(lights, scene, geometry, materials);

@@ -1,4 +1,4 @@
-// What a PreparedScene holds. For the .cpp files of this folder and its tests.
+// The data of a PreparedScene. Internal to this folder and its tests.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct PreparedScene::Data {
     StaticGeometry geometry;
     std::vector<Material> materials;  // in the scene's order
     LightSet lights;
-    std::uint32_t object_count = 0;  // of the scene; lights follow
+    std::uint32_t object_count = 0;  // of the scene, without lights
     RayBranches branches;
     SceneNames names;
 };

@@ -9,7 +9,7 @@
 namespace carom::render {
 namespace {
 
-constexpr double kDarkest = 0.01;  // squared luminance that errors are measured against at least
+constexpr double kDarkest = 0.01;  // lower bound on the squared luminance in relative errors
 
 }  // namespace
 
@@ -29,7 +29,7 @@ double relative_variance(const PixelSums& pixel, int samples) {
 
 namespace {
 
-/// Means over the pixels around each one, without its own.
+/// Means over the neighbours of each pixel, without the pixel itself.
 std::vector<double> around(const std::vector<double>& values, int width, int height) {
     std::vector<double> result(values.size());
     const auto place = [&](int x, int y) {
@@ -76,7 +76,7 @@ double mean_square_error(const std::vector<double>& deviations, double scale,
 
 double samples_per_deviation(const std::vector<double>& deviations,
                              const RenderSettings& settings) {
-    // Halving: the error falls as the scale grows.
+    // Bisection: the error falls as the scale grows.
     const double target = settings.noise * settings.noise;
     double low = 0;
     double high = 1e9;

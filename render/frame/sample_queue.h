@@ -1,4 +1,4 @@
-// Camera samples on their way to an integrator that takes many at a time, and back to their pixels.
+// A queue of camera samples for an integrator that takes many at once.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,7 @@
 
 namespace carom::render {
 
-/// Of one thread. Samples are added to their pixel's sums in the order in which they were asked
-/// for.
+/// For one thread. Samples are added to their pixel's sums in the order of the requests.
 class SampleQueue {
   public:
     /// Everything is borrowed.
@@ -21,23 +20,24 @@ class SampleQueue {
         const ThinLensCamera& camera;
         CameraFixings fixings;
         float pixel_spread;
-        std::size_t traced_at_once;  // samples between two looks whether to stop
-        bool counts_objects;         // that samples have met
+        std::size_t traced_at_once;  // samples between two checks for a stop request
+        bool counts_objects;         // that samples hit
     };
     SampleQueue(const Setting& setting, std::stop_token stop, RenderStatistics& count);
 
-    /// `sums` stays where it is until `flush`; `group`: of the pixel's sums, or -1.
+    /// `sums` must stay in place until `flush`; `group`: of the pixel's sums, or -1.
     void ask(const SampleStream& stream, const SampleIndex& index, PixelSums& sums, int group = -1);
 
-    /// Until all are done, or at once if a stop is requested: then sums are incomplete.
+    /// Returns when all samples are done, or at once if a stop is requested; sums are then
+    /// incomplete.
     void flush();
 
   private:
-    /// How many samples wait at most. Camera rays are made for all of them together, even if the
-    /// integrator takes one at a time: a vector of lanes costs the same for one ray as for all.
+    /// Capacity of the queue. Camera rays are made for all samples together even if the integrator
+    /// takes one at a time, because vector code takes as long for one ray as for a full vector.
     static constexpr std::size_t kSize = CameraBatch::kMost;
 
-    /// Whether all of `results_` was filled before a stop was requested.
+    /// Returns whether all of `results_` was computed before a stop was requested.
     [[nodiscard]] bool trace();
 
     struct Pixel {

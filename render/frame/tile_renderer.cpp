@@ -13,8 +13,8 @@
 namespace carom::render {
 namespace {
 
-// Samples that are traced between two looks whether to stop; one of the distributed integrator is a
-// tree of rays.
+// Samples between two checks for a stop request; a sample of the distributed integrator is a tree
+// of rays.
 constexpr std::size_t kPathSamplesAtOnce = CameraBatch::kMost;
 
 PathSettings path_settings(const RenderSettings& settings) {
@@ -26,18 +26,18 @@ PathSettings path_settings(const RenderSettings& settings) {
 
 std::unique_ptr<const Integrator> make_integrator(const RenderSettings& settings,
                                                   const TransportScene& scene,
-                                                  const LightReflections* reflections) {
+                                                  const LightTracer* light_tracer) {
     if (settings.integrator == IntegratorKind::distributed) {
         return std::make_unique<DistributedIntegrator>(scene, settings.distributed);
     }
     const PathSettings path = path_settings(settings);
     if (WaveIntegrator::can_do(scene, path)) {
-        return std::make_unique<WaveIntegrator>(scene, path, reflections);
+        return std::make_unique<WaveIntegrator>(scene, path, light_tracer);
     }
-    return std::make_unique<PathIntegrator>(scene, path, reflections);
+    return std::make_unique<PathIntegrator>(scene, path, light_tracer);
 }
 
-/// Of `count`, whether the settings switch the effect off.
+/// Whether the settings switch the effect of `count` off.
 bool is_off(const RenderSettings& settings, int DistributedSettings::*count) {
     return settings.integrator == IntegratorKind::distributed && settings.distributed.*count == 1;
 }
@@ -63,10 +63,10 @@ TileRenderer::TileRenderer(const RenderSettings& settings, const FrameInput& fra
               settings.width, settings.height, frame.switch_ratio, settings.filter,
               settings.filter_width),
       pixel_spread_(camera_.frame_at(0).pixel_size),
-      reflections_(settings.integrator == IntegratorKind::path
-                       ? std::make_unique<LightReflections>(scene, camera_)
-                       : nullptr),
-      integrator_(make_integrator(settings, scene, reflections_.get())),
+      light_tracer_(settings.integrator == IntegratorKind::path
+                        ? std::make_unique<LightTracer>(scene, camera_)
+                        : nullptr),
+      integrator_(make_integrator(settings, scene, light_tracer_.get())),
       samples_(settings.integrator == IntegratorKind::distributed
                    ? camera_samples(settings.distributed)
                    : settings.samples),
@@ -108,10 +108,11 @@ RenderStatistics TileRenderer::begin(int tile, std::vector<PixelSums>& pilot,
                                      const std::stop_token& stop) {
     RenderStatistics count;
     SampleQueue queue = make_queue(stop, count);
-    const int share = settings_.samples / PixelSums::kGroups;
+    const int group_samples = settings_.samples / PixelSums::kGroups;
     for_each_pixel(tile, stop, [&](int x, int y) {
         for (int group = 0; group < PixelSums::kGroups; ++group) {
-            ask(x, y, group * share, (group + 1) * share, pilot[index(x, y)], queue, group);
+            ask(x, y, group * group_samples, (group + 1) * group_samples, pilot[index(x, y)], queue,
+                group);
         }
     });
     queue.flush();
@@ -175,7 +176,7 @@ SampleQueue TileRenderer::make_queue(const std::stop_token& stop, RenderStatisti
         count};
 }
 
-// Samples `from` to `to` of a pixel.
+// Requests samples `from` to `to` of a pixel.
 void TileRenderer::ask(int x, int y, int from, int to, PixelSums& sums, SampleQueue& queue,
                        int group) const {
     const SampleStream first(seed_, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
@@ -186,22 +187,22 @@ void TileRenderer::ask(int x, int y, int from, int to, PixelSums& sums, SampleQu
 }
 
 std::size_t TileRenderer::reflection_count() const {
-    return reflections_ ? reflections_->pair_count() : 0;
+    return light_tracer_ ? light_tracer_->pair_count() : 0;
 }
 
 std::vector<Splat> TileRenderer::reflection(std::size_t index, double samples,
                                             RenderStatistics& count) const {
-    return reflections_->splats(index, samples, seed_, count);
+    return light_tracer_->splats(index, samples, seed_, count);
 }
 
 void TileRenderer::add(const std::vector<Splat>& splats) {
     const PixelFilterSampler& filter = camera_.filter();
-    const auto reach = static_cast<float>(0.5 * filter.width());
+    const auto filter_radius = static_cast<float>(0.5 * filter.width());
     const auto first = [&](float place) {
-        return std::max(0, static_cast<int>(std::ceil(place - 0.5f - reach)));
+        return std::max(0, static_cast<int>(std::ceil(place - 0.5f - filter_radius)));
     };
     const auto last = [&](float place, int size) {
-        return std::min(size - 1, static_cast<int>(std::floor(place - 0.5f + reach)));
+        return std::min(size - 1, static_cast<int>(std::floor(place - 0.5f + filter_radius)));
     };
     const auto density = [&](float place, int pixel) {
         return filter.pdf_1d(static_cast<double>(place - 0.5f - static_cast<float>(pixel)));
@@ -210,10 +211,10 @@ void TileRenderer::add(const std::vector<Splat>& splats) {
         for (int y = first(splat.place.y); y <= last(splat.place.y, settings_.height); ++y) {
             const double across = density(splat.place.y, y);
             for (int x = first(splat.place.x); x <= last(splat.place.x, settings_.width); ++x) {
-                const auto share = static_cast<float>(across * density(splat.place.x, x));
+                const auto weight = static_cast<float>(across * density(splat.place.x, x));
                 for (int channel = 0; channel < 3; ++channel) {
                     film_.rgba[4 * index(x, y) + static_cast<std::size_t>(channel)] +=
-                        share * splat.flux[channel];
+                        weight * splat.flux[channel];
                 }
             }
         }

@@ -1,4 +1,4 @@
-// The pixels of one frame, tile by tile.
+// Renders the pixels of one frame, tile by tile.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,13 @@
 #include "render/frame/pixel_sums.h"
 #include "render/frame/sample_queue.h"
 #include "render/integrator/integrator.h"
-#include "render/integrator/light_reflections.h"
+#include "render/integrator/light_tracer.h"
 #include "render/integrator/transport_scene.h"
 
 namespace carom::render {
 
-/// Renders any tile into its own pixels of the film; tiles may be rendered at the same time. A
-/// pixel's value depends on its place alone, its samples being added in order.
+/// Renders any tile into its own pixels of the film; tiles may be rendered concurrently. A pixel's
+/// value depends only on its position; its samples are added in order.
 class TileRenderer {
   public:
     static constexpr int kTileSize = 16;  // pixels
@@ -29,27 +29,30 @@ class TileRenderer {
 
     [[nodiscard]] int tile_count() const { return tiles_x_ * tiles_y_; }
 
-    /// Returns early, leaving pixels unwritten, once `stop` is triggered; so do the others.
+    /// Returns early, leaving pixels unwritten, once `stop` is requested; so do the other
+    /// functions.
     [[nodiscard]] RenderStatistics render(int tile, const std::stop_token& stop);
 
     [[nodiscard]] bool is_adaptive() const {
         return settings_.integrator == IntegratorKind::path && settings_.noise > 0;
     }
-    /// For adaptive sampling: the first samples of each pixel into `pilot`, ...
+    /// For adaptive sampling: takes the first samples of each pixel into `pilot`.
     [[nodiscard]] RenderStatistics begin(int tile, std::vector<PixelSums>& pilot,
                                          const std::stop_token& stop);
     /// Standard deviations of the samples of some of the tile's pixels, means over blocks of 4x4.
     [[nodiscard]] std::vector<double> deviations(int tile,
                                                  const std::vector<PixelSums>& pilot) const;
-    /// By tile, how many samples `plan` gives beyond the first ones, as a multiple of these.
+    /// By tile, the number of samples that `plan` adds to the first ones, as a multiple of these.
     [[nodiscard]] std::vector<double> further_samples(const std::vector<int>& plan) const;
-    /// ... and the others up to the number in `plan`, into the film. Both row by row.
+    /// Takes the remaining samples up to the number in `plan` and writes the film. Both arguments
+    /// row by row.
     [[nodiscard]] RenderStatistics finish(int tile, const std::vector<PixelSums>& pilot,
                                           const std::vector<int>& plan,
                                           const std::stop_token& stop);
 
-    /// What no pixel finds by itself: `reflection_count` images of lights, each of which gives its
-    /// light to pixels anywhere. They may be made at the same time but are added in their order.
+    /// The light that pixels do not sample themselves: `reflection_count` images of lights
+    /// (light_tracer.h), each of which adds to any pixels. They may be computed concurrently but
+    /// are added in their order.
     [[nodiscard]] std::size_t reflection_count() const;
     [[nodiscard]] std::vector<Splat> reflection(std::size_t index, double samples,
                                                 RenderStatistics& count) const;
@@ -72,7 +75,7 @@ class TileRenderer {
     std::uint64_t seed_;
     ThinLensCamera camera_;
     float pixel_spread_;
-    std::unique_ptr<const LightReflections> reflections_;  // for paths only
+    std::unique_ptr<const LightTracer> light_tracer_;  // for the path integrator only
     std::unique_ptr<const Integrator> integrator_;
     int samples_;  // per pixel
     std::size_t samples_at_once_;

@@ -20,14 +20,14 @@ namespace carom::render {
 
 struct FrameScene::Data {
     const StaticGeometry::Data* geometry = nullptr;
-    std::vector<std::shared_ptr<const RigidMotion>> motions;  // by object; null for still ones
+    std::vector<std::shared_ptr<const RigidMotion>> motions;  // by object; null for static ones
 };
 
 namespace {
 
 using TracksByName = std::unordered_map<std::string_view, const sim::Track*>;
 
-/// Of several with the same name the first counts.
+/// Of several tracks with the same name the first one counts.
 TracksByName by_name(std::span<const sim::Track> tracks) {
     TracksByName result;
     result.reserve(tracks.size());
@@ -49,7 +49,7 @@ const sim::Track& find_track(const TracksByName& tracks, const SceneObject& obje
 void add_spheres(ShapeSet& shapes, const RigidMotion& motion, float radius, std::uint32_t object) {
     const std::span<const PathPiece> path = motion.path();
     for (std::size_t i = 0; i < path.size(); ++i) {
-        SphereStretch sphere;
+        SphereSegment sphere;
         sphere.path = path[i];
         if (i > 0) {
             sphere.start = path[i].start;
@@ -82,7 +82,7 @@ void add_moving(ShapeSet& shapes, const StaticGeometry::Data& geometry, std::uin
     shape.profile = object.profile;
     shape.motion = motion;
     shape.mesh = geometry.tracked_meshes[index];
-    shape.bounds = swept_bounds(*motion, object.reach);
+    shape.bounds = swept_bounds(*motion, object.bounding_radius);
     shape.object = index;
     shapes.moving.push_back(std::move(shape));
 }
@@ -99,8 +99,8 @@ ShapeSet with_movers(ShapeSet shapes, const StaticGeometry::Data& geometry,
     return shapes;
 }
 
-/// A tree over still shapes serves every frame as long as few others move; with many of those, one
-/// tree over all is faster.
+/// A tree over static shapes serves every frame if few other shapes exist; with many others, one
+/// tree over all shapes is faster.
 std::unique_ptr<MeasuredStructure> hybrid_structure(const StaticGeometry::Data& geometry,
                                                     const Motions& motions) {
     if (geometry.still_tree) {

@@ -1,4 +1,4 @@
-// The shapes of one frame, set up for its shutter interval: what integrators trace against.
+// The shapes of one frame during its shutter interval, for integrators.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,16 @@
 namespace carom::render {
 
 struct SceneObject;    // render/frame_scene/scene_object.h
-class StaticGeometry;  // render/frame_scene/static_geometry.h: what all frames share
+class StaticGeometry;  // render/frame_scene/static_geometry.h: shared by all frames
 
-/// Moving spheres keep their exact paths (Hermite stretches with the instants of impacts between
-/// them); still shapes come from `StaticGeometry`.
+/// Moving spheres keep their exact paths (Hermite segments between impacts); static shapes come
+/// from `StaticGeometry`.
 class FrameScene {
   public:
-    /// `scene_open` <= `scene_close`, seconds of scene time. `geometry` outlives this. Throws Error
-    /// if an object names a track that is not among `tracks`. `options` are for the structures that
-    /// the literature compares; `hybrid` and `embree` neither count nor look beyond the first hit.
+    /// `scene_open` <= `scene_close`, s of scene time. `geometry` outlives this object. Throws
+    /// Error if an object names a track that is not among `tracks`. `options` are for the
+    /// structures of comparisons; `hybrid` and `embree` neither count nor continue beyond the first
+    /// hit.
     FrameScene(const StaticGeometry& geometry, std::span<const sim::Track> tracks,
                double scene_open, double scene_close, const StructureOptions& options = {});
     ~FrameScene();
@@ -32,29 +33,29 @@ class FrameScene {
     FrameScene& operator=(const FrameScene&) = delete;
 
     [[nodiscard]] const AccelerationStructure& structure() const { return *structure_; }
-    /// So far.
+    /// The cost up to now.
     [[nodiscard]] StructureCost cost() const;
 
-    /// The point that `hit` names, at the ray's own time.
+    /// The surface point of `hit` at the ray's time.
     [[nodiscard]] SurfacePoint surface_at(const Ray& ray, const Hit& hit) const;
 
-    /// Where the point of the object's surface that is at `position` at one time of the shutter is
-    /// at another; both in [0, 1].
+    /// Where a point of the object's surface, given by its `position` at one time of the shutter,
+    /// is at another; both times in [0, 1].
     [[nodiscard]] V3f moved(std::uint32_t object, const V3f& position, float from_time,
                             float to_time) const;
 
-    /// A sphere, still or moving.
+    /// A sphere, static or moving.
     struct Ball {
         std::uint32_t object = 0;
         std::uint32_t material = 0;
         float radius = 0;
-        Imath::Box3f centres;  // every place that its centre takes
+        Imath::Box3f centres;  // box around all positions of its centre
     };
-    /// All of them that have a material, in order of object.
+    /// All balls with a material, in the order of their objects.
     [[nodiscard]] std::vector<Ball> balls() const;
     [[nodiscard]] V3f centre(std::uint32_t object, float time) const;
 
-    /// As its description says.
+    /// The object as described in the scene.
     [[nodiscard]] const SceneObject& object(std::uint32_t object) const;
     /// Whether it follows a track.
     [[nodiscard]] bool moves(std::uint32_t object) const;

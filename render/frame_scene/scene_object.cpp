@@ -11,7 +11,7 @@
 namespace carom::render {
 namespace {
 
-constexpr double kRoundness = 1e-6;  // relative difference of a ball's scales
+constexpr double kRoundness = 1e-6;  // relative difference between a ball's scales
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
     throw Error("object '" + name + "': " + what);
@@ -47,7 +47,7 @@ Mat44 checked_transform(const ObjectDescription& description) {
     return m;
 }
 
-/// An object's unit shape (shape_list.h), and where that is in the object's own axes.
+/// An object's unit shape (shape_list.h), and its map to the object's own axes.
 struct UnitOfObject {
     ShapeKind kind;
     Mat44 object_from_unit{};
@@ -146,14 +146,14 @@ bool equal_scales(const Vec3& scale) {
     return largest - smallest <= kRoundness * largest;
 }
 
-/// Whether the map's axes are at right angles.
+/// Whether the map keeps the axes perpendicular.
 bool has_right_angles(const Mat44& m) {
     const auto row = [&](int i) { return Vec3(m[i][0], m[i][1], m[i][2]).normalized(); };
     return std::abs(row(0).dot(row(1))) <= kRoundness &&
            std::abs(row(0).dot(row(2))) <= kRoundness && std::abs(row(1).dot(row(2))) <= kRoundness;
 }
 
-/// Neither turned, mirrored nor sheared.
+/// Whether the map neither rotates, mirrors nor shears.
 bool is_upright(const Mat44& m) {
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
@@ -165,17 +165,17 @@ bool is_upright(const Mat44& m) {
     return true;
 }
 
-/// How far the surface of the mapped unit shape is at most from the image of its centre. A plane
-/// has no such distance, and a mesh is measured.
-double reach_of(const UnitOfObject& unit, const Mat44& world_from_unit) {
+/// Largest distance of the mapped unit shape's surface from the image of its centre. A plane has
+/// none, and a mesh is measured.
+double bounding_radius_of(const UnitOfObject& unit, const Mat44& world_from_unit) {
     const Vec3 scale = axis_scales(world_from_unit);
     const bool is_straight = has_right_angles(world_from_unit);
     return visit_shape(unit.kind, 1.0, [&](auto shape) {
         using Shape = decltype(shape);
         if (is_straight) {
-            return Shape::reach(scale, unit.profile);
+            return Shape::bounding_radius(scale, unit.profile);
         }
-        // No shape reaches beyond its box or, if that is larger, the unit cube.
+        // Every shape lies within its box or, if that is larger, the unit cube.
         const V3f half = Shape::half_size(unit.profile);
         return std::max(half.x, 1.f) * scale.x + std::max(half.y, 1.f) * scale.y +
                std::max(half.z, 1.f) * scale.z;
@@ -201,9 +201,9 @@ void set_mesh(SceneObject& object, const MeshShape& shape, const Mat44& map, Mes
         smooth_normals(mesh, shape.smooth_angle);
     }
     object.mesh = std::make_shared<TriangleMesh>(std::move(mesh));
-    object.reach = 0;
+    object.bounding_radius = 0;
     for (const V3f& vertex : object.mesh->vertices) {
-        object.reach = std::max(object.reach, vertex.length());
+        object.bounding_radius = std::max(object.bounding_radius, vertex.length());
     }
 }
 
@@ -231,7 +231,7 @@ SceneObject make_object(const ObjectDescription& description, std::uint32_t mate
     object.is_round = object.kind == ShapeKind::ball && equal_scales(scale) && offset == 0 &&
                       has_right_angles(world_from_object);
     object.is_upright_box = object.kind == ShapeKind::box && is_upright(world_from_object);
-    object.reach = static_cast<float>(offset + reach_of(unit, world_from_unit));
+    object.bounding_radius = static_cast<float>(offset + bounding_radius_of(unit, world_from_unit));
     object.frame = frame_of(world_from_unit);
     object.metres_from_world = Affine::narrowed(world_from_object.inverse() * scaling(scale));
     if (const auto* mesh = std::get_if<MeshShape>(&description.shape)) {
@@ -251,7 +251,7 @@ std::optional<SceneObject> make_light_object(const LightDescription& description
         object.kind = ShapeKind::ball;
         object.is_round = true;
         object.half_size = V3f(static_cast<float>(sphere->radius));
-        object.reach = object.half_size.x;
+        object.bounding_radius = object.half_size.x;
         object.frame = frame_of(scaling(Vec3(sphere->radius)) * place);
         return object;
     }
@@ -265,7 +265,8 @@ std::optional<SceneObject> make_light_object(const LightDescription& description
         object.kind = ShapeKind::rectangle;
         object.is_one_sided = true;
         object.half_size = V3f(static_cast<float>(u.length()), static_cast<float>(v.length()), 1);
-        object.reach = static_cast<float>(reach_of({object.kind}, world_from_unit));
+        object.bounding_radius =
+            static_cast<float>(bounding_radius_of({object.kind}, world_from_unit));
         object.frame = frame_of(world_from_unit);
         return object;
     }

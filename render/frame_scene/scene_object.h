@@ -1,4 +1,4 @@
-// One object of a shot, checked and narrowed.
+// One object of a shot, validated and converted to float.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace carom::render {
 
-/// World axes (of what follows a track: the body's) and those of the unit shape (shape_list.h).
+/// Maps between world axes (with a track: the body's) and those of the unit shape (shape_list.h).
 struct UnitFrame {
     Affine unit_from_world;
     Affine world_from_unit;
@@ -22,20 +22,20 @@ struct UnitFrame {
 
 struct SceneObject {
     std::string name;
-    std::string track;  // empty: still
+    std::string track;  // empty: static
     ShapeKind kind = ShapeKind::ball;
     std::uint32_t material = kNoMaterial;
     std::optional<std::uint32_t> light;
     bool has_texture = false;
-    bool is_round = false;        // a ball that is a sphere
-    bool is_upright_box = false;  // a box whose axes are those of the world, in their order
+    bool is_round = false;        // a ball with three equal radii
+    bool is_upright_box = false;  // a box along the world's axes, in their order
     bool is_one_sided = false;    // a rectangle light
     V3f half_size{1, 1, 1};       // m: lengths of the unit shape's axes, so a ball's radii
-    float reach = 1;              // as far from the body's origin the surface is at most, m
+    float bounding_radius = 1;    // largest distance of its surface from the body's origin, m
     UnitFrame frame;              // of analytic shapes
     Affine metres_from_world;     // object axes in metres, scaled; with a track: from the body's
     V3f profile{0, 0, 0};         // of the unit shape (shape_list.h)
-    std::shared_ptr<const TriangleMesh> mesh;  // still: world axes; with a track: body axes
+    std::shared_ptr<const TriangleMesh> mesh;  // static: world axes; with a track: body axes
 
     [[nodiscard]] bool is_tracked() const { return !track.empty(); }
 };
@@ -47,11 +47,11 @@ using MeshFiles = std::map<std::string, MeshShape>;
 [[nodiscard]] SceneObject make_object(const ObjectDescription& description, std::uint32_t material,
                                       bool has_texture, MeshFiles& files);
 
-/// The object that stands for a light with an area; nothing for an environment.
+/// The object of a light with a surface; none for other lights.
 [[nodiscard]] std::optional<SceneObject> make_light_object(const LightDescription& description,
                                                            std::uint32_t light);
 
-/// The frame in world axes of a shape whose body is turned and placed as given.
+/// The frame in world axes of a shape whose body has the given pose.
 [[nodiscard]] UnitFrame placed(const UnitFrame& in_body, const V3f& position,
                                const Imath::Quatf& world_from_body);
 

@@ -28,7 +28,7 @@ bool has_texture(const MaterialDescription& material) {
     return !std::holds_alternative<Vec3>(colour);
 }
 
-/// Whether the axes of the unit shape are those of the world, in any order and direction.
+/// Whether the axes of the unit shape are parallel to the world's, in any order and direction.
 bool is_aligned(const Affine& world_from_unit) {
     for (int row = 0; row < 3; ++row) {
         const V3f axis(world_from_unit.linear[row][0], world_from_unit.linear[row][1],
@@ -116,11 +116,11 @@ bool needs_embree(const StaticGeometry::Data& data) {
 
 }  // namespace
 
-// Meshes are in the shared scene of triangles.
+// Meshes are left out; the shared triangle scene contains them.
 void add_still_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t index,
                      const UnitFrame& frame) {
     if (object.is_round) {
-        SphereStretch sphere;
+        SphereSegment sphere;
         sphere.path.c[0] = frame.world_from_unit.translation;
         sphere.radius = object.half_size.x;
         sphere.object = index;

@@ -1,4 +1,4 @@
-// What all frames of a shot share: the table of objects, meshes, the hierarchy over still ones.
+// The geometry that all frames of a shot share: objects, meshes, the hierarchy over static shapes.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,16 @@
 
 namespace carom::render {
 
-/// Built once per shot, then only read, by any number of threads.
+/// Built once per shot, then read by any number of threads.
 ///
-/// Objects are numbered as in the scene. Lights that have an area follow them, in the order of the
-/// scene's lights, so that rays find them: a sphere light from all sides, a rectangle light only
+/// Objects are numbered as in the scene. Lights with a surface follow them, in the order of the
+/// scene's lights, so that rays hit them: a sphere light from all sides, a rectangle light only
 /// from the side to which it radiates; rays from behind pass through it.
 class StaticGeometry {
   public:
     /// Reads the mesh files. Throws Error that names the object or file: a mesh that cannot be
-    /// read, a material that the scene does not have, a transform that cannot be inverted, a size
-    /// that is not positive; or whose sentence is that of find_problem().
+    /// read, a material that the scene lacks, a transform that is not invertible, a size that is
+    /// not positive; or with the sentence of find_problem().
     StaticGeometry(const SceneDescription& scene, const RenderSettings& settings,
                    StructureFactory factory = nullptr);
     ~StaticGeometry();
@@ -31,13 +31,13 @@ class StaticGeometry {
     StaticGeometry(const StaticGeometry&) = delete;
     StaticGeometry& operator=(const StaticGeometry&) = delete;
 
-    /// With the lights that follow the scene's objects.
+    /// Including the lights that follow the scene's objects.
     [[nodiscard]] std::size_t object_count() const;
 
     /// Index in SceneDescription::lights if the object is a light.
     [[nodiscard]] std::optional<std::uint32_t> light_of_object(std::uint32_t object) const;
 
-    /// The object that stands for a light; nothing for an environment.
+    /// The object of a light; none for lights without a surface.
     [[nodiscard]] std::optional<std::uint32_t> object_of_light(std::uint32_t light) const;
 
     [[nodiscard]] const std::string& name_of_object(std::uint32_t object) const;

@@ -1,4 +1,4 @@
-// What StaticGeometry holds. For the .cpp files of this folder only.
+// The data of StaticGeometry. Internal to this folder.
 #pragma once
 
 #include <memory>
@@ -15,19 +15,19 @@ namespace carom::render {
 struct StaticGeometry::Data {
     AccelerationKind acceleration = AccelerationKind::hybrid;
     StructureFactory factory = nullptr;          // for structures that the library does not make
-    std::shared_ptr<const EmbreeDevice> device;  // null if there is no mesh and no need
-    std::vector<SceneObject> objects;            // the scene's, then lights
+    std::shared_ptr<const EmbreeDevice> device;  // null if there are no meshes
+    std::vector<SceneObject> objects;            // those of the scene, then lights
     std::vector<std::optional<std::uint32_t>> object_of_light;
-    std::vector<std::shared_ptr<const TriangleScene>> tracked_meshes;  // by object, else null
+    std::vector<std::shared_ptr<const TriangleScene>> tracked_meshes;  // by object; may be null
     std::vector<MeshEntry> still_meshes;
-    ShapeSet still;  // all that never moves
-    // Where that is much: a tree over it, and what is not in the tree.
+    ShapeSet still;  // static shapes
+    // For many static shapes: a tree over them, and those that the tree cannot hold.
     std::shared_ptr<const AnalyticTree> still_tree;
     ShapeSet beside_tree;
     double build_seconds = 0;  // CPU time of trees and scenes that frames share
 };
 
-/// Adds a still object's shape where it stands.
+/// Adds the shape of a static object.
 void add_still_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t index,
                      const UnitFrame& frame);
 

@@ -9,12 +9,12 @@ namespace {
 
 using Triangle = std::array<V3f, 3>;
 
-/// Faces of the unit shape, mapped to the world.
+/// Faces of the unit shape, mapped to world space.
 class Faces {
   public:
     explicit Faces(const UnitFrame& frame) : frame_(frame) {}
 
-    /// `front`: the normal on the unit shape.
+    /// `front`: the outward normal on the unit shape.
     void add(const V3f& a, const V3f& b, const V3f& c, const V3f& front) {
         const Affine& map = frame_.world_from_unit;
         Triangle t{map.point(a), map.point(b), map.point(c)};

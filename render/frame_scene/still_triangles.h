@@ -1,4 +1,4 @@
-// What stands still and has flat faces, as triangles: for lights.
+// Flat static shapes as triangles, for emission.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace carom::render {
 
-/// In world axes, corners counter-clockwise seen from the front. Empty for what follows a track and
+/// World axes, corners counter-clockwise seen from the front. Empty for objects with a track and
 /// for round and infinite shapes.
 [[nodiscard]] std::vector<std::array<V3f, 3>> still_triangles(const StaticGeometry& geometry,
                                                               std::uint32_t object);

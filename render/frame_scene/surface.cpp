@@ -12,9 +12,9 @@ namespace {
 
 constexpr float kTurn = 6.2831853f;  // rad
 
-float offset_at(const V3f& position, float reach) {
+float offset_at(const V3f& position, float bounding_radius) {
     const float size = std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
-    return kOffsetShare * (size + reach);
+    return kOffsetFraction * (size + bounding_radius);
 }
 
 void set_uv_metres(SurfacePoint& point, const V2f& metres) {
@@ -40,7 +40,7 @@ void fill_ball(SurfacePoint& point, const SceneObject& object, const RigidMotion
     }
 }
 
-/// A still box whose axes are those of the world.
+/// A static box along the world's axes.
 void fill_upright_box(SurfacePoint& point, const SceneObject& object, const Ray& ray,
                       const Hit& hit) {
     const V3f& centre = object.frame.world_from_unit.translation;
@@ -146,7 +146,7 @@ SurfacePoint surface_of(const SceneObject& object, const RigidMotion* motion, co
     } else {
         fill_analytic(point, object, motion, ray, hit);
     }
-    point.offset = offset_at(point.position, object.reach);
+    point.offset = offset_at(point.position, object.bounding_radius);
     return point;
 }
 

@@ -1,4 +1,4 @@
-// The point of a surface that a hit names. For the .cpp files of this folder only.
+// The surface point of a hit. Internal to this folder.
 #pragma once
 
 #include "render/frame_scene/scene_object.h"
@@ -7,7 +7,7 @@
 
 namespace carom::render {
 
-/// `motion` is null for objects that stand where their description says.
+/// `motion` is null for static objects.
 [[nodiscard]] SurfacePoint surface_of(const SceneObject& object, const RigidMotion* motion,
                                       const Ray& ray, const Hit& hit);
 

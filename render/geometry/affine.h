@@ -1,4 +1,4 @@
-// Affine maps in float, and where the scene's doubles are narrowed to them.
+// Affine maps in float, converted from the scene's doubles.
 #pragma once
 
 #include "core/pose.h"
@@ -15,7 +15,8 @@ struct Affine {
     [[nodiscard]] V3f point(const V3f& p) const { return p * linear + translation; }
     [[nodiscard]] V3f vector(const V3f& v) const { return v * linear; }
 
-    /// A normal through this map's inverse, which is given: `inverse` maps b to a. Not normalised.
+    /// Maps a normal. `inverse`, the inverse of this map, maps b to a. The result is not
+    /// normalised.
     [[nodiscard]] static V3f normal(const V3f& n, const Affine& inverse) {
         const Imath::M33f& m = inverse.linear;
         return V3f(n.x * m[0][0] + n.y * m[0][1] + n.z * m[0][2],
@@ -54,7 +55,7 @@ struct Affine {
     return m;
 }
 
-/// How much the map stretches the three object axes: the lengths of the rows.
+/// The scale factors of the three object axes: the lengths of the rows.
 [[nodiscard]] inline Vec3 axis_scales(const Mat44& m) {
     const auto length = [&](int i) { return Vec3(m[i][0], m[i][1], m[i][2]).length(); };
     return Vec3(length(0), length(1), length(2));

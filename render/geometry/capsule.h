@@ -1,5 +1,5 @@
-// One ray against a unit capsule: all points within distance 1 of the segment from (0, 0, -h) to
-// (0, 0, h).
+// Intersection of a ray with a unit capsule: all points within distance 1 of the segment from (0,
+// 0, -h) to (0, 0, h).
 #pragma once
 
 #include <algorithm>
@@ -11,16 +11,16 @@
 
 namespace carom::render {
 
-/// A direction whose square across the axis is less than this part of the whole is taken for one
-/// that leans by that much, so that the cylinder's quadratic keeps its degree: 1e-7 rad.
+/// Lower bound on the squared sine of the angle between ray and axis, so that the cylinder's
+/// equation stays quadratic: 1e-7 rad.
 inline constexpr float kLeastLean = 1e-14f;
 
-/// Inigo Quilez, "Intersectors" (iquilezles.org/articles/intersectors), capIntersect: the line
-/// enters the infinite cylinder somewhere. If that is between the ends, there it enters the
-/// capsule; if it is beyond one end, it enters through the ball at that end or misses. It leaves in
-/// the same way. All is set up at the line's point nearest to the origin, which keeps the digits
-/// far away, and the cylinder's discriminant is formed from the line's distance to the axis: by
-/// Lagrange's identity b^2 - a c = a - (p x d)_z^2.
+/// Inigo Quilez, "Intersectors" (iquilezles.org/articles/intersectors), capIntersect. If the line
+/// enters the infinite cylinder between the ends, it enters the capsule there; otherwise it enters
+/// through the ball at that end or misses. It leaves in the same way. Everything is computed from
+/// the line's point nearest to the origin, which is accurate far away, and the cylinder's
+/// discriminant from the line's distance to the axis: by Lagrange's identity b^2 - a c = a - (p x
+/// d)_z^2.
 template <class T>
 [[nodiscard]] std::optional<T> intersect_unit_capsule(const RaySegment<T>& ray, T half_length) {
     const V3<T>& d = ray.direction;
@@ -55,8 +55,8 @@ template <class T>
     return std::nullopt;
 }
 
-/// The normal points away from the nearest point of the axis, which makes it continuous. v grows
-/// with the length of the surface from the lower pole to the upper.
+/// The normal points away from the nearest point of the axis and is continuous. v is the length
+/// along the surface from the lower pole to the upper one, over the whole length.
 [[nodiscard]] UnitPoint on_unit_capsule(const UnitRay& ray, float t, float half_length);
 
 }  // namespace carom::render

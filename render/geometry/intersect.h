@@ -1,8 +1,8 @@
-// One ray against one shape, in plain scalar code: for moving objects in their own axes, and the
-// yardstick for the vectorised kernels. T is float or double.
+// Intersection of one ray with one shape in scalar code, for moving objects in their own axes and
+// as the reference for the vectorised kernels. T is float or double.
 //
-// Every function reports distances in (t_min, t_max) along a direction of any length but zero; in
-// the units of that length.
+// Every function returns distances in (t_min, t_max) along a direction of any length except zero,
+// in units of that length.
 #pragma once
 
 #include <algorithm>
@@ -16,11 +16,11 @@ namespace carom::render {
 template <class T>
 using V3 = Imath::Vec3<T>;
 
-// In the units of the unit shapes.
+// Margins in units of the unit shapes.
 inline constexpr float kTriangleMargin = 4e-6f;
 inline constexpr float kFrustumMargin = 1e-5f;
 
-/// A stretch of a ray, in whichever axes.
+/// A segment of a ray, in any axes.
 template <class T>
 struct RaySegment {
     V3<T> origin;
@@ -31,7 +31,7 @@ struct RaySegment {
     [[nodiscard]] bool contains(T t) const { return t > t_min && t < t_max; }
 };
 
-/// The nearer of two distances (near <= far) that lies on the segment.
+/// The nearer of two distances (near <= far) that is on the segment.
 template <class T>
 [[nodiscard]] std::optional<T> first_on_segment(const RaySegment<T>& ray, T near, T far) {
     if (ray.contains(near)) {
@@ -43,9 +43,9 @@ template <class T>
     return std::nullopt;
 }
 
-/// Sphere about the origin, from outside or inside. The discriminant is formed from the distance
-/// between centre and line, which keeps its digits far away (Haines, Günther and Akenine-Möller
-/// 2019, "Precision improvements for ray/sphere intersection", Ray Tracing Gems, section 7.3).
+/// Sphere around the origin, from outside or inside. The discriminant is computed from the distance
+/// between centre and line, which is accurate far away (Haines, Günther and Akenine-Möller 2019,
+/// "Precision improvements for ray/sphere intersection", Ray Tracing Gems, section 7.3).
 template <class T>
 [[nodiscard]] std::optional<T> intersect_sphere(const RaySegment<T>& ray, T radius) {
     const T a = ray.direction.dot(ray.direction);
@@ -59,23 +59,23 @@ template <class T>
     return first_on_segment(ray, b - half_chord, b + half_chord);
 }
 
-/// 1 / x, with a huge finite value of the same sign in place of infinity: the product with zero is
-/// then zero and not NaN.
+/// 1 / x, with a huge finite value of the same sign in place of infinity: its product with zero is
+/// zero instead of NaN.
 template <class T>
 [[nodiscard]] T finite_reciprocal(T x) {
     constexpr T kTiny = T(1e-30);
     return T(1) / (std::abs(x) < kTiny ? std::copysign(kTiny, x) : x);
 }
 
-/// Where a ray enters and leaves an axis-aligned box, and through which faces.
-/// Faces: 0 to 5 are -x, +x, -y, +y, -z, +z.
+/// Where a ray enters and leaves an axis-aligned box, and through which faces. Faces 0 to 5 are -x,
+/// +x, -y, +y, -z, +z.
 template <class T>
 struct BoxCrossing {
     T enter, leave;
     int enter_face, leave_face;
 };
 
-/// Slabs of Kay and Kajiya 1986; nothing if the line misses the box.
+/// The slab test of Kay and Kajiya 1986; empty if the line misses the box.
 template <class T>
 [[nodiscard]] std::optional<BoxCrossing<T>> cross_box(const V3<T>& origin,
                                                       const V3<T>& inverse_direction,
@@ -109,7 +109,7 @@ struct BoxHit {
     int face;
 };
 
-/// The first face met; from inside, the face through which the ray leaves.
+/// The first face hit; from inside, the face through which the ray leaves.
 [[nodiscard]] inline std::optional<BoxHit> intersect_box(const RaySegment<float>& ray,
                                                          const V3f& low, const V3f& high) {
     const V3f inverse(finite_reciprocal(ray.direction.x), finite_reciprocal(ray.direction.y),
@@ -127,7 +127,7 @@ struct BoxHit {
     return std::nullopt;
 }
 
-/// The plane z = 0; a ray within it misses.
+/// The plane z = 0; a ray within the plane misses it.
 template <class T>
 [[nodiscard]] std::optional<T> intersect_plane(const RaySegment<T>& ray) {
     if (ray.direction.z == 0) {
@@ -151,8 +151,8 @@ template <class T>
     return inside ? t : std::nullopt;
 }
 
-/// x, y >= 0 and x + y <= 1 on the plane z = 0. The edges reach out a few roundings, so that
-/// triangles side by side leave no gap.
+/// x, y >= 0 and x + y <= 1 on the plane z = 0. The edges are widened by a few roundings, so that
+/// adjacent triangles leave no gap.
 template <class T>
 [[nodiscard]] std::optional<T> intersect_unit_triangle(const RaySegment<T>& ray) {
     const std::optional<T> t = intersect_plane(ray);
@@ -178,8 +178,8 @@ template <class T>
     return x * x + y * y <= 1 ? t : std::nullopt;
 }
 
-/// The distances at which a ray may meet the unit frustum: x^2 + y^2 <= (middle + slope z)^2 for
-/// |z| <= 1.
+/// The distances at which a ray may hit the unit frustum: x^2 + y^2 <= (middle + slope z)^2 for |z|
+/// <= 1.
 template <class T>
 struct FrustumCrossings {
     enum Face { side_a, side_b, bottom, top };
@@ -187,9 +187,9 @@ struct FrustumCrossings {
     bool valid[4];  // whether that point is on the solid
 };
 
-/// Both radii are in [0, 1], one of them 1. The quadratic is set up at the ray's point nearest to
-/// the centre, which keeps its digits far away, and solved without cancellation. Where side and cap
-/// meet each reaches out a few roundings, so that no ray slips between them.
+/// Both radii are in [0, 1], and one of them is 1. The quadratic is computed from the ray's point
+/// nearest to the centre, which is accurate far away, and solved without cancellation. At the rim
+/// side and cap are both widened by a few roundings, so that no ray slips between them.
 template <class T>
 [[nodiscard]] FrustumCrossings<T> cross_frustum(const RaySegment<T>& ray, T middle, T slope) {
     const V3<T>& d = ray.direction;
@@ -209,9 +209,9 @@ template <class T>
         const T y = p.y + u * d.y;
         const T z = p.z + u * d.z;
         const T cap_radius = face == 2 ? middle - slope : middle + slope;
-        const T reach = cap_radius + T(kFrustumMargin);
+        const T widened_radius = cap_radius + T(kFrustumMargin);
         const bool on_side = discriminant >= 0 && std::abs(z) <= 1 + T(kFrustumMargin);
-        const bool on_cap = x * x + y * y <= reach * reach;
+        const bool on_cap = x * x + y * y <= widened_radius * widened_radius;
         result.t[face] = shift + u;
         result.valid[face] = face < 2 ? on_side : on_cap;
     }
@@ -237,8 +237,9 @@ struct TriangleHit {
     T u, v;  // barycentric weights of the second and third corner
 };
 
-/// Watertight (Woop, Benthin and Wald 2013, "Watertight ray/triangle intersection"): no ray slips
-/// through an edge that two triangles share, since both compute the same edge function for it.
+/// Watertight test (Woop, Benthin and Wald 2013, "Watertight ray/triangle intersection"): no ray
+/// passes between two triangles with a common edge, because both compute the same edge function for
+/// it.
 template <class T>
 [[nodiscard]] std::optional<TriangleHit<T>> intersect_triangle(const RaySegment<T>& ray,
                                                                const V3<T>& a, const V3<T>& b,
@@ -260,8 +261,8 @@ template <class T>
     const Sheared pa = shear(a);
     const Sheared pb = shear(b);
     const Sheared pc = shear(c);
-    // Twice the signed areas over the three edges; products of floats are exact in double, so that
-    // the sign is right even where float would have rounded to zero.
+    // Twice the signed areas over the three edges. Products of floats are exact in double, so that
+    // the sign is right even where float would round to zero.
     const auto edge = [](const Sheared& p, const Sheared& q) {
         return static_cast<double>(p.x) * static_cast<double>(q.y) -
                static_cast<double>(p.y) * static_cast<double>(q.x);

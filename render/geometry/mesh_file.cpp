@@ -22,7 +22,7 @@ constexpr std::streamoff kMaxFileBytes = 1'000'000'000;
     throw Error("'" + path + "': " + what);
 }
 
-/// Physics, plans and exports take the numbers as they are.
+/// Physics, plans and exports use the numbers unchecked.
 void check_numbers(MeshShape& mesh, const std::string& path) {
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         if (!is_finite(V3f(mesh.vertices[i]))) {

@@ -1,4 +1,4 @@
-// Meshes from files.
+// Reading of mesh files.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace carom::render {
 
-/// A PLY file by its first line, else an OBJ file. Throws Error that names the file and what is
-/// wrong (obj_file.h, ply_file.h). Every number is finite, in float, too; a normal or uv that was
-/// not has become zero.
+/// Reads a PLY file, recognised by its first line, or an OBJ file. Throws Error that names the file
+/// and the problem (obj_file.h, ply_file.h). All numbers returned are finite, also as floats;
+/// invalid normals and uv become zero.
 [[nodiscard]] MeshShape read_mesh(const std::string& path);
 
 }  // namespace carom::render

@@ -37,8 +37,8 @@ bool has_digits(std::string_view text, int at_least) {
     return false;
 }
 
-/// What is wrong with a line, or nothing. The library takes a word that is no number for zero and
-/// wraps indices that are too large; so both are looked at before it runs.
+/// The problem in a line, or an empty text. The library reads a word that is not a number as zero
+/// and wraps indices that are too large, so both are checked before it runs.
 std::string problem_of(std::string_view line) {
     if (line.size() > kMaxLineBytes) {
         return fmt::format("longer than {} bytes", kMaxLineBytes);
@@ -80,7 +80,7 @@ void check_lines(std::string_view text, const std::string& path) {
     }
 }
 
-/// A corner's point, normal and uv; -1 for none.
+/// A corner's position, normal and uv; -1 for none.
 struct Corner {
     std::ptrdiff_t point, normal, place;
 
@@ -98,7 +98,7 @@ struct CornerHash {
     }
 };
 
-/// Corners with their own normal and uv become vertices; equal ones are shared.
+/// Corners with their normal and uv become vertices; equal ones are shared.
 class MeshBuilder {
   public:
     explicit MeshBuilder(const std::string& path) : path_(path) {}
@@ -127,7 +127,7 @@ class MeshBuilder {
         if (shape_.triangles.empty()) {
             refuse(path_, "there is no face in it; is it an OBJ file?");
         }
-        // Normals and uv count only where every corner has them.
+        // Normals and uv are used only if every corner has them.
         if (without_normal_) {
             shape_.normals.clear();
         }
@@ -142,7 +142,7 @@ class MeshBuilder {
     std::vector<Vec2> uv;
 
   private:
-    /// 1 is the first of the file so far, -1 the last; -1 is returned for none (0).
+    /// 1 is the first entry of the file yet, -1 the last; -1 is returned for none (0).
     std::ptrdiff_t resolve(int index, std::size_t count, const char* kind) const {
         if (index == 0) {
             return -1;

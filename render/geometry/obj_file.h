@@ -1,4 +1,4 @@
-// Meshes from Wavefront OBJ files.
+// Reading of Wavefront OBJ files.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace carom::render {
 
-/// Positions, normals, uv and faces (polygons cut into triangles) of all groups together; materials
-/// and colours are not read. Axes are taken as they stand in the file. Throws Error that names the
-/// file: unreadable, not an OBJ file, too large (limits in obj_file.cpp), an index or number that
-/// is wrong, or no face.
+/// Positions, normals, uv and faces (polygons are triangulated) of all groups together; materials
+/// and colours are not read. Axes are kept as they are in the file. Throws Error that names the
+/// file if it is unreadable, not an OBJ file or too large (limits in obj_file.cpp), if an index or
+/// number is invalid, or if it has no face.
 [[nodiscard]] MeshShape read_obj(const std::string& path);
 
 }  // namespace carom::render

@@ -11,8 +11,8 @@ namespace carom::render {
 struct OrthonormalBasis {
     V3f x, y, z;
 
-    /// Around the unit vector `z`: Duff et al. 2017, "Building an orthonormal basis, revisited",
-    /// listing 3; without branches and accurate for every direction.
+    /// A frame around the unit vector `z`: Duff et al. 2017, "Building an orthonormal basis,
+    /// revisited", listing 3; without branches and accurate for every direction.
     [[nodiscard]] static OrthonormalBasis around(const V3f& z) {
         const float sign = std::copysign(1.f, z.z);
         const float a = -1 / (sign + z.z);

@@ -24,7 +24,7 @@ constexpr std::size_t kMaxCorners = 1'024;  // of one face
     throw Error("'" + path + "': " + what);
 }
 
-/// What a property of `vertex` is: 0 to 2 the place, 3 to 5 the normal, 6 and 7 uv; -1 nothing.
+/// The role of a property of `vertex`: 0 to 2 the position, 3 to 5 the normal, 6 and 7 uv; -1 none.
 int slot_of(const PlyProperty& property) {
     static constexpr const char* kNames[8][4] = {
         {"x", "x", "x", "x"},

@@ -132,7 +132,7 @@ class HeaderReader {
     bool has_format_ = false;
 };
 
-/// As few bytes as one of the element can take: in text a digit and a blank for each number.
+/// A lower bound on the bytes of one element: in text a digit and a blank for each number.
 std::size_t least_bytes(const PlyElement& element, PlyFormat format) {
     std::size_t bytes = 0;
     for (const PlyProperty& property : element.properties) {
@@ -145,7 +145,7 @@ std::size_t least_bytes(const PlyElement& element, PlyFormat format) {
 void check_counts(const PlyHeader& header, std::size_t left, const std::string& path) {
     for (const PlyElement& element : header.elements) {
         const std::size_t bytes = least_bytes(element, header.format);
-        // One more: the last number of a text need not be followed by a blank.
+        // One more byte is allowed, because the last number of a text needs no blank after it.
         if (bytes == 0 ? element.count > 0 : element.count > (left + 1) / bytes) {
             refuse(path, fmt::format("{} of '{}' are announced, more than the file has room for",
                                      element.count, element.name));

@@ -1,4 +1,4 @@
-// The header of a PLY file and the numbers behind it. For the .cpp files of this folder only.
+// The header and the values of a PLY file. Internal to this folder.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64
 
 struct PlyProperty {
     std::string name;
-    PlyType type = PlyType::float32;  // of lists: of what is in them
+    PlyType type = PlyType::float32;  // for lists: of the elements
     bool is_list = false;
     PlyType count_type = PlyType::uint8;
 };
@@ -33,12 +33,12 @@ struct PlyHeader {
     std::size_t end = 0;  // where the values begin
 };
 
-/// Throws Error that names `path` and the line. Every element's count fits what is left of the
-/// text.
+/// Throws Error that names `path` and the line. Every element count is checked against the
+/// remaining text.
 [[nodiscard]] PlyHeader read_ply_header(std::string_view text, const std::string& path);
 
-/// Reads one number after another; throws Error that names `path` at the end and where there is no
-/// number.
+/// Reads numbers one after another; throws Error that names `path` at the end of the text and where
+/// no number is found.
 class PlyValues {
   public:
     PlyValues(std::string_view text, const PlyHeader& header, const std::string& path)
@@ -46,7 +46,8 @@ class PlyValues {
 
     [[nodiscard]] double next(PlyType type);
 
-    /// The length of a list; throws if it is negative or no whole number or more than what is left.
+    /// The length of a list; throws if it is negative, not a whole number, or more than what
+    /// remains.
     [[nodiscard]] std::size_t next_count(PlyType type);
 
     void skip(const PlyProperty& property);

@@ -21,7 +21,7 @@ Vec3 area_vector(std::span<const Vec3> corners) {
 
 std::vector<Vec2> flatten(std::span<const Vec3> corners) {
     const Vec3 n = area_vector(corners);
-    // Drop the axis along which the polygon is thinnest, keeping the orientation.
+    // The projection drops the axis along which the polygon is thinnest and keeps the orientation.
     int drop = 0;
     for (int axis = 1; axis < 3; ++axis) {
         if (std::abs(n[axis]) > std::abs(n[drop])) {
@@ -80,7 +80,8 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec3> corn
     std::size_t tried = 0;
     std::size_t n = ring.size();
     while (n > 3) {
-        // With every corner refused the polygon is degenerate: clip where we stand.
+        // If every corner is rejected, the polygon is degenerate and is clipped at the current
+        // corner.
         if (!is_ear(points, ring, at) && ++tried <= n) {
             at = (at + 1) % n;
             continue;

@@ -1,4 +1,4 @@
-// Polygons into triangles.
+// Triangulation of polygons.
 #pragma once
 
 #include <array>
@@ -10,9 +10,10 @@
 
 namespace carom::render {
 
-/// Cuts a polygon (>= 3 corners, roughly flat, in order around it, convex or not) into corners - 2
-/// triangles of the same orientation, by clipping ears (Meisters 1975, "Polygons have ears"). Each
-/// triangle holds positions in `corners`. A polygon that crosses itself gives some triangulation.
+/// Triangulates a polygon (>= 3 corners in order, roughly flat, convex or not) into corners - 2
+/// triangles of the same orientation, by ear clipping (Meisters 1975, "Polygons have ears"). Each
+/// triangle contains indices into `corners`. A polygon that intersects itself gets some
+/// triangulation.
 [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec3> corners);
 
 }  // namespace carom::render

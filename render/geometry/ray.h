@@ -1,5 +1,5 @@
-// Rays and hits: the vocabulary between shapes, acceleration structures and integrators.
-// The renderer computes in float; scene coordinates are narrowed when a frame is set up.
+// Rays and hits: the types that shapes, acceleration structures and integrators have in common. The
+// renderer computes in float; scene coordinates are converted when a frame is set up.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ using V3f = Imath::V3f;
 
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// What a ray is for, by which tests are counted: it comes from the camera, goes on from there, or
-/// asks whether a light is seen.
+/// The purpose of a ray, by which tests are counted: from the camera, from a surface, or an
+/// occlusion test towards a light.
 enum class RayKind : std::uint8_t { primary, secondary, shadow };
 
 struct Ray {
@@ -27,17 +27,18 @@ struct Ray {
     RayKind kind = RayKind::secondary;
 };
 
-/// Rays of one origin and one time, as those from a vertex towards lights: tested together.
-struct RayFan {
+/// Shadow rays with a common origin and time, as from a vertex towards lights, which are tested
+/// together.
+struct ShadowRayPacket {
     static constexpr int kMost = 8;
 
     V3f origin{0, 0, 0};
     float time = 0;
     int count = 0;
     alignas(32) float direction[3][kMost] = {};  // by axis, then by ray; unit length
-    alignas(32) float t_max[kMost] = {};         // they begin at 0
+    alignas(32) float t_max[kMost] = {};         // t_min is 0
 
-    /// Needs count < kMost.
+    /// Requires count < kMost.
     void add(const V3f& towards, float distance) {
         direction[0][count] = towards.x;
         direction[1][count] = towards.y;
@@ -52,8 +53,8 @@ struct RayFan {
     }
 };
 
-/// One bit for each ray of a fan, the first one lowest.
-using FanMask = std::uint32_t;
+/// One bit for each ray of a packet; the first ray has the lowest bit.
+using PacketMask = std::uint32_t;
 
 inline constexpr std::uint32_t kNoObject = 0xffffffffu;
 
@@ -64,30 +65,31 @@ struct Hit {
     float u = 0, v = 0;                // meshes: weights of the triangle's second and third corner
 };
 
-/// How far off a surface rays start, of the coordinates' size. A surface point is known to within a
-/// few roundings of the coordinates it was computed from (ray origin transformed, distance, shape);
-/// 16 units in the last place leave room for all of them and for those of the next ray.
-inline constexpr float kOffsetShare = 0x1p-19f;
+/// The offset of a ray's origin from its surface, as a fraction of the coordinates. The error of a
+/// surface point is a few roundings of the coordinates that it was computed from (transformed ray
+/// origin, distance, shape); 16 units in the last place cover all of them and those of the next
+/// ray.
+inline constexpr float kOffsetFraction = 0x1p-19f;
 
 inline constexpr std::uint32_t kNoMaterial = 0xffffffffu;
 
-/// What shading needs to know about a hit. All world axes unless named otherwise.
+/// What shading needs to know about a hit, in world axes unless stated otherwise.
 struct SurfacePoint {
     V3f position{0, 0, 0};
     V3f geometric_normal{0, 0, 1};  // unit, outwards
     V3f shading_normal{0, 0, 1};    // unit, on the geometric normal's side
-    /// In the object's own axes at the ray's time, m, scaled as the object is. This and `uv` are
-    /// filled in only where the object's material has a texture.
+    /// In the object's own axes at the ray's time, m, scaled like the object. This and `uv` are
+    /// computed only if the object's material has a texture.
     V3f object_position{0, 0, 0};
-    /// Meshes: their own, or the barycentric weights; triangles: the weights of the second and
+    /// Meshes: their own uv, or the barycentric weights; triangles: the weights of the second and
     /// third corner; spheres: longitude from +x over +y and latitude from -z to +z; boxes,
-    /// rectangles and parallelograms: across the face; disks: across the square around; cylinders
+    /// rectangles and parallelograms: across the face; disks: across the bounding square; cylinders
     /// and cones: longitude and height from the bottom, their ends as disks; planes: x and y.
-    /// Otherwise in [0, 1].
+    /// Except for meshes and planes in [0, 1].
     V2f uv{0, 0};
     float uv_per_metre = 0;  // how fast uv runs over the surface, 1/m; 0: not known
     V2f uv_metres{0, 0};     // lengths over which u and v grow by 1 (spheres: at the equator), m
-    float offset = 0;        // how far to step off the surface to be safe from hitting it again, m
+    float offset = 0;        // distance by which the next ray must start off the surface, m
     std::uint32_t object = kNoObject;
     std::uint32_t material = 0;  // index in the scene's materials; kNoMaterial for lights
 };

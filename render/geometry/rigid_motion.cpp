@@ -10,36 +10,36 @@
 namespace carom::render {
 namespace {
 
-constexpr double kTurnTolerance = 3e-5;  // rad, at the places that are checked
-constexpr double kLargestTurn = 1.0;     // rad in one piece
-constexpr int kDeepest = 14;             // halvings of one stretch of the path
-constexpr float kRoundingShare = 1e-5f;  // of the coordinates, by which bounds are widened
+constexpr double kTurnTolerance = 3e-5;     // rad, at the times that are checked
+constexpr double kLargestTurn = 1.0;        // rad in one piece
+constexpr int kDeepest = 14;                // bisections of one segment of the path
+constexpr float kRoundingFraction = 1e-5f;  // of the coordinates, by which bounds are widened
 
 Imath::Quatf narrowed(const Quat& q) {
     return Imath::Quatf(static_cast<float>(q.r), V3f(q.v)).normalized();
 }
 
-/// The Hermite stretch as a cubic in the shutter's time; `shutter` is its length in seconds.
-PathPiece make_piece(const sim::PathStretch& stretch, double scene_open, double shutter) {
+/// The Hermite segment as a cubic in shutter time; `shutter` is the length of the shutter in s.
+PathPiece make_piece(const sim::PathStretch& segment, double scene_open, double shutter) {
     PathPiece piece;
-    piece.c[0] = V3f(stretch.p0);
-    const double h = stretch.end - stretch.start;
+    piece.c[0] = V3f(segment.p0);
+    const double h = segment.end - segment.start;
     if (!(shutter > 0) || !(h > 0)) {
         return piece;
     }
-    const Vec3 chord = stretch.p1 - stretch.p0;
-    const Vec3 quadratic = 3.0 * chord - h * (2.0 * stretch.v0 + stretch.v1);
-    const Vec3 cubic = h * (stretch.v0 + stretch.v1) - 2.0 * chord;
+    const Vec3 chord = segment.p1 - segment.p0;
+    const Vec3 quadratic = 3.0 * chord - h * (2.0 * segment.v0 + segment.v1);
+    const Vec3 cubic = h * (segment.v0 + segment.v1) - 2.0 * chord;
     const double scale = shutter / h;
-    piece.c[1] = V3f(shutter * stretch.v0);
+    piece.c[1] = V3f(shutter * segment.v0);
     piece.c[2] = V3f(scale * scale * quadratic);
     piece.c[3] = V3f(scale * scale * scale * cubic);
-    piece.start = static_cast<float>((stretch.start - scene_open) / shutter);
-    piece.end = static_cast<float>((stretch.end - scene_open) / shutter);
+    piece.start = static_cast<float>((segment.start - scene_open) / shutter);
+    piece.end = static_cast<float>((segment.end - scene_open) / shutter);
     return piece;
 }
 
-/// The piece of a list ordered by `start` that is in force.
+/// The piece of a list, ordered by `start`, that is valid at `time`.
 template <class Piece>
 const Piece& piece_at(const std::vector<Piece>& pieces, float time) {
     const auto after =
@@ -52,13 +52,13 @@ Imath::Box3f widened(const sim::Bounds& bounds) {
     Imath::Box3f box(V3f(bounds.low), V3f(bounds.high));
     for (int axis = 0; axis < 3; ++axis) {
         const float size = std::max(std::abs(box.min[axis]), std::abs(box.max[axis]));
-        box.min[axis] -= kRoundingShare * size;
-        box.max[axis] += kRoundingShare * size;
+        box.min[axis] -= kRoundingFraction * size;
+        box.max[axis] += kRoundingFraction * size;
     }
     return box;
 }
 
-/// The turn between two orientations, the short way.
+/// The rotation between two orientations, by less than half a turn.
 Vec3 turn_between(const Quat& from, const Quat& to) {
     return sim::rotation_vector(to * ~from);
 }
@@ -78,9 +78,9 @@ RigidMotion::RigidMotion(const Pose& pose) {
 RigidMotion::RigidMotion(const sim::Track& track, double scene_open, double scene_close) {
     CAROM_ASSERT(scene_open <= scene_close);
     const double shutter = scene_close - scene_open;
-    for (const sim::PathStretch& stretch : track.stretches(scene_open, scene_close)) {
-        path_.push_back(make_piece(stretch, scene_open, shutter));
-        add_turns(track, scene_open, scene_close, stretch.start, stretch.end, 0);
+    for (const sim::PathStretch& segment : track.stretches(scene_open, scene_close)) {
+        path_.push_back(make_piece(segment, scene_open, shutter));
+        add_turns(track, scene_open, scene_close, segment.start, segment.end, 0);
     }
     join_rests();
     for (std::size_t i = 0; i + 1 < path_.size(); ++i) {
@@ -113,7 +113,7 @@ void RigidMotion::add_turns(const sim::Track& track, double scene_open, double s
     const double middle = 0.5 * (from + to);
     const MotionState halfway = track.sample(middle);
     const Vec3 turn = turn_between(begin.orientation, track.sample(to).orientation);
-    // The angular velocity is linear within a stretch, so that its ends bound it.
+    // The angular velocity is linear within a segment, so that its ends bound it.
     const Vec3 rate_at_end = 2.0 * halfway.angular_velocity - begin.angular_velocity;
     const double rate = std::max(begin.angular_velocity.length(), rate_at_end.length());
     const double error = sim::angle_between(
@@ -142,8 +142,8 @@ Imath::Quatf RigidMotion::world_from_body(float time) const {
     if (piece.half_angle == 0) {
         return piece.world_from_body;
     }
-    const float share = std::clamp((time - piece.start) * piece.inverse_duration, 0.f, 1.f);
-    const SinCos turn = sin_cos(share * piece.half_angle);
+    const float fraction = std::clamp((time - piece.start) * piece.inverse_duration, 0.f, 1.f);
+    const SinCos turn = sin_cos(fraction * piece.half_angle);
     return Imath::Quatf(turn.cosine, turn.sine * piece.axis) * piece.world_from_body;
 }
 

@@ -1,4 +1,4 @@
-// How one object moves while the shutter is open, in float and in the shutter's own time: 0 when it
+// The motion of one object while the shutter is open, in float and in shutter time: 0 when it
 // opens, 1 when it closes.
 #pragma once
 
@@ -32,38 +32,37 @@ struct PathPiece {
     }
 };
 
-/// A rotation by less than half a turn between two instants, at an even rate about a fixed axis.
+/// A rotation by less than half a turn between two times, at a constant rate about a fixed axis.
 struct TurnPiece {
     float start = 0;
-    float inverse_duration = 0;      // 1 / (end - start), 0 where nothing turns
+    float inverse_duration = 0;      // 1 / (end - start), 0 without rotation
     V3f axis{0, 0, 1};               // unit, world axes
     float half_angle = 0;            // rad
     Imath::Quatf world_from_body{};  // at `start`
 };
 
-/// Pose of an object during one shutter. The place is the timeline's own cubic curve, piece by
-/// piece with the instants of impacts between them; the orientation is within 1e-4 rad of the
-/// timeline's. Immutable.
+/// Pose of an object during one shutter. The position is the timeline's own piecewise cubic curve,
+/// with breaks at impacts; the orientation is within 1e-4 rad of the timeline's. Immutable.
 class RigidMotion {
   public:
-    /// Standing still.
+    /// An object at rest.
     explicit RigidMotion(const Pose& pose);
 
-    /// As `track` moves between two instants of scene time, scene_open <= scene_close. Equal
-    /// instants: standing still.
+    /// The motion of `track` between two scene times, scene_open <= scene_close. With equal times
+    /// the object is at rest.
     RigidMotion(const sim::Track& track, double scene_open, double scene_close);
 
-    /// In order of time; the first is in force from minus infinity, the last to infinity, and each
-    /// begins where the one before ends.
+    /// Pieces in order of time; the first is valid from minus infinity, the last to infinity, and
+    /// each begins where the previous one ends.
     [[nodiscard]] std::span<const PathPiece> path() const { return path_; }
 
     [[nodiscard]] V3f position(float time) const;
     [[nodiscard]] Imath::Quatf world_from_body(float time) const;
 
-    /// Neither moves nor turns.
+    /// Whether the object neither moves nor rotates.
     [[nodiscard]] bool is_still() const;
 
-    /// A box around every position taken, widened for rounding.
+    /// A box around all positions, widened for rounding.
     [[nodiscard]] const Imath::Box3f& position_bounds() const { return bounds_; }
 
   private:
@@ -76,7 +75,7 @@ class RigidMotion {
     Imath::Box3f bounds_;
 };
 
-/// v turned by the unit quaternion q, and back.
+/// Rotates v by the unit quaternion q, and back.
 [[nodiscard]] inline V3f rotate(const Imath::Quatf& q, const V3f& v) {
     const V3f t = 2.f * q.v.cross(v);
     return v + q.r * t + q.v.cross(t);

@@ -1,4 +1,5 @@
-// One ray against a unit rounded box: all points within distance 1 of the box |p| <= core.
+// Intersection of a ray with a unit rounded box: all points within distance 1 of the box |p| <=
+// core.
 #pragma once
 
 #include <algorithm>
@@ -11,16 +12,17 @@
 
 namespace carom::render {
 
-/// The square of the distance from the core (a point's is the sum over the axes of how far it is
-/// beyond the core: Ericson 2005, "Real-Time Collision Detection", section 5.1.3) is convex along a
-/// line, and quadratic between the at most six places where the line crosses a plane of the core's
-/// faces. The line enters the shape in the piece behind the last of them at which that square is
-/// above 1 and falls, and leaves in the piece before the first at which it is above 1 and rises.
-/// There a face, an edge or a corner of the core is nearest: two, one or no axis does not count.
+/// The squared distance from the core (the sum over the axes of the squared distance beyond the
+/// core: Ericson 2005, "Real-Time Collision Detection", section 5.1.3) is convex along a line, and
+/// quadratic between the at most six points at which the line crosses a plane of the core's faces.
+/// The line enters the shape in the piece behind the last of these points at which the squared
+/// distance is above 1 and falls, and leaves in the piece before the first point at which it is
+/// above 1 and rises. In such a piece a face, an edge or a corner of the core is nearest: two, one
+/// or no axes drop out.
 template <class T>
 class RoundedBoxCrossing {
   public:
-    /// `p` is any point of the line, best one near the origin.
+    /// `p` is any point of the line, preferably near the origin.
     RoundedBoxCrossing(const V3<T>& p, const V3<T>& d, const V3<T>& core)
         : p_(p), d_(d), core_(core) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -37,7 +39,7 @@ class RoundedBoxCrossing {
     }
 
     [[nodiscard]] std::optional<T> enter() const {
-        V3<T> face(0, 0, 0);  // on which side of the core the line is in that piece
+        V3<T> face(0, 0, 0);  // the side of the core on which the line is in that piece
         for (int axis = 0; axis < 3; ++axis) {
             face[axis] = near_[axis] > before_ ? T(-1) : (far_[axis] > before_ ? T(0) : T(1));
         }
@@ -69,7 +71,7 @@ class RoundedBoxCrossing {
         }
     }
 
-    /// Sphere, cylinder or plane by the axes that count.
+    /// Crosses the sphere, cylinder or plane of the axes that count.
     [[nodiscard]] std::optional<T> cross(const V3<T>& face, T side) const {
         V3<T> from(0, 0, 0);
         V3<T> along(0, 0, 0);
@@ -108,8 +110,8 @@ template <class T>
     return std::nullopt;
 }
 
-/// The normal points away from the nearest point of the core, which makes it continuous. u and v
-/// run across the side that it faces most.
+/// The normal points away from the nearest point of the core and is continuous. u and v run across
+/// the side that the normal faces most.
 [[nodiscard]] inline UnitPoint on_unit_rounded_box(const UnitRay& ray, float t, const V3f& core) {
     const V3f p = ray.origin + t * ray.direction;
     V3f on_core;

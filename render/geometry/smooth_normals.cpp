@@ -12,7 +12,7 @@
 namespace carom::render {
 namespace {
 
-/// The same number for all vertices at the same place, from 0 without gaps.
+/// Numbers the vertices by position, from 0 without gaps.
 std::vector<std::uint32_t> number_places(const std::vector<V3f>& vertices) {
     std::vector<std::uint32_t> order(vertices.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -54,7 +54,7 @@ std::vector<Corner> make_corners(const TriangleMesh& mesh) {
     return corners;
 }
 
-/// Corners by the place where they are: those of place i from first[i] to first[i + 1].
+/// Corners grouped by position: those of position i are from first[i] to first[i + 1].
 struct CornersByPlace {
     std::vector<std::uint32_t> first;
     std::vector<std::uint32_t> corners;
@@ -105,8 +105,8 @@ class Splitter {
   private:
     static constexpr std::uint32_t kNone = 0xffffffffu;
     const TriangleMesh& mesh_;
-    std::vector<std::uint32_t> newest_;  // by old vertex: the last one made of it
-    std::vector<std::uint32_t> older_;   // by new vertex: the one made before of the same old one
+    std::vector<std::uint32_t> newest_;  // by old vertex: the last new vertex made from it
+    std::vector<std::uint32_t> older_;   // by new vertex: the previous one from the same old vertex
 };
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace {
 constexpr int kMostSteps = 12;
 constexpr float kTolerance = 1e-7f;  // rad
 
-/// The angle of the answer between 0 and `between`, where the equation changes its sign once:
-/// Newton's steps, halved where they leave the bracket.
+/// The angle of the solution between 0 and `between`, where the equation changes its sign once:
+/// Newton's method, with bisection where a step leaves the bracket.
 float mirror_angle(float between, float radius_over_a, float radius_over_b) {
     float low = 0;
     float high = between;
@@ -36,7 +36,7 @@ float mirror_angle(float between, float radius_over_a, float radius_over_b) {
     return angle;
 }
 
-/// A unit vector at right angles to the unit `axis`, towards `other`.
+/// A unit vector perpendicular to the unit `axis`, towards `other`.
 V3f across(const V3f& axis, const V3f& other) {
     const V3f side = other - axis * axis.dot(other);
     const float length2 = side.length2();

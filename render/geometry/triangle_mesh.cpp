@@ -33,7 +33,8 @@ void check_sizes(const MeshShape& shape, const std::string& name) {
     }
 }
 
-/// A normal that is zero or not finite becomes zero: shading then falls back on the triangle's own.
+/// A normal that is zero or not finite becomes zero, for which shading uses the triangle's own
+/// normal.
 V3f unit_or_zero(const V3f& n) {
     const float length = n.length();
     return std::isfinite(length) && length > 0 ? n / length : V3f(0, 0, 0);

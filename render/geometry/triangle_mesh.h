@@ -1,4 +1,4 @@
-// Triangles, narrowed to float, ready to be traced.
+// Triangle meshes in float, ready to be traced.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 namespace carom::render {
 
 /// Indexed triangles; corners counter-clockwise seen from outside. `normals` and `uv` have one
-/// entry per vertex or none at all. Every index is valid and every number finite.
+/// entry per vertex, or none. Every index is valid and every number finite.
 struct TriangleMesh {
     std::vector<V3f> vertices;
     std::vector<V3f> normals;  // unit
@@ -19,13 +19,13 @@ struct TriangleMesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// What a mesh may have at most; more is refused with an Error.
+/// Upper bounds for a mesh; larger ones are rejected with an Error.
 inline constexpr std::size_t kMaxMeshTriangles = 64'000'000;
 inline constexpr std::size_t kMaxMeshVertices = 64'000'000;
 
-/// The shape's arrays mapped by `map` and rounded to float once. If the map mirrors, the order of
-/// corners is reversed, so that they stay counter-clockwise. Throws Error that names `name` if
-/// an index, a number or the arrays' lengths are wrong, or if there is no triangle.
+/// The shape's arrays, mapped by `map` and rounded to float once. If the map is a reflection, the
+/// order of corners is reversed, so that they stay counter-clockwise. Throws Error with `name` if
+/// an index, a number or an array's length is invalid, or if the mesh has no triangle.
 [[nodiscard]] TriangleMesh make_mesh(const MeshShape& shape, const Mat44& map,
                                      const std::string& name);
 

@@ -1,5 +1,6 @@
-// Sine and cosine for sampling and turning: Taylor polynomials on a reduced range, within 1e-7 of
-// the true values, the same bits everywhere and several times faster than the C library's.
+// Sine and cosine for sampling and rotation: Taylor polynomials on a reduced range, within 1e-7 of
+// the true values, with the same bits on every machine, and several times faster than the C
+// library.
 #pragma once
 
 #include <numbers>
@@ -24,7 +25,7 @@ struct SinCos {
     return {sine, cosine};
 }
 
-/// Of 2 pi `turns`, |turns| <= 250.
+/// Sine and cosine of 2 pi `turns`, |turns| <= 250.
 [[nodiscard]] inline SinCos sin_cos_turn(float turns) {
     // The nearest quarter turn; the shift makes truncation round down.
     const int quarter = static_cast<int>(4 * turns + 1024.5f) - 1024;
@@ -41,7 +42,7 @@ struct SinCos {
     }
 }
 
-/// Of an angle in radians, a few turns at most.
+/// Sine and cosine of an angle in rad, of a few turns at most.
 [[nodiscard]] inline SinCos sin_cos(float angle) {
     return sin_cos_turn(angle * (0.5f * kInversePi));
 }

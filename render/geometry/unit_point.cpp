@@ -28,8 +28,8 @@ UnitPoint on_unit_ball(const UnitRay& ray, float t) {
     return {n, n, longitude_latitude(n), V2f(kTurn, 0.5f * kTurn), 0, 2};
 }
 
-// Of the three faces that a ray from outside can enter by, or leave by from inside, the one that
-// the place lies farthest out on.
+// Of the three faces through which a ray from outside can enter, or leave from inside, the one that
+// the point lies farthest beyond.
 FacePoint on_box(const V3f& origin, const V3f& direction, float t, const V3f& half_size) {
     const bool leaves = std::abs(origin.x) < half_size.x && std::abs(origin.y) < half_size.y &&
                         std::abs(origin.z) < half_size.z;
@@ -90,7 +90,7 @@ UnitPoint on_unit_disk(const UnitRay& ray, float t) {
     return {on_plane, V3f(0, 0, 1), across_disk(on_plane), V2f(2)};
 }
 
-/// Of the faces that the ray meets, the one whose distance is nearest to t.
+/// Of the faces that the ray hits, the one whose distance is nearest to t.
 UnitPoint on_unit_frustum(const UnitRay& ray, float t, float middle, float slope) {
     using Crossings = FrustumCrossings<float>;
     const Crossings crossings = cross_frustum(UnitRay{ray.origin, ray.direction}, middle, slope);

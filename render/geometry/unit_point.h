@@ -1,4 +1,4 @@
-// Places on the surfaces of unit shapes (render/acceleration/shape_list.h has the list of them).
+// Points on the surfaces of unit shapes (listed in render/acceleration/shape_list.h).
 #pragma once
 
 #include "render/geometry/intersect.h"
@@ -6,7 +6,7 @@
 
 namespace carom::render {
 
-/// The place and the outward normal on a unit shape, and parameters across it.
+/// Position, outward normal and surface parameters of a point on a unit shape.
 struct UnitPoint {
     V3f position{0, 0, 0};
     V3f normal{0, 0, 1};
@@ -16,7 +16,7 @@ struct UnitPoint {
     int v_axis = 1;
 };
 
-/// Where a ray meets the box |p| <= half_size at distance t: the place, moved onto the face, and
+/// Where a ray hits the box |p| <= half_size at distance t: the position, moved onto the face, and
 /// that face's axis and side.
 struct FacePoint {
     V3f position;
@@ -30,7 +30,7 @@ struct FacePoint {
 /// u is the longitude from +x over +y, v the latitude from -z to +z; both run from 0 to 1.
 [[nodiscard]] V2f longitude_latitude(const V3f& p);
 
-// The place that the ray reaches at distance t, moved onto the unit shape's surface.
+// The point of the ray at distance t, moved onto the unit shape's surface.
 using UnitRay = RaySegment<float>;
 [[nodiscard]] UnitPoint on_unit_ball(const UnitRay& ray, float t);
 [[nodiscard]] UnitPoint on_unit_box(const UnitRay& ray, float t);

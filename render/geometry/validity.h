@@ -1,5 +1,4 @@
-// What debug builds ask of numbers where they are made: a NaN is found at its birth, not in a
-// picture.
+// Checks of debug builds on computed numbers, which find a NaN where it arises.
 #pragma once
 
 #include <cmath>
@@ -16,7 +15,7 @@ using carom::is_finite;
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Radiance, a weight or a density.
+/// For radiances, weights and densities.
 [[nodiscard]] inline bool is_light(const V3f& v) {
     return is_finite(v) && v.x >= 0 && v.y >= 0 && v.z >= 0;
 }

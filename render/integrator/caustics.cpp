@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "render/sampling/reuse.h"
-
 namespace carom::render {
 namespace {
 
@@ -13,18 +11,18 @@ constexpr float kCoatReflectance = 0.04f;  // of index 1.5, straight on
 
 Caustics::Caustics(const TransportScene& scene)
     : scene_(scene), light_count_(scene.lights.first_emissive()) {
-    for (const MirrorBall& ball : mirror_balls(scene)) {
+    for (const SpecularBall& ball : specular_balls(scene)) {
         add(ball);
     }
 }
 
-void Caustics::add(const MirrorBall& ball) {
+void Caustics::add(const SpecularBall& ball) {
     const V3f middle = ball.centres.center();
     const float travel = 0.5f * ball.centres.size().length();
     float total = 0;
     std::vector<float> intensities;
     for (std::size_t light = 0; light < light_count_; ++light) {
-        intensities.push_back(mirrored_importance(scene_, ball, light));
+        intensities.push_back(connection_importance(scene_, ball, light));
         total += intensities.back();
     }
     if (total <= 0) {
@@ -38,7 +36,7 @@ void Caustics::add(const MirrorBall& ball) {
     places_.x.push_back(middle.x);
     places_.y.push_back(middle.y);
     places_.z.push_back(middle.z);
-    places_.reach.push_back(ball.radius + travel);
+    places_.bounding_radius.push_back(ball.radius + travel);
     places_.radius2.push_back(ball.radius * ball.radius);
     const float reflectance = luminance(ball.material->mirror_reflectance(1));
     places_.gain.push_back(std::max(1.0f, reflectance / kCoatReflectance));
@@ -49,20 +47,20 @@ bool Caustics::connects(const Path& path, const ShadingVertex& vertex) const {
            vertex.bsdf.is_broad();
 }
 
-// The share of all directions that the ball fills, about (a quarter of the squared ratio of radius
-// and distance), times its gain; 0 if all of it lies below the horizon.
+// Estimate of the fraction of all directions that the ball fills (a quarter of the squared ratio of
+// radius and distance), times its gain; 0 if the whole ball lies below the horizon.
 inline float Caustics::weight(std::size_t ball, const V3f& position, const V3f& normal) const {
     const float x = places_.x[ball] - position.x;
     const float y = places_.y[ball] - position.y;
     const float z = places_.z[ball] - position.z;
-    const float height = x * normal.x + y * normal.y + z * normal.z + places_.reach[ball];
+    const float height = x * normal.x + y * normal.y + z * normal.z + places_.bounding_radius[ball];
     const float radius2 = places_.radius2[ball];
-    const float share =
+    const float weight =
         0.25f * radius2 / std::max(x * x + y * y + z * z, radius2) * places_.gain[ball];
-    return height > 0 ? share : 0.0f;
+    return height > 0 ? weight : 0.0f;
 }
 
-// `own`: the ball that the vertex lies on, which mirrors nothing there.
+// `own`: the ball that the vertex lies on, which reflects nothing onto it.
 float Caustics::total_weight(const ShadingVertex& vertex, std::size_t own) const {
     const V3f position = vertex.position;
     const V3f normal = vertex.surface.geometric_normal;
@@ -73,8 +71,8 @@ float Caustics::total_weight(const ShadingVertex& vertex, std::size_t own) const
     return own < balls_.size() ? total - weight(own, position, normal) : total;
 }
 
-// A vertex connects with the probability that is the balls' total weight: most are far from balls
-// and cost nothing.
+// A vertex connects with a probability equal to the total weight of the balls: most vertices are
+// far from balls and cost nothing.
 V3f Caustics::connected(const Path& path, const ShadingVertex& vertex, std::uint32_t object,
                         const PathDimensions& dimensions, RenderStatistics& count) const {
     const std::size_t own = object < index_.size() && index_[object] >= 0
@@ -88,19 +86,19 @@ V3f Caustics::connected(const Path& path, const ShadingVertex& vertex, std::uint
     const std::array<float, 4> u = dimensions.caustic(path);
     float rest = u[0] * total;
     std::size_t chosen = balls_.size();
-    float share = 0;
+    float probability = 0;
     for (std::size_t i = 0; i < balls_.size() && rest >= 0; ++i) {
         const float w = i == own ? 0 : weight(i, vertex.position, vertex.surface.geometric_normal);
         if (w > 0) {
             chosen = i;  // the last one with a weight if rounding leaves a rest
-            share = w / total;
+            probability = w / total;
             rest -= w;
         }
     }
     if (chosen == balls_.size()) {
         return V3f(0, 0, 0);
     }
-    return through(chosen, path, vertex, u, count) / (survival * share);
+    return through(chosen, path, vertex, u, count) / (survival * probability);
 }
 
 V3f Caustics::through(std::size_t index, const Path& path, const ShadingVertex& vertex,
@@ -115,19 +113,19 @@ V3f Caustics::through(std::size_t index, const Path& path, const ShadingVertex& 
     if (intensities[light] <= 0) {
         return V3f(0, 0, 0);
     }
-    const auto mirrored = mirrored_light(scene_, balls_[index], light, vertex.position,
-                                         path.ray.time, V2f(u[2], u[3]));
-    if (!mirrored) {
+    const auto connection =
+        connect(scene_, balls_[index], light, vertex.position, path.ray.time, V2f(u[2], u[3]));
+    if (!connection) {
         return V3f(0, 0, 0);
     }
     const V3f value =
-        vertex.bsdf.evaluate(Layers::all, mirrored->direction).value * mirrored->radiance;
+        vertex.bsdf.evaluate(Layers::all, connection->direction).value * connection->radiance;
     if (!(luminance(value) > 0) ||
-        is_blocked(scene_, *mirrored, vertex.origin, path.ray.time, count)) {
+        is_occluded(scene_, *connection, vertex.origin, path.ray.time, count)) {
         return V3f(0, 0, 0);
     }
-    const float light_share = intensities[light] / intensity_[index];
-    return value * (mirrored->solid_angle / light_share);
+    const float light_probability = intensities[light] / intensity_[index];
+    return value * (connection->solid_angle / light_probability);
 }
 
 }  // namespace carom::render

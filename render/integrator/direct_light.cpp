@@ -11,7 +11,7 @@
 namespace carom::render {
 namespace {
 
-/// How many directions towards the environment a path's first vertex takes, on average.
+/// Expected number of directions that a path's first vertex samples towards the environment.
 float environment_samples(const LightSet& lights, const ShadingVertex& vertex) {
     const std::size_t environment = lights.area_light_count();
     if (vertex.glossy_samples > 1 || !lights.is_environment(environment)) {
@@ -21,15 +21,15 @@ float environment_samples(const LightSet& lights, const ShadingVertex& vertex) {
     for (std::size_t light = 0; light < lights.sampled_count(); ++light) {
         total += lights.importance(light, vertex.position, vertex.surface.frame.z);
     }
-    const float share = lights.environment().importance();
-    return total > 0 ? std::clamp(share / (kAlwaysAbove * total), kRarest, 1.0f) : 1.0f;
+    const float importance = lights.environment().importance();
+    return total > 0 ? std::clamp(importance / (kAlwaysAbove * total), kRarest, 1.0f) : 1.0f;
 }
 
 bool is_dark(const V3f& c) {
     return c.x <= 0 && c.y <= 0 && c.z <= 0;
 }
 
-// With more area lights than these each is sampled once.
+// With more area lights than this, each is sampled once.
 constexpr std::size_t kFewLights = 4;
 
 }  // namespace
@@ -41,33 +41,34 @@ int first_vertex_samples(const LightSet& lights, std::size_t light) {
     return is_lamp ? LightBlock::kSize : 1;
 }
 
-/// Light on its way to a vertex, each arrival with its shadow ray: these are traced together.
-class DirectLight::Arrivals {
+/// The shadow rays of a vertex and the light that they carry. Rays with the same origin are traced
+/// as a packet.
+class DirectLight::ShadowRays {
   public:
-    Arrivals(const AccelerationStructure& structure, const ShadingVertex& vertex, float time,
-             RenderStatistics& count)
+    ShadowRays(const AccelerationStructure& structure, const ShadingVertex& vertex, float time,
+               RenderStatistics& count)
         : structure_(structure), vertex_(vertex), count_(count) {
-        fan_.origin = vertex.origin;
-        fan_.time = time;
+        packet_.origin = vertex.origin;
+        packet_.time = time;
     }
 
-    /// `radiance`: what the light adds to the vertex if nothing is in the way.
+    /// `radiance`: what the light contributes to the vertex unless it is occluded.
     void add(const V3f& direction, float distance, const V3f& radiance) {
         count_.shadow_rays += 1;
         const V3f origin = vertex_.origin_towards(direction);
-        if (origin != fan_.origin) {  // through the surface
-            const Ray shadow{origin, direction, 0, distance * kShadowReach, fan_.time};
+        if (origin != packet_.origin) {  // through the surface
+            const Ray shadow{origin, direction, 0, distance * kOneMinusShadowEpsilon, packet_.time};
             sum_ += structure_.any_hit(shadow) ? V3f(0, 0, 0) : radiance;
             return;
         }
-        if (fan_.count == RayFan::kMost) {
+        if (packet_.count == ShadowRayPacket::kMost) {
             trace();
         }
-        radiance_[static_cast<std::size_t>(fan_.count)] = radiance;
-        fan_.add(direction, distance * kShadowReach);
+        radiance_[static_cast<std::size_t>(packet_.count)] = radiance;
+        packet_.add(direction, distance * kOneMinusShadowEpsilon);
     }
 
-    /// All that arrives.
+    /// The sum of all unoccluded light.
     [[nodiscard]] V3f sum() {
         trace();
         return sum_;
@@ -75,22 +76,22 @@ class DirectLight::Arrivals {
 
   private:
     void trace() {
-        const FanMask blocked = fan_.count > 1 ? structure_.any_hits(fan_)
-                                : fan_.count == 1 && structure_.any_hit(fan_.ray(0)) ? 1u
-                                                                                     : 0u;
-        for (int i = 0; i < fan_.count; ++i) {
-            if ((blocked >> i & 1u) == 0) {
+        const PacketMask occluded = packet_.count > 1 ? structure_.any_hits(packet_)
+                                    : packet_.count == 1 && structure_.any_hit(packet_.ray(0)) ? 1u
+                                                                                               : 0u;
+        for (int i = 0; i < packet_.count; ++i) {
+            if ((occluded >> i & 1u) == 0) {
                 sum_ += radiance_[static_cast<std::size_t>(i)];
             }
         }
-        fan_.count = 0;
+        packet_.count = 0;
     }
 
     const AccelerationStructure& structure_;
     const ShadingVertex& vertex_;
     RenderStatistics& count_;
-    RayFan fan_;
-    std::array<V3f, RayFan::kMost> radiance_;
+    ShadowRayPacket packet_;
+    std::array<V3f, ShadowRayPacket::kMost> radiance_;
     V3f sum_{0, 0, 0};
 };
 
@@ -105,26 +106,28 @@ V3f DirectLight::sampled(Path& path, const ShadingVertex& vertex, const V2f& u,
         !vertex.bsdf.can_evaluate(Layers::all)) {
         return V3f(0, 0, 0);
     }
-    Arrivals arrivals(scene_.frame.structure(), vertex, path.ray.time, count);
+    ShadowRays shadow_rays(scene_.frame.structure(), vertex, path.ray.time, count);
     if (!path.last.all_lights) {
         if (const auto choice = lights.choose(vertex.position, path.last.normal, u.x)) {
             path.last.total_importance = choice->total;
-            seek(choice->light, choice->probability, V2f(choice->u, u.y), vertex, arrivals);
+            sample_light(choice->light, choice->probability, V2f(choice->u, u.y), vertex,
+                         shadow_rays);
         }
-        return arrivals.sum();
+        return shadow_rays.sum();
     }
-    seek_all(path, vertex, dimensions, arrivals);
-    return arrivals.sum();
+    sample_all_lights(path, vertex, dimensions, shadow_rays);
+    return shadow_rays.sum();
 }
 
-void DirectLight::seek_all(Path& path, const ShadingVertex& vertex,
-                           const PathDimensions& dimensions, Arrivals& arrivals) const {
+void DirectLight::sample_all_lights(Path& path, const ShadingVertex& vertex,
+                                    const PathDimensions& dimensions,
+                                    ShadowRays& shadow_rays) const {
     path.last.environment_samples = environment_samples(scene_.lights, vertex);
     std::array<V2f, 2> pair;
-    std::uint32_t asked = 0;  // points of pairs
+    std::uint32_t asked = 0;  // points taken from the pairs
     for (std::size_t light = 0; light < scene_.lights.sampled_count(); ++light) {
         if (first_vertex_samples(scene_.lights, light) > 1) {
-            seek_block(light, dimensions.light_block(light), vertex, arrivals);
+            sample_light_block(light, dimensions.light_block(light), vertex, shadow_rays);
             continue;
         }
         if (asked % 2 == 0) {
@@ -142,14 +145,14 @@ void DirectLight::seek_all(Path& path, const ShadingVertex& vertex,
             u.x = std::min(u.x / expected, kOneMinusEpsilon);
         }
         for (int k = 0; k < samples; ++k) {
-            seek(light, expected, lattice_point(u, k, samples), vertex, arrivals);
+            sample_light(light, expected, lattice_point(u, k, samples), vertex, shadow_rays);
         }
     }
 }
 
-// `expected`: how many directions towards this light the vertex takes, on average.
-void DirectLight::seek(std::size_t light, float expected, const V2f& u, const ShadingVertex& vertex,
-                       Arrivals& arrivals) const {
+// `expected`: the expected number of directions towards this light at the vertex.
+void DirectLight::sample_light(std::size_t light, float expected, const V2f& u,
+                               const ShadingVertex& vertex, ShadowRays& shadow_rays) const {
     const auto sample = scene_.lights.sample(light, vertex.position, u);
     if (!sample) {
         return;
@@ -157,20 +160,20 @@ void DirectLight::seek(std::size_t light, float expected, const V2f& u, const Sh
     const float pdf = sample->pdf * expected;
     const V3f value = scattered(vertex, sample->direction, pdf);
     if (!is_dark(value)) {
-        arrivals.add(sample->direction, sample->distance,
-                     value * scene_.lights.radiance(light, *sample) / pdf);
+        shadow_rays.add(sample->direction, sample->distance,
+                        value * scene_.lights.radiance(light, *sample) / pdf);
     }
 }
 
-// A light of four samples. On diffuse surfaces, nearly all that there are, all in one go.
-void DirectLight::seek_block(std::size_t light, const std::array<V2f, 4>& u,
-                             const ShadingVertex& vertex, Arrivals& arrivals) const {
+// Four samples of one light, vectorised for diffuse surfaces, which are the most frequent.
+void DirectLight::sample_light_block(std::size_t light, const std::array<V2f, 4>& u,
+                                     const ShadingVertex& vertex, ShadowRays& shadow_rays) const {
     const auto& lamp = std::get<RectangleEmitter>(scene_.lights.area_light(light));
     const bool is_base = vertex.splits && !vertex.bsdf.can_evaluate(Layers::coat);
     const auto lobe = vertex.bsdf.only_diffuse(is_base ? Layers::base : Layers::all);
     if (!lobe || strategy_ != DirectStrategy::both) {
         for (const V2f& point : u) {
-            seek(light, LightBlock::kSize, point, vertex, arrivals);
+            sample_light(light, LightBlock::kSize, point, vertex, shadow_rays);
         }
         return;
     }
@@ -180,7 +183,7 @@ void DirectLight::seek_block(std::size_t light, const std::array<V2f, 4>& u,
     }
     const V3f& normal = vertex.surface.frame.z;
     const V3f& geometric = vertex.surface.geometric_normal;
-    std::array<float, LightBlock::kSize> share;
+    std::array<float, LightBlock::kSize> weight;
     for (std::size_t k = 0; k < LightBlock::kSize; ++k) {
         const float x = block->x[k];
         const float y = block->y[k];
@@ -190,19 +193,20 @@ void DirectLight::seek_block(std::size_t light, const std::array<V2f, 4>& u,
         const float density = std::max(cosine, 0.0f) * kInversePi;
         const float pdf = LightBlock::kSize * block->pdf[k];
         const float ratio = lobe->probability * density / pdf;
-        const float value = density / (pdf * (1 + ratio * ratio));  // by the power heuristic
-        share[k] = side > 0 ? value * lamp.gain(block->pdf[k]) : 0;
+        const float value = density / (pdf * (1 + ratio * ratio));  // with the power heuristic
+        weight[k] = side > 0 ? value * lamp.gain(block->pdf[k]) : 0;
     }
     const V3f scattered = lobe->albedo * lamp.radiance();
     for (std::size_t k = 0; k < LightBlock::kSize; ++k) {
-        if (share[k] > 0 && !is_dark(scattered)) {
-            arrivals.add(V3f(block->x[k], block->y[k], block->z[k]), block->distance[k],
-                         scattered * share[k]);
+        if (weight[k] > 0 && !is_dark(scattered)) {
+            shadow_rays.add(V3f(block->x[k], block->y[k], block->z[k]), block->distance[k],
+                            scattered * weight[k]);
         }
     }
 }
 
-// Value of the BSDF, each part weighted against the scattering that would have found the light too.
+// Value of the BSDF, with each part weighted against the scattering that could have found the
+// light.
 V3f DirectLight::scattered(const ShadingVertex& vertex, const V3f& direction,
                            float light_pdf) const {
     const auto weighted = [&](Layers layers, int samples = 1) {
@@ -222,8 +226,8 @@ V3f DirectLight::scattered(const ShadingVertex& vertex, const V3f& direction,
     return sum;
 }
 
-// `pdf`: of sampling the direction, given the light.
-float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float pdf) const {
+// `pdf`: density of the direction, given the light, 1/sr.
+float DirectLight::weight_of_hit(const Path& path, std::size_t light, float pdf) const {
     const LastScattering& last = path.last;
     if (last.is_delta || strategy_ == DirectStrategy::scattering_only) {
         return 1;
@@ -243,14 +247,14 @@ float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float 
     return power_heuristic(last.pdf, expected * pdf);
 }
 
-float DirectLight::weight_of_meeting(const Path& path, std::size_t light, float distance,
-                                     float cosine) const {
-    return weight_of_meeting(
+float DirectLight::weight_of_hit(const Path& path, std::size_t light, float distance,
+                                 float cosine) const {
+    return weight_of_hit(
         path, light,
         scene_.lights.pdf(light, path.last.position, path.ray.direction, distance, cosine));
 }
 
-V3f DirectLight::met(const Path& path, const Hit& hit) const {
+V3f DirectLight::hit_light(const Path& path, const Hit& hit) const {
     const std::size_t light = scene_.light_of(hit);
     const V3f radiance = scene_.lights.emitted(light, -path.ray.direction);
     if (is_dark(radiance)) {
@@ -259,20 +263,20 @@ V3f DirectLight::met(const Path& path, const Hit& hit) const {
     const float gain = path.last.is_delta ? 1.0f
                                           : scene_.lights.gain(light, path.last.position,
                                                                path.ray.direction, hit.t);
-    return radiance * (gain * weight_of_meeting(path, light, hit.t, 0));
+    return radiance * (gain * weight_of_hit(path, light, hit.t, 0));
 }
 
-V3f DirectLight::met_object(const Path& path, const Hit& hit, const V3f& radiance,
-                            float cosine) const {
+V3f DirectLight::hit_emitter(const Path& path, const Hit& hit, const V3f& radiance,
+                             float cosine) const {
     const auto light = scene_.lights.emissive_light(hit.object);
-    return light ? radiance * weight_of_meeting(path, *light, hit.t, cosine) : radiance;
+    return light ? radiance * weight_of_hit(path, *light, hit.t, cosine) : radiance;
 }
 
 V3f DirectLight::environment(const Path& path) const {
     const Environment& environment = scene_.lights.environment();
     const Environment::Seen seen = environment.seen(path.ray.direction);
     return environment.is_sampled()
-               ? seen.radiance * weight_of_meeting(path, scene_.lights.area_light_count(), seen.pdf)
+               ? seen.radiance * weight_of_hit(path, scene_.lights.area_light_count(), seen.pdf)
                : seen.radiance;
 }
 

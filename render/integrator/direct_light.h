@@ -1,4 +1,4 @@
-// Light that reaches a vertex straight from a light: sampled there, or met by a scattered ray.
+// Direct light: sampled at a vertex, or found when a scattered ray hits a light.
 #pragma once
 
 #include "render/integrator/path_state.h"
@@ -7,34 +7,34 @@
 
 namespace carom::render {
 
-/// Which estimates of direct light are used; every choice has the same mean, but that lights
-/// without a surface are only found by sampling them.
+/// The estimators of direct light in use. Every choice has the same mean, except that delta lights
+/// are only found by sampling them.
 enum class DirectStrategy { both, lights_only, scattering_only };
 
-/// How many directions a path's first vertex takes towards a light. Rectangles are taken four:
-/// their penumbrae would be most of the noise, and four shadow rays traced together cost little
-/// more than one. With many area lights each is taken one, together they are smooth enough.
+/// How many directions a path's first vertex samples towards a light. Rectangles get four: their
+/// penumbrae would cause most of the noise, and four shadow rays traced together cost little more
+/// than one. With many area lights each gets one, because together they are smooth enough.
 [[nodiscard]] int first_vertex_samples(const LightSet& lights, std::size_t light);
 
-/// Share of a sample's contribution, made with density `pdf`, when another strategy makes the same
-/// with `other`: the power heuristic with exponent 2 (Veach 1997, section 9.2.4).
+/// Weight of a sample made with density `pdf` when another strategy makes the same sample with
+/// density `other`: the power heuristic with exponent 2 (Veach 1997, section 9.2.4).
 [[nodiscard]] inline float power_heuristic(float pdf, float other) {
     const float ratio = other / pdf;
     return 1.0f / (1.0f + ratio * ratio);
 }
 
-/// A vertex that light is to be gathered at.
+/// A vertex of a path at which light is gathered.
 struct ShadingVertex {
     V3f position;
     V3f origin;  // off the surface: where rays on the viewer's side start
     const Surface& surface;
     const Bsdf& bsdf;
-    bool splits = false;  // coat and base are followed apart from here
-    /// Directions taken for a rough coat, and towards the environment for it: where it shows small
-    /// bright things, one of each is too noisy.
+    bool splits = false;  // from here coat and base are followed separately
+    /// Number of directions sampled for a rough coat, and towards the environment for it. Where
+    /// small bright things are visible in the coat, one of each is too noisy.
     int glossy_samples = 1;
 
-    /// Where a ray in this direction starts: on the far side if it passes through the surface.
+    /// The origin of a ray in this direction: beyond the surface if the ray passes through it.
     [[nodiscard]] V3f origin_towards(const V3f& direction) const {
         const bool passes = bsdf.transmits() && surface.geometric_normal.dot(direction) < 0;
         return passes ? position * 2.0f - origin : origin;
@@ -46,36 +46,37 @@ class DirectLight {
     DirectLight(const TransportScene& scene, DirectStrategy strategy)
         : scene_(scene), strategy_(strategy) {}
 
-    /// Radiance scattered at the vertex towards the path's previous one from sampled lights: all of
-    /// them at the path's first vertex, one chosen by importance later. Writes to `path.last` what
-    /// `met` needs about the choice. `u`: the vertex's number for light.
+    /// Radiance from sampled lights, scattered at the vertex towards the previous one. The path's
+    /// first vertex samples all lights; later vertices sample one, chosen by importance. Writes to
+    /// `path.last` what `hit_light` needs about the choice. `u`: the vertex's random numbers for
+    /// lights.
     [[nodiscard]] V3f sampled(Path& path, const ShadingVertex& vertex, const V2f& u,
                               const PathDimensions& dimensions, RenderStatistics& count) const;
 
-    /// Radiance, weighted against having been sampled, of the area light that the path's ray met.
-    [[nodiscard]] V3f met(const Path& path, const Hit& hit) const;
+    /// Radiance of the area light that the path's ray hit, weighted against light sampling.
+    [[nodiscard]] V3f hit_light(const Path& path, const Hit& hit) const;
 
-    /// The same of an object that shines by its material: `radiance` towards the path, at an angle
-    /// with this `cosine` to its front's normal.
-    [[nodiscard]] V3f met_object(const Path& path, const Hit& hit, const V3f& radiance,
-                                 float cosine) const;
+    /// Radiance of an object with an emissive material that the path's ray hit, weighted likewise.
+    /// `radiance` goes towards the path, at this `cosine` to the normal of the object's front.
+    [[nodiscard]] V3f hit_emitter(const Path& path, const Hit& hit, const V3f& radiance,
+                                  float cosine) const;
 
-    /// The same of the environment, for a ray that met nothing.
+    /// Radiance of the environment for a ray that left the scene, weighted likewise.
     [[nodiscard]] V3f environment(const Path& path) const;
 
   private:
-    class Arrivals;
-    void seek(std::size_t light, float expected, const V2f& u, const ShadingVertex& vertex,
-              Arrivals& arrivals) const;
-    void seek_all(Path& path, const ShadingVertex& vertex, const PathDimensions& dimensions,
-                  Arrivals& arrivals) const;
-    void seek_block(std::size_t light, const std::array<V2f, 4>& u, const ShadingVertex& vertex,
-                    Arrivals& arrivals) const;
+    class ShadowRays;
+    void sample_light(std::size_t light, float expected, const V2f& u, const ShadingVertex& vertex,
+                      ShadowRays& shadow_rays) const;
+    void sample_all_lights(Path& path, const ShadingVertex& vertex,
+                           const PathDimensions& dimensions, ShadowRays& shadow_rays) const;
+    void sample_light_block(std::size_t light, const std::array<V2f, 4>& u,
+                            const ShadingVertex& vertex, ShadowRays& shadow_rays) const;
     [[nodiscard]] V3f scattered(const ShadingVertex& vertex, const V3f& direction,
                                 float light_pdf) const;
-    [[nodiscard]] float weight_of_meeting(const Path& path, std::size_t light, float pdf) const;
-    [[nodiscard]] float weight_of_meeting(const Path& path, std::size_t light, float distance,
-                                          float cosine) const;
+    [[nodiscard]] float weight_of_hit(const Path& path, std::size_t light, float pdf) const;
+    [[nodiscard]] float weight_of_hit(const Path& path, std::size_t light, float distance,
+                                      float cosine) const;
 
     TransportScene scene_;
     DirectStrategy strategy_;

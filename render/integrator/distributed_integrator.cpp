@@ -10,12 +10,13 @@
 #include "render/geometry/validity.h"
 #include "render/integrator/path_state.h"
 #include "render/integrator/shadow_ray_constants.h"
-#include "render/sampling/deviation.h"
+#include "render/sampling/gaussian_lobe.h"
 
 namespace carom::render {
 namespace {
 
-// Every ray of the tree draws its numbers from sets of its own, found by its way there.
+// Every ray of the tree draws its random numbers from sets of its own, identified by its path in
+// the tree.
 constexpr std::uint32_t kRoot = 1;
 constexpr std::uint32_t kLights = 0x9e3779b9u;
 
@@ -29,7 +30,7 @@ bool is_black(const V3f& c) {
     return c.x <= 0 && c.y <= 0 && c.z <= 0;
 }
 
-V3f mirrored(const V3f& wo, const V3f& normal) {
+V3f reflect(const V3f& wo, const V3f& normal) {
     return normal * (2 * normal.dot(wo)) - wo;
 }
 
@@ -60,10 +61,10 @@ struct DistributedIntegrator::Work {
 
 struct DistributedIntegrator::TreeRay {
     Ray ray;
-    int generation = 0;  // 0: the camera's
+    int generation = 0;  // 0: a camera ray
     std::uint32_t node = kRoot;
     float width = 0;   // of the pixel's cone at the ray's origin, m
-    float spread = 0;  // by which it grows, per m
+    float spread = 0;  // growth of that width per m
 };
 
 struct DistributedIntegrator::Vertex {
@@ -80,7 +81,7 @@ struct DistributedIntegrator::Lobe {
     V3f axis;
     float spread = 0;  // standard deviation, rad
     int samples = 1;   // setting
-    float side = 1;    // of the surface that they leave to: 1 the viewer's, -1 the other
+    float side = 1;    // of the surface that they leave from: 1 the viewer's, -1 the other
     std::uint32_t kind = 0;
 };
 
@@ -144,12 +145,12 @@ V3f DistributedIntegrator::direct(const Vertex& vertex, Work& work) const {
         }
         V2f u = light % 2 == 0 ? V2f(numbers[0], numbers[1]) : V2f(numbers[2], numbers[3]);
         if (settings_.shadow_samples == 1) {
-            // The middle: of a rectangle in both directions, of a sphere's cone on its axis.
+            // The centre: both coordinates of a rectangle, the axis of a sphere's cone.
             const bool is_sphere = light < lights.area_light_count() &&
                                    std::holds_alternative<SphereEmitter>(lights.area_light(light));
             u = V2f(is_sphere ? 0.0f : 0.5f, 0.5f);
         }
-        // All rays to a light without a surface are the same.
+        // All rays to a delta light are the same.
         const int rays = lights.is_delta(light) ? 1 : samples;
         V3f of_light(0, 0, 0);
         for (int k = 0; k < rays; ++k) {
@@ -170,7 +171,7 @@ V3f DistributedIntegrator::from_light(std::size_t light, const V2f& u, const Ver
     if (cosine > 0 && surface.geometric_normal.dot(sample->direction) > 0) {
         const PhongModel& model = vertex.model;
         scattered = model.diffuse_colour(surface.base) * cosine;
-        const float highlight = mirrored(sample->direction, surface.frame.z).dot(vertex.wo);
+        const float highlight = reflect(sample->direction, surface.frame.z).dot(vertex.wo);
         if (highlight > 0) {
             scattered += model.specular * std::pow(highlight, model.shininess);
         }
@@ -183,7 +184,7 @@ V3f DistributedIntegrator::from_light(std::size_t light, const V2f& u, const Ver
     const Ray shadow{vertex.point.position + surface.geometric_normal * vertex.point.offset,
                      sample->direction,
                      0,
-                     sample->distance * kShadowReach,
+                     sample->distance * kOneMinusShadowEpsilon,
                      vertex.from.ray.time,
                      RayKind::shadow};
     return scene_.frame.structure().any_hit(shadow) ? V3f(0, 0, 0) : scattered;
@@ -205,7 +206,7 @@ V3f DistributedIntegrator::sent_on(const Vertex& vertex, Work& work) const {
         }
     }
     if (!is_black(reflectance)) {
-        const Lobe lobe{mirrored(vertex.wo, vertex.surface.frame.z), model.reflectance_spread,
+        const Lobe lobe{reflect(vertex.wo, vertex.surface.frame.z), model.reflectance_spread,
                         settings_.reflection_samples, 1, 0};
         sum += reflectance * gathered(lobe, vertex, work);
     }
@@ -217,10 +218,10 @@ V3f DistributedIntegrator::gathered(const Lobe& lobe, const Vertex& vertex, Work
     const bool is_exact = lobe.spread <= 0 || lobe.samples == 1;
     const int samples = is_exact ? 1 : samples_at(lobe.samples, from.generation, settings_.falloff);
     const V3f outside = vertex.surface.geometric_normal * lobe.side;
-    // A bent normal may mirror or refract to the wrong side; the surface's own does not.
+    // A bump-mapped normal may reflect or refract to the wrong side; the geometric normal does not.
     V3f axis = lobe.axis;
     if (axis.dot(outside) <= 0) {
-        axis = lobe.side > 0 ? mirrored(vertex.wo, outside) : -vertex.wo;
+        axis = lobe.side > 0 ? reflect(vertex.wo, outside) : -vertex.wo;
     }
     const OrthonormalBasis basis = OrthonormalBasis::around(axis);
     const std::uint32_t branch = child_of(from.node, lobe.kind);
@@ -238,7 +239,7 @@ V3f DistributedIntegrator::gathered(const Lobe& lobe, const Vertex& vertex, Work
         V3f local(0, 0, 1);
         if (!is_exact) {
             const V2f u = lattice_point(V2f(numbers[0], numbers[1]), k, samples);
-            local = sample_deviation(u, lobe.spread);
+            local = sample_gaussian_lobe(u, lobe.spread);
             child.ray.direction = basis.to_world(local).normalized();
             if (child.ray.direction.dot(outside) <= 0) {
                 child.ray.direction = basis.to_world(V3f(-local.x, -local.y, local.z)).normalized();

@@ -1,4 +1,4 @@
-// The classic distributed ray tracer.
+// Distributed ray tracing.
 #pragma once
 
 #include "render/integrator/integrator.h"
@@ -11,16 +11,17 @@ namespace carom::render {
 /// with Phong's highlights. Towards a viewer in direction E a surface sends
 ///   k_a i_a + sum over lights of the mean over shadow samples of I (k_d (N.L) + k_s (R.E)^n)
 ///           + k_r (mean of the reflection rays) + k_t (mean of the refraction rays),
-/// R being L mirrored in the surface. I is radiance / (pi p) for a shadow sample of density p
-/// (1/sr) that nothing opaque hides: irradiance over pi and cosine, so that k_d is an albedo and a
-/// diffuse surface has the radiance that the path integrator gives it after one bounce.
+/// where R is L reflected at the surface. I is radiance / (pi p) for an unoccluded shadow sample of
+/// density p (1/sr): irradiance over pi and cosine, so that k_d is an albedo and a diffuse surface
+/// has the radiance that the path integrator gives it after one bounce.
 ///
-/// Rays leave around the mirrored or refracted direction, the angle normally distributed, the
-/// azimuth uniform, each weighted by the angle's cosine; one that would pass to the wrong side of
-/// the surface is turned to the opposite azimuth. At total reflection k_t joins k_r.
+/// The angle between a ray and the reflected or refracted direction is normally distributed, the
+/// azimuth uniform, and each ray is weighted by the cosine of the angle. A ray that would pass to
+/// the wrong side of the surface is turned to the opposite azimuth. At total reflection k_t is
+/// added to k_r.
 ///
-/// Rays see lights and the environment as they are; an environment without a picture shines on
-/// diffuse surfaces by the ambient term alone, as nothing else here follows scattered light.
+/// Rays see lights and the environment directly. A constant environment lights diffuse surfaces by
+/// the ambient term alone, because nothing else here follows scattered light.
 class DistributedIntegrator final : public Integrator {
   public:
     DistributedIntegrator(const TransportScene& scene, const DistributedSettings& settings)

@@ -5,7 +5,7 @@
 namespace carom::render {
 namespace {
 
-/// One line from its parts, numbers with four digits.
+/// One line from its parts, with numbers of four digits.
 template <class... Parts>
 std::string line(const Parts&... parts) {
     std::ostringstream text;

@@ -1,4 +1,4 @@
-// How many rays the distributed integrator sent, and how many were foretold.
+// How many rays the distributed integrator sent, compared with two predictions.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,21 @@
 
 namespace carom::render {
 
-/// The classic estimate for one pixel: blur x lens x (L S + sum over n = 1 ... r of
-/// 2 L S (R + T)^n), by the text that the older scene format comes from (its section 6.2).
+/// The classic estimate for one pixel: blur x lens x (L S + sum over n = 1 ... r of 2 L S (R +
+/// T)^n), from the description of the older scene format (its section 6.2).
 [[nodiscard]] double rays_by_classic_formula(const DistributedSettings& settings,
                                              std::size_t lights);
 
-/// Rays foretold for as many camera rays as were counted, in any number of frames.
+/// Numbers of rays predicted for the camera rays that were counted, in any number of frames.
 struct RayFormulas {
     double full = 0;     // if every surface reflected and refracted
-    double classic = 0;  // by the classic formula
+    double classic = 0;  // rays_by_classic_formula
 };
 [[nodiscard]] RayFormulas ray_formulas(const RenderStatistics& count,
                                        const RenderSettings& settings, std::size_t lights);
 
-/// What was counted, in any number of frames, beside both formulas: lines of text that say why they
-/// differ.
+/// The counted rays, in any number of frames, next to both predictions: lines of text that explain
+/// the differences.
 [[nodiscard]] std::vector<std::string> describe_rays(const RenderStatistics& count,
                                                      const RenderSettings& settings,
                                                      std::size_t lights);

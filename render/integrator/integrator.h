@@ -1,4 +1,4 @@
-// What makes light of camera rays.
+// The interface of integrators, which estimate the light along camera rays.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,21 @@
 
 namespace carom::render {
 
-/// One camera sample.
+/// The result of one camera sample.
 struct RadianceSample {
     V3f radiance{0, 0, 0};
-    float coverage = 0;   // 1 where the camera's ray met something
-    V3f normal{0, 0, 0};  // what it met, world axes, towards the camera
+    float coverage = 0;   // 1 if the camera ray hit something
+    V3f normal{0, 0, 0};  // at the hit, world axes, towards the camera
     V3f albedo{0, 0, 0};
-    std::uint32_t object = kNoObject;  // that it met, lights after objects
+    std::uint32_t object = kNoObject;  // that was hit; lights are numbered after the objects
 };
 
-/// Where a sample belongs, for messages.
+/// Which sample of which pixel, for messages.
 struct SampleIndex {
     int x = 0, y = 0, sample = 0;
 };
 
-/// A sample that is wanted.
+/// A sample to compute.
 struct CameraTask {
     Ray ray;
     SampleStream stream;
@@ -37,16 +37,16 @@ class Integrator {
   public:
     virtual ~Integrator() = default;
 
-    /// Room to work in, for one thread.
+    /// Scratch memory for one thread.
     class Workspace {
       public:
         virtual ~Workspace() = default;
     };
-    /// Null: none is needed.
+    /// Returns null if the integrator needs none.
     [[nodiscard]] virtual std::unique_ptr<Workspace> make_workspace() const { return nullptr; }
 
-    /// `sample` for each task, in whatever order suits: results do not depend on what else is asked
-    /// for. `workspace`: of this integrator.
+    /// Computes `sample` for each task, in any order: a result does not depend on the other tasks.
+    /// `workspace` comes from this integrator.
     virtual void samples(std::span<const CameraTask> tasks, float pixel_spread,
                          std::span<RadianceSample> results, Workspace* /*workspace*/,
                          RenderStatistics& count) const {
@@ -55,8 +55,8 @@ class Integrator {
         }
     }
 
-    /// The light that arrives against `camera_ray`; `pixel_spread`: width of a pixel at distance 1.
-    /// All values are finite and >= 0. Adds to `count`.
+    /// The radiance that arrives along `camera_ray`. `pixel_spread`: width of a pixel at distance
+    /// 1. All returned values are finite and >= 0. Adds to `count`.
     [[nodiscard]] virtual RadianceSample sample(const Ray& camera_ray, float pixel_spread,
                                                 const SampleStream& stream,
                                                 const SampleIndex& index,

@@ -19,12 +19,12 @@ constexpr std::uint32_t kBranchesOfOneCoat = 1u << (kMostSplits + 1);
 constexpr int kRouletteVertex = 5;
 constexpr float kLeastSurvival = 0.2f;
 
-// Probability of being followed further of a path within glass that has had all its bounces.
+// Probability of continuing a path within glass after its last bounce.
 constexpr float kSurvivalInGlass = 0.95f;
 
 }  // namespace
 
-// A wrong radiance stops the program where it is born, if expensive checks are on.
+// With expensive checks on, an invalid radiance stops the program where it first appears.
 void PathWork::validate([[maybe_unused]] const V3f& radiance) const {
 #ifdef CAROM_VALIDATION
     if (!is_light(radiance)) {
@@ -37,11 +37,11 @@ void PathWork::validate([[maybe_unused]] const V3f& radiance) const {
 }
 
 PathIntegrator::PathIntegrator(const TransportScene& scene, const PathSettings& settings,
-                               const LightReflections* reflections)
+                               const LightTracer* light_tracer)
     : scene_(scene),
       direct_(scene_, settings.strategy),
       caustics_(scene_),
-      reflections_(reflections),
+      light_tracer_(light_tracer),
       settings_(settings) {
     CAROM_ASSERT(settings.split_vertices >= 0 && settings.split_vertices <= kMostSplits);
     has_emission_ = std::any_of(scene.materials.begin(), scene.materials.end(),
@@ -56,7 +56,7 @@ RadianceSample PathIntegrator::sample(const Ray& camera_ray, float pixel_spread,
     PathWork work{PathDimensions(stream), index, count};
     Path path{camera_ray};
     path.spread = pixel_spread;
-    path.last.connects = reflections_ != nullptr;
+    path.last.connects = light_tracer_ != nullptr;
     count.camera_rays += 1;
     follow(path, work);
     return total(work);
@@ -79,7 +79,7 @@ RadianceSample PathIntegrator::total(PathWork& work) const {
 void PathIntegrator::follow(Path path, PathWork& work) const {
     Hit hit;
     while (scene_.frame.structure().closest_hit(path.ray, hit)) {
-        if (!meet(path, hit, work)) {
+        if (!process_hit(path, hit, work)) {
             return;
         }
     }
@@ -87,7 +87,7 @@ void PathIntegrator::follow(Path path, PathWork& work) const {
 }
 
 void PathIntegrator::follow_from(Path path, const Hit& hit, PathWork& work) const {
-    if (meet(path, hit, work)) {
+    if (process_hit(path, hit, work)) {
         follow(path, work);
     }
 }
@@ -96,24 +96,24 @@ void PathIntegrator::miss(const Path& path, PathWork& work) const {
     work.add(path.throughput * direct_.environment(path), path.vertex);
 }
 
-void PathIntegrator::meet_light(const Path& path, const Hit& hit, PathWork& work) const {
+void PathIntegrator::add_hit_light(const Path& path, const Hit& hit, PathWork& work) const {
     if (path.vertex == 0) {
         work.result.coverage = 1;
         work.result.object = hit.object;
     }
-    if (is_sought(path, hit)) {
+    if (is_sampled_as_caustic(path, hit)) {
         return;
     }
-    work.add(path.throughput * direct_.met(path, hit), path.vertex);
+    work.add(path.throughput * direct_.hit_light(path, hit), path.vertex);
     if (path.vertex == 0) {
         work.result.normal = -path.ray.direction;
     }
 }
 
-// Whether the path goes on from what it has met, turned into its next direction.
-bool PathIntegrator::meet(Path& path, const Hit& hit, PathWork& work) const {
+// Handles the path's hit and turns the path into its next direction; false if the path ends.
+bool PathIntegrator::process_hit(Path& path, const Hit& hit, PathWork& work) const {
     if (scene_.is_light(hit)) {
-        meet_light(path, hit, work);
+        add_hit_light(path, hit, work);
         return false;
     }
     if (path.vertex == 0) {
@@ -166,14 +166,14 @@ bool PathIntegrator::meet(Path& path, const Hit& hit, PathWork& work) const {
     return scatter(path, vertex, u.scattering, work);
 }
 
-// `path.width` is that at the point.
+// `path.width` is the width at the point.
 Surface PathIntegrator::resolve(const Path& path, const SurfacePoint& point) const {
     const V3f wo = -path.ray.direction;
     const float cosine = std::max(std::abs(point.geometric_normal.dot(wo)), kLeastConeCosine);
     return scene_.materials[point.material].resolve(point, wo, path.width / std::sqrt(cosine));
 }
 
-void PathIntegrator::seek_by_balls(Path path, const Hit& hit, PathWork& work) const {
+void PathIntegrator::add_caustics(Path path, const Hit& hit, PathWork& work) const {
     const SurfacePoint point = scene_.frame.surface_at(path.ray, hit);
     path.width += path.spread * hit.t;
     const Surface surface = resolve(path, point);
@@ -184,14 +184,14 @@ void PathIntegrator::seek_by_balls(Path path, const Hit& hit, PathWork& work) co
     work.add(path.throughput * found, path.vertex + 2);
 }
 
-// Whether the light that the path has met by way of a ball is found by connection.
-bool PathIntegrator::is_sought(const Path& path, const Hit& hit) const {
+// Whether the light that the path hit after a specular reflection was sampled instead.
+bool PathIntegrator::is_sampled_as_caustic(const Path& path, const Hit& hit) const {
     if (path.last.connected_ball < 0) {
         return false;
     }
     const auto ball = static_cast<std::uint32_t>(path.last.connected_ball);
     const std::size_t light = scene_.light_of(hit);
-    return path.vertex == 1 ? reflections_->covers(ball, light) : caustics_.covers(ball, light);
+    return path.vertex == 1 ? light_tracer_->covers(ball, light) : caustics_.covers(ball, light);
 }
 
 void PathIntegrator::add_emission(const Path& path, const Hit& hit, PathWork& work) const {
@@ -199,12 +199,12 @@ void PathIntegrator::add_emission(const Path& path, const Hit& hit, PathWork& wo
     const float cosine = -point.geometric_normal.dot(path.ray.direction);
     const Material& material = scene_.materials[point.material];
     if (cosine > 0 && material.is_emissive()) {
-        work.add(path.throughput * direct_.met_object(path, hit, material.emission(), cosine),
+        work.add(path.throughput * direct_.hit_emitter(path, hit, material.emission(), cosine),
                  path.vertex);
     }
 }
 
-// Roulette on long paths only: by then what is left of the path's weight says how much it matters.
+// Roulette is for long paths only: by then the throughput tells how much the path still matters.
 bool PathIntegrator::survives(Path& path, const PathWork& work) const {
     if (path.vertex < kRouletteVertex) {
         return true;
@@ -217,8 +217,8 @@ bool PathIntegrator::survives(Path& path, const PathWork& work) const {
     return true;
 }
 
-// A path that ended within glass would darken it, the frosted kind most: so it is followed until it
-// leaves, by roulette, whatever the number of its bounces.
+// A path that ended within glass would darken it, frosted glass most. Such a path is followed with
+// roulette until it leaves the glass, whatever its number of bounces.
 bool PathIntegrator::survives_in_glass(Path& path, const PathWork& work) const {
     constexpr int kMostVertices = static_cast<int>(PathDimensions::kVertices) - 1;
     if (path.vertex >= kMostVertices || work.dimensions.further(path).y >= kSurvivalInGlass) {
@@ -239,15 +239,16 @@ bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, const V2f&
         onward.throughput *= sample->weight / static_cast<float>(samples);
         onward.last.pdf = sample->pdf * static_cast<float>(samples);
         onward.last.is_delta = sample->is_delta;
-        // Light is sought by broad lobes and one mirror, in this order, and by no other way.
+        // Caustics are sampled for paths of a broad lobe followed by one specular reflection, only.
         onward.last.connects = onward.last.connects && !sample->is_delta;
         onward.last.connected_ball = sample->is_delta ? onward.last.connected_ball : -1;
         onward.ray = Ray{vertex.origin_towards(sample->direction), sample->direction, 0, kInfinity,
                          path.ray.time};
-        onward.spread = sample->is_delta
-                            ? std::min(onward.spread * kMirrorSpread, kWidestSpread)
-                            : std::max(onward.spread, std::min(kLobeShare / std::sqrt(sample->pdf),
-                                                               kWidestSpread));
+        onward.spread =
+            sample->is_delta
+                ? std::min(onward.spread * kMirrorSpread, kWidestSpread)
+                : std::max(onward.spread,
+                           std::min(kLobeFraction / std::sqrt(sample->pdf), kWidestSpread));
         onward.vertex += 1;
         work.count.scattered_rays += 1;
         return true;
@@ -255,7 +256,7 @@ bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, const V2f&
     if (!vertex.splits) {
         return proceed(path, Layers::all, u);
     }
-    // A smooth coat has no choice of direction.
+    // A smooth coat leaves no choice of direction.
     const V3f numbers =
         vertex.bsdf.can_evaluate(Layers::coat) ? work.dimensions.further(path) : V3f(0, 0, 0);
     for (int k = 0; k < vertex.glossy_samples; ++k) {

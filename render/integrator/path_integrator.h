@@ -6,31 +6,32 @@
 #include "render/integrator/caustics.h"
 #include "render/integrator/direct_light.h"
 #include "render/integrator/integrator.h"
-#include "render/integrator/light_reflections.h"
+#include "render/integrator/light_tracer.h"
 #include "render/integrator/path_state.h"
 #include "render/integrator/transport_scene.h"
 
 namespace carom::render {
 
 struct PathSettings {
-    /// [0, 64]; 0: light seen and light scattered once. Paths that are within glass then are
-    /// followed until they leave it.
+    /// [0, 64]; 0: light seen directly and light scattered once. Paths that are then within glass
+    /// are followed until they leave it.
     int max_bounces = 4;
     float clamp = 0;  // bound on a sample's indirect light, 0: none
-    /// At so many first vertices, at most 2, the coat and what lies below it are both followed.
+    /// The number of first vertices, at most 2, from which the coat and the layers below it are
+    /// followed separately.
     int split_vertices = 2;
     int glossy_samples = 4;  // see ShadingVertex, for coats that the camera sees, [1, 16]
     DirectStrategy strategy = DirectStrategy::both;
-    bool caustics = true;  // by connection; else by chance, with the same mean
+    bool caustics = true;  // sampled by connection; otherwise found by chance, with the same mean
 };
 
-/// What one camera sample gathers.
+/// What one camera sample accumulates.
 struct PathWork {
     PathDimensions dimensions;
     SampleIndex index;
     RenderStatistics& count;
     RadianceSample result{};
-    V3f direct{0, 0, 0};  // light seen, or scattered once
+    V3f direct{0, 0, 0};  // light seen directly, or scattered once
     V3f indirect{0, 0, 0};
 
     void add(const V3f& radiance, int scatterings) {
@@ -44,53 +45,54 @@ struct PathWork {
 
 /// Immutable; shared by all threads.
 ///
-/// At the first two vertices of a path the coat and what lies below it are both followed (Cook,
+/// From the first two vertices of a path the coat and the layers below it are both followed (Cook,
 /// Porter and Carpenter 1984 chose one; choosing costs a factor 3 in efficiency on billiard balls).
-/// Every light is sampled at the first vertex, one later. No roulette before the sixth vertex.
+/// The first vertex samples every light, later ones sample one. Russian roulette begins at the
+/// sixth vertex.
 class PathIntegrator final : public Integrator {
   public:
-    /// `reflections`: what the camera sees in balls is left out if they cover it. Borrowed.
+    /// `light_tracer`: the reflections that it covers are left out. Borrowed; may be null.
     PathIntegrator(const TransportScene& scene, const PathSettings& settings,
-                   const LightReflections* reflections = nullptr);
+                   const LightTracer* light_tracer = nullptr);
 
     [[nodiscard]] RadianceSample sample(const Ray& camera_ray, float pixel_spread,
                                         const SampleStream& stream, const SampleIndex& index,
                                         RenderStatistics& count) const override;
 
-    // For an integrator that carries many paths and leaves some of what they meet to this one.
+    // For an integrator that carries many paths and leaves some of their vertices to this one.
 
-    /// All that the path gathers from here on; `hit`: what it meets next, not yet dealt with.
+    /// Follows the path to its end; `hit`: its next hit, not yet processed.
     void follow_from(Path path, const Hit& hit, PathWork& work) const;
-    /// What a path that meets nothing gathers.
+    /// Adds the environment for a path that left the scene.
     void miss(const Path& path, PathWork& work) const;
-    /// What a path that meets an area light gathers there.
-    void meet_light(const Path& path, const Hit& hit, PathWork& work) const;
-    /// The surface at a point that the path meets; its width is that at the point.
+    /// Adds the light of an area light that the path hit.
+    void add_hit_light(const Path& path, const Hit& hit, PathWork& work) const;
+    /// The surface at a point that the path hit; `path.width` is the width there.
     [[nodiscard]] Surface resolve(const Path& path, const SurfacePoint& point) const;
-    /// Light by way of balls, scattered where the path meets `hit`.
-    void seek_by_balls(Path path, const Hit& hit, PathWork& work) const;
-    /// The sample that was gathered, indirect light clamped.
+    /// Adds the sampled caustics, scattered at the path's `hit`.
+    void add_caustics(Path path, const Hit& hit, PathWork& work) const;
+    /// The result of the sample, with indirect light clamped.
     [[nodiscard]] RadianceSample total(PathWork& work) const;
 
     [[nodiscard]] const Caustics& caustics() const { return caustics_; }
 
   private:
     void follow(Path path, PathWork& work) const;
-    [[nodiscard]] bool meet(Path& path, const Hit& hit, PathWork& work) const;
+    [[nodiscard]] bool process_hit(Path& path, const Hit& hit, PathWork& work) const;
     void add_emission(const Path& path, const Hit& hit, PathWork& work) const;
     [[nodiscard]] bool scatter(Path& path, const ShadingVertex& vertex, const V2f& u,
                                PathWork& work) const;
-    [[nodiscard]] bool is_sought(const Path& path, const Hit& hit) const;
+    [[nodiscard]] bool is_sampled_as_caustic(const Path& path, const Hit& hit) const;
     [[nodiscard]] bool survives(Path& path, const PathWork& work) const;
     [[nodiscard]] bool survives_in_glass(Path& path, const PathWork& work) const;
 
     TransportScene scene_;
     DirectLight direct_;
     Caustics caustics_;
-    const LightReflections* reflections_;
+    const LightTracer* light_tracer_;
     PathSettings settings_;
-    bool has_emission_ = false;  // some object shines by its material
-    bool has_glass_ = false;     // some object lets light through
+    bool has_emission_ = false;  // some object has an emissive material
+    bool has_glass_ = false;     // some object has a transmissive material
 };
 
 }  // namespace carom::render

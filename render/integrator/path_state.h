@@ -1,4 +1,4 @@
-// A path of light on its way, as plain data: what a loop over many paths would carry per lane.
+// The state of a path, as plain data: what a loop over many paths carries per lane.
 #pragma once
 
 #include <array>
@@ -10,27 +10,28 @@
 
 namespace carom::render {
 
-// The pixel's cone after a bounce: a lobe of density p is about 1 / sqrt(p) wide; of that a quarter
-// (several samples share it). A mirror may be curved: balls widen what is seen in them.
-inline constexpr float kLobeShare = 0.25f;
+// The pixel's cone after a bounce: a lobe of density p is about 1 / sqrt(p) wide, of which this
+// fraction counts, because several samples divide it between them. A mirror may be curved: balls
+// widen what is seen in them.
+inline constexpr float kLobeFraction = 0.25f;
 inline constexpr float kWidestSpread = 0.5f;
 inline constexpr float kMirrorSpread = 4.0f;
 
-/// A surface that is seen at a more grazing angle widens the pixel's cone no further.
+/// Lower bound on the cosine in the pixel's cone: a more grazing angle widens it no further.
 inline constexpr float kLeastConeCosine = 0.05f;
 
-/// How the latest direction was chosen: what a light that it meets must know to weigh itself
-/// against having been sampled from there (Veach and Guibas 1995, "Optimally combining sampling
-/// techniques for Monte Carlo rendering").
+/// How the latest direction was chosen: what multiple importance sampling needs when the ray hits a
+/// light (Veach and Guibas 1995, "Optimally combining sampling techniques for Monte Carlo
+/// rendering").
 struct LastScattering {
     V3f position{0, 0, 0};
-    V3f normal{0, 0, 1};    // shading normal, which lights were chosen with
+    V3f normal{0, 0, 1};    // shading normal, by which lights were chosen
     float pdf = 0;          // of the direction, times the number of directions taken, 1/sr
-    bool is_delta = true;   // a mirror or the camera: lights cannot be sampled instead
-    bool connects = false;  // light by way of mirroring balls was sought there, or for the camera
-    /// The ball that mirrored it there from a vertex that connects; none: -1.
+    bool is_delta = true;   // a specular reflection or the camera: lights cannot be sampled instead
+    bool connects = false;  // caustics were sampled there, or light tracing covers the camera
+    /// The ball that reflected the path after a vertex that connects; -1: none.
     std::int64_t connected_ball = -1;
-    bool all_lights = false;  // every light was sampled there, not one
+    bool all_lights = false;  // every light was sampled there, rather than one
     float total_importance = 0;
     float environment_samples = 1;
 };
@@ -43,12 +44,11 @@ struct Path {
     int vertex = 0;            // index of the vertex that `ray` leads to; 0 is what the camera sees
     std::uint32_t branch = 1;  // 1, and 2 n or 2 n + 1 for the coat and the base of a split n
     float width = 0;           // of the pixel's cone at the ray's origin, m
-    float spread = 0;          // by which it grows, per m
+    float spread = 0;          // growth of that width per m
 };
 
-/// The `k`th of `n` points that are well spread together, and evenly if `u` is: a lattice turned by
-/// `u` (Cranley and Patterson 1976, "Randomization of number theoretic methods for multiple
-/// integration").
+/// The `k`th of `n` well-spread points, each uniform if `u` is: a lattice shifted by `u` (Cranley
+/// and Patterson 1976, "Randomization of number theoretic methods for multiple integration").
 [[nodiscard]] inline V2f lattice_point(const V2f& u, int k, int n) {
     if (n == 1) {
         return u;
@@ -58,15 +58,15 @@ struct Path {
     return {x - std::floor(x), y - std::floor(y)};
 }
 
-/// The numbers that a vertex needs: points of the unit square, low-discrepancy over the samples of
-/// a pixel. Choices between lights or lobes stretch a number over the chosen one and use it again.
+/// The random numbers of a vertex: points of the unit square, low-discrepancy over the samples of a
+/// pixel. A choice between lights or lobes remaps its number and uses it again.
 struct VertexNumbers {
     V2f light;
     V2f scattering;
 };
 
-/// The dimensions of every decision, the same whatever came before: samples of a pixel stay one
-/// low-discrepancy set per decision.
+/// The dimensions of every decision. They do not depend on earlier decisions, so that the samples
+/// of a pixel stay one low-discrepancy set per decision.
 class PathDimensions {
   public:
     explicit PathDimensions(const SampleStream& stream) : stream_(stream) {}
@@ -75,14 +75,14 @@ class PathDimensions {
         const auto u = set(place(path) * 2);
         return {V2f(u[0], u[1]), V2f(u[2], u[3])};
     }
-    /// Where a path splits: for the coat's direction. (`x`, `y`), and a number for roulette.
+    /// At a split, for the coat's direction (`x`, `y`); `z` is for roulette.
     [[nodiscard]] V3f further(const Path& path) const {
         const auto u = set(place(path) * 2 + 1);
         return V3f(u[0], u[1], u[2]);
     }
-    /// For light by way of a ball: whether it is sought at all, and then how.
+    /// For caustics: whether they are sampled at all, and then how.
     [[nodiscard]] float caustic_roulette(const Path& path) const {
-        return stream_.lone_number(kCaustics + 2 * place(path));
+        return stream_.get_1d(kCaustics + 2 * place(path));
     }
     [[nodiscard]] std::array<float, 4> caustic(const Path& path) const {
         return set(kCaustics + 2 * place(path) + 1);
@@ -95,16 +95,17 @@ class PathDimensions {
 
     /// For a light that takes four samples at the first vertex.
     [[nodiscard]] std::array<V2f, 4> light_block(std::size_t light) const {
-        return stream_.square_block(kLightBlocks + static_cast<std::uint32_t>(light));
+        return stream_.get_2d_block(kLightBlocks + static_cast<std::uint32_t>(light));
     }
 
-    // Where the sets of numbers lie: each vertex's, then those of a first vertex's lights.
+    // Indices of the sets of numbers: those of all vertices first, then those of a first vertex's
+    // lights.
     static constexpr std::uint32_t kVertices = 128;  // more than a path can have
     static constexpr std::uint32_t kLightPairs = 0x10000;
     static constexpr std::uint32_t kCaustics = 0x20000;
     static constexpr std::uint32_t kLightBlocks = 0x30000;
 
-    /// Vertices of a path that seek light by way of balls.
+    /// The number of first vertices of a path that sample caustics.
     static constexpr int kConnectingVertices = 2;
 
   private:

@@ -1,4 +1,4 @@
-// What light moves through: shapes, materials and lights of one frame, borrowed.
+// What integrators need of one frame: shapes, materials and lights, borrowed.
 #pragma once
 
 #include <cstdint>

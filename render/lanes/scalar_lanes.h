@@ -1,4 +1,4 @@
-// One number where formulas may have a vector of them: the lane type of scalar code.
+// The lane type of scalar code: a single number where vector code has several.
 #pragma once
 
 #include <bit>
@@ -8,7 +8,7 @@
 
 namespace carom::render {
 
-/// What formulas over lanes ask of a lane type. T: float, double or long double.
+/// The operations that formulas over lanes need from a lane type. T: float, double or long double.
 template <class T>
 struct ScalarLanes {
     using Number = T;
@@ -20,12 +20,12 @@ struct ScalarLanes {
     static Mask is_at_most(Value a, Value b) { return a <= b; }
     static Mask both(Mask a, Mask b) { return a && b; }
     static bool none(Mask mask) { return !mask; }
-    /// Is it worth stopping between two tests that mostly fail together or not at all? Where
-    /// several lanes must fail, that is rare and cannot be foretold.
+    /// Whether an early return between two tests pays off. For a scalar it does; with several lanes
+    /// all must fail, which is rare and cannot be predicted.
     static bool fails_alone(Mask mask) { return !mask; }
     static Value size(Value x) { return std::abs(x); }
 
-    /// x with its sign turned where `by` is negative.
+    /// x, negated where `by` is negative.
     static Value turned(Value x, Value by) {
         if constexpr (std::is_same_v<T, float>) {
             return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) ^

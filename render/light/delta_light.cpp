@@ -24,7 +24,7 @@ DeltaLight::DeltaLight(const DirectionalLight& light)
       direction_(light.direction.normalized()),
       power_(light.irradiance) {}
 
-float DeltaLight::share_at(float cosine) const {
+float DeltaLight::cone_fraction(float cosine) const {
     if (cosine >= inner_cosine_) {
         return 1;
     }
@@ -39,13 +39,13 @@ std::optional<LightSample> DeltaLight::sample(const V3f& point) const {
     if (is_parallel_) {
         return LightSample{-direction_, kInfinity, kDeltaPdf, V2f(0, 0)};
     }
-    const V3f way = position_ - point;
-    const float distance = way.length();
+    const V3f to_light = position_ - point;
+    const float distance = to_light.length();
     if (!(distance > 1e-9f)) {
         return std::nullopt;
     }
-    const V3f towards = way / distance;
-    if (share_at(-towards.dot(direction_)) <= 0) {
+    const V3f towards = to_light / distance;
+    if (cone_fraction(-towards.dot(direction_)) <= 0) {
         return std::nullopt;
     }
     return LightSample{towards, distance, kDeltaPdf, V2f(0, 0)};
@@ -55,35 +55,35 @@ V3f DeltaLight::radiance(const LightSample& sample) const {
     if (is_parallel_) {
         return power_ * kDeltaPdf;
     }
-    const float share = share_at(-sample.direction.dot(direction_));
+    const float fraction = cone_fraction(-sample.direction.dot(direction_));
     const float distance2 = fades_ ? sample.distance * sample.distance : 1.0f;
-    return power_ * (share / distance2) * kDeltaPdf;
+    return power_ * (fraction / distance2) * kDeltaPdf;
 }
 
-V3f DeltaLight::source(const V3f& centre, float reach) const {
+V3f DeltaLight::source(const V3f& centre, float radius) const {
     constexpr float kFar = 1e5f;
-    return is_parallel_ ? centre - direction_ * (kFar * reach) : position_;
+    return is_parallel_ ? centre - direction_ * (kFar * radius) : position_;
 }
 
 V3f DeltaLight::intensity(const V3f& direction, float distance) const {
-    const float share = is_parallel_ ? 1.0f : share_at(direction.dot(direction_));
-    return power_ * (fades_ ? share : share * (distance * distance));
+    const float fraction = is_parallel_ ? 1.0f : cone_fraction(direction.dot(direction_));
+    return power_ * (fades_ ? fraction : fraction * (distance * distance));
 }
 
-float DeltaLight::irradiance_within(const V3f& centre, float reach) const {
+float DeltaLight::irradiance_within(const V3f& centre, float radius) const {
     if (is_parallel_) {
         return luminance(power_);
     }
-    const V3f way = centre - position_;
-    const float distance = way.length();
-    if (!(distance > reach)) {
+    const V3f to_centre = centre - position_;
+    const float distance = to_centre.length();
+    if (!(distance > radius)) {
         return 0;
     }
-    // The edge of what is lit is nearest in the direction of the axis.
+    // The lit region's edge is nearest in the direction of the axis.
     const auto angle_of = [](float cosine) { return std::acos(std::clamp(cosine, -1.0f, 1.0f)); };
     const bool is_dark =
-        outer_cosine_ > -1 && angle_of(way.dot(direction_) / distance) >
-                                  angle_of(outer_cosine_) + std::asin(reach / distance);
+        outer_cosine_ > -1 && angle_of(to_centre.dot(direction_) / distance) >
+                                  angle_of(outer_cosine_) + std::asin(radius / distance);
     return is_dark ? 0.0f : luminance(power_) / (fades_ ? distance * distance : 1.0f);
 }
 
@@ -92,7 +92,7 @@ float DeltaLight::importance(const V3f& point, const V3f& normal) const {
     if (!at) {
         return 0;
     }
-    // A light at the horizon's edge is chosen a little all the same: normals are interpolated.
+    // A light at the horizon's edge keeps a small importance, because normals are interpolated.
     const float cosine = at->direction.dot(normal);
     return cosine <= 0 ? 0.0f : luminance(radiance(*at)) * (std::max(cosine, 0.1f) / kDeltaPdf);
 }

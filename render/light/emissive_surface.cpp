@@ -42,43 +42,44 @@ EmissiveSurface::EmissiveSurface(const std::vector<Triangle>& triangles, const V
     area_up_to_.back() = 1;
     area_ = static_cast<float>(sum);
     centre_ = bounds.center();
-    reach_ = 0.5f * bounds.size().length();
+    bounding_radius_ = 0.5f * bounds.size().length();
 }
 
 std::optional<LightSample> EmissiveSurface::sample(const V3f& point, const V2f& u) const {
     const auto found = std::upper_bound(area_up_to_.begin(), area_up_to_.end() - 1, u.x);
     const auto index = static_cast<std::size_t>(found - area_up_to_.begin());
     const float before = index > 0 ? area_up_to_[index - 1] : 0.0f;
-    const float share = area_up_to_[index] - before;
+    const float fraction = area_up_to_[index] - before;
     const float rest =
-        share > 0 ? std::clamp((u.x - before) / share, 0.0f, kOneMinusEpsilon) : 0.5f;
-    // Evenly over the triangle (Turk 1990, "Generating random points in triangles").
+        fraction > 0 ? std::clamp((u.x - before) / fraction, 0.0f, kOneMinusEpsilon) : 0.5f;
+    // Uniform over the triangle (Turk 1990, "Generating random points in triangles").
     const float root = std::sqrt(rest);
     const Triangle& t = triangles_[index];
     const V3f place = t[0] * (1 - root) + t[1] * (root * (1 - u.y)) + t[2] * (root * u.y);
-    const V3f way = place - point;
-    const float distance = way.length();
+    const V3f to_light = place - point;
+    const float distance = to_light.length();
     const V3f normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
     if (!(distance > 1e-9f)) {
         return std::nullopt;
     }
-    const float cosine = -way.dot(normal) / distance;
+    const float cosine = -to_light.dot(normal) / distance;
     if (cosine <= 0) {
         return std::nullopt;
     }
-    return LightSample{way / distance, distance, pdf(distance, cosine), V2f(0, 0)};
+    return LightSample{to_light / distance, distance, pdf(distance, cosine), V2f(0, 0)};
 }
 
 float EmissiveSurface::importance(const V3f& point, const V3f& normal) const {
-    const V3f way = centre_ - point;
-    const float distance2 = std::max(way.length2(), 1e-12f);
+    const V3f to_light = centre_ - point;
+    const float distance2 = std::max(to_light.length2(), 1e-12f);
     const float distance = std::sqrt(distance2);
-    const float cosine = way.dot(normal) / distance;
-    // Some of it is above the horizon, or all of it is below.
-    const float seen = distance > reach_ && cosine + reach_ / distance <= 0
+    const float cosine = to_light.dot(normal) / distance;
+    // 0 only if the whole surface lies below the horizon.
+    const float seen = distance > bounding_radius_ && cosine + bounding_radius_ / distance <= 0
                            ? 0.0f
                            : std::max(cosine, kLeastHorizonCosine);
-    return luminance(radiance_) * area_ * 0.5f * seen / std::max(distance2, reach_ * reach_);
+    return luminance(radiance_) * area_ * 0.5f * seen /
+           std::max(distance2, bounding_radius_ * bounding_radius_);
 }
 
 }  // namespace carom::render

@@ -23,7 +23,7 @@ Environment::Environment(const EnvironmentLight& light)
         return;
     }
     pad(light.sky ? sky_picture(*light.sky) : read_linear_image(light.image, false));
-    // A table of at most 256 columns stays in the processor's cache; a finer one costs more time
+    // A table of at most 256 columns stays in the processor's cache; a finer table costs more time
     // than its better fit saves.
     const int block = (width_ + kMostColumns - 1) / kMostColumns;
     const int columns = (width_ + block - 1) / block;
@@ -36,7 +36,7 @@ Environment::Environment(const EnvironmentLight& light)
         const float sine = std::sin(kPi * latitude);
         for (int x = 0; x < width_; ++x) {
             const float weight = cell_brightness(x, y) * sine;
-            // The table's cell that holds the middle of the pixel.
+            // The cell of the table that contains the pixel's centre.
             const int column = (2 * x + 1) * columns / (2 * width_);
             const int row = (2 * y + 1) * rows / (2 * height_);
             weights[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
@@ -49,8 +49,8 @@ Environment::Environment(const EnvironmentLight& light)
     mean_luminance_ = static_cast<float>(sum / area) * luminance(scale_);
 }
 
-// (u, v) in the picture, v = 0 at the top. The middle column lies towards +x; columns to its right
-// towards -y, as someone in the middle of the scene sees it.
+// (u, v) in the picture, v = 0 at the top. The middle column is the direction +x; columns to its
+// right turn towards -y, as seen from the middle of the scene.
 V2f Environment::picture_from_direction(const V3f& direction) const {
     const float u = 0.5f + turns_ - std::atan2(direction.y, direction.x) / kTurn;
     return {u - std::floor(u), std::acos(std::clamp(direction.z, -1.0f, 1.0f)) / kPi};
@@ -88,7 +88,7 @@ void Environment::pad(const LinearImage& image) {
 V3f Environment::picture_radiance(const V2f& uv) const {
     const float x = uv.x * static_cast<float>(width_) - 0.5f;
     const float y = uv.y * static_cast<float>(height_) - 0.5f;
-    // uv may be 1 where a direction points straight down or round-off closes the circle.
+    // uv may be 1 for a direction straight down or by rounding at the seam.
     const int x0 = std::min(static_cast<int>(std::floor(x)), width_ - 1);
     const int y0 = std::min(static_cast<int>(std::floor(y)), height_ - 1);
     const float fx = x - static_cast<float>(x0);
@@ -98,8 +98,8 @@ V3f Environment::picture_radiance(const V2f& uv) const {
     return (top * (1.0f - fy) + bottom * fy) * (scale_ * unit_);
 }
 
-// Mean of the bilinear picture over one pixel's square: weights 1, 6, 1 over 8 both ways. It is
-// above 0 wherever the interpolated picture is.
+// Mean of the bilinear picture over one pixel's square: weights (1, 6, 1) / 8 in both directions.
+// It is positive wherever the interpolated picture is.
 float Environment::cell_brightness(int x, int y) const {
     float sum = 0;
     for (int j = -1; j <= 1; ++j) {
@@ -144,7 +144,7 @@ Environment::Seen Environment::seen(const V3f& direction) const {
 }
 
 float Environment::importance() const {
-    // As if half of the hemisphere's cosine-weighted sky were seen.
+    // The estimate assumes that half of the cosine-weighted hemisphere sees the sky.
     return 0.5f * kPi * mean_luminance_;
 }
 

@@ -1,4 +1,4 @@
-// Light from infinitely far away.
+// Environment (infinite) light.
 #pragma once
 
 #include <optional>
@@ -13,11 +13,11 @@
 
 namespace carom::render {
 
-/// Constant, or an equirectangular picture (read, or made of a sky), interpolated bilinearly.
-/// Immutable.
+/// A constant radiance, or an equirectangular picture (from a file or a sky model) with bilinear
+/// interpolation. Immutable.
 class Environment {
   public:
-    /// No light at all.
+    /// An environment without light.
     Environment() = default;
 
     /// Throws Error if the picture cannot be read.
@@ -25,37 +25,37 @@ class Environment {
 
     [[nodiscard]] V3f radiance(const V3f& direction) const;
 
-    /// Whether sampling it beats waiting for scattered rays to leave the scene: not so for a
-    /// constant one, which cosine-distributed directions sample perfectly.
+    /// Whether sampling it is better than waiting for scattered rays to leave the scene. It is not
+    /// for a constant environment, which cosine-distributed directions sample perfectly.
     [[nodiscard]] bool is_sampled() const { return !padded_.empty(); }
 
-    /// In proportion to brightness and solid angle. Only if `is_sampled`.
+    /// Samples in proportion to brightness and solid angle. Requires `is_sampled`.
     [[nodiscard]] std::optional<LightSample> sample(const V2f& u) const;
 
-    /// What arrives from there.
+    /// Radiance along a sampled direction.
     [[nodiscard]] V3f radiance(const LightSample& sample) const {
         return picture_radiance(sample.place);
     }
 
-    /// What a ray that leaves the scene finds.
+    /// What a ray that leaves the scene sees.
     struct Seen {
         V3f radiance;
         float pdf = 0;  // of `sample`, 1/sr
     };
-    /// `radiance` and `pdf` at one go.
+    /// `radiance` and `pdf` together.
     [[nodiscard]] Seen seen(const V3f& direction) const;
 
-    /// Of `sample`, 1/sr; 0 if not `is_sampled`.
+    /// Density of `sample`, 1/sr; 0 if not `is_sampled`.
     [[nodiscard]] float pdf(const V3f& direction) const;
 
-    /// Estimate of the irradiance that it gives, in the unit of AreaLight's importance.
+    /// Estimate of the irradiance that it gives, in the unit of the area lights' importance.
     [[nodiscard]] float importance() const;
 
   private:
     [[nodiscard]] V2f picture_from_direction(const V3f& direction) const;
     [[nodiscard]] float pdf_at(const V3f& direction, const V2f& uv) const;
     [[nodiscard]] V3f picture_radiance(const V2f& uv) const;
-    /// x in [-1, width], y in [-1, height]: the borders repeat what lies beyond them.
+    /// x in [-1, width], y in [-1, height]: the border repeats the pixels beyond it.
     [[nodiscard]] V3f pixel(int x, int y) const;
     void pad(const LinearImage& image);
     [[nodiscard]] float cell_brightness(int x, int y) const;
@@ -64,7 +64,7 @@ class Environment {
     int width_ = 0;  // of the picture, pixels
     int height_ = 0;
     std::vector<SharedExponent> padded_;  // with a border of one pixel; empty: constant
-    float unit_ = 1;                      // that `padded_` is stored in
+    float unit_ = 1;                      // the unit of `padded_`
     Distribution2D distribution_;
     float turns_ = 0;  // rotation about z
     float mean_luminance_ = 0;

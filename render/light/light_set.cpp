@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "render/geometry/validity.h"
-#include "render/sampling/reuse.h"
+#include "render/sampling/remap_sample.h"
 #include "render/scene/scene_problems.h"
 
 namespace carom::render {
@@ -56,7 +56,8 @@ float LightSet::importance(std::size_t light, const V3f& point, const V3f& norma
                       area_lights_[light]);
 }
 
-// One pass: each light takes over from those before it with its share of the sum so far.
+// Reservoir sampling in one pass: each light replaces the choice with the probability of its weight
+// over the sum of all weights up to it (PBR, section A.2).
 std::optional<LightSet::Choice> LightSet::choose(const V3f& point, const V3f& normal,
                                                  float u) const {
     Choice choice;
@@ -68,13 +69,13 @@ std::optional<LightSet::Choice> LightSet::choose(const V3f& point, const V3f& no
             continue;
         }
         choice.total += weight;
-        const float share = weight / choice.total;
-        if (choice.u < share) {
+        const float probability = weight / choice.total;
+        if (choice.u < probability) {
             choice.light = light;
             chosen = weight;
         }
-        if (share < 1) {
-            choice.u = stretched(choice.u, share);
+        if (probability < 1) {
+            choice.u = remap_sample(choice.u, probability);
         }
     }
     if (chosen <= 0) {

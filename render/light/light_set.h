@@ -1,4 +1,4 @@
-// All lights of a scene, and the choice between them.
+// All lights of a scene, and the sampling of one of them.
 #pragma once
 
 #include <cstddef>
@@ -16,71 +16,72 @@
 namespace carom::render {
 
 /// Lights that can be sampled are numbered from 0: area lights in the order of the description,
-/// then the environment if it is sampled, then those without a surface, then
-/// objects that shine by their material. Immutable; shared by all threads.
+/// then the environment if it is sampled, then delta lights, then emissive objects. Immutable after
+/// construction; shared by all threads.
 class LightSet {
   public:
     LightSet() = default;
 
-    /// Throws Error with the first of the lights' problems (scene_problems.h), or naming a picture
-    /// that cannot be read.
+    /// Throws Error with the first problem of the lights (scene_problems.h), or with the name of a
+    /// picture that cannot be read.
     explicit LightSet(const std::vector<LightDescription>& lights);
 
-    /// The object's material shines: from now on it is sampled, too. For the time before the set is
-    /// shared.
+    /// Adds an object with an emissive material to the sampled lights. Must be called before the
+    /// set is shared.
     void add(std::uint32_t object, EmissiveSurface surface);
 
-    /// The number of the light that an object is; none if it is not sampled.
+    /// The number of the light that the object is; none if the object is not sampled.
     [[nodiscard]] std::optional<std::size_t> emissive_light(std::uint32_t object) const {
         return object < light_of_object_.size() ? light_of_object_[object] : std::nullopt;
     }
 
     [[nodiscard]] std::size_t area_light_count() const { return area_lights_.size(); }
     [[nodiscard]] std::size_t sampled_count() const { return first_emissive() + emissive_.size(); }
-    /// Lights from here on are objects.
+    /// Lights from this number on are objects.
     [[nodiscard]] std::size_t first_emissive() const {
         return first_delta() + delta_lights_.size();
     }
     [[nodiscard]] bool is_environment(std::size_t light) const {
         return light == area_lights_.size() && environment_.is_sampled();
     }
-    /// Whether it has no surface: one direction leads to it from any point.
+    /// Whether the light is a delta light: one direction leads to it from any point.
     [[nodiscard]] bool is_delta(std::size_t light) const {
         return light >= first_delta() && light < first_emissive();
     }
 
-    /// Estimate of the unoccluded light that reaches a surface at `point`: what lights are chosen
-    /// by. 0 only where nothing arrives.
+    /// Estimate of the unoccluded light at a surface, by which lights are chosen. It is 0 only
+    /// where nothing arrives.
     [[nodiscard]] float importance(std::size_t light, const V3f& point, const V3f& normal) const;
 
     struct Choice {
         std::size_t light = 0;
         float probability = 0;  // importance / total
         float total = 0;        // sum of all importances, > 0
-        float u = 0;            // what is left of the number that chose, evenly spread in [0, 1)
+        float u = 0;            // the number that made the choice, remapped to [0, 1)
     };
 
-    /// One light in proportion to importance, for `u` in [0, 1); empty if all importances are 0.
+    /// Chooses one light in proportion to importance, for `u` in [0, 1); empty if all importances
+    /// are 0.
     [[nodiscard]] std::optional<Choice> choose(const V3f& point, const V3f& normal, float u) const;
 
-    /// A direction towards one light; empty if it cannot shine on the point.
+    /// A direction towards one light; empty if the light cannot reach the point.
     [[nodiscard]] std::optional<LightSample> sample(std::size_t light, const V3f& point,
                                                     const V2f& u) const;
 
-    /// Radiance that arrives at a surface along a sample of that light if nothing is in the way.
+    /// Radiance that arrives along a sample of that light if nothing occludes it.
     [[nodiscard]] V3f radiance(std::size_t light, const LightSample& sample) const;
 
-    /// Of any light but one without a surface: density of `sample` (1/sr, given that light) for a
-    /// direction from `point` that reaches it after `distance`; an object at an angle with this
-    /// `cosine` to its front's normal.
+    /// Density of `sample` (1/sr, given that light) for a direction from `point` that hits the
+    /// light at `distance`, for any light except delta lights. `cosine`: at an object, to its
+    /// front's normal.
     [[nodiscard]] float pdf(std::size_t light, const V3f& point, const V3f& direction,
                             float distance, float cosine = 0) const;
 
-    /// Radiance of an area light towards the unit `direction`, away from it, as cameras and clear
-    /// mirrors see it.
+    /// Radiance of an area light towards the unit `direction`, away from the light, as cameras and
+    /// specular reflections see it.
     [[nodiscard]] V3f emitted(std::size_t light, const V3f& direction) const;
-    /// By how much brighter an area light is for a surface at `point` that scatters what comes from
-    /// `direction`, where the light is `distance` away: 1 unless it does not fade.
+    /// RectangleEmitter::gain of an area light, for a surface at `point` that scatters light from
+    /// `direction`, where the light is `distance` away.
     [[nodiscard]] float gain(std::size_t light, const V3f& point, const V3f& direction,
                              float distance) const;
 

@@ -1,4 +1,4 @@
-// Three non-negative numbers in 32 bits: nine bits each and a common exponent.
+// A colour in 32 bits: three non-negative numbers of nine bits with a shared exponent.
 #pragma once
 
 #include <algorithm>
@@ -10,10 +10,9 @@
 
 namespace carom::render {
 
-/// The layout of the OpenGL extension EXT_texture_shared_exponent: value = m 2^(e - 24), m < 512,
-/// e < 32. A colour keeps its largest channel within 1 part in 512, the others as finely in
-/// proportion to it. A picture of a sky so takes a third of the memory, which is what looking it up
-/// at random costs.
+/// The layout of the OpenGL extension EXT_texture_shared_exponent: value = m 2^(e - 24), m < 512, e
+/// < 32. The largest channel is accurate to 1 part in 512, the others to the same absolute error. A
+/// picture takes a third of the memory of floats, and memory is the cost of random access to it.
 class SharedExponent {
   public:
     static constexpr float kLargest = 511.0f * 128.0f;  // 511 2^(31 - 24)
@@ -29,7 +28,8 @@ class SharedExponent {
         if (largest <= 0) {
             return;
         }
-        // The least exponent with which the largest channel, rounded, stays below 512.
+        // The smallest exponent for which the rounded mantissa of the largest channel stays below
+        // 512.
         int exponent = std::max(0, std::ilogb(largest) + 24 - 8);
         if (std::lrint(std::ldexp(largest, 24 - exponent)) > 511) {
             exponent += 1;

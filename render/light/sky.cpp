@@ -18,7 +18,7 @@ constexpr double kPi64 = std::numbers::pi;
 constexpr double kLumensPerWatt = 179;
 constexpr double kLowest = 0.02;  // cosine to the zenith; at the horizon the model has a pole
 
-/// Perez' distribution: A to E, each linear in turbidity (table in appendix A.2).
+/// Perez' distribution: coefficients A to E, each linear in turbidity (table in appendix A.2).
 struct Perez {
     std::array<std::array<double, 2>, 5> coefficients;
 
@@ -48,7 +48,7 @@ constexpr Perez kY{{{{-0.0167, -0.2608},
                      {-0.0441, -1.6537},
                      {-0.0109, 0.0529}}}};
 
-/// Rows: T^2, T, 1; columns: the sun's zenith angle cubed, squared, itself, 1.
+/// Rows: T^2, T, 1; columns: the sun's zenith angle to the powers 3, 2, 1, 0.
 using Zenith = std::array<std::array<double, 4>, 3>;
 constexpr Zenith kZenithX{{{0.00166, -0.00375, 0.00209, 0},
                            {-0.02903, 0.06377, -0.03202, 0.00394},
@@ -115,7 +115,8 @@ LinearImage sky_picture(const Sky& sky) {
     for (int row = 0; row < kRows; ++row) {
         const double polar = kPi64 * (row + 0.5) / kRows;
         for (int column = 0; column < kColumns; ++column) {
-            // As Environment looks it up: the middle column towards +x, columns to its right -y.
+            // The mapping of Environment: the middle column towards +x, columns to its right
+            // towards -y.
             const double azimuth = kPi64 - 2 * kPi64 * (column + 0.5) / kColumns;
             const V3f direction(Vec3(std::sin(polar) * std::cos(azimuth),
                                      std::sin(polar) * std::sin(azimuth), std::cos(polar)));

@@ -12,8 +12,8 @@ namespace carom::render {
 namespace {
 
 // Points of the quadrature: a Fibonacci lattice (Zaremba 1966, "Good lattice points, discrepancy,
-// and numerical integration"), F(18) of them. The integrands jump where reflected directions pass
-// below the horizon, which a regular grid of as many points meets with ten times the error.
+// and numerical integration") of F(18) points. The integrands jump where reflected directions pass
+// below the horizon, where a regular grid of as many points has ten times the error.
 constexpr int kPoints = 2584;
 constexpr int kGenerator = 1597;
 
@@ -38,12 +38,12 @@ float microfacet_albedo(float alpha, float cosine, const Reflectance& reflectanc
     const V3f wo = direction_at(cosine);
     return mean_over_square([&](const V2f& u) {
         const V3f m = ggx.sample_visible(wo, u);
-        const V3f wi = mirrored(wo, m);
+        const V3f wi = reflect(wo, m);
         return wi.z <= 0 ? 0.0f : reflectance(wo.dot(m)) * ggx.sample_weight(wo, wi);
     });
 }
 
-// Of sin^n over [angle, pi/2], by the midpoint rule over the part where it is above 1e-12.
+// Integral of sin^n over [angle, pi/2], by the midpoint rule over the part where it is above 1e-12.
 double integral_of_sine_power(double exponent, double angle) {
     constexpr int kSteps = 256;
     constexpr double kQuarterTurn = 1.5707963267948966;
@@ -98,7 +98,7 @@ AlbedoTable AlbedoTable::of_glass(float alpha, float index) {
 AlbedoTable AlbedoTable::of_sheen() {
     return build([](float cosine) {
         const V3f wo = direction_at(cosine);
-        // Uniform over the hemisphere: u.x is the cosine.
+        // Uniform over the hemisphere; u.x is the cosine.
         return mean_over_square([&](const V2f& u) {
             const float sine = std::sqrt(1.0f - u.x * u.x);
             const SinCos angle = sin_cos_turn(u.y);
@@ -108,9 +108,9 @@ AlbedoTable AlbedoTable::of_sheen() {
     });
 }
 
-// Tilting the surface by d(angle) cuts off, along the half circle where it passes through the lobe,
+// Tilting the surface by d(angle) cuts off, along the half circle in which it intersects the lobe,
 //   (n + 1) / (2 pi) sin^n(angle) d(angle) x integral of cos^(n + 1) over that half circle,
-// and at a right angle half of the lobe is left: so the share is
+// and at a right angle half of the lobe remains. So the fraction is
 //   1/2 + 1/2 x integral of sin^n over [angle, pi/2] / integral of sin^n over [0, pi/2].
 AlbedoTable AlbedoTable::of_cosine_lobe(double exponent) {
     const double whole = integral_of_sine_power(exponent, 0);

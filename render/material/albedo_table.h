@@ -1,4 +1,4 @@
-// How much of the light from one direction a lobe scatters in all: tabulated over the angle.
+// Directional albedo of lobes, tabulated over the angle.
 #pragma once
 
 #include <array>
@@ -6,20 +6,21 @@
 
 namespace carom::render {
 
-/// Directional albedo of a lobe over the cosine of the outgoing direction, by quadrature to about
-/// 1e-3, linear between nodes that lie closest at grazing angles. Zero until built.
+/// Directional albedo of a lobe over the cosine of the outgoing direction: by quadrature to about
+/// 1e-3, and interpolated linearly between nodes that are densest at grazing angles. Zero until
+/// built.
 class AlbedoTable {
   public:
     /// Rough dielectric boundary of index `ior`; `alpha` >= kSmoothAlpha.
     [[nodiscard]] static AlbedoTable of_dielectric(float alpha, float ior);
-    /// Microfacets that reflect everything: what single scattering keeps.
+    /// Microfacets that reflect everything: the fraction that single scattering keeps.
     [[nodiscard]] static AlbedoTable of_mirrors(float alpha);
-    /// Rough boundary of glass, `index` of the far side over the near one: what single scattering
-    /// reflects or lets through.
+    /// Rough boundary of glass; `index`: of the far side over the near side. The fraction that
+    /// single scattering reflects or transmits.
     [[nodiscard]] static AlbedoTable of_glass(float alpha, float index);
     [[nodiscard]] static AlbedoTable of_sheen();
-    /// A lobe cos^n around an axis, `exponent` n >= 0: the share of it that lies on the axis' side
-    /// of the surface, over the cosine of the axis to the normal.
+    /// A lobe cos^n around an axis, `exponent` n >= 0: the fraction of it on the axis' side of the
+    /// surface, over the cosine of the axis to the normal.
     [[nodiscard]] static AlbedoTable of_cosine_lobe(double exponent);
 
     [[nodiscard]] float at(float cosine) const;

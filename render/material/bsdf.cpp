@@ -8,13 +8,13 @@
 #include "render/material/fresnel.h"
 #include "render/material/microfacet.h"
 #include "render/material/sheen.h"
-#include "render/sampling/reuse.h"
+#include "render/sampling/remap_sample.h"
 #include "render/sampling/warp.h"
 
 namespace carom::render {
 namespace {
 
-/// On the side of the normal, not quite along the surface.
+/// On the side of the normal, and not closer to the surface than the bound.
 V3f facing(const V3f& w) {
     return {w.x, w.y, std::max(w.z, kLeastLocalCosine)};
 }
@@ -58,16 +58,16 @@ BsdfValue Bsdf::evaluate_local(Layers layers, const V3f& wi) const {
     if (wi.z <= 0) {
         return result;
     }
-    const float coat_share = coat_probability(layers);
+    const float p_coat = coat_probability(layers);
     if (layers != Layers::base) {
         const BsdfValue coat = evaluate_coat(wi);
         result.value += coat.value;
-        result.pdf += coat_share * coat.pdf;
+        result.pdf += p_coat * coat.pdf;
     }
     if (layers != Layers::coat) {
         const BsdfValue base = evaluate_base(wi);
         result.value += base.value;
-        result.pdf += (1.0f - coat_share) * base.pdf;
+        result.pdf += (1.0f - p_coat) * base.pdf;
     }
     CAROM_ASSERT(result.pdf >= 0);
     return result;
@@ -110,7 +110,7 @@ BsdfValue Bsdf::evaluate_base(const V3f& wi) const {
     return result;
 }
 
-// For light from the far side.
+// For light from behind the surface.
 BsdfValue Bsdf::evaluate_through(Layers layers, const V3f& wi) const {
     if (wi.z >= 0 || layers == Layers::coat) {
         return {};
@@ -121,7 +121,7 @@ BsdfValue Bsdf::evaluate_through(Layers layers, const V3f& wi) const {
             (1.0f - coat_probability(layers)) * lobes_.choose_glass * glass.pdf};
 }
 
-// A direction counts only if it is on the same side of the surface and of the shading normal's.
+// A direction counts only if the geometric and the shading normal agree on its side.
 BsdfValue Bsdf::evaluate_phong(const V3f& wi) const {
     const V3f local = surface_->frame.from_world(wi);
     if ((local.z > 0) != (surface_->geometric_normal.dot(wi) > 0)) {
@@ -159,14 +159,14 @@ std::optional<BsdfSample> Bsdf::sample_any(Layers layers, const V2f& u) const {
     if (phong_) {
         return layers == Layers::coat ? std::nullopt : sample_phong(u);
     }
-    const float coat_share = coat_probability(layers);
-    if (coat_share <= 0) {
+    const float p_coat = coat_probability(layers);
+    if (p_coat <= 0) {
         return sample_base(layers, u, 1);
     }
-    const bool takes_coat = u.x < coat_share;
-    const V2f rest(coat_share < 1 ? stretched(u.x, coat_share) : u.x, u.y);
-    return takes_coat ? sample_coat(layers, rest, coat_share)
-                      : sample_base(layers, rest, 1.0f - coat_share);
+    const bool takes_coat = u.x < p_coat;
+    const V2f rest(p_coat < 1 ? remap_sample(u.x, p_coat) : u.x, u.y);
+    return takes_coat ? sample_coat(layers, rest, p_coat)
+                      : sample_base(layers, rest, 1.0f - p_coat);
 }
 
 std::optional<BsdfSample> Bsdf::sample_coat(Layers layers, const V2f& u, float probability) const {
@@ -177,18 +177,18 @@ std::optional<BsdfSample> Bsdf::sample_coat(Layers layers, const V2f& u, float p
     if (alpha <= 0) {
         return mirror(V3f(lobes_.coat / probability));
     }
-    return finish(layers, mirrored(wo_, Ggx(alpha).sample_visible(wo_, u)));
+    return finish(layers, reflect(wo_, Ggx(alpha).sample_visible(wo_, u)));
 }
 
 std::optional<BsdfSample> Bsdf::sample_base(Layers layers, const V2f& u, float probability) const {
     V2f square = u;
-    const auto takes = [&](float share) {
-        if (share <= 0) {
+    const auto takes = [&](float probability) {
+        if (probability <= 0) {
             return false;
         }
-        const bool taken = square.x < share;
-        if (share < 1) {
-            square.x = stretched(square.x, share);
+        const bool taken = square.x < probability;
+        if (probability < 1) {
+            square.x = remap_sample(square.x, probability);
         }
         return taken;
     };
@@ -201,11 +201,11 @@ std::optional<BsdfSample> Bsdf::sample_base(Layers layers, const V2f& u, float p
             return mirror(lobes_.facet_reflectance(*surface_, wo_.z) *
                           (lobes_.facets / (probability * lobes_.choose_facets)));
         }
-        return finish(layers, mirrored(wo_, Ggx(alpha).sample_visible(wo_, square)));
+        return finish(layers, reflect(wo_, Ggx(alpha).sample_visible(wo_, square)));
     }
     if (lobes_.choose_sheen > 0 &&
         takes(lobes_.choose_sheen / (lobes_.choose_sheen + lobes_.choose_diffuse))) {
-        return finish(layers, sample_cone(square, 1.0f));  // the whole hemisphere, evenly
+        return finish(layers, sample_cone(square, 1.0f));  // uniform over the hemisphere
     }
     return lobes_.choose_diffuse > 0 ? finish(layers, sample_cosine_hemisphere(square))
                                      : std::nullopt;
@@ -245,7 +245,7 @@ std::optional<BsdfSample> Bsdf::mirror(const V3f& weight) const {
     return sample;
 }
 
-// `passes`: meant to go to the far side; other lobes only stray there.
+// `passes`: the lobe transmits; other lobes reach the far side only by mistake.
 std::optional<BsdfSample> Bsdf::finish(Layers layers, const V3f& wi, bool passes) const {
     BsdfSample sample;
     sample.direction = unit(surface_->frame.to_world(wi));

@@ -1,4 +1,4 @@
-// Scattering at one point for one direction of view: evaluation, sampling, density.
+// The BSDF at one point for one direction of view: evaluation, sampling, density.
 #pragma once
 
 #include <algorithm>
@@ -14,66 +14,66 @@
 
 namespace carom::render {
 
-/// Directions that a surface is seen from are kept at least this far off it: cosine, in the shading
-/// frame.
+/// Lower bound on the cosine of view directions in the shading frame.
 inline constexpr float kLeastLocalCosine = 1e-4f;
 
-/// Which part of a surface scatters. A path may follow the coat and what lies below it separately:
-/// the two parts' values add up to the whole.
+/// The part of a surface that scatters. A path may follow the coat and the layers below it
+/// separately: the values of the two parts add up to the whole.
 enum class Layers : std::uint8_t { all, coat, base };
 
 struct BsdfValue {
     V3f value{0, 0, 0};  // BSDF times cosine of the incoming direction, 1/sr
-    float pdf = 0;       // with which `sample` makes that direction, 1/sr; mirrors not counted
+    float pdf = 0;  // density with which `sample` makes that direction, 1/sr; without delta lobes
 };
 
 struct BsdfSample {
     V3f direction;          // unit, world, away from the surface
-    V3f weight;             // value / pdf; for a mirror its reflectance over its probability
-    float pdf = 0;          // 1/sr; without meaning for a mirror
-    bool is_delta = false;  // a mirror: no other way than this leads there
+    V3f weight;             // value / pdf; of a delta lobe its reflectance over its probability
+    float pdf = 0;          // 1/sr; meaningless for a delta lobe
+    bool is_delta = false;  // a specular direction, which only this lobe samples
 };
 
-/// All directions are unit, in world axes, and point away from the surface. Light comes only from
-/// the viewer's side, but through glass. `wo` is the direction to the previous vertex of the path.
+/// All directions are unit vectors in world axes that point away from the surface. Light comes only
+/// from the viewer's side, except through glass. `wo` is the direction to the path's previous
+/// vertex.
 class Bsdf {
   public:
     Bsdf(const Surface& surface, const V3f& wo);
 
-    /// Whether the surface has a coat that can be followed by itself.
+    /// Whether the surface has a coat that can be followed separately.
     [[nodiscard]] bool has_coat() const { return lobes_.coat > 0; }
 
-    /// A lobe of albedo / pi.
+    /// A diffuse lobe, albedo / pi.
     struct Diffuse {
         V3f albedo;
-        float probability;  // of `sample` taking it
+        float probability;  // with which `sample` chooses it
     };
-    /// What the layers scatter if that is all they do beside mirroring; else nothing.
+    /// The diffuse lobe if there is no other non-specular lobe; otherwise empty.
     [[nodiscard]] std::optional<Diffuse> only_diffuse(Layers layers) const {
         return is_lambert(layers)
                    ? std::optional(Diffuse{lobes_.diffuse, 1.0f - coat_probability(layers)})
                    : std::nullopt;
     }
 
-    /// Whether anything but mirrors is there, so that `evaluate` is not 0 everywhere.
+    /// Whether a non-specular lobe exists, so that `evaluate` is not 0 everywhere.
     [[nodiscard]] bool can_evaluate(Layers layers) const;
 
-    /// Whether all that is no mirror scatters into wide lobes.
+    /// Whether all non-specular lobes are wide.
     [[nodiscard]] bool is_broad() const;
 
-    /// Whether light from behind the surface passes through it.
+    /// Whether the surface transmits light from behind it.
     [[nodiscard]] bool transmits() const {
         return lobes_.glass > 0 || (phong_ && phong_->transmits());
     }
 
-    /// Value and density for light from `wi`; both 0 below the surface, unless it transmits.
+    /// Value and density for light from `wi`; both 0 below the surface unless it transmits.
     [[nodiscard]] BsdfValue evaluate(Layers layers, const V3f& wi) const {
         BsdfValue result = evaluate_any(layers, wi);
         CAROM_VALIDATE(is_light(result.value) && result.pdf >= 0 && !std::isnan(result.pdf));
         return result;
     }
 
-    /// A direction for the numbers `u` in [0, 1)^2. Empty: absorbed, the contribution is 0. The
+    /// Samples a direction for `u` in [0, 1)^2. Empty: the light is absorbed and contributes 0. The
     /// weight is below 1 / (probability of the chosen part) for every channel.
     [[nodiscard]] std::optional<BsdfSample> sample(Layers layers, const V2f& u) const {
         std::optional<BsdfSample> result = sample_any(layers, u);
@@ -99,7 +99,7 @@ class Bsdf {
     [[nodiscard]] float coat_probability(Layers layers) const {
         return layers == Layers::coat ? 1.0f : (layers == Layers::base ? 0.0f : lobes_.coat_choice);
     }
-    /// Whether a diffuse base is all there is beside mirrors: the common case, and the cheapest.
+    /// Whether a diffuse base is the only non-specular lobe: the most frequent and cheapest case.
     [[nodiscard]] bool is_lambert(Layers layers) const {
         return lobes_.is_diffuse &&
                (layers == Layers::base || (layers == Layers::all && !lobes_.has_rough_coat));
@@ -113,7 +113,8 @@ class Bsdf {
     [[nodiscard]] BsdfValue evaluate_coat(const V3f& wi) const;
     [[nodiscard]] BsdfValue evaluate_base(const V3f& wi) const;
     [[nodiscard]] BsdfValue evaluate_through(Layers layers, const V3f& wi) const;
-    // From here on directions are in the surface's own axes; `probability`: of having come here.
+    // The following functions take directions in the surface's own axes; `probability`: of the
+    // decisions before the call.
     [[nodiscard]] BsdfValue evaluate_local(Layers layers, const V3f& wi) const;
     [[nodiscard]] std::optional<BsdfSample> sample_coat(Layers layers, const V2f& u,
                                                         float probability) const;
@@ -129,7 +130,7 @@ class Bsdf {
     const Surface* surface_;
     V3f wo_;  // in the surface's axes, z > 0
     LobeWeights lobes_;
-    std::optional<PhongLobes> phong_;  // instead of the lobes
+    std::optional<PhongLobes> phong_;  // replaces the layers
 };
 
 }  // namespace carom::render

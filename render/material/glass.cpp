@@ -5,14 +5,14 @@
 
 #include "render/material/fresnel.h"
 #include "render/material/microfacet.h"
-#include "render/sampling/reuse.h"
+#include "render/sampling/remap_sample.h"
 
 namespace carom::render {
 namespace {
 
-// Below this index nothing is bent or reflected that could be told.
+// Below this index no refraction or reflection is visible.
 constexpr float kLeastBendingIndex = 1.001f;
-// How seldom rough surfaces sample a reflection, and a refraction.
+// Lower bound on the probability of sampling a reflection, and a refraction, at rough surfaces.
 constexpr float kLeastReflection = 0.08f;
 constexpr float kMostReflection = 0.92f;
 constexpr float kLeastColour = 1e-4f;
@@ -98,7 +98,7 @@ GlassLobe::Value GlassLobe::evaluate(const V3f& wi) const {
     if (cos_o <= 0 || cos_i >= 0) {
         return {};
     }
-    // Density of facets as seen from wo, and of wi for a given facet (Walter 2007, eq. 17).
+    // Density of facets visible from wo, and of wi for a given facet (Walter 2007, eq. 17).
     const float visible = ggx.density(m) * cos_o / (wo_.z * (1.0f + ggx.lambda(wo_)));
     const float bent = cos_o + index_ * cos_i;
     const float density = visible * index_ * index_ * -cos_i / (bent * bent);
@@ -109,9 +109,9 @@ GlassLobe::Value GlassLobe::evaluate(const V3f& wi) const {
 
 V3f GlassLobe::sample(const V2f& u) const {
     const bool reflects = u.x < reflectance_;
-    const V2f rest(stretched(u.x, reflectance_), u.y);
+    const V2f rest(remap_sample(u.x, reflectance_), u.y);
     const V3f m = Ggx(glass_.alpha).sample_visible(wo_, rest);
-    const V3f wi = reflects ? mirrored(wo_, m) : refracted_at(wo_, m, index_);
+    const V3f wi = reflects ? reflect(wo_, m) : refracted_at(wo_, m, index_);
     return reflects == (wi.z > 0) ? wi : V3f(0, 0, 0);
 }
 

@@ -23,9 +23,9 @@ LobeWeights::LobeWeights(const Surface& surface, float cosine) {
     }
 }
 
-void LobeWeights::weigh_base(const Surface& surface, float cosine, float base_share) {
+void LobeWeights::weigh_base(const Surface& surface, float cosine, float base_fraction) {
     const LayerConstants& layers = *surface.layers;
-    float rest = base_share;
+    float rest = base_fraction;
     if (layers.sheen > 0 && !surface.is_inside) {
         const float albedo = layers.sheen * layers.sheen_albedo.at(cosine);
         sheen = layers.sheen_colour * (layers.sheen * rest);
@@ -43,8 +43,8 @@ void LobeWeights::weigh_base(const Surface& surface, float cosine, float base_sh
         if (layers.metal > 0) {
             metal_scale = V3f(layers.metal);
             if (layers.alpha > 0) {
-                // What single scattering loses comes back coloured (Turquin 2019, "Practical
-                // multiple scattering compensation for microfacet models", eq. 16).
+                // The energy that single scattering loses is restored, coloured (Turquin 2019,
+                // "Practical multiple scattering compensation for microfacet models", eq. 16).
                 const float kept = layers.mirror_albedo.at(cosine);
                 metal_scale *= V3f(1.0f) + surface.base * ((1.0f - kept) / kept);
             }

@@ -1,4 +1,5 @@
-// What each lobe of a layered surface scatters towards one viewer, and how often it is sampled.
+// The weights of a layered surface's lobes for one viewing direction, and their sampling
+// probabilities.
 #pragma once
 
 #include "render/geometry/ray.h"
@@ -6,33 +7,33 @@
 
 namespace carom::render {
 
-/// Bounds on how seldom the coat or the base is followed when one of both is chosen: a path that
-/// meets a light through a coat chosen with probability F would be a firefly (the throw-away
-/// prototype gained a factor 1.4 by a lower bound of 0.3).
+/// Lower bounds on the probabilities of the coat and the base when one of them is chosen: a path
+/// that hits a light through a coat chosen with probability F would be a firefly. (In an early
+/// prototype a lower bound of 0.3 was a gain of a factor 1.4.)
 inline constexpr float kLeastCoatChoice = 0.3f;
 inline constexpr float kMostCoatChoice = 0.8f;
 
-/// Each layer takes from those below it the share that it scatters itself: with `cosine` of the
-/// viewer's direction to the normal, > 0,
+/// Each layer takes from the layers below it the fraction that it scatters itself: with `cosine` of
+/// the viewer's direction to the normal, > 0,
 ///   coat = w E(cosine) [as a lobe],  below = (1 - w E(cosine)) x the rest,
-/// E being the share that the coat reflects: for a smooth coat Fresnel's F of a mirror.
+/// where E is the coat's albedo, for a smooth coat Fresnel's F.
 struct LobeWeights {
-    /// No lobes.
+    /// A surface without lobes.
     LobeWeights() = default;
-    /// `surface` has layers.
+    /// `surface` must have layers.
     LobeWeights(const Surface& surface, float cosine);
 
-    /// Of a facet of `surface` met at `cosine`, metal and highlight together.
+    /// Reflectance of a facet of `surface` at `cosine`, metal and highlight together.
     [[nodiscard]] V3f facet_reflectance(const Surface& surface, float cosine) const;
 
-    float coat = 0;            // share that the coat reflects
-    float coat_choice = 0;     // probability of following the coat when one of two is chosen
+    float coat = 0;            // fraction that the coat reflects
+    float coat_choice = 0;     // probability of the coat when one of coat and base is chosen
     V3f diffuse{0, 0, 0};      // albedo after all layers above
     float facets = 0;          // scale of metal and highlight after all layers above
     V3f metal_scale{0, 0, 0};  // of the metal's own reflectance within `facets`
     V3f sheen{0, 0, 0};
-    float glass = 0;  // share that meets the glass after all layers above
-    // Probabilities of the base's lobes, adding up to 1 unless all are 0.
+    float glass = 0;  // fraction that reaches the glass below all layers
+    // Probabilities of the base's lobes; they add up to 1 unless all are 0.
     float choose_glass = 0;
     float choose_facets = 0;
     float choose_sheen = 0;
@@ -41,7 +42,7 @@ struct LobeWeights {
     bool has_rough_coat = false;
 
   private:
-    void weigh_base(const Surface& surface, float cosine, float base_share);
+    void weigh_base(const Surface& surface, float cosine, float base_fraction);
 };
 
 }  // namespace carom::render

@@ -8,13 +8,13 @@
 namespace carom::render {
 namespace {
 
-float share(double value) {
+float fraction(double value) {
     return static_cast<float>(std::clamp(value, 0.0, 1.0));
 }
 
-// 0 where the lobe is so narrow that it is treated as a mirror.
+// Returns 0 if the lobe is so narrow that it is treated as specular.
 float alpha_of(double roughness) {
-    const float alpha = share(roughness) * share(roughness);
+    const float alpha = fraction(roughness) * fraction(roughness);
     return alpha < kSmoothAlpha ? 0.0f : alpha;
 }
 
@@ -24,13 +24,13 @@ V3f limited(const V3f& c) {
 
 LayerConstants make_layers(const StandardMaterial& m) {
     LayerConstants layers;
-    layers.coat_weight = share(m.coat.weight);
+    layers.coat_weight = fraction(m.coat.weight);
     layers.coat_ior = static_cast<float>(std::clamp(m.coat.ior, 1.0, 3.0));
     layers.coat_alpha = alpha_of(m.coat.roughness);
-    layers.sheen = share(m.sheen);
+    layers.sheen = fraction(m.sheen);
     layers.sheen_colour = limited(V3f(m.sheen_colour));
-    layers.metal = share(m.metal);
-    layers.specular = share(m.specular);
+    layers.metal = fraction(m.metal);
+    layers.specular = fraction(m.specular);
     layers.alpha = alpha_of(m.roughness);
     if (layers.coat_weight > 0 && layers.coat_alpha > 0) {
         layers.coat_albedo = AlbedoTable::of_dielectric(layers.coat_alpha, layers.coat_ior);
@@ -45,7 +45,7 @@ LayerConstants make_layers(const StandardMaterial& m) {
         layers.mirror_albedo = AlbedoTable::of_mirrors(layers.alpha);
     }
     layers.glass = glass_constants(m);
-    layers.transmission = layers.glass ? share(m.transmission) : 0.0f;
+    layers.transmission = layers.glass ? fraction(m.transmission) : 0.0f;
     return layers;
 }
 
@@ -56,7 +56,7 @@ Material::Material(const StandardMaterial& description, ImageCache& images)
       layers_(make_layers(description)),
       phong_(phong_model(description)),
       emission_(description.emission),
-      bump_(texture_.has_relief() ? share(description.bump) : 0.0f) {}
+      bump_(texture_.has_relief() ? fraction(description.bump) : 0.0f) {}
 
 Material::Material(const PhongMaterial& description, ImageCache& images)
     : texture_(description.diffuse, images),
@@ -106,7 +106,8 @@ Surface Material::resolve(const SurfacePoint& point, const V3f& wo, float footpr
         surface.base = limited(texture_.colour(point, footprint));
     }
     if (normal.dot(wo) <= 0) {
-        normal = surface.geometric_normal;  // a smoothed or bumped normal turned away from view
+        normal =
+            surface.geometric_normal;  // the smooth or bumped normal faces away from the viewer
     }
     surface.frame = OrthonormalBasis::around(normal);
     surface.layers = &layers_;

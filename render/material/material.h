@@ -1,4 +1,4 @@
-// A material ready for shading, and the surface that it resolves to at one point.
+// A material ready for shading, and the surface that it gives at one point.
 #pragma once
 
 #include <memory>
@@ -15,8 +15,8 @@
 namespace carom::render {
 
 /// The part of a `standard` material that does not vary over the surface. From the top down: coat,
-/// sheen, then metal or dielectric highlight over a diffuse base. Each layer takes from those below
-/// what it scatters itself towards the viewer, so that no layering gives off more than it gets.
+/// sheen, then metal or dielectric highlight over a diffuse base. Each layer takes from the layers
+/// below what it scatters itself towards the viewer, so that no layering creates energy.
 struct LayerConstants {
     float coat_weight = 0;
     float coat_ior = 1.5f;
@@ -33,22 +33,22 @@ struct LayerConstants {
     AlbedoTable specular_albedo;
     AlbedoTable mirror_albedo;
 
-    float transmission = 0;                       // share of the base that is glass
-    std::shared_ptr<const GlassConstants> glass;  // null: nothing passes through
+    float transmission = 0;                       // fraction of the base that is glass
+    std::shared_ptr<const GlassConstants> glass;  // null: not transmissive
 };
 
 inline constexpr float kSpecularIor = 1.5f;
 
-/// Everything that scattering at one point needs: plain data, no textures, no scene.
+/// Everything that scattering at one point needs, as plain data without textures or scene.
 struct Surface {
     V3f geometric_normal;    // unit, on the viewer's side
     OrthonormalBasis frame;  // z: the shading normal, on the viewer's side
     V3f base;                // albedo, or reflectance of the metal
     const LayerConstants* layers = nullptr;
-    bool is_inside = false;  // the viewer is within the glass that this is the surface of
-    const PhongModel* phong = nullptr;  // of a phong surface: instead of the layers
+    bool is_inside = false;             // the viewer is within the glass bounded by this surface
+    const PhongModel* phong = nullptr;  // for phong surfaces, instead of the layers
     V3f emission{0, 0, 0};              // towards the viewer, W/(m^2 sr)
-    bool from_behind = false;           // the viewer is behind the surface's own front
+    bool from_behind = false;           // the viewer is behind the surface's front
 };
 
 /// Immutable; shared by all threads.
@@ -58,35 +58,35 @@ class Material {
     Material(const StandardMaterial& description, ImageCache& images);
     Material(const PhongMaterial& description, ImageCache& images);
 
-    /// The surface at `point` as seen from the unit direction `wo` (away from the surface);
-    /// `footprint`: width of a pixel there, m. Both sides of a surface scatter alike, but for those
+    /// The surface at `point` seen from the unit direction `wo` (away from the surface);
+    /// `footprint`: width of a pixel there, m. Both sides of a surface scatter alike, except those
     /// of glass.
     [[nodiscard]] Surface resolve(const SurfacePoint& point, const V3f& wo, float footprint) const;
 
     [[nodiscard]] const LayerConstants& layers() const { return layers_; }
 
-    /// Albedo or reflectance, if it is the same all over.
+    /// Albedo or reflectance if it is constant over the surface.
     [[nodiscard]] std::optional<V3f> constant_base() const;
 
-    /// What the distributed integrator shades with.
+    /// The model for the distributed integrator.
     [[nodiscard]] const PhongModel& phong() const { return phong_; }
     /// Radiance of the surface's front, W/(m^2 sr).
     [[nodiscard]] const V3f& emission() const { return emission_; }
     [[nodiscard]] bool is_emissive() const { return emission_ != V3f(0, 0, 0); }
 
-    /// Whether it mirrors, by a smooth coat or a smooth base, everywhere along the geometric normal
-    /// and alike all over.
+    /// Whether it reflects specularly by a smooth coat or a smooth base, everywhere along the
+    /// geometric normal and with constant reflectance.
     [[nodiscard]] bool is_mirror() const;
-    /// Of such a material: what it mirrors at an angle with this cosine, as Bsdf has it.
+    /// For a mirror: the specular reflectance at an angle with this cosine, as in Bsdf.
     [[nodiscard]] V3f mirror_reflectance(float cosine) const;
 
-    /// Whether it is a boundary that light passes.
+    /// Whether it transmits light.
     [[nodiscard]] bool is_transmissive() const {
         return layers_.glass != nullptr || (is_phong_ && phong_.transmittance != V3f(0, 0, 0));
     }
 
-    /// Whether a diffuse base is all there is, but for sheen and a smooth coat over it: no other
-    /// lobe, no glass, no light of its own.
+    /// Whether it has only a diffuse base, with or without sheen and a smooth coat: no other lobe,
+    /// no glass, no emission.
     [[nodiscard]] bool is_plain() const {
         return !is_phong_ && !is_emissive() && !layers_.glass && layers_.metal == 0 &&
                layers_.specular == 0 && (layers_.coat_weight == 0 || layers_.coat_alpha == 0);

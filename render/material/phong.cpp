@@ -44,7 +44,7 @@ PhongModel phong_model(const StandardMaterial& description) {
     const double opaque = (1 - coat) * (1 - description.transmission);
     const double alpha = description.roughness * description.roughness;
     PhongModel model;
-    model.diffuse_share = static_cast<float>(opaque * (1 - description.metal));
+    model.diffuse_fraction = static_cast<float>(opaque * (1 - description.metal));
     model.metal = static_cast<float>(opaque * description.metal);
     model.reflectance = V3f(static_cast<float>(coat));
     const double coat_alpha = description.coat.roughness * description.coat.roughness;
@@ -62,10 +62,10 @@ PhongModel phong_model(const StandardMaterial& description) {
     if (description.specular > 0) {
         const double sharp = std::max(alpha, kSharpestAlpha);
         const double exponent = std::max(2 / (sharp * sharp) - 2, 1.0) / 4;
-        const double share = opaque * (1 - description.metal) * description.specular *
-                             reflectance_straight_on(kHighlightIndex);
+        const double fraction = opaque * (1 - description.metal) * description.specular *
+                                reflectance_straight_on(kHighlightIndex);
         model.shininess = static_cast<float>(exponent);
-        model.specular = V3f(static_cast<float>(share * (exponent + 2) / 2));
+        model.specular = V3f(static_cast<float>(fraction * (exponent + 2) / 2));
     }
     return model;
 }

@@ -6,7 +6,7 @@
 #include "core/colour.h"
 #include "render/geometry/orthonormal_basis.h"
 #include "render/geometry/trigonometry.h"
-#include "render/sampling/reuse.h"
+#include "render/sampling/remap_sample.h"
 #include "render/sampling/warp.h"
 
 namespace carom::render {
@@ -14,13 +14,13 @@ namespace {
 
 constexpr float kBroadest = 32.0f;  // exponent up to which a lobe is wide
 
-/// A half turn of `w` about the unit `axis`.
+/// Rotates `w` by half a turn about the unit `axis`.
 V3f turned(const V3f& w, const V3f& axis) {
     return axis * (2 * axis.dot(w)) - w;
 }
 
-/// Where light that goes out to the unit `wo` comes from on the other side (Snell); empty at total
-/// reflection. `index`: of that side over this.
+/// The direction on the other side from which light is refracted towards the unit `wo` (Snell);
+/// empty at total reflection. `index`: of that side over this one.
 std::optional<V3f> refracted(const V3f& wo, float index) {
     const float sine2 = (1 - wo.z * wo.z) / (index * index);
     if (sine2 >= 1) {
@@ -31,8 +31,8 @@ std::optional<V3f> refracted(const V3f& wo, float index) {
 
 }  // namespace
 
-PhongLobes::Lobe::Lobe(const V3f& the_share, const V3f& the_axis, const CosineLobe& shape)
-    : share(the_share),
+PhongLobes::Lobe::Lobe(const V3f& the_albedo, const V3f& the_axis, const CosineLobe& shape)
+    : albedo(the_albedo),
       axis(the_axis),
       exponent(shape.exponent),
       kept(shape.exponent < 0 ? 1.0f : shape.kept.at(std::abs(the_axis.z))) {}
@@ -65,19 +65,19 @@ PhongLobes::PhongLobes(const PhongModel& model, const V3f& base, bool from_behin
         const auto beyond = refracted(wo, from_behind ? 1 / model.index : model.index);
         through_ = Lobe(model.transmittance, beyond.value_or(mirror), model.through_lobe);
     }
-    const float total = largest(diffuse_ + highlight_.share + mirrored_.share + through_.share);
+    const float total = largest(diffuse_ + highlight_.albedo + mirrored_.albedo + through_.albedo);
     if (total > 1) {
         diffuse_ /= total;
         for (Lobe* lobe : {&highlight_, &mirrored_, &through_}) {
-            lobe->share /= total;
+            lobe->albedo /= total;
         }
     }
-    const float sum = largest(diffuse_) + largest(highlight_.share) + largest(mirrored_.share) +
-                      largest(through_.share);
+    const float sum = largest(diffuse_) + largest(highlight_.albedo) + largest(mirrored_.albedo) +
+                      largest(through_.albedo);
     if (sum > 0) {
         diffuse_probability_ = largest(diffuse_) / sum;
         for (Lobe* lobe : {&highlight_, &mirrored_, &through_}) {
-            lobe->probability = largest(lobe->share) / sum;
+            lobe->probability = largest(lobe->albedo) / sum;
         }
     }
 }
@@ -86,7 +86,7 @@ PhongLobes::Value PhongLobes::evaluate(const V3f& wi) const {
     Value result;
     const auto add = [&](const Lobe& lobe) {
         if (lobe.probability > 0 && !lobe.is_delta() && lobe.has_on_its_side(wi)) {
-            result.value += lobe.share * (lobe.density(wi) / lobe.kept);
+            result.value += lobe.albedo * (lobe.density(wi) / lobe.kept);
             result.pdf += lobe.probability * lobe.pdf(wi);
         }
     };
@@ -103,26 +103,26 @@ PhongLobes::Value PhongLobes::evaluate(const V3f& wi) const {
 
 std::optional<PhongLobes::Sample> PhongLobes::sample(const V2f& u) const {
     V2f square = u;
-    float left = 1;  // probability of the lobes not yet passed over
+    float left = 1;  // probability of the remaining lobes
     for (const Lobe* lobe : {&through_, &mirrored_, &highlight_}) {
         if (lobe->probability <= 0) {
             continue;
         }
-        const float share = std::min(1.0f, lobe->probability / left);
-        const bool is_taken = square.x < share || share == 1;
-        if (share < 1) {
-            square.x = stretched(square.x, share);
+        const float probability = std::min(1.0f, lobe->probability / left);
+        const bool is_taken = square.x < probability || probability == 1;
+        if (probability < 1) {
+            square.x = remap_sample(square.x, probability);
         }
         left -= lobe->probability;
         if (!is_taken) {
             continue;
         }
         if (lobe->is_delta()) {
-            return Sample{lobe->axis, lobe->share / lobe->probability, true};
+            return Sample{lobe->axis, lobe->albedo / lobe->probability, true};
         }
         const V3f direction = lobe->sampled(square);
         if (!lobe->has_on_its_side(direction)) {
-            return std::nullopt;  // by rounding, along the surface
+            return std::nullopt;  // by rounding, parallel to the surface
         }
         return Sample{direction, V3f(0, 0, 0), false};
     }
@@ -131,7 +131,7 @@ std::optional<PhongLobes::Sample> PhongLobes::sample(const V2f& u) const {
     }
     const V3f direction = sample_cosine_hemisphere(square);
     if (direction.z <= 0) {
-        return std::nullopt;  // along the surface: of no density
+        return std::nullopt;  // parallel to the surface: zero density
     }
     return Sample{direction, V3f(0, 0, 0), false};
 }

@@ -40,7 +40,7 @@ struct Cell {
 
 /// The cutpoint method (Chen and Asau, On generating random variates from an empirical
 /// distribution, AIIE Transactions 6(2), 1974): for each of `cuts.size()` equal parts of [0, 1) the
-/// cell in which it begins. Few steps lead from there to the cell wanted, and the map stays
+/// cell in which the part begins. The search from there takes few steps, and the map stays
 /// monotone, so that well-spread points stay well spread.
 void set_cuts(std::span<const float> cdf, std::span<std::uint16_t> cuts) {
     std::size_t index = 0;
@@ -53,7 +53,7 @@ void set_cuts(std::span<const float> cdf, std::span<std::uint16_t> cuts) {
     }
 }
 
-/// The cell whose share of the cdf contains u.
+/// The cell whose interval of the cdf contains u.
 Cell find_cell(std::span<const float> cdf, std::span<const std::uint16_t> cuts, float u) {
     const auto part = static_cast<std::size_t>(u * static_cast<float>(cuts.size()));
     std::size_t index = cuts[std::min(part, cuts.size() - 1)];

@@ -19,14 +19,14 @@ class Distribution2D {
 
     Distribution2D() = default;
 
-    /// `weights`: width * height values (each at most 65535 wide and high), row by row, finite and
-    /// >= 0 (others count as 0).
+    /// `weights`: width * height values (at most 65535 each), row by row, finite and >= 0 (others
+    /// count as 0).
     Distribution2D(std::span<const float> weights, int width, int height);
 
-    /// With all weights zero the pdf returned is 0 and the point without meaning.
+    /// If all weights are zero, the returned pdf is 0 and the point has no meaning.
     [[nodiscard]] Sample sample(const V2f& u) const;
 
-    /// Per area of the unit square; 0 outside it and where the weight is 0.
+    /// Density per area of the unit square; 0 outside the square and where the weight is 0.
     [[nodiscard]] float pdf(const V2f& uv) const;
 
     /// Mean weight over the square.
@@ -39,8 +39,8 @@ class Distribution2D {
     std::vector<float> density_;              // per cell, mean 1
     std::vector<float> row_cdf_;              // height + 1 values from 0 to 1
     std::vector<float> column_cdfs_;          // per row: width + 1 values from 0 to 1
-    std::vector<std::uint16_t> row_cuts_;     // where to begin to look in row_cdf_
-    std::vector<std::uint16_t> column_cuts_;  // and in each row's cdf
+    std::vector<std::uint16_t> row_cuts_;     // where the search in row_cdf_ begins
+    std::vector<std::uint16_t> column_cuts_;  // where the search in each row's cdf begins
 };
 
 }  // namespace carom::render

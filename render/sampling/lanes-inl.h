@@ -1,6 +1,6 @@
-// Floats, integers and triples in the lanes of a vector, and the maps that sampling and shading
-// need of them: the formulas of warp.h, geometry/trigonometry.h and geometry/orthonormal_basis.h,
-// with their references. Included once per instruction set.
+// Vector lanes of floats, integers and 3-vectors, and the maps that sampling and shading need on
+// them. Formulas and references are those of warp.h, geometry/trigonometry.h and
+// geometry/orthonormal_basis.h. Included once per instruction set.
 #if defined(CAROM_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_LANES_INL_H
 #undef CAROM_LANES_INL_H
@@ -102,7 +102,7 @@ HWY_INLINE SinCosLanes sin_cos_turn(F turns) {
     const SinCosLanes r = sin_cos_eighth(rest * all(2 * kPi));
     const I one = hn::Set(di, 1);
     const M swaps = is_equal(hn::And(quarter, one), one);
-    // The bit that is set where the sign turns, moved to the sign's place.
+    // The bit that says whether the sign flips, moved to the sign bit.
     const F sine_sign = hn::BitCast(FloatTag(), hn::ShiftLeft<30>(hn::And(quarter, one + one)));
     const F cosine_sign =
         hn::BitCast(FloatTag(), hn::ShiftLeft<30>(hn::And(quarter + one, one + one)));
@@ -160,8 +160,9 @@ HWY_INLINE Basis basis_around(const F3& z) {
             z};
 }
 
-HWY_INLINE F stretched(F u, F share) {
-    const F v = select(hn::Lt(u, share), u / share, (u - share) / (all(1.f) - share));
+HWY_INLINE F remap_sample(F u, F probability) {
+    const F v = select(hn::Lt(u, probability), u / probability,
+                       (u - probability) / (all(1.f) - probability));
     return hn::Min(v, all(kOneMinusEpsilon));
 }
 

@@ -1,4 +1,4 @@
-// The largest number that a sample in [0, 1) can have.
+// The largest float below 1, the largest value of a sample in [0, 1).
 #pragma once
 
 namespace carom::render {

@@ -11,8 +11,8 @@ namespace carom::render {
 namespace {
 
 constexpr int kCells = 512;          // of the tabulated density, over the whole width
-constexpr int kGuides = 4 * kCells;  // so that few guides span more than two cells
-constexpr int kStepsPerCell = 128;   // of the integration
+constexpr int kGuides = 4 * kCells;  // few guides span more than two cells
+constexpr int kStepsPerCell = 128;   // of the numerical integration
 
 }  // namespace
 
@@ -37,7 +37,7 @@ double filter_profile(PixelFilter filter, double x) {
 PixelFilterSampler::PixelFilterSampler(PixelFilter filter, double width)
     : filter_(filter), width_(width) {
     CAROM_ASSERT(width > 0);
-    // Midpoint rule, cell by cell.
+    // The midpoint rule in each cell.
     std::vector<double> cumulative(kCells + 1, 0.0);
     const double step = 1.0 / (kCells * kStepsPerCell);
     for (int i = 0; i < kCells; ++i) {
@@ -80,7 +80,7 @@ float PixelFilterSampler::offset(float u) const {
         return (u - 0.5f) * static_cast<float>(width_);
     }
     auto at = static_cast<std::size_t>(guide_[static_cast<std::size_t>(u * kGuides)]);
-    // Mostly one step or none, which is taken without a branch; only the tails have more.
+    // One step at most is needed except in the tails; the first is taken without a branch.
     at += cells_[at + 1].cdf <= u ? 1 : 0;
     while (cells_[at + 1].cdf <= u) {
         ++at;

@@ -1,6 +1,6 @@
-// Pixel filters, by importance sampling: a camera ray is displaced from the pixel's centre with a
-// density proportional to the filter and counts with weight one, so that pixels stay independent.
-// (Ernst, Stamminger and Greiner 2006, "Filter importance sampling".)
+// Pixel filters by importance sampling: a camera ray is offset from the pixel's centre with a
+// density proportional to the filter and has weight one, so that pixels stay independent (Ernst,
+// Stamminger and Greiner 2006, "Filter importance sampling").
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace carom::render {
 
-/// One filter of one width, the product of the same profile in x and y. Immutable.
+/// One filter of one width, separable with the same profile in x and y. Immutable.
 class PixelFilterSampler {
   public:
-    /// `width`: the full width of the profile in pixels, > 0; a box is as wide as that too.
+    /// `width`: the full width of the profile in pixels, > 0, also for the box.
     PixelFilterSampler(PixelFilter filter, double width);
 
-    /// Offset from the pixel's centre, pixels; within half the width.
+    /// Offset from the pixel's centre, pixels; at most half the width.
     [[nodiscard]] V2f sample(const V2f& u) const { return V2f(offset(u.x), offset(u.y)); }
 
     [[nodiscard]] double width() const { return width_; }  // pixels
@@ -26,12 +26,13 @@ class PixelFilterSampler {
     struct Cell {
         float cdf, start, slope;
     };
-    /// One after the other, one more at the end; none for the box.
+    /// The cells in order, with one more at the end; empty for the box.
     [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
-    /// By u times their number: the cell where the search for u starts (Chen and Asau 1974).
+    /// For each of equal parts of [0, 1) the cell where the search for u starts (Chen and Asau
+    /// 1974).
     [[nodiscard]] const std::vector<std::int32_t>& guide() const { return guide_; }
 
-    /// Density of `sample` in one of the two directions, per pixel; 0 beyond half the width.
+    /// Density of `sample` along one axis, per pixel; 0 beyond half the width.
     [[nodiscard]] double pdf_1d(double offset_pixels) const;
 
   private:

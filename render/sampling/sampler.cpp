@@ -27,7 +27,7 @@ SampleStream SampleStream::of_sample(std::uint32_t sample) const {
 }
 
 CameraSample camera_sample(std::uint32_t pixel_hash, std::uint32_t reversed_sample) {
-    // The index itself is not shuffled: the sets of the bounces are, each in its own way.
+    // The index is not shuffled here; the sets of the bounces are, each in a different order.
     const std::uint32_t set_hash = detail::mix(pixel_hash ^ detail::mix(detail::kCameraSet));
     const std::array<float, 4> point = detail::sobol_point(reversed_sample, set_hash);
     const float fifth = detail::sobol_fifth(reversed_sample, set_hash);
@@ -42,16 +42,16 @@ std::array<float, 4> SampleStream::next_4d() {
     return detail::sobol_point(shuffled, set_hash);
 }
 
-std::array<V2f, 4> SampleStream::square_block(std::uint32_t set) const {
+std::array<V2f, 4> SampleStream::get_2d_block(std::uint32_t set) const {
     const std::uint32_t set_hash = detail::mix(pixel_hash_ ^ detail::mix(set));
     const std::uint32_t shuffled =
         detail::scramble_reversed(reversed_sample_, detail::mix(set_hash + 0x9e3779b9u));
-    // Index 4 i: whatever order shuffling would give the four, all are taken.
+    // The index is 4 i: all four points are taken, so their order within the block does not matter.
     const std::array<float, 8> u = detail::sobol_block(shuffled >> 2, set_hash);
     return {V2f(u[0], u[4]), V2f(u[1], u[5]), V2f(u[2], u[6]), V2f(u[3], u[7])};
 }
 
-float SampleStream::lone_number(std::uint32_t set) const {
+float SampleStream::get_1d(std::uint32_t set) const {
     const std::uint32_t set_hash = detail::mix(pixel_hash_ ^ detail::mix(set));
     return detail::to_unit(detail::mix(set_hash ^ reversed_sample_));
 }

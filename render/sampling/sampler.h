@@ -1,4 +1,4 @@
-// The random numbers of one ray sample: Owen-scrambled Sobol points (Sobol 1967; Owen 1995;
+// The random numbers of one sample of a pixel: Owen-scrambled Sobol points (Sobol 1967; Owen 1995;
 // hash-based scrambling after Laine and Karras 2011 and Burley 2020), a pure function of (seed,
 // pixel, sample, dimension). Any aligned run of 2^k samples of a pixel is stratified.
 #pragma once
@@ -17,10 +17,10 @@ struct CameraSample {
     float time = 0;
 };
 
-/// SampleStream's for a stream of which that is known.
+/// The camera sample of the stream with this state.
 [[nodiscard]] CameraSample camera_sample(std::uint32_t pixel_hash, std::uint32_t reversed_sample);
 
-/// Hands out the dimensions of one sample of one pixel, in order. Cheap to copy; no shared state.
+/// Returns the dimensions of one sample of one pixel, in order. Cheap to copy; no shared state.
 class SampleStream {
   public:
     SampleStream(std::uint64_t seed, std::uint32_t pixel_x, std::uint32_t pixel_y,
@@ -36,25 +36,26 @@ class SampleStream {
     /// The next four dimensions: one shuffled, scrambled four-dimensional Sobol point.
     [[nodiscard]] std::array<float, 4> next_4d();
 
-    /// Four points of the unit square for this one sample, of a set of their own: those of all
-    /// samples together are one low-discrepancy sequence of four times as many. Below 2^30 samples.
-    [[nodiscard]] std::array<V2f, 4> square_block(std::uint32_t set) const;
+    /// Four points of the unit square for this one sample, from the given set. The points of all
+    /// samples together form one low-discrepancy sequence of four times the length. For fewer than
+    /// 2^30 samples.
+    [[nodiscard]] std::array<V2f, 4> get_2d_block(std::uint32_t set) const;
 
-    /// One number of a set by itself, independent from sample to sample: for choices that hardly
-    /// ever turn out one way, where even spreading buys nothing.
-    [[nodiscard]] float lone_number(std::uint32_t set) const;
+    /// One number of a set, independent from sample to sample. It is for choices of very small
+    /// probability, which gain nothing from stratification.
+    [[nodiscard]] float get_1d(std::uint32_t set) const;
 
-    /// Goes on with the given set of four dimensions: a path whose branches end at different depths
+    /// Continues at the given set of four dimensions. A path whose branches end at different depths
     /// gives every vertex sets of its own, so that samples stay comparable.
     void seek(std::uint32_t set) { set_ = set; }
 
-    // What the numbers depend on beside the set: for code that makes those of many samples at once.
+    // The state apart from the set, for code that computes the numbers of many samples at once.
     [[nodiscard]] std::uint32_t pixel_hash() const { return pixel_hash_; }
     [[nodiscard]] std::uint32_t reversed_sample() const { return reversed_sample_; }
 
   private:
     std::uint32_t pixel_hash_ = 0;
-    std::uint32_t reversed_sample_ = 0;  // the sample's number, its lowest bit first
+    std::uint32_t reversed_sample_ = 0;  // the sample's number with its bits reversed
     std::uint32_t set_ = 0;              // index of the next four dimensions
 };
 

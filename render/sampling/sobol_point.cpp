@@ -10,8 +10,8 @@
 #ifndef CAROM_SOBOL_FUNCTIONS
 #define CAROM_SOBOL_FUNCTIONS
 namespace carom::render::detail {
-// Both write floats in [0, 1): four coordinates; two coordinates of four points, the first ones
-// first.
+// Both write floats in [0, 1). `point`: four coordinates; `block`: the first coordinates of four
+// points, then the second ones.
 using WriteFunction = void(std::uint32_t reversed_index, std::uint32_t set_hash,
                            float* coordinates);
 struct SobolFunctions {
@@ -20,8 +20,10 @@ struct SobolFunctions {
 };
 
 alignas(16) constexpr std::uint32_t kBlock[2][4] = {
-    {block_share(0, 0), block_share(0, 1), block_share(0, 2), block_share(0, 3)},
-    {block_share(1, 0), block_share(1, 1), block_share(1, 2), block_share(1, 3)}};
+    {block_difference(0, 0), block_difference(0, 1), block_difference(0, 2),
+     block_difference(0, 3)},
+    {block_difference(1, 0), block_difference(1, 1), block_difference(1, 2),
+     block_difference(1, 3)}};
 }  // namespace carom::render::detail
 #endif
 
@@ -87,7 +89,7 @@ HWY_INLINE Four scramble_reversed4(Four x, Four seed) {
     return hn::Xor(x, times(x, 0x53a22864u));
 }
 
-/// Each lane's 32 bits in opposite order: nibbles by table, then bytes by another.
+/// Each lane's 32 bits reversed: nibbles by a table lookup, then bytes by another.
 HWY_INLINE Four reverse_bits4(Four x) {
     alignas(16) static constexpr std::uint8_t kNibbles[16] = {
         0x0, 0x8, 0x4, 0xc, 0x2, 0xa, 0x6, 0xe, 0x1, 0x9, 0x5, 0xd, 0x3, 0xb, 0x7, 0xf};

@@ -1,4 +1,4 @@
-// One scrambled Sobol point of four dimensions at a time, vectorised. For this folder only.
+// Scrambled Sobol points in four dimensions, vectorised. Internal to this folder.
 #pragma once
 
 #include <array>
@@ -36,13 +36,13 @@ namespace carom::render::detail {
     return static_cast<float>(x >> 8) * 0x1p-24f;
 }
 
-/// The first four dimensions of the point whose bit-reversed index is given, each scrambled by a
-/// seed of its own made from `set_hash`. All instruction sets give the same bits.
+/// The first four dimensions of the point with this bit-reversed index, each scrambled by its own
+/// seed, which is made from `set_hash`. All instruction sets return the same bits.
 [[nodiscard]] std::array<float, 4> sobol_point(std::uint32_t reversed_index,
                                                std::uint32_t set_hash);
 
-/// Four points that follow each other, scrambled alike: of the first one, whose index is a multiple
-/// of 4, the bit-reversed index is given. Their first coordinates, then their second ones.
+/// Four consecutive points with the same scrambling, from the bit-reversed index of the first one,
+/// which is a multiple of 4: all first coordinates, then all second ones.
 [[nodiscard]] std::array<float, 8> sobol_block(std::uint32_t reversed_index,
                                                std::uint32_t set_hash);
 

@@ -96,16 +96,17 @@ constexpr SobolNibbleTables make_sobol_tables() {
 
 inline constexpr SobolNibbleTables kSobol = make_sobol_tables();
 
-/// What tells the scrambling of one dimension of a set from another's.
+/// Seeds that make the scrambling of each dimension of a set different.
 inline constexpr std::uint32_t kLaneSalts[4] = {0x3c6ef372u, 0xdaa66d2bu, 0x78dde6e4u, 0x1715609du};
 inline constexpr std::uint32_t kFifthSalt = 0xb54cda56u;
 
-/// The set of a pixel that places its camera rays; it stands outside the numbered ones.
+/// The set of a pixel's camera rays, apart from the numbered sets.
 inline constexpr std::uint32_t kCameraSet = 0xffffffffu;
 
-/// What point `k` of an aligned block of four adds to a coordinate of the first one: they differ in
-/// the two lowest bits of their index, the highest when reversed.
-constexpr std::uint32_t block_share(int dimension, std::uint32_t k) {
+/// The exclusive or between a coordinate of point `k` of an aligned block of four and that of the
+/// block's first point. Their indices differ in the two lowest bits, which are the highest when
+/// reversed.
+constexpr std::uint32_t block_difference(int dimension, std::uint32_t k) {
     const std::uint32_t reversed = (k & 1u) << 1 | k >> 1;
     return kSobol.values[7][reversed << 2][dimension];
 }

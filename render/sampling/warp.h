@@ -2,7 +2,7 @@
 //
 // Every `sample_X` takes numbers in [0, 1) and returns a point distributed as `pdf_X` says; the
 // density is per unit of the measure named at each pair and integrates to one over the domain. A
-// density of zero means that the point cannot be returned by the sampler.
+// density of zero means that the sampler cannot return the point.
 #pragma once
 
 #include <algorithm>
@@ -37,12 +37,12 @@ namespace carom::render {
 
 // ---- regular polygon inscribed in the unit circle, per area ----------------------------------
 
-/// The polygon's corners are at angles rotation + 2 pi k / blades; blades >= 3.
+/// The polygon has corners at the angles rotation + 2 pi k / blades; blades >= 3.
 [[nodiscard]] inline V2f sample_polygon(const V2f& u, int blades, float rotation_turns) {
     const float scaled = u.x * static_cast<float>(blades);
     const float blade = std::min(std::floor(scaled), static_cast<float>(blades - 1));
-    const float share = std::min(scaled - blade, kOneMinusEpsilon);
-    const float r = std::sqrt(share);  // from the centre to the blade's edge
+    const float fraction = std::min(scaled - blade, kOneMinusEpsilon);
+    const float r = std::sqrt(fraction);  // from the centre to the blade's edge
     const auto corner = [&](float index) {
         const float turns = index / static_cast<float>(blades) + rotation_turns;
         const SinCos angle = sin_cos_turn(turns);
@@ -51,7 +51,7 @@ namespace carom::render {
     return r * ((1 - u.y) * corner(blade) + u.y * corner(blade + 1));
 }
 
-/// Inside the polygon; zero outside is left to the caller.
+/// Inside the polygon; the caller handles points outside, where the density is zero.
 [[nodiscard]] inline float pdf_polygon(int blades) {
     const float n = static_cast<float>(blades);
     return 2 / (n * sin_cos_turn(1 / n).sine);
@@ -71,8 +71,8 @@ namespace carom::render {
 
 // ---- cone about +z, per solid angle ----------------------------------------------------------
 
-/// 1 - cos(theta_max) of the cone that a sphere of `radius` fills, seen from `distance` > radius
-/// away from its centre; keeps its digits for a sphere far away, where the cosine is almost 1.
+/// 1 - cos(theta_max) of the cone that a sphere of `radius` subtends at `distance` > radius from
+/// its centre. It stays accurate for a distant sphere, where the cosine is almost 1.
 [[nodiscard]] inline float one_minus_cos_of_sphere(float radius, float distance) {
     const float sine = radius / distance;
     const float sine2 = std::min(1.f, sine * sine);
@@ -87,7 +87,7 @@ namespace carom::render {
     return V3f(sine * angle.cosine, sine * angle.sine, 1 - height);
 }
 
-/// Inside the cone; zero outside is left to the caller.
+/// Inside the cone; the caller handles directions outside, where the density is zero.
 [[nodiscard]] inline float pdf_cone(float one_minus_cos) {
     return 1 / (2 * kPi * one_minus_cos);
 }
@@ -111,22 +111,23 @@ namespace carom::render {
 
 // ---- trapezoid over [0, 1], per length -------------------------------------------------------
 
-/// A shutter that opens linearly during the first switch_ratio / 2 and closes during the last:
-/// inverse of the cumulative distribution. switch_ratio in [0, 1]; 0 returns `u` itself.
+/// Opening times of a shutter that opens linearly during the first switch_ratio / 2 and closes
+/// linearly during the last switch_ratio / 2: the inverse of the cumulative distribution.
+/// switch_ratio in [0, 1]; 0 returns `u` itself.
 [[nodiscard]] inline float sample_trapezoid(float u, float switch_ratio) {
     const float ramp = 0.5f * switch_ratio;
     if (ramp <= 0) {
         return u;
     }
     const float height = 1 / (1 - ramp);
-    const float ramp_share = 0.5f * ramp * height;
-    if (u < ramp_share) {
+    const float ramp_probability = 0.5f * ramp * height;
+    if (u < ramp_probability) {
         return std::sqrt(2 * u * ramp / height);
     }
-    if (u > 1 - ramp_share) {
+    if (u > 1 - ramp_probability) {
         return std::min(1 - std::sqrt(2 * (1 - u) * ramp / height), kOneMinusEpsilon);
     }
-    return ramp + (u - ramp_share) / height;
+    return ramp + (u - ramp_probability) / height;
 }
 
 [[nodiscard]] inline float pdf_trapezoid(float x, float switch_ratio) {

@@ -1,4 +1,4 @@
-// What the structures are called, in shots and on the command line.
+// Names of acceleration structures in shots and on the command line.
 #pragma once
 
 #include <array>

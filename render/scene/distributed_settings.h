@@ -1,21 +1,21 @@
-// How the classic distributed ray tracer works: how many rays each effect gets.
+// Settings of the distributed integrator: the number of rays for each effect.
 #pragma once
 
 #include <cstddef>
 
 namespace carom::render {
 
-/// A count of 1 switches its effect off: the pixel's centre, the middle of the exposure, the centre
-/// of the lens or of the light, the exact mirrored or refracted direction. With all counts at 1 it
-/// is the tracer of Whitted 1980. Each count lies in [1, 1024].
+/// A count of 1 switches its effect off: it uses the pixel's centre, the middle of the exposure,
+/// the centre of the lens or of the light, or the exact reflected or refracted direction. With all
+/// counts at 1 it is the ray tracer of Whitted 1980. Each count lies in [1, 1024].
 struct DistributedSettings {
-    /// A pixel gets the product of these three, at most 65536, as one set of well-spread points.
+    /// A pixel takes the product of these three, at most 65536, as one set of well-spread points.
     int pixel_samples = 4;
     int blur_samples = 4;
     int lens_samples = 4;
     int shadow_samples = 4;      // per light and point
-    int reflection_samples = 4;  // per point; 1 where nothing spreads them
-    int refraction_samples = 4;  // per point; 1 where nothing spreads them
+    int reflection_samples = 4;  // per point; 1 for reflection without a spread
+    int refraction_samples = 4;  // per point; 1 for refraction without a spread
     int recursion_limit = 3;     // generations of rays after the camera's, [0, 32]
     /// Whether shadow, reflection and refraction samples halve with each generation, down to 1.
     bool falloff = true;
@@ -24,7 +24,7 @@ struct DistributedSettings {
     bool operator==(const DistributedSettings&) const = default;
 };
 
-/// How many of `count` samples are taken so many generations after the camera's rays.
+/// The number of samples `generation` generations after the camera's rays.
 [[nodiscard]] constexpr int samples_at(int count, int generation, bool falloff) {
     if (!falloff || generation >= 31) {
         return falloff ? 1 : count;
@@ -33,11 +33,10 @@ struct DistributedSettings {
     return count / divisor + (count % divisor != 0 ? 1 : 0);
 }
 
-/// All rays for one camera ray if every surface reflects and refracts, both with a spread, and
-/// every ray meets a surface: the sum over generations n = 0 ... r of the rays of that generation
-/// times (1 + lights x shadow samples). Without fall-off: sum of (R + T)^n (1 + L S). With R or T
-/// left out
-/// (`reflects`, `refracts`) for scenes where no surface does.
+/// The number of rays for one camera ray if every surface reflects and refracts, both with a
+/// spread, and every ray hits a surface: the sum over generations n = 0 ... r of the rays of that
+/// generation times (1 + lights x shadow samples). Without falloff: the sum of (R + T)^n (1 + L S).
+/// `reflects` and `refracts` are false for scenes without such surfaces; R or T is then left out.
 [[nodiscard]] inline double rays_per_camera_ray(const DistributedSettings& settings,
                                                 std::size_t lights, bool reflects = true,
                                                 bool refracts = true) {
@@ -54,7 +53,7 @@ struct DistributedSettings {
     return sum;
 }
 
-/// More rays than this for one camera ray are refused: a frame of them would hardly end.
+/// Settings with more rays for one camera ray are rejected, because a frame would hardly end.
 inline constexpr double kMostRaysPerCameraRay = 1e7;
 
 inline constexpr int kMostCameraSamples = 65536;

@@ -1,5 +1,5 @@
-// Surfaces as plain data: the layered `standard` material, the classic `phong` one, and the
-// textures that vary them.
+// Materials as plain data: the layered `standard` material, the classic `phong` one, and the
+// textures of both.
 #pragma once
 
 #include <optional>
@@ -10,18 +10,18 @@
 
 namespace carom::render {
 
-/// An image file, looked up by uv (SurfacePoint::uv), its lower left corner at uv (0, 0).
+/// An image file, looked up by uv (SurfacePoint::uv); its lower left corner is at uv (0, 0).
 struct ImageTexture {
     std::string file;            // absolute path
     Vec2 scale{1, 1};            // repeats along u and v
     bool is_linear = false;      // false: sRGB-encoded colour
     std::optional<Vec2> size{};  // instead of `scale`: width and height of the picture, m
-    Vec2 offset{0, 0};           // by which it is moved along u and v, in its widths and heights
+    Vec2 offset{0, 0};           // translation along u and v, in widths and heights of the picture
     double rotation = 0;         // about uv (0, 0), rad, counter-clockwise
 };
 
-/// A billiard ball, painted in object axes: solid or striped, a number in a white disc on both
-/// ends of the x axis; no number with 0.
+/// A billiard ball, painted in object axes: solid or striped, with a number in a white disc at both
+/// ends of the x axis; 0 means no number.
 struct BallTexture {
     Vec3 colour{1, 1, 1};
     Vec3 white{0.9, 0.87, 0.78};
@@ -61,16 +61,17 @@ struct Coat {
     double roughness = 0;  // [0, 1]
 };
 
-/// Layers from the bottom up: diffuse base, metal or glass, sheen, coat. Glass fills what a closed
-/// surface encloses, its normals pointing outward.
+/// Layers from the bottom up: diffuse base, metal or glass, sheen, coat. Glass fills the inside of
+/// a closed surface with outward normals.
 struct StandardMaterial {
     ColourSource base = Vec3{0.8, 0.8, 0.8};  // albedo, each channel in [0, 1]
     double metal = 0;                         // [0, 1]: base becomes the reflectance of a metal
     double roughness = 0.5;   // [0, 1] of the base's specular lobe (GGX alpha = roughness^2)
     double specular = 0;      // [0, 1] weight of the base's own dielectric highlight, ior 1.5
-    double transmission = 0;  // [0, 1] share of the base that is glass, rough by `roughness`
+    double transmission = 0;  // [0, 1] fraction of the base that is glass, rough by `roughness`
     double ior = 1.5;         // [1, 3] of the glass
-    /// What is left of light after `transmission_depth` m of glass; 0: at each surface instead.
+    /// The fraction of light that remains after `transmission_depth` m of glass; with a depth of 0
+    /// it applies at each surface instead.
     Vec3 transmission_colour{1, 1, 1};
     double transmission_depth = 0;
     double sheen = 0;  // [0, 1] weight
@@ -80,20 +81,20 @@ struct StandardMaterial {
     Vec3 emission{0, 0, 0};  // radiance of its front, W/(m^2 sr)
 };
 
-/// The classic surface: the terms of Phong 1975, "Illumination for computer
-/// generated pictures", and the rays that Whitted 1980 ("An improved illumination model for shaded
-/// display") sends on, spread as in Cook, Porter and Carpenter 1984 ("Distributed ray tracing").
-/// In the `distributed` integrator nothing makes it keep energy: that diffuse, specular,
-/// reflectance and transmittance add up to at most 1 is left to whoever writes it. `path` shades it
-/// in the form of PhongLobes, which does.
+/// The classic model: the terms of Phong 1975, "Illumination for computer generated pictures", and
+/// the reflected and refracted rays of Whitted 1980 ("An improved illumination model for shaded
+/// display"), spread as in Cook, Porter and Carpenter 1984 ("Distributed ray tracing"). The
+/// `distributed` integrator does not enforce energy conservation: diffuse, specular, reflectance
+/// and transmittance should add up to at most 1. The `path` integrator renders it as PhongLobes,
+/// which conserve energy.
 struct PhongMaterial {
     std::optional<Vec3> ambient;  // colour under the ambient light; none: that of `diffuse`
     ColourSource diffuse = Vec3{0.8, 0.8, 0.8};
     Vec3 specular{0, 0, 0};           // colour of the highlights of lights
     double shininess = 20;            // exponent of the highlights, [0, 1e6]
-    Vec3 reflectance{0, 0, 0};        // share of what is mirrored
+    Vec3 reflectance{0, 0, 0};        // of the mirror direction
     double reflectance_spread = 0;    // standard deviation from the mirror direction, rad
-    Vec3 transmittance{0, 0, 0};      // share of what is seen through the surface
+    Vec3 transmittance{0, 0, 0};      // of the refracted direction
     double transmittance_spread = 0;  // standard deviation from the refracted direction, rad
     double index = 1.5;               // of refraction, of the inside over the outside, [0.1, 10]
     Vec3 emission{0, 0, 0};           // radiance of its front, W/(m^2 sr)
@@ -104,7 +105,7 @@ inline constexpr double kWidestPhongSpread = 1.5;  // rad
 struct MaterialDescription {
     std::string name;
     StandardMaterial surface;
-    std::optional<PhongMaterial> phong{};  // if there, the surface instead of `surface`
+    std::optional<PhongMaterial> phong{};  // if set, replaces `surface`
 };
 
 }  // namespace carom::render

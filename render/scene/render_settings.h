@@ -1,4 +1,4 @@
-// How a frame is computed. Every field can change the pixels and is part of a frame's key.
+// The settings of a frame. Every field can change the pixels and is part of a frame's key.
 #pragma once
 
 #include <cstdint>
@@ -32,19 +32,18 @@ struct RenderSettings {
     int height = 720;
     IntegratorKind integrator = IntegratorKind::path;
     int samples = 64;  // per pixel, [1, 65536]; powers of two converge best (path)
-    /// Adaptive sampling (path): `samples` (a multiple of 4 then) is the least, and pixels get more
-    /// by their noise until the frame's relative error is this, root mean square over its pixels;
-    /// 0: off.
+    /// Adaptive sampling (path): `samples` (then a multiple of 4) is the minimum, and noisy pixels
+    /// get more until the root mean square over the pixels' relative errors is this value; 0: off.
     double noise = 0;
     int max_samples = 1024;           // of one pixel, [1, 65536]
     int max_bounces = 4;              // [0, 64] (path)
-    DistributedSettings distributed;  // instead of the two, with that integrator
+    DistributedSettings distributed;  // replaces both with that integrator
     double clamp =
         0;  // radiance of one sample's indirect light is clamped to this; 0: off (biased otherwise)
     PixelFilter filter = PixelFilter::blackman_harris;
     double filter_width = 1.5;  // full width in pixels, [0.5, 8]; box: 1
     AccelerationKind acceleration = AccelerationKind::hybrid;
-    std::uint64_t seed = 0;         // chooses the noise and nothing else
+    std::uint64_t seed = 0;         // chooses the noise only
     std::vector<std::string> aovs;  // by the names in render/frame/aov_planes.h
 
     bool operator==(const RenderSettings&) const = default;

@@ -1,4 +1,4 @@
-// What is seen, as plain data: shapes, materials, textures, lights. World axes, metres, Z up;
+// The visible scene as plain data: shapes, materials, textures, lights. World axes, metres, Z up;
 // colour is linear Rec.709, scene-referred.
 #pragma once
 
@@ -29,7 +29,7 @@ struct BoxShape {
     Vec3 size{1, 1, 1};  // full edges, centre at the origin
 };
 
-/// The infinite plane z = 0, its normal +z.
+/// The infinite plane z = 0 with normal +z.
 struct PlaneShape {
     static constexpr const char* kName = "plane";
 };
@@ -44,11 +44,12 @@ struct RectangleShape {
 /// second and third corner.
 struct TriangleShape {
     static constexpr const char* kName = "triangle";
-    std::array<Vec3, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};  // not in a line
+    std::array<Vec3, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};  // not collinear
 };
 
-/// `corner`, `corner` + `edge_u`, `corner` + `edge_v` and the fourth; the front is the side from
-/// which `edge_u` turns to `edge_v` counter-clockwise. u and v run along the edges.
+/// Corners: `corner`, `corner` + `edge_u`, `corner` + `edge_v` and `corner` + `edge_u` + `edge_v`;
+/// the front is the side from which the turn from `edge_u` to `edge_v` is counter-clockwise. u and
+/// v run along the edges.
 struct ParallelogramShape {
     static constexpr const char* kName = "parallelogram";
     Vec3 corner{0, 0, 0};
@@ -69,7 +70,7 @@ struct CylinderShape {
     double height = 1;
 };
 
-/// Solid, about z, from z = -height / 2 to height / 2. One of the radii may be 0: the tip.
+/// Solid, about z, from z = -height / 2 to height / 2. One of the radii may be 0 (the tip).
 struct ConeShape {
     static constexpr const char* kName = "cone";
     double radius = 1;  // at the bottom
@@ -77,18 +78,18 @@ struct ConeShape {
     double height = 1;
 };
 
-/// A cylinder about z with a half ball on each end, centre at the origin.
+/// A cylinder about z with a hemisphere at each end, centre at the origin.
 struct CapsuleShape {
     static constexpr const char* kName = "capsule";
     double radius = 1;
     double length = 1;  // between the centres of its ends
 };
 
-/// A box whose edges and corners are rounded, centre at the origin: all points within `radius` of a
-/// box that is smaller by that much on every side.
+/// A box with rounded edges and corners, centre at the origin: all points within `radius` of a box
+/// that is smaller by `radius` on every side.
 struct RoundedBoxShape {
     static constexpr const char* kName = "rounded_box";
-    Vec3 size{1, 1, 1};   // full lengths, the rounding included
+    Vec3 size{1, 1, 1};   // full lengths, including the rounding
     double radius = 0.1;  // at most half of the smallest side
     /// Half the size of the box without the rounding.
     [[nodiscard]] Vec3 core() const {
@@ -97,12 +98,12 @@ struct RoundedBoxShape {
     }
 };
 
-/// Given in the scene itself (the table's surfaces) or read from an OBJ or PLY file.
+/// Triangles given as arrays (the table's surfaces) or read from an OBJ or PLY file.
 struct MeshShape {
     static constexpr const char* kName = "mesh";
     std::string file;  // absolute path; empty: the arrays below
-    /// Up to which angle between triangles, rad, an edge is made smooth: normals are made anew. 0:
-    /// those that there are.
+    /// Largest angle between triangles, rad, up to which an edge is smoothed by new normals. 0
+    /// keeps the mesh's own normals.
     double smooth_angle = 0;
     std::vector<Vec3> vertices;
     std::vector<Vec3> normals;  // per vertex or empty
@@ -114,27 +115,25 @@ using Shape = std::variant<SphereShape, BoxShape, PlaneShape, RectangleShape, Me
                            TriangleShape, ParallelogramShape, DiskShape, CylinderShape, ConeShape,
                            CapsuleShape, RoundedBoxShape>;
 
-/// Something to see. Without a `track` it stands still at `world_from_object`, which may scale,
-/// shear and mirror it. With one the same map leads to the axes of the body that the track's pose
-/// places.
+/// A visible object. Without a `track` it is static at `world_from_object`, which may scale, shear
+/// and mirror it. With a track the same map leads to the axes of the body that the track moves.
 struct ObjectDescription {
     std::string name;
     Shape shape;
     Mat44 world_from_object{};  // p_world = p_object * world_from_object; affine, invertible
-    std::string track;          // name of a track of the timeline; empty: still
+    std::string track;          // name of a track of the timeline; empty: static
     std::string material;       // name in SceneDescription::materials
 };
 
 // ---- lights ---------------------------------------------------------------------------------
 
-/// How the light of a lamp grows weaker with distance. `none` is for looks that the physics of
-/// light does not allow: what the lamp gives to a surface does not depend on how far away it is. It
-/// gives each surface that faces it the irradiance pi x radiance, if it has a surface, and
-/// otherwise its strength in W/m^2, at every distance. Cameras and clear mirrors see it with its
-/// radiance.
+/// How the light of a lamp decreases with distance. `none` is for looks that physics does not
+/// allow: the irradiance that a lamp causes does not depend on the distance. A lamp with a surface
+/// gives every surface that faces it the irradiance pi x radiance, any other lamp its strength in
+/// W/m^2. Cameras and specular reflections see the lamp with its radiance.
 enum class Falloff { inverse_square, none };
 
-/// One-sided: radiates from the side of its normal. Seen by the camera and in reflections as such.
+/// One-sided: radiates from the side of its normal, from which the camera and reflections see it.
 struct RectangleLight {
     Vec3 centre{0, 0, 1};
     Vec3 edge_u{0.5, 0, 0};  // half edges, orthogonal; the light spans centre +- edge_u +- edge_v
@@ -153,29 +152,29 @@ struct SphereLight {
 
 /// The clear sky of Preetham, Shirley and Smits 1999 (render/light/sky.h), without the sun itself.
 struct Sky {
-    Vec3 sun{1, 0, 1};           // towards it, above the horizon
-    double turbidity = 3;        // haze, [2, 10]: 2 very clear, 3 clear, 6 hazy
-    Vec3 ground{0.2, 0.2, 0.2};  // albedo of all that lies below the horizon
+    Vec3 sun{1, 0, 1};           // direction to the sun, above the horizon
+    double turbidity = 3;        // [2, 10]: 2 very clear, 3 clear, 6 hazy
+    Vec3 ground{0.2, 0.2, 0.2};  // albedo of everything below the horizon
 };
 
 /// Light from infinitely far away in all directions: constant, an equirectangular image (Z up, its
 /// centre column towards +x rotated by `rotation` about z) or a sky.
 struct EnvironmentLight {
     Vec3 radiance{1, 1, 1};  // multiplies the image or sky
-    std::string image;       // absolute path; empty: constant, or
+    std::string image;       // absolute path; empty: constant, or a sky
     double rotation = 0;     // rad, counter-clockwise seen from above
     std::optional<Sky> sky{};
 };
 
-/// Shines from one point in all directions. Never seen, in mirrors neither.
+/// Radiates from one point in all directions. It is invisible, also in reflections.
 struct PointLight {
     Vec3 position{0, 0, 1};
     Vec3 intensity{1, 1, 1};  // W/sr; W/m^2 without falloff
     Falloff falloff = Falloff::inverse_square;
 };
 
-/// A point light within a cone: all of it within the inner angle, nothing outside the outer one,
-/// a soft edge between.
+/// A point light within a cone: full intensity within the inner angle, none outside the outer one,
+/// and a smooth transition between.
 struct SpotLight {
     Vec3 position{0, 0, 1};
     Vec3 direction{0, 0, -1};  // of the axis
@@ -185,9 +184,9 @@ struct SpotLight {
     Falloff falloff = Falloff::inverse_square;
 };
 
-/// Parallel light from infinitely far away. Never seen.
+/// Parallel light from infinitely far away. It is invisible.
 struct DirectionalLight {
-    Vec3 direction{0, 0, -1};  // in which it shines
+    Vec3 direction{0, 0, -1};  // in which the light travels
     Vec3 irradiance{1, 1, 1};  // of a surface that faces it, W/m^2
 };
 

@@ -21,7 +21,7 @@ bool refracts(const MaterialDescription& material) {
                           : material.surface.transmission > 0;
 }
 
-/// What refracts also reflects: beyond the critical angle all of it.
+/// A refracting surface also reflects: beyond the critical angle it reflects everything.
 bool reflects(const MaterialDescription& material) {
     const StandardMaterial& surface = material.surface;
     return refracts(material) || (material.phong ? !is_black(material.phong->reflectance)
@@ -33,7 +33,7 @@ bool is_emissive(const MaterialDescription& material) {
 }
 
 bool is_radiance(const Vec3& c) {
-    // Written so that NaN is none.
+    // The condition is written so that NaN is invalid.
     const auto valid = [](double x) { return x >= 0 && x < 1e30; };
     return valid(c.x) && valid(c.y) && valid(c.z);
 }

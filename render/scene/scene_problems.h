@@ -1,4 +1,4 @@
-// What of a scene and of the settings cannot be rendered, seen from the descriptions alone.
+// Checks of scene descriptions and settings: what cannot be rendered.
 #pragma once
 
 #include <cstddef>
@@ -13,19 +13,19 @@ namespace carom::render {
 /// The longest side that a picture may have, in pixels.
 inline constexpr int kLongestSide = 16384;
 
-/// What the tree of rays of one camera ray grows by.
+/// What determines the size of the ray tree of one camera ray.
 struct RayBranches {
-    std::size_t lights = 0;  // those that shadow rays are sent to
-    bool reflects = false;   // whether some surface sends on reflected rays
-    bool refracts = false;   // and refracted ones
+    std::size_t lights = 0;  // number of lights that shadow rays are sent to
+    bool reflects = false;   // some surface reflects
+    bool refracts = false;   // some surface refracts
 };
 [[nodiscard]] RayBranches ray_branches(const SceneDescription& scene);
 
-/// Lights without an area, a direction or a finite radiance, rectangles without right angles,
-/// angles out of order, a second environment.
+/// Finds lights without an area, a direction or a finite radiance, rectangles without right angles,
+/// spot angles out of order, and a second environment.
 [[nodiscard]] std::vector<Diagnostic> find_problems(const std::vector<LightDescription>& lights);
 
-/// Counts of the distributed integrator that ask for more rays than can be had.
+/// Finds counts of the distributed integrator that require too many rays.
 [[nodiscard]] std::vector<Diagnostic> find_problems(const DistributedSettings& settings,
                                                     const RayBranches& branches);
 

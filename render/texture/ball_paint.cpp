@@ -19,9 +19,9 @@ V3f mix(const V3f& a, const V3f& b, float t) {
     return a + (b - a) * t;
 }
 
-/// Coverage by the inside of a circle around an axis, seen from which the circle has the chord
-/// radius `radius` and the point the distance `distance`. Both are sines of angles: dividing by the
-/// cosine makes lengths along the surface of them.
+/// Coverage by the inside of a circle around an axis. As seen from the axis, the circle has the
+/// chord radius `radius` and the point the distance `distance`. Both are sines of angles; dividing
+/// by the cosine turns them into lengths along the surface.
 float inside_circle(float distance, float radius, float width) {
     return smooth_step((radius - distance) / std::sqrt(1.0f - radius * radius), width);
 }

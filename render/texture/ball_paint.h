@@ -1,4 +1,4 @@
-// A billiard ball's colours.
+// The paint of billiard balls.
 #pragma once
 
 #include <memory>
@@ -9,13 +9,12 @@
 
 namespace carom::render {
 
-/// Solid: its colour all over; striped: white with a band of its colour around the z axis. A number
-/// stands in a white disc at both ends of the x axis, upright (z up) as seen from that side. Edges
-/// are as sharp as the pixel allows at any distance: they are computed, only the figures are looked
-/// up.
+/// Solid: one colour; striped: white with a band of the colour around the z axis. A number stands
+/// in a white disc at both ends of the x axis, upright (z up) as seen from that side. Edges are
+/// computed, and are as sharp as the pixel allows at any distance; only the digits are looked up.
 class BallPaint {
   public:
-    /// `number`: draw_number(texture.number), null for a ball without one.
+    /// `number`: draw_number(texture.number), null for a ball without a number.
     BallPaint(const BallTexture& texture, std::shared_ptr<const CoverageMask> number);
 
     /// `position`: in the ball's own axes, not 0; `footprint`: width of a pixel there, m.

@@ -16,7 +16,7 @@ float filtered_wave(float x, float width) {
     return (wave_integral(x + 0.5f * width) - wave_integral(x - 0.5f * width)) / width;
 }
 
-// Moves the planes between cubes off the round coordinates where surfaces tend to lie.
+// Shifts the planes between cubes away from round coordinates, at which surfaces often lie.
 constexpr float kShift = 0.0137f;
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr float kNapStrength = 0.35f;
 constexpr float kWearStrength = 0.40f;
 constexpr float kThreadRelief = 0.25f;  // height of the weave, in threads
 
-// From so many threads to a pixel on the weave has faded.
+// At this number of threads per pixel the weave has faded.
 constexpr float kFarthest = 4.0f;
 
 template <class Pyramid>

@@ -14,7 +14,7 @@ namespace {
 constexpr int kTexelsPerThread = 8;
 constexpr int kThreads = ClothTiles::kThreads;
 constexpr int kSize = kThreads * kTexelsPerThread;
-constexpr int kNoiseSize = 256;  // texels along a side of nap and wear: four to the finest cell
+constexpr int kNoiseSize = 256;  // texels along a side of nap and wear: four per finest cell
 
 constexpr std::uint32_t kWanderSeed = 0x38495ab5u;
 constexpr std::uint32_t kFuzzSeed = 0x51ed270bu;
@@ -26,13 +26,13 @@ constexpr float kWander = 0.40f;  // of the threads' courses, in threads
 constexpr float kWeaveHeight = 0.55f;
 constexpr float kFuzzHeight = 0.60f;
 
-// Rounded from 0 at both edges of a thread to 1 in its middle, without creases.
+// Rounded: 0 at both edges of a thread, 1 in its middle, without creases.
 float thread_profile(float fraction) {
     const float x = 4.0f * fraction * (1.0f - fraction);
     return x * x * (3.0f - 2.0f * x);
 }
 
-// Height in [0, 1] of a plain weave with one thread per unit, over and under in turns.
+// Height in [0, 1] of a plain weave with one thread per unit, alternating over and under.
 float weave_height(const V2f& p) {
     const float floor_x = std::floor(p.x);
     const float floor_y = std::floor(p.y);
@@ -43,7 +43,7 @@ float weave_height(const V2f& p) {
     return warp_is_above ? x * (0.25f + 0.75f * y) : y * (0.25f + 0.75f * x);
 }
 
-// Noise of the given cells per tile; `p` in threads.
+// Noise with this number of cells per tile; `p` in threads.
 float tiled_noise(const V2f& p, int cells_x, int cells_y, std::uint32_t seed) {
     const V2f q(p.x * static_cast<float>(cells_x) / kThreads,
                 p.y * static_cast<float>(cells_y) / kThreads);
@@ -54,7 +54,7 @@ float relief(const V2f& p) {
     // Threads are spun from wool: their courses wander by a good part of their width.
     const V2f wander(tiled_noise(p, 45, 45, kWanderSeed), tiled_noise(p, 45, 45, kWanderSeed + 1));
     float height = kWeaveHeight * weave_height(p + wander * kWander);
-    // Loose fibres: short streaks along both directions, finer and finer.
+    // Loose fibres: short streaks along both directions, in octaves.
     float amplitude = kFuzzHeight;
     for (std::uint32_t octave = 0; octave < 3; ++octave) {
         const int fine = 40 << octave;
@@ -71,7 +71,7 @@ std::size_t place(int x, int y) {
     return static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x);
 }
 
-// Rows [0, count), on several threads: a picture is waited for until its cloth is woven.
+// Rows [0, count) on several threads, because a frame waits until the tiles are made.
 template <class Work>
 void for_rows(int count, const Work& work) {
     const int parts = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 16);
@@ -117,7 +117,8 @@ ImagePyramid make_weave() {
     return ImagePyramid(kSize, kSize, std::move(texels));
 }
 
-// Noise with `cells` along a side, and `octaves` - 1 finer ones of half the height each.
+// Noise with `cells` cells along a side, and `octaves` - 1 finer octaves of half the amplitude
+// each.
 SignedPyramid make_noise(int cells, int octaves, std::uint32_t seed) {
     std::vector<SignedCodec::Texel> texels;
     texels.reserve(static_cast<std::size_t>(kNoiseSize) * kNoiseSize);

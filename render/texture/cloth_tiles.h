@@ -1,4 +1,4 @@
-// What cloth is laid out with: pictures of noise that repeat without a seam, made once.
+// The tiles of cloth: seamless pictures of noise, made once.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace carom::render {
 
-/// Values in [-1, 1], 16 bits a texel.
+/// Values in [-1, 1], stored in 16 bits per texel.
 struct SignedCodec {
     using Texel = std::int16_t;
     using Value = float;
@@ -22,16 +22,16 @@ struct SignedCodec {
 using SignedPyramid = MipPyramid<SignedCodec>;
 
 struct ClothTiles {
-    /// Threads along a side of `weave`; cells of noise along a side of `nap`, coarsest ones of
-    /// `wear`.
+    /// Number of threads along a side of `weave`; of noise cells along a side of `nap`, and of the
+    /// coarsest ones of `wear`.
     static constexpr int kThreads = 64;
     static constexpr int kNapCells = 64;
     static constexpr int kWearCells = 16;
 
-    /// A plain weave under fuzz. Per texel (height, slope in x, slope in y): heights in [-1, 1] or
-    /// so around a mean of 0, slopes in heights per thread. From far away the weave is gone.
+    /// A plain weave with fuzz. Per texel (height, slope in x, slope in y): heights roughly in [-1,
+    /// 1] with a mean of 0, slopes in heights per thread. From far away the weave fades.
     ImagePyramid weave;
-    /// Gradient noise, and three octaves of it.
+    /// Gradient noise, and a sum of three octaves of it.
     SignedPyramid nap;
     SignedPyramid wear;
 };

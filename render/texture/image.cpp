@@ -28,7 +28,7 @@ bool is_usable(const V3f& c) {
 }  // namespace
 
 LinearImage read_linear_image(const std::string& path, bool is_linear) {
-    // Colours as stored: alpha, which is ignored, shall not darken them.
+    // Colours as stored, because the ignored alpha must not darken them.
     OIIO::ImageSpec wanted;
     wanted.attribute("oiio:UnassociatedAlpha", 1);
     OIIO::ImageBuf buffer(path, 0, 0, nullptr, &wanted);

@@ -1,4 +1,4 @@
-// Colour pictures read from files, as linear light.
+// Colour pictures from files, in linear light.
 #pragma once
 
 #include <memory>
@@ -17,13 +17,13 @@ struct LinearImage {
     std::vector<V3f> pixels;
 };
 
-/// Reads any format that OpenImageIO knows. Grey pictures become colours; alpha is ignored. With
-/// `is_linear` false 8- and 16-bit values are decoded from sRGB (IEC 61966-2-1); floating-point
-/// files always hold linear light. Throws Error naming the file: unreadable, larger than 16384 on
-/// a side, or holding NaN, infinite or negative values.
+/// Reads any format of OpenImageIO. Grey pictures become colours; alpha is ignored. If `is_linear`
+/// is false, 8- and 16-bit values are decoded from sRGB (IEC 61966-2-1); floating-point files
+/// always contain linear light. Throws Error with the file's name if it is unreadable, larger than
+/// 16384 on a side, or contains NaN, infinite or negative values.
 [[nodiscard]] LinearImage read_linear_image(const std::string& path, bool is_linear);
 
-/// Half-float storage: 8 bytes a texel.
+/// Half-float storage: 8 bytes per texel.
 struct HalfColourCodec {
     struct Texel {
         std::uint16_t r, g, b, unused;

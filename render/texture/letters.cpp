@@ -12,7 +12,7 @@ namespace carom::render {
 
 namespace {
 
-// Where Debian's package fonts-dejavu-core has it.
+// The path of Debian's package fonts-dejavu-core.
 constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
 
 }  // namespace
@@ -39,7 +39,7 @@ struct Letters::Font {
     Font(const Font&) = delete;
     Font& operator=(const Font&) = delete;
 
-    /// Calls `use` with each letter's picture, and where its upper left corner is.
+    /// Calls `use` with each letter's bitmap and the position of its upper left corner.
     template <class Use>
     void each(const std::string& text, int size, const Use& use) const {
         FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(size));

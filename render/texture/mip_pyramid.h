@@ -1,4 +1,5 @@
-// A picture with all its halvings, looked up bilinearly at the size that a pixel covers.
+// A mip map: a picture at all halved resolutions, looked up bilinearly at the size that a pixel
+// covers.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +14,10 @@ namespace carom::render {
 
 enum class Wrap { clamp, repeat };
 
-/// `Codec` names a stored `Texel`, the `Value` it stands for, and decode / encode between the two.
-/// A look-up reads four texels of one level: 28 ns where OpenImageIO's TextureSystem, which can
-/// page pictures larger than the memory, takes 290 (bench/frame_bench.cpp).
+/// `Codec` names a stored `Texel`, the `Value` that it represents, and the functions decode and
+/// encode between them. A look-up reads four texels of one level: 28 ns where OpenImageIO's
+/// TextureSystem, which can page pictures larger than the memory, takes 290
+/// (bench/frame_bench.cpp).
 template <class Codec>
 class MipPyramid {
   public:
@@ -39,8 +41,8 @@ class MipPyramid {
     [[nodiscard]] int height() const { return levels_.front().height; }
     [[nodiscard]] std::size_t level_count() const { return levels_.size(); }
 
-    /// The value at (u, v), v = 0 at the top, averaged over about `footprint` (in the same unit,
-    /// of the larger side): the finest level whose texels are at least half as large.
+    /// The value at (u, v), v = 0 at the top, averaged over about `footprint` (in the same unit, of
+    /// the larger side), from the finest level whose texels are at least half as large.
     [[nodiscard]] Value lookup(float u, float v, float footprint, Wrap wrap_u, Wrap wrap_v) const {
         const float texels =
             footprint * static_cast<float>(std::max(levels_[0].width, levels_[0].height));
@@ -73,7 +75,7 @@ class MipPyramid {
     }
 
     static Value bilinear(const Level& level, float u, float v, Wrap wrap_u, Wrap wrap_v) {
-        // Repeats are taken off first, so that far coordinates keep their fraction.
+        // Removes repeats first, so that far coordinates keep their precision.
         const float tile_u = wrap_u == Wrap::repeat ? u - std::floor(u) : std::clamp(u, 0.0f, 1.0f);
         const float tile_v = wrap_v == Wrap::repeat ? v - std::floor(v) : std::clamp(v, 0.0f, 1.0f);
         const float x = tile_u * static_cast<float>(level.width) - 0.5f;
@@ -91,7 +93,8 @@ class MipPyramid {
         return top * (1.0f - fy) + bottom * fy;
     }
 
-    // Each texel the mean of the (up to) 2 x 2 it covers; an odd last row or column is repeated.
+    // Each texel is the mean of the (up to) 2 x 2 that it covers; an odd last row or column is
+    // repeated.
     static Level halved(const Level& from) {
         Level to;
         to.width = std::max(1, (from.width + 1) / 2);

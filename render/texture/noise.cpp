@@ -74,7 +74,7 @@ float gradient_noise(const V3f& position, std::uint32_t seed) {
 
 namespace {
 
-// `next` gives the column or row after one, which is where a repeated pattern closes.
+// `next` returns the following column or row; a repeating pattern closes there.
 template <class NextColumn, class NextRow>
 float plane_noise(const Cell& x, const Cell& y, std::uint32_t seed, const NextColumn& next_column,
                   const NextRow& next_row) {
@@ -145,7 +145,7 @@ float fractal_noise(const V2f& position, int octaves, float footprint, std::uint
 }
 
 float band_weight(float footprint, float period) {
-    // Full up to three footprints per period, nothing from one and a half on.
+    // 1 up to three footprints per period, 0 from one and a half on.
     const float t =
         std::clamp((period - 1.5f * footprint) / (1.5f * footprint + 1e-30f), 0.0f, 1.0f);
     return t * t * (3.0f - 2.0f * t);

@@ -1,4 +1,5 @@
-// Repeatable noise over the plane and over space, from an integer hash: the same bits everywhere.
+// Reproducible noise in the plane and in space from an integer hash, with the same bits on every
+// machine.
 #pragma once
 
 #include <cstdint>
@@ -23,28 +24,28 @@ namespace carom::render {
 }
 
 /// Gradient noise after Perlin, "Improving Noise", 2002 (quintic fade, eq. 1; gradients towards the
-/// edges of a cube), on a hashed instead of a tabulated lattice. Mean 0, range within [-1, 1], one
-/// feature per unit length. Coordinates beyond +-2^30 repeat.
+/// edges of a cube), on a lattice that is hashed instead of tabulated. Mean 0, range within [-1,
+/// 1], one feature per unit length. Coordinates beyond +-2^30 repeat.
 [[nodiscard]] float gradient_noise(const V3f& position, std::uint32_t seed);
 [[nodiscard]] float gradient_noise(const V2f& position, std::uint32_t seed);
 
-/// The same pattern repeated every `period_x`, `period_y` > 0 units, without a seam.
+/// The same noise, repeating every `period_x`, `period_y` > 0 units without a seam.
 [[nodiscard]] float periodic_noise(const V2f& position, int period_x, int period_y,
                                    std::uint32_t seed);
 
-/// Sum of `octaves` gradient noises, each of twice the frequency and half the amplitude of the one
-/// before, normalised to a first amplitude of 1. Octaves finer than `footprint` (in units of
-/// `position`) fade out, so that the sum is band-limited to what a pixel can show.
+/// Sum of `octaves` gradient noises, each of twice the frequency and half the amplitude of the
+/// previous one; the first has amplitude 1. Octaves finer than `footprint` (in units of `position`)
+/// fade out, so that the sum is band-limited to what a pixel can show.
 [[nodiscard]] float fractal_noise(const V3f& position, int octaves, float footprint,
                                   std::uint32_t seed);
 [[nodiscard]] float fractal_noise(const V2f& position, int octaves, float footprint,
                                   std::uint32_t seed);
 
-/// What is left of a pattern of the given period after averaging over `footprint` (same unit):
-/// 1 while the period is well resolved, 0 from two periods per three footprints on.
+/// Weight of a pattern of the given period after averaging over `footprint` (same unit): 1 while
+/// the period is well resolved, 0 from two periods per three footprints on.
 [[nodiscard]] float band_weight(float footprint, float period);
 
-/// The share of [x - width/2, x + width/2] that lies above 0, made smooth: an anti-aliased step.
+/// The fraction of [x - width/2, x + width/2] above 0, smoothed: an anti-aliased step.
 [[nodiscard]] float smooth_step(float x, float width);
 
 }  // namespace carom::render

@@ -15,14 +15,15 @@
 namespace carom::render {
 namespace {
 
-constexpr int kTrialFontSize = 256;  // pixels; for measuring
-constexpr double kReach = 0.70;      // the figures' far corners, in radii of the disc
-constexpr double kTallest = 1.02;    // their height, in radii of the disc
-constexpr double kBarHeight = 0.13;  // of the underline, relative to the figures' height
-constexpr double kBarGap = 0.12;     // between figures and underline
+constexpr int kTrialFontSize = 256;  // pixels, for measuring
+constexpr double kFarCorner = 0.70;  // the digits' farthest corners, in radii of the disc
+constexpr double kTallest = 1.02;    // the digits' largest height, in radii of the disc
+constexpr double kBarHeight = 0.13;  // of the underline, relative to the digits' height
+constexpr double kBarGap = 0.12;     // between digits and underline
 
 bool needs_underline(int number) {
-    // Reads as another number when upside down: made of 0, 6, 8, 9 with a 6 or 9 among them.
+    // Whether the number can be read upside down as another one: it consists of 0, 6, 8, 9 and has
+    // a 6 or 9.
     bool has_turning = false;
     for (int rest = number; rest > 0; rest /= 10) {
         const int digit = rest % 10;
@@ -35,14 +36,14 @@ bool needs_underline(int number) {
     return has_turning;
 }
 
-/// The largest font size whose figures, with their underline, stay in the disc.
+/// The largest font size at which the digits with their underline stay in the disc.
 int fitted_font_size(const std::string& text, bool underlined, Letters& letters) {
     const LetterBox box = letters.box(text, kTrialFontSize);
     const double extra = underlined ? 1.0 + kBarHeight + kBarGap : 1.0;
     const double height = box.height() * extra;
     const double half_diagonal = 0.5 * std::sqrt(height * height + 1.0 * box.width() * box.width());
     const double radius = 0.5 * kNumberMaskSize;
-    const double scale = std::min(kReach * radius / half_diagonal, kTallest * radius / height);
+    const double scale = std::min(kFarCorner * radius / half_diagonal, kTallest * radius / height);
     return static_cast<int>(kTrialFontSize * scale);
 }
 

@@ -1,4 +1,4 @@
-// The figures on a ball, drawn once from a font's outlines.
+// The number on a ball, drawn once from a font's outlines.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace carom::render {
 
-/// Coverage by ink in [0, 1], 8 bits a texel.
+/// Coverage by ink in [0, 1], 8 bits per texel.
 struct CoverageCodec {
     using Texel = std::uint8_t;
     using Value = float;
@@ -22,9 +22,9 @@ using CoverageMask = MipPyramid<CoverageCodec>;
 
 inline constexpr int kNumberMaskSize = 1024;
 
-/// `number` (0 to 999) in DejaVu Sans Bold, centred, fitted into the circle inscribed in a square
-/// of kNumberMaskSize texels; 6 and 9 (66, 99 ...) are underlined, so that they can be told apart.
-/// Throws Error if the font is not installed.
+/// `number` (0 to 999) in DejaVu Sans Bold, centred and fitted into the circle inscribed in a
+/// square of kNumberMaskSize texels; numbers such as 6 and 9 or 66 and 99 are underlined to tell
+/// them apart. Throws Error if the font is not installed.
 [[nodiscard]] std::shared_ptr<const CoverageMask> draw_number(int number);
 
 }  // namespace carom::render

@@ -1,6 +1,6 @@
-// Procedural surfaces: woven cloth, wood, checker. All are band-limited: detail finer than the
-// `footprint` (width of a pixel on the surface, m) fades into its mean, so that far surfaces do not
-// turn into noise.
+// Procedural textures: woven cloth, wood, checker. All are band-limited: detail finer than the
+// `footprint` (width of a pixel on the surface, m) fades into its mean, so that distant surfaces do
+// not turn into noise.
 #pragma once
 
 #include <memory>
@@ -12,18 +12,18 @@ namespace carom::render {
 
 struct ClothTiles;  // cloth_tiles.h
 
-/// Plain weave under a brushed nap, with faint broad differences as wear leaves them.
+/// Plain weave under a brushed nap, with faint broad variations from wear.
 class ClothPattern {
   public:
     /// `tiles` are shared by all cloths.
     ClothPattern(const ClothTexture& texture, std::shared_ptr<const ClothTiles> tiles);
 
     struct Value {
-        V3f colour{0, 0, 0};  // over the whole cloth its mean is the texture's own
+        V3f colour{0, 0, 0};  // its mean over the whole cloth is the texture's colour
         V2f slope{0, 0};      // of the weave's relief in both directions, 1 = 45 degrees
     };
 
-    /// `place`: on the cloth, m.
+    /// `place`: position on the cloth, m.
     [[nodiscard]] Value evaluate(const V2f& place, float footprint) const;
 
   private:
@@ -33,7 +33,8 @@ class ClothPattern {
     std::shared_ptr<const ClothTiles> tiles_;
 };
 
-/// Growth rings of a tree that stood along the grain, cut by the surface, with fibres and pores.
+/// Growth rings of a tree whose trunk is along the grain, cut by the surface, with fibres and
+/// pores.
 class WoodPattern {
   public:
     explicit WoodPattern(const WoodTexture& texture);
@@ -51,7 +52,7 @@ class CheckerPattern {
   public:
     explicit CheckerPattern(const CheckerTexture& texture);
 
-    /// `normal`: of the surface in the axes of `position`; a pixel has no width along it.
+    /// `normal`: of the surface, in the axes of `position`; a pixel has no width along it.
     [[nodiscard]] V3f colour(const V3f& position, const V3f& normal, float footprint) const;
 
   private:

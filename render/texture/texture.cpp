@@ -16,7 +16,7 @@ struct Overloaded : Visitors... {
 template <class... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;
 
-// The axis that a surface faces most: flat patterns are laid on along the two others.
+// The axis that a surface faces most: flat patterns are laid along the two others.
 int facing_axis(const V3f& normal) {
     const V3f a{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
     if (a.z >= a.x && a.z >= a.y) {

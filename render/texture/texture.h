@@ -16,10 +16,10 @@
 
 namespace carom::render {
 
-/// Reads every file and makes every picture once, however many materials use it.
+/// Reads every file and draws every number once, however many materials use it.
 class ImageCache {
   public:
-    /// Throws Error naming the file.
+    /// Throws Error with the file's name.
     [[nodiscard]] std::shared_ptr<const ImagePyramid> file(const std::string& path, bool is_linear);
     /// Throws Error if the font is missing.
     [[nodiscard]] std::shared_ptr<const CoverageMask> number(int number);
@@ -37,11 +37,11 @@ class Texture {
     /// Throws Error if a file or the font for a ball's number is missing.
     Texture(const ColourSource& source, ImageCache& images);
 
-    /// Colour at `point`, averaged over about `footprint` (width of a pixel on the surface, m, 0:
-    /// as sharp as can be). Each channel is >= 0, and <= 1 unless an image holds more.
+    /// Colour at `point`, averaged over about `footprint` (width of a pixel on the surface, m; 0:
+    /// as sharp as possible). Each channel is >= 0, and <= 1 unless an image contains more.
     [[nodiscard]] V3f colour(const SurfacePoint& point, float footprint) const;
 
-    /// The colour, if it is the same everywhere.
+    /// The colour if it is constant.
     [[nodiscard]] std::optional<V3f> constant() const {
         const auto* colour = std::get_if<V3f>(&source_);
         return colour != nullptr ? std::optional(*colour) : std::nullopt;
@@ -49,10 +49,10 @@ class Texture {
 
     struct Relief {
         V3f colour;
-        V3f normal_shift;  // to be added to the unit normal before normalising it; world axes
+        V3f normal_shift;  // to add to the unit normal before normalising it; world axes
     };
-    /// The same, and how the surface's own relief turns its normal; only if `has_relief`. The
-    /// relief of cloth is taken to lie along the world's axes.
+    /// `colour`, and how the surface's relief tilts its normal; only if `has_relief`. The relief of
+    /// cloth is assumed to lie along the world's axes.
     [[nodiscard]] Relief relief(const SurfacePoint& point, float footprint) const;
 
     [[nodiscard]] bool has_relief() const { return std::holds_alternative<ClothPattern>(source_); }
@@ -60,10 +60,10 @@ class Texture {
   private:
     struct Image {
         std::shared_ptr<const ImagePyramid> pyramid;
-        V2f repeats;  // along u and v; `by_size`: in a metre
+        V2f repeats;  // along u and v; with `by_size`: per metre
         bool by_size;
         V2f offset;
-        V2f turn;  // cosine and sine
+        V2f turn;  // cosine and sine of the rotation
 
         [[nodiscard]] V3f colour(const SurfacePoint& point, float footprint) const;
     };

@@ -29,7 +29,7 @@ float ring_profile(float fraction) {
                : std::max(0.0f, 1.0f - (fraction - 0.84f) * (fraction - 0.84f) * 39.0f);
 }
 
-// Streaks along the grain, `length` by `width` m, faded where a pixel cannot show them.
+// Streaks along the grain, `length` by `width` m, faded where a pixel cannot resolve them.
 float streaks(float a, float b, float c, float length, float width, float footprint,
               std::uint32_t seed) {
     const float weight = band_weight(footprint, 2.0f * width);
@@ -59,20 +59,20 @@ V3f WoodPattern::colour(const V3f& position, float footprint) const {
         streaks(a, b, c, 4.0f * kFibreLength, 4.5f * kFibreWidth, footprint, kFibreSeed + 1);
     const float pore = streaks(a, b, c, kPoreLength, kPoreWidth, footprint, kPoreSeed);
 
-    // The trunk is not straight and its rings are not round; the pith runs below the piece and to
-    // its side, so that flat arches lie next to straight grain.
+    // The trunk is bent and its rings are not round; the pith runs below and beside the piece, so
+    // that flat arches appear next to straight grain.
     const V3f slow(a * 0.9f, b * 4.0f, c * 4.0f);
     b += 0.012f * gradient_noise(slow, kBendSeed) + 3.1f * ring_;
     c += 0.012f * gradient_noise(slow, kBendSeed + 1) + 9.3f * ring_;
     const float wobble = 0.7f * gradient_noise(V3f(a * 2.5f, b * 30.0f, c * 30.0f), kWobbleSeed);
-    // Fibres feather the edges of the rings.
+    // Fibres blur the edges of the rings.
     const float rings = std::sqrt(b * b + c * c) / ring_ + wobble + 0.10f * coarse + 0.06f * fine;
 
     const float index = std::floor(rings);
     const float tone = unit_float(
         mix_bits(static_cast<std::uint32_t>(static_cast<std::int32_t>(index)) + kRingSeed));
     const float ring_weight = band_weight(footprint, ring_);
-    float darkness = 0.38f;  // the mean, which stays when nothing finer can be told apart
+    float darkness = 0.38f;  // the mean, for footprints that resolve nothing finer
     darkness += ring_weight * (ring_profile(rings - index) - 0.387f) * (0.30f + 0.35f * tone);
     darkness += 0.26f * fractal_noise(V3f(a * 2.0f, b * 14.0f, c * 14.0f), 2, footprint * 14.0f,
                                       kBroadSeed);

@@ -1,5 +1,5 @@
-// Work on several threads: oneTBB's, or, for the thread sanitizer, which knows nothing of what
-// Debian's oneTBB does within, threads of our own (CAROM_OWN_THREADS).
+// Parallel work: oneTBB, or threads of our own for the thread sanitizer, which cannot see into
+// Debian's oneTBB (CAROM_OWN_THREADS).
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ namespace carom::render {
 
 #ifndef CAROM_OWN_THREADS
 
-/// What runs in it has so many threads.
+/// Work that runs in the arena uses this number of threads.
 class ThreadArena {
   public:
     /// 0: one per processor.
@@ -38,7 +38,8 @@ class ThreadArena {
     tbb::task_arena arena_;
 };
 
-/// body(i) for every i < count, each by itself, in any order; throws what one of them throws.
+/// Calls body(i) for every i < count, concurrently and in any order; rethrows an exception of a
+/// call.
 template <class Body>
 void parallel_for(std::size_t count, const Body& body) {
     tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner());

@@ -1,5 +1,5 @@
-// One ray against several triangles in the lanes of vectors. Included once per instruction set,
-// after <hwy/highway.h>.
+// One ray against several triangles in vector lanes. Included once per instruction set, after
+// <hwy/highway.h>.
 #if defined(CAROM_MOLLER_TRUMBORE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_MOLLER_TRUMBORE_INL_H
 #undef CAROM_MOLLER_TRUMBORE_INL_H
@@ -17,8 +17,7 @@ namespace carom::render::triangle::HWY_NAMESPACE {
 
 #define CAROM_KERNEL HWY_INLINE
 
-// These follow one another.
-// clang-format off
+// The order of these matters. clang-format off
 #include "render/triangle/kernels/common.h"
 #include "render/triangle/kernels/moller_trumbore.h"
 // clang-format on

@@ -1,4 +1,4 @@
-// The renderer's own test of one ray and one triangle.
+// The renderer's own intersection test of one ray and one triangle.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,7 @@ namespace carom::render::triangle::scalar {
 
 #define CAROM_KERNEL [[gnu::always_inline]] inline
 
-// These follow one another.
-// clang-format off
+// The order of these matters. clang-format off
 #include "render/triangle/kernels/common.h"
 #include "render/triangle/kernels/moller_trumbore.h"
 // clang-format on
@@ -25,7 +24,7 @@ namespace carom::render::triangle::scalar {
 
 namespace carom::render {
 
-/// From either side, in (ray.t_min, ray.t_max). The vectorised test gives the same bits.
+/// Tests both sides, in (ray.t_min, ray.t_max). The vectorised test gives the same bits.
 [[nodiscard]] inline std::optional<TriangleHit<float>> moller_trumbore(const Ray& ray, const V3f& a,
                                                                        const V3f& b, const V3f& c) {
     using Kernel = triangle::scalar::MollerTrumbore;
@@ -35,13 +34,13 @@ namespace carom::render {
     };
     const auto record =
         Kernel::prepare(triangle::scalar::Corners<L>{triple(a), triple(b), triple(c)});
-    const auto met = Kernel::meet<triangle::Division::early>(
+    const auto hit = Kernel::intersect<triangle::Division::early>(
         triangle::scalar::RayIn<L>{triple(ray.origin), triple(ray.direction), ray.t_min, ray.t_max},
         record);
-    if (!met.valid) {
+    if (!hit.valid) {
         return std::nullopt;
     }
-    return TriangleHit<float>{met.t, met.u, met.v};
+    return TriangleHit<float>{hit.t, hit.u, hit.v};
 }
 
 }  // namespace carom::render

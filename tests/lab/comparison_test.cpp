@@ -131,9 +131,9 @@ TEST(Comparison, Stopped_KeepsTheRowsThatAreThere) {
 
 TEST(Comparison, Progress_NeverDecreasesAndEndsAtOne) {
     double last = 0;
-    const auto progress = [&](std::string_view, double share) {
-        EXPECT_GE(share, last);
-        last = share;
+    const auto progress = [&](std::string_view, double fraction) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
     };
     (void)compare_structures(small_scene("full_view"), options_of("brute_force,kdtree,embree"),
                              progress, {});

@@ -91,8 +91,8 @@ TEST(Growth, Stopped_KeepsThePointsThatAreThere) {
     GrowthOptions options;
     options.structures = structures_from_text("bvh,octree");
     options.enough_seconds = 0;
-    const auto progress = [&](std::string_view, double share) {
-        if (share > 0.2) {
+    const auto progress = [&](std::string_view, double fraction) {
+        if (fraction > 0.2) {
             stop.request_stop();
         }
     };

@@ -98,10 +98,10 @@ bool is_borderline(const TestSet& set, std::size_t ray, std::int64_t triangle,
     if (triangle < 0) {
         return false;
     }
-    const Exact met = exact(set, ray, triangle, epsilon);
-    return std::abs(met.depth()) <= kRoundings * met.weight_error ||
-           std::abs(met.t) <= kRoundings * met.distance_error * std::abs(met.t) ||
-           std::abs(met.t - other.t) <= kRoundings * met.distance_error * std::abs(met.t);
+    const Exact hit = exact(set, ray, triangle, epsilon);
+    return std::abs(hit.depth()) <= kRoundings * hit.weight_error ||
+           std::abs(hit.t) <= kRoundings * hit.distance_error * std::abs(hit.t) ||
+           std::abs(hit.t - other.t) <= kRoundings * hit.distance_error * std::abs(hit.t);
 }
 
 void expect_hits_of_reference(const Variant& variant, const TestSet& set,
@@ -119,10 +119,10 @@ void expect_hits_of_reference(const Variant& variant, const TestSet& set,
                         is_borderline(set, i, expected.triangle, hit, epsilon))
                 << "ray " << i << ": " << hit.triangle << " not " << expected.triangle;
         } else if (hit.triangle >= 0) {
-            const Exact met = exact(set, i, hit.triangle, epsilon);
-            EXPECT_NEAR(hit.t / expected.t, 1, kRoundings * met.distance_error);
-            EXPECT_NEAR(hit.u, expected.u, kRoundings * met.weight_error);
-            EXPECT_NEAR(hit.v, expected.v, kRoundings * met.weight_error);
+            const Exact hit = exact(set, i, hit.triangle, epsilon);
+            EXPECT_NEAR(hit.t / expected.t, 1, kRoundings * hit.distance_error);
+            EXPECT_NEAR(hit.u, expected.u, kRoundings * hit.weight_error);
+            EXPECT_NEAR(hit.v, expected.v, kRoundings * hit.weight_error);
         }
     }
     EXPECT_LE(other_triangles, static_cast<int>(hits.size() / 1000));
@@ -272,10 +272,10 @@ TEST(Sets, Worst_EveryRayHitsEveryTriangleNearerThanTheOneBefore) {
     for (std::size_t ray = 0; ray < set.origins.size(); ++ray) {
         double nearest = std::numeric_limits<double>::infinity();
         for (int i = 0; i < set.triangles_in_group; ++i) {
-            const Exact met = exact(set, ray, i, 0);
-            ASSERT_GT(met.depth(), 0.01);
-            ASSERT_LT(met.t, nearest);
-            nearest = met.t;
+            const Exact hit = exact(set, ray, i, 0);
+            ASSERT_GT(hit.depth(), 0.01);
+            ASSERT_LT(hit.t, nearest);
+            nearest = hit.t;
         }
         ASSERT_GT(nearest, 0);
     }
@@ -284,10 +284,10 @@ TEST(Sets, Worst_EveryRayHitsEveryTriangleNearerThanTheOneBefore) {
 TEST(Sets, Random_HasHitsAndMisses) {
     const TestSet set = make_random_set(20, 5);
     const auto hits = reference_hits(Precision::single_precision, set);
-    const auto met = std::count_if(hits.begin(), hits.end(),
+    const auto hit = std::count_if(hits.begin(), hits.end(),
                                    [](const NearestHit& hit) { return hit.triangle >= 0; });
-    EXPECT_GT(met, 400);
-    EXPECT_LT(met, 900);
+    EXPECT_GT(hit, 400);
+    EXPECT_LT(hit, 900);
 }
 
 TEST(Names, Kernels_FoundByTheirOwnNames) {

@@ -16,9 +16,9 @@ MeasureOptions small_options() {
 }
 
 TEST(MeasureKernels, TwoKernels_EveryFormPackingAndPrecision) {
-    std::vector<double> shares;
+    std::vector<double> fractions;
     WorkContext context;
-    context.progress = [&](double share) { shares.push_back(share); };
+    context.progress = [&](double fraction) { fractions.push_back(fraction); };
     const KernelMeasurements measured = measure_kernels(small_options(), context);
     EXPECT_TRUE(measured.is_whole);
     EXPECT_EQ(measured.errors.size(), 6u * 2);  // Wald's has two forms, Keidy's four
@@ -29,9 +29,9 @@ TEST(MeasureKernels, TwoKernels_EveryFormPackingAndPrecision) {
         EXPECT_GT(best_rate(rates.random), 0);
         EXPECT_GT(best_rate(rates.worst), 0);
     }
-    EXPECT_EQ(shares.front(), 0);
-    EXPECT_EQ(shares.back(), 1);
-    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_EQ(fractions.front(), 0);
+    EXPECT_EQ(fractions.back(), 1);
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
 }
 
 /// In float some millionths at most, in double some 10^-14.

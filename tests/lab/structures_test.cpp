@@ -121,7 +121,7 @@ TEST(LaboratoryOfAll, ManySpheresAndMeshes_BitsOfBruteForce) {
     TestRandom random(8);
     RandomScene scene = everything(0, 0, 2);
     for (int i = 0; i < 500; ++i) {
-        SphereStretch sphere;
+        SphereSegment sphere;
         sphere.path.c[0] = test::random_point(random, 2);
         sphere.radius = i % 100 == 0 ? 0.4f : 0.04f;
         sphere.object = scene.object_count++;
@@ -137,7 +137,7 @@ TEST(LaboratoryOfAll, ManySpheresAndMeshes_BitsOfBruteForce) {
 TEST_P(Laboratory, ShapesInOnePlace_LowestObjectIsReported) {
     RandomScene scene;
     for (std::uint32_t i = 0; i < 300; ++i) {
-        SphereStretch sphere;
+        SphereSegment sphere;
         sphere.radius = 0.5f;
         sphere.object = 299 - i;
         scene.shapes.add_sphere(sphere);
@@ -162,7 +162,7 @@ TEST_P(Laboratory, Counts_AreOfTheRaysAndFewerThanBruteForces) {
     TestRandom random(9);
     RandomScene scene;
     for (std::uint32_t i = 0; i < 400; ++i) {
-        SphereStretch sphere;
+        SphereSegment sphere;
         sphere.path.c[0] = test::random_point(random, 2);
         sphere.radius = 0.08f;
         sphere.object = i;
@@ -203,7 +203,7 @@ TEST_P(Laboratory, ShadowRaysThatDoNotStop_TestMore) {
 RandomScene row_of_spheres(std::uint32_t count) {
     RandomScene scene;
     for (std::uint32_t i = 0; i < count; ++i) {
-        SphereStretch sphere;
+        SphereSegment sphere;
         sphere.path.c[0] = V3f(static_cast<float>(i), 0, 0);
         sphere.radius = 0.4f;
         sphere.object = i;
@@ -239,7 +239,7 @@ TEST(LaboratoryOfMedianKdTree, RowOfSpheres_IsHalvedByNumberIntoPairs) {
 TEST(LaboratoryOfMedianKdTree, ManyShapesInOnePlace_AreEachInOneLeaf) {
     RandomScene scene;
     for (std::uint32_t i = 0; i < 1000; ++i) {
-        SphereStretch sphere;
+        SphereSegment sphere;
         sphere.path.c[0] = V3f(0.001f * static_cast<float>(i), 0, 0);
         sphere.radius = 0.5f;
         sphere.object = i;
@@ -257,7 +257,7 @@ TEST(LaboratoryOfMedianKdTree, ManyShapesInOnePlace_AreEachInOneLeaf) {
 TEST(LaboratoryOfWideBvh, OneLeaf_CountsItsShapes) {
     RandomScene scene;
     for (std::uint32_t i = 0; i < 5; ++i) {
-        SphereStretch sphere;
+        SphereSegment sphere;
         sphere.path.c[0] = V3f(0, 0, static_cast<float>(i));
         sphere.radius = 0.5f;
         sphere.object = i;

@@ -44,7 +44,7 @@ struct Badouel {
     }
 
     template <Division kDivision, class L>
-    CAROM_KERNEL static MetIn<L> meet(const RayIn<L>& ray, const Record<L>& triangle) {
+    CAROM_KERNEL static HitIn<L> intersect(const RayIn<L>& ray, const Record<L>& triangle) {
         const auto height = triangle.plane - dot(triangle.normal, ray.origin);
         const PlanePoint<kDivision, L> plane(height, dot(triangle.normal, ray.direction));
         const auto valid = is_within(ray, plane.below, plane.t);
@@ -60,6 +60,6 @@ struct Badouel {
             triangle.edge_b_u * triangle.edge_c_v - triangle.edge_c_u * triangle.edge_b_v;
         const auto u = L::turned(p_u * triangle.edge_c_v - triangle.edge_c_u * p_v, area);
         const auto v = L::turned(triangle.edge_b_u * p_v - p_u * triangle.edge_b_v, area);
-        return met_in_plane(ray, plane, u, v, L::size(area), valid);
+        return hit_in_plane(ray, plane, u, v, L::size(area), valid);
     }
 };

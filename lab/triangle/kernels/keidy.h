@@ -31,7 +31,7 @@ struct Keidy {
     }
 
     template <Division kDivision, class L>
-    CAROM_KERNEL static MetIn<L> meet(const RayIn<L>& ray, const Record<L>& triangle) {
+    CAROM_KERNEL static HitIn<L> intersect(const RayIn<L>& ray, const Record<L>& triangle) {
         const auto from_a = ray.origin - triangle.a;
         const auto height = dot(triangle.normal, triangle.a - ray.origin);
         const PlanePoint<kDivision, L> plane(height, dot(triangle.normal, ray.direction));
@@ -45,7 +45,7 @@ struct Keidy {
         const auto p = plane.point(from_a, ray.direction);
         const auto pb = dot(p, triangle.edge_b);
         const auto pc = dot(p, triangle.edge_c);
-        return met_in_plane(ray, plane, pb * cc - pc * bc, pc * bb - pb * bc, bb * cc - bc * bc,
+        return hit_in_plane(ray, plane, pb * cc - pc * bc, pc * bb - pb * bc, bb * cc - bc * bc,
                             valid);
     }
 };

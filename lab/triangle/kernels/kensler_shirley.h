@@ -33,19 +33,19 @@ struct KenslerShirley {
     }
 
     template <Division kDivision, class L>
-    CAROM_KERNEL static MetIn<L> meet(const RayIn<L>& ray, const Record<L>& triangle) {
+    CAROM_KERNEL static HitIn<L> intersect(const RayIn<L>& ray, const Record<L>& triangle) {
         const Denominator<kDivision, L> below(dot(triangle.normal, ray.direction));
         const auto to_a = triangle.a - ray.origin;
-        const auto t = below.share(dot(triangle.normal, to_a));
+        const auto t = below.quotient(dot(triangle.normal, to_a));
         auto valid = is_within(ray, below, t);
         if (L::none(valid)) {
             return missed<L>();
         }
         const auto i = cross(to_a, ray.direction);
-        const auto u = below.share(dot(i, triangle.from_c));
-        const auto v = below.share(dot(i, triangle.edge_b));
+        const auto u = below.quotient(dot(i, triangle.from_c));
+        const auto v = below.quotient(dot(i, triangle.edge_b));
         valid = L::both(valid, L::both(is_weight<L>(u, below.whole()),
                                        is_second_weight<L>(u, v, below.whole())));
-        return met(ray, below, t, u, v, valid);
+        return make_hit(ray, below, t, u, v, valid);
     }
 };

@@ -35,7 +35,7 @@ struct PerpendicularPlanes {
     }
 
     template <Division kDivision, class L>
-    CAROM_KERNEL static MetIn<L> meet(const RayIn<L>& ray, const Record<L>& triangle) {
+    CAROM_KERNEL static HitIn<L> intersect(const RayIn<L>& ray, const Record<L>& triangle) {
         const auto height = triangle.plane - dot(triangle.normal, ray.origin);
         const PlanePoint<kDivision, L> plane(height, dot(triangle.normal, ray.direction));
         auto valid = is_within(ray, plane.below, plane.t);
@@ -51,6 +51,6 @@ struct PerpendicularPlanes {
         }
         const auto v = dot(triangle.normal_c, p) + plane.below.times(triangle.c_d);
         valid = L::both(valid, is_second_weight<L>(u, v, whole));
-        return met(ray, plane.below, plane.t, u, v, valid);
+        return make_hit(ray, plane.below, plane.t, u, v, valid);
     }
 };

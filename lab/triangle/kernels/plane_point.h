@@ -7,7 +7,7 @@ struct PlanePoint {
     Denominator<kDivision, L> below;
     V t;
 
-    CAROM_KERNEL PlanePoint(V height, V along) : below(along), t(below.share(height)) {}
+    CAROM_KERNEL PlanePoint(V height, V along) : below(along), t(below.quotient(height)) {}
 
     /// The point's coordinate, less what `origin` is less already.
     [[nodiscard]] CAROM_KERNEL V coordinate(V origin, V direction) const {
@@ -24,7 +24,7 @@ struct PlanePoint {
 /// Weights with a positive denominator of their own, of a point in a plane. Deferred, one division
 /// serves both; early, each has its own.
 template <Division kDivision, class L>
-CAROM_KERNEL MetIn<L> met_in_plane(const RayIn<L>& ray, const PlanePoint<kDivision, L>& plane,
+CAROM_KERNEL HitIn<L> hit_in_plane(const RayIn<L>& ray, const PlanePoint<kDivision, L>& plane,
                                    typename L::Value u, typename L::Value v, typename L::Value area,
                                    typename L::Mask valid) {
     const auto whole = plane.below.times(area);

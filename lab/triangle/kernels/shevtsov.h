@@ -35,7 +35,7 @@ struct ShevtsovSoupikovKapustin {
     }
 
     template <Division kDivision, class L>
-    CAROM_KERNEL static MetIn<L> meet(const RayIn<L>& ray, const Record<L>& triangle) {
+    CAROM_KERNEL static HitIn<L> intersect(const RayIn<L>& ray, const Record<L>& triangle) {
         const auto& w = triangle.axis;
         const auto d_u = L::after(ray.direction.at, w);
         const auto d_v = L::before(ray.direction.at, w);
@@ -46,7 +46,7 @@ struct ShevtsovSoupikovKapustin {
         const Denominator<kDivision, L> below(determinant);
         const auto height = triangle.plane - (o_u * triangle.normal_u + o_v * triangle.normal_v +
                                               L::along(ray.origin.at, w));
-        const auto t = below.share(height);
+        const auto t = below.quotient(height);
         auto valid = is_within(ray, below, t);
         if (L::none(valid)) {
             return missed<L>();
@@ -54,13 +54,13 @@ struct ShevtsovSoupikovKapustin {
         // From the corner to the point in the plane, times the determinant.
         const auto from_a_u = d_u * height - determinant * (triangle.a_u - o_u);
         const auto from_a_v = d_v * height - determinant * (triangle.a_v - o_v);
-        const auto u = below.share(triangle.edge_c_v * from_a_u - triangle.edge_c_u * from_a_v);
+        const auto u = below.quotient(triangle.edge_c_v * from_a_u - triangle.edge_c_u * from_a_v);
         valid = L::both(valid, is_weight<L>(u, below.whole()));
         if (L::fails_alone(valid)) {
             return missed<L>();
         }
-        const auto v = below.share(triangle.edge_b_u * from_a_v - triangle.edge_b_v * from_a_u);
+        const auto v = below.quotient(triangle.edge_b_u * from_a_v - triangle.edge_b_v * from_a_u);
         valid = L::both(valid, is_second_weight<L>(u, v, below.whole()));
-        return met(ray, below, t, u, v, valid);
+        return make_hit(ray, below, t, u, v, valid);
     }
 };

@@ -38,7 +38,7 @@ struct Wald {
     }
 
     template <Division kDivision, class L>
-    CAROM_KERNEL static MetIn<L> meet(const RayIn<L>& ray, const Record<L>& triangle) {
+    CAROM_KERNEL static HitIn<L> intersect(const RayIn<L>& ray, const Record<L>& triangle) {
         const auto& w = triangle.axis;
         const auto d_u = L::after(ray.direction.at, w);
         const auto d_v = L::before(ray.direction.at, w);
@@ -63,6 +63,6 @@ struct Wald {
         }
         const auto v = p_u * triangle.c_u + p_v * triangle.c_v + plane.below.times(triangle.c_d);
         valid = L::both(valid, is_second_weight<L>(u, v, whole));
-        return met(ray, plane.below, plane.t, u, v, valid);
+        return make_hit(ray, plane.below, plane.t, u, v, valid);
     }
 };

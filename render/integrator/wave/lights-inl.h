@@ -1,4 +1,4 @@
-// Lights as seen from the vertices of a wave: the formulas of light/area_light.cpp and
+// Light sampling for the vertices of a wave, with the formulas of light/area_light.cpp and
 // light/light_set.cpp. Included once per instruction set.
 #if defined(CAROM_WAVE_LIGHTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_WAVE_LIGHTS_INL_H
@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
-/// A direction towards a light in every lane, and what comes from there.
+/// A sampled direction towards a light in every lane, with the radiance from there.
 struct LightLanes {
     F3 direction;
     F distance;
@@ -32,42 +32,42 @@ HWY_INLINE F3 radiance_of(const WaveLight& light, F pdf) {
 HWY_INLINE LightLanes sample_rectangle(const WaveLight& light, const F3& point, const V2& u) {
     const F a = all(2.f) * u.x - all(1.f);
     const F b = all(2.f) * u.y - all(1.f);
-    const F3 way = all(light.centre) + all(light.edge_u) * a + all(light.edge_v) * b - point;
-    const F height = hn::Neg(dot(way, all(light.normal)));
-    const F distance2 = dot(way, way);
+    const F3 to_light = all(light.centre) + all(light.edge_u) * a + all(light.edge_v) * b - point;
+    const F height = hn::Neg(dot(to_light, all(light.normal)));
+    const F distance2 = dot(to_light, to_light);
     const F distance = hn::Sqrt(distance2);
     const F pdf = distance2 * distance / (height * all(light.area));
-    return {way * (all(1.f) / distance), distance, pdf, radiance_of(light, pdf),
+    return {to_light * (all(1.f) / distance), distance, pdf, radiance_of(light, pdf),
             hn::Gt(height, all(0.f))};
 }
 
 HWY_INLINE LightLanes sample_sphere(const WaveLight& light, const F3& point, const V2& u) {
-    const F3 way = all(light.centre) - point;
+    const F3 to_light = all(light.centre) - point;
     const F radius = all(light.radius);
-    const F distance2 = dot(way, way);
+    const F distance2 = dot(to_light, to_light);
     const F distance = hn::Sqrt(distance2);
     const F one_minus_cos = one_minus_cos_of_sphere(radius, distance);
     const F3 local = sample_cone(u, one_minus_cos);
     const F sine2 = local.x * local.x + local.y * local.y;
     const F inside = hn::Sqrt(hn::Max(all(0.f), radius * radius - distance2 * sine2));
-    const Basis basis = basis_around(way * (all(1.f) / distance));
+    const Basis basis = basis_around(to_light * (all(1.f) / distance));
     const F pdf = all(1.f) / (all(2 * kPi) * one_minus_cos);
     return {unit(basis.to_world(local)), hn::Max(all(0.f), distance * local.z - inside), pdf,
             radiance_of(light, pdf), hn::Gt(distance2, radius * radius)};
 }
 
-HWY_INLINE F surface_cosine(F cosine, F reach) {
-    return select(hn::Le(cosine + reach, all(0.f)), all(0.f),
+HWY_INLINE F surface_cosine(F cosine, F sine) {
+    return select(hn::Le(cosine + sine, all(0.f)), all(0.f),
                   hn::Max(cosine, all(kLeastHorizonCosine)));
 }
 
 HWY_INLINE F importance_of_rectangle(const WaveLight& light, const F3& point, const F3& normal) {
-    const F3 way = all(light.centre) - point;
-    const F distance2 = hn::Max(dot(way, way), all(1e-12f));
+    const F3 to_light = all(light.centre) - point;
+    const F distance2 = hn::Max(dot(to_light, to_light), all(1e-12f));
     const F distance = hn::Sqrt(distance2);
-    const F height = hn::Neg(dot(way, all(light.normal)));
+    const F height = hn::Neg(dot(to_light, all(light.normal)));
     const F cosine =
-        surface_cosine(dot(way, normal) / distance, all(light.half_diagonal) / distance);
+        surface_cosine(dot(to_light, normal) / distance, all(light.half_diagonal) / distance);
     if (!light.fades) {
         return select(hn::Gt(height, all(0.f)), all(luminance(light.radiance) * kPi) * cosine,
                       all(0.f));
@@ -78,17 +78,17 @@ HWY_INLINE F importance_of_rectangle(const WaveLight& light, const F3& point, co
 }
 
 HWY_INLINE F importance_of_sphere(const WaveLight& light, const F3& point, const F3& normal) {
-    const F3 way = all(light.centre) - point;
-    const F distance = hn::Max(hn::Sqrt(dot(way, way)), all(1e-6f));
+    const F3 to_light = all(light.centre) - point;
+    const F distance = hn::Max(hn::Sqrt(dot(to_light, to_light)), all(1e-6f));
     const F radius = all(light.radius);
     const F solid_angle =
         light.fades ? all(2.0f * kPi) * one_minus_cos_of_sphere(radius, distance) : all(kPi);
     const F value = all(luminance(light.radiance)) * solid_angle *
-                    surface_cosine(dot(way, normal) / distance, radius / distance);
+                    surface_cosine(dot(to_light, normal) / distance, radius / distance);
     return select(hn::Gt(distance, radius), value, all(0.f));
 }
 
-/// Numbers of a group, one path at a time, for lights that have no vector code.
+/// The lanes of a vector one by one, for lights without vector code.
 struct LanesAtOnce {
     alignas(64) float x[16], y[16], z[16];
 
@@ -181,7 +181,7 @@ HWY_INLINE LightLanes sample(const WaveScene& scene, std::size_t light, const F3
     return sample_one_by_one(*scene.lights, light, point, u, wanted);
 }
 
-/// One light in every lane, as LightSet's `choose`.
+/// The choice of one light in every lane, as LightSet::choose.
 struct ChoiceLanes {
     I light;
     F probability;
@@ -198,13 +198,13 @@ HWY_INLINE ChoiceLanes choose_light(const WaveScene& scene, const F3& point, con
         const F weight = importance(scene, light, point, normal, wanted);
         const M counts = hn::Gt(weight, all(0.f));
         choice.total = select(counts, choice.total + weight, choice.total);
-        const F share = weight / choice.total;
-        const M takes = hn::And(counts, hn::Lt(choice.u, share));
+        const F probability = weight / choice.total;
+        const M takes = hn::And(counts, hn::Lt(choice.u, probability));
         choice.light = hn::IfThenElse(hn::RebindMask(di, takes),
                                       hn::Set(di, static_cast<std::int32_t>(light)), choice.light);
         chosen = select(takes, weight, chosen);
-        choice.u =
-            select(hn::And(counts, hn::Lt(share, all(1.f))), stretched(choice.u, share), choice.u);
+        choice.u = select(hn::And(counts, hn::Lt(probability, all(1.f))),
+                          remap_sample(choice.u, probability), choice.u);
     }
     choice.probability = chosen / choice.total;
     choice.total = select(hn::Gt(chosen, all(0.f)), choice.total, all(0.f));

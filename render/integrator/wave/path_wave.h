@@ -1,4 +1,4 @@
-// Many paths at once, an array for each number: what loops over vectors carry. Plain data.
+// The state of many paths as structures of arrays, for vector code. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace carom::render {
 
-/// Camera samples that set out together; each may split twice.
+/// Number of camera samples in a wave; each may split twice.
 inline constexpr int kWaveSamples = 128;
 inline constexpr int kWavePaths = 4 * kWaveSamples;
-/// Vectors may read and write beyond the last path.
+/// Vector code may read and write beyond the last path.
 inline constexpr int kWaveStorage = kWavePaths + 16;
 
 struct Floats {
@@ -31,7 +31,8 @@ struct Floats3 {
     }
 };
 
-/// The numbers of path_state.h's Path and LastScattering; all paths lead to the same `vertex`.
+/// Path and LastScattering (path_state.h) of many paths; all paths lead to a vertex of the same
+/// index.
 struct PathWave {
     int count = 0;
     int vertex = 0;
@@ -60,7 +61,7 @@ struct PathWave {
                 time.at,
                 kind()};
     }
-    /// One path by itself, for what is done one at a time.
+    /// One path alone, for scalar code.
     [[nodiscard]] Path path(int i) const {
         Path path{ray(i)};
         path.throughput = throughput.get(i);
@@ -81,8 +82,8 @@ struct PathWave {
     }
 };
 
-/// What a wave has met: vertices whose surfaces are a diffuse base, on some under the sheen of
-/// cloth, on some under a smooth coat.
+/// The vertices of a wave: surfaces with a diffuse base, some of them with sheen, some with a
+/// smooth coat.
 struct VertexWave {
     int count = 0;
     Words path;  // index in the PathWave
@@ -93,12 +94,12 @@ struct VertexWave {
     Floats offset;                     // m
     Floats3 base;
     Floats coat_weight, coat_ior;
-    Floats3 sheen;       // scale of sheen.h's lobe
-    Floats sheen_share;  // of the light that the sheen takes from the base
+    Floats3 sheen;          // scale of sheen.h's lobe
+    Floats sheen_fraction;  // of the light, that the sheen takes from the base
 };
 
-/// Shadow rays of a wave's vertices: of each vertex `rays` at most, the first ones of all
-/// vertices before the second ones.
+/// Shadow rays of a wave's vertices, at most `rays` for each vertex. The first rays of all vertices
+/// are stored before the second ones.
 struct ShadowWave {
     static constexpr int kMostRays = 16;  // of a first vertex
     static constexpr int kStorage = kMostRays * (kWaveSamples + 16);
@@ -109,12 +110,12 @@ struct ShadowWave {
     int count = 0;   // of rays that were asked for
     Floats3 origin;  // by vertex
     Floats time;     // by vertex
-    Floats3 sum;     // by vertex: all that arrives
+    Floats3 sum;     // by vertex: all light that arrives
     alignas(64) float x[kStorage];
     alignas(64) float y[kStorage];
     alignas(64) float z[kStorage];
-    alignas(64) float reach[kStorage];  // m; 0: no ray
-    alignas(64) float red[kStorage];    // what arrives if nothing is in the way
+    alignas(64) float t_max[kStorage];  // m; 0: no ray
+    alignas(64) float red[kStorage];    // of the light that arrives unless occluded
     alignas(64) float green[kStorage];
     alignas(64) float blue[kStorage];
 
@@ -129,7 +130,7 @@ struct ShadowWave {
     }
 };
 
-/// What the samples of a wave gather.
+/// What belongs to the camera samples of a wave.
 struct SampleWave {
     Words pixel_hash, reversed_sample;  // of their random numbers
 };

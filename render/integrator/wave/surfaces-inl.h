@@ -1,5 +1,5 @@
-// Where rays meet balls and upright boxes: the formulas of frame_scene/surface.cpp. Included once
-// per instruction set.
+// Hits on balls and on boxes along the axes, with the formulas of frame_scene/surface.cpp. Included
+// once per instruction set.
 #include "render/integrator/wave/wave_kernels.h"
 #include "render/integrator/wave/wave_lanes-inl.h"
 
@@ -14,20 +14,20 @@ struct SurfaceLanes {
     F3 position, normal;
 };
 
-/// What the rays are, and how far they go.
-struct MeetingLanes {
+/// Rays and the distances of their hits.
+struct HitLanes {
     F3 origin, direction;
     F distance;
 };
 
 HWY_INLINE SurfaceLanes on_balls(const WaveObjects& objects, I object, const F3& centre,
-                                 const MeetingLanes& ray) {
+                                 const HitLanes& ray) {
     const F3 normal = unit((ray.origin - centre) + ray.direction * ray.distance);
     return {centre + normal * by_object(objects.half_x, object), normal};
 }
 
 HWY_INLINE SurfaceLanes on_boxes(const WaveObjects& objects, I object, const F3& centre,
-                                 const MeetingLanes& ray) {
+                                 const HitLanes& ray) {
     const FloatTag d;
     const F3 o = ray.origin - centre;
     const F3 p = o + ray.direction * ray.distance;
@@ -35,7 +35,7 @@ HWY_INLINE SurfaceLanes on_boxes(const WaveObjects& objects, I object, const F3&
                   by_object(objects.half_z, object)};
     const M leaves = hn::And(hn::Lt(hn::Abs(o.x), half.x),
                              hn::And(hn::Lt(hn::Abs(o.y), half.y), hn::Lt(hn::Abs(o.z), half.z)));
-    // +1 where the face that the ray can meet lies on the positive side.
+    // +1 where the face that the ray can hit lies on the positive side.
     const F turn = select(leaves, all(1.f), all(-1.f));
     const auto side_of = [&](F along) HWY_ATTR {
         return select(hn::Gt(along, all(0.f)), turn, hn::Neg(turn));
@@ -61,8 +61,8 @@ inline HWY_ATTR void find_surfaces(const WaveScene& scene, const PathWave& paths
         const I path = load(vertices.path, i);
         const I object = load(vertices.object, i);
         const F3 centre = load(vertices.position, i);
-        const MeetingLanes ray{gather(paths.origin, path), gather(paths.direction, path),
-                               load(vertices.distance, i)};
+        const HitLanes ray{gather(paths.origin, path), gather(paths.direction, path),
+                           load(vertices.distance, i)};
         const SurfaceLanes surface = are_boxes ? on_boxes(objects, object, centre, ray)
                                                : on_balls(objects, object, centre, ray);
         const F3 normal = select(hn::Gt(dot(surface.normal, ray.direction), all(0.f)),
@@ -72,14 +72,15 @@ inline HWY_ATTR void find_surfaces(const WaveScene& scene, const PathWave& paths
         store(surface.position, vertices.position, i);
         store(normal, vertices.geometric_normal, i);
         store(normal, vertices.normal, i);
-        store(all(kOffsetShare) * (size + by_object(objects.reach, object)), vertices.offset, i);
+        store(all(kOffsetFraction) * (size + by_object(objects.bounding_radius, object)),
+              vertices.offset, i);
         store(F3{by_object(objects.red, object), by_object(objects.green, object),
                  by_object(objects.blue, object)},
               vertices.base, i);
         store(by_object(objects.coat_weight, object), vertices.coat_weight, i);
         store(by_object(objects.coat_ior, object), vertices.coat_ior, i);
         store(all(V3f(0, 0, 0)), vertices.sheen, i);
-        store(all(0.f), vertices.sheen_share, i);
+        store(all(0.f), vertices.sheen_fraction, i);
     }
 }
 

@@ -1,4 +1,4 @@
-// Vertices of a wave in lanes, and what their surfaces scatter: the formulas of
+// Vertices of a wave in lanes, and the BSDF of their surfaces, with the formulas of
 // material/lobe_weights.cpp, bsdf.cpp and sheen.h. Included once per instruction set.
 #if defined(CAROM_WAVE_VERTICES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_WAVE_VERTICES_INL_H
@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
-/// Vertices in the lanes: surface, path, and what becomes of it.
+/// Vertices in the lanes: surface, path, and sampling decisions.
 struct VertexLanes {
     int first;  // of the vertices
     M valid;
@@ -29,10 +29,9 @@ struct VertexLanes {
     F coat_choice;
     F3 diffuse;
     M has_sheen;
-    bool any_sheen;  // only whether the work for sheen can be left out: no lane's numbers depend on
-                     // it
+    bool any_sheen;  // false: sheen can be skipped; the result of a lane does not depend on it
     F3 sheen;
-    F choose_sheen;  // probability of the base being sampled by it
+    F choose_sheen;  // probability of sampling the base by its sheen
     M scatters;      // has a base that is not black
     M splits;
     U place;
@@ -60,26 +59,27 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
         v.coat = coat_weight * fresnel_dielectric(v.wo_z, load(in.coat_ior, first));
     }
     const F rest = all(1.f) - v.coat;
-    const F sheen_share = load(in.sheen_share, first);
-    v.has_sheen = hn::Gt(sheen_share, all(0.f));
+    const F sheen_fraction = load(in.sheen_fraction, first);
+    v.has_sheen = hn::Gt(sheen_fraction, all(0.f));
     v.any_sheen = !hn::AllFalse(d, hn::And(v.valid, v.has_sheen));
     v.diffuse = load(in.base, first) * rest;
     v.sheen = all(V3f(0, 0, 0));
     v.choose_sheen = all(0.f);
     F base = largest(v.diffuse);
     if (v.any_sheen) {
-        v.diffuse = load(in.base, first) * (rest * (all(1.f) - hn::Min(all(1.f), sheen_share)));
+        v.diffuse = load(in.base, first) * (rest * (all(1.f) - hn::Min(all(1.f), sheen_fraction)));
         v.sheen = select(v.has_sheen, load(in.sheen, first) * rest, v.sheen);
-        const F by_sheen = sheen_share * rest;
+        const F by_sheen = sheen_fraction * rest;
         const F by_both = by_sheen + largest(v.diffuse);
         v.choose_sheen = select(hn::Gt(by_both, all(0.f)), by_sheen / by_both, all(0.f));
         base = largest(v.diffuse) + largest(v.sheen);
     }
     v.scatters = hn::And(v.valid, hn::Gt(base, all(0.f)));
     const M is_coated = hn::Gt(v.coat, all(0.f));
-    const F share =
+    const F probability =
         hn::Min(hn::Max(v.coat / (v.coat + base), all(kLeastCoatChoice)), all(kMostCoatChoice));
-    v.coat_choice = select(is_coated, select(hn::Gt(base, all(0.f)), share, all(1.f)), all(0.f));
+    v.coat_choice =
+        select(is_coated, select(hn::Gt(base, all(0.f)), probability, all(1.f)), all(0.f));
     v.splits = step.paths.vertex < step.scene.split_vertices ? hn::And(v.valid, is_coated)
                                                              : hn::MaskFromVec(all(0.f));
     const I place =
@@ -91,19 +91,19 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
     return v;
 }
 
-/// Probability of a direction being sampled as the base's.
+/// Probability of sampling the base.
 HWY_INLINE F base_probability(const VertexLanes& v) {
     return select(v.splits, all(1.f), all(1.f) - v.coat_choice);
 }
 
-/// The base's BSDF times the cosine of `wi`, in shares of the diffuse lobe's density and of the
+/// The base's BSDF times the cosine of `wi`, as factors of the diffuse lobe's density and of the
 /// sheen's.
 struct BaseLanes {
     F diffuse, sheen;
     F pdf;  // of sampling the base
 };
 
-/// As Bsdf's evaluate_base and sheen.h, for `wi` at this cosine to the normal, above 0.
+/// Evaluates Bsdf::evaluate_base with sheen.h, for `wi` with this positive cosine to the normal.
 HWY_INLINE BaseLanes base_towards(const VertexLanes& v, const F3& wi, F cosine) {
     BaseLanes base{cosine * all(kInversePi), all(0.f), all(0.f)};
     base.pdf = base.diffuse;

@@ -9,10 +9,10 @@
 namespace carom::render {
 namespace {
 
-// Deeper paths are rare, and roulette decides about them: they are followed one by one.
+// Deeper paths are rare and subject to roulette: they are followed one by one.
 constexpr int kLastVertex = 4;
 
-/// What the kernels have made of a wave: the paths that go on and the light of the shadow rays.
+/// Checks the output of the kernels: the continuing paths and the light of the shadow rays.
 [[maybe_unused]] bool is_valid(const PathWave& paths) {
     for (int i = 0; i < paths.count; ++i) {
         if (!is_unit(paths.direction.get(i)) || !is_light(paths.throughput.get(i)) ||
@@ -43,8 +43,9 @@ void append(const Floats3& more, int more_count, Floats3& values, int count) {
     append(more.z, more_count, values.z, count);
 }
 
-/// A sample's branches then follow each other in an order that neither the width of vectors nor the
-/// other samples of the wave decide, and so does the sum of what they gather.
+/// Appends so that the branches of a sample follow each other in an order that depends neither on
+/// the vector width nor on the other samples of the wave; the order in which their light is summed
+/// does not either.
 void append(const PathWave& more, PathWave& paths) {
     const auto add = [&](auto PathWave::*field) {
         append(more.*field, more.count, paths.*field, paths.count);
@@ -71,26 +72,26 @@ void append(const PathWave& more, PathWave& paths) {
 }  // namespace
 
 struct WaveIntegrator::Wave final : Integrator::Workspace {
-    // Zero, so that what lies beyond the last path is harmless.
+    // Zero-initialised, so that what lies beyond the last path is harmless.
     PathWave of_even_vertices{}, of_odd_vertices{};
     PathWave& paths() { return vertex % 2 == 0 ? of_even_vertices : of_odd_vertices; }
     PathWave& next() { return vertex % 2 == 0 ? of_odd_vertices : of_even_vertices; }
-    PathWave scattered{};  // on their way to `next`
+    PathWave scattered{};  // to be appended to `next`
     int vertex = 0;
     VertexWave vertices{};
     ShadowWave shadows{};
     SampleWave samples{};
     VertexList near_balls{};
-    std::vector<Hit> met = std::vector<Hit>(kWaveStorage);  // by paths
-    VertexList on_boxes{}, on_others{};                     // indices of paths
-    std::vector<PathWork> works;                            // of samples
+    std::vector<Hit> hits = std::vector<Hit>(kWaveStorage);  // by paths
+    VertexList on_boxes{}, on_others{};                      // indices of paths
+    std::vector<PathWork> works;                             // of samples
 };
 
 WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& settings,
-                               const LightReflections* reflections)
+                               const LightTracer* light_tracer)
     : scene_(scene),
-      one_(scene_, settings, reflections),
-      seeks_reflections_(reflections != nullptr),
+      one_(scene_, settings, light_tracer),
+      has_light_tracer_(light_tracer != nullptr),
       max_bounces_(settings.max_bounces),
       kernels_(best_wave_kernels()),
       known_(make_wave_scene(scene, settings, one_.caustics())) {
@@ -131,7 +132,7 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
         const std::size_t size = std::min<std::size_t>(kWaveSamples, tasks.size() - from);
         begin(tasks.subspan(from, size), pixel_spread, wave, count);
         while (wave.paths().count > 0) {
-            meet(wave);
+            process_hits(wave);
             kernels_->take_step({known_, wave.samples, wave.paths(), wave.vertices, wave.shadows,
                                  wave.near_balls, wave.next(), wave.scattered});
             append(wave.scattered, wave.next());
@@ -141,8 +142,8 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
             for (int k = 0; k < wave.near_balls.count; ++k) {
                 const int vertex = wave.near_balls.at.at[k];
                 const int path = wave.vertices.path.at[vertex];
-                one_.seek_by_balls(wave.paths().path(path), wave.met[path],
-                                   wave.works[wave.paths().slot.at[path]]);
+                one_.add_caustics(wave.paths().path(path), wave.hits[path],
+                                  wave.works[wave.paths().slot.at[path]]);
             }
             wave.vertex += 1;
         }
@@ -177,27 +178,27 @@ void WaveIntegrator::begin(std::span<const CameraTask> tasks, float pixel_spread
         paths.total_importance.at[i] = 0;
         paths.environment_samples.at[i] = 1;
         paths.is_delta.at[i] = 1;
-        paths.connects.at[i] = seeks_reflections_ ? 1 : 0;
+        paths.connects.at[i] = has_light_tracer_ ? 1 : 0;
         paths.connected_ball.at[i] = -1;
     }
     count.camera_rays += tasks.size();
 }
 
-// Sorts what the paths have met: vertices on balls, on boxes, on anything else that is plain; the
-// rest is dealt with at once.
-void WaveIntegrator::meet(Wave& wave) const {
+// Sorts the hits: vertices on balls, on boxes and on other plain objects are collected; the rest is
+// processed at once.
+void WaveIntegrator::process_hits(Wave& wave) const {
     const PathWave& paths = wave.paths();
-    scene_.frame.structure().closest_hits(paths.rays(), wave.met.data());
+    scene_.frame.structure().closest_hits(paths.rays(), wave.hits.data());
     wave.vertices.count = 0;
     wave.on_boxes.count = 0;
     wave.on_others.count = 0;
     for (int i = 0; i < paths.count; ++i) {
-        const Hit& hit = wave.met[i];
+        const Hit& hit = wave.hits[i];
         PathWork& work = wave.works[paths.slot.at[i]];
         if (hit.object == kNoObject) {
             miss(i, wave, work);
         } else if (scene_.is_light(hit)) {
-            one_.meet_light(paths.path(i), hit, work);
+            one_.add_hit_light(paths.path(i), hit, work);
         } else {
             sort(i, hit, wave, work);
         }
@@ -245,9 +246,9 @@ void WaveIntegrator::sort(int path, const Hit& hit, Wave& wave, PathWork& work) 
     }
 }
 
-// On a ball or a box: the rest is found later.
+// For balls and boxes: the kernels complete the vertex later.
 void WaveIntegrator::add_vertex(int path, Wave& wave) const {
-    const Hit& hit = wave.met[path];
+    const Hit& hit = wave.hits[path];
     const WaveObjects& objects = known_.objects;
     VertexWave& vertices = wave.vertices;
     const int i = vertices.count++;
@@ -261,7 +262,7 @@ void WaveIntegrator::add_vertex(int path, Wave& wave) const {
 }
 
 void WaveIntegrator::add_other_vertex(int path, Wave& wave) const {
-    const Hit& hit = wave.met[path];
+    const Hit& hit = wave.hits[path];
     const Path alone = wave.paths().path(path);
     const SurfacePoint point = scene_.frame.surface_at(alone.ray, hit);
     Path arrived = alone;
@@ -283,9 +284,9 @@ void WaveIntegrator::add_other_vertex(int path, Wave& wave) const {
     const V3f& colour = surface.layers->sheen_colour;
     const float height = std::max(-surface.frame.z.dot(alone.ray.direction), kLeastLocalCosine);
     vertices.sheen.set(i, colour * sheen);
-    vertices.sheen_share.at[i] = sheen > 0 ? sheen * surface.layers->sheen_albedo.at(height) *
-                                                 std::max({colour.x, colour.y, colour.z})
-                                           : 0;
+    vertices.sheen_fraction.at[i] = sheen > 0 ? sheen * surface.layers->sheen_albedo.at(height) *
+                                                    std::max({colour.x, colour.y, colour.z})
+                                              : 0;
 }
 
 void WaveIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
@@ -293,8 +294,8 @@ void WaveIntegrator::trace_shadows(Wave& wave, RenderStatistics& count) const {
     const int vertices = wave.vertices.count;
     count.shadow_rays += static_cast<std::uint64_t>(shadows.count);
     for (int k = 0; k < shadows.rays; ++k) {
-        scene_.frame.structure().drop_blocked(shadows.batch(k, vertices),
-                                              shadows.reach + std::ptrdiff_t{k} * shadows.stride);
+        scene_.frame.structure().test_occlusion(shadows.batch(k, vertices),
+                                                shadows.t_max + std::ptrdiff_t{k} * shadows.stride);
     }
     kernels_->sum_light(shadows, vertices);
     CAROM_VALIDATE(is_valid(shadows, vertices));

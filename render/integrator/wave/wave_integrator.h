@@ -1,4 +1,4 @@
-// Path tracing of many camera samples at once: what PathIntegrator does, in the lanes of vectors.
+// Wavefront path tracing: PathIntegrator for many camera samples at once, in vector lanes.
 #pragma once
 
 #include <memory>
@@ -12,19 +12,19 @@ namespace carom::render {
 
 /// Immutable; shared by all threads.
 ///
-/// Samples set out in waves. At each of its vertices a wave asks the acceleration structure for all
-/// its rays, then lights and directions are sampled for vertices of plain materials (diffuse, with
-/// or without a smooth coat) side by side, and shadow rays traced. A path that meets anything else
-/// leaves the wave and is followed by itself. The estimate is PathIntegrator's, number by number;
-/// only rounding differs. (Laine, Karras and Aila 2013, "Megakernels considered harmful: wavefront
-/// path tracing on GPUs", carry paths so.)
+/// Samples start in waves (Laine, Karras and Aila 2013, "Megakernels considered harmful: wavefront
+/// path tracing on GPUs"). For each vertex a wave traces all its rays; then lights and directions
+/// are sampled together for the vertices with plain materials (diffuse, with or without a smooth
+/// coat), and shadow rays are traced. A path that hits anything else leaves the wave and is
+/// followed alone. The estimate is the same as PathIntegrator's, from the same random numbers; only
+/// rounding differs.
 class WaveIntegrator final : public Integrator {
   public:
-    /// As PathIntegrator.
+    /// See PathIntegrator.
     WaveIntegrator(const TransportScene& scene, const PathSettings& settings,
-                   const LightReflections* reflections = nullptr);
+                   const LightTracer* light_tracer = nullptr);
 
-    /// Whether waves can do this at all: on this processor, for such settings, with so few lights.
+    /// Whether waves support this processor, these settings and this number of lights.
     [[nodiscard]] static bool can_do(const TransportScene& scene, const PathSettings& settings);
 
     [[nodiscard]] RadianceSample sample(const Ray& camera_ray, float pixel_spread,
@@ -40,7 +40,7 @@ class WaveIntegrator final : public Integrator {
 
     void begin(std::span<const CameraTask> tasks, float pixel_spread, Wave& wave,
                RenderStatistics& count) const;
-    void meet(Wave& wave) const;
+    void process_hits(Wave& wave) const;
     void miss(int path, Wave& wave, PathWork& work) const;
     void sort(int path, const Hit& hit, Wave& wave, PathWork& work) const;
     void add_vertex(int path, Wave& wave) const;
@@ -48,13 +48,13 @@ class WaveIntegrator final : public Integrator {
     void trace_shadows(Wave& wave, RenderStatistics& count) const;
 
     TransportScene scene_;
-    PathIntegrator one_;  // for what is done one path at a time
-    bool seeks_reflections_;
+    PathIntegrator one_;  // for single paths
+    bool has_light_tracer_;
     int max_bounces_;
     const WaveKernels* kernels_;
     WaveScene known_;
     std::vector<bool> is_plain_;       // by object
-    std::optional<V3f> constant_sky_;  // nothing: it differs by direction
+    std::optional<V3f> constant_sky_;  // empty if the sky is not constant
 };
 
 }  // namespace carom::render

@@ -1,6 +1,6 @@
 #include "render/integrator/wave/wave_kernels.h"
 
-// Only what has wide vectors; the rest follows one path at a time.
+// Only targets with wide vectors; other processors follow one path at a time.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/integrator/wave/wave_kernels.cpp"

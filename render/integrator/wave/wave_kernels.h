@@ -1,4 +1,4 @@
-// What is done to all vertices of a wave at once, vectorised for the best instruction set that the
+// The vector code for all vertices of a wave, compiled for the best instruction set that the
 // processor has.
 #pragma once
 
@@ -7,32 +7,32 @@
 
 namespace carom::render {
 
-/// The vertices that `vertices` holds of `paths`: light sampled, directions chosen.
+/// One step: samples lights and directions at the vertices `vertices` of `paths`.
 struct WaveStep {
     const WaveScene& scene;
     const SampleWave& samples;
     const PathWave& paths;
     const VertexWave& vertices;
-    ShadowWave& shadows;     // towards sampled lights, radiance times the paths' throughput
-    VertexList& near_balls;  // vertices that seek light by way of a ball (caustics.h)
-    // Paths from here on, in the order of the vertices: by coats, and by bases. Two lists, since
-    // the order of one list would depend on how many vertices a vector holds.
-    PathWave& mirrored;
+    ShadowWave& shadows;     // towards sampled lights; radiance times the paths' throughput
+    VertexList& near_balls;  // vertices that sample caustics (caustics.h)
+    // The continuing paths in the order of the vertices, by coats and by bases. They are two lists
+    // because the order of one list would depend on the vector width.
+    PathWave& reflected;
     PathWave& scattered;
 };
 
 struct WaveKernels {
-    /// Completes the vertices from `first` to before `last`, all on balls or all on boxes: of these
-    /// path, object, distance and `position`, the shape's middle, are known. Spoils later ones.
+    /// Completes the vertices in [first, last), all on balls or all on boxes. Known are path,
+    /// object, distance and, in `position`, the shape's centre. Overwrites vertices after `last`.
     void (*find_surfaces)(const WaveScene& scene, const PathWave& paths, VertexWave& vertices,
                           bool are_boxes, int first, int last);
-    /// Fills `shadows`, `near_balls`, `mirrored` and `scattered`.
+    /// Fills `shadows`, `near_balls`, `reflected` and `scattered`.
     void (*take_step)(const WaveStep& step);
-    /// Sums up for each of the first `vertices` vertices the rays that still reach their light.
+    /// Sums the unoccluded shadow rays for each of the first `vertices` vertices.
     void (*sum_light)(ShadowWave& shadows, int vertices);
 };
 
-/// Null where the processor has no vectors worth it.
+/// Returns null if the processor has no wide vectors.
 [[nodiscard]] const WaveKernels* best_wave_kernels();
 
 }  // namespace carom::render

@@ -1,5 +1,5 @@
-// The arrays of path_wave.h in lanes, and formulas of material/fresnel.h and
-// integrator/direct_light.h, with their references. Included once per instruction set.
+// Loads and stores of path_wave.h's arrays, and the formulas of material/fresnel.h and
+// integrator/direct_light.h in lanes, with their references. Included once per instruction set.
 #if defined(CAROM_WAVE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_WAVE_LANES_INL_H
 #undef CAROM_WAVE_LANES_INL_H
@@ -39,7 +39,7 @@ HWY_INLINE void store(const F3& value, Floats3& field, int i) {
     store(value.y, field.y, i);
     store(value.z, field.z, i);
 }
-/// Those lanes only, side by side.
+/// Stores only the lanes in `mask`, without gaps.
 HWY_INLINE void store_some(F value, M mask, Floats& field, int i) {
     hn::CompressStore(value, mask, FloatTag(), field.at + i);
 }
@@ -61,7 +61,7 @@ HWY_INLINE F fresnel_dielectric(F cosine, F ior) {
     return all(0.5f) * (parallel * parallel + perpendicular * perpendicular);
 }
 
-/// Share of a sample made with density `pdf` where scattering makes the same with `other`.
+/// The power heuristic of direct_light.h.
 HWY_INLINE F power_heuristic(F pdf, F other) {
     const F ratio = other / pdf;
     return all(1.f) / (all(1.f) + ratio * ratio);

@@ -37,8 +37,8 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
     return light;
 }
 
-/// What a wave can find a surface on by itself: balls, and still boxes along the world's axes,
-/// unless they have a texture or are lights.
+/// Waves compute surfaces only on balls and on still boxes along the world's axes, without textures
+/// and not lights.
 WaveObjects::Kind kind_of(const SceneObject& object, bool moves) {
     using Kind = WaveObjects::Kind;
     if (object.has_texture || object.light.has_value()) {
@@ -50,7 +50,7 @@ WaveObjects::Kind kind_of(const SceneObject& object, bool moves) {
     return object.is_upright_box && !moves ? Kind::box : Kind::other;
 }
 
-/// How a wave finds the object's surface, and what that is made of.
+/// Adds how a wave finds the object's surface, and its material.
 void add_object(const TransportScene& scene, std::uint32_t index, WaveObjects& objects) {
     using Kind = WaveObjects::Kind;
     const SceneObject& object = scene.frame.object(index);
@@ -69,7 +69,7 @@ void add_object(const TransportScene& scene, std::uint32_t index, WaveObjects& o
     objects.half_x.push_back(half.x);
     objects.half_y.push_back(half.y);
     objects.half_z.push_back(half.z);
-    objects.reach.push_back(base ? object.reach : 0);
+    objects.bounding_radius.push_back(base ? object.bounding_radius : 0);
     objects.red.push_back(colour.x);
     objects.green.push_back(colour.y);
     objects.blue.push_back(colour.z);
@@ -91,7 +91,7 @@ WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& setti
     known.ball_x = places.x;
     known.ball_y = places.y;
     known.ball_z = places.z;
-    known.ball_reach = places.reach;
+    known.ball_bounding_radius = places.bounding_radius;
     known.ball_radius2 = places.radius2;
     known.ball_gain = places.gain;
     known.ball_of_object = caustics.place_of_object();

@@ -1,4 +1,4 @@
-// What the kernels of waves need to know about a scene, in arrays.
+// The scene as structures of arrays for the wave kernels.
 #pragma once
 
 #include <cstdint>
@@ -11,29 +11,29 @@
 
 namespace carom::render {
 
-/// A light as the kernels know it.
+/// A light for the kernels.
 struct WaveLight {
     enum class Kind { rectangle, sphere, other };
     Kind kind = Kind::other;
     V3f centre{0, 0, 0};
-    V3f edge_u{0, 0, 0}, edge_v{0, 0, 0}, normal{0, 0, 1};  // of a rectangle; halves of its sides
+    V3f edge_u{0, 0, 0}, edge_v{0, 0, 0}, normal{0, 0, 1};  // of a rectangle; half sides
     V3f radiance{0, 0, 0};
     float area = 0;           // of a rectangle
     float half_diagonal = 0;  // of a rectangle
     float radius = 0;         // of a sphere
     int samples = 1;          // at a path's first vertex
     bool is_environment = false;
-    bool fades = true;  // area_light.h's gain
+    bool fades = true;  // see RectangleEmitter::gain
 };
 
-/// Objects by number, an array for each of their numbers.
+/// Objects by index, as a structure of arrays.
 struct WaveObjects {
     enum class Kind : std::uint8_t { other, moving_ball, still_ball, box };
     std::vector<Kind> kind;
-    // Of all but others: shape and material.
+    // Shape and material, for every kind except `other`.
     std::vector<float> centre_x, centre_y, centre_z;
     std::vector<float> half_x, half_y, half_z;
-    std::vector<float> reach;
+    std::vector<float> bounding_radius;
     std::vector<float> red, green, blue;
     std::vector<float> coat_weight, coat_ior;
 };
@@ -41,12 +41,12 @@ struct WaveObjects {
 /// What the kernels need to know about a scene.
 struct WaveScene {
     const LightSet* lights = nullptr;
-    std::vector<WaveLight> light;  // by the number in the LightSet
+    std::vector<WaveLight> light;  // by the light's number in LightSet
     float environment_importance = 0;
 
-    // Balls that mirror, an array for each number: the middle of their places, how far from it
-    // their surface reaches, squared radius, gain (caustics.h).
-    std::vector<float> ball_x, ball_y, ball_z, ball_reach, ball_radius2, ball_gain;
+    // Specular balls as a structure of arrays: centre and radius of the bounding sphere of all
+    // positions, squared radius, gain (caustics.h).
+    std::vector<float> ball_x, ball_y, ball_z, ball_bounding_radius, ball_radius2, ball_gain;
     std::vector<std::int32_t> ball_of_object;  // or -1
 
     WaveObjects objects;
@@ -54,11 +54,11 @@ struct WaveScene {
     int split_vertices = 0;
     bool caustics = false;
 
-    /// Shadow rays of a path's first vertex.
+    /// Number of shadow rays of a path's first vertex.
     [[nodiscard]] int first_rays() const;
 };
 
-/// Of one frame; everything is borrowed.
+/// For one frame; everything is borrowed.
 [[nodiscard]] WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& settings,
                                         const Caustics& caustics);
 

@@ -1,21 +1,21 @@
-// One step of a wave: at each vertex lights are sampled, light by way of balls is asked for, and
-// directions are chosen. What integrator/direct_light.cpp, caustics.cpp and path_integrator.cpp do
-// for one path. Included once per instruction set.
+// One step of a wave: at each vertex lights are sampled, caustics are requested and directions are
+// sampled, as integrator/direct_light.cpp, caustics.cpp and path_integrator.cpp do for one path.
+// Included once per instruction set.
 #include "render/integrator/path_state.h"
 #include "render/integrator/shadow_ray_constants.h"
 #include "render/integrator/wave/lights-inl.h"
 #include "render/integrator/wave/vertices-inl.h"
 #include "render/integrator/wave/wave_kernels.h"
-#include "render/sampling/numbers-inl.h"
+#include "render/sampling/lane_sampler-inl.h"
 #include "render/sampling/one_minus_epsilon.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace carom::render::HWY_NAMESPACE {
 
-/// Writes shadow rays as number `k` of their vertices. `expected`: how many directions towards the
-/// light each vertex takes.
-HWY_INLINE void seek(const WaveStep& step, const VertexLanes& v, const LightLanes& light,
-                     F expected, M wanted, int k) {
+/// Writes the `k`th shadow ray of the vertices. `expected`: expected number of directions towards
+/// the light at each vertex.
+HWY_INLINE void add_shadow_rays(const WaveStep& step, const VertexLanes& v, const LightLanes& light,
+                                F expected, M wanted, int k) {
     const F cosine = dot(v.frame.z, light.direction);
     const F side = dot(v.geometric_normal, light.direction);
     const BaseLanes base = base_towards(v, light.direction, hn::Max(cosine, all(0.f)));
@@ -31,14 +31,15 @@ HWY_INLINE void seek(const WaveStep& step, const VertexLanes& v, const LightLane
     hn::StoreU(light.direction.x, d, out.x + at);
     hn::StoreU(light.direction.y, d, out.y + at);
     hn::StoreU(light.direction.z, d, out.z + at);
-    hn::StoreU(select(seen, light.distance * all(kShadowReach), all(0.f)), d, out.reach + at);
+    hn::StoreU(select(seen, light.distance * all(kOneMinusShadowEpsilon), all(0.f)), d,
+               out.t_max + at);
     hn::StoreU(value.x, d, out.red + at);
     hn::StoreU(value.y, d, out.green + at);
     hn::StoreU(value.z, d, out.blue + at);
     out.count += static_cast<int>(hn::CountTrue(d, seen));
 }
 
-HWY_INLINE F environment_share(const WaveStep& step, const VertexLanes& v) {
+HWY_INLINE F environment_sample_count(const WaveStep& step, const VertexLanes& v) {
     const bool has_environment =
         std::any_of(step.scene.light.begin(), step.scene.light.end(),
                     [](const WaveLight& light) { return light.is_environment; });
@@ -49,14 +50,15 @@ HWY_INLINE F environment_share(const WaveStep& step, const VertexLanes& v) {
     for (std::size_t light = 0; light < step.scene.light.size(); ++light) {
         total = total + importance(step.scene, light, v.position, v.frame.z, v.scatters);
     }
-    const F share = all(step.scene.environment_importance) / (all(kAlwaysAbove) * total);
-    return select(hn::Gt(total, all(0.f)), hn::Min(hn::Max(share, all(kRarest)), all(1.f)),
+    const F fraction = all(step.scene.environment_importance) / (all(kAlwaysAbove) * total);
+    return select(hn::Gt(total, all(0.f)), hn::Min(hn::Max(fraction, all(kRarest)), all(1.f)),
                   all(1.f));
 }
 
-/// Every light, at a path's first vertex.
-HWY_INLINE void seek_all(const WaveStep& step, VertexLanes& v, const Numbers& numbers) {
-    v.environment_samples = environment_share(step, v);
+/// Samples every light, at a path's first vertex.
+HWY_INLINE void sample_all_lights(const WaveStep& step, VertexLanes& v,
+                                  const LaneSampler& sampler) {
+    v.environment_samples = environment_sample_count(step, v);
     F pair[4];
     std::uint32_t asked = 0;
     int k = 0;
@@ -64,15 +66,16 @@ HWY_INLINE void seek_all(const WaveStep& step, VertexLanes& v, const Numbers& nu
         const WaveLight& known = step.scene.light[light];
         if (known.samples > 1) {
             F x[4], y[4];
-            numbers.block(PathDimensions::kLightBlocks + static_cast<std::uint32_t>(light), x, y);
+            sampler.get_2d_block(PathDimensions::kLightBlocks + static_cast<std::uint32_t>(light),
+                                 x, y);
             for (int j = 0; j < 4; ++j) {
                 const LightLanes found = sample_rectangle(known, v.position, {x[j], y[j]});
-                seek(step, v, found, all(4.f), v.scatters, k++);
+                add_shadow_rays(step, v, found, all(4.f), v.scatters, k++);
             }
             continue;
         }
         if (asked % 2 == 0) {
-            numbers.set(all_words(PathDimensions::kLightPairs + asked / 2), pair);
+            sampler.get_4d(all_words(PathDimensions::kLightPairs + asked / 2), pair);
         }
         const std::size_t half = asked % 2;
         V2 u{pair[2 * half], pair[2 * half + 1]};
@@ -85,12 +88,13 @@ HWY_INLINE void seek_all(const WaveStep& step, VertexLanes& v, const Numbers& nu
             u.x = select(hn::Lt(expected, all(1.f)), hn::Min(u.x / expected, all(kOneMinusEpsilon)),
                          u.x);
         }
-        seek(step, v, sample(step.scene, light, v.position, u, wanted), expected, wanted, k++);
+        add_shadow_rays(step, v, sample(step.scene, light, v.position, u, wanted), expected, wanted,
+                        k++);
     }
 }
 
-/// One light by importance, later.
-HWY_INLINE void seek_one(const WaveStep& step, VertexLanes& v, const V2& u) {
+/// Samples one light, chosen by importance, at later vertices.
+HWY_INLINE void sample_one_light(const WaveStep& step, VertexLanes& v, const V2& u) {
     const FloatTag d;
     const ChoiceLanes choice = choose_light(step.scene, v.position, v.frame.z, u.x, v.scatters);
     v.total_importance = select(v.scatters, choice.total, all(0.f));
@@ -109,27 +113,29 @@ HWY_INLINE void seek_one(const WaveStep& step, VertexLanes& v, const V2& u) {
         found.radiance = select(takes, one.radiance, found.radiance);
         found.valid = hn::Or(found.valid, hn::And(takes, one.valid));
     }
-    seek(step, v, found, choice.probability, v.scatters, 0);
+    add_shadow_rays(step, v, found, choice.probability, v.scatters, 0);
 }
 
-/// Which vertices seek light by way of a ball this time: the decision of caustics.cpp.
-HWY_INLINE void ask_balls(const WaveStep& step, const VertexLanes& v, const Numbers& numbers) {
+/// Selects the vertices that sample caustics, with the decision of caustics.cpp.
+HWY_INLINE void select_caustics(const WaveStep& step, const VertexLanes& v,
+                                const LaneSampler& sampler) {
     const WaveScene& scene = step.scene;
     const I object = load(step.vertices.object, v.first);
     const I own = hn::GatherIndex(IntTag(), scene.ball_of_object.data(), object);
     F total = all(0.f);
     for (std::size_t ball = 0; ball < scene.ball_x.size(); ++ball) {
-        const F3 way{all(scene.ball_x[ball]) - v.position.x, all(scene.ball_y[ball]) - v.position.y,
-                     all(scene.ball_z[ball]) - v.position.z};
-        const F height = dot(way, v.geometric_normal) + all(scene.ball_reach[ball]);
+        const F3 to_ball{all(scene.ball_x[ball]) - v.position.x,
+                         all(scene.ball_y[ball]) - v.position.y,
+                         all(scene.ball_z[ball]) - v.position.z};
+        const F height = dot(to_ball, v.geometric_normal) + all(scene.ball_bounding_radius[ball]);
         const F radius2 = all(scene.ball_radius2[ball]);
-        const F share =
-            all(0.25f) * radius2 / hn::Max(dot(way, way), radius2) * all(scene.ball_gain[ball]);
+        const F weight = all(0.25f) * radius2 / hn::Max(dot(to_ball, to_ball), radius2) *
+                         all(scene.ball_gain[ball]);
         const M is_own = is_equal(own, hn::Set(IntTag(), static_cast<std::int32_t>(ball)));
         const M counts = hn::AndNot(is_own, hn::Gt(height, all(0.f)));
-        total = total + select(counts, share, all(0.f));
+        total = total + select(counts, weight, all(0.f));
     }
-    const F roulette = numbers.lone(all_words(PathDimensions::kCaustics) + v.place + v.place);
+    const F roulette = sampler.get_1d(all_words(PathDimensions::kCaustics) + v.place + v.place);
     const M asks = hn::And(v.scatters, hn::Lt(roulette, total));
     const I index = hn::Iota(IntTag(), v.first);
     store_some(index, asks, step.near_balls.at, step.near_balls.count);
@@ -144,7 +150,7 @@ struct Onward {
     I is_delta, connects, ball;
 };
 
-/// The lanes that `goes` names, at the end of `next`.
+/// Appends the lanes in `goes` to `next`.
 HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const Onward& onward, F width,
                         M goes, PathWave& next) {
     const int at = next.count;
@@ -185,31 +191,31 @@ HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const V2& u,
     if (!hn::AllFalse(d, coats)) {
         const F wo_x = dot(v.wo, v.frame.x);
         const F wo_y = dot(v.wo, v.frame.y);
-        Onward mirrored;
-        mirrored.direction = unit(v.frame.to_world({hn::Neg(wo_x), hn::Neg(wo_y), v.wo_z}));
+        Onward reflected;
+        reflected.direction = unit(v.frame.to_world({hn::Neg(wo_x), hn::Neg(wo_y), v.wo_z}));
         const F weight = v.coat / select(splits, all(1.f), v.coat_choice);
-        mirrored.weight = {weight, weight, weight};
-        mirrored.pdf = all(0.f);
-        mirrored.spread = hn::Min(spread * all(kMirrorSpread), all(kWidestSpread));
-        mirrored.branch = twice;
-        mirrored.is_delta = one;
-        mirrored.connects = zero;
+        reflected.weight = {weight, weight, weight};
+        reflected.pdf = all(0.f);
+        reflected.spread = hn::Min(spread * all(kMirrorSpread), all(kWidestSpread));
+        reflected.branch = twice;
+        reflected.is_delta = one;
+        reflected.connects = zero;
         const I object = load(step.vertices.object, v.first);
-        const M sought = is_equal(gather(step.paths.connects, v.path), one);
-        mirrored.ball = hn::IfThenElse(hn::RebindMask(di, sought), object, hn::Set(di, -1));
-        const F side = dot(v.geometric_normal, mirrored.direction);
-        proceed(step, v, mirrored, width, hn::And(coats, hn::Gt(side, all(0.f))), step.mirrored);
+        const M was_sampled = is_equal(gather(step.paths.connects, v.path), one);
+        reflected.ball = hn::IfThenElse(hn::RebindMask(di, was_sampled), object, hn::Set(di, -1));
+        const F side = dot(v.geometric_normal, reflected.direction);
+        proceed(step, v, reflected, width, hn::And(coats, hn::Gt(side, all(0.f))), step.reflected);
     }
 
     const M bases = hn::AndNot(takes_coat, v.scatters);
-    const M stretches = hn::And(by_chance, hn::Gt(v.coat_choice, all(0.f)));
-    const F u_x = select(stretches, stretched(u.x, v.coat_choice), u.x);
+    const M remaps = hn::And(by_chance, hn::Gt(v.coat_choice, all(0.f)));
+    const F u_x = select(remaps, remap_sample(u.x, v.coat_choice), u.x);
     const F probability = base_probability(v);
     F3 wi = sample_cosine_hemisphere({u_x, u.y});
     if (v.any_sheen) {
         const M by_sheen = hn::Lt(u_x, v.choose_sheen);
         const F rest =
-            select(hn::Lt(v.choose_sheen, all(1.f)), stretched(u_x, v.choose_sheen), u_x);
+            select(hn::Lt(v.choose_sheen, all(1.f)), remap_sample(u_x, v.choose_sheen), u_x);
         const F used = select(hn::Gt(v.choose_sheen, all(0.f)), rest, u_x);
         wi = select(by_sheen, sample_cone({used, u.y}, all(1.f)),
                     sample_cosine_hemisphere({used, u.y}));
@@ -218,13 +224,13 @@ HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const V2& u,
     scattered.direction = unit(v.frame.to_world(wi));
     const BaseLanes base = base_towards(v, scattered.direction, hn::Max(wi.z, all(0.f)));
     scattered.pdf = probability * base.pdf;
-    // The diffuse lobe alone is sampled in proportion to its value, which leaves its albedo.
+    // The diffuse lobe alone is sampled in proportion to its value, so that its albedo remains.
     scattered.weight = v.diffuse * (all(1.f) / probability);
     if (v.any_sheen) {
         scattered.weight =
             select(v.has_sheen, value_of(v, base) * (all(1.f) / scattered.pdf), scattered.weight);
     }
-    const F lobe = hn::Min(all(kLobeShare) / hn::Sqrt(scattered.pdf), all(kWidestSpread));
+    const F lobe = hn::Min(all(kLobeFraction) / hn::Sqrt(scattered.pdf), all(kWidestSpread));
     scattered.spread = hn::Max(spread, lobe);
     scattered.branch = hn::IfThenElse(hn::RebindMask(di, splits), branch + branch + one, branch);
     scattered.is_delta = zero;
@@ -243,27 +249,28 @@ inline HWY_ATTR void take_step(const WaveStep& step) {
     step.shadows.stride = vertex == 0 ? kWaveSamples + 16 : kWaveStorage;
     step.shadows.count = 0;
     step.near_balls.count = 0;
-    step.mirrored.count = 0;
+    step.reflected.count = 0;
     step.scattered.count = 0;
-    step.mirrored.vertex = step.scattered.vertex = vertex + 1;
+    step.reflected.vertex = step.scattered.vertex = vertex + 1;
     const bool connects = step.scene.caustics && vertex < PathDimensions::kConnectingVertices &&
                           vertex < step.scene.max_bounces && !step.scene.ball_x.empty();
     for (int first = 0; first < vertices.count; first += lane_count()) {
         VertexLanes v = vertices_at(step, first);
         const I slot = gather(step.paths.slot, v.path);
-        const Numbers numbers(hn::BitCast(WordTag(), gather(step.samples.pixel_hash, slot)),
-                              hn::BitCast(WordTag(), gather(step.samples.reversed_sample, slot)));
+        const LaneSampler sampler(
+            hn::BitCast(WordTag(), gather(step.samples.pixel_hash, slot)),
+            hn::BitCast(WordTag(), gather(step.samples.reversed_sample, slot)));
         F u[4];
-        numbers.set(v.place + v.place, u);
+        sampler.get_4d(v.place + v.place, u);
         if (vertex == 0) {
-            seek_all(step, v, numbers);
+            sample_all_lights(step, v, sampler);
         } else if (has_lights) {
-            seek_one(step, v, {u[0], u[1]});
+            sample_one_light(step, v, {u[0], u[1]});
         }
         store(v.origin, step.shadows.origin, first);
         store(gather(step.paths.time, v.path), step.shadows.time, first);
         if (connects) {
-            ask_balls(step, v, numbers);
+            select_caustics(step, v, sampler);
         }
         scatter(step, v, {u[2], u[3]}, connects);
     }
@@ -275,7 +282,7 @@ inline HWY_ATTR void sum_light(ShadowWave& shadows, int vertices) {
         F3 sum = all(V3f(0, 0, 0));
         for (int k = 0; k < shadows.rays; ++k) {
             const int at = k * shadows.stride + first;
-            const M arrives = hn::Gt(hn::LoadU(d, shadows.reach + at), all(0.f));
+            const M arrives = hn::Gt(hn::LoadU(d, shadows.t_max + at), all(0.f));
             const F3 light{hn::LoadU(d, shadows.red + at), hn::LoadU(d, shadows.green + at),
                            hn::LoadU(d, shadows.blue + at)};
             sum = sum + select(arrives, light, all(V3f(0, 0, 0)));

@@ -1,6 +1,6 @@
-// What all kernels speak of. Like its neighbours this is text for the inside of a namespace:
-// scalar_kernels.h includes it once, kernels-inl.h once per instruction set.
-// L is a lane type: ScalarLanes, or vectors whose lanes hold several rays or several triangles.
+// The types that all kernels use. Like the other kernel files, this file is included inside a
+// namespace: by scalar_kernels.h once, by kernels-inl.h once per instruction set. L is a lane type:
+// ScalarLanes, or vectors whose lanes hold several rays or several triangles.
 
 template <class V>
 struct Triple {
@@ -19,7 +19,7 @@ template <class V>
 CAROM_KERNEL Triple<V> operator*(const Triple<V>& a, const V& s) {
     return {{a.at[0] * s, a.at[1] * s, a.at[2] * s}};
 }
-// Products and sums in the order of Imath's, so that every lane type gives the same bits.
+// Products and sums are in the order of Imath's, so that every lane type gives the same bits.
 template <class V>
 CAROM_KERNEL V dot(const Triple<V>& a, const Triple<V>& b) {
     return a.at[0] * b.at[0] + a.at[1] * b.at[1] + a.at[2] * b.at[2];
@@ -30,8 +30,8 @@ CAROM_KERNEL Triple<V> cross(const Triple<V>& a, const Triple<V>& b) {
              a.at[0] * b.at[1] - a.at[1] * b.at[0]}};
 }
 
-/// Hits count in (t_min, t_max), t_min >= 0. The direction need not have unit length: t counts in
-/// it.
+/// Hits count in (t_min, t_max), t_min >= 0. The direction need not have unit length: t is in units
+/// of it.
 template <class L>
 struct RayIn {
     Triple<typename L::Value> origin;
@@ -40,9 +40,9 @@ struct RayIn {
     typename L::Value t_max;
 };
 
-/// t, and the weights of the second and third corner. Without meaning where not `valid`.
+/// t, and the weights of the second and third corner. Meaningless where not `valid`.
 template <class L>
-struct MetIn {
+struct HitIn {
     typename L::Value t;
     typename L::Value u;
     typename L::Value v;
@@ -50,13 +50,13 @@ struct MetIn {
 };
 
 template <class L>
-CAROM_KERNEL MetIn<L> missed() {
+CAROM_KERNEL HitIn<L> missed() {
     const auto zero = L::all(0);
     return {zero, zero, zero, L::is_less(zero, zero)};
 }
 
-/// The two plain inputs. Each kernel's record is made of one of them by prepare(), when a scene is
-/// set up or at every test. `numbers` ties what is stored of an input, for loading.
+/// The two kinds of input. prepare() makes each kernel's record from one of them, when a scene is
+/// set up or at every test. `numbers` lists the stored members of an input, for loading.
 template <class L>
 struct Corners {
     static constexpr bool kHasAxis = false;
@@ -87,9 +87,10 @@ CAROM_KERNEL Triple<typename L::Value> normal_of(const Corners<L>& corners) {
     return cross(corners.b - corners.a, corners.c - corners.a);
 }
 
-/// A denominator under distance and weights. `share` makes of a numerator what is tested: early the
-/// quotient itself, deferred its multiple by the denominator's size, which has the quotient's sign
-/// (Shevtsov, Soupikov and Kapustin 2007 avoid the division in this way). `whole` stands for 1.
+/// The denominator of distance and weights. `quotient` turns a numerator into the number that is
+/// tested: with early division the quotient itself, with deferred division its multiple by the
+/// denominator's magnitude, which has the same sign (Shevtsov, Soupikov and Kapustin 2007 avoid the
+/// division in this way). `whole` stands for 1.
 template <Division kDivision, class L>
 class Denominator {
     using V = typename L::Value;
@@ -99,7 +100,7 @@ class Denominator {
         : value_(kDivision == Division::early ? L::all(1) / value : value),
           whole_(kDivision == Division::early ? L::all(1) : L::size(value)) {}
 
-    [[nodiscard]] CAROM_KERNEL V share(V numerator) const {
+    [[nodiscard]] CAROM_KERNEL V quotient(V numerator) const {
         if constexpr (kDivision == Division::early) {
             return numerator * value_;
         } else {
@@ -107,7 +108,7 @@ class Denominator {
         }
     }
     [[nodiscard]] CAROM_KERNEL V whole() const { return whole_; }
-    /// `x` times what stands for 1.
+    /// `x` times the number that stands for 1.
     [[nodiscard]] CAROM_KERNEL V times(V x) const {
         if constexpr (kDivision == Division::early) {
             return x;
@@ -121,7 +122,7 @@ class Denominator {
     V whole_;
 };
 
-/// Is a share of the distance within the ray?
+/// Whether the (possibly multiplied) distance is within the ray.
 template <class L, Division kDivision>
 CAROM_KERNEL typename L::Mask is_within(const RayIn<L>& ray, const Denominator<kDivision, L>& below,
                                         typename L::Value t) {
@@ -132,19 +133,19 @@ template <class L>
 CAROM_KERNEL typename L::Mask is_weight(typename L::Value u, typename L::Value whole) {
     return L::both(L::is_at_most(L::all(0), u), L::is_at_most(u, whole));
 }
-/// v, where u is a weight already.
+/// v, where u is already a weight.
 template <class L>
 CAROM_KERNEL typename L::Mask is_second_weight(typename L::Value u, typename L::Value v,
                                                typename L::Value whole) {
     return L::both(L::is_at_most(L::all(0), v), L::is_at_most(u + v, whole));
 }
 
-/// From shares to the answer. A denominator so small that its inverse is infinite, a degenerate
-/// triangle's, makes an infinite t or none at all: no hit.
+/// Turns the tested numbers into a hit. If the denominator of a degenerate triangle is so small
+/// that its inverse is infinite, t is infinite or not a number: no hit.
 template <class L, Division kDivision>
-CAROM_KERNEL MetIn<L> met(const RayIn<L>& ray, const Denominator<kDivision, L>& below,
-                          typename L::Value t, typename L::Value u, typename L::Value v,
-                          typename L::Mask valid) {
+CAROM_KERNEL HitIn<L> make_hit(const RayIn<L>& ray, const Denominator<kDivision, L>& below,
+                               typename L::Value t, typename L::Value u, typename L::Value v,
+                               typename L::Mask valid) {
     if constexpr (kDivision == Division::early) {
         return {t, u, v, valid};
     } else {

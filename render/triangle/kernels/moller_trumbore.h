@@ -20,22 +20,22 @@ struct MollerTrumbore {
     }
 
     template <Division kDivision, class L>
-    CAROM_KERNEL static MetIn<L> meet(const RayIn<L>& ray, const Record<L>& triangle) {
+    CAROM_KERNEL static HitIn<L> intersect(const RayIn<L>& ray, const Record<L>& triangle) {
         const auto p = cross(ray.direction, triangle.edge_c);
         const Denominator<kDivision, L> below(dot(triangle.edge_b, p));
         const auto from_a = ray.origin - triangle.a;
-        const auto u = below.share(dot(from_a, p));
+        const auto u = below.quotient(dot(from_a, p));
         auto valid = is_weight<L>(u, below.whole());
         if (L::fails_alone(valid)) {
             return missed<L>();
         }
         const auto q = cross(from_a, triangle.edge_b);
-        const auto v = below.share(dot(ray.direction, q));
+        const auto v = below.quotient(dot(ray.direction, q));
         valid = L::both(valid, is_second_weight<L>(u, v, below.whole()));
         if (L::none(valid)) {
             return missed<L>();
         }
-        const auto t = below.share(dot(triangle.edge_c, q));
-        return met(ray, below, t, u, v, L::both(valid, is_within(ray, below, t)));
+        const auto t = below.quotient(dot(triangle.edge_c, q));
+        return make_hit(ray, below, t, u, v, L::both(valid, is_within(ray, below, t)));
     }
 };

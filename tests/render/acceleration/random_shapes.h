@@ -102,7 +102,7 @@ inline void add_moving_sphere(render::ShapeSet& shapes, const render::RigidMotio
                               float radius, std::uint32_t object) {
     const auto path = motion.path();
     for (std::size_t i = 0; i < path.size(); ++i) {
-        render::SphereStretch sphere;
+        render::SphereSegment sphere;
         sphere.path = path[i];
         sphere.start = i == 0 ? -render::kInfinity : path[i].start;
         sphere.end = i + 1 == path.size() ? render::kInfinity : path[i].end;
@@ -163,7 +163,7 @@ struct RandomScene {
 
     void add_still(TestRandom& random, int count) {
         for (int i = 0; i < count; ++i) {
-            render::SphereStretch sphere;
+            render::SphereSegment sphere;
             sphere.path.c[0] = random_point(random, 2);
             sphere.radius = random.between(0.05f, 0.3f);
             sphere.object = object_count++;
@@ -212,15 +212,15 @@ struct RandomScene {
                     shape.profile = random_core(random);
                 }
                 shape.motion = std::make_shared<render::RigidMotion>(random_track(random, 2), 0, 1);
-                float reach = half_size.length() + (half_size * shape.profile).length();
+                float bounding_radius = half_size.length() + (half_size * shape.profile).length();
                 if (kind == Kind::mesh) {
                     meshes.push_back(std::make_unique<render::TriangleMesh>(bumpy_ball(0.2f, 6)));
                     const render::MeshEntry entry{meshes.back().get(), 0};
                     shape.mesh =
                         std::make_shared<render::TriangleScene>(device, std::span(&entry, 1));
-                    reach = 0.25f;
+                    bounding_radius = 0.25f;
                 }
-                shape.bounds = render::swept_bounds(*shape.motion, reach);
+                shape.bounds = render::swept_bounds(*shape.motion, bounding_radius);
                 shape.object = object_count++;
                 shapes.moving.push_back(shape);
             }

@@ -73,60 +73,60 @@ TEST(Structures, MovingShapes_SameHits) {
     expect_same_hits(scene, 100'000, 4);
 }
 
-/// Rays of fans for which a fan is answered differently from its rays one by one.
-int differing_in_fans(const AccelerationStructure& structure, std::uint64_t seed) {
+/// Rays of packets for which a packet is answered differently from its rays one by one.
+int differing_in_packets(const AccelerationStructure& structure, std::uint64_t seed) {
     TestRandom random(seed);
     int differing = 0;
     for (int i = 0; i < 20'000; ++i) {
-        RayFan fan;
+        ShadowRayPacket packet;
         const Ray first = test::random_ray_toward(random, 3, 2);
-        fan.origin = first.origin;
-        fan.time = first.time;
-        const int count = 1 + i % RayFan::kMost;
+        packet.origin = first.origin;
+        packet.time = first.time;
+        const int count = 1 + i % ShadowRayPacket::kMost;
         for (int k = 0; k < count; ++k) {
             const Ray aimed = test::random_ray_toward(random, 3, 2);
-            fan.add(k == 0 ? first.direction : aimed.direction,
-                    k % 3 == 0 ? kInfinity : random.between(0.1f, 4));
+            packet.add(k == 0 ? first.direction : aimed.direction,
+                       k % 3 == 0 ? kInfinity : random.between(0.1f, 4));
         }
-        const FanMask hits = structure.any_hits(fan);
+        const PacketMask hits = structure.any_hits(packet);
         EXPECT_EQ(hits >> count, 0u);
         for (int k = 0; k < count; ++k) {
-            differing += structure.any_hit(fan.ray(k)) == ((hits >> k & 1u) != 0) ? 0 : 1;
+            differing += structure.any_hit(packet.ray(k)) == ((hits >> k & 1u) != 0) ? 0 : 1;
         }
     }
     return differing;
 }
 
-TEST(Structures, Fans_AreAnsweredAsTheirRays) {
+TEST(Structures, Packets_AreAnsweredAsTheirRays) {
     TestRandom random(11);
     RandomScene scene;
     scene.add_moving(random, 6);
     scene.add_still(random, 3);
-    EXPECT_EQ(differing_in_fans(Structures(scene).hybrid, 12), 0);
-    EXPECT_EQ(differing_in_fans(HybridStructure(scene.shapes, 0), 12), 0);  // under a tree
-    EXPECT_EQ(differing_in_fans(Structures(scene).embree, 12), 0);
+    EXPECT_EQ(differing_in_packets(Structures(scene).hybrid, 12), 0);
+    EXPECT_EQ(differing_in_packets(HybridStructure(scene.shapes, 0), 12), 0);  // under a tree
+    EXPECT_EQ(differing_in_packets(Structures(scene).embree, 12), 0);
     // Embree's own packets round otherwise at the edges of triangles.
     scene.add_still_meshes(random, 2);
-    EXPECT_LE(differing_in_fans(Structures(scene).hybrid, 13), 2);
+    EXPECT_LE(differing_in_packets(Structures(scene).hybrid, 13), 2);
 }
 
-TEST(Structures, FansWithBadRays_HitNothing) {
+TEST(Structures, PacketsWithBadRays_HitNothing) {
     TestRandom random(14);
     RandomScene scene;
     scene.add_still(random, 9);
     scene.add_still_meshes(random, 2);
     const Structures structures(scene);
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-    RayFan fan;
-    fan.time = 3;  // as if it were 1
-    fan.add(V3f(kNan, 0, 1), 5);
-    fan.add(V3f(0, 0, 0), 5);
-    fan.add(V3f(0, 0, 1), -1);
-    EXPECT_EQ(structures.hybrid.any_hits(fan), 0u);
-    fan.origin = V3f(kInfinity, 0, 0);
-    fan.add(V3f(0, 0, 1), 5);
-    EXPECT_EQ(structures.hybrid.any_hits(fan), 0u);
-    EXPECT_EQ(structures.hybrid.any_hits(RayFan{}), 0u);
+    ShadowRayPacket packet;
+    packet.time = 3;  // as if it were 1
+    packet.add(V3f(kNan, 0, 1), 5);
+    packet.add(V3f(0, 0, 0), 5);
+    packet.add(V3f(0, 0, 1), -1);
+    EXPECT_EQ(structures.hybrid.any_hits(packet), 0u);
+    packet.origin = V3f(kInfinity, 0, 0);
+    packet.add(V3f(0, 0, 1), 5);
+    EXPECT_EQ(structures.hybrid.any_hits(packet), 0u);
+    EXPECT_EQ(structures.hybrid.any_hits(ShadowRayPacket{}), 0u);
 }
 
 /// Rays side by side that own their numbers.
@@ -165,7 +165,7 @@ int differing_in_batches(const AccelerationStructure& structure, int count, std:
     OwnedBatch batch(rays);
     std::vector<Hit> hits(rays.size());
     structure.closest_hits(batch.rays(), hits.data());
-    structure.drop_blocked(batch.rays(), batch.values[7].data());
+    structure.test_occlusion(batch.rays(), batch.values[7].data());
     int differing = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         Ray unbounded = rays[i];
@@ -212,7 +212,7 @@ TEST(Structures, BatchesWithBadRays_HitNothing) {
     std::vector<Hit> hits(rays.size());
     const HybridStructure structure(scene.shapes, 100'000);
     structure.closest_hits(batch.rays(), hits.data());
-    structure.drop_blocked(batch.rays(), batch.values[7].data());
+    structure.test_occlusion(batch.rays(), batch.values[7].data());
     for (std::size_t i = 0; i < rays.size(); ++i) {
         EXPECT_EQ(hits[i].object, kNoObject) << i;
         EXPECT_EQ(batch.values[7][i], kInfinity) << i;
@@ -315,7 +315,7 @@ TEST(Structures, SameDistance_LowerObjectIsReported) {
     RandomScene scene;
     // Twice the same shapes: spheres, boxes and rectangles, in changing order.
     for (int i = 0; i < 12; ++i) {
-        SphereStretch sphere;
+        SphereSegment sphere;
         sphere.path.c[0] = V3f(static_cast<float>(i % 3), 0, 0);
         sphere.radius = 0.3f;
         sphere.object = static_cast<std::uint32_t>(11 - i);

@@ -82,7 +82,7 @@ TEST(AnalyticTree, ManyStillSpheres_SameBitsAsBruteForce) {
     TestRandom random(25);
     ShapeSet shapes;
     for (std::uint32_t i = 0; i < 5'000; ++i) {
-        SphereStretch sphere;
+        SphereSegment sphere;
         sphere.path.c[0] = test::random_point(random, 2);
         // A few large ones among many small.
         sphere.radius = i % 100 == 0 ? 0.3f : 0.02f;
@@ -95,7 +95,7 @@ TEST(AnalyticTree, ManyStillSpheres_SameBitsAsBruteForce) {
 TEST(AnalyticTree, AllInOnePlace_LowestObjectIsReported) {
     ShapeSet shapes;
     for (std::uint32_t i = 0; i < 1'000; ++i) {
-        SphereStretch sphere;
+        SphereSegment sphere;
         sphere.radius = 0.5f;
         sphere.object = 999 - i;
         shapes.add_sphere(sphere);
@@ -113,7 +113,7 @@ TEST(AnalyticTree, SpheresAsStarsFarApart_AreAllFound) {
     ShapeSet shapes;
     float place = 1e-6f;
     for (std::uint32_t i = 0; i < 200; ++i) {
-        SphereStretch sphere;
+        SphereSegment sphere;
         sphere.path.c[0] = V3f(i % 2 == 0 ? place : -place, 0, 0);
         sphere.radius = 0.2f * place;
         sphere.object = i;
@@ -172,7 +172,7 @@ TEST(BoundsOf, MovingSpheres_HoldThemAtEveryTimeInForce) {
         const BlockList<MovingSphere>& list = shapes.blocks.of<MovingSphere>();
         EXPECT_EQ(list.size, motion.path().size());
         for (std::uint32_t index = 0; index < list.size; ++index) {
-            const SphereStretch sphere =
+            const SphereSegment sphere =
                 list.blocks[index / kBlockLanes].sphere(static_cast<int>(index % kBlockLanes));
             const MovingBounds bounds = bounds_of(list, index);
             const float from = std::max(sphere.start, 0.f);

@@ -83,44 +83,44 @@ class Progress : public testing::Test {
         }
     }
 
-    std::vector<double> shares_;
-    ProgressCallback callback_ = [this](double share) { shares_.push_back(share); };
+    std::vector<double> fractions_;
+    ProgressCallback callback_ = [this](double fraction) { fractions_.push_back(fraction); };
     AdaptiveProgress progress_{callback_, plan_settings(512, 16, 0.02), kTiles};
 };
 
 TEST_F(Progress, FirstSamples_AreTheShareThatTheirNoiseSays) {
     const double deviation = 0.02 * std::sqrt(64);  // reaches the noise of 0.02 by 64 samples
     begin_tiles(0, 1, deviation);
-    EXPECT_TRUE(shares_.empty()) << "one tile says too little";
+    EXPECT_TRUE(fractions_.empty()) << "one tile says too little";
     begin_tiles(1, 8, deviation);
-    EXPECT_NEAR(shares_.back(), 8.0 / kTiles / 4, 1e-6);
+    EXPECT_NEAR(fractions_.back(), 8.0 / kTiles / 4, 1e-6);
     begin_tiles(8, kTiles, deviation);
-    EXPECT_NEAR(shares_.back(), 0.25, 1e-6);
+    EXPECT_NEAR(fractions_.back(), 0.25, 1e-6);
     progress_.set_plan(std::vector<double>(kTiles, 3));
     for (int tile = 0; tile < kTiles / 2; ++tile) {
         progress_.tile_done(tile);
     }
-    EXPECT_NEAR(shares_.back(), 0.25 + 0.5 * 0.75, 1e-6);
+    EXPECT_NEAR(fractions_.back(), 0.25 + 0.5 * 0.75, 1e-6);
     for (int tile = kTiles / 2; tile < kTiles; ++tile) {
         progress_.tile_done(tile);
     }
-    EXPECT_EQ(shares_.back(), 1);
-    EXPECT_TRUE(std::is_sorted(shares_.begin(), shares_.end()));
+    EXPECT_EQ(fractions_.back(), 1);
+    EXPECT_TRUE(std::is_sorted(fractions_.begin(), fractions_.end()));
 }
 
 TEST_F(Progress, QuietFrame_IsDoneWithItsFirstSamples) {
     begin_tiles(0, kTiles / 2, 1e-6);
-    EXPECT_NEAR(shares_.back(), 0.5, 1e-6);
+    EXPECT_NEAR(fractions_.back(), 0.5, 1e-6);
     begin_tiles(kTiles / 2, kTiles, 1e-6);
-    EXPECT_NEAR(shares_.back(), 1, 1e-6);
+    EXPECT_NEAR(fractions_.back(), 1, 1e-6);
 }
 
 TEST_F(Progress, PlanThatAsksForMoreThanExpected_HoldsTheShareWhereItIs) {
     begin_tiles(0, kTiles, 1e-6);
     progress_.set_plan(std::vector<double>(kTiles, 1));
     progress_.tile_done(0);
-    EXPECT_NEAR(shares_.back(), 1, 1e-6);
-    EXPECT_TRUE(std::is_sorted(shares_.begin(), shares_.end()));
+    EXPECT_NEAR(fractions_.back(), 1, 1e-6);
+    EXPECT_TRUE(std::is_sorted(fractions_.begin(), fractions_.end()));
 }
 
 TEST_F(Progress, Tiles_AreVisitedOnceAndEarlyOnesEverywhere) {
@@ -231,17 +231,17 @@ TEST(AdaptiveSampling, FrameThatNeedsNoMore_HasItsProgressInItsFirstSamples) {
     const Spots scene;
     const RenderSettings settings = plan_settings(96, 64, 1);
     const PreparedScene prepared(scene.builder.scene, settings);
-    std::vector<double> shares;
+    std::vector<double> fractions;
     WorkContext context;
-    context.progress = [&](double share) { shares.push_back(share); };
+    context.progress = [&](double fraction) { fractions.push_back(fraction); };
     const Film film = render_frame(prepared, {}, scene.frame, settings, context);
     EXPECT_EQ(film.statistics.camera_rays, 96u * 64 * 16);
     constexpr std::size_t kTiles = 6 * 4;
-    ASSERT_GT(shares.size(), kTiles);
+    ASSERT_GT(fractions.size(), kTiles);
     for (std::size_t i = 0; i < kTiles; ++i) {
-        EXPECT_NEAR(shares[i], static_cast<double>(i + 1) / kTiles, 1e-9);
+        EXPECT_NEAR(fractions[i], static_cast<double>(i + 1) / kTiles, 1e-9);
     }
-    EXPECT_EQ(shares.back(), 1);
+    EXPECT_EQ(fractions.back(), 1);
 }
 
 TEST(AdaptiveSampling, OneThreadAndTwo_GiveTheSameBits) {

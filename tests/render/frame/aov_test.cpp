@@ -29,9 +29,9 @@ double coverage(const Film& film, const std::string& layer, std::size_t pixel,
     const std::vector<std::string> channels = matte_channels(layer);
     for (std::size_t i = 0; i < channels.size(); i += 2) {
         const float id = plane(film, channels[i])[pixel];
-        const float share = plane(film, channels[i + 1])[pixel];
+        const float fraction = plane(film, channels[i + 1])[pixel];
         if (name.empty() || id == matte_id(name)) {
-            sum += static_cast<double>(share);
+            sum += static_cast<double>(fraction);
         }
     }
     return sum;

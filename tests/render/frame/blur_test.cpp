@@ -52,7 +52,7 @@ TEST(MotionBlur, DiscCrossingThePicture_CoversEachPixelForItsShareOfTheShutter) 
     // In the middle of its way the disc stays over a point at height z for a chord's length,
     // 2 sqrt(r^2 - z^2), of its way.
     const double radius = 0.4;
-    const double way = 2.0;
+    const double distance = 2.0;
     const Film film = render_ball(
         radius, test::straight_track("ball", Vec3(-1, 0, 0), Vec3(1, 0, 0), 0, 1), 0, 1, 1024);
     for (int row = 0; row < kHeight; ++row) {
@@ -62,7 +62,7 @@ TEST(MotionBlur, DiscCrossingThePicture_CoversEachPixelForItsShareOfTheShutter) 
         }
         const double chord = std::abs(z) < radius ? 2 * std::sqrt(radius * radius - z * z) : 0;
         for (const int column : {28, 32, 36}) {
-            EXPECT_NEAR(pixel(film, column, row, 3), chord / way, 0.012)
+            EXPECT_NEAR(pixel(film, column, row, 3), chord / distance, 0.012)
                 << "column " << column << ", row " << row;
         }
     }

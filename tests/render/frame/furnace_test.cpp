@@ -17,12 +17,12 @@ using test::still_frame;
 /// in its middle, after at most `bounces` reflections from wall to wall. The lamp gives the wall
 /// the irradiance pi L r^2; of the wall's own light the share r^2 ends on the lamp.
 double hollow_sphere_radiance(double albedo, double lamp_radius, double radiance, int bounces) {
-    const double share = lamp_radius * lamp_radius;
+    const double fraction = lamp_radius * lamp_radius;
     double sum = 0;
-    double term = albedo * radiance * share;
+    double term = albedo * radiance * fraction;
     for (int bounce = 0; bounce <= bounces; ++bounce) {
         sum += term;
-        term *= albedo * (1 - share);
+        term *= albedo * (1 - fraction);
     }
     return sum;
 }

@@ -100,9 +100,9 @@ TEST(RenderFrame, Progress_NeverFallsAndEndsAtOne) {
     const PreparedScene scene(table().scene, settings);
     double last = 0;
     WorkContext context;
-    context.progress = [&](double share) {
-        EXPECT_GE(share, last);
-        last = share;
+    context.progress = [&](double fraction) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
     };
     (void)render_frame(scene, table_tracks(), table_frame(), settings, context);
     EXPECT_EQ(last, 1);

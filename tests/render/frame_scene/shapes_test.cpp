@@ -174,8 +174,8 @@ std::vector<Case> cases() {
              // The way along the surface from the lower pole to the upper.
              const double on_axis = std::clamp(p.z, -0.55, 0.55);
              const double latitude = std::atan2(p.z - on_axis, std::hypot(p.x, p.y));
-             const double way = 0.4 * (0.5 * kPi + latitude) + on_axis + 0.55;
-             return near_turn(uv.x, p) && near(uv.y, way / (0.4 * kPi + 1.1));
+             const double arc_length = 0.4 * (0.5 * kPi + latitude) + on_axis + 0.55;
+             return near_turn(uv.x, p) && near(uv.y, arc_length / (0.4 * kPi + 1.1));
          }},
         {"rounded box", RoundedBoxShape{Vec3(1, 0.8, 1.2), 0.25},
          [](const Vec3& o, const Vec3& d) {

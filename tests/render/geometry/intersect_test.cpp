@@ -138,8 +138,8 @@ TEST(IntersectTriangle, SharedEdges_LetNoRayThrough) {
         }
         for (int i = 0; i < 50; ++i) {
             const std::size_t k = random.next() % 7;
-            const float share = i == 0 ? 0 : random.between(0, 0.9f);
-            const V3f target = centre + share * (rim[k] - centre);
+            const float fraction = i == 0 ? 0 : random.between(0, 0.9f);
+            const V3f target = centre + fraction * (rim[k] - centre);
             const V3f origin = V3f(0, 0, 5) + random_vector(random);
             const RaySegment<float> ray{origin, target - origin};
             bool found = false;

@@ -9,7 +9,7 @@
 namespace carom::render {
 namespace {
 
-V3f mirrored(const V3f& direction, const V3f& normal) {
+V3f reflect(const V3f& direction, const V3f& normal) {
     return direction - normal * (2 * direction.dot(normal));
 }
 
@@ -31,7 +31,7 @@ TEST(SpecularPoint, OverManyPlaces_TheMirroredRayMeetsTheSecondPoint) {
         ++found;
         EXPECT_NEAR((point->position - centre).length(), radius, 1e-6f);
         const V3f in = (point->position - a) / point->from;
-        const V3f out = mirrored(in, point->normal);
+        const V3f out = reflect(in, point->normal);
         const V3f miss = point->position + out * point->to - b;
         EXPECT_LT(miss.length(), 2e-4f * point->to) << i;
         EXPECT_GT(point->cosine, 0);

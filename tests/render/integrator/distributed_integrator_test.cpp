@@ -16,16 +16,16 @@ using test::SceneBuilder;
 using test::Traced;
 using test::whitted;
 
-PhongMaterial mirror(double share, double spread = 0) {
+PhongMaterial mirror(double fraction, double spread = 0) {
     PhongMaterial material = phong_black();
-    material.reflectance = grey(share);
+    material.reflectance = grey(fraction);
     material.reflectance_spread = spread;
     return material;
 }
 
-PhongMaterial glass(double share, double index, double spread = 0) {
+PhongMaterial glass(double fraction, double index, double spread = 0) {
     PhongMaterial material = phong_black();
-    material.transmittance = grey(share);
+    material.transmittance = grey(fraction);
     material.transmittance_spread = spread;
     material.index = index;
     return material;

@@ -132,7 +132,7 @@ class Penumbra : public testing::Test {
         builder_.object("board", BoxShape{Vec3(2, 2, 1e-4)}, Vec3(-1, 0, 1), "floor");
         builder_.lamp(Vec3(0, 0, 10), 0.1, 0.1, 1000);
     }
-    double share(const DistributedSettings& settings, double x) const {
+    double lit_fraction(const DistributedSettings& settings, double x) const {
         // In the open a floor of albedo 0.5 has 0.5 L A / (pi h^2), less than 1e-3 off.
         const double open = 0.5 * 1000 * 0.04 / (std::numbers::pi * 100);
         const Vec3 eye(x, -0.1, 0.5);
@@ -146,13 +146,13 @@ TEST_F(Penumbra, SoftShadow_GrowsInProportionToTheLampThatIsSeen) {
     settings.shadow_samples = 64;
     for (const double x : {-0.02, -0.008, -0.004, 0.0, 0.004, 0.008, 0.02}) {
         const double exact = std::clamp((0.1 + 9 * x) / 0.2, 0.0, 1.0);
-        EXPECT_NEAR(share(settings, x), exact, 0.005) << x;
+        EXPECT_NEAR(lit_fraction(settings, x), exact, 0.005) << x;
     }
 }
 
 TEST_F(Penumbra, OneShadowSample_MakesAHardEdgeWhereTheLampsMiddleIsHidden) {
-    EXPECT_EQ(share(whitted(0), -0.001), 0);
-    EXPECT_NEAR(share(whitted(0), 0.001), 1, 1e-3);
+    EXPECT_EQ(lit_fraction(whitted(0), -0.001), 0);
+    EXPECT_NEAR(lit_fraction(whitted(0), 0.001), 1, 1e-3);
 }
 
 }  // namespace

@@ -161,9 +161,9 @@ TEST_P(Waves, Gather_WhatPathsGatherOneAtATime) {
     ASSERT_TRUE(render::WaveIntegrator::can_do(scene, GetParam().path));
     const render::CameraState state = camera(Vec3(0.3, -1.6, 1.1), Vec3(0, 0, 0.05), 0.8);
     const render::ThinLensCamera lens(state, state, kSide, kSide, 0, render::PixelFilter::box, 1);
-    const render::LightReflections reflections(scene, lens);
-    const render::PathIntegrator one(scene, GetParam().path, &reflections);
-    const render::WaveIntegrator many(scene, GetParam().path, &reflections);
+    const render::LightTracer light_tracer(scene, lens);
+    const render::PathIntegrator one(scene, GetParam().path, &light_tracer);
+    const render::WaveIntegrator many(scene, GetParam().path, &light_tracer);
 
     std::vector<CameraTask> tasks;
     for (int i = 0; i < kSide * kSide * kSamples; ++i) {

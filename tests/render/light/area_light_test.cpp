@@ -86,13 +86,13 @@ TEST(RectangleEmitter, Samples_FollowPdf) {
                             0.5 + 0.5 * place.dot(light.edge_v) / light.edge_v.length2());
             },
             [&](const Vec2& place) {
-                const Vec3 way = light.centre + light.edge_u * (2 * place.x - 1) +
-                                 light.edge_v * (2 * place.y - 1) - Vec3(point);
-                const double distance = way.length();
+                const Vec3 to_light = light.centre + light.edge_u * (2 * place.x - 1) +
+                                      light.edge_v * (2 * place.y - 1) - Vec3(point);
+                const double distance = to_light.length();
                 const double per_place =
-                    -way.dot(light.normal) / distance * 0.6 / (distance * distance);
+                    -to_light.dot(light.normal) / distance * 0.6 / (distance * distance);
                 return per_place *
-                       emitter.pdf(point, V3f(way / distance), static_cast<float>(distance));
+                       emitter.pdf(point, V3f(to_light / distance), static_cast<float>(distance));
             },
             setup);
     }

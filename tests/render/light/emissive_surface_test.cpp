@@ -78,9 +78,9 @@ TEST(EmissiveSurface, Places_AreEvenByArea) {
     for (std::size_t i = 0; i < 4; ++i) {
         expected[i] = kSamples * flat / total / 4;
         // A triangle with its tip at c: the share grows with the square of the way.
-        const double way = static_cast<double>(i) / 4;
+        const double low = static_cast<double>(i) / 4;
         expected[4 + i] =
-            kSamples * (total - flat) / total * (std::pow(way + 0.25, 2) - std::pow(way, 2));
+            kSamples * (total - flat) / total * (std::pow(low + 0.25, 2) - std::pow(low, 2));
     }
     EXPECT_GT(test::chi_square_p_value(observed, expected), 0.001);
 }

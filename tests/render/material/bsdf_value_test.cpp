@@ -112,7 +112,7 @@ TEST(AlbedoTable, BetweenNodes_IsCloseToTheIntegral) {
         for (int i = 0; i < kSteps * kSteps; ++i) {
             const V2f u((static_cast<float>(i % kSteps) + 0.5f) / kSteps,
                         (static_cast<float>(i / kSteps) + 0.5f) / kSteps);
-            const V3f wi = mirrored(wo, ggx.sample_visible(wo, u));
+            const V3f wi = reflect(wo, ggx.sample_visible(wo, u));
             sum += wi.z > 0 ? static_cast<double>(ggx.sample_weight(wo, wi)) : 0.0;
         }
         EXPECT_NEAR(table.at(cosine), sum / (kSteps * kSteps), 2e-3) << cosine;

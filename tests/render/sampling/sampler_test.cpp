@@ -261,7 +261,7 @@ TEST(SampleStream, SquareBlocks_AreOneSequenceOfFourTimesAsMany) {
         std::vector<Point> points;
         for (int i = 0; i < samples; ++i) {
             const SampleStream stream(3, 5, 7, static_cast<std::uint32_t>(i));
-            for (const V2f& u : stream.square_block(9)) {
+            for (const V2f& u : stream.get_2d_block(9)) {
                 points.push_back({u.x, u.y});
             }
         }

@@ -1,4 +1,4 @@
-#include "render/integrator/light_reflections.h"
+#include "render/integrator/light_tracer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,17 +7,17 @@
 namespace carom::render {
 namespace {
 
-// Larger images are found well enough by every pixel's own samples.
+// Larger images are found well enough by the samples of each pixel.
 constexpr float kLargestImage = 256.0f;  // pixels
 
 constexpr int kProbes = 64;
 
-// Splats per sample of a pixel: for every pixel that the image may touch, within bounds.
+// Splats per sample of a pixel: a number for every pixel that the image may touch, within bounds.
 constexpr double kPerPixel = 4;
 constexpr double kFewest = 64;
 constexpr double kMost = 1024;
 
-// Numbers apart from those of all pixels.
+// The pixel row of random numbers that no pixel uses.
 constexpr std::uint32_t kRow = 0xffffffffu;
 
 struct Extent {
@@ -35,19 +35,19 @@ struct Extent {
 
 }  // namespace
 
-LightReflections::LightReflections(const TransportScene& scene, const ThinLensCamera& camera)
+LightTracer::LightTracer(const TransportScene& scene, const ThinLensCamera& camera)
     : scene_(scene), camera_(camera), light_count_(scene.lights.first_emissive()) {
-    for (const MirrorBall& ball : mirror_balls(scene)) {
+    for (const SpecularBall& ball : specular_balls(scene)) {
         for (std::size_t light = 0; light < light_count_; ++light) {
-            if (mirrored_importance(scene, ball, light) > 0) {
+            if (connection_importance(scene, ball, light) > 0) {
                 consider(ball, light);
             }
         }
     }
 }
 
-// Tries a few choices: how large the image is, and over how many pixels it is smeared.
-void LightReflections::consider(const MirrorBall& ball, std::size_t light) {
+// Estimates with a few probes how large the image is and over how many pixels it is blurred.
+void LightTracer::consider(const SpecularBall& ball, std::size_t light) {
     RenderStatistics ignored;
     Extent extent;
     float area = 0;
@@ -69,38 +69,38 @@ void LightReflections::consider(const MirrorBall& ball, std::size_t light) {
     }
 }
 
-std::vector<Splat> LightReflections::splats(std::size_t index, double samples, std::uint64_t seed,
-                                            RenderStatistics& count) const {
+std::vector<Splat> LightTracer::splats(std::size_t index, double samples, std::uint64_t seed,
+                                       RenderStatistics& count) const {
     const Pair& pair = pairs_[index];
     const auto number = static_cast<std::uint32_t>(std::ceil(samples * pair.size));
-    const float share = 1.0f / static_cast<float>(number);
+    const float weight = 1.0f / static_cast<float>(number);
     std::vector<Splat> result;
     for (std::uint32_t i = 0; i < number; ++i) {
         const SampleStream stream(seed, static_cast<std::uint32_t>(index), kRow, i);
         if (const auto there = landing(pair.ball, pair.light, stream.camera_sample(), count)) {
-            result.push_back({there->place, there->flux * share});
+            result.push_back({there->place, there->flux * weight});
         }
     }
     return result;
 }
 
-std::optional<LightReflections::Landing> LightReflections::landing(const MirrorBall& ball,
-                                                                   std::size_t light,
-                                                                   const CameraSample& sample,
-                                                                   RenderStatistics& count) const {
-    // What places a camera ray in its pixel places the light's point here.
+std::optional<LightTracer::Landing> LightTracer::landing(const SpecularBall& ball,
+                                                         std::size_t light,
+                                                         const CameraSample& sample,
+                                                         RenderStatistics& count) const {
+    // The numbers that place a camera ray in its pixel choose the light's point here.
     const ThinLensCamera::Aperture aperture = camera_.aperture(sample);
-    const auto mirrored =
-        mirrored_light(scene_, ball, light, aperture.position, aperture.time, sample.pixel);
-    if (!mirrored) {
+    const auto connection =
+        connect(scene_, ball, light, aperture.position, aperture.time, sample.pixel);
+    if (!connection) {
         return std::nullopt;
     }
-    const auto seen = camera_.arrival(aperture, mirrored->direction);
-    if (!seen || is_blocked(scene_, *mirrored, aperture.position, aperture.time, count)) {
+    const auto seen = camera_.arrival(aperture, connection->direction);
+    if (!seen || is_occluded(scene_, *connection, aperture.position, aperture.time, count)) {
         return std::nullopt;
     }
-    const float area = mirrored->solid_angle / seen->pixel_solid_angle;
-    return Landing{seen->place, mirrored->radiance * area, area};
+    const float area = connection->solid_angle / seen->pixel_solid_angle;
+    return Landing{seen->place, connection->radiance * area, area};
 }
 
 }  // namespace carom::render

@@ -1,4 +1,4 @@
-#include "render/sampling/deviation.h"
+#include "render/sampling/gaussian_lobe.h"
 
 #include <cmath>
 #include <numbers>
@@ -33,7 +33,7 @@ TEST(Deviation, AngleAndAzimuth_AreDistributedAsStated) {
         std::vector<double> observed(angles * azimuths, 0.0);
         for (int i = 0; i < samples; ++i) {
             const float u = random.unit();
-            const V3f d = sample_deviation(V2f(u, random.unit()), spread);
+            const V3f d = sample_gaussian_lobe(V2f(u, random.unit()), spread);
             ASSERT_NEAR(d.length(), 1, 1e-5f);
             ASSERT_GE(d.z, -1e-6f);
             const double angle = std::atan2(std::hypot(d.x, d.y), d.z);
@@ -48,8 +48,9 @@ TEST(Deviation, AngleAndAzimuth_AreDistributedAsStated) {
             double mass = 0;
             const int cells = 64;
             for (int k = 0; k < cells; ++k) {
-                mass += pdf_deviation_angle(widest * (row + (k + 0.5) / cells) / angles, sigma) *
-                        widest / (angles * cells);
+                mass +=
+                    pdf_gaussian_lobe_angle(widest * (row + (k + 0.5) / cells) / angles, sigma) *
+                    widest / (angles * cells);
             }
             mass = row + 1 == angles ? 1 - total : mass;  // the last bin holds the tail
             total += mass;
@@ -64,7 +65,7 @@ TEST(Deviation, DensityOfTheAngle_IntegratesToOne) {
         double sum = 0;
         const int cells = 20'000;
         for (int k = 0; k < cells; ++k) {
-            sum += pdf_deviation_angle((k + 0.5) / cells * std::numbers::pi / 2, spread);
+            sum += pdf_gaussian_lobe_angle((k + 0.5) / cells * std::numbers::pi / 2, spread);
         }
         EXPECT_NEAR(sum * std::numbers::pi / 2 / cells, 1, 1e-6) << spread;
     }

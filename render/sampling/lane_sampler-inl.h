@@ -1,10 +1,10 @@
-// The random numbers of sampler.h, a sample in every lane: the same bits. Included once per
+// The sampler of sampler.h with one sample per lane; it returns the same bits. Included once per
 // instruction set.
-#if defined(CAROM_NUMBERS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef CAROM_NUMBERS_INL_H
-#undef CAROM_NUMBERS_INL_H
+#if defined(CAROM_LANE_SAMPLER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CAROM_LANE_SAMPLER_INL_H
+#undef CAROM_LANE_SAMPLER_INL_H
 #else
-#define CAROM_NUMBERS_INL_H
+#define CAROM_LANE_SAMPLER_INL_H
 #endif
 
 #include "render/sampling/lanes-inl.h"
@@ -51,14 +51,14 @@ HWY_INLINE F to_unit_lanes(U x) {
     return value * all(0x1p-24f);
 }
 
-/// The random numbers of a group of paths.
-class Numbers {
+/// The random numbers of a group of paths, one path per lane. The functions mirror SampleStream.
+class LaneSampler {
   public:
-    HWY_INLINE Numbers(U pixel_hash, U reversed_sample)
+    HWY_INLINE LaneSampler(U pixel_hash, U reversed_sample)
         : pixel_hash_(pixel_hash), reversed_sample_(reversed_sample) {}
 
-    /// SampleStream's next_4d of the set.
-    HWY_INLINE void set(U set, F (&u)[4]) const {
+    /// SampleStream::next_4d of the set.
+    HWY_INLINE void get_4d(U set, F (&u)[4]) const {
         const U hash = set_hash(set);
         const U shuffled =
             scramble_reversed_words(reversed_sample_, mix_words(hash + all_words(0x9e3779b9u)));
@@ -69,8 +69,8 @@ class Numbers {
         }
     }
 
-    /// Its square_block: the points' first coordinates, then their second ones.
-    HWY_INLINE void block(std::uint32_t set, F (&x)[4], F (&y)[4]) const {
+    /// SampleStream::get_2d_block: all x coordinates, then all y coordinates.
+    HWY_INLINE void get_2d_block(std::uint32_t set, F (&x)[4], F (&y)[4]) const {
         const U hash = set_hash(all_words(set));
         const U shuffled =
             scramble_reversed_words(reversed_sample_, mix_words(hash + all_words(0x9e3779b9u)));
@@ -79,13 +79,15 @@ class Numbers {
         const U seed_x = seed(hash, 0);
         const U seed_y = seed(hash, 1);
         for (std::uint32_t k = 0; k < 4; ++k) {
-            x[k] = scrambled(hn::Xor(coordinates[0], all_words(detail::block_share(0, k))), seed_x);
-            y[k] = scrambled(hn::Xor(coordinates[1], all_words(detail::block_share(1, k))), seed_y);
+            x[k] = scrambled(hn::Xor(coordinates[0], all_words(detail::block_difference(0, k))),
+                             seed_x);
+            y[k] = scrambled(hn::Xor(coordinates[1], all_words(detail::block_difference(1, k))),
+                             seed_y);
         }
     }
 
-    /// Its camera_sample: pixel, lens, time.
-    HWY_INLINE void camera(F (&u)[5]) const {
+    /// SampleStream::camera_sample: pixel, lens, time.
+    HWY_INLINE void get_camera_sample(F (&u)[5]) const {
         const U hash = set_hash(all_words(detail::kCameraSet));
         U coordinates[4];
         sobol(reversed_sample_, coordinates);
@@ -104,8 +106,8 @@ class Numbers {
         u[4] = scrambled(fifth, mix_words(hash + all_words(detail::kFifthSalt)));
     }
 
-    /// Its lone_number.
-    HWY_INLINE F lone(U set) const {
+    /// SampleStream::get_1d.
+    HWY_INLINE F get_1d(U set) const {
         return to_unit_lanes(mix_words(hn::Xor(set_hash(set), reversed_sample_)));
     }
 
@@ -117,7 +119,7 @@ class Numbers {
     static HWY_INLINE F scrambled(U x, U seed) {
         return to_unit_lanes(reverse_bits_of_words(scramble_reversed_words(x, seed)));
     }
-    /// A path at a time, but all four dimensions at once.
+    /// One path at a time, with all four dimensions in one vector.
     static HWY_INLINE void sobol(U reversed_index, U (&coordinates)[4]) {
         const hn::CappedTag<std::uint32_t, 4> d4;
         alignas(64) std::uint32_t index[16];

@@ -1,56 +1,54 @@
-#include "render/integrator/mirrored_light.h"
+#include "render/integrator/specular_connection.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "render/geometry/specular_point.h"
+#include "render/integrator/shadow_ray_constants.h"
 
 namespace carom::render {
 namespace {
 
-// Shadow rays end this share of the way before what they lead to.
-constexpr float kReach = 1.0f - 2e-4f;
-
-// What the light sends along the second leg; `mirrored.radiance` is the mirror's reflectance
-// before.
+// Adds the radiance of an area light along the second leg; `connection.radiance` already holds the
+// reflectance of the ball.
 bool from_area(const TransportScene& scene, std::size_t light, const SpecularPoint& mirror,
-               const EmitterPoint& target, MirroredLight& mirrored) {
-    const V3f emitted = scene.lights.emitted(light, -mirrored.onward);
-    const auto reach = std::visit(
+               const EmitterPoint& target, SpecularConnection& connection) {
+    const V3f emitted = scene.lights.emitted(light, -connection.light_direction);
+    const auto light_distance = std::visit(
         [&](const auto& e) {
-            return e.distance_along(mirrored.origin, mirrored.onward, mirror.to);
+            return e.distance_along(connection.origin, connection.light_direction, mirror.to);
         },
         scene.lights.area_light(light));
-    if (!(luminance(emitted) > 0) || !reach) {
+    if (!(luminance(emitted) > 0) || !light_distance) {
         return false;
     }
-    mirrored.reach = *reach;
-    mirrored.solid_angle =
-        mirror.spread * std::abs(target.normal.dot(mirrored.onward)) / target.pdf;
-    mirrored.radiance *= emitted;
+    connection.light_distance = *light_distance;
+    connection.solid_angle =
+        mirror.spread * std::abs(target.normal.dot(connection.light_direction)) / target.pdf;
+    connection.radiance *= emitted;
     return true;
 }
 
-// Of a bundle of rays both ends have the same product of solid angle and area, so the spread is as
-// well the solid angle at the light per area across the first leg at the receiver.
+// The product of solid angle and area is the same at both ends of a bundle of rays, so `spread` is
+// also the solid angle at the light per area perpendicular to the first leg at the receiver.
 bool from_point(const TransportScene& scene, std::size_t light, const SpecularPoint& mirror,
-                MirroredLight& mirrored) {
+                SpecularConnection& connection) {
     const DeltaLight& source = scene.lights.delta_light(light);
-    const V3f intensity = source.intensity(-mirrored.onward, mirror.to);
+    const V3f intensity = source.intensity(-connection.light_direction, mirror.to);
     if (source.is_parallel()) {
-        mirrored.reach = kInfinity;
+        connection.light_distance = kInfinity;
     } else {
-        mirrored.reach = mirror.to;
+        connection.light_distance = mirror.to;
     }
-    mirrored.solid_angle = 1 / DeltaLight::kDeltaPdf;
-    mirrored.radiance *= intensity * (mirror.spread * DeltaLight::kDeltaPdf);
+    connection.solid_angle = 1 / DeltaLight::kDeltaPdf;
+    connection.radiance *= intensity * (mirror.spread * DeltaLight::kDeltaPdf);
     return luminance(intensity) > 0;
 }
 
 }  // namespace
 
-std::vector<MirrorBall> mirror_balls(const TransportScene& scene) {
-    std::vector<MirrorBall> result;
+std::vector<SpecularBall> specular_balls(const TransportScene& scene) {
+    std::vector<SpecularBall> result;
     for (const FrameScene::Ball& ball : scene.frame.balls()) {
         const Material& material = scene.materials[ball.material];
         if (material.is_mirror()) {
@@ -60,7 +58,8 @@ std::vector<MirrorBall> mirror_balls(const TransportScene& scene) {
     return result;
 }
 
-float mirrored_importance(const TransportScene& scene, const MirrorBall& ball, std::size_t light) {
+float connection_importance(const TransportScene& scene, const SpecularBall& ball,
+                            std::size_t light) {
     const V3f middle = ball.centres.center();
     const float travel = 0.5f * ball.centres.size().length();
     const LightSet& lights = scene.lights;
@@ -79,9 +78,9 @@ float mirrored_importance(const TransportScene& scene, const MirrorBall& ball, s
     return std::visit(irradiance, lights.area_light(light));
 }
 
-std::optional<MirroredLight> mirrored_light(const TransportScene& scene, const MirrorBall& ball,
-                                            std::size_t light, const V3f& receiver, float time,
-                                            const V2f& u) {
+std::optional<SpecularConnection> connect(const TransportScene& scene, const SpecularBall& ball,
+                                          std::size_t light, const V3f& receiver, float time,
+                                          const V2f& u) {
     const V3f centre = scene.frame.centre(ball.object, time);
     const bool is_delta = scene.lights.is_delta(light);
     EmitterPoint target;
@@ -95,11 +94,11 @@ std::optional<MirroredLight> mirrored_light(const TransportScene& scene, const M
     if (!mirror) {
         return std::nullopt;
     }
-    MirroredLight result;
-    result.onward = (target.position - mirror->position) / mirror->to;
+    SpecularConnection result;
+    result.light_direction = (target.position - mirror->position) / mirror->to;
     const float size = std::max(
         {std::abs(mirror->position.x), std::abs(mirror->position.y), std::abs(mirror->position.z)});
-    result.origin = mirror->position + mirror->normal * (kOffsetShare * (size + ball.radius));
+    result.origin = mirror->position + mirror->normal * (kOffsetFraction * (size + ball.radius));
     result.direction = (mirror->position - receiver) / mirror->from;
     result.distance = mirror->from;
     result.ball = ball.object;
@@ -109,21 +108,22 @@ std::optional<MirroredLight> mirrored_light(const TransportScene& scene, const M
     return arrives ? std::optional(result) : std::nullopt;
 }
 
-bool is_blocked(const TransportScene& scene, const MirroredLight& mirrored, const V3f& origin,
-                float time, RenderStatistics& count) {
+bool is_occluded(const TransportScene& scene, const SpecularConnection& connection,
+                 const V3f& origin, float time, RenderStatistics& count) {
     const AccelerationStructure& structure = scene.frame.structure();
     count.shadow_rays += 1;
-    // The mirror itself is in nobody's way. Between balls that touch, the first leg may be shorter
-    // than the step off its receiver, and meets the mirror before its end.
+    // The ball itself does not occlude. Between balls that touch, the first leg may be shorter than
+    // the receiver's offset, so that the ray hits the ball before the leg's end.
     Hit hit;
-    const Ray first{origin, mirrored.direction, 0, mirrored.distance * kReach,
+    const Ray first{origin, connection.direction, 0, connection.distance * kOneMinusShadowEpsilon,
                     time,   RayKind::shadow};
-    if (structure.closest_hit(first, hit) && hit.object != mirrored.ball) {
+    if (structure.closest_hit(first, hit) && hit.object != connection.ball) {
         return true;
     }
     count.shadow_rays += 1;
-    return structure.any_hit(
-        Ray{mirrored.origin, mirrored.onward, 0, mirrored.reach * kReach, time, RayKind::shadow});
+    return structure.any_hit(Ray{connection.origin, connection.light_direction, 0,
+                                 connection.light_distance * kOneMinusShadowEpsilon, time,
+                                 RayKind::shadow});
 }
 
 }  // namespace carom::render

@@ -1,4 +1,4 @@
-#include "render/integrator/light_reflections.h"
+#include "render/integrator/light_tracer.h"
 
 #include <gtest/gtest.h>
 
@@ -51,11 +51,11 @@ Estimate seen(const PreparedScene& prepared, bool splats, int runs, int samples)
     const FrameScene frame(data.geometry, {}, 0, 0);
     const TransportScene scene{frame, data.materials, data.lights, data.object_count};
     const ThinLensCamera lens(camera(), camera(), kSize, kSize, 0, PixelFilter::box, 1);
-    const LightReflections reflections(scene, lens);
+    const LightTracer tracer(scene, lens);
     PathSettings path;
     path.max_bounces = 1;
-    const PathIntegrator integrator(scene, path, splats ? &reflections : nullptr);
-    EXPECT_EQ(reflections.pair_count(),
+    const PathIntegrator integrator(scene, path, splats ? &tracer : nullptr);
+    EXPECT_EQ(tracer.pair_count(),
               2 * data.lights.area_light_count() + 2 * data.lights.is_delta(0));
     std::vector<double> means;
     for (int run = 0; run < runs; ++run) {
@@ -74,8 +74,8 @@ Estimate seen(const PreparedScene& prepared, bool splats, int runs, int samples)
                                   lens.frame_at(0).pixel_size, stream, {x, y, sample}, count);
             sum += static_cast<double>(luminance(result.radiance)) / samples;
         }
-        for (std::size_t pair = 0; splats && pair < reflections.pair_count(); ++pair) {
-            for (const Splat& splat : reflections.splats(pair, samples, seed, count)) {
+        for (std::size_t pair = 0; splats && pair < tracer.pair_count(); ++pair) {
+            for (const Splat& splat : tracer.splats(pair, samples, seed, count)) {
                 const bool inside = splat.place.x >= 0 && splat.place.x < kSize &&
                                     splat.place.y >= 0 && splat.place.y < kSize;
                 sum += inside ? static_cast<double>(luminance(splat.flux)) : 0;
@@ -86,7 +86,7 @@ Estimate seen(const PreparedScene& prepared, bool splats, int runs, int samples)
     return test::estimate_of(means);
 }
 
-TEST(LightReflections, SoughtOrFoundByChance_HaveTheSameMean) {
+TEST(LightTracer, SoughtOrFoundByChance_HaveTheSameMean) {
     const PreparedScene prepared(balls_before_lights().scene,
                                  test::small_settings(kSize, kSize, 16));
     const Estimate sought = seen(prepared, true, 24, 16);
@@ -97,7 +97,7 @@ TEST(LightReflections, SoughtOrFoundByChance_HaveTheSameMean) {
     EXPECT_LT(sought.error, by_chance.error);
 }
 
-TEST(LightReflections, OfAPoint_AreThoseOfASmallBulb) {
+TEST(LightTracer, OfAPoint_AreThoseOfASmallBulb) {
     const Vec3 place(-1.2, -1.8, 1.5);
     constexpr double kRadius = 0.01;
     SceneBuilder point = balls();

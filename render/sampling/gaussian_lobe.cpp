@@ -1,4 +1,4 @@
-#include "render/sampling/deviation.h"
+#include "render/sampling/gaussian_lobe.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 namespace carom::render {
 namespace {
 
-// In powers of w - 2.5 for w < 5, of sqrt(w) - 3 above; the highest power first.
+// Polynomials in w - 2.5 for w < 5 and in sqrt(w) - 3 above; the highest power comes first.
 constexpr std::array<float, 9> kCentre{2.81022636e-08f,  3.43273939e-07f, -3.5233877e-06f,
                                        -4.39150654e-06f, 0.00021858087f,  -0.00125372503f,
                                        -0.00417768164f,  0.246640727f,    1.50140941f};
@@ -36,17 +36,17 @@ float inverse_erf(float y) {
     return y * (w < 5 ? polynomial(kCentre, w - 2.5f) : polynomial(kTail, std::sqrt(w) - 3));
 }
 
-V3f sample_deviation(const V2f& u, float spread) {
+V3f sample_gaussian_lobe(const V2f& u, float spread) {
     const float scale = std::numbers::sqrt2_v<float> * spread;
     const float most = std::erf(0.5f * kPi / scale);
-    const float share = std::min(u.x * most, kOneMinusEpsilon);
-    const float angle = std::min(scale * inverse_erf(share), 0.5f * kPi);
+    const float fraction = std::min(u.x * most, kOneMinusEpsilon);
+    const float angle = std::min(scale * inverse_erf(fraction), 0.5f * kPi);
     const SinCos from_axis = sin_cos(angle);
     const SinCos azimuth = sin_cos_turn(u.y);
     return V3f(from_axis.sine * azimuth.cosine, from_axis.sine * azimuth.sine, from_axis.cosine);
 }
 
-double pdf_deviation_angle(double angle, double spread) {
+double pdf_gaussian_lobe_angle(double angle, double spread) {
     if (angle < 0 || angle > kHalfTurn) {
         return 0;
     }

@@ -1,4 +1,5 @@
-// Directions around a given one, as the classic distributed ray tracer spreads them.
+// Gaussian lobes: directions whose angle from an axis is normally distributed (gloss and
+// translucency of Cook, Porter and Carpenter 1984, "Distributed ray tracing").
 #pragma once
 
 #include "render/geometry/ray.h"
@@ -12,9 +13,9 @@ namespace carom::render {
 /// Unit direction about +z for `u` in [0, 1)^2: the angle from the axis is |x| for a normally
 /// distributed x of standard deviation `spread` (rad, > 0), cut off at pi / 2; the azimuth is
 /// uniform.
-[[nodiscard]] V3f sample_deviation(const V2f& u, float spread);
+[[nodiscard]] V3f sample_gaussian_lobe(const V2f& u, float spread);
 
-/// Density of the angle of `sample_deviation`, 1/rad, for an angle in [0, pi / 2].
-[[nodiscard]] double pdf_deviation_angle(double angle, double spread);
+/// Density of the angle of `sample_gaussian_lobe`, 1/rad, for an angle in [0, pi / 2].
+[[nodiscard]] double pdf_gaussian_lobe_angle(double angle, double spread);
 
 }  // namespace carom::render
