@@ -1,4 +1,4 @@
-// A mesh of any size.
+// A mesh of adjustable size.
 #pragma once
 
 #include "render/scene/scene_description.h"

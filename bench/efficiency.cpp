@@ -1,6 +1,6 @@
 // efficiency SCENE.json: renders a comparison scene with several seeds and prints CPU seconds,
-// rays, relMSE and efficiency = 1 / (relMSE * CPU s), trimmed of the worst 0.1 % of the pixels and
-// not.
+// rays, relMSE and efficiency = 1 / (relMSE * CPU s), with and without the worst 0.1 % of the
+// pixels.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -57,7 +57,8 @@ std::vector<Picture> read_pictures(const std::vector<std::string>& paths) {
     return pictures;
 }
 
-/// What another renderer made of the scene: its error by itself, and block by block beside ours.
+/// Reports another renderer's pictures of the scene: their error, and differences from ours by
+/// block.
 void report_other(const std::vector<Picture>& ours, const std::vector<Picture>& other,
                   const PeerScene& scene) {
     constexpr int kBlock = 8;

@@ -1,4 +1,4 @@
-// What a frame costs: a table with sixteen balls, half of them moving, under a lamp, a bulb and a
+// The cost of a frame: a table with sixteen balls, half of them moving, under a lamp, a bulb and a
 // dim sky; 640 x 360 pixels, 16 samples, thin lens, four bounces. CPU time counts all threads.
 #include <filesystem>
 
@@ -127,7 +127,7 @@ void BM_PrepareTexturedTable(benchmark::State& state) {
     }
 }
 
-/// A picture of 1024 x 1024 for both ways of looking up.
+/// A picture of 1024 x 1024 for both texture systems.
 std::string lookup_picture() {
     const std::string path =
         (std::filesystem::temp_directory_path() / "carom_bench_lookup.tif").string();

@@ -1,4 +1,4 @@
-// The scene that renderers are compared on, from its neutral JSON description.
+// The scene for comparisons between renderers, from its neutral JSON description.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ struct PeerScene {
     render::RenderSettings settings;  // size and filter; full transport with four bounces
 };
 
-/// Reads "neutral billiard scene 1": boxes, balls that move evenly while the shutter is open, a
-/// rectangle light and a sphere light, a constant environment, a thin lens. Throws std::exception.
+/// Reads "neutral billiard scene 1": boxes, balls in uniform motion during the shutter, a rectangle
+/// light and a sphere light, a constant environment, a thin lens. Throws std::exception.
 [[nodiscard]] PeerScene read_peer_scene(const std::string& path);
 
 }  // namespace carom::bench

@@ -37,7 +37,7 @@ struct BlockMean {
     double variance = 0;  // of the mean
 };
 
-/// Of one block, over runs.
+/// The mean of one block over the runs.
 BlockMean block_mean(const std::vector<Picture>& runs, int width, int x0, int y0, int block) {
     double sum = 0;
     double squares = 0;

@@ -1,4 +1,4 @@
-// Pictures of one scene and size, and how far they are apart.
+// Pictures of the same scene and size, and their differences.
 #pragma once
 
 #include <cstddef>
@@ -15,23 +15,24 @@ struct Error {
     double all = 0;
 };
 
-/// The mean of all pictures but one; of all, if there is no such one.
+/// The mean of all pictures except one; of all if `except` is no valid index.
 [[nodiscard]] Picture mean_of(const std::vector<Picture>& pictures, std::size_t except);
 
-/// Error of every picture, against the reference or, if that is empty, with its expected noise
-/// subtracted, against the mean of the others.
+/// The error of every picture relative to the reference. Without a reference, relative to the mean
+/// of the other pictures, minus the expected noise of that mean.
 [[nodiscard]] std::vector<Error> errors_of(const std::vector<Picture>& pictures,
                                            const std::string& reference);
 
 struct BlockComparison {
     int blocks = 0;
-    int beyond = 0;                // differ by more than both bounds
-    double worst = 0;              // relative difference of the worst of them, else of any
-    int worst_x = 0, worst_y = 0;  // its corner, pixels
+    int beyond = 0;                // number of blocks that differ by more than both bounds
+    double worst = 0;              // largest relative difference among these, otherwise among all
+    int worst_x = 0, worst_y = 0;  // corner of that block, pixels
     double mean_difference = 0;    // of the whole pictures, relative
 };
 
-/// Means over square blocks (and all channels) of two sets of runs, each with at least two.
+/// Compares the means over square blocks (and all channels) of two sets of runs, each of at least
+/// two.
 [[nodiscard]] BlockComparison compare_blocks(const std::vector<Picture>& a,
                                              const std::vector<Picture>& b, int width, int block,
                                              double tolerance, double standard_errors);

@@ -1,5 +1,5 @@
 // Rays per second on one thread: the hybrid structure against Embree alone, in one run on the same
-// rays. Before timing, both are checked to give the same hits.
+// rays. Before timing, both are checked for the same hits.
 //
 //   ray_bench --benchmark_repetitions=5 --benchmark_report_aggregates_only=true
 #include <cstdio>
@@ -112,7 +112,7 @@ void occluded(benchmark::State& state, bool with_knot, AccelerationKind kind) {
     count_rays(state, built.rays.shadow.size());
 }
 
-/// Hit and surface point, as an integrator needs them.
+/// Hits with surface points, as an integrator needs them.
 void surfaces(benchmark::State& state, bool with_knot) {
     const FlushDenormals mode;
     const Scenes& built = scenes(with_knot);

@@ -177,7 +177,7 @@ RaySets make_ray_sets(const FrameScene& frame) {
             sets.shadow.push_back(next);
         }
     }
-    // A fixed shuffle: by a multiplicative hash of the index.
+    // A fixed shuffle, by a multiplicative hash of the index.
     std::vector<std::uint32_t> order(sets.secondary.size());
     std::iota(order.begin(), order.end(), 0u);
     std::sort(order.begin(), order.end(),

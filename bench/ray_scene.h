@@ -1,6 +1,6 @@
 // The scene and the rays of ray_bench: a table of boxes with sixteen balls, half of them moving
-// with an impact inside the shutter, and, if asked for, a knot of 100 000 triangles between lamp
-// and table.
+// with an impact during the shutter, and optionally a knot of 100 000 triangles between lamp and
+// table.
 #pragma once
 
 #include <string>
@@ -23,11 +23,11 @@ struct TableShot {
 
 [[nodiscard]] TableShot make_table_shot(bool with_knot);
 
-/// Rays of one kind, in the order in which a renderer asks for them.
+/// Rays of one kind, in the order in which a renderer traces them.
 struct RaySets {
     std::vector<render::Ray> primary;    // through a thin lens, 4 x 4 pixels at a time
-    std::vector<render::Ray> secondary;  // cosine-distributed from the points that those hit
-    std::vector<render::Ray> shuffled;   // the same without their order
+    std::vector<render::Ray> secondary;  // cosine-distributed from the hits of the primary rays
+    std::vector<render::Ray> shuffled;   // the secondary rays in random order
     std::vector<render::Ray> shadow;     // from the same points to the lamp
 };
 

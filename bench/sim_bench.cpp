@@ -1,4 +1,4 @@
-// Whole bakes. Each one checks its result, so that a fast wrong answer does not pass.
+// Complete bakes. Each checks its result, so that a fast wrong answer does not pass.
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -45,8 +45,8 @@ WorldDescription break_of(billiards::RackKind kind, double duration) {
     return world;
 }
 
-/// `count` balls on a table of 0.2 m^2 of cloth each (16 on one of 9 ft) with cushions, set going
-/// at random.
+/// `count` balls on a table with 0.2 m^2 of cloth per ball (16 on one of 9 ft) with cushions, with
+/// random velocities.
 WorldDescription crowd(int count, double duration, bool has_pockets) {
     WorldDescription world;
     world.duration = duration;

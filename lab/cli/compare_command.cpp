@@ -27,7 +27,7 @@ using pipeline::GrowingScene;
 using pipeline::LaboratoryScene;
 using pipeline::ShadowRays;
 
-/// One frame of a shot.
+/// The scene of one frame of a shot.
 LaboratoryScene scene_of_shot(const CompareCommand& command, CommandContext& context) {
     ShotInput input = read_shot_input(command.input, context.console);
     const std::int64_t frames = film_frames(input.shot);
@@ -103,7 +103,7 @@ double now() {
     return std::chrono::duration<double>(time).count();
 }
 
-/// What `measure` makes with the progress shown.
+/// The result of `measure`, with its progress displayed.
 template <class Measure>
 auto with_progress(CommandContext& context, const Measure& measure) {
     ProgressMeter meter;
@@ -115,7 +115,7 @@ auto with_progress(CommandContext& context, const Measure& measure) {
     return result;
 }
 
-/// What is there in every form that was asked for.
+/// The result in every requested form.
 struct Texts {
     std::string text, csv, plot;
 };

@@ -6,7 +6,7 @@
 
 namespace carom::cli {
 
-/// Throws InputError, Error, and Stopped after what was measured is written.
+/// Throws InputError, Error, and Stopped after writing what was measured.
 void compare_triangles(const CompareCommand& command, CommandContext& context);
 
 }  // namespace carom::cli

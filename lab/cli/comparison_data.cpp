@@ -51,7 +51,7 @@ std::string row_object(const ComparedStructure& row) {
     return members.object();
 }
 
-/// Names of what is counted after those of `columns`.
+/// The names in `columns`, followed by those of the test counts.
 std::string csv_header(const std::string& columns) {
     std::string header = columns;
     for (const char* kind : kKinds) {
@@ -62,7 +62,7 @@ std::string csv_header(const std::string& columns) {
     return header;
 }
 
-/// `tests`: null where they are not known.
+/// `tests`: null if they are unknown.
 void add_tests(pipeline::CsvText& csv, const render::TestCounts& rays,
                const render::TestCounts* tests) {
     for (std::size_t i = 0; i < kKinds.size(); ++i) {

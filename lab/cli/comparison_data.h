@@ -1,4 +1,4 @@
-// A comparison for programs.
+// A comparison as data.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace carom::cli {
 
-/// One JSON object, all digits, a structure to a line.
+/// One JSON object with full precision, one structure per line.
 [[nodiscard]] std::string comparison_json(const pipeline::Comparison& comparison);
 
-/// A line of names, then one for each structure; empty where nothing is known.
+/// A header line, then one line for each structure; unknown values are empty.
 [[nodiscard]] std::string comparison_csv(const pipeline::Comparison& comparison);
 
 [[nodiscard]] std::string growth_json(const pipeline::Growth& growth);

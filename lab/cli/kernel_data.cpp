@@ -22,7 +22,7 @@ JsonMembers members_of(const Variant& variant) {
     return members;
 }
 
-/// Measured before any rate.
+/// The errors are measured before any rate, so they exist.
 const FormErrors& errors_of(const KernelMeasurements& measured, const Variant& variant) {
     return *std::ranges::find_if(measured.errors, [&](const FormErrors& errors) {
         return errors.form == variant.form && errors.precision == variant.precision;

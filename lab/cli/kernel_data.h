@@ -1,4 +1,4 @@
-// Measured triangle kernels for machines.
+// Measured triangle kernels as data.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace carom::cli {
 
-/// One object: "whole", "rounds", "kernels", a variant each with rates (the best of all rounds) and
-/// errors, and "planes_against_wald".
+/// One object: "whole", "rounds", "kernels" with one variant each, its rates (the best of all
+/// rounds) and errors, and "planes_against_wald".
 [[nodiscard]] std::string kernels_json(const render::triangle::KernelMeasurements& measured);
 
-/// A variant to a row.
+/// A header line, then one row per variant.
 [[nodiscard]] std::string kernels_csv(const render::triangle::KernelMeasurements& measured);
 
 }  // namespace carom::cli

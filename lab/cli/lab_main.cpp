@@ -1,5 +1,5 @@
-// libexec/carom/carom-lab: `carom compare`, and all that carom-film does with the structures that
-// are for comparison. Started by bin/carom or carom-film with its own arguments.
+// libexec/carom/carom-lab: `carom compare`, and everything that carom-film does, with the
+// structures for comparison. Started by bin/carom or carom-film with the same arguments.
 #include "lab/structures/make_structure.h"
 #include "pipeline/cli/command_line.h"
 #include "pipeline/cli/run_program.h"

@@ -15,18 +15,18 @@ constexpr double kTop = 31;  // of the bars, mm
 constexpr double kRow = 2.6;
 constexpr double kBetweenRows = 1.8;
 constexpr double kBetweenPanels = 9;
-constexpr double kValue = 8;  // room for numbers beyond bars
+constexpr double kValue = 8;  // space for numbers next to bars
 
 struct Layout {
-    double left = 0, width = 0;  // of the panels
-    double row = 0;              // from group to group
+    double left = 0, width = 0;  // of a panel
+    double row = 0;              // distance between groups
 };
 
 double height_of_group(const BarChart& chart) {
     return kRow * static_cast<double>(std::max<std::size_t>(chart.series.size(), 1));
 }
 
-/// From 0 to a round number.
+/// An axis from 0 to a round number.
 class LinearAxis {
   public:
     LinearAxis(double from, double to, double most) : from_(from), to_(to) {

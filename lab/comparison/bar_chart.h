@@ -1,4 +1,4 @@
-// Bars in groups, as SVG.
+// Grouped bar charts as SVG.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace carom::pipeline {
 
-/// One quantity: for each group the values of the series, side by side. What is not above 0 is not
-/// drawn.
+/// One quantity: for each group the values of the series, side by side. Values that are not above 0
+/// are not drawn.
 struct BarPanel {
     std::string title;
     std::vector<std::vector<double>> bars;  // by group, by series
-    bool is_single = false;                 // one bar to a group, whatever the series
-    bool is_linear = false;                 // an axis from 0, else a logarithmic one
+    bool is_single = false;                 // one bar per group, whatever the series
+    bool is_linear = false;                 // an axis from 0 instead of a logarithmic one
 };
 
 struct BarChart {
@@ -25,7 +25,7 @@ struct BarChart {
     std::vector<BarPanel> panels;  // from left to right
 };
 
-/// A document 297 mm wide. Logarithmic axes go from a power of ten to a power of ten.
+/// A document 297 mm wide. Logarithmic axes begin and end at powers of ten.
 [[nodiscard]] std::string bar_chart_svg(const BarChart& chart, PlanPage page);
 
 }  // namespace carom::pipeline

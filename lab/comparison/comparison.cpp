@@ -37,7 +37,7 @@ AccelerationKind kind_of(const std::string& name) {
     return found->kind;
 }
 
-/// One ray through one pixel, and where it leads.
+/// One ray through each pixel, and the rays that follow from it.
 RenderSettings one_sample(RenderSettings settings) {
     settings.width = settings.height = 1;
     settings.samples = 1;
@@ -47,7 +47,7 @@ RenderSettings one_sample(RenderSettings settings) {
     return settings;
 }
 
-/// The same view in fewer pixels.
+/// The same view with a fraction of the pixels.
 RenderSettings in_part(RenderSettings settings, double fraction) {
     const double scale = std::sqrt(std::min(fraction, 1.0));
     const auto smaller = [&](int size) {
@@ -83,13 +83,13 @@ class ComparisonRun {
             }
             result_.is_whole = true;
         } catch (const Stopped&) {
-            // What is there is the result.
+            // The rows measured before the stop are the result.
         }
         return std::move(result_);
     }
 
   private:
-    // Of the first structure that counts in less time than brute force.
+    // From the first structure that counts in less time than brute force.
     void count_rays() {
         AccelerationKind kind = AccelerationKind::kd_tree;
         for (const AccelerationKind asked : options_.structures) {
@@ -132,10 +132,10 @@ class ComparisonRun {
         return row;
     }
 
-    // Rays that look for the nearest hit test everything; how soon shadow rays find one is measured
-    // in a part of the picture, and so is the time of a test.
+    // Closest-hit rays test every shape. How early shadow rays find a hit, and the time of a test,
+    // are measured in a part of the picture.
     void compute(ComparedStructure& row, double all_tests) {
-        constexpr double kPart = 0.25;  // of what may be tested
+        constexpr double kPart = 0.25;  // of the tests that are allowed
         const RenderSettings part =
             in_part(scene_.settings, kPart * options_.most_tests / all_tests);
         const AccelerationKind kind = AccelerationKind::brute_force;
@@ -162,7 +162,8 @@ class ComparisonRun {
         return measure(kind, shadow_rays, true, settings).cost.counts;
     }
 
-    // Of several frames where they are quick: what else the machine does only ever slows.
+    // The least time of several frames if they are quick, because other load on the machine only
+    // slows them down.
     MeasuredFrame least_time(AccelerationKind kind, ShadowRays shadow_rays,
                              const RenderSettings& settings) {
         constexpr int kMostFrames = 5;
@@ -180,7 +181,7 @@ class ComparisonRun {
 
     MeasuredFrame measure(AccelerationKind kind, ShadowRays shadow_rays, bool counts,
                           const RenderSettings& settings) {
-        // Most rows take two frames; the rays' count is the first one's second.
+        // Most rows take two frames; counting the rays takes one more.
         const double steps =
             2.0 * static_cast<double>(options_.structures.size() * options_.shadow_rays.size());
         const WorkContext context{[&, kind](double fraction) {
@@ -203,7 +204,7 @@ class ComparisonRun {
     Comparison result_;
     std::map<std::pair<AccelerationKind, ShadowRays>, TestCounts> counted_;
     double done_ = 0;  // frames
-    double told_ = 0;  // share
+    double told_ = 0;  // fraction that was reported
 };
 
 }  // namespace
@@ -233,7 +234,7 @@ std::vector<AccelerationKind> structures_from_text(const std::string& text) {
         for (const render::AccelerationName& known : render::kAccelerationNames) {
             kinds.push_back(known.kind);
         }
-        // The yardstick first.
+        // Brute force comes first, because the others are compared with it.
         std::rotate(kinds.begin(), std::ranges::find(kinds, AccelerationKind::brute_force),
                     kinds.end());
         return kinds;

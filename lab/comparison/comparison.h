@@ -1,4 +1,4 @@
-// One frame rendered with each of several structures, and what that took.
+// One frame rendered with each of several structures, and the costs.
 #pragma once
 
 #include <cstddef>
@@ -14,32 +14,32 @@
 
 namespace carom::pipeline {
 
-/// When a shadow ray has been answered.
+/// When a shadow ray ends.
 enum class ShadowRays {
-    any,     // at the first hit that is found
-    closest  // not before the nearest one is known, as the oldest ray tracers did it
+    any,     // at the first hit found
+    closest  // only at the nearest one, as in the oldest ray tracers
 };
 
 struct ComparisonOptions {
     std::vector<render::AccelerationKind> structures;  // at least one, in the order of the rows
     std::vector<ShadowRays> shadow_rays{ShadowRays::any};
-    int threads = 0;  // 0: as many as there are processors
-    /// Brute force that would test more is computed from the number of rays and a part of the
-    /// picture.
+    int threads = 0;  // 0: one per processor
+    /// Upper bound on the tests of brute force; beyond it they are computed from the number of rays
+    /// and a part of the picture.
     double most_tests = 1e9;
-    /// Quick frames are timed again until that long was spent on them, CPU time; 0: once.
+    /// Quick frames are repeated until this much CPU time was spent, s; 0: no repetition.
     double enough_seconds = 1;
 };
 
-/// A row.
+/// A row of the result.
 struct ComparedStructure {
     std::string name;
     ShadowRays shadow_rays = ShadowRays::any;
     double build_seconds = 0;  // CPU time
     std::size_t bytes = 0;     // without the shapes themselves
-    double cpu_seconds = 0;    // of the frame, all threads, shading counted, building not
-    bool is_counted = false;   // whether `tests` means anything
-    bool is_computed = false;  // tests and CPU time come from a part of the picture
+    double cpu_seconds = 0;    // of the frame, all threads, including shading, excluding the build
+    bool is_counted = false;   // whether `tests` is valid
+    bool is_computed = false;  // tests and CPU time are extrapolated from a part of the picture
     render::TestCounts tests;  // by kind of ray
 };
 
@@ -47,21 +47,21 @@ struct Comparison {
     std::string name;
     std::string what;
     int width = 0, height = 0;  // pixels
-    std::uint64_t shapes = 0;   // that brute force tests for every ray
-    render::TestCounts rays;    // only their numbers
+    std::uint64_t shapes = 0;   // number that brute force tests for every ray
+    render::TestCounts rays;    // only the numbers of rays
     std::vector<ComparedStructure> rows;
-    bool is_whole = false;  // false: stopped before all rows were there
+    bool is_whole = false;  // false: stopped before all rows were measured
 
-    /// The row of brute force with the same shadow rays; null if there is none.
+    /// The row of brute force with the same shadow rays; null if it is missing.
     [[nodiscard]] const ComparedStructure* yardstick(const ComparedStructure& row) const;
 };
 
-/// `doing`: the structure that is at work; `share` of everything that is done, in [0, 1].
+/// `doing`: the current structure; `fraction`: of all work, in [0, 1].
 using ComparisonProgress = std::function<void(std::string_view doing, double fraction)>;
 
-/// Every frame is rendered with its tests counted, where they can be, and apart from that for its
-/// time: several times if it is quick, of which the least counts. When
-/// `stop` is triggered the comparison ends with the rows that are there. Throws Error.
+/// Every frame is rendered once with its tests counted, if they can be, and once or more for its
+/// time, of which the least counts. If `stop` is triggered, the comparison ends with the rows
+/// measured. Throws Error.
 [[nodiscard]] Comparison compare_structures(const LaboratoryScene& scene,
                                             const ComparisonOptions& options,
                                             const ComparisonProgress& progress,
@@ -70,8 +70,8 @@ using ComparisonProgress = std::function<void(std::string_view doing, double fra
 /// "kdtree"
 [[nodiscard]] std::string_view name_of(render::AccelerationKind kind);
 
-/// "all", or names with commas between them, each once. Throws Error that names what is wrong and
-/// lists the names.
+/// "all", or a comma-separated list of names without repetition. Throws Error that names the
+/// mistake and lists the names.
 [[nodiscard]] std::vector<render::AccelerationKind> structures_from_text(const std::string& text);
 
 }  // namespace carom::pipeline

@@ -1,4 +1,4 @@
-// A comparison as a drawing.
+// A comparison as a chart.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace carom::pipeline {
 
-/// An SVG document, 297 mm wide: bars for each structure, those of the kinds of rays side by side:
-/// object tests per ray, box tests per ray, and CPU time; logarithmic.
+/// An SVG document, 297 mm wide: bars for each structure, grouped by kind of ray: object tests per
+/// ray, box tests per ray, and CPU time; logarithmic.
 [[nodiscard]] std::string comparison_plot_svg(const Comparison& comparison,
                                               PlanPage page = PlanPage::automatic);
 

@@ -1,4 +1,4 @@
-// A comparison for people.
+// A comparison as text.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace carom::pipeline {
 
-/// What was rendered, a table of costs, a table of tests per ray by kind of ray.
+/// The scene, a table of costs, and a table of tests per ray by kind of ray.
 [[nodiscard]] std::string comparison_text(const Comparison& comparison);
 
 /// "any" or "closest".

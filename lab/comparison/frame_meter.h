@@ -1,4 +1,4 @@
-// What one picture with one structure takes.
+// Measures the cost of one frame with one structure.
 #pragma once
 
 #include <functional>
@@ -12,18 +12,18 @@ namespace carom::pipeline {
 
 struct MeasuredFrame {
     render::StructureCost cost;
-    double cpu_seconds = 0;  // of the frame, all threads; building left out
+    double cpu_seconds = 0;  // of the frame, all threads; excluding the build
 };
 
 class FrameMeter {
   public:
-    /// Refers to the scene. `threads`: 0 for as many as there are processors.
+    /// Refers to the scene. `threads`: 0 for one per processor.
     FrameMeter(const LaboratoryScene& scene, int threads) : scene_(scene), arena_(threads) {}
 
-    /// Whether the tests of such a structure can be counted.
+    /// Whether the tests of this structure can be counted.
     [[nodiscard]] static bool can_count(render::AccelerationKind kind);
 
-    /// `settings`: the scene's, or those of a part. Throws Error, Stopped.
+    /// `settings`: those of the scene, or of a part of its picture. Throws Error, Stopped.
     [[nodiscard]] MeasuredFrame measure(render::RenderSettings settings,
                                         render::AccelerationKind kind,
                                         const render::StructureOptions& options,
@@ -32,7 +32,7 @@ class FrameMeter {
   private:
     const LaboratoryScene& scene_;
     render::ThreadArena arena_;
-    // The last structure's: what it shares with all pictures is the same for parts of one.
+    // The structure of the last measurement: what frames share is reused for parts of a picture.
     std::optional<render::AccelerationKind> prepared_for_;
     std::optional<render::PreparedScene> prepared_;
 };

@@ -36,7 +36,7 @@ StaticGeometry geometry_of(const LaboratoryScene& scene, AccelerationKind kind) 
     return {scene.scene, settings, render::make_structure};
 }
 
-/// How many of the rays meet something.
+/// The number of rays that hit something.
 std::size_t ask(const render::AccelerationStructure& structure, std::span<const Ray> rays) {
     std::size_t hits = 0;
     for (const Ray& ray : rays) {
@@ -47,7 +47,7 @@ std::size_t ask(const render::AccelerationStructure& structure, std::span<const 
     return hits;
 }
 
-/// As the product asks: many rays at a time for their nearest hits.
+/// Batches of closest-hit queries, as in the product.
 void ask(const render::AccelerationStructure& structure, const std::vector<RayArrays>& arrays) {
     for (const RayArrays& rays : arrays) {
         std::array<render::Hit, kBatchRays> hits;
@@ -64,7 +64,8 @@ std::vector<RayArrays> arrays_of(std::span<const Ray> rays) {
     return arrays;
 }
 
-/// CPU time of `work`, the least of several times: what else the machine does only ever slows.
+/// CPU time of `work`, the least of several runs, because other load on the machine only slows it
+/// down.
 template <class Work>
 double least_seconds(const Work& work, double enough, const std::stop_token& stop) {
     constexpr int kMost = 12;
@@ -129,7 +130,7 @@ GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, std::s
     return point;
 }
 
-/// So many that brute force does not take for ever, which leaves enough for means.
+/// Every `every`th ray: few enough for brute force, and enough for means.
 RaysByKind thinned(const RaysByKind& rays, std::size_t every) {
     RaysByKind some;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -236,7 +237,7 @@ Growth measure_growth(const GrowthOptions& options, const ComparisonProgress& pr
         }
         growth.is_whole = true;
     } catch (const Stopped&) {
-        // What is there is the result.
+        // The points measured before the stop are the result.
     }
     return growth;
 }

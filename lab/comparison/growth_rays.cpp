@@ -21,7 +21,7 @@ class Numbers {
 
     /// In [0, 1).
     double next() { return random_.next_unit(); }
-    /// Evenly over all directions.
+    /// Uniform over all directions.
     V3f direction() {
         const double z = 2 * next() - 1;
         const double turn = 6.283185307179586 * next();
@@ -52,9 +52,9 @@ sim::Track bouncing_track(const std::string& name, const Vec3& place, const Vec3
     return {name, {first, impact, last}};
 }
 
-constexpr float kStep = 1e-4f;  // off what a ray has met, m
+constexpr float kStep = 1e-4f;  // offset from a hit, m
 
-/// Towards squares of the cloud's width, neighbours after one another as in tiles of a picture.
+/// Towards squares across the cloud; neighbours follow each other, as in the tiles of a picture.
 std::vector<Ray> camera_rays(std::size_t count) {
     constexpr int kTile = 8;
     const int side =
@@ -101,7 +101,7 @@ LaboratoryScene ball_cloud(std::size_t balls) {
     scene.frame.scene_close = kShutter;
     const double spacing = 2 / std::cbrt(static_cast<double>(balls));
     Numbers numbers(~balls);
-    // Up to three quarters of the mean distance between balls while the shutter is open.
+    // At most three quarters of the mean distance between balls during the shutter.
     const auto velocity = [&] {
         return Vec3(numbers.direction()) * (0.75 * spacing / kShutter * numbers.next());
     };

@@ -1,4 +1,4 @@
-// Rays that every structure is asked.
+// The rays with which structures are compared.
 #pragma once
 
 #include <array>
@@ -15,21 +15,21 @@ namespace carom::pipeline {
 /// About `shapes` shapes within 1 m of the origin.
 [[nodiscard]] LaboratoryScene sphere_cloud(std::size_t shapes);
 [[nodiscard]] LaboratoryScene single_knot(std::size_t shapes);
-/// As many balls. A moving one is two pieces of a path to a structure: n balls are 1.5 n shapes.
+/// About `balls` balls. A moving one has two segments in a structure: n balls are 1.5 n shapes.
 [[nodiscard]] LaboratoryScene ball_cloud(std::size_t balls);
 
-/// By render::RayKind: about `count` from a camera, one onwards from where each of those ends, and
-/// one from there to a light, at random times. `structure` tells where they end.
+/// By render::RayKind: about `count` rays from a camera, one onwards from each of their hits, and
+/// one from there to a light, at random times. `structure` finds the hits.
 [[nodiscard]] std::array<std::vector<render::Ray>, 3> growth_rays(
     const render::AccelerationStructure& structure, std::size_t count);
 
-/// How many rays a wavefront of paths asks at a time (render/integrator/wave).
+/// The size of a batch of rays in a wavefront (render/integrator/wave).
 inline constexpr int kBatchRays = 64;
 
-/// Rays side by side.
+/// Rays as a structure of arrays.
 class RayArrays {
   public:
-    /// At most kBatchRays.
+    /// At most kBatchRays rays.
     explicit RayArrays(std::span<const render::Ray> rays);
     [[nodiscard]] render::RayBatch batch() const;
 

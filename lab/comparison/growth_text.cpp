@@ -13,12 +13,12 @@ namespace carom::pipeline {
 
 namespace {
 
-/// What a scene is made of.
+/// The shapes of a scene.
 const char* shapes_of(GrowingScene scene) {
     return scene == GrowingScene::mesh ? "triangles" : name_of(scene);
 }
 
-/// The scene in words.
+/// A description of the scene.
 const char* words_of(GrowingScene scene) {
     switch (scene) {
         case GrowingScene::spheres:
@@ -31,7 +31,7 @@ const char* words_of(GrowingScene scene) {
     return "triangles of a torus knot";
 }
 
-/// What is read off a point; nothing where it is not known.
+/// A value of a point; empty if unknown.
 using Quantity = std::function<std::optional<double>(const GrowthPoint&)>;
 
 std::optional<double> objects_per_ray(const GrowthPoint& point) {
@@ -57,7 +57,7 @@ Quantity nanoseconds(std::size_t kind) {
     return [kind](const GrowthPoint& point) { return 1e9 * point.seconds_per_ray[kind]; };
 }
 
-/// The mean of the three kinds.
+/// The mean over the three kinds of rays.
 std::optional<double> nanoseconds_per_ray(const GrowthPoint& point) {
     return 1e9 * (point.seconds_per_ray[0] + point.seconds_per_ray[1] + point.seconds_per_ray[2]) /
            3;

@@ -1,4 +1,4 @@
-// Growth for people.
+// Growth as text and as a chart.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace carom::pipeline {
 
-/// Over numbers of shapes, a column for each structure: tests per ray, time of a ray, building,
+/// Over numbers of shapes, one column per structure: tests per ray, time per ray, build time,
 /// memory.
 [[nodiscard]] std::string growth_text(const Growth& growth);
 
-/// An SVG document: tests per ray, both ways logarithmic; those of trees with only the number of
-/// shapes so, where a logarithm is a straight line; and the time of a ray.
+/// An SVG document: tests per ray with both axes logarithmic; those of trees with a logarithmic
+/// horizontal axis only, on which a logarithm is a straight line; and the time per ray.
 [[nodiscard]] std::string growth_plot_svg(const Growth& growth,
                                           PlanPage page = PlanPage::automatic);
 

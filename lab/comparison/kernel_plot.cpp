@@ -16,7 +16,7 @@ bool is_measured(const KernelMeasurements& measured, const Form& form) {
         measured.rates, [&](const VariantRates& rates) { return rates.variant.form == form; });
 }
 
-/// Of both divisions the greater.
+/// The greater rate of both divisions.
 double rate_of(const KernelMeasurements& measured, const Variant& variant, bool is_random) {
     double best = 0;
     for (const VariantRates& rates : measured.rates) {

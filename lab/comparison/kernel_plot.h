@@ -1,4 +1,4 @@
-// Measured triangle kernels as a drawing.
+// Measured triangle kernels as a chart.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace carom::pipeline {
 
-/// An SVG document, 297 mm wide: for each kernel and input, with the division that is faster, bars
-/// of the packings side by side; random rays and the worst case, in float and in double.
+/// An SVG document, 297 mm wide: for each kernel and input, with the faster division, bars of the
+/// packings side by side; random rays and the worst case, in float and in double.
 [[nodiscard]] std::string kernels_plot_svg(const render::triangle::KernelMeasurements& measured,
                                            PlanPage page = PlanPage::automatic);
 

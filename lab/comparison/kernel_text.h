@@ -1,4 +1,4 @@
-// Measured triangle kernels for people.
+// Measured triangle kernels as text.
 #pragma once
 
 #include <string>
@@ -8,19 +8,18 @@
 
 namespace carom::pipeline {
 
-/// "all", or names with commas between them, each once. Throws Error that names what is wrong and
-/// lists the names.
+/// "all", or a comma-separated list of names without repetition. Throws Error that names the
+/// mistake and lists the names.
 [[nodiscard]] std::vector<render::triangle::KernelName> kernels_from_text(const std::string& text);
 
-/// Tables of rates, a form to a row and a packing to a column; of errors; and, where both were
-/// measured, of perpendicular planes against Wald's.
+/// Tables of rates, one form per row and one packing per column; of errors; and, if both were
+/// measured, of perpendicular planes relative to Wald's.
 [[nodiscard]] std::string kernels_text(const render::triangle::KernelMeasurements& measured);
 
-/// How many times as fast as Wald's perpendicular planes are, for one division, packing and
-/// precision.
+/// The speed of perpendicular planes relative to Wald's, for one division, packing and precision.
 struct KernelRatio {
     render::triangle::Variant variant;  // of perpendicular planes
-    double random = 0, worst = 0;       // the middle one of the rounds
+    double random = 0, worst = 0;       // median over the rounds
 };
 
 /// Empty unless both kernels were measured.

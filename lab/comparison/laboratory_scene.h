@@ -1,4 +1,4 @@
-// Scenes on which structures are compared, made by generators.
+// Generated scenes for comparing structures.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace carom::pipeline {
 
-/// One frame of something: what render_frame takes.
+/// One frame of a scene: the arguments of render_frame.
 struct LaboratoryScene {
     std::string name;
     std::string what;  // "3375 spheres in a cube, 2 point lights"
@@ -28,10 +28,10 @@ struct LaboratorySceneName {
     std::string_view what;
 };
 
-/// All that there are.
+/// The names of all scenes.
 [[nodiscard]] std::span<const LaboratorySceneName> laboratory_scene_names();
 
-/// Throws Error that lists the names if there is none of that name.
+/// Throws Error that lists the names if `name` is unknown.
 [[nodiscard]] LaboratoryScene make_laboratory_scene(const std::string& name);
 
 }  // namespace carom::pipeline

@@ -16,17 +16,17 @@ namespace {
 constexpr double kTop = 34;  // of the panels, mm
 constexpr double kHeight = 84;
 constexpr double kBottom = kTop + kHeight;
-constexpr double kNumbers = 9;  // room for them, left of a panel
+constexpr double kNumbers = 9;  // space for the numbers, left of a panel
 constexpr double kBetween = 6;
 
-// More kinds of line than colours that everyone tells apart: the rest is dashed.
+// The number of colours that everyone can tell apart; further lines are dashed.
 constexpr std::size_t kColours = 6;
 
 std::string dashes_of(std::size_t index) {
     return index < kColours ? "none" : "1.6 0.9";
 }
 
-/// Upwards: a power of ten to a power of ten, or 0 to a round number.
+/// The vertical axis: between powers of ten, or from 0 to a round number.
 class Upwards {
   public:
     explicit Upwards(const LinePanel& panel)

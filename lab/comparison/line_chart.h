@@ -1,4 +1,4 @@
-// Curves over a logarithmic axis, as SVG.
+// Line charts over a logarithmic axis, as SVG.
 #pragma once
 
 #include <string>
@@ -15,14 +15,14 @@ struct ChartLine {
 
 struct LinePanel {
     std::string title;
-    bool is_logarithmic = true;  // upwards, too: else from 0 on
+    bool is_logarithmic = true;  // the vertical axis, too; otherwise it begins at 0
     std::vector<ChartLine> lines;
 };
 
 struct LineChart {
     std::string title;
     std::string explanation;
-    std::string across;              // what x is
+    std::string across;              // label of the x axis
     std::vector<std::string> names;  // of all lines, in the order of their colours
     std::vector<LinePanel> panels;   // from left to right
 };

@@ -1,4 +1,4 @@
-// A logarithmic scale on paper.
+// A logarithmic axis of a chart.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace carom::pipeline {
 
-/// Whole powers of ten around all values.
+/// Spans whole powers of ten around all values.
 class LogAxis {
   public:
-    /// Where the ends are on the paper, mm.
+    /// Positions of the ends on the page, mm.
     LogAxis(double from, double to) : from_(from), to_(to) {}
 
-    /// Values that are not above 0 count for nothing.
+    /// Values that are not above 0 are ignored.
     void add(double value);
     [[nodiscard]] double at(double value) const;
 

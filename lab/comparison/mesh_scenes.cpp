@@ -5,7 +5,7 @@
 
 namespace carom::pipeline {
 
-// "A teapot in a stadium": all detail is in a place that is small against the whole.
+// "A teapot in a stadium": all detail is concentrated in a small part of the scene.
 LaboratoryScene stadium() {
     LaboratoryScene scene = empty_scene("stadium", {160, 120, 4, 1});
     add_surface(scene, "stand", {0.5, 0.5, 0.55});

@@ -85,7 +85,7 @@ Mat44 turned_to(const Vec3& axis, const Vec3& place) {
 render::MeshShape knot_mesh(std::size_t triangles, double radius) {
     constexpr double kTube = 0.45;
     constexpr double kOuterRadius = 3 + kTube;
-    // About as long as wide.
+    // The triangles are about as long as wide.
     const auto around = std::max<std::size_t>(
         3, static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(triangles) / 24))));
     const std::size_t along = std::max<std::size_t>(3, triangles / (2 * around));

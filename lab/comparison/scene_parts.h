@@ -1,4 +1,4 @@
-// What the laboratory's scenes are put together from.
+// Building blocks of the laboratory's scenes.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,15 @@
 
 namespace carom::pipeline {
 
-/// Width and height of the picture, rays for a pixel, and how often they are mirrored.
+/// Width and height of the picture, rays per pixel, and number of reflections.
 struct PictureSize {
     int width = 320, height = 240;
     int samples = 1;
     int depth = 0;
 };
 
-/// A scene without objects, in the manner of the oldest ray tracers: the distributed integrator
-/// with one shadow ray to each light and one mirrored ray.
+/// A scene without objects, rendered like the oldest ray tracers: the distributed integrator with
+/// one shadow ray to each light and one reflected ray.
 [[nodiscard]] LaboratoryScene empty_scene(const std::string& name, const PictureSize& size);
 
 void add_surface(LaboratoryScene& scene, const std::string& name, const Vec3& colour,
@@ -24,14 +24,14 @@ void add_surface(LaboratoryScene& scene, const std::string& name, const Vec3& co
 void add_object(LaboratoryScene& scene, render::Shape shape, const Mat44& place,
                 const std::string& surface);
 void add_point_light(LaboratoryScene& scene, const Vec3& place, double intensity);
-/// Stands still; `fov`: vertical, rad.
+/// A static camera; `fov`: vertical, rad.
 void set_camera(LaboratoryScene& scene, const Vec3& place, const Vec3& target, double fov);
 
 [[nodiscard]] Mat44 moved_to(const Vec3& place);
-/// The z axis along `axis`.
+/// A transform that maps the z axis to `axis`.
 [[nodiscard]] Mat44 turned_to(const Vec3& axis, const Vec3& place);
 
-/// A torus knot about the origin that reaches to `radius`, of about `triangles` triangles.
+/// A torus knot about the origin with the bounding radius `radius`, of about `triangles` triangles.
 [[nodiscard]] render::MeshShape knot_mesh(std::size_t triangles, double radius);
 
 // Each is one of laboratory_scene_names().

@@ -1,6 +1,6 @@
-// The scenes of a thesis on acceleration structures ("RayTracer 2"). It tells how many shapes and
-// lights there are, how large the picture is and how deep the recursion; places, camera and rays
-// per pixel are ours, chosen so that the numbers of rays come near its own.
+// The scenes of a thesis on acceleration structures ("RayTracer 2"). It states the numbers of
+// shapes and lights, the size of the picture and the depth of the recursion; positions, camera and
+// rays per pixel are ours, chosen so that the numbers of rays are close to the published ones.
 #include <array>
 #include <cmath>
 #include <vector>

@@ -9,7 +9,7 @@ namespace carom::pipeline {
 
 namespace {
 
-/// Two columns for one of several bytes are one too many: micro signs.
+/// The display width: a micro sign has two bytes and one column.
 std::size_t columns_of(const std::string& text) {
     return static_cast<std::size_t>(std::ranges::count_if(
         text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u; }));

@@ -6,13 +6,13 @@
 
 namespace carom::pipeline {
 
-/// The first column is aligned to the left, the others to the right; each is as wide as its widest
-/// text, with two blanks between.
+/// The first column is left-aligned, the others right-aligned; each is as wide as its widest text,
+/// with two blanks between columns.
 class TextTable {
   public:
     explicit TextTable(std::vector<std::string> header) { rows_.push_back(std::move(header)); }
 
-    /// As many texts as the header has; shorter rows end early.
+    /// At most as many texts as the header has; shorter rows end early.
     void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
 
     /// Lines without trailing blanks.
@@ -25,7 +25,7 @@ class TextTable {
 /// Three significant digits or, from 100 on, whole numbers: "0.744", "65.9", "3375".
 [[nodiscard]] std::string short_number(double value);
 
-/// With a prefix from 1e4 on: "942 181" is "942k", 3169098000 is "3169M".
+/// With a unit prefix from 1e4 on: "942 181" becomes "942k", 3169098000 "3169M".
 [[nodiscard]] std::string large_number(double value);
 
 }  // namespace carom::pipeline

@@ -1,4 +1,4 @@
-// Boxes within boxes: what octree, R-tree and bounding volume hierarchy have in common.
+// Hierarchies of boxes: the common part of octree, R-tree and bounding volume hierarchy.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace carom::render {
 
-/// A node's entries are nodes or shapes, each with its box. A ray looks at the entries of a node
-/// whose boxes it enters, the nearest first. Every shape is in it once.
+/// The entries of a node are nodes or shapes, each with its box. A ray visits the entries whose
+/// boxes it enters, the nearest first. Every shape is in the hierarchy once.
 class BoxHierarchy {
   public:
     struct Entry {
@@ -22,8 +22,8 @@ class BoxHierarchy {
         bool is_shape = false;
     };
 
-    /// A node with these entries, which name nodes added before; the last one added is the root.
-    /// Returns its index. There is none without an entry.
+    /// Adds a node with these entries, which refer to nodes added before; the last node added is
+    /// the root. Returns its index. Requires at least one entry.
     std::uint32_t add_node(const std::vector<Entry>& entries) {
         nodes_.push_back({static_cast<std::uint32_t>(entries_.size()),
                           static_cast<std::uint32_t>(entries.size())});
@@ -37,7 +37,7 @@ class BoxHierarchy {
         }
         return box;
     }
-    /// As an entry of the node above it.
+    /// The entry of this node in its parent.
     [[nodiscard]] Entry entry_of(std::uint32_t node) const { return {box_of(node), node, false}; }
 
     [[nodiscard]] std::size_t bytes() const { return bytes_of(nodes_) + bytes_of(entries_); }
@@ -77,7 +77,7 @@ class BoxHierarchy {
     };
     static constexpr std::size_t kReserve = 64;
 
-    // Its entries onto the list, the farthest first.
+    // Pushes the node's entries, the farthest first.
     template <class Query>
     void enter_node(const Node& node, Query& query, std::vector<Waiting>& waiting) const {
         query.note_node();

@@ -1,4 +1,4 @@
-// Boxes over the whole shutter, for structures whose parts stand still.
+// Boxes over the whole shutter, for structures with static parts.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 
 namespace carom::render {
 
-/// Around every place that the primitive takes while the shutter is open.
+/// Around all positions of the primitive while the shutter is open.
 [[nodiscard]] inline Imath::Box3f swept_box(const Primitive& primitive) {
     Imath::Box3f box = primitive.bounds.open;
     box.extendBy(primitive.bounds.close);
     return box;
 }
 
-/// Of all bounded primitives, in their order.
+/// The boxes of all bounded primitives, in their order.
 [[nodiscard]] inline std::vector<Imath::Box3f> swept_boxes(const Primitives& primitives) {
     std::vector<Imath::Box3f> boxes;
     boxes.reserve(primitives.bounded().size());

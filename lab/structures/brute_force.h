@@ -1,4 +1,4 @@
-// Every shape for every ray: the yardstick.
+// Brute force: tests every shape for every ray. The other structures are compared with it.
 #pragma once
 
 #include <cstddef>

@@ -13,7 +13,7 @@ using Tree = PlanesTree<BspTree::kNormals>;
 using Members = std::vector<std::uint32_t>;
 
 constexpr std::size_t kFew = 2;
-constexpr double kImbalance = 0.25;  // of the difference between sides, in copies of shapes
+constexpr double kImbalance = 0.25;  // weight of the imbalance between sides, in copies of shapes
 constexpr double kMostCopies = 0.5;  // of the members
 
 Tree::Normals directions() {
@@ -22,7 +22,7 @@ Tree::Normals directions() {
     for (int x = -1; x <= 1; ++x) {
         for (int y = -1; y <= 1; ++y) {
             for (int z = 0; z <= 1; ++z) {
-                // Of each pair of opposite ones the first.
+                // The first of each pair of opposite directions.
                 if (z > 0 || y > 0 || (y == 0 && x > 0)) {
                     normals[count++] =
                         V3f(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z))
@@ -66,7 +66,7 @@ class Builder {
             }
             const auto middle = middles.begin() + static_cast<std::ptrdiff_t>(middles.size() / 2);
             std::nth_element(middles.begin(), middle, middles.end());
-            // Beside the middle one, so that it is not cut itself.
+            // Next to the median shape, so that this shape is not cut.
             float offset = *middle;
             for (const std::uint32_t member : members) {
                 if (extents[member].low <= *middle && extents[member].high >= *middle &&

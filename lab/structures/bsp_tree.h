@@ -1,14 +1,14 @@
-// Space cut by planes of any of thirteen directions.
+// Binary space partitioning with planes of thirteen directions.
 #pragma once
 
 #include "lab/structures/planes_tree.h"
 
 namespace carom::render {
 
-/// Binary space partitioning (Fuchs, Kedem and Naylor 1980, "On visible surface generation by a
-/// priori tree structures"; for rays Naylor and Thibault 1986), with planes across the axes, the
-/// diagonals of faces and those of space. Through the middle one of the shapes, that plane is taken
-/// which leaves the fewest shapes on both its sides and halves the others best.
+/// Fuchs, Kedem and Naylor 1980, "On visible surface generation by a priori tree structures"; for
+/// rays Naylor and Thibault 1986. Planes are perpendicular to the axes, the face diagonals and the
+/// space diagonals of a cube. Through the median shape, the plane is chosen that leaves the fewest
+/// shapes on both sides and divides the others most evenly.
 class BspTree {
   public:
     static constexpr std::size_t kNormals = 13;

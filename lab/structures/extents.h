@@ -1,4 +1,4 @@
-// How far shapes reach along a direction.
+// Extents of shapes along a direction.
 #pragma once
 
 #include "lab/structures/boxes.h"
@@ -15,8 +15,8 @@ struct Extent {
     }
 };
 
-/// Of the places that the shape takes, along the unit `normal`: exact for balls that stand still
-/// and for triangles of meshes, that of the box around other shapes; with room for rounding.
+/// The interval that the shape covers along the unit `normal`: exact for static balls and for mesh
+/// triangles, that of the bounding box for other shapes; with a margin for rounding.
 [[nodiscard]] Extent extent_along(const Primitives& primitives, const Primitive& shape,
                                   const V3f& normal);
 

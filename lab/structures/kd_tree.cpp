@@ -12,10 +12,11 @@ using Tree = PlanesTree<3>;
 using Members = std::vector<std::uint32_t>;
 
 constexpr std::size_t kPlaces = 32;
-constexpr std::size_t kFew = 2;       // are not split
-constexpr float kPlaneCost = 0.3f;    // of a node, in tests of a shape and its box
-constexpr float kEmptyBonus = 0.8f;   // of the cost, for cutting off empty space
-constexpr double kMostCopies = 0.75;  // of a node's members, that may lie on both sides
+constexpr std::size_t kFew = 2;      // nodes with so few shapes are not split
+constexpr float kPlaneCost = 0.3f;   // of a node, in tests of a shape and its box
+constexpr float kEmptyBonus = 0.8f;  // of the cost, for cutting off empty space
+constexpr double kMostCopies =
+    0.75;  // bound on a node's members on both sides, as a fraction of them
 
 struct Plane {
     int axis = 0;
@@ -30,7 +31,8 @@ struct Builder {
     std::uint32_t build(const Members& members, const Box& region, int depth);
 };
 
-// How many boxes begin before each place and how many end behind it says what is on either side.
+// The numbers of boxes that begin before each place and end behind it give the numbers on both
+// sides.
 std::optional<Plane> Builder::best_plane(const Members& members, const Box& region) const {
     const float area = half_area(region);
     auto best = std::optional<Plane>();
@@ -123,7 +125,7 @@ KdTree::KdTree(const Primitives& primitives) : tree_({V3f(1, 0, 0), V3f(0, 1, 0)
         tree_.bounds.extendBy(box);
     }
     if (!all.empty()) {
-        // The depth that Havran 2000, "Heuristic ray shooting algorithms", section 4.5, arrived at.
+        // The depth found by Havran 2000, "Heuristic ray shooting algorithms", section 4.5.
         const double levels = std::log2(static_cast<double>(all.size()));
         Builder{tree_, 8 + static_cast<int>(1.3 * levels)}.build(all, tree_.bounds, 0);
     }

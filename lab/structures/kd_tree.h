@@ -1,12 +1,13 @@
-// Space cut by planes across the axes.
+// A kd-tree with the surface area heuristic.
 #pragma once
 
 #include "lab/structures/planes_tree.h"
 
 namespace carom::render {
 
-/// Each plane stands where the surface area heuristic expects the fewest tests (MacDonald and Booth
-/// 1990, "Heuristics for ray tracing using space subdivision"), among 32 places for each axis.
+/// Each splitting plane is placed where the surface area heuristic expects the fewest tests
+/// (MacDonald and Booth 1990, "Heuristics for ray tracing using space subdivision"), among 32
+/// places per axis.
 class KdTree {
   public:
     explicit KdTree(const Primitives& primitives);

@@ -1,4 +1,4 @@
-// The structures that the literature compares, by name.
+// Makes the structures for comparison by their kind.
 #pragma once
 
 #include <memory>

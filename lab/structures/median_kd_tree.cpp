@@ -33,13 +33,13 @@ class MedianKdTree::Builder {
     }
 
   private:
-    /// Of a leaf, or of a node above two halves.
+    /// The entry of a leaf, or of a node above two halves.
     BoxHierarchy::Entry entry(std::span<std::uint32_t> shapes, const Box& region) {
         if (shapes.size() <= kLeafCapacity) {
             return leaf(shapes);
         }
         const auto axis = static_cast<int>(region.majorAxis());
-        // Of equal centres the lower number comes first, so that the tree is always the same one.
+        // Of equal centres the lower index comes first, so that the tree is deterministic.
         const auto place = [&](std::uint32_t shape) {
             return std::pair(boxes_[shape].center()[axis], shape);
         };

@@ -1,4 +1,4 @@
-// A kd-tree cut at the median: the shapes are divided, not the space.
+// A kd-tree of shapes, split at the median.
 #pragma once
 
 #include <span>
@@ -7,11 +7,11 @@
 
 namespace carom::render {
 
-/// The region of all shapes is cut across its longest axis at the median of the shapes' centres
+/// The region of all shapes is split across its longest axis at the median of the shapes' centres
 /// (Bentley 1975, "Multidimensional binary search trees used for associative searching"), and each
-/// half of the shapes goes to its own side. Every shape is in exactly one leaf. The tree is then
-/// refitted from the leaves upwards: the box of a node surrounds the boxes of what is below it.
-/// The shapes of a leaf share its box and are all tested by a ray that enters it.
+/// half of the shapes goes to its own side. Every shape is in exactly one leaf. The boxes are then
+/// refitted from the leaves upwards. All shapes of a leaf are tested by a ray that enters the
+/// leaf's box.
 class MedianKdTree {
   public:
     explicit MedianKdTree(const Primitives& primitives);
@@ -32,7 +32,7 @@ class MedianKdTree {
         std::uint32_t first = 0, count = 0;  // of `shapes_`
     };
 
-    /// Presents the leaves to the hierarchy as if each were one shape.
+    /// Presents each leaf to the hierarchy as one shape.
     template <class Query>
     struct LeafQuery {
         Query& query;

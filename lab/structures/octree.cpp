@@ -10,7 +10,7 @@ namespace {
 using Box = Imath::Box3f;
 
 constexpr std::size_t kFew = 4;
-constexpr int kDeepest = 24;  // beyond, centres are as good as in one place
+constexpr int kDeepest = 24;  // deeper, the centres practically coincide
 
 class Builder {
   public:

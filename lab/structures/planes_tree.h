@@ -1,4 +1,4 @@
-// The way of a ray through space that planes cut in two, again and again: kd-tree and BSP tree.
+// Traversal of space that planes divide recursively: kd-tree and BSP tree.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace carom::render {
 
-/// Planes with one of `kNormals` normals. A shape is in every leaf that it may touch and is tested
-/// once, as far as the mailbox remembers, and only if the ray enters its own box.
+/// Planes with one of `kNormals` normals. A shape is in every leaf that it may overlap. It is
+/// tested once, as far as the mailbox remembers, and only if the ray enters its own box.
 template <std::size_t kNormals>
 class PlanesTree {
   public:
@@ -23,8 +23,8 @@ class PlanesTree {
     struct Node {
         double offset = 0;         // of the plane: normal . p = offset
         std::uint32_t normal = 0;  // kNormals: a leaf
-        std::uint32_t low = 0;     // the node below the plane; of a leaf: its first shape
-        std::uint32_t high = 0;    // the node above; of a leaf: its number of shapes
+        std::uint32_t low = 0;     // the node below the plane; for a leaf: its first shape
+        std::uint32_t high = 0;    // the node above; for a leaf: its number of shapes
     };
 
     Imath::Box3f bounds;
@@ -50,7 +50,7 @@ class PlanesTree {
   private:
     struct Part {
         std::uint32_t node;
-        double from, to;  // of the ray
+        double from, to;  // interval of the ray
     };
     struct Projected {
         double origin, direction;
@@ -91,7 +91,7 @@ void PlanesTree<kNormals>::search(Query& query) const {
             const std::uint32_t near = is_low ? node.low : node.high;
             const std::uint32_t far = is_low ? node.high : node.low;
             const double t = p.direction != 0 ? (node.offset - p.origin) / p.direction : -1;
-            if (!(t > 0) || t > part.to) {  // from the plane itself there is one side ahead
+            if (!(t > 0) || t > part.to) {  // a ray from the plane itself has one side ahead
                 part.node = near;
             } else if (t < part.from) {
                 part.node = far;

@@ -1,4 +1,4 @@
-// A structure over primitives, from an index that says in which order a ray meets them.
+// A structure over primitives, from an index that determines the order of the tests.
 #pragma once
 
 #include <utility>
@@ -13,8 +13,8 @@ namespace carom::render {
 
 /// `Index(const Primitives&)` orders the bounded primitives and has
 ///   template <class Query> void search(Query& query) const,
-/// which hands `query` every primitive whose box the ray meets within its reach, until a test says
-/// that the search is over, and `std::size_t bytes() const`.
+/// which passes every primitive whose box the ray enters before its t_max to `query`, until a test
+/// ends the search, and `std::size_t bytes() const`.
 template <class Index>
 class PrimitiveStructure final : public MeasuredStructure {
   public:

@@ -1,5 +1,4 @@
-// One ray on its way through a structure: what it has met, how far it still reaches, what that
-// cost.
+// One ray's search: its nearest hit, its current t_max, and the number of tests.
 #pragma once
 
 #include <array>
@@ -12,15 +11,15 @@
 
 namespace carom::render {
 
-/// `Counting`: whether tests are counted; without, it costs nothing.
+/// `Counting`: whether tests are counted; if not, counting costs nothing.
 template <bool Counting>
 class Query {
   public:
-    /// `ray` is safe (safe_ray.h). `any`: the first hit found is enough.
+    /// `ray` is safe (safe_ray.h). `any`: the first hit found ends the search.
     Query(const Primitives& primitives, const Ray& ray, bool any)
         : primitives_(primitives), ray_(ray), any_(any) {
         best_.t = ray.t_max;
-        // As in wide_traversal-inl.h: boxes grow by a share of the origin's coordinates.
+        // As in wide_traversal-inl.h, boxes are widened by a fraction of the origin's coordinates.
         constexpr float kMarginFraction = 0x1p-18f;
         const V3f& o = ray.origin;
         const float margin = kMarginFraction * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z));
@@ -36,7 +35,7 @@ class Query {
     }
 
     [[nodiscard]] const Ray& ray() const { return ray_; }
-    /// What begins beyond this needs no look.
+    /// What begins beyond this distance need not be visited.
     [[nodiscard]] float t_max() const { return best_.t; }
     [[nodiscard]] const Hit& best() const { return best_; }
     [[nodiscard]] bool found() const { return best_.object != kNoObject; }
@@ -53,12 +52,12 @@ class Query {
         }
     }
 
-    /// Whether nothing from the distance `t` on is of interest, roundings of hits allowed for.
+    /// Whether nothing from the distance `t` on matters, with a margin for the rounding of hits.
     [[nodiscard]] bool is_beyond(double t) const {
         return t * (1 - 0x1p-18) - slack_ > static_cast<double>(best_.t);
     }
 
-    /// Whether the ray enters the box within its reach; then `enter` is where.
+    /// Whether the ray enters the box before t_max; if so, `enter` is the distance.
     [[nodiscard]] bool enters(const Imath::Box3f& box, float& enter) {
         note_boxes(1);
         float leave = best_.t;
@@ -73,7 +72,7 @@ class Query {
         return enter <= leave;
     }
 
-    /// Tests a shape; whether the search is over.
+    /// Tests a shape; returns whether the search is over.
     bool test(const Primitive& primitive) {
         if constexpr (Counting) {
             counts_.objects += 1;

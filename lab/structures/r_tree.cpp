@@ -19,7 +19,7 @@ void sort_by(Iterator begin, Iterator end, int axis) {
     });
 }
 
-// Each slice holds a whole number of nodes, so that only the last one of all is not full.
+// Each slice holds a whole number of nodes, so that only the very last node is not full.
 void tile(Iterator begin, Iterator end, int axis) {
     sort_by(begin, end, axis);
     if (axis == 2) {
@@ -36,7 +36,7 @@ void tile(Iterator begin, Iterator end, int axis) {
     }
 }
 
-// Place along a Hilbert curve through 2^21 cells to an edge.
+// Index along a Hilbert curve through 2^21 cells per edge.
 std::uint64_t hilbert_place(std::array<std::uint32_t, 3> x) {
     constexpr int kBits = 21;
     constexpr std::uint32_t kTop = 1u << (kBits - 1);
@@ -110,7 +110,7 @@ RTree<packing>::RTree(const Primitives& primitives) {
         if (packing == Packing::sort_tile_recursive) {
             tile(level.begin(), level.end(), 0);
         } else if (is_first) {
-            sort_along_curve(level);  // nodes keep the order of what is in them
+            sort_along_curve(level);  // nodes keep the order of their contents
         }
         is_first = false;
         std::vector<Entry> above;

@@ -1,4 +1,4 @@
-// Boxes packed level by level, four to a node.
+// R-trees, packed level by level with four entries per node.
 #pragma once
 
 #include "lab/structures/box_hierarchy.h"
@@ -6,8 +6,8 @@
 namespace carom::render {
 
 enum class Packing {
-    /// Sorted by x into slices, those by y into runs, those by z (Leutenegger, Lopez and Edgington
-    /// 1997, "STR: a simple and efficient algorithm for R-tree packing").
+    /// Sorted by x into slices, those by y into runs, and those by z (Leutenegger, Lopez and
+    /// Edgington 1997, "STR: a simple and efficient algorithm for R-tree packing").
     sort_tile_recursive,
     /// Sorted along a Hilbert curve through the centres (Kamel and Faloutsos 1993, "On packing
     /// R-trees"; the curve after Skilling 2004, "Programming the Hilbert curve").

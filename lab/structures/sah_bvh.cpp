@@ -10,7 +10,7 @@ namespace {
 using Box = Imath::Box3f;
 
 constexpr std::size_t kBins = 32;
-constexpr int kDeepest = 48;  // of the heuristic; below, halves
+constexpr int kDeepest = 48;  // for the heuristic; deeper nodes are halved
 
 class Builder {
   public:
@@ -91,7 +91,7 @@ class Builder {
         return result_.entry_of(build(shapes, depth));
     }
 
-    // Of two shapes or more; sorts `shapes` into halves.
+    // For two or more shapes; sorts `shapes` into two parts.
     std::uint32_t build(std::span<std::uint32_t> shapes, int depth) {
         Box centres;
         for (const std::uint32_t shape : shapes) {

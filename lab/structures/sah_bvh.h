@@ -1,13 +1,13 @@
-// A binary hierarchy of boxes by the surface area heuristic.
+// A binary bounding volume hierarchy with the surface area heuristic.
 #pragma once
 
 #include "lab/structures/box_hierarchy.h"
 
 namespace carom::render {
 
-/// Shapes are split where the expected number of tests is least, a box being entered in proportion
-/// to its surface (Goldsmith and Salmon 1987; MacDonald and Booth 1990), among 32 bins to an axis
-/// (Wald 2007, "On fast construction of SAH-based bounding volume hierarchies").
+/// Nodes are split where the expected number of tests is least, with the probability of entering a
+/// box proportional to its surface (Goldsmith and Salmon 1987; MacDonald and Booth 1990), among 32
+/// bins per axis (Wald 2007, "On fast construction of SAH-based bounding volume hierarchies").
 class SahBvh : public BoxHierarchy {
   public:
     explicit SahBvh(const Primitives& primitives);

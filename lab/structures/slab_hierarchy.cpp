@@ -34,7 +34,7 @@ SlabHierarchy::SlabHierarchy(const Primitives& primitives) {
     }
 }
 
-// Halves across the axis along which the shapes' middles spread farthest.
+// Splits in half across the axis along which the shapes' centres spread farthest.
 std::uint32_t SlabHierarchy::build(std::vector<std::uint32_t>& order, std::size_t first,
                                    std::size_t count,
                                    const std::vector<std::array<Extent, kNormals>>& extents) {

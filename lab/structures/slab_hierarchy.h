@@ -1,4 +1,4 @@
-// Shapes between seven pairs of planes.
+// A hierarchy of volumes bounded by seven slabs.
 #pragma once
 
 #include <array>
@@ -12,9 +12,9 @@
 
 namespace carom::render {
 
-/// Kay and Kajiya 1986, "Ray tracing complex scenes": volumes between planes across the axes and
-/// the diagonals of space, in a binary tree by sorted middles, its nodes taken from a heap by the
-/// distance at which the ray enters them.
+/// Kay and Kajiya 1986, "Ray tracing complex scenes": volumes between planes perpendicular to the
+/// axes and the space diagonals, in a binary tree by sorted centres; nodes are taken from a heap by
+/// the distance at which the ray enters them.
 class SlabHierarchy {
   public:
     static constexpr std::size_t kNormals = 7;
@@ -29,16 +29,16 @@ class SlabHierarchy {
   private:
     struct Node {
         std::array<Extent, kNormals> slabs;
-        std::uint32_t left = 0;   // node; of a leaf: the shape
+        std::uint32_t left = 0;   // a node; for a leaf: the shape
         std::uint32_t right = 0;  // 0: a leaf
     };
     struct Waiting {
         float enter;
         std::uint32_t node;
-        // The heap's top is the nearest.
+        // The heap's top is the nearest node.
         bool operator<(const Waiting& other) const { return enter > other.enter; }
     };
-    /// The ray along the normals.
+    /// The ray projected onto the normals.
     struct Projected {
         std::array<float, kNormals> origin, inverse, margin;
     };
@@ -50,7 +50,7 @@ class SlabHierarchy {
     std::uint32_t build(std::vector<std::uint32_t>& order, std::size_t first, std::size_t count,
                         const std::vector<std::array<Extent, kNormals>>& extents);
 
-    std::vector<Node> nodes_;  // the root first
+    std::vector<Node> nodes_;  // the root is the first
 };
 
 template <class Query>

@@ -26,7 +26,7 @@ UniformGrid::UniformGrid(const Primitives& primitives) {
         edge_[k] = std::max(size[axis], 1e-30) / count_[k];
         cells *= static_cast<std::size_t>(count_[k]);
     }
-    // Twice: how many there are in a cell, then which.
+    // Two passes: the first counts the shapes of each cell, the second lists them.
     first_.assign(cells + 1, 0);
     const auto for_each_cell = [&](const Imath::Box3f& box, const auto& work) {
         std::array<int, 3> low{};

@@ -1,4 +1,4 @@
-// Space in equal cells.
+// A uniform grid.
 #pragma once
 
 #include <array>
@@ -12,9 +12,9 @@
 
 namespace carom::render {
 
-/// A ray goes from cell to cell in its order (Fujimoto, Tanaka and Iwata 1986, "ARTS: accelerated
-/// ray-tracing system"; Amanatides and Woo 1987). About four cells to a shape. A shape is in every
-/// cell that its box touches and is tested once, as far as the mailbox remembers.
+/// A ray visits cell after cell (Fujimoto, Tanaka and Iwata 1986, "ARTS: accelerated ray-tracing
+/// system"; Amanatides and Woo 1987). There are about four cells per shape. A shape is in every
+/// cell that its box overlaps and is tested once, as far as the mailbox remembers.
 class UniformGrid {
   public:
     explicit UniformGrid(const Primitives& primitives);
@@ -40,7 +40,7 @@ class UniformGrid {
     Imath::Box3f bounds_;
     std::array<int, 3> count_{};
     std::array<double, 3> edge_{};      // of a cell, m
-    std::vector<std::uint32_t> first_;  // by cell, and one more: where the last one's end
+    std::vector<std::uint32_t> first_;  // by cell, with the total number at the end
     std::vector<std::uint32_t> shapes_;
 };
 
@@ -52,7 +52,7 @@ void UniformGrid::search(Query& query) const {
     }
     const Ray& ray = query.ray();
     std::array<int, 3> at{};
-    std::array<double, 3> next{};  // where the ray leaves the cell along each axis
+    std::array<double, 3> next{};  // distance at which the ray leaves the cell along each axis
     const auto leaves = [&](int axis) {
         const auto k = static_cast<std::size_t>(axis);
         const auto d = static_cast<double>(ray.direction[axis]);

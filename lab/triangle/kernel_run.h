@@ -1,4 +1,4 @@
-// A kernel in one of its forms, ready to be run over rays and triangles.
+// A kernel in one of its forms, ready to run over rays and triangles.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace carom::render::triangle {
 
-/// t = infinity, triangle = -1: none.
+/// t = infinity and triangle = -1: no hit.
 struct NearestHit {
     double t = std::numeric_limits<double>::infinity();
     double u = 0, v = 0;         // weights of the second and third corner
-    std::int64_t triangle = -1;  // counted within the group; of equally near ones the first
+    std::int64_t triangle = -1;  // index in the group; of equally near ones the first
 };
 
 class KernelRun {
@@ -25,23 +25,23 @@ class KernelRun {
     KernelRun(const KernelRun&) = delete;
     KernelRun& operator=(const KernelRun&) = delete;
 
-    /// Tests every ray against every triangle of its group, in order; each keeps its nearest hit
-    /// and asks only for nearer ones.
+    /// Tests every ray against every triangle of its group, in order; each ray keeps its nearest
+    /// hit and accepts only nearer ones.
     virtual void run() = 0;
 
-    /// How it tests: as asked.
+    /// The packing in use.
     [[nodiscard]] virtual Packing packing() const = 0;
 
-    /// Of every ray, after run().
+    /// The nearest hit of every ray, after run().
     [[nodiscard]] virtual std::vector<NearestHit> hits() const = 0;
 };
 
-/// Has its own copies of the rays, and of the triangles in the input's form. The form is one of
-/// all_forms().
+/// The run has its own copies of the rays, and of the triangles in the input's form. The form must
+/// be one of all_forms().
 [[nodiscard]] std::unique_ptr<KernelRun> make_run(const Variant& variant, const TestSet& set);
 
-/// The measure of all: Möller and Trumbore's kernel in double precision; for double precision
-/// itself, in long double.
+/// The reference for all kernels: Möller and Trumbore's kernel in double precision; for double
+/// precision itself, in long double.
 [[nodiscard]] std::vector<NearestHit> reference_hits(Precision precision, const TestSet& set);
 
 }  // namespace carom::render::triangle

@@ -1,5 +1,5 @@
-// The seven kernels in the lanes of vectors: several rays against one triangle, or one ray against
-// several triangles. Included once per instruction set, after <hwy/highway.h>.
+// The seven kernels in vector lanes: several rays against one triangle, or one ray against several
+// triangles. Included once per instruction set, after <hwy/highway.h>.
 #if defined(CAROM_TRIANGLE_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_TRIANGLE_KERNELS_INL_H
 #undef CAROM_TRIANGLE_KERNELS_INL_H
@@ -21,7 +21,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class D>
 using VectorLanes = render::HWY_NAMESPACE::VectorLanes<D>;
 
-/// A ray in every lane, one triangle in all: its axis is one number.
+/// A ray in every lane and one triangle in all: the axis is a single number.
 template <class D>
 struct RaysInLanes : VectorLanes<D> {
     using typename VectorLanes<D>::Value;
@@ -32,7 +32,7 @@ struct RaysInLanes : VectorLanes<D> {
     static HWY_INLINE Value before(const Value (&x)[3], const Axis& axis) { return x[axis.v]; }
 };
 
-/// A triangle in every lane, one ray in all: every lane has its own axis.
+/// A triangle in every lane and one ray in all: every lane has its own axis.
 template <class D>
 struct TrianglesInLanes : VectorLanes<D> {
     using typename VectorLanes<D>::Value;
@@ -49,7 +49,7 @@ struct TrianglesInLanes : VectorLanes<D> {
         const Mask x_first = hn::Ge(x, y);
         return {hn::And(x_first, hn::Ge(x, z)), hn::AndNot(x_first, hn::Ge(y, z))};
     }
-    /// From numbers 0, 1 and 2.
+    /// From the numbers 0, 1 and 2.
     static HWY_INLINE Axis axis_of(Value w) {
         const D d;
         return {hn::Eq(w, hn::Zero(d)), hn::Eq(w, hn::Set(d, 1))};

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array kPrecisions = {Precision::single_precision, Precision::double_precision};
 
-/// Millions of tests per second: the better of two runs after one that fills the caches.
+/// Millions of tests per second: the better of two runs after one that warms the caches.
 double rate_of(const Variant& variant, const TestSet& set) {
     const auto run = make_run(variant, set);
     run->run();
@@ -58,12 +58,12 @@ FormErrors errors_of(const Form& form, Precision precision, const TestSet& set,
     return errors;
 }
 
-/// Steps of about the same length.
+/// Steps of about the same duration.
 class Steps {
   public:
     Steps(std::size_t total, const WorkContext& context) : total_(total), context_(context) {}
 
-    /// False: no more.
+    /// Returns false when no step is left.
     [[nodiscard]] bool next() {
         if (context_.stop.stop_requested()) {
             return false;

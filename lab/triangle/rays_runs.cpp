@@ -1,6 +1,6 @@
 #include "lab/triangle/run_factories.h"
 
-// The tiers between bring nothing; those above AVX2 are used nowhere.
+// The targets between gain nothing; those above AVX2 are not used anywhere.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "lab/triangle/rays_runs.cpp"
@@ -18,7 +18,7 @@ HWY_INLINE void broadcast_numbers(From from, To to, std::index_sequence<kIndices
     ((std::get<kIndices>(to) = L::all(std::get<kIndices>(from))), ...);
 }
 
-/// A record of one triangle, for all lanes.
+/// The record of one triangle in all lanes.
 template <class Kernel, class L, class T>
 HWY_INLINE typename Kernel::template Record<L> broadcast(
     const typename Kernel::template Record<ScalarLanes<T>>& record) {
@@ -32,7 +32,7 @@ HWY_INLINE typename Kernel::template Record<L> broadcast(
     return result;
 }
 
-/// kCount rays against one triangle after the other.
+/// kCount rays against one triangle after another.
 template <class Kernel, Input kInput, Division kDivision, class T, int kCount>
 class RaysRun final : public KernelRun {
     using D = hn::CappedTag<T, kCount>;

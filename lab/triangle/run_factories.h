@@ -1,4 +1,4 @@
-// Where make_run() gets its runs from: scalars, and vectors of the processor's instruction set.
+// Factories of make_run(): scalar runs, and vector runs for the processor's instruction set.
 #pragma once
 
 #include <memory>

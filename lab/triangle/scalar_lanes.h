@@ -1,4 +1,4 @@
-// The lane type of scalar tests for all kernels, also those that look along an axis.
+// The scalar lane type for all kernels, including those that project along an axis.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace carom::render::triangle {
 
-/// The axis along which a triangle is seen, and the two after it (x, y, z, x): all three are kept,
-/// since they are what a test waits for.
+/// The projection axis of a triangle and the two axes that follow it (x, y, z, x): all three are
+/// stored, because tests wait for them.
 struct AxisOrder {
     std::uint32_t w, u, v;
 };
@@ -22,7 +22,8 @@ struct ScalarLanes : render::ScalarLanes<T> {
     using Value = T;
     using Axis = AxisOrder;
 
-    /// The axis along which a vector is longest, and a vector's parts along it and the two after.
+    /// The axis of a vector's largest component, and the components along it and the two following
+    /// axes.
     static Axis longest_axis(const Value (&v)[3]) {
         const T x = std::abs(v[0]);
         const T y = std::abs(v[1]);

@@ -9,7 +9,7 @@ namespace carom::render::triangle {
 
 namespace {
 
-/// Evenly distributed numbers; those of the standard library differ from one library to the other.
+/// Uniform random numbers; those of the standard library differ between implementations.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : random_(seed) {}
@@ -27,7 +27,7 @@ class Random {
     SplitMix64 random_;
 };
 
-/// Two directions across a third one, all of unit length and at right angles.
+/// Two unit vectors perpendicular to a third one and to each other.
 struct Frame {
     Imath::V3d along, x, y;
 

@@ -1,6 +1,6 @@
 #include "lab/triangle/run_factories.h"
 
-// As in rays_runs.cpp.
+// See rays_runs.cpp.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "lab/triangle/triangles_runs.cpp"
@@ -32,7 +32,7 @@ HWY_INLINE void load_numbers(Numbers numbers, const Block& block, int lane,
     ((std::get<kIndices>(numbers) = hn::Load(D(), block.number[kIndices] + lane)), ...);
 }
 
-/// One ray after the other against kCount triangles.
+/// One ray after another against kCount triangles.
 template <class Kernel, Input kInput, Division kDivision, class T, int kCount>
 class TrianglesRun final : public KernelRun {
     using D = hn::CappedTag<T, kCount>;

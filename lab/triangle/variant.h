@@ -1,4 +1,4 @@
-// The kernels by name, and the forms in which each can be run.
+// The kernels by name, and the forms in which each can run.
 #pragma once
 
 #include <array>
@@ -23,18 +23,18 @@ enum class KernelName {
 };
 inline constexpr int kKernelCount = 7;
 
-/// What a test starts from: the corners, these and a normal that is there for other reasons, or a
-/// record made for the test when the scene was set up.
+/// The input of a test: the corners, the corners with a normal that exists for other reasons, or a
+/// record prepared when the scene is set up.
 enum class Input { corners, corners_and_normal, record };
 
-/// How many at a time.
+/// The number of tests at a time.
 enum class Packing { single, four_rays, eight_rays, four_triangles, eight_triangles };
 inline constexpr std::array kPackings = {Packing::single, Packing::four_rays, Packing::eight_rays,
                                          Packing::four_triangles, Packing::eight_triangles};
 
 enum class Precision { single_precision, double_precision };
 
-/// A kernel with an input that it is known with, and one of the two places for its division.
+/// A kernel with one of its inputs, and one of the two places of its division.
 struct Form {
     KernelName kernel = KernelName::moller_trumbore;
     Input input = Input::corners;
@@ -43,7 +43,7 @@ struct Form {
     friend bool operator==(const Form&, const Form&) = default;
 };
 
-/// A form as it is run.
+/// A form with its precision and packing.
 struct Variant {
     Form form;
     Packing packing = Packing::single;
@@ -52,12 +52,11 @@ struct Variant {
     friend bool operator==(const Variant&, const Variant&) = default;
 };
 
-/// All forms, kernel by kernel in the order of the enumeration. Without a record where the kernel
-/// is a test of points (Keidy), with nothing else where the record is the kernel's idea (Shevtsov,
-/// Wald, perpendicular planes).
+/// All forms, kernel by kernel in the order of the enumeration. Point tests (Keidy) have no record;
+/// kernels whose idea is the record (Shevtsov, Wald, perpendicular planes) have nothing else.
 [[nodiscard]] std::span<const Form> all_forms();
 
-/// For people: "Möller–Trumbore". For options and data: "moller_trumbore", "corners", "deferred",
+/// For display: "Möller–Trumbore". For options and data: "moller_trumbore", "corners", "deferred",
 /// "eight_rays", "float".
 [[nodiscard]] std::string_view title(KernelName kernel);
 [[nodiscard]] std::string_view name(KernelName kernel);
@@ -66,7 +65,7 @@ struct Variant {
 [[nodiscard]] std::string_view name(Packing packing);
 [[nodiscard]] std::string_view name(Precision precision);
 
-/// Empty if there is none of that name.
+/// Empty if the name is unknown.
 [[nodiscard]] std::optional<KernelName> find_kernel(std::string_view name);
 
 }  // namespace carom::render::triangle

@@ -1,4 +1,4 @@
-// What runs in vectors have in common. Included once per instruction set, after kernels-inl.h.
+// The common part of vector runs. Included once per instruction set, after kernels-inl.h.
 #if defined(CAROM_TRIANGLE_VECTOR_RUNS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_TRIANGLE_VECTOR_RUNS_INL_H
 #undef CAROM_TRIANGLE_VECTOR_RUNS_INL_H

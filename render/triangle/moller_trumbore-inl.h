@@ -17,7 +17,8 @@ namespace carom::render::triangle::HWY_NAMESPACE {
 
 #define CAROM_KERNEL HWY_INLINE
 
-// The order of these matters. clang-format off
+// The order of these matters.
+// clang-format off
 #include "render/triangle/kernels/common.h"
 #include "render/triangle/kernels/moller_trumbore.h"
 // clang-format on

@@ -13,7 +13,8 @@ namespace carom::render::triangle::scalar {
 
 #define CAROM_KERNEL [[gnu::always_inline]] inline
 
-// The order of these matters. clang-format off
+// The order of these matters.
+// clang-format off
 #include "render/triangle/kernels/common.h"
 #include "render/triangle/kernels/moller_trumbore.h"
 // clang-format on

@@ -1,4 +1,4 @@
-// These three come before the kernels that use them.
+// The order matters: these three come before the kernels that use them.
 // clang-format off
 #include "render/triangle/kernels/common.h"
 #include "lab/triangle/kernels/axis_plane.h"

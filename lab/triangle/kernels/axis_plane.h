@@ -1,6 +1,6 @@
-/// Begins a record that sees a triangle along the axis w that its normal follows most: w, and the
-/// plane x_w + normal_u x_u + normal_v x_v = plane of a normal scaled so that its part along w
-/// is 1. Returns the scale.
+/// Begins a record for projection along the axis w of the normal's largest component: w, and the
+/// plane x_w + normal_u x_u + normal_v x_v = plane, with the normal scaled so that its component
+/// along w is 1. Returns the scale.
 template <class L, class Record>
 CAROM_KERNEL typename L::Value set_axis_and_plane(const Corners<L>& corners, Record& record) {
     const auto normal = normal_of(corners);

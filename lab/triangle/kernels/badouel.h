@@ -1,6 +1,7 @@
 /// Badouel 1990, "An efficient ray-polygon intersection", Graphics Gems: the point in the plane,
-/// then its weights, seen along the axis w that the normal follows most. The two equations for the
-/// weights are solved by Cramer's rule, which needs no case for a zero and one division for both.
+/// then its weights, projected along the axis w of the normal's largest component. The two
+/// equations for the weights are solved by Cramer's rule, which needs no special case for zero and
+/// one division for both.
 struct Badouel {
     template <class L>
     struct Record {

@@ -1,4 +1,4 @@
-/// Calls make.operator()<Kernel, kInput, kDivision>() for a form; null if there is no such form.
+/// Calls make.operator()<Kernel, kInput, kDivision>() for a form; null if the form does not exist.
 template <class Kernel, Input kInput, class Make>
 std::unique_ptr<KernelRun> with_division(Division division, const Make& make) {
     if (division == Division::early) {
@@ -41,8 +41,8 @@ std::unique_ptr<KernelRun> with_form(const Form& form, const Make& make) {
     return nullptr;
 }
 
-/// A run of this class template in a form; kCount: none, or how many a run in vectors takes at a
-/// time.
+/// A run of this class template in a form; kCount: empty, or the number that a vector run takes at
+/// once.
 template <template <class, Input, Division, class, int...> class Run, class T, int... kCount>
 std::unique_ptr<KernelRun> make_in_form(const Form& form, const TestSet& set) {
     return with_form(
@@ -51,7 +51,7 @@ std::unique_ptr<KernelRun> make_in_form(const Form& form, const TestSet& set) {
         });
 }
 
-/// What a kernel takes as each input.
+/// A kernel's view of each input.
 template <class Kernel, Input kInput, class L>
 struct InputChoice {
     using Type = typename Kernel::template Record<L>;
@@ -86,7 +86,7 @@ Triple<T> triple(const V3f& v) {
     return {{v.x, v.y, v.z}};
 }
 
-/// A set's triangle as an input, computed in T.
+/// A triangle of a set as an input, computed in T.
 template <class Kernel, Input kInput, class T>
 InputOf<Kernel, kInput, ScalarLanes<T>> make_input(const TriangleCorners& triangle) {
     using L = ScalarLanes<T>;

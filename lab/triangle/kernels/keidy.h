@@ -1,8 +1,8 @@
-/// A test of a point in a triangle that goes by the name of Keidy of the Mr Gamemaker forum: in
-/// Fauerby 2003, "Improved collision detection and response"; derived in Sunday 2001,
-/// "Intersection of rays and triangles", from perpendicular products within the plane. The weights
-/// come from products of the edges with each other and with the point, without an axis:
-///   u = ((b.c)(p.c) - (c.c)(p.b)) / ((b.c)^2 - (b.b)(c.c)),  v the same with b and c exchanged.
+/// A point-in-triangle test attributed to Keidy of the Mr Gamemaker forum in Fauerby 2003,
+/// "Improved collision detection and response"; derived in Sunday 2001, "Intersection of rays and
+/// triangles", from perpendicular products within the plane. The weights are computed from products
+/// of the edges with each other and with the point, without an axis:
+///   u = ((b.c)(p.c) - (c.c)(p.b)) / ((b.c)^2 - (b.b)(c.c)),  v likewise with b and c exchanged.
 struct Keidy {
     template <class L>
     struct Record {

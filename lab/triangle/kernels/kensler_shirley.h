@@ -1,6 +1,6 @@
 /// Kensler and Shirley 2006, "Optimizing ray-triangle intersection via automated search", IEEE
 /// Symposium on Interactive Ray Tracing: the arrangement of signed volumes that their search found
-/// to be the fastest, distance first. The normal depends on the triangle alone.
+/// to be fastest, distance first. The normal depends only on the triangle.
 ///   n = (b - a) x (a - c),  i = (a - o) x d
 ///   t, u, v = (n.(a - o), i.(a - c), i.(b - a)) / n.d
 struct KenslerShirley {

@@ -1,6 +1,7 @@
 /// Perpendicular planes: Wald's test without an axis, from a Czech thesis of 2008 on the speed of
-/// ray-triangle tests. The weights are distances from planes that stand on the triangle's own along
-/// two edges, with normals so long that the corner opposite is at distance 1:
+/// ray-triangle tests. The weights are distances from planes that are perpendicular to the
+/// triangle's plane along two edges, with normals scaled so that the opposite corner is at distance
+/// 1:
 ///   n_b = (c - a) x n / |n|^2,  n_c = n x (b - a) / |n|^2
 struct PerpendicularPlanes {
     template <class L>

@@ -1,5 +1,6 @@
-/// Where a ray meets a plane n.p = plane, for the kernels that test the point afterwards: t =
-/// height / n.d, and the point seen from a place, both times what stands for 1.
+/// The point where a ray crosses a plane n.p = plane, for the kernels that test the point
+/// afterwards: t = height / n.d, and the point relative to a given origin, both times the number
+/// that stands for 1.
 template <Division kDivision, class L>
 struct PlanePoint {
     using V = typename L::Value;
@@ -9,7 +10,7 @@ struct PlanePoint {
 
     CAROM_KERNEL PlanePoint(V height, V along) : below(along), t(below.quotient(height)) {}
 
-    /// The point's coordinate, less what `origin` is less already.
+    /// The point's coordinate relative to the same origin as `origin`.
     [[nodiscard]] CAROM_KERNEL V coordinate(V origin, V direction) const {
         return below.times(origin) + direction * t;
     }
@@ -21,8 +22,8 @@ struct PlanePoint {
     }
 };
 
-/// Weights with a positive denominator of their own, of a point in a plane. Deferred, one division
-/// serves both; early, each has its own.
+/// Weights of a point in a plane with a positive denominator of their own. With deferred division,
+/// one division serves both denominators; with early division each has its own.
 template <Division kDivision, class L>
 CAROM_KERNEL HitIn<L> hit_in_plane(const RayIn<L>& ray, const PlanePoint<kDivision, L>& plane,
                                    typename L::Value u, typename L::Value v, typename L::Value area,

@@ -1,6 +1,7 @@
 /// Shevtsov, Soupikov and Kapustin 2007, "Ray-triangle intersection algorithm for modern CPU
-/// architectures", GraphiCon: volumes, seen along the axis w that the normal follows most; the
-/// normal is scaled so that its part along w is 1, the edges are divided by that part.
+/// architectures", GraphiCon: volumes, projected along the axis w of the normal's largest
+/// component; the normal is scaled so that its component along w is 1, and the edges are divided by
+/// that component.
 struct ShevtsovSoupikovKapustin {
     template <class L>
     struct Record {
@@ -51,7 +52,7 @@ struct ShevtsovSoupikovKapustin {
         if (L::none(valid)) {
             return missed<L>();
         }
-        // From the corner to the point in the plane, times the determinant.
+        // The vector from the corner to the point in the plane, times the determinant.
         const auto from_a_u = d_u * height - determinant * (triangle.a_u - o_u);
         const auto from_a_v = d_v * height - determinant * (triangle.a_v - o_v);
         const auto u = below.quotient(triangle.edge_c_v * from_a_u - triangle.edge_c_u * from_a_v);

@@ -1,12 +1,13 @@
 /// Wald 2004, "Realtime ray tracing and interactive global illumination" (dissertation, Saarland
-/// University), section 7.1: Badouel's test with all that the ray does not change in a record of
-/// nine numbers and an axis. The weights are distances from two lines, seen along w.
+/// University), section 7.1: Badouel's test with everything that does not depend on the ray in a
+/// record of nine numbers and an axis. The weights are distances from two lines in the projection
+/// along w.
 struct Wald {
     template <class L>
     struct Record {
         using V = typename L::Value;
         static constexpr bool kHasAxis = true;
-        V normal_u, normal_v, plane;  // scaled so that the normal's part along w is 1
+        V normal_u, normal_v, plane;  // scaled so that the normal's component along w is 1
         V b_u, b_v, b_d;              // weight of b = b_u p_u + b_v p_v + b_d
         V c_u, c_v, c_d;
         typename L::Axis axis;
