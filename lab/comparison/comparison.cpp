@@ -48,7 +48,7 @@ RenderSettings one_sample(RenderSettings settings) {
 }
 
 /// The same view with a fraction of the pixels.
-RenderSettings in_part(RenderSettings settings, double fraction) {
+RenderSettings scaled_down(RenderSettings settings, double fraction) {
     const double scale = std::sqrt(std::min(fraction, 1.0));
     const auto smaller = [&](int size) {
         return std::max(1, static_cast<int>(std::lround(size * scale)));
@@ -137,7 +137,7 @@ class ComparisonRun {
     void compute(ComparedStructure& row, double all_tests) {
         constexpr double kPart = 0.25;  // of the tests that are allowed
         const RenderSettings part =
-            in_part(scene_.settings, kPart * options_.most_tests / all_tests);
+            scaled_down(scene_.settings, kPart * options_.most_tests / all_tests);
         const AccelerationKind kind = AccelerationKind::brute_force;
         const TestCounts counts = count(kind, row.shadow_rays, part);
         const MeasuredFrame timed = least_time(kind, row.shadow_rays, part);
@@ -185,9 +185,9 @@ class ComparisonRun {
         const double steps =
             2.0 * static_cast<double>(options_.structures.size() * options_.shadow_rays.size());
         const WorkContext context{[&, kind](double fraction) {
-                                      told_ = std::max(told_,
-                                                       std::min(1.0, (done_ + fraction) / steps));
-                                      progress_(name_of(kind), told_);
+                                      reported_ = std::max(
+                                          reported_, std::min(1.0, (done_ + fraction) / steps));
+                                      progress_(name_of(kind), reported_);
                                   },
                                   stop_};
         const MeasuredFrame result =
@@ -203,13 +203,13 @@ class ComparisonRun {
     FrameMeter meter_;
     Comparison result_;
     std::map<std::pair<AccelerationKind, ShadowRays>, TestCounts> counted_;
-    double done_ = 0;  // frames
-    double told_ = 0;  // fraction that was reported
+    double done_ = 0;      // frames
+    double reported_ = 0;  // fraction that was reported
 };
 
 }  // namespace
 
-const ComparedStructure* Comparison::yardstick(const ComparedStructure& row) const {
+const ComparedStructure* Comparison::brute_force_row(const ComparedStructure& row) const {
     const auto is_it = [&](const ComparedStructure& other) {
         return other.name == name_of(AccelerationKind::brute_force) &&
                other.shadow_rays == row.shadow_rays;

@@ -53,7 +53,7 @@ struct Comparison {
     bool is_whole = false;  // false: stopped before all rows were measured
 
     /// The row of brute force with the same shadow rays; null if it is missing.
-    [[nodiscard]] const ComparedStructure* yardstick(const ComparedStructure& row) const;
+    [[nodiscard]] const ComparedStructure* brute_force_row(const ComparedStructure& row) const;
 };
 
 /// `doing`: the current structure; `fraction`: of all work, in [0, 1].

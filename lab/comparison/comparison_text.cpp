@@ -57,7 +57,7 @@ std::string costs(const Comparison& comparison) {
     const auto rays = static_cast<double>(comparison.rays.total().rays);
     for (const ComparedStructure& row : comparison.rows) {
         const KindCounts total = row.tests.total();
-        const ComparedStructure* yardstick = comparison.yardstick(row);
+        const ComparedStructure* brute_force_row = comparison.brute_force_row(row);
         std::vector<std::string> cells{name_in(comparison, row),
                                        short_number(1e3 * row.build_seconds),
                                        short_number(1e-3 * static_cast<double>(row.bytes))};
@@ -65,14 +65,14 @@ std::string costs(const Comparison& comparison) {
         cells.push_back(row.is_counted ? large_number(static_cast<double>(total.boxes)) : "-");
         cells.push_back(short_number(row.cpu_seconds));
         cells.push_back(short_number(1e-6 * rays / row.cpu_seconds));
-        const bool has_tests = yardstick != nullptr && row.is_counted && total.objects > 0;
-        cells.push_back(has_tests
-                            ? short_number(static_cast<double>(yardstick->tests.total().objects) /
-                                           static_cast<double>(total.objects)) +
-                                  "x"
-                            : "-");
-        cells.push_back(yardstick != nullptr
-                            ? short_number(yardstick->cpu_seconds / row.cpu_seconds) + "x"
+        const bool has_tests = brute_force_row != nullptr && row.is_counted && total.objects > 0;
+        cells.push_back(
+            has_tests ? short_number(static_cast<double>(brute_force_row->tests.total().objects) /
+                                     static_cast<double>(total.objects)) +
+                            "x"
+                      : "-");
+        cells.push_back(brute_force_row != nullptr
+                            ? short_number(brute_force_row->cpu_seconds / row.cpu_seconds) + "x"
                             : "-");
         table.add(std::move(cells));
     }

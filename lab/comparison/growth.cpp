@@ -37,7 +37,7 @@ StaticGeometry geometry_of(const LaboratoryScene& scene, AccelerationKind kind) 
 }
 
 /// The number of rays that hit something.
-std::size_t ask(const render::AccelerationStructure& structure, std::span<const Ray> rays) {
+std::size_t trace(const render::AccelerationStructure& structure, std::span<const Ray> rays) {
     std::size_t hits = 0;
     for (const Ray& ray : rays) {
         render::Hit hit;
@@ -48,7 +48,7 @@ std::size_t ask(const render::AccelerationStructure& structure, std::span<const 
 }
 
 /// Batches of closest-hit queries, as in the product.
-void ask(const render::AccelerationStructure& structure, const std::vector<RayArrays>& arrays) {
+void trace(const render::AccelerationStructure& structure, const std::vector<RayArrays>& arrays) {
     for (const RayArrays& rays : arrays) {
         std::array<render::Hit, kBatchRays> hits;
         structure.closest_hits(rays.batch(), hits.data());
@@ -95,13 +95,13 @@ void time_rays(const render::AccelerationStructure& structure, const RaysByKind&
         return count == 0 ? 0 : seconds / static_cast<double>(count);
     };
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const auto one_by_one = [&] { static_cast<void>(ask(structure, rays[i])); };
+        const auto one_by_one = [&] { static_cast<void>(trace(structure, rays[i])); };
         point.seconds_per_ray[i] = per_ray(least_seconds(one_by_one, enough, stop), rays[i].size());
     }
     std::vector<Ray> both = rays[0];
     both.insert(both.end(), rays[1].begin(), rays[1].end());
     const std::vector<RayArrays> arrays = arrays_of(both);
-    const auto in_batches = [&] { ask(structure, arrays); };
+    const auto in_batches = [&] { trace(structure, arrays); };
     point.seconds_per_ray_of_batch = per_ray(least_seconds(in_batches, enough, stop), both.size());
 }
 
@@ -123,7 +123,7 @@ GrowthPoint point_of(AccelerationKind kind, const LaboratoryScene& scene, std::s
         const FrameScene counting = frame_of(geometry, scene, {.counts = true});
         for (const std::vector<Ray>& of_kind : rays) {
             check_stop(stop);
-            static_cast<void>(ask(counting.structure(), of_kind));
+            static_cast<void>(trace(counting.structure(), of_kind));
         }
         point.tests = counting.cost().counts;
     }

@@ -17,8 +17,8 @@ struct MeasureOptions {
     std::uint64_t seed = 1;
 };
 
-/// Millions of tests per second of CPU time, one number per round. A round takes about a minute, so
-/// that ratios are most reliable within the same round.
+/// Millions of tests per second of CPU time, one number per round. The rates of a round are
+/// measured within the same minute, so that ratios are best taken round by round.
 struct VariantRates {
     Variant variant;
     std::vector<double> random;  // make_random_set

@@ -1,4 +1,4 @@
-// What people read of a comparison.
+// The text output of a comparison.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Round numbers, so that what is derived from them is seen at once.
+/// Round numbers make derived numbers obvious.
 Comparison two_rows() {
     Comparison comparison;
     comparison.name = "cube";
@@ -85,7 +85,7 @@ TEST(ComparisonPlot, HasABarForEveryKindAndStructure) {
          at = svg.find("<rect", at + 1)) {
         bars += 1;
     }
-    // Paper, two legends; objects of two structures and boxes of one for two kinds; three times.
+    // The page, two legends; objects of two structures and boxes of one for two kinds; three times.
     EXPECT_EQ(bars, 1u + 2 + 4 + 2 + 3);
 }
 

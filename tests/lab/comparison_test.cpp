@@ -59,7 +59,7 @@ TEST(Comparison, Mirrors_AreCountedAsSecondaryRays) {
     EXPECT_EQ(compared(scene, options_of("kdtree")).rays[RayKind::secondary].rays, 0u);
 }
 
-/// The wave of paths, paths one by one, and the distributed integrator.
+/// Waves of paths, single paths, and the distributed integrator.
 TEST(Comparison, PathsOfLight_HaveAllKindsOfRays) {
     LaboratoryScene scene = small_scene("stadium");
     scene.settings.integrator = render::IntegratorKind::path;
@@ -86,8 +86,8 @@ TEST(Comparison, All_AreThereFromTheYardstickOn) {
     for (const ComparedStructure& row : result.rows) {
         EXPECT_GT(row.cpu_seconds, 0) << row.name;
         EXPECT_GE(row.build_seconds, 0) << row.name;
-        EXPECT_EQ(result.yardstick(row), &result.rows[0]);
-        if (row.is_counted) {  // one shape, met by every ray
+        EXPECT_EQ(result.brute_force_row(row), &result.rows[0]);
+        if (row.is_counted) {  // one shape, hit by every ray
             EXPECT_EQ(row.tests[RayKind::primary].objects, 256u) << row.name;
         }
     }

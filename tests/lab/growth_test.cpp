@@ -35,7 +35,7 @@ double tests_per_ray(const Growth& growth, const std::string& name, std::size_t 
     return static_cast<double>(total.objects + total.boxes) / static_cast<double>(total.rays);
 }
 
-// With a logarithm every step of the same factor costs the same number of tests more.
+// For a logarithm every step by the same factor adds the same number of tests.
 TEST(Growth, TreesOverSpheres_GrowLikeALogarithm) {
     const Growth growth = grown(GrowingScene::spheres, "brute_force,bvh", 10'000);
     EXPECT_TRUE(growth.is_whole);
@@ -98,7 +98,7 @@ TEST(Growth, Stopped_KeepsThePointsThatAreThere) {
     };
     const Growth growth = measure_growth(options, progress, stop.get_token());
     EXPECT_FALSE(growth.is_whole);
-    EXPECT_EQ(growth.points.size(), 5u);  // of 22; those before a share of 5 / 22
+    EXPECT_EQ(growth.points.size(), 5u);  // of 22; those before a fraction of 5 / 22
     EXPECT_THAT(growth_text(growth), HasSubstr("\ninterrupted: the rest is missing\n"));
 }
 

@@ -1,4 +1,4 @@
-// What people read of measured kernels.
+// The text output of measured kernels.
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -14,8 +14,8 @@ namespace {
 using namespace render::triangle;
 using ::testing::HasSubstr;
 
-/// Wald's at 100 and 50 million tests per second, perpendicular planes at 120 and 40; more by the
-/// packing, half in double; the second of the two rounds is the better one.
+/// Wald's at 100 and 50 million tests per second, perpendicular planes at 120 and 40; more for
+/// larger packings, half in double; the second of the two rounds is better.
 KernelMeasurements two_kernels() {
     KernelMeasurements measured;
     measured.is_whole = true;
@@ -113,7 +113,7 @@ TEST(KernelPlot, HasABarForEveryPacking) {
          at = svg.find("<rect", at + 1)) {
         bars += 1;
     }
-    // Paper, five legends; two kernels, five packings, four panels.
+    // The page, five legends; two kernels, five packings, four panels.
     EXPECT_EQ(bars, 1u + 5 + 2 * 5 * 4);
 }
 

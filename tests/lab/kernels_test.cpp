@@ -1,4 +1,4 @@
-// Every kernel in every form, precision and packing: the hits of Möller and Trumbore's.
+// Every kernel in every form, precision and packing gives the hits of Möller and Trumbore's kernel.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,20 +42,20 @@ std::vector<NearestHit> hits_of(const Variant& variant, const TestSet& set) {
     return run->hits();
 }
 
-/// A ray and a triangle as real numbers.
+/// The intersection of a ray and a triangle in double precision, with bounds on rounding errors.
 struct Exact {
     double u, v, t;
     double weight_error;    // for one rounding
     double distance_error;  // for one rounding, relative
 
-    /// How far inside, in weights; outside negative.
+    /// How far inside, in weights; negative outside.
     [[nodiscard]] double depth() const { return std::min({u, v, 1 - u - v}); }
 };
 
-/// One rounding of numbers of size S moves the triangle's plane by eps S at the corners, and by
-/// that times L / h elsewhere around it, L the longest edge and h the height over it: the normal
-/// of a sliver is that much worse known. Along a ray that meets the plane at an angle whose sine is
-/// s, a shift becomes 1 / s as long; in weights, 1 / h of it. Products of edges lose as much.
+/// One rounding of numbers of size S moves the triangle's plane by eps S at the corners, and by L /
+/// h times that elsewhere around it, where L is the longest edge and h the height over it: the
+/// normal of a sliver is less accurate by that factor. Along a ray that hits the plane at an angle
+/// with the sine s, a shift grows by 1 / s; in weights, by 1 / h. Products of edges lose as much.
 Exact exact(const TestSet& set, std::size_t ray, std::int64_t in_group, double epsilon) {
     const auto group = ray / static_cast<unsigned>(set.rays_in_group);
     const TriangleCorners& triangle =
@@ -83,7 +83,7 @@ Exact exact(const TestSet& set, std::size_t ray, std::int64_t in_group, double e
     return result;
 }
 
-/// Roundings that may add up; the most that was seen is less than half.
+/// Roundings that may add up; the largest observed value is less than half of this.
 constexpr double kRoundings = 4;
 
 double epsilon_of(Precision precision) {
@@ -92,7 +92,7 @@ double epsilon_of(Precision precision) {
                : std::numeric_limits<double>::epsilon();
 }
 
-/// Is it within rounding whether the ray meets the triangle, or whether it does so first?
+/// Whether it depends on rounding if the ray hits the triangle, or if it hits it first.
 bool is_borderline(const TestSet& set, std::size_t ray, std::int64_t triangle,
                    const NearestHit& other, double epsilon) {
     if (triangle < 0) {
@@ -144,7 +144,7 @@ TEST_P(Kernels, EveryRayHits_HitsOfMollerTrumboreInHigherPrecision) {
     }
 }
 
-/// Every lane does what a scalar does.
+/// Every lane gives the same bits as a scalar.
 TEST_P(Kernels, Packed_SameBitsAsSingle) {
     for (const TestSet& set : {make_random_set(50, 3), make_worst_set(3, 4)}) {
         for (const Precision precision : kPrecisions) {
@@ -163,8 +163,8 @@ TEST_P(Kernels, Packed_SameBitsAsSingle) {
     }
 }
 
-/// Eight rays and eight triangles to a group, each triangle in all places of its group, each ray
-/// with each triangle.
+/// Groups of eight rays and eight triangles; each triangle is at all places of a group, with each
+/// ray.
 TestSet every_pair(const std::vector<TriangleCorners>& triangles,
                    const std::vector<std::pair<V3f, V3f>>& rays) {
     TestSet set;
@@ -182,8 +182,8 @@ TestSet every_pair(const std::vector<TriangleCorners>& triangles,
     return set;
 }
 
-/// Points, lines, needles, the smallest and largest of numbers; rays across, along the edges, in
-/// the plane and from a corner.
+/// Points, lines, needles, the smallest and largest numbers; rays through the inside, along the
+/// edges, in the plane and from a corner.
 TestSet degenerate_set() {
     const V3f o(0, 0, 0);
     const V3f x(1, 0, 0);
@@ -231,8 +231,8 @@ TEST_P(Kernels, DegenerateTriangles_EveryHitIsOfNumbers) {
     }
 }
 
-/// Whole numbers, so that nothing is rounded: an edge belongs to both of its triangles, a corner
-/// to all around it, seen from both sides.
+/// Whole numbers, so that nothing is rounded: an edge belongs to both of its triangles, a corner to
+/// all around it, seen from both sides.
 TEST_P(Kernels, OnSharedEdge_BothTrianglesHit) {
     const V3f a(0, 0, 2);
     const V3f b(4, 0, 2);
@@ -253,7 +253,7 @@ TEST_P(Kernels, OnSharedEdge_BothTrianglesHit) {
 }
 
 /// No kernel is watertight: rays within a rounding of an edge may slip between its triangles, in
-/// float about one of eight that aim at it. In double nothing of that is seen, as directions in
+/// float about one in eight of those aimed at it. In double none is seen, because directions in
 /// float miss the edge by more than roundings in double.
 TEST_P(Kernels, TowardsSharedEdge_FewSlipThrough) {
     const TestSet set = make_edge_set(3000, 7);

@@ -35,8 +35,8 @@ TEST(LaboratoryScene, OfTheTexts_HaveTheirShapesLightsAndPictures) {
     EXPECT_EQ(make_laboratory_scene("full_view").scene.objects.size(), 1u);
 }
 
-/// What a small picture of a scene takes with all rays that it has per pixel; shadow rays look for
-/// the nearest hit.
+/// The cost of a small picture of a scene with all its rays per pixel; shadow rays find the nearest
+/// hit.
 struct Totals {
     const char* scene;
     std::uint64_t shapes;

@@ -1,4 +1,4 @@
-// What is measured, never how fast it was.
+// Tests of what is measured, not of the speed.
 #include "lab/triangle/measure.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(MeasureKernels, TwoKernels_EveryFormPackingAndPrecision) {
     EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
 }
 
-/// In float some millionths at most, in double some 10^-14.
+/// In float at most some millionths, in double some 1e-14.
 TEST(MeasureKernels, Errors_AreRoundings) {
     MeasureOptions options = small_options();
     for (int i = 0; i < kKernelCount; ++i) {

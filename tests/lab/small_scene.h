@@ -1,4 +1,4 @@
-// A scene of the laboratory that is compared in a blink.
+// A scene of the laboratory that is quick to compare.
 #pragma once
 
 #include <string>

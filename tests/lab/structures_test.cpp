@@ -1,5 +1,5 @@
-// The structures that are compared: the same hits as brute force to the last bit, and honest
-// counts.
+// The structures for comparison: they give the same hits as brute force to the last bit, and
+// correct counts.
 #include <array>
 #include <memory>
 #include <string>
@@ -67,7 +67,7 @@ Ray ray_number(int i, TestRandom& random) {
 
 struct Asked {
     Ray ray;
-    Hit hit;  // brute force's, or of no object
+    Hit hit;  // of brute force, or without an object
 };
 
 std::vector<Asked> asked_of_brute_force(const RandomScene& scene, int rays) {
@@ -107,7 +107,7 @@ RandomScene everything(int still, int moving, int meshes) {
     return scene;
 }
 
-// One test of all, since brute force takes the longest.
+// One test for all structures, because brute force takes the longest.
 TEST(LaboratoryOfAll, EveryKindOfShape_BitsOfBruteForce) {
     const RandomScene scene = everything(4, 3, 1);
     const std::vector<Asked> asked = asked_of_brute_force(scene, 100'000);
@@ -234,8 +234,8 @@ TEST(LaboratoryOfMedianKdTree, RowOfSpheres_IsHalvedByNumberIntoPairs) {
     EXPECT_EQ(counts[RayKind::primary].objects, 2u);  // both of the leaf
 }
 
-// Long shapes side by side overlap any plane across them: a tree that cuts space names them again
-// and again, one that divides the shapes does not.
+// Long shapes side by side overlap any plane across them: a tree that divides space lists them many
+// times, one that divides the shapes does not.
 TEST(LaboratoryOfMedianKdTree, ManyShapesInOnePlace_AreEachInOneLeaf) {
     RandomScene scene;
     for (std::uint32_t i = 0; i < 1000; ++i) {
@@ -253,7 +253,7 @@ TEST(LaboratoryOfMedianKdTree, ManyShapesInOnePlace_AreEachInOneLeaf) {
     EXPECT_LT(structure->bytes(), 1000u * 100);
 }
 
-// Five spheres fit into one leaf: its box is the only one, and empty lanes are nobody's tests.
+// Five spheres fit into one leaf: its box is the only one, and empty lanes are not counted.
 TEST(LaboratoryOfWideBvh, OneLeaf_CountsItsShapes) {
     RandomScene scene;
     for (std::uint32_t i = 0; i < 5; ++i) {
@@ -286,7 +286,7 @@ TEST(LaboratoryOfWideBvh, OneLeaf_CountsItsShapes) {
 INSTANTIATE_TEST_SUITE_P(All, Laboratory, testing::ValuesIn(kAll),
                          [](const auto& named) { return std::string(named.param.name); });
 
-/// The primitive that is named, asked by itself.
+/// Tests the primitive of the hit alone.
 Hit alone(const Primitives& primitives, const Hit& hit, const Ray& ray) {
     Hit best;
     const auto ask = [&](const Primitive& primitive) {
@@ -307,7 +307,7 @@ Hit alone(const Primitives& primitives, const Hit& hit, const Ray& ray) {
     return best;
 }
 
-// Embree has a triangle test of its own: the primitive that it finds may differ at edges.
+// Embree has its own triangle test: the primitive that it finds may differ at edges.
 TEST(LaboratoryPeers, HybridAndEmbree_FindTheSamePrimitives) {
     const RandomScene scene = everything(3, 2, 2);
     ShapeSet with_meshes = scene.shapes;

@@ -23,9 +23,9 @@ struct DensityTest {
     std::uint64_t seed = 1;
 };
 
-/// Draws points of the unit square and bins them, together with the integral of `pdf` (per area of
-/// the square; smooth within each bin) over each bin; draws that return nothing are expected as
-/// often as the density falls short of 1.
+/// Draws points of the unit square and compares their bins with the integral of `pdf` (per area of
+/// the square; smooth within each bin) over each bin. Empty draws are expected as often as the
+/// density's integral falls short of 1.
 inline void expect_square_density(
     const std::function<std::optional<Imath::V2d>(render::V3f)>& sample,
     const std::function<double(const Imath::V2d&)>& pdf, const DensityTest& setup) {
@@ -68,7 +68,7 @@ inline void expect_square_density(
 }
 
 /// The same for directions and densities per solid angle. Rings of equal solid angle around `axis`
-/// reach from it to `height` = 1 - cos(theta), beyond which the density must be 0.
+/// cover the directions up to `height` = 1 - cos(theta), beyond which the density must be 0.
 inline void expect_direction_density(
     const std::function<std::optional<render::V3f>(render::V3f)>& sample,
     const std::function<double(const render::V3f&)>& pdf, const render::V3f& axis, double height,

@@ -1,4 +1,4 @@
-// Small scenes in a line each.
+// Builds small scenes in a line each.
 #pragma once
 
 #include <string>
@@ -33,7 +33,7 @@ struct SceneBuilder {
         surface.base = Vec3(albedo, albedo, albedo);
         return material(name, surface);
     }
-    /// What follows a track is where the track has it, not `at`.
+    /// An object with a track is positioned by the track instead of `at`.
     SceneBuilder& object(const std::string& name, render::Shape shape, const Vec3& at,
                          const std::string& surface, const std::string& track = "") {
         scene.objects.push_back(

@@ -52,7 +52,7 @@ inline double chi_square_tail(double statistic, double degrees_of_freedom) {
 }
 
 /// Pearson's test of counts against expected counts. Bins with fewer than five expected are pooled;
-/// a hit in a bin that expects none gives 0.
+/// a count in a bin that expects none gives 0.
 inline double chi_square_p_value(std::span<const double> observed,
                                  std::span<const double> expected) {
     std::vector<std::size_t> order(expected.size());
@@ -89,13 +89,13 @@ inline double chi_square_p_value(std::span<const double> observed,
     return bins < 2 ? 1 : chi_square_tail(statistic, bins - 1);
 }
 
-/// The level for one of `count` independent tests that together err with probability `level`
+/// The level for each of `count` independent tests whose combined error probability is `level`
 /// (Sidak 1967).
 inline double sidak(double level, int count) {
     return 1 - std::pow(1 - level, 1.0 / count);
 }
 
-/// Independent numbers for tests: PCG32 (O'Neill 2014), from a fixed seed.
+/// Independent random numbers for tests: PCG32 (O'Neill 2014), from a fixed seed.
 class TestRandom {
   public:
     explicit TestRandom(std::uint64_t seed) : state_(seed * 2 + 1) { next(); }

@@ -11,7 +11,8 @@
 namespace carom::render {
 namespace {
 
-/// Kernels are chosen anew at every call of best_kernels; here, below what the processor has.
+/// best_kernels() selects the kernels at every call; here it selects a lower target than the
+/// processor has.
 class OtherTier {
   public:
     explicit OtherTier(std::int64_t target) { choose(target); }
@@ -33,7 +34,7 @@ TEST(AnalyticKernels, EveryTier_FindsTheSameShapes) {
     scene.add_moving(random, 6);
     scene.shapes.moving.clear();
     const HybridStructure best(scene.shapes);
-    // The lowest tier is called SCALAR by g++ and EMU128 by clang.
+    // The lowest target is called SCALAR by g++ and EMU128 by clang.
     for (const std::int64_t target : {HWY_SSE4, HWY_SCALAR, HWY_EMU128}) {
         if ((HWY_TARGETS & target) == 0) {
             continue;
@@ -50,10 +51,10 @@ TEST(AnalyticKernels, EveryTier_FindsTheSameShapes) {
             ASSERT_EQ(best.any_hit(ray), found);
             ASSERT_EQ(other.any_hit(ray), other.closest_hit(ray, b));
             if (a.object != b.object) {
-                ++differing;  // past an edge or silhouette, where fused rounding decides
+                ++differing;  // next to an edge or silhouette, where fused rounding decides
                 continue;
             }
-            if (found && a.t < 100) {  // beyond, rays that all but lie in the plane
+            if (found && a.t < 100) {  // beyond are rays that are almost in the plane
                 ASSERT_NEAR(a.t, b.t, 1e-4f * (1 + a.t));
             }
         }

@@ -41,7 +41,7 @@ inline Ray random_ray(TestRandom& random, float size) {
     return ray;
 }
 
-/// From somewhere within `from` towards somewhere within `to`.
+/// From a random point of `from` towards a random point of `to`.
 inline Ray random_ray_toward(TestRandom& random, float from, float to) {
     Ray ray = random_ray(random, from);
     const V3f v = random_point(random, to) - ray.origin;
@@ -55,7 +55,7 @@ inline Quat random_turn(TestRandom& random) {
     return Quat(std::cos(half), std::sin(half) * Vec3(axis)).normalized();
 }
 
-/// Maps world to the unit shape of the given half sizes, turned and placed at random.
+/// A random map from world space to the unit shape of the given half sizes.
 inline Affine random_map(TestRandom& random, const V3f& half_size, float size) {
     const Quat turn = random_turn(random);
     Mat44 scale;
@@ -65,7 +65,7 @@ inline Affine random_map(TestRandom& random, const V3f& half_size, float size) {
     return Affine::narrowed(world_from_unit.inverse());
 }
 
-/// A cylinder, a cone or one cut off, either way up.
+/// A cylinder, a cone or a frustum, either way up.
 inline V3f random_profile(TestRandom& random) {
     const float other = std::max(0.f, random.between(-0.5f, 1.5f));
     const float top = random.next() % 2 == 0 ? 1 : std::min(other, 1.f);
@@ -73,13 +73,13 @@ inline V3f random_profile(TestRandom& random) {
     return V3f(0.5f * (top + bottom), 0.5f * (top - bottom), 0);
 }
 
-/// Half of a rounded box without its rounding; flat or without extent along some axes.
+/// The core of a rounded box, half sizes; flat or zero along some axes.
 inline V3f random_core(TestRandom& random) {
     const V3f core = random_point(random, 2);
     return V3f(std::max(core.x, 0.f), std::max(core.y, 0.f), std::max(core.z, 0.f));
 }
 
-/// A path of three stretches with two impacts, turning fast.
+/// A path of three segments with two impacts and fast rotation.
 inline sim::Track random_track(TestRandom& random, float size) {
     std::vector<sim::Key> keys;
     Vec3 position(random_point(random, size));
@@ -153,7 +153,7 @@ inline render::TriangleMesh bumpy_ball(float radius, int rings) {
     return mesh;
 }
 
-/// Some of every kind of shape. Its meshes live as long as it does.
+/// Some shapes of every kind. Its meshes live as long as the scene.
 struct RandomScene {
     render::ShapeSet shapes;
     std::vector<std::unique_ptr<render::TriangleMesh>> meshes;

@@ -1,4 +1,4 @@
-// The structures against one another and against plain loops over scalar code.
+// The structures against each other and against plain loops over scalar code.
 #include <array>
 #include <limits>
 #include <vector>
@@ -73,7 +73,7 @@ TEST(Structures, MovingShapes_SameHits) {
     expect_same_hits(scene, 100'000, 4);
 }
 
-/// Rays of packets for which a packet is answered differently from its rays one by one.
+/// The number of rays that get another answer in a packet than alone.
 int differing_in_packets(const AccelerationStructure& structure, std::uint64_t seed) {
     TestRandom random(seed);
     int differing = 0;
@@ -105,7 +105,7 @@ TEST(Structures, Packets_AreAnsweredAsTheirRays) {
     EXPECT_EQ(differing_in_packets(Structures(scene).hybrid, 12), 0);
     EXPECT_EQ(differing_in_packets(HybridStructure(scene.shapes, 0), 12), 0);  // under a tree
     EXPECT_EQ(differing_in_packets(Structures(scene).embree, 12), 0);
-    // Embree's own packets round otherwise at the edges of triangles.
+    // Embree's packet code rounds differently at the edges of triangles.
     scene.add_still_meshes(random, 2);
     EXPECT_LE(differing_in_packets(Structures(scene).hybrid, 13), 2);
 }
@@ -118,7 +118,7 @@ TEST(Structures, PacketsWithBadRays_HitNothing) {
     const Structures structures(scene);
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     ShadowRayPacket packet;
-    packet.time = 3;  // as if it were 1
+    packet.time = 3;  // clamped to 1
     packet.add(V3f(kNan, 0, 1), 5);
     packet.add(V3f(0, 0, 0), 5);
     packet.add(V3f(0, 0, 1), -1);
@@ -129,7 +129,7 @@ TEST(Structures, PacketsWithBadRays_HitNothing) {
     EXPECT_EQ(structures.hybrid.any_hits(ShadowRayPacket{}), 0u);
 }
 
-/// Rays side by side that own their numbers.
+/// A batch of rays that owns its arrays.
 struct OwnedBatch {
     explicit OwnedBatch(const std::vector<Ray>& rays) : count(static_cast<int>(rays.size())) {
         for (std::vector<float>& numbers : values) {
@@ -154,7 +154,7 @@ struct OwnedBatch {
     std::array<std::vector<float>, 8> values;  // origin, direction, time, t_max
 };
 
-/// Rays of a batch that are answered differently by themselves.
+/// The number of rays that get another answer in a batch than alone.
 int differing_in_batches(const AccelerationStructure& structure, int count, std::uint64_t seed) {
     TestRandom random(seed);
     std::vector<Ray> rays;
@@ -193,7 +193,7 @@ TEST(Structures, Batches_AreAnsweredAsTheirRays) {
     }
     EXPECT_EQ(differing_in_batches(HybridStructure(scene.shapes, 0), 20'000, 23), 0);
     EXPECT_EQ(differing_in_batches(Structures(scene).embree, 5'000, 24), 0);
-    // Embree's own packets round otherwise at the edges of triangles.
+    // Embree's packet code rounds differently at the edges of triangles.
     scene.add_still_meshes(random, 2);
     EXPECT_LE(differing_in_batches(HybridStructure(scene.shapes, kNeverATree), 20'000, 25), 2);
 }
@@ -240,7 +240,7 @@ TEST(Structures, MoreSpheresThanLanes_SameHits) {
     }
 }
 
-/// Nearest hit of all spheres in double precision, by the object's own position at that time.
+/// Nearest hit of all spheres in double precision, from the object's position at that time.
 Hit nearest_sphere(const std::vector<sim::Track>& tracks, const std::vector<float>& radii,
                    const Ray& ray) {
     Hit best;
@@ -276,13 +276,13 @@ TEST(HybridStructure, SpheresWithImpacts_ExactPathOfTheTimeline) {
         ASSERT_EQ(found, hit.object != kNoObject);
         const Hit expected = nearest_sphere(tracks, radii, ray);
         if (hit.object != expected.object) {
-            ++differing;  // rays that graze a sphere or where two spheres meet
+            ++differing;  // rays that graze a sphere, or where two spheres intersect
             continue;
         }
         if (hit.object != kNoObject) {
             ++compared;
-            // Float places are good to 1e-7 m; at grazing incidence that is sqrt(2 R 1e-7) along
-            // the ray.
+            // Float positions are accurate to 1e-7 m; at grazing incidence that is sqrt(2 R 1e-7)
+            // along the ray.
             ASSERT_NEAR(hit.t, expected.t, 3e-4f);
         }
     }
@@ -313,7 +313,7 @@ TEST(HybridStructure, ZeroLengthShutter_AnyTimeGivesTheSameBits) {
 TEST(Structures, SameDistance_LowerObjectIsReported) {
     TestRandom random(7);
     RandomScene scene;
-    // Twice the same shapes: spheres, boxes and rectangles, in changing order.
+    // The same shapes twice, in different orders: spheres, boxes and rectangles.
     for (int i = 0; i < 12; ++i) {
         SphereSegment sphere;
         sphere.path.c[0] = V3f(static_cast<float>(i % 3), 0, 0);

@@ -8,7 +8,7 @@
 namespace carom::render {
 namespace {
 
-/// Sheets of triangles on top of one another: every hit is a tie.
+/// Identical sheets of triangles, so that every hit is a tie.
 TriangleMesh stack_of_sheets(int cells, int sheets) {
     TriangleMesh mesh;
     for (int y = 0; y <= cells; ++y) {

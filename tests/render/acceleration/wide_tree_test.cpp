@@ -1,4 +1,4 @@
-// Trees against brute force: the same hits to the last bit.
+// Trees against brute force: the hits have the same bits.
 #include "render/acceleration/wide_tree.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ void compare(const ShapeSet& shapes, int rays, float size, std::uint64_t seed) {
     TestRandom random(seed);
     int hits = 0;
     for (int i = 0; i < rays; ++i) {
-        // From within, from outside, from far away.
+        // From inside, from outside, from far away.
         const float from = i % 4 == 0 ? 0.3f * size : (i % 4 == 3 ? 200 * size : 3 * size);
         Ray ray = test::random_ray_toward(random, from, size);
         ray.t_max = i % 3 == 0 ? random.between(0.1f, 2 * from) : kInfinity;
@@ -109,7 +109,8 @@ TEST(AnalyticTree, AllInOnePlace_LowestObjectIsReported) {
 }
 
 TEST(AnalyticTree, SpheresAsStarsFarApart_AreAllFound) {
-    // Each a hundred times as far as the one before: the heuristic peels them off one by one.
+    // Each sphere is a hundred times as far away as the previous one: the heuristic splits them off
+    // one by one.
     ShapeSet shapes;
     float place = 1e-6f;
     for (std::uint32_t i = 0; i < 200; ++i) {

@@ -27,7 +27,8 @@ TEST(CameraMatrices, WorldToCamera_HasXRightYUpAndZAhead) {
     EXPECT_LT((V3f(0.5f, 1, 1.25f) * matrix - V3f(0.5f, 0.25f, 3)).length(), 1e-6f);
 }
 
-// The film's corners, without a word of the code that makes rays: y = z tan(fov / 2) is the top.
+// The corners of the picture, computed independently of ray generation: y = z tan(fov / 2) is the
+// top.
 TEST(CameraMatrices, WorldToNdc_HasTheCornersOfThePicture) {
     CameraState state;
     state.position = {0, -2, 1};
@@ -59,7 +60,7 @@ TEST(CameraMatrices, OfAMovingCamera_AreThoseOfTheMiddleOfTheShutter) {
         const V3f ndc = point * matrices.world_to_ndc;
         EXPECT_NEAR(320 * ndc.x, place->x, 1e-3);
         EXPECT_NEAR(180 * ndc.y, place->y, 1e-3);
-        // Back again: a compositor finds the point from the pixel.
+        // The inverse: a compositor computes the point from the pixel.
         EXPECT_LT((ndc * matrices.world_to_ndc.inverse() - point).length(), 2e-3f);
     }
 }

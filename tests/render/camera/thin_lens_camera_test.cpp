@@ -61,7 +61,7 @@ TEST(ThinLensCamera, PinholeAtOrigin_KnownPointsProjectWhereTheyShould) {
     EXPECT_NEAR((*camera.project(V3f(0, 1, 0), 0) - V2f(320, 180)).length(), 0, 1e-4);
     EXPECT_NEAR((*camera.project(V3f(0, 1, 0.5f), 0) - V2f(320, 0)).length(), 0, 1e-4);
     EXPECT_NEAR((*camera.project(V3f(0, 2, -1), 0) - V2f(320, 360)).length(), 0, 1e-4);
-    // To the right of the line of view along +y lies +x.
+    // For a view along +y, +x is on the right.
     EXPECT_NEAR((*camera.project(V3f(0.5f, 1, 0), 0) - V2f(500, 180)).length(), 0, 1e-4);
     EXPECT_FALSE(camera.project(V3f(0, -1, 0), 0));
 }
@@ -82,7 +82,7 @@ TEST(ThinLensCamera, PinholeRays_PassThroughThePointsTheyShow) {
 }
 
 TEST(ThinLensCamera, NoApertureNoShutter_ExactlyThePinholeRays) {
-    // Lens and time of the sample change nothing, bit for bit.
+    // Lens and time of the sample do not change a single bit.
     const ThinLensCamera camera = still(some_camera());
     test::TestRandom random(2);
     for (int i = 0; i < 2000; ++i) {
@@ -261,7 +261,7 @@ TEST(ThinLensCamera, Filter_SpreadsRaysAroundThePixelsCentre) {
 TEST(ThinLensCamera, PixelSolidAngles_SumToThePicture) {
     // Solid angle of a rectangle at distance 1 with half sides a, b: 4 atan(a b / sqrt(1+a^2+b^2)).
     CameraState state = some_camera();
-    state.vertical_fov = 0.02;  // all pixels alike
+    state.vertical_fov = 0.02;  // all pixels have nearly the same solid angle
     const ThinLensCamera camera = still(state);
     const double b = std::tan(0.01);
     const double a = b * kWidth / kHeight;
@@ -338,7 +338,7 @@ TEST(ThinLensCamera, PixelSolidAngle_IsThatBetweenItsCorners) {
     sample.lens = V2f(0.9f, 0.2f);
     const ThinLensCamera::Aperture aperture = camera.aperture(sample);
     for (const int x : {0, 320, 639}) {
-        // Of three neighbouring pixels along each side, so that float has digits left.
+        // Over three neighbouring pixels along each side, because one pixel is too small for float.
         const auto toward = [&](int dx, int dy) {
             return camera.ray(x + dx, 40 + dy, sample).direction;
         };

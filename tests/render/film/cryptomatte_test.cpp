@@ -53,7 +53,7 @@ TEST(MatteNotes, Layer_HasItsKeysAndAManifest) {
                             "CryptoObject00.A", "CryptoObject01.R", "CryptoObject01.G",
                             "CryptoObject01.B", "CryptoObject01.A", "CryptoObject02.R",
                             "CryptoObject02.G", "CryptoObject02.B", "CryptoObject02.A"));
-    // The keys' part is the first seven digits of the layer's own hash.
+    // The key contains the first seven digits of the hash of the layer's name.
     EXPECT_THAT(matte_notes("CryptoObject", {"hello", "a \"b\"\n", "hello"}),
                 ElementsAre(Pair("cryptomatte/3ae39a5/conversion", "uint32_to_float32"),
                             Pair("cryptomatte/3ae39a5/hash", "MurmurHash3_32"),

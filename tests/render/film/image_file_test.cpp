@@ -112,7 +112,7 @@ TEST_F(ImageFile, AsStored_IsWhatIsReadBack) {
 }
 
 TEST_F(ImageFile, ExrWrittenAgain_IsIdentical) {
-    // What is stored is a half already: reading and writing it changes nothing.
+    // The file contains halves already, so that reading and writing it changes nothing.
     write_exr(some_film(40, 30), path("a.exr"));
     const Film once = read_exr(path("a.exr"));
     write_exr(once, path("b.exr"));
@@ -148,7 +148,7 @@ TEST_F(ImageFile, Notes_ComeBackAndAreReadByOthers) {
     EXPECT_EQ(spec.channelformat(4), OIIO::TypeFloat);
 }
 
-// As another program's reader sees them: types and names are those of the standard.
+// Another program's reader sees them with the types and names of the standard.
 TEST_F(ImageFile, StandardAttributes_AreReadByOthersAndByUs) {
     ExrStandardAttributes standard;
     for (int i = 0; i < 16; ++i) {
@@ -176,8 +176,8 @@ TEST_F(ImageFile, StandardAttributes_AreReadByOthersAndByUs) {
     EXPECT_EQ(read_exr(path("a.exr")).rgba.size(), 4u * 16 * 9);
 }
 
-// A store that an earlier version filled goes on being of use.
-TEST_F(ImageFile, ChannelsNamedAsOfOld_AreReadUnderTheirPresentNames) {
+// A store of an earlier version stays usable.
+TEST_F(ImageFile, ChannelsWithFormerNames_GetTheirCurrentNames) {
     Film film = some_film(4, 3);
     film.aovs = {{"Z", std::vector<float>(12, 1)},
                  {"object_id", std::vector<float>(12, 2)},
@@ -214,7 +214,7 @@ TEST_F(ImageFile, DisplayFormats_HoldTheSamePictureAndSayWhatItIs) {
             worst = std::max(worst, std::abs(int{back[i]} - int{rgb[i]}));
         }
         EXPECT_LE(worst, name == "a.jpg" ? 12 : 0) << name;
-        if (name != "a.bmp") {  // which has no place for it
+        if (name != "a.bmp") {  // the format has no place for it
             EXPECT_EQ(spec.get_string_attribute("ImageDescription"), "break, frame 12") << name;
         }
     }
@@ -231,7 +231,7 @@ TEST_F(ImageFile, TooBrightPixels_AreClampedToHalf) {
     Film film = some_film(16, 16);
     film.rgba[0] = 1e9f;
     film.rgba[1] = -1e9f;
-    film.aovs[0].values[0] = 1e9f;  // floats are kept
+    film.aovs[0].values[0] = 1e9f;  // floats keep large values
     write_exr(film, path("a.exr"));
     const Film back = read_exr(path("a.exr"));
     EXPECT_EQ(back.rgba[0], 65504);
@@ -264,7 +264,7 @@ TEST_F(ImageFile, FolderMissing_IsAnError) {
     EXPECT_THROW(write_display_image(std::vector<std::uint8_t>(48), 4, 4, path("no/a.png")), Error);
 }
 
-/// Small ones, too, which wait in a buffer for the file to be closed.
+/// Small files, too, whose data waits in a buffer until the file is closed.
 TEST_F(ImageFile, DiskFull_IsAnErrorInEveryFormat) {
     const std::vector<std::uint8_t> rgb(3 * 16 * 16, 7);
     for (const std::string name : {"full.exr", "full.png", "full.jpg", "full.bmp", "full.tga"}) {
@@ -297,7 +297,7 @@ TEST_F(ImageFile, ForeignFiles_AreRefused) {
 }
 
 /// Found by tests/fuzz/fuzz_store: OpenEXR cleared two gigabytes for a text of two bytes.
-TEST_F(ImageFile, HeadersThatPromiseTooMuch_AreRefusedBeforeTheyAreBelieved) {
+TEST_F(ImageFile, HeadersWithExcessiveSizes_AreRejectedBeforeUse) {
     write_exr(some_film(16, 9), path("a.exr"), {{"note", "xy"}});
     const std::string whole = bytes(path("a.exr"));
     const auto message = [&](const std::string& what, std::size_t skipped, const std::string& by) {

@@ -21,7 +21,7 @@ RenderSettings plan_settings(int width, int height, double noise) {
     return settings;
 }
 
-/// A pixel of luminance 1 whose groups of four samples differ by `spread` above and below.
+/// A pixel of luminance 1 whose groups of four samples deviate by `spread` up and down.
 PixelSums pixel(float spread) {
     PixelSums sums;
     sums.groups = {4 + 4 * spread, 4 - 4 * spread, 4 + 4 * spread, 4 - 4 * spread};
@@ -67,15 +67,16 @@ TEST(SamplePlan, OwnSamples_HaveNoSayButInTheCommonScale) {
     const std::size_t odd = 16 * 32 + 16;
     pilot[odd] = pixel(0.9f);
     const std::vector<int> plan = plan_samples(pilot, settings);
-    EXPECT_EQ(plan[odd], plan[0]);          // as one whose neighbourhood is like all others
-    EXPECT_GT(plan[odd + 1], 2 * plan[0]);  // which has seen it
+    EXPECT_EQ(plan[odd], plan[0]);          // the same as a pixel whose neighbourhood is average
+    EXPECT_GT(plan[odd + 1], 2 * plan[0]);  // a neighbour of the noisy pixel
 }
 
 class Progress : public testing::Test {
   protected:
     static constexpr int kTiles = 32;
 
-    /// All tiles take a second for their first samples; every pixel's samples deviate by this.
+    /// All tiles take one second for their first samples; the samples of every pixel have this
+    /// deviation.
     void begin_tiles(int from, int to, double deviation) {
         for (int n = from; n < to; ++n) {
             progress_.first_samples_done(progress_.nth_tile(n), std::vector<double>(16, deviation),
@@ -88,8 +89,8 @@ class Progress : public testing::Test {
     AdaptiveProgress progress_{callback_, plan_settings(512, 16, 0.02), kTiles};
 };
 
-TEST_F(Progress, FirstSamples_AreTheShareThatTheirNoiseSays) {
-    const double deviation = 0.02 * std::sqrt(64);  // reaches the noise of 0.02 by 64 samples
+TEST_F(Progress, FirstSamples_AreTheFractionThatTheirNoisePredicts) {
+    const double deviation = 0.02 * std::sqrt(64);  // needs 64 samples for a noise of 0.02
     begin_tiles(0, 1, deviation);
     EXPECT_TRUE(fractions_.empty()) << "one tile says too little";
     begin_tiles(1, 8, deviation);
@@ -115,7 +116,7 @@ TEST_F(Progress, QuietFrame_IsDoneWithItsFirstSamples) {
     EXPECT_NEAR(fractions_.back(), 1, 1e-6);
 }
 
-TEST_F(Progress, PlanThatAsksForMoreThanExpected_HoldsTheShareWhereItIs) {
+TEST_F(Progress, PlanWithMoreSamplesThanExpected_KeepsTheFraction) {
     begin_tiles(0, kTiles, 1e-6);
     progress_.set_plan(std::vector<double>(kTiles, 1));
     progress_.tile_done(0);
@@ -131,7 +132,7 @@ TEST_F(Progress, Tiles_AreVisitedOnceAndEarlyOnesEverywhere) {
         for (int n = 0; n < tiles; ++n) {
             order.push_back(progress.nth_tile(n));
         }
-        if (tiles > 50) {  // any half of the frame has its part of the first sixteenth
+        if (tiles > 50) {  // each half of the frame has its part of the first sixteenth
             const int early = tiles / 16;
             const auto upper = std::count_if(order.begin(), order.begin() + early,
                                              [&](int tile) { return tile < tiles / 2; });

@@ -22,7 +22,7 @@ RenderSettings with_all_aovs(int samples) {
     return settings;
 }
 
-/// What the mattes of a pixel say: coverage of a name, and of all.
+/// Coverage of a name in the mattes of a pixel, and the sum over all names.
 double coverage(const Film& film, const std::string& layer, std::size_t pixel,
                 const std::string& name = "") {
     double sum = 0;
@@ -100,8 +100,8 @@ TEST(Aovs, MoreSamples_ChangeNoDepthIdOrMotion) {
     }
 }
 
-// Every bit of a small scene's planes without noise. They change with the renderer's revision
-// alone.
+// Checks every bit of the noise-free planes of a small scene. They change only with the renderer's
+// revision.
 TEST(Aovs, PlanesWithoutNoise_HaveTheirBytes) {
     SceneBuilder builder = wall_and_box();
     builder.sphere("ball", 0.25, Vec3(0.3, 1.4, 0.1), "wall", "ball");
@@ -125,7 +125,7 @@ TEST(Aovs, PlanesWithoutNoise_HaveTheirBytes) {
     EXPECT_EQ(hasher.finish().to_string(), "69b3ee43d8bc307342318c9f1211c031");
 }
 
-TEST(Aovs, MovingBox_HasItsWayInPixels) {
+TEST(Aovs, MovingBox_HasItsMotionInPixels) {
     const SceneBuilder builder = wall_and_box();
     const RenderSettings settings = with_all_aovs(1);
     // 0.1 m to the right and 0.05 m up at 1.5 m (the box's front): in pixels of 2 tan(0.4) / 18.
@@ -160,7 +160,7 @@ TEST(Cryptomatte, BlurAndDefocus_CoveragesAddUpToAlpha) {
     builder.object("box", BoxShape{Vec3(0.6, 0.2, 0.3)}, Vec3(0, 1.6, 0), "paint", "box");
     builder.sphere("ball", 0.2, Vec3(0.3, 1.2, 0.1), "gold");
     builder.sphere("other ball", 0.2, Vec3(-0.5, 2.2, 0), "gold");
-    builder.scene.lights.push_back({"star", PointLight{}});  // which nothing can meet
+    builder.scene.lights.push_back({"star", PointLight{}});  // which no ray can hit
     builder.bulb(Vec3(-0.3, 1.4, 0.2), 0.08, 3);
     builder.scene.lights.back().name = "bulb";
     const std::vector<sim::Track> tracks{

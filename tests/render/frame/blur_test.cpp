@@ -1,4 +1,5 @@
-// Blur has closed forms: how long something covers a pixel, and the size of a spot out of focus.
+// Blur has closed forms: how long an object covers a pixel, and the size of the circle of
+// confusion.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ using test::SceneBuilder;
 using test::small_settings;
 using test::still_frame;
 
-constexpr double kDistance = 400;  // m: from so far a perspective picture is a parallel projection
+constexpr double kDistance = 400;  // m: far enough for the projection to be practically parallel
 constexpr double kPixel = 0.05;    // m at that distance
 constexpr int kWidth = 64;
 constexpr int kHeight = 32;
@@ -48,9 +49,9 @@ Film render_ball(double radius, const sim::Track& track, double open, double clo
     return render_frame(PreparedScene(builder.scene, settings), tracks, frame, settings);
 }
 
-TEST(MotionBlur, DiscCrossingThePicture_CoversEachPixelForItsShareOfTheShutter) {
-    // In the middle of its way the disc stays over a point at height z for a chord's length,
-    // 2 sqrt(r^2 - z^2), of its way.
+TEST(MotionBlur, DiscCrossingThePicture_CoversEachPixelForItsFractionOfTheShutter) {
+    // In the middle of its path the disc covers a point at height z while it moves by a chord's
+    // length, 2 sqrt(r^2 - z^2).
     const double radius = 0.4;
     const double distance = 2.0;
     const Film film = render_ball(
@@ -58,7 +59,7 @@ TEST(MotionBlur, DiscCrossingThePicture_CoversEachPixelForItsShareOfTheShutter) 
     for (int row = 0; row < kHeight; ++row) {
         const double z = z_of(row);
         if (std::abs(std::abs(z) - radius) < kPixel) {
-            continue;  // the pixel is cut by the edge of the streak
+            continue;  // the edge of the streak cuts the pixel
         }
         const double chord = std::abs(z) < radius ? 2 * std::sqrt(radius * radius - z * z) : 0;
         for (const int column : {28, 32, 36}) {
@@ -69,8 +70,8 @@ TEST(MotionBlur, DiscCrossingThePicture_CoversEachPixelForItsShareOfTheShutter) 
 }
 
 TEST(MotionBlur, ImpactInsideTheShutter_LeavesACorner) {
-    // To x = 0.5 and straight back: exactly nothing beyond, and up to there the share of the time
-    // in which the disc's edge is further right.
+    // To x = 0.5 and straight back: nothing beyond, and before that the fraction of the time in
+    // which the disc's edge is farther to the right.
     const double radius = 0.3;
     sim::Key start;
     start.time = 0;
@@ -92,7 +93,7 @@ TEST(MotionBlur, ImpactInsideTheShutter_LeavesACorner) {
         if (x > 0.5 + half_chord + kPixel) {
             EXPECT_EQ(pixel(film, column, row, 3), 0) << column;
         } else if (x > 0.5 - half_chord + kPixel && x < 0.5 + half_chord - kPixel) {
-            // The right edge passes x out and back: 2 (0.5 + chord - x) of a way of 2.
+            // The right edge passes x twice: for 2 (0.5 + chord - x) of a path of 2.
             EXPECT_NEAR(pixel(film, column, row, 3), 0.5 + half_chord - x, 0.01) << column;
         }
     }
@@ -140,7 +141,7 @@ TEST(DepthOfField, SmallSpotOutOfFocus_SpreadsOverTheCircleOfConfusion) {
             inside += pixel(film, column, row, 3);
         }
     }
-    // The ball's own area, in pixels, is spread and not lost.
+    // The ball's area, in pixels, is spread and not lost.
     const double area = 3.14159265 * 0.02 * 0.02 / (kPixel * kPixel);
     EXPECT_NEAR(inside, area, 0.05 * area);
 }

@@ -1,4 +1,4 @@
-// Frames by the distributed integrator.
+// Frames of the distributed integrator.
 #include <cmath>
 #include <functional>
 
@@ -104,7 +104,7 @@ TEST(DistributedFrame, AllCountsAtOne_IsOnePictureWhateverSeedAndThreads) {
     EXPECT_EQ(first.statistics.camera_rays, 50u * 35u);
     input.seed = 99;
     EXPECT_EQ(rendered(settings, input, 2).rgba, first.rgba);
-    // A count above one is another matter.
+    // A count above one does change the picture.
     RenderSettings soft = settings;
     soft.distributed.shadow_samples = 2;
     FrameInput other = input;
@@ -147,7 +147,7 @@ TEST(DistributedSettings, OutOfRange_AreSentences) {
     settings.distributed.pixel_samples = 1024;
     settings.distributed.lens_samples = 1024;
     EXPECT_EQ(find_problems(settings, RayBranches{}).size(), 4u);
-    settings.integrator = IntegratorKind::path;  // which does not look at them
+    settings.integrator = IntegratorKind::path;  // which ignores them
     EXPECT_EQ(find_problems(settings, RayBranches{}).size(), 0u);
 }
 

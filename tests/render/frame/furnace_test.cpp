@@ -1,4 +1,4 @@
-// Scenes whose light is known everywhere.
+// Scenes with known light everywhere (furnace tests).
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ using test::small_settings;
 using test::still_frame;
 
 /// Radiance of the wall of a diffuse hollow sphere (radius 1) with a small black lamp of radius r
-/// in its middle, after at most `bounces` reflections from wall to wall. The lamp gives the wall
-/// the irradiance pi L r^2; of the wall's own light the share r^2 ends on the lamp.
+/// at its centre, after at most `bounces` reflections from wall to wall. The lamp gives the wall
+/// the irradiance pi L r^2; of the wall's own light the fraction r^2 hits the lamp.
 double hollow_sphere_radiance(double albedo, double lamp_radius, double radiance, int bounces) {
     const double fraction = lamp_radius * lamp_radius;
     double sum = 0;
@@ -62,7 +62,7 @@ StandardMaterial white() {
     return material;
 }
 
-/// A ball in a room that shines 1 from everywhere, as a picture.
+/// A ball in a room with radiance 1 everywhere.
 Film ball_in_furnace(const StandardMaterial& material, bool moving, double lens_radius,
                      int bounces = 4, int samples = 64) {
     SceneBuilder builder;
@@ -81,7 +81,7 @@ Film ball_in_furnace(const StandardMaterial& material, bool moving, double lens_
 }
 
 TEST(Furnace, WhiteBallUnderASmoothCoat_CannotBeSeen) {
-    // F + (1 - F) 1 = 1 whatever the angle: also while it moves and out of focus.
+    // F + (1 - F) 1 = 1 at every angle, also in motion and out of focus.
     StandardMaterial coated = white();
     coated.coat.weight = 1;
     for (const bool moving : {false, true}) {
@@ -98,7 +98,8 @@ TEST(Furnace, ClearGlassBall_CannotBeSeen) {
     StandardMaterial glass = white();
     glass.transmission = 1;
     glass.roughness = 0;
-    // Paths that total reflection keeps inside end unseen after four bounces: by (1 - F) F^4.
+    // Paths that total reflection keeps inside end after four bounces without light: (1 - F) F^4 is
+    // missing.
     for (const bool moving : {false, true}) {
         const Film film = ball_in_furnace(glass, moving, 0);
         EXPECT_NEAR(test::mean_red(film), 1, 1e-3) << "moving " << moving;
@@ -116,7 +117,7 @@ TEST(Furnace, FrostedGlassBall_CannotBeSeen) {
     }
 }
 
-// Light that is within the glass when a path has had its bounces still comes out.
+// Light that is within the glass after a path's last bounce still comes out.
 TEST(Furnace, GlassBalls_CannotBeSeenWithFewBouncesEither) {
     StandardMaterial glass = white();
     glass.transmission = 1;
@@ -129,7 +130,7 @@ TEST(Furnace, GlassBalls_CannotBeSeenWithFewBouncesEither) {
     }
 }
 
-// Highlights, gloss and frosting of phong surfaces, whose shares add up to 1.
+// Highlights, gloss and frosting of phong surfaces whose albedos add up to 1.
 TEST(Furnace, WhitePhongBalls_CannotBeSeen) {
     PhongMaterial shiny, glossy, frosted;
     shiny.diffuse = Vec3(0.6, 0.6, 0.6);

@@ -1,4 +1,4 @@
-// Ten and one small scenes, each for something that a picture can get wrong.
+// Eleven small scenes, each for a part of the renderer that a picture can show to be wrong.
 #pragma once
 
 #include <ostream>
@@ -20,7 +20,7 @@ struct GoldenScene {
 
 [[nodiscard]] std::vector<GoldenScene> golden_scenes();
 
-/// Its name, where GoogleTest shows a parameter.
+/// Prints the scene's name in GoogleTest's messages.
 inline void PrintTo(const GoldenScene& scene, std::ostream* out) {
     *out << scene.name;
 }

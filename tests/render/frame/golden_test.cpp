@@ -1,8 +1,9 @@
-// Noisy pictures against stored means and variances: a Z-test for each pixel, together a chi-square
-// test (Subr and Arvo 2007, "Statistical hypothesis testing for assessing Monte Carlo estimators").
+// Noisy pictures against stored means and variances: a Z-test for each pixel, and a chi-square test
+// over all of them (Subr and Arvo 2007, "Statistical hypothesis testing for assessing Monte Carlo
+// estimators").
 //
-// CAROM_WRITE_GOLDEN=1 writes the references anew, which only a change that is meant to change
-// pictures may ask for.
+// CAROM_WRITE_GOLDEN=1 writes new references, which only a change that is meant to change pictures
+// may do.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr int kReferenceRuns = 256;
 constexpr int kRuns = 16;
-constexpr std::uint64_t kReferenceSeed = 1'000'000;  // far from those of the test
+constexpr std::uint64_t kReferenceSeed = 1'000'000;  // far from the seeds of the test
 
 const fs::path kFolder = fs::path(CAROM_SOURCE_DIR) / "tests/render/golden";
 
@@ -80,7 +81,7 @@ Picture read(const fs::path& path) {
     return picture;
 }
 
-/// For whoever looks for what went wrong.
+/// Saves the pictures for a developer who looks for the error.
 void save(const test::GoldenScene& golden, const std::string& what,
           const std::vector<double>& values) {
     Film film;
@@ -110,7 +111,7 @@ TEST_P(GoldenPicture, Pixels_HaveTheStoredMeans) {
     std::vector<double> z_values;
     for (std::size_t i = 0; i < found.mean.size(); ++i) {
         const double difference = found.mean[i] - reference.mean[i];
-        // The larger of the two: a rare bright sample is in one of them alone.
+        // The larger of both: a rare bright sample may be in only one of them.
         const double variance = std::max(reference.variance[i], found.variance[i]) *
                                 (1.0 / kRuns + 1.0 / kReferenceRuns);
         const double rounding = 2e-6 * (1 + std::abs(reference.mean[i]));

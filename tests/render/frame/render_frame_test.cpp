@@ -17,7 +17,7 @@ using test::SceneBuilder;
 using test::small_settings;
 using test::still_frame;
 
-/// A bit of everything: moving coated balls, cloth, lamp, bulb, sky.
+/// Some of everything: moving coated balls, cloth, lamp, bulb, sky.
 SceneBuilder table() {
     SceneBuilder builder;
     StandardMaterial cloth;
@@ -84,7 +84,7 @@ TEST(RenderFrame, OneThreadAndTwo_GiveTheSameBits) {
     }
 }
 
-TEST(RenderFrame, OtherSeed_IsOtherNoiseWithTheSameMean) {
+TEST(RenderFrame, OtherSeed_ChangesTheNoiseAndNotTheMean) {
     const RenderSettings settings = small_settings(40, 24, 16);
     const PreparedScene scene(table().scene, settings);
     FrameInput frame = table_frame();
@@ -120,7 +120,7 @@ TEST(RenderFrame, StopRequested_ThrowsStopped) {
 }
 
 TEST(RenderFrame, StopRequestedWhileRendering_EndsSoon) {
-    // Hours of work if it were not stopped.
+    // It would take hours without a stop.
     RenderSettings settings = small_settings(640, 480, 65536);
     const PreparedScene scene(table().scene, settings);
     std::stop_source source;

@@ -1,4 +1,4 @@
-// Camera rays are made in vectors, whatever the integrator takes at a time.
+// Camera rays are made in vectors, however many samples the integrator takes at a time.
 #include "render/frame/sample_queue.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace carom::render {
 namespace {
 
-/// Adds nothing but remembers what it was asked for.
+/// Adds nothing, but records the requests.
 class CountingIntegrator final : public Integrator {
   public:
     [[nodiscard]] RadianceSample sample(const Ray& /*ray*/, float /*spread*/,
@@ -32,7 +32,7 @@ class CountingIntegrator final : public Integrator {
     std::size_t stop_after = 0;
 };
 
-/// What the integrator is asked for when so many samples come in, at most `at_once` at a time.
+/// The requests to the integrator for `samples` samples, at most `at_once` at a time.
 std::vector<std::size_t> asked_for(int samples, std::size_t at_once,
                                    CountingIntegrator& integrator) {
     const CameraState state = test::camera(Vec3(0, -2, 1), Vec3(0, 0, 0), 0.6);

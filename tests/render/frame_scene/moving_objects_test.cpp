@@ -59,7 +59,7 @@ TEST(MovingBall, ScaleOfItsTransform_IsItsOnlyPart) {
 }
 
 TEST(MovingBall, ImpactInsideTheShutter_LeavesACorner) {
-    // Along x until 0.5 s, then along y: at no time is the ball off the two lines.
+    // Along x until 0.5 s, then along y: the ball is always on one of the two lines.
     SceneBuilder builder;
     sim::Key a = key_at(0, Vec3(0, 0, 0), Vec3(1, 0, 0));
     sim::Key b = key_at(0.5, Vec3(0.5, 0, 0), Vec3(1, 0, 0));
@@ -107,7 +107,7 @@ void expect_box_hits(const SceneBuilder& builder, const Vec3& half, Acceleration
         const bool found = scene.frame.structure().closest_hit(ray, hit);
         ASSERT_EQ(found, scene.frame.structure().any_hit(ray));
         if (found != expected.has_value()) {
-            ++differing;  // rays past an edge, which 1e-4 rad may move by 5e-5 m
+            ++differing;  // rays next to an edge, which 1e-4 rad may move by 5e-5 m
             continue;
         }
         if (found) {
@@ -144,7 +144,8 @@ void expect_round_hits(const Shape& shape, const Vec3& core, double radius, Acce
     for (int i = 0; i < 20'000; ++i) {
         const float time = random.unit();
         const MotionState state = builder.tracks[0].sample(scene_time(time));
-        // Towards a point within the core, from outside or, every third, from another one.
+        // Towards a point within the core, from outside or, for every third ray, from another point
+        // of the core.
         const Vec3 to = random_vector(random, 1) * core;
         const Vec3 from = i % 3 == 0 ? random_vector(random, 1) * core : random_vector(random, 2);
         const auto in_world = [&](const Vec3& p) {
@@ -188,7 +189,7 @@ TEST(MovingMesh, TumblingMesh_IsWhereTheTrackHasIt) {
     }
 }
 
-/// Rays that hit; `hybrid` and Embree give the same hits.
+/// The number of rays that hit; `hybrid` and Embree must give the same hits.
 int compare_structures(const SceneBuilder& builder, int rays) {
     const BuiltScene hybrid(builder, kOpen, kClose, AccelerationKind::hybrid);
     const BuiltScene embree(builder, kOpen, kClose, AccelerationKind::embree);
@@ -223,7 +224,7 @@ TEST(FrameScene, StructuresAgreeOnAWholeScene) {
     EXPECT_GT(compare_structures(builder, 50'000), 10'000);
 }
 
-// Still ones stay under one tree from frame to frame, unless too many others move.
+// Static shapes stay in one tree from frame to frame, unless too many others move.
 TEST(FrameScene, StructuresAgreeOnManyStillBalls) {
     for (const int moving : {0, 5, 500}) {
         SceneBuilder builder;

@@ -1,4 +1,4 @@
-// Scenes and rays in one line each.
+// Helpers that make scenes and rays in one line each.
 #pragma once
 
 #include <cmath>
@@ -57,7 +57,7 @@ struct SceneBuilder {
     }
 };
 
-/// Geometry and frame together.
+/// A static geometry with its frame.
 struct BuiltScene {
     StaticGeometry geometry;
     FrameScene frame;

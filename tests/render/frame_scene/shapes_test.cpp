@@ -15,7 +15,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-/// Nearest t > 0 at which a ray in object axes meets a shape.
+/// Nearest t > 0 at which a ray in object axes hits a shape.
 using Reference = std::function<double(const Vec3& o, const Vec3& d)>;
 
 double on_flat(const Vec3& o, const Vec3& d, const std::function<bool(double, double)>& inside) {
@@ -48,11 +48,12 @@ double on_frustum(const Vec3& o, const Vec3& d, double r0, double r1, double h) 
     return nearest;
 }
 
-/// How far a point is from a convex body's core.
+/// Distance of a point from a convex body's core.
 using Distance = std::function<double(const Vec3& p)>;
 
-/// All points within `radius` of a convex core. The distance from it along a line is convex: its
-/// least value by ternary search, where it is `radius` on either side of that by bisection.
+/// All points within `radius` of a convex core. The distance from the core along a line is convex:
+/// its minimum is found by ternary search, and the points where it is `radius` on both sides of the
+/// minimum by bisection.
 double on_rounded(const Vec3& o, const Vec3& d, double radius, const Distance& distance) {
     const auto at = [&](double t) { return distance(o + t * d); };
     double low = -1e3;
@@ -113,7 +114,7 @@ std::vector<Case> cases() {
     const auto around = [](double radius, double height) {
         return [radius, height](const Vec3& p, const V2f& uv) {
             if (std::abs(std::abs(p.z) - 0.5 * height) < 1e-4) {
-                return true;  // ends, tested below
+                return true;  // the ends are tested below
             }
             static_cast<void>(radius);
             return near_turn(uv.x, p) && near(uv.y, p.z / height + 0.5);
@@ -171,7 +172,7 @@ std::vector<Case> cases() {
                  o, d, 0.4, [](const Vec3& p) { return std::hypot(p.x, p.y, beyond(p.z, 0.55)); });
          },
          [](const Vec3& p, const V2f& uv) {
-             // The way along the surface from the lower pole to the upper.
+             // The length along the surface from the lower pole.
              const double on_axis = std::clamp(p.z, -0.55, 0.55);
              const double latitude = std::atan2(p.z - on_axis, std::hypot(p.x, p.y));
              const double arc_length = 0.4 * (0.5 * kPi + latitude) + on_axis + 0.55;
@@ -198,7 +199,7 @@ std::vector<Case> cases() {
     };
 }
 
-/// Stretched, sheared, turned, moved and every other time mirrored.
+/// Scaled, sheared, rotated, translated, and every other time mirrored.
 Mat44 random_affine(TestRandom& random) {
     Mat44 m;
     for (;;) {
@@ -214,7 +215,7 @@ Mat44 random_affine(TestRandom& random) {
     }
 }
 
-/// What was compared.
+/// The numbers of rays compared.
 struct Tally {
     int hits = 0;
     int differing = 0;
@@ -234,7 +235,7 @@ void compare(const BuiltScene& scene, const Case& c, const Mat44& world_from_obj
     const bool same = found == std::isfinite(expected) &&
                       (!found || std::abs(hit.t - expected) < 1e-3 * (1 + expected));
     if (!same) {
-        ++tally.differing;  // past a rim or grazing
+        ++tally.differing;  // next to a rim, or grazing
         return;
     }
     if (!found) {
@@ -251,7 +252,7 @@ void compare(const BuiltScene& scene, const Case& c, const Mat44& world_from_obj
     back.multVecMatrix(Vec3(point.position), scaled);
     scaled *= axis_scales(world_from_object);
     ASSERT_LT((Vec3(point.object_position) - scaled).length(), 1e-4) << c.name;
-    // Neighbouring points of the reference's own surface lie in the tangent plane.
+    // Neighbouring points of the reference's surface lie in the tangent plane.
     const double step = 1e-4;
     const Vec3 n(point.geometric_normal);
     ASSERT_NEAR(n.length(), 1, 1e-5);
@@ -269,7 +270,7 @@ void compare(const BuiltScene& scene, const Case& c, const Mat44& world_from_obj
         const double t = c.reference(o + step * shift, d);
         const double opposite = c.reference(o - step * shift, d);
         if (!(std::abs(t + opposite - 2 * expected) < 0.1 * step)) {
-            continue;  // over a rim
+            continue;  // beyond a rim
         }
         const Vec3 tangent = (step * side + (t - expected) * Vec3(ray.direction)).normalized();
         ASSERT_NEAR(tangent.dot(n), 0, 0.02) << c.name << " at " << p;
@@ -347,12 +348,12 @@ TEST(Shapes, Cone_NormalLeansUpBySlope) {
     expect_near(side.geometric_normal, Vec3(2, 0, 1) / std::sqrt(5.0));
 }
 
-TEST(Shapes, Capsule_MeetsRaysAlongItsAxisAndFromInside) {
+TEST(Shapes, Capsule_IsHitAlongItsAxisAndFromInside) {
     const CapsuleShape capsule{0.5, 2};
     const SurfacePoint pole = look(capsule, Vec3(0, 0, 5), Vec3(0, 0, 0));
     expect_near(pole.position, Vec3(0, 0, 1.5));
     expect_near(pole.geometric_normal, Vec3(0, 0, 1));
-    // Parallel to the axis beside it: 0.4 off, the end is 0.3 above the ball's centre.
+    // Parallel to the axis, 0.4 beside it: the end is 0.3 above the hemisphere's centre.
     const SurfacePoint end = look(capsule, Vec3(0, 0.4, -5), Vec3(0, 0.4, 0));
     expect_near(end.position, Vec3(0, 0.4, -1.3));
     expect_near(end.geometric_normal, Vec3(0, 0.8, -0.6));
@@ -393,7 +394,7 @@ TEST(Shapes, RoundedBox_FlatSidesEdgesAndCornersAreWhereTheyBelong) {
     const SurfacePoint edge = look(box, Vec3(0.9, 0.1, 9), Vec3(0.9, 0.1, 0));
     expect_near(edge.position, Vec3(0.9, 0.1, 1.45));
     expect_near(edge.geometric_normal, Vec3(0.6, 0, 0.8));
-    // Straight at a corner, and from the middle out through it.
+    // Straight at a corner, and from the centre out through it.
     const Vec3 corner(0.75, 0.25, 1.25);
     const Vec3 out = Vec3(1, 1, 1).normalized();
     for (const Vec3& from : {corner + 3.0 * out, corner - 0.1 * out}) {
@@ -401,7 +402,7 @@ TEST(Shapes, RoundedBox_FlatSidesEdgesAndCornersAreWhereTheyBelong) {
         expect_near(point.position, corner + 0.25 * out);
         expect_near(point.geometric_normal, out);
     }
-    // Past the corner of the box around it, which is not there.
+    // Through the corner of the bounding box, outside the rounded shape.
     SceneBuilder builder;
     builder.add(box, Mat44());
     const BuiltScene scene(builder);
@@ -435,7 +436,7 @@ TEST(Shapes, RoundedBoxWithoutACore_IsASphere) {
                 ADD_FAILURE() << i;
             } else if (found) {
                 ++hits;
-                ASSERT_NEAR(a.t, b.t, 5e-4f) << i;  // grazing rays are that uncertain
+                ASSERT_NEAR(a.t, b.t, 5e-4f) << i;  // the error of grazing rays
             }
         }
     }
@@ -443,7 +444,7 @@ TEST(Shapes, RoundedBoxWithoutACore_IsASphere) {
 }
 
 TEST(Shapes, SlenderCapsule_IsHitAllAlongItsLength) {
-    // A thousand radii long, from all directions, those along it among them.
+    // A thousand radii long, from all directions, including rays along it.
     TestRandom random(17);
     SceneBuilder builder;
     const Mat44 map = placed(Vec3(1, 2, 3), turn_about(Vec3(1, 2, 0), 1.1));
@@ -460,8 +461,8 @@ TEST(Shapes, SlenderCapsule_IsHitAllAlongItsLength) {
     }
 }
 
-TEST(Shapes, RaysParallelToAConesSide_MeetTheOtherSide) {
-    // The quadratic's leading term vanishes. Down along the generator at +x, shifted inwards.
+TEST(Shapes, RaysParallelToAConesSide_HitTheOtherSide) {
+    // The quadratic's leading term vanishes: down along the generator at +x, shifted inwards.
     const Vec3 down = Vec3(0.5, 0, -1).normalized();
     const Vec3 start(-0.25, 0, 0.25);
     const SurfacePoint point = look(ConeShape{1, 0, 2}, start, start + down);
@@ -519,7 +520,8 @@ TEST(Shapes, TrianglesSideBySide_LeaveNoGap) {
 }
 
 TEST(Shapes, TrackedObjects_AreMappedBeforeTheyMove) {
-    // Sheared, moved off its body's origin, then turned a quarter about z and carried along x.
+    // Sheared, offset from its body's origin, then rotated by a quarter turn about z and moved
+    // along x.
     Mat44 map;
     map[1][0] = 0.5;  // y leans towards x
     map[3][0] = 2;

@@ -149,7 +149,7 @@ TEST(StaticGeometry, ComparisonStructure_NamesTheProgramThatMakesIt) {
     }
 }
 
-/// A structure that meets nothing, recognised by its bytes.
+/// A structure without any hits, recognised by its bytes.
 class Silent final : public MeasuredStructure {
   public:
     [[nodiscard]] bool closest_hit(const Ray& /*ray*/, Hit& /*hit*/) const override {

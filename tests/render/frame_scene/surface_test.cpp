@@ -1,4 +1,4 @@
-// Points of surfaces: place, normal, parameters, and stepping off them.
+// Surface points: position, normal, parameters, and the offset of the next ray.
 #include <algorithm>
 #include <cmath>
 
@@ -34,7 +34,7 @@ TEST(SurfaceAt, TurnedSphere_LongitudeAndLatitudeInItsOwnAxes) {
     const Seen seen = look(scene, Vec3(3, 2, 3), Vec3(1, 2, 3));
     expect_near(seen.point.position, Vec3(1.5, 2, 3), 1e-6);
     expect_near(seen.point.geometric_normal, Vec3(1, 0, 0), 1e-6);
-    // Seen along world x, the ball shows what it has at -0.5 rad.
+    // Seen along world x, the ball shows its surface at -0.5 rad.
     expect_near(seen.point.object_position, Vec3(0.5 * std::cos(-0.5), 0.5 * std::sin(-0.5), 0),
                 1e-6);
     EXPECT_NEAR(seen.point.uv.x, 1 - 0.5 / 6.283185307, 1e-5);
@@ -101,7 +101,7 @@ TEST(SurfaceAt, Box_FacesPlacesAndUv) {
 }
 
 TEST(SurfaceAt, BoxTurnedByQuarterTurns_IsTheSameBox) {
-    // A box turned by 90 degrees takes the path of aligned boxes; its axes are still its own.
+    // A box rotated by 90 degrees is tested as an aligned box; its axes are still its own.
     SceneBuilder builder;
     builder.add(BoxShape{Vec3(2, 4, 6)},
                 placed(Vec3(0), turn_about(Vec3(0, 0, 1), std::acos(-1) / 2)));
@@ -147,15 +147,16 @@ TEST(SurfaceAt, Mesh_InterpolatesUvAndNormals) {
     const Vec3 mixed =
         0.25 * Vec3(0, 0, 1) + 0.5 * Vec3(1, 0, 1).normalized() + 0.25 * Vec3(0, 0, -1);
     expect_near(point.shading_normal, mixed.normalized(), 1e-6);
-    // Near the corner whose normal points the other way it is turned to the geometric side.
+    // Near the corner whose normal points the other way, the normal is flipped to the geometric
+    // side.
     const SurfacePoint flipped = look(scene, Vec3(2.01, 1.95, 4), Vec3(2.01, 1.95, 0)).point;
     EXPECT_GT(flipped.shading_normal.dot(flipped.geometric_normal), 0);
-    // Seen from behind the geometric normal stays outwards.
+    // Seen from behind, the geometric normal still points outwards.
     const SurfacePoint behind = look(scene, Vec3(3, 0.5, -4), Vec3(3, 0.5, 0)).point;
     expect_near(behind.geometric_normal, Vec3(0, 0, 1), 1e-6);
 }
 
-/// Convex shapes of many sizes and places.
+/// Convex shapes of many sizes at many positions.
 Vec3 add_convex_shapes(SceneBuilder& builder, TestRandom& random) {
     const Vec3 place = random_vector(random, 3);
     const Quat turn = turn_about(random_vector(random), static_cast<double>(random.between(0, 3)));
@@ -178,7 +179,7 @@ Vec3 add_convex_shapes(SceneBuilder& builder, TestRandom& random) {
     return place;
 }
 
-/// Towards the middle of one of those shapes, from close by or from afar.
+/// Towards the centre of one of those shapes, from close by or from far away.
 Ray ray_at_shape(const SceneBuilder& builder, const Vec3& place, TestRandom& random) {
     const std::uint32_t shape = random.next() % 10;
     const float time = random.unit();
@@ -191,7 +192,7 @@ Ray ray_at_shape(const SceneBuilder& builder, const Vec3& place, TestRandom& ran
                     time);
 }
 
-TEST(SurfaceAt, SteppingOff_NeverMeetsTheSameConvexSurfaceAgain) {
+TEST(SurfaceAt, OffsetOrigin_NeverHitsTheSameConvexSurfaceAgain) {
     TestRandom random(5);
     int tested = 0;
     for (int repeat = 0; repeat < 20; ++repeat) {
@@ -213,7 +214,7 @@ TEST(SurfaceAt, SteppingOff_NeverMeetsTheSameConvexSurfaceAgain) {
             if (direction.dot(Vec3(n)) < 0) {
                 direction = -direction;
             }
-            // Every third nearly grazes the surface.
+            // Every third ray nearly grazes the surface.
             if (i % 3 == 0) {
                 direction -= 0.999 * direction.dot(Vec3(n)) * Vec3(n);
             }
@@ -233,7 +234,7 @@ TEST(SurfaceAt, SteppingOff_NeverMeetsTheSameConvexSurfaceAgain) {
     EXPECT_GT(tested, 30'000);
 }
 
-TEST(SurfaceAt, SteppingInside_MeetsTheFarSide) {
+TEST(SurfaceAt, OffsetInside_HitsTheFarSide) {
     TestRandom random(6);
     int tested = 0;
     SceneBuilder builder;
@@ -256,7 +257,7 @@ TEST(SurfaceAt, SteppingInside_MeetsTheFarSide) {
         ASSERT_TRUE(scene.frame.structure().closest_hit(next, far_side));
         ASSERT_EQ(far_side.object, hit.object);
         if (far_side.t < p.offset) {
-            continue;  // at an edge the step ends beside the neighbouring face
+            continue;  // at an edge the offset origin lies next to the neighbouring face
         }
         const SurfacePoint q = scene.frame.surface_at(next, far_side);
         ASSERT_GT(q.geometric_normal.dot(next.direction), -0.1f) << "object " << hit.object;

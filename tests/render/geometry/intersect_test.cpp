@@ -28,8 +28,8 @@ TEST(IntersectSphere, FromOutsideAndInside_NearestBeyondTMin) {
 }
 
 TEST(IntersectSphere, FarAway_FloatFindsTheSurface) {
-    // The textbook discriminant b^2 - c loses everything at this distance: in float its error is a
-    // thousand radii squared times 1e-7.
+    // The textbook discriminant b^2 - c is useless at this distance: in float its error is a
+    // thousand squared radii times 1e-7.
     test::TestRandom random(1);
     for (int i = 0; i < 5'000; ++i) {
         const V3f origin = 1000.f * random_vector(random);
@@ -57,7 +57,7 @@ TEST(IntersectBox, SixFaces_AreNamed) {
             ASSERT_TRUE(hit);
             EXPECT_EQ(hit->face, 2 * axis + side);
             EXPECT_FLOAT_EQ(hit->t, 10 - high[axis]);
-            // From inside the opposite face is met.
+            // From inside, the opposite face is hit.
             ray.origin[axis] = 0;
             const auto leaving = intersect_box(ray, low, high);
             ASSERT_TRUE(leaving);
@@ -74,7 +74,7 @@ TEST(IntersectBox, RayAlongAFace_IsDecidedWithoutNaN) {
     ASSERT_TRUE(at(0.999f));
     EXPECT_FLOAT_EQ(at(0.999f)->t, 4);
     EXPECT_FALSE(at(1.001f));
-    EXPECT_TRUE(!at(1) || at(1)->t == 4);  // within the face itself: either
+    EXPECT_TRUE(!at(1) || at(1)->t == 4);  // within the face itself both answers are right
 }
 
 TEST(IntersectPlane, ParallelRay_Misses) {
@@ -108,7 +108,7 @@ TEST(IntersectTriangle, RandomRays_AgreeWithDouble) {
         const auto exact = intersect_triangle(RaySegment<double>{Vec3(origin), Vec3(direction)},
                                               Vec3(a), Vec3(b), Vec3(c));
         if (!narrow || !exact) {
-            // Only at the very edge may they differ.
+            // They may differ only at the very edge.
             if (exact) {
                 const double edge = std::min({exact->u, exact->v, 1 - exact->u - exact->v});
                 ASSERT_LT(edge, 1e-3);
@@ -127,7 +127,7 @@ TEST(IntersectTriangle, RandomRays_AgreeWithDouble) {
 }
 
 TEST(IntersectTriangle, SharedEdges_LetNoRayThrough) {
-    // A fan around a corner; rays at points exactly on edges and at the corner itself.
+    // A fan around a corner, and rays at points exactly on edges and at the corner itself.
     test::TestRandom random(4);
     for (int repeat = 0; repeat < 200; ++repeat) {
         const V3f centre = 0.1f * random_vector(random);

@@ -25,7 +25,7 @@ class PlyFile : public testing::Test {
         return read_mesh(path_);
     }
 
-    /// Without the path.
+    /// The message without the path.
     std::string message(const std::string& text) {
         try {
             static_cast<void>(read(text));
@@ -50,8 +50,8 @@ std::string square(const std::string& faces) {
     return std::string(kSquareHeader) + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n" + faces;
 }
 
-// Found by the fuzzer: a plan of such a mesh would have asked where NaN lies on the page.
-TEST_F(PlyFile, VertexThatIsNoNumber_IsRefused) {
+// Found by the fuzzer: a plan of such a mesh would have drawn a NaN.
+TEST_F(PlyFile, VertexThatIsNotANumber_IsRejected) {
     std::string text =
         "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float "
         "y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
@@ -88,7 +88,7 @@ TEST_F(PlyFile, Text_PolygonsAreCut) {
     EXPECT_TRUE(mesh.uv.empty());
 }
 
-/// A triangle with normals, uv, a colour to pass over and an element behind its faces.
+/// A triangle with normals, uv, a colour to skip and an element after its faces.
 std::string binary_triangle(bool big_endian) {
     std::string text =
         std::string("ply\r\nformat ") +

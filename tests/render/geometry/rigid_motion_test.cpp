@@ -23,7 +23,7 @@ double angle_to(const Imath::Quatf& q, const Quat& expected) {
     return sim::angle_between(Quat(q).normalized(), expected);
 }
 
-/// A ball that hits a cushion at 0.51 s and spins, slowing down.
+/// A ball that hits a cushion at 0.51 s, with decreasing spin.
 sim::Track bouncing() {
     sim::Key a = key(0, Vec3(-1, 0, 0.03), Vec3(2, 0.5, 0));
     sim::Key b = key(0.51, Vec3(0.01, 0.26, 0.03), Vec3(1.9, 0.5, 0));
@@ -103,7 +103,7 @@ TEST(RigidMotion, ZeroLengthShutter_StandsStill) {
     }
 }
 
-TEST(RigidMotion, VeryShortStretch_StaysOnThePath) {
+TEST(RigidMotion, VeryShortSegment_StaysOnThePath) {
     // Two impacts 1e-7 s apart inside one shutter.
     sim::Key a = key(0, Vec3(0), Vec3(5, 0, 0));
     sim::Key b = key(0.01, Vec3(0.05, 0, 0), Vec3(5, 0, 0));

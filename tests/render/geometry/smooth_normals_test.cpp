@@ -31,7 +31,8 @@ TEST(SmoothNormals, CubeWithSharpEdges_HasTwentyFourVertices) {
 }
 
 TEST(SmoothNormals, RoundCube_EveryNormalPointsAwayFromTheCentre) {
-    // Weighted by angles, whichever way the squares are cut.
+    // The weights are angles, so that it does not matter how the squares are divided into
+    // triangles.
     TriangleMesh mesh = cube();
     smooth_normals(mesh, 100 * kDegree);
     EXPECT_EQ(mesh.vertices.size(), 8u);

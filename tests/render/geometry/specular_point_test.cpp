@@ -13,7 +13,7 @@ V3f reflect(const V3f& direction, const V3f& normal) {
     return direction - normal * (2 * direction.dot(normal));
 }
 
-TEST(SpecularPoint, OverManyPlaces_TheMirroredRayMeetsTheSecondPoint) {
+TEST(SpecularPoint, ManyPositions_ReflectedRayHitsTheSecondPoint) {
     const V3f centre(0.1f, -0.2f, 0.3f);
     const float radius = 0.03f;
     int found = 0;
@@ -43,7 +43,7 @@ TEST(SpecularPoint, SameDirection_IsStraightBelow) {
     const auto point = specular_point(V3f(0, 0, 2), V3f(0, 0, 5), V3f(0, 0, 0), 1);
     ASSERT_TRUE(point);
     EXPECT_LT((point->position - V3f(0, 0, 1)).length(), 1e-6f);
-    // A convex mirror of focal length 1/2: the rays of the solid angle w fill, straight on,
+    // A convex mirror of focal length 1/2: at normal incidence the rays of the solid angle w cover
     // w (l1 + l2 + 2 l1 l2 / r)^2.
     EXPECT_NEAR(point->spread, 1.0f / (13 * 13), 1e-6f);
 }
@@ -53,7 +53,7 @@ TEST(SpecularPoint, BehindTheBall_HasNone) {
     EXPECT_FALSE(specular_point(V3f(0, 0, 0.5f), V3f(0, 0, 3), V3f(0, 0, 0), 1));
 }
 
-/// The spread against differences: rays a little beside each other, and the area that they span.
+/// The spread against finite differences: neighbouring rays, and the area that they span.
 TEST(SpecularPoint, Spread_IsThatOfNeighbouringRays) {
     const V3f centre(0, 0, 0);
     const float radius = 0.5f;

@@ -10,8 +10,8 @@ namespace {
 using test::Estimate;
 using test::SceneBuilder;
 
-/// Two smooth balls on a floor with a wide highlight, one coated and one of polished metal; nothing
-/// shines yet.
+/// Two smooth balls on a floor with a wide highlight, one coated and one of polished metal; without
+/// lights.
 SceneBuilder mirrors_on_floor() {
     SceneBuilder builder;
     StandardMaterial phenolic;
@@ -36,13 +36,12 @@ Estimate seen(const SceneDescription& scene, bool caustics, int bounces) {
     PathSettings path;
     path.caustics = caustics;
     path.max_bounces = bounces;
-    // Between the balls, in the shadow of the one and beside the other.
+    // Between the balls, in the shadow of one and beside the other.
     return test::picture_luminance(scene, test::camera(Vec3(0, -1.6, 1.4), Vec3(0, -0.05, 0), 0.2),
                                    path, 32, 64);
 }
 
-/// A lamp and a bulb near enough that what the balls mirror onto the floor is a good part of what
-/// is seen there.
+/// With a lamp and a bulb so near that their caustics are a good part of what is seen on the floor.
 Estimate seen(bool caustics, int bounces) {
     SceneBuilder builder = mirrors_on_floor();
     builder.lamp(Vec3(0.9, -0.4, 1), 0.15, 0.1, 40).bulb(Vec3(-1.2, -0.8, 0.5), 0.12, 60);
@@ -59,18 +58,18 @@ LightDescription small_bulb(const Vec3& centre, double radius, double intensity)
     return {"bulb", SphereLight{centre, radius, Vec3(intensity / (M_PI * radius * radius))}};
 }
 
-TEST(Caustics, SoughtOrFoundByChance_HaveTheSameMean) {
+TEST(Caustics, SampledOrFoundByChance_HaveTheSameMean) {
     for (const int bounces : {1, 3}) {
-        const Estimate sought = seen(true, bounces);
+        const Estimate sampled = seen(true, bounces);
         const Estimate by_chance = seen(false, bounces);
-        EXPECT_NEAR(sought.mean, by_chance.mean, 4 * std::hypot(sought.error, by_chance.error))
+        EXPECT_NEAR(sampled.mean, by_chance.mean, 4 * std::hypot(sampled.error, by_chance.error))
             << bounces;
-        EXPECT_LT(sought.error, 0.2 * by_chance.error) << bounces;
+        EXPECT_LT(sampled.error, 0.2 * by_chance.error) << bounces;
         EXPECT_LT(by_chance.error, 0.01 * by_chance.mean) << bounces;
     }
 }
 
-/// What is seen of the gap between two balls of billiards that touch, a metre from the origin.
+/// The gap between two billiard balls that touch, a metre from the origin.
 Estimate gap(bool caustics) {
     SceneBuilder builder;
     StandardMaterial phenolic;
@@ -90,20 +89,21 @@ Estimate gap(bool caustics) {
 }
 
 TEST(Caustics, BetweenBallsThatTouch_AreNotLost) {
-    const Estimate sought = gap(true);
+    const Estimate sampled = gap(true);
     const Estimate by_chance = gap(false);
-    EXPECT_NEAR(sought.mean, by_chance.mean, 4 * std::hypot(sought.error, by_chance.error));
+    EXPECT_NEAR(sampled.mean, by_chance.mean, 4 * std::hypot(sampled.error, by_chance.error));
     EXPECT_LT(by_chance.error, 0.005 * by_chance.mean);
 }
 
 TEST(Caustics, AddLight) {
-    // Without a bounce there is no way by a mirror: what is sought must respect the limit.
+    // Without a bounce no specular reflection is followed: the sampled caustics must respect the
+    // limit.
     EXPECT_EQ(seen(true, 0).mean, seen(false, 0).mean);
     const double without = seen(true, 0).mean;
     EXPECT_GT(seen(true, 1).mean, 1.02 * without);
 }
 
-// Lights without a surface are the limit of small ones, what balls mirror of them included.
+// Delta lights are the limit of small lights, including their caustics.
 TEST(Caustics, OfAPoint_AreThoseOfASmallBulb) {
     const Vec3 place(-0.9, -0.5, 0.4);
     const Estimate point = seen_by({"point", PointLight{place, Vec3(3)}});

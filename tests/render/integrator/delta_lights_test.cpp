@@ -1,4 +1,4 @@
-// Lights without a surface, in both integrators, against closed forms.
+// Delta lights in both integrators, against closed forms.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ SceneBuilder floor_under(const LightDescription& light) {
     return builder;
 }
 
-/// A small piece of the floor at the origin, seen from above at a slant.
+/// A small part of the floor at the origin, seen obliquely from above.
 test::Estimate floor_by_paths(const SceneDescription& scene, DirectStrategy strategy) {
     PathSettings path;
     path.max_bounces = 2;
@@ -57,7 +57,7 @@ TEST(DeltaLights, OnADiffuseFloor_GiveTheirIrradianceInBothIntegrators) {
         const double exact = c.irradiance * 0.6 / M_PI;
         const test::Estimate paths = floor_by_paths(scene, DirectStrategy::both);
         EXPECT_NEAR(paths.mean, exact, 1e-3 * exact + 1e-9) << c.light.name;
-        EXPECT_LE(paths.error, 1e-3 * exact) << c.light.name;  // no noise but the pixel's own
+        EXPECT_LE(paths.error, 1e-3 * exact) << c.light.name;  // no noise except the pixel's own
         EXPECT_NEAR(floor_by_whitted(scene), exact, 1e-4 * exact + 1e-9) << c.light.name;
     }
 }
@@ -72,7 +72,7 @@ TEST(DeltaLights, BehindABall_CastAHardShadow) {
     }
 }
 
-// Beside others they are chosen in proportion, and the sum stays what it is.
+// Among other lights they are chosen in proportion to importance, and the sum stays the same.
 TEST(DeltaLights, AmongOthers_AddUpAtEveryVertex) {
     SceneBuilder builder;
     builder.diffuse("white", 0.7);

@@ -16,7 +16,7 @@ namespace {
 using test::Estimate;
 using test::SceneBuilder;
 
-/// Balls of every kind of lobe on a floor, two area lights.
+/// Balls with every kind of lobe on a floor, and two area lights.
 SceneBuilder balls_on_floor() {
     SceneBuilder builder;
     StandardMaterial lacquer;
@@ -62,7 +62,7 @@ TEST(DirectLight, EveryStrategy_HasTheSameMean) {
     }
 }
 
-// Lights before and behind the glass, and the floor seen through it.
+// Lights in front of and behind the glass, and the floor seen through it.
 TEST(DirectLight, FrostedGlass_EveryStrategyHasTheSameMean) {
     StandardMaterial frosted;
     frosted.transmission = 1;
@@ -92,7 +92,7 @@ TEST(DirectLight, Together_TheyBeatEitherAlone) {
     EXPECT_LT(both.error, with(DirectStrategy::scattering_only, 0).error);
 }
 
-/// A picture of a dim sky with a brighter patch, in a file of its own.
+/// A picture of a dim sky with a brighter patch, in its own file.
 class SkyPicture {
   public:
     SkyPicture() {
@@ -119,8 +119,8 @@ class SkyPicture {
     std::string path_;
 };
 
-// The lamp is a thousand times as important as the sky, which is thus sampled at one vertex in
-// eight; but a screen stands in the lamp's way, so that all of the picture hangs on those few.
+// The lamp has a thousand times the importance of the sky, which is thus sampled at one vertex in
+// eight. A screen occludes the lamp, so that the whole picture depends on these few samples.
 TEST(DirectLight, DimSkyBesideABrightLamp_EveryStrategyHasTheSameMean) {
     const SkyPicture sky;
     SceneBuilder builder = balls_on_floor();
@@ -147,7 +147,7 @@ TEST(DirectLight, DimSkyBesideABrightLamp_EveryStrategyHasTheSameMean) {
     EXPECT_LT(scattering.error, 0.02 * both.mean);
 }
 
-TEST(PowerHeuristic, TheTwoShares_AddUpToOne) {
+TEST(PowerHeuristic, BothWeights_AddUpToOne) {
     EXPECT_FLOAT_EQ(power_heuristic(2, 3) + power_heuristic(3, 2), 1);
     EXPECT_EQ(power_heuristic(1, 0), 1);
     EXPECT_LT(power_heuristic(1e-20f, 1e20f), 1e-6f);

@@ -1,4 +1,4 @@
-// Rays by kind.
+// Numbers of rays by kind.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,8 +24,8 @@ DistributedSettings many() {
     return settings;
 }
 
-/// Boxes in boxes, so that two generations of refraction do not lead outside, of the air's own
-/// index, so that nothing reflects totally; all with two lights that no ray meets.
+/// Nested boxes, so that two generations of refraction do not lead outside, with the index of air,
+/// so that nothing reflects totally; and two lights that no ray hits.
 DistributedScene boxes_in_boxes() {
     PhongMaterial both;
     both.reflectance = both.transmittance = grey(0.3);
@@ -101,7 +101,8 @@ TEST(RayCounts, SamplesAtADepth_NeverFallBelowOne) {
 }
 
 TEST(RayCounts, ClassicFormula_GivesTheTablesOfItsText) {
-    // Its table 2: 800 x 600, two lights; blur, lens, shadow, reflection, refraction, recursion.
+    // Table 2 of the text: 800 x 600, two lights; blur, lens, shadow, reflection, refraction,
+    // recursion.
     const auto rays = [](int blur, int lens, int shadow, int reflection, int refraction,
                          int limit) {
         DistributedSettings settings;

@@ -1,4 +1,4 @@
-// Rays that are sent on: where they go.
+// Directions of reflected and refracted rays.
 #include <cmath>
 #include <numbers>
 
@@ -43,8 +43,9 @@ TEST(WhittedTracer, MirrorPlane_ShowsTheBulbWhereItsImageIs) {
 }
 
 TEST(WhittedTracer, GlassBall_BendsARayTwiceBySnellsLaw) {
-    // A ray at distance sin(i) from the middle of a unit ball enters under i, leaves at the angle
-    // 2 t - i of the ball and turned by 2 (i - t) in all, sin(t) = sin(i) / index.
+    // A ray at distance sin(i) from the centre of a unit ball enters at the angle of incidence i,
+    // leaves at the angle 2 t - i of the ball and is deflected by 2 (i - t) in total, sin(t) =
+    // sin(i) / index.
     for (const double i : {0.2, 0.7, 1.2}) {
         const double t = std::asin(std::sin(i) / 1.5);
         const Vec3 leaves(std::cos(2 * t - i), 0, std::sin(2 * t - i));
@@ -62,7 +63,7 @@ TEST(WhittedTracer, GlassBall_BendsARayTwiceBySnellsLaw) {
 }
 
 TEST(WhittedTracer, InsideGlass_ReflectsTotallyBeyondTheCriticalAngle) {
-    // The plane's inside lies below; the critical angle of 1.5 is 41.81 degrees.
+    // The plane's inside is below; the critical angle of 1.5 is 41.81 degrees.
     SceneBuilder builder;
     builder.phong("glass", glass(0.8, 1.5)).object("water", PlaneShape{}, Vec3(0), "glass");
     builder.bulb(Vec3(0, 2 * std::tan(42 * std::numbers::pi / 180), -2), 0.02, 10);
@@ -101,9 +102,9 @@ TEST(WhittedTracer, NumbersOfTheSample_DoNotMatter) {
     }
 }
 
-TEST(Gloss, SeenUnderAStripOfLight_IsTheWeightedShareOfTheDistribution) {
-    // Straight down on a glossy plane: the mirror direction is up, and a light with the half angle
-    // a about it is met by the share of angles below a, each weighted by its cosine: L int_0^a
+TEST(Gloss, SeenUnderAStripOfLight_IsTheWeightedFractionOfTheDistribution) {
+    // Straight down on a glossy plane: the mirror direction is up. A light with the half angle a
+    // around it is hit by the fraction of angles below a, each weighted by its cosine: L int_0^a
     // cos(x) exp(-x^2/2s^2) dx / int_0^(pi/2) cos(x) exp(-x^2/2s^2) dx.
     const double spread = 0.3;
     const double radius = 0.5;

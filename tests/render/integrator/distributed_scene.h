@@ -1,4 +1,4 @@
-// A scene, one ray, and what the distributed integrator makes of it.
+// A scene, one ray, and the distributed integrator's result.
 #pragma once
 
 #include "render/frame/prepared_scene.h"
@@ -7,7 +7,7 @@
 
 namespace carom::test {
 
-/// Neither diffuse nor ambient: only what is sent on.
+/// Neither diffuse nor ambient: reflection and refraction only.
 inline render::PhongMaterial phong_black() {
     render::PhongMaterial material;
     material.diffuse = Vec3(0, 0, 0);
@@ -52,7 +52,7 @@ class DistributedScene {
         return result;
     }
 
-    /// Red, mean of `samples` camera samples along the same ray.
+    /// Mean red value of `samples` camera samples along the same ray.
     [[nodiscard]] double mean(const render::DistributedSettings& settings, const Vec3& origin,
                               const Vec3& direction, int samples) const {
         double sum = 0;

@@ -34,7 +34,7 @@ TEST(PhongTerms, UnderABulb_FollowTheirFormulas) {
     const double intensity = 50 * 2 * (1 - std::sqrt(1 - 0.04 / bulb.length2()));
     const double cosine = std::numbers::sqrt2 / 2;
     for (const double degrees : {-10.0, 0.0, 5.0, 20.0}) {
-        // Seen from that angle off the mirrored direction of the light.
+        // Seen at that angle from the mirror direction of the light.
         const double elevation = std::numbers::pi / 4 + degrees * std::numbers::pi / 180;
         const Vec3 eye(0, -std::cos(elevation), std::sin(elevation));
         const double highlight = std::pow(std::cos(degrees * std::numbers::pi / 180), 30);
@@ -79,15 +79,15 @@ TEST(LayeredMaterials, AsPhong_ReflectWhatTheyReflectStraightOn) {
         return scene.trace(settings, Vec3(x, -5, 0), Vec3(0, 1, 0));
     };
     EXPECT_NEAR(seen(0).sample.radiance.x, 2 * 0.04 + 0.1 * 0.96 * 0.5, 1e-5);
-    EXPECT_EQ(seen(0).count.reflection_rays, 1u);  // a smooth coat needs no more
+    EXPECT_EQ(seen(0).count.reflection_rays, 1u);  // a smooth coat needs only one
     EXPECT_NEAR(seen(5).sample.radiance.x, 2 * 0.9, 1e-5);
     EXPECT_EQ(seen(5).count.reflection_rays, 8u);
 }
 
 TEST(LayeredMaterials, RoughHighlight_HasTheAlbedoOfItsReflectance) {
-    // Integrated over the hemisphere of light directions, straight on, each weighted by 1 / pi for
-    // I: the lobe k_s cos^n has the albedo 2 k_s / (n + 2) with a cosine, which is f to a part in
-    // n.
+    // Integrated over the hemisphere of light directions at normal incidence, each weighted by 1 /
+    // pi for I: the lobe k_s cos^n has the albedo 2 k_s / (n + 2) with a cosine, which is f to a
+    // part in n.
     StandardMaterial plastic;
     plastic.base = Vec3(0, 0, 0);
     plastic.specular = 1;
@@ -121,8 +121,8 @@ TEST(DiffuseFloor, UnderARectangle_IsAsBrightAsByPathTracing) {
     EXPECT_NEAR(distributed, by_path.mean, 4 * by_path.error + 5e-4 * by_path.mean);
 }
 
-/// A lamp 0.2 m wide at 10 m over the floor and a board at 1 m that covers x < 0: from the floor at
-/// x the part of the lamp beyond -9 x is seen.
+/// A lamp 0.2 m wide at 10 m above the floor and a board at 1 m that covers x < 0: from the floor
+/// at x the part of the lamp beyond -9 x is visible.
 class Penumbra : public testing::Test {
   protected:
     Penumbra() {
@@ -133,7 +133,7 @@ class Penumbra : public testing::Test {
         builder_.lamp(Vec3(0, 0, 10), 0.1, 0.1, 1000);
     }
     double lit_fraction(const DistributedSettings& settings, double x) const {
-        // In the open a floor of albedo 0.5 has 0.5 L A / (pi h^2), less than 1e-3 off.
+        // Without occlusion, a floor of albedo 0.5 has 0.5 L A / (pi h^2), to within 1e-3.
         const double open = 0.5 * 1000 * 0.04 / (std::numbers::pi * 100);
         const Vec3 eye(x, -0.1, 0.5);
         return DistributedScene(builder_.scene).mean(settings, eye, Vec3(x, 0, 0) - eye, 64) / open;

@@ -1,5 +1,4 @@
-// Objects that shine by their material, against lights of the same form; phong surfaces in both
-// integrators.
+// Emissive objects against lights of the same shape, and phong surfaces in both integrators.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -41,13 +40,13 @@ Estimate seen(const SceneBuilder& builder, DirectStrategy strategy, int bounces)
         builder.scene, test::camera(Vec3(0, -2.2, 0.9), Vec3(0, 0, 0.3), 0.7), path, 16, 16);
 }
 
-TEST(Emission, ARectangleThatShines_IsALamp) {
+TEST(Emission, EmissiveRectangle_IsALamp) {
     const SceneBuilder panel = unlit().object("panel", kPanel, Vec3(0, 0, 1.3), "glow");
     const SceneBuilder lamp = unlit().lamp(Vec3(0, 0, 1.3), 0.4, 0.3, 4);
     for (const int bounces : {0, 2}) {
         const Estimate as_object = seen(panel, DirectStrategy::both, bounces);
         const Estimate as_light = seen(lamp, DirectStrategy::both, bounces);
-        // Seen from behind the panel is black and the lamp is not there; the camera sees neither.
+        // From behind, the panel is black and the lamp invisible; the camera sees neither.
         EXPECT_NEAR(as_object.mean, as_light.mean, 4 * std::hypot(as_object.error, as_light.error))
             << bounces;
         EXPECT_LT(as_object.error, 0.01 * as_object.mean);
@@ -69,8 +68,8 @@ TEST(Emission, EveryStrategy_HasTheSameMean) {
     }
 }
 
-// Round things are found by scattered rays alone: the same light with more noise.
-TEST(Emission, ABallThatShines_IsABulb) {
+// Round objects are found by scattered rays alone: the same light with more noise.
+TEST(Emission, EmissiveBall_IsABulb) {
     const SceneBuilder ball = unlit().sphere("glowing", 0.3, Vec3(-0.6, 0.2, 0.9), "glow");
     const SceneBuilder bulb = unlit().bulb(Vec3(-0.6, 0.2, 0.9), 0.3, 4);
     const Estimate as_object = seen(ball, DirectStrategy::both, 1);
@@ -95,13 +94,13 @@ TEST(Emission, InTheDistributedIntegrator_LightsTheFloorAndIsSeen) {
     EXPECT_EQ(down.sample.radiance.y, 0);  // its back
 }
 
-// A matt phong surface is a diffuse one, and the path integrator takes it.
+// A matt phong surface is a diffuse one, and the path integrator renders it.
 TEST(PhongByPaths, MattSurface_IsADiffuseOne) {
     const auto floor = [](bool as_phong) {
         SceneBuilder builder;
         PhongMaterial phong;
         phong.diffuse = Vec3(0.6, 0.6, 0.6);
-        phong.ambient = Vec3(1, 1, 1);  // without meaning here
+        phong.ambient = Vec3(1, 1, 1);  // meaningless here
         if (as_phong) {
             builder.phong("floor", phong);
         } else {
@@ -133,8 +132,8 @@ TEST(PhongByPaths, EveryStrategy_HasTheSameMean) {
     EXPECT_NEAR(scattering.mean, both.mean, 4 * std::hypot(scattering.error, both.error));
 }
 
-// Under an even sky a surface that keeps all light and is seen through or mirrored cannot be seen.
-TEST(PhongByPaths, GlassThatAbsorbsNothing_CannotBeSeen) {
+// Under a uniform sky a surface that keeps all light and transmits or reflects it is invisible.
+TEST(PhongByPaths, GlassThatAbsorbsNothing_IsInvisible) {
     for (const double spread : {0.0, 0.05}) {
         SceneBuilder builder;
         PhongMaterial glass;
@@ -148,7 +147,7 @@ TEST(PhongByPaths, GlassThatAbsorbsNothing_CannotBeSeen) {
         path.max_bounces = 40;
         const Estimate mean = test::picture_luminance(
             builder.scene, test::camera(Vec3(0, -3, 0.3), Vec3(0, 0, 0.3), 0.15), path, 16, 16);
-        // A spread lobe loses what falls below the surface: at the rim alone.
+        // A spread lobe loses what falls below the surface, which matters only at the rim.
         EXPECT_NEAR(mean.mean, 1, 4 * mean.error + (spread > 0 ? 0.02 : 1e-4)) << spread;
         EXPECT_LE(mean.mean, 1 + 4 * mean.error + 1e-4) << spread;
     }

@@ -1,4 +1,4 @@
-// Lamps whose light does not fade with distance, in both integrators, against closed forms.
+// Lamps without falloff, in both integrators, against closed forms.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ LightDescription bulb(double height, double radius) {
     return {"bulb", SphereLight{{0, 0, height}, radius, Vec3(kRadiance), Falloff::none}};
 }
 
-/// A small piece of the floor at the origin, seen at a slant past the lamp.
+/// A small part of the floor at the origin, seen obliquely past the lamp.
 test::Estimate floor_by_paths(const SceneDescription& scene, DirectStrategy strategy, int samples) {
     PathSettings path;
     path.max_bounces = 1;
@@ -48,7 +48,8 @@ TEST(Falloff, None_LightsTheFloorTheSameFromEveryHeight) {
     for (const double height : {1.0, 4.0, 20.0}) {
         for (const LightDescription& light : {square_lamp(height, 0.05), bulb(height, 0.05)}) {
             const SceneDescription scene = floor_under(light);
-            // The irradiance pi L, but for the corners of the lamp, which are a little aslant.
+            // The irradiance is pi L, except for the corners of the lamp, which are seen at a
+            // slight angle.
             const double exact = kAlbedo * kRadiance;
             EXPECT_NEAR(floor_by_paths(scene, DirectStrategy::both, 16).mean, exact, 3e-3 * exact)
                 << light.name << " at " << height;
@@ -61,7 +62,7 @@ TEST(Falloff, None_LightsTheFloorTheSameFromEveryHeight) {
     }
 }
 
-// Found from the light's side, by chance, or both: the same light.
+// By light sampling, by chance, or both: the same light.
 TEST(Falloff, None_IsTheSameForEveryStrategy) {
     for (const LightDescription& light : {square_lamp(0.7, 0.5), bulb(0.8, 0.4)}) {
         const SceneDescription scene = floor_under(light);
@@ -76,7 +77,7 @@ TEST(Falloff, None_IsTheSameForEveryStrategy) {
     }
 }
 
-// A camera sees the lamp with the radiance that its file names.
+// A camera sees the lamp with the radiance in its description.
 TEST(Falloff, None_LeavesTheLampAsItLooks) {
     for (const double height : {1.0, 4.0}) {
         const SceneDescription scene = floor_under(square_lamp(height, 0.05));

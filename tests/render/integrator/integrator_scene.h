@@ -1,4 +1,4 @@
-// One scene, any strategy: pictures made with the integrator itself.
+// One scene with any strategy: pictures by the integrator alone.
 #pragma once
 
 #include <cmath>
@@ -30,7 +30,8 @@ inline Estimate estimate_of(const std::vector<double>& values) {
     return {mean, std::sqrt(std::max(0.0, squares / n - mean * mean) / (n - 1))};
 }
 
-/// Mean luminance of a picture, by `runs` runs with other seeds; `samples` per pixel each.
+/// Mean luminance of a picture over `runs` runs with different seeds, with `samples` per pixel
+/// each.
 inline Estimate picture_luminance(const render::SceneDescription& scene,
                                   const render::CameraState& camera,
                                   const render::PathSettings& path, int runs, int samples) {

@@ -12,8 +12,8 @@ using test::SceneBuilder;
 
 constexpr int kSize = 16;
 
-/// Two smooth balls, one coated and one of polished metal, and a third ball in the way of some of
-/// what they mirror.
+/// Two smooth balls, one coated and one of polished metal, and a third ball that occludes some of
+/// their reflections.
 SceneBuilder balls() {
     SceneBuilder builder;
     StandardMaterial phenolic;
@@ -32,12 +32,12 @@ SceneBuilder balls() {
     return builder;
 }
 
-/// With a bulb and a small lamp that are mirrored in both.
+/// With a bulb and a small lamp that both balls reflect.
 SceneBuilder balls_before_lights() {
     return balls().bulb(Vec3(-1.2, -1.8, 1.5), 0.25, 60).lamp(Vec3(0.4, -0.9, 2), 0.3, 0.2, 40);
 }
 
-/// A lens that smears the images over the picture.
+/// With a lens that spreads the images over the picture.
 CameraState camera() {
     CameraState state = test::camera(Vec3(0, -2.6, 0.9), Vec3(0, 0.1, 0.25), 0.5);
     state.lens_radius = 0.06;
@@ -45,7 +45,7 @@ CameraState camera() {
     return state;
 }
 
-/// Mean luminance of the picture, the images of lights in balls by splats or by chance.
+/// Mean luminance of the picture, with the reflections of lights by light tracing or by chance.
 Estimate seen(const PreparedScene& prepared, bool splats, int runs, int samples) {
     const auto& data = prepared.data();
     const FrameScene frame(data.geometry, {}, 0, 0);
@@ -86,15 +86,15 @@ Estimate seen(const PreparedScene& prepared, bool splats, int runs, int samples)
     return test::estimate_of(means);
 }
 
-TEST(LightTracer, SoughtOrFoundByChance_HaveTheSameMean) {
+TEST(LightTracer, SampledOrFoundByChance_HaveTheSameMean) {
     const PreparedScene prepared(balls_before_lights().scene,
                                  test::small_settings(kSize, kSize, 16));
-    const Estimate sought = seen(prepared, true, 24, 16);
+    const Estimate sampled = seen(prepared, true, 24, 16);
     const Estimate by_chance = seen(prepared, false, 48, 256);
-    EXPECT_NEAR(sought.mean, by_chance.mean, 4 * std::hypot(sought.error, by_chance.error));
+    EXPECT_NEAR(sampled.mean, by_chance.mean, 4 * std::hypot(sampled.error, by_chance.error));
     EXPECT_LT(by_chance.error, 0.01 * by_chance.mean);
     // With a thirty-second of the samples.
-    EXPECT_LT(sought.error, by_chance.error);
+    EXPECT_LT(sampled.error, by_chance.error);
 }
 
 TEST(LightTracer, OfAPoint_AreThoseOfASmallBulb) {

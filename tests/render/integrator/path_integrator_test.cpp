@@ -18,7 +18,7 @@ PathSettings bounces(int count) {
 }
 
 TEST(PathIntegrator, FloorUnderALamp_ShowsLambertsFormFactor) {
-    // Radiance of a diffuse floor straight below the middle of a parallel rectangle a x b at height
+    // Radiance of a diffuse floor straight below the centre of a parallel rectangle a x b at height
     // c: albedo L F, with (Howell, "A catalog of radiation heat transfer configuration factors",
     // B-4, four quarters) F = 2/pi (A/sqrt(1+A^2) atan(B/sqrt(1+A^2)) + B/sqrt(1+B^2)
     // atan(A/sqrt(1+B^2))), A = a/2c, B = b/2c.
@@ -38,7 +38,7 @@ TEST(PathIntegrator, FloorUnderALamp_ShowsLambertsFormFactor) {
     EXPECT_LT(seen.error, 2e-3 * exact);
 }
 
-TEST(PathIntegrator, LampInASmoothCoat_IsSeenWithFresnelsShare) {
+TEST(PathIntegrator, LampInASmoothCoat_IsSeenWithFresnelsReflectance) {
     // A black lacquered floor seen at 45 degrees shows the lamp's radiance times F(45 degrees).
     SceneBuilder builder;
     StandardMaterial black;
@@ -51,7 +51,7 @@ TEST(PathIntegrator, LampInASmoothCoat_IsSeenWithFresnelsShare) {
     EXPECT_NEAR(seen.mean, 10 * fresnel_dielectric(std::sqrt(0.5f), 1.5f), 0.01);
 }
 
-TEST(PathIntegrator, LampFromBehind_IsNotThere) {
+TEST(PathIntegrator, LampFromBehind_IsInvisible) {
     SceneBuilder builder;
     builder.lamp(Vec3(0, 0, 1), 5, 5, 10).environment(0.25);
     const CameraState above = test::camera(Vec3(0, 0, 3), Vec3(0, 0, 0), 0.1);

@@ -1,4 +1,4 @@
-// Waves make the same estimate as paths one at a time, sample by sample.
+// Waves give the same estimates as single paths, sample by sample.
 #include "render/integrator/wave/wave_integrator.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ StandardMaterial coated(double roughness) {
     return material;
 }
 
-/// A table with balls at rest and moving, one of them turned at an impact.
+/// A table with balls at rest and moving, one of them deflected by an impact.
 void add_table(SceneBuilder& builder) {
     builder.diffuse("cloth", 0.3).material("ball", coated(0));
     builder.object("table", render::BoxShape{Vec3(2, 2, 0.2)}, Vec3(0, 0, -0.1), "cloth");
@@ -196,7 +196,7 @@ TEST_P(Waves, Gather_WhatPathsGatherOneAtATime) {
         sum_alone += static_cast<double>(carom::luminance(alone.radiance));
         sum_together += static_cast<double>(carom::luminance(together[i].radiance));
     }
-    // Rounding turns a path aside only where it grazes an edge.
+    // Rounding changes a path only where it grazes an edge.
     EXPECT_LE(different, static_cast<int>(tasks.size()) / 100);
     EXPECT_NEAR(sum_together, sum_alone, 1e-3 * sum_alone);
     EXPECT_EQ(count_together.camera_rays, count_alone.camera_rays);
@@ -211,8 +211,8 @@ TEST_P(Waves, Gather_WhatPathsGatherOneAtATime) {
 INSTANTIATE_TEST_SUITE_P(All, Waves, testing::ValuesIn(wave_cases()),
                          [](const auto& tested) { return tested.param.name; });
 
-// A sample must not know what it was traced with: frames do not depend on tiles and chunks.
-TEST(WaveIntegrator, Samples_DoNotDependOnTheirCompany) {
+// A sample must not depend on those traced with it: frames do not depend on tiles and chunks.
+TEST(WaveIntegrator, Samples_DoNotDependOnOthersInTheWave) {
     SceneBuilder builder;
     add_table(builder);
     add_lights(builder);
@@ -254,7 +254,7 @@ TEST(WaveIntegrator, Samples_DoNotDependOnTheirCompany) {
     }
 }
 
-// Balls on cloth with sheen: paths of both share their vectors.
+// Balls on cloth with sheen: vectors contain paths of both.
 std::vector<float> small_picture() {
     SceneBuilder builder;
     add_table(builder);
@@ -271,7 +271,7 @@ std::vector<float> small_picture() {
     return render::render_frame(prepared, table_tracks(), frame, settings).rgba;
 }
 
-// What a frame is called in the store does not say how wide the vectors were.
+// A frame's key in the store does not contain the vector width.
 TEST(WaveIntegrator, WiderVectors_GiveTheSameBits) {
     const std::int64_t targets = hwy::SupportedTargets();
     constexpr std::int64_t kWider = HWY_AVX3 | HWY_AVX3_DL;

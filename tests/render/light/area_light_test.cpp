@@ -37,7 +37,7 @@ double distance_to(const RectangleLight& light, const V3f& point, const V3f& dir
     return inside ? t : -1;
 }
 
-/// Irradiance (per unit radiance) of a polygon wholly above the horizon: half the sum over its
+/// Irradiance (per unit radiance) of a polygon entirely above the horizon: half the sum over its
 /// edges of the angle that the edge subtends times the cosine between the normal and the edge's
 /// plane (Lambert 1760; in this form Arvo 1995, "Analytic methods for simulated light transport",
 /// eq. 2.2).
@@ -75,7 +75,8 @@ TEST(RectangleEmitter, Samples_FollowPdf) {
     for (const V3f& point : {V3f(0, 0, 0), V3f(1.5f, 0.2f, 1.0f)}) {
         test::DensityTest setup;
         setup.tests = 4;
-        // Places on the light, (0, 0) to (1, 1); the density per solid angle made one per place.
+        // Positions on the light, (0, 0) to (1, 1); the density per solid angle is converted to one
+        // per position.
         test::expect_square_density(
             [&](V3f u) -> std::optional<Vec2> {
                 const auto sample = emitter.sample(point, V2f(u.x, u.y));
@@ -168,7 +169,7 @@ TEST(RectangleEmitter, Irradiance_IsLambertsFormula) {
 }
 
 TEST(SphereEmitter, Irradiance_IsPiTimesSquareOfTheRatio) {
-    // pi L (R / d)^2 cos(theta) as long as the sphere is above the horizon.
+    // pi L (R / d)^2 cos(theta) while the sphere is entirely above the horizon.
     const SphereEmitter emitter(bulb());
     const V3f point(0, 0, 0);
     const V3f normal(0, 0, 1);

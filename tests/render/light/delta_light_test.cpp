@@ -10,7 +10,7 @@
 namespace carom::render {
 namespace {
 
-/// What arrives across the way to the point.
+/// Irradiance perpendicular to the direction of the light.
 V3f irradiance(const DeltaLight& light, const V3f& point) {
     const auto sample = light.sample(point);
     return sample ? light.radiance(*sample) / sample->pdf : V3f(0, 0, 0);
@@ -35,7 +35,7 @@ TEST(PointLight, WithoutFalloff_GivesTheSameAtEveryDistance) {
         EXPECT_EQ(irradiance(light, V3f(1, 2 + distance, 3)), V3f(10, 20, 40));
         EXPECT_NEAR(light.importance(V3f(1, 2 + distance, 3), V3f(0, -1, 0)),
                     luminance(V3f(10, 20, 40)), 1e-4);
-        // In a ball that mirrors it: the intensity that gives this irradiance there.
+        // For specular connections: the intensity that gives this irradiance there.
         EXPECT_NEAR(light.intensity(V3f(0, 1, 0), distance).x / (distance * distance), 10, 1e-4);
     }
     EXPECT_NEAR(light.irradiance_within(V3f(1, 50, 3), 1), luminance(V3f(10, 20, 40)), 1e-4);

@@ -10,7 +10,7 @@
 namespace carom::render {
 namespace {
 
-/// Two triangles of a rectangle that faces down, and a third of another size beside it.
+/// Two triangles of a rectangle that faces down, and a third of another size next to it.
 std::vector<EmissiveSurface::Triangle> triangles() {
     const V3f a(-0.4f, -0.3f, 1);
     const V3f b(-0.4f, 0.3f, 1);
@@ -49,7 +49,7 @@ TEST(EmissiveSurface, ARectangleOfTriangles_IsSampledLikeTheLamp) {
     EXPECT_NEAR(left / 20'000, 0.25, 0.015);
 }
 
-// The shares of places by triangle are those of their areas, and even within each.
+// Samples are distributed over the triangles by area, and uniformly within each.
 TEST(EmissiveSurface, Places_AreEvenByArea) {
     const auto all = triangles();
     const EmissiveSurface surface(all, V3f(1, 1, 1));
@@ -77,7 +77,8 @@ TEST(EmissiveSurface, Places_AreEvenByArea) {
     const double flat = area(all[0]) + area(all[1]);
     for (std::size_t i = 0; i < 4; ++i) {
         expected[i] = kSamples * flat / total / 4;
-        // A triangle with its tip at c: the share grows with the square of the way.
+        // A triangle with its tip at c: the fraction grows with the square of the distance from the
+        // tip.
         const double low = static_cast<double>(i) / 4;
         expected[4 + i] =
             kSamples * (total - flat) / total * (std::pow(low + 0.25, 2) - std::pow(low, 2));

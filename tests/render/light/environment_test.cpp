@@ -12,7 +12,7 @@
 namespace carom::render {
 namespace {
 
-/// A sky with a bright spot, written where the test runs.
+/// A sky with a bright spot, in a temporary file.
 class EnvironmentImage : public ::testing::Test {
   protected:
     static constexpr int kWidth = 64;
@@ -90,7 +90,7 @@ TEST_F(EnvironmentImage, EverySample_HasItsRadianceAndPdf) {
         EXPECT_NEAR(
             (environment.radiance(sample->direction) - environment.radiance(*sample)).length(), 0,
             0.02f);
-        // At the very edge of a pixel the direction may round into the neighbour.
+        // At the very edge of a pixel the direction may round to the neighbour.
         differing += std::abs(environment.pdf(sample->direction) / sample->pdf - 1) > 1e-3f ? 1 : 0;
     }
     EXPECT_LT(differing, 5);
@@ -129,7 +129,7 @@ TEST_F(EnvironmentImage, SampledIrradiance_EqualsTheIntegralOfRadiance) {
 }
 
 TEST_F(EnvironmentImage, MiddleColumn_LiesTowardsXAndRotatesCounterClockwise) {
-    // The sun's columns 40 to 42 lie right of the middle: towards -y as seen from inside.
+    // The sun's columns 40 to 42 are right of the middle: towards -y as seen from inside.
     const float u = 41.5f / kWidth;
     const float azimuth = (0.5f - u) * 2 * kPi;
     const float polar = kPi * 9.0f / kHeight;

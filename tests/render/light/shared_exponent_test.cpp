@@ -7,7 +7,7 @@
 namespace carom::render {
 namespace {
 
-TEST(SharedExponent, EveryColour_KeepsItsChannelsWithinAShareOfTheLargest) {
+TEST(SharedExponent, EveryColour_KeepsItsChannelsWithinAFractionOfTheLargest) {
     test::TestRandom random(3);
     for (int i = 0; i < 20'000; ++i) {
         const float size = std::ldexp(1.0f, static_cast<int>(random.between(-12, 15.9f)));

@@ -39,7 +39,7 @@ TEST(Sky, Light_IsSymmetricAboutTheSunAndBrightestAtIt) {
         EXPECT_NEAR(luminance_at(sky, azimuth, 0.4), luminance_at(sky, -azimuth, 0.4), 1e-3);
         EXPECT_LT(luminance_at(sky, azimuth, 0.6), luminance_at(sky, 0, 0.6));
     }
-    // Away from the sun the horizon is brighter than what is above it.
+    // Opposite to the sun, the horizon is brighter than the sky above it.
     EXPECT_GT(luminance_at(sky, M_PI, 0.1), luminance_at(sky, M_PI, 1.0));
     Sky hazy = sky;
     hazy.turbidity = 6;

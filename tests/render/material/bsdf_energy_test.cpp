@@ -1,4 +1,4 @@
-// No material gives off more light than it gets.
+// No material scatters more light than it receives.
 #include <gtest/gtest.h>
 
 #include "render/sampling/warp.h"
@@ -30,7 +30,7 @@ V3f sampled_albedo(const Bsdf& bsdf, Layers layers) {
     return V3f(sum / kSamples);
 }
 
-/// Integral of the value over the hemisphere, mirrors left out.
+/// Integral of the value over the hemisphere, without delta lobes.
 V3f integrated_albedo(const Bsdf& bsdf, Layers layers) {
     constexpr int kRings = 160;
     constexpr int kSectors = 160;
@@ -39,7 +39,7 @@ V3f integrated_albedo(const Bsdf& bsdf, Layers layers) {
         for (int i = 0; i < kSectors; ++i) {
             const V2f u((static_cast<float>(i) + 0.5f) / kSectors,
                         (static_cast<float>(j) + 0.5f) / kRings);
-            // Even in the cosine.
+            // Uniform in the cosine.
             const V3f wi = sample_cone(V2f(u.y, u.x), 1.0f);
             sum += Vec3(bsdf.evaluate(layers, wi).value);
         }

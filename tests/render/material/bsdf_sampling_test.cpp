@@ -49,7 +49,8 @@ TEST(BsdfSample, EveryLobeAndMixture_FollowsItsPdf) {
         setup.seed += 1;
         test::expect_direction_density(
             [&](V3f u) -> std::optional<V3f> {
-                // A mirror is no part of the density, which falls short of 1 by its probability.
+                // A delta lobe is not part of the density, whose integral falls short of 1 by its
+                // probability.
                 const auto sample = bsdf.sample(c.layers, V2f(u.x, u.y));
                 return sample && !sample->is_delta ? std::optional<V3f>(sample->direction)
                                                    : std::nullopt;

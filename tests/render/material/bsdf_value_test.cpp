@@ -1,4 +1,4 @@
-// Values that are known in closed form.
+// Values with closed forms.
 #include <gtest/gtest.h>
 
 #include "render/material/fresnel.h"
@@ -19,7 +19,7 @@ TEST(Fresnel, StraightOnAndGrazing_IsKnown) {
     EXPECT_NEAR(fresnel_dielectric(1, 1.5f), 0.04f, 1e-7f);
     EXPECT_NEAR(fresnel_dielectric(0, 1.5f), 1.0f, 1e-6f);
     EXPECT_NEAR(fresnel_dielectric(0.3f, 1.0f), 0.0f, 1e-12f);
-    // At Brewster's angle, tan = n, only the perpendicular part is left: ((n^2-1)/(n^2+1))^2 / 2.
+    // At Brewster's angle, tan = n, only the perpendicular part remains: ((n^2-1)/(n^2+1))^2 / 2.
     const float brewster = 1.0f / std::sqrt(1.0f + 2.25f);
     EXPECT_NEAR(fresnel_dielectric(brewster, 1.5f), 0.5f * std::pow(1.25f / 3.25f, 2.0f), 1e-6f);
 }
@@ -94,7 +94,7 @@ TEST(Ggx, Density_ProjectedOnTheSurface_IsOne) {
         double sum = 0;
         constexpr int kSteps = 20000;
         for (int i = 0; i < kSteps; ++i) {
-            // Even in sin^2: dm cos = pi d(sin^2).
+            // Uniform in sin^2: dm cos = pi d(sin^2).
             const float sine2 = (static_cast<float>(i) + 0.5f) / kSteps;
             sum += static_cast<double>(ggx.density(V3f(std::sqrt(sine2), 0, std::sqrt(1 - sine2))));
         }

@@ -1,4 +1,4 @@
-// Light that passes through: Snell, Fresnel, total reflection, rough boundaries.
+// Transmission: Snell, Fresnel, total reflection, rough boundaries.
 #include <gtest/gtest.h>
 
 #include "render/material/fresnel.h"
@@ -21,7 +21,7 @@ StandardMaterial clear_glass(double ior) {
     return glass;
 }
 
-/// From outside or, with `side` = -1, from within.
+/// From outside or, with `side` = -1, from inside.
 V3f viewer(float angle, float side) {
     return tilted(kNormal, angle) * side;
 }
@@ -50,7 +50,7 @@ Energy sampled_energy(const Bsdf& bsdf, const V3f& wo) {
     return {energy.reflected / kSamples, energy.passed / kSamples};
 }
 
-TEST(ClearGlass, BothSides_ShareLightByFresnelAndBendItBySnell) {
+TEST(ClearGlass, BothSides_DivideLightByFresnelAndBendItBySnell) {
     const Material material = make(clear_glass(1.5));
     for (const float side : {1.0f, -1.0f}) {
         for (const float angle : {0.0f, 0.3f, 0.6f}) {
@@ -67,7 +67,7 @@ TEST(ClearGlass, BothSides_ShareLightByFresnelAndBendItBySnell) {
             EXPECT_LT(bent->direction.dot(kNormal) * side, 0);
             EXPECT_NEAR(mirrored->weight.x, 1, 1e-5f);
             EXPECT_NEAR(bent->weight.x, 1, 1e-5f);
-            // n sin is kept, in the plane of incidence.
+            // n sin is conserved, in the plane of incidence.
             const V3f across_wo = wo - kNormal * wo.dot(kNormal);
             const V3f across_wi = bent->direction - kNormal * bent->direction.dot(kNormal);
             EXPECT_LT((across_wi * index + across_wo).length(), 2e-6f) << angle << " " << side;
@@ -75,7 +75,7 @@ TEST(ClearGlass, BothSides_ShareLightByFresnelAndBendItBySnell) {
     }
 }
 
-TEST(ClearGlass, BeyondTheCriticalAngle_MirrorsEverything) {
+TEST(ClearGlass, BeyondTheCriticalAngle_ReflectsEverything) {
     const Material material = make(clear_glass(1.5));
     const float critical = std::asin(1 / 1.5f);
     for (const float u : {0.0f, 0.5f, 0.999f}) {
@@ -93,7 +93,7 @@ TEST(ClearGlass, BeyondTheCriticalAngle_MirrorsEverything) {
     EXPECT_GT(sample->direction.dot(kNormal), 0);
 }
 
-TEST(ClearGlass, Colour_IsTakenOnAtTheSurfaceOrByTheWayWithin) {
+TEST(ClearGlass, Colour_AppliesAtTheSurfaceOrWithDistanceInside) {
     StandardMaterial tinted = clear_glass(1.5);
     tinted.transmission_colour = Vec3(0.9, 0.5, 0.1);
     const Material material = make(tinted);
@@ -131,7 +131,7 @@ TEST(Glass, BothSidesAndAllAngles_KeepAllLightAndNoMore) {
     }
 }
 
-TEST(FrostedGlass, FacetsGettingSmoother_ShareLightAsClearGlassDoes) {
+TEST(FrostedGlass, SmootherFacets_ApproachClearGlass) {
     StandardMaterial frosted = clear_glass(1.5);
     frosted.roughness = 0.08;
     const Material material = make(frosted);
@@ -187,7 +187,7 @@ TEST(FrostedGlass, EverySample_FollowsItsPdfAndHasItsValue) {
 
 TEST(FrostedGlass, BasicRadiance_IsReciprocal) {
     // f(wo, wi) n_o^2 = f(wi, wo) n_i^2 for radiance (Walter 2007, section 2.2) is f(wo, wi) n_i^2
-    // = f(wi, wo) n_o^2 for basic radiance, here with the scale of single scattering taken out.
+    // = f(wi, wo) n_o^2 for basic radiance, here without the scale for single scattering.
     StandardMaterial frosted = clear_glass(1.5);
     frosted.roughness = 0.5;
     const auto glass = glass_constants(frosted);

@@ -1,4 +1,4 @@
-// Materials for the tests: every lobe alone and layered.
+// Materials for the tests: every lobe alone and in layers.
 #pragma once
 
 #include <string>
@@ -58,7 +58,7 @@ inline std::vector<Named> all() {
     return list;
 }
 
-/// Materials that light passes through, to be looked at from both sides.
+/// Transmissive materials, to be seen from both sides.
 inline std::vector<Named> glasses() {
     std::vector<Named> list;
     StandardMaterial glass;

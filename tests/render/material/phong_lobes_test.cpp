@@ -1,4 +1,4 @@
-// The classic surface as path tracing sees it: energy, densities, directions.
+// Phong surfaces in path tracing: energy, densities, directions.
 #include "render/material/phong_lobes.h"
 
 #include <cmath>
@@ -119,14 +119,14 @@ TEST(PhongLobes, Samples_FollowTheirDensity) {
     }
 }
 
-TEST(PhongLobes, DiffuseShare_IsLamberts) {
+TEST(PhongLobes, DiffuseTerm_IsLamberts) {
     const Named matt = materials()[0];
     const PhongLobes::Value value = lobes(matt, 0.4).evaluate(direction(0.9));
     EXPECT_NEAR(value.value.x, 0.9 * std::cos(0.9) / M_PI, 1e-6);
     EXPECT_NEAR(value.pdf, std::cos(0.9) / M_PI, 1e-6);
 }
 
-/// What comes back from a room that shines 1 from everywhere, per channel.
+/// The light reflected in a room with radiance 1 everywhere, per channel.
 V3f albedo(const PhongLobes& scattering) {
     test::TestRandom random(7);
     constexpr int kSamples = 200'000;
@@ -141,9 +141,9 @@ V3f albedo(const PhongLobes& scattering) {
     return sum / kSamples;
 }
 
-// Highlights, gloss and frosting keep what their file says at every angle of view, also where a
-// part of the lobe would pass below the surface.
-TEST(PhongLobes, EveryLobe_HoldsItsShareAtEveryAngle) {
+// Highlights, gloss and frosting have the albedo in their description at every viewing angle, also
+// where a part of the lobe would be below the surface.
+TEST(PhongLobes, EveryLobe_KeepsItsAlbedoAtEveryAngle) {
     std::vector<std::pair<const char*, PhongMaterial>> list;
     for (const double shininess : {1.0, 20.0, 400.0}) {
         PhongMaterial material;
@@ -183,7 +183,7 @@ TEST(PhongLobes, HighlightSeenStraightOn_IsThatOfLafortuneAndWillems) {
     }
 }
 
-// A spread lobe keeps the mean square of the angle that the classic model's rays have.
+// A spread lobe has the same mean square of the angle as the classic model's rays.
 TEST(PhongLobes, Spread_IsKeptAsMeanSquareOfTheAngle) {
     PhongMaterial mirror;
     mirror.diffuse = Vec3(0, 0, 0);

@@ -33,7 +33,7 @@ TEST(Distribution2D, Samples_FollowWeights) {
     for (const float w : weights) {
         total += static_cast<double>(w);
     }
-    // Four quarters of each cell, so that the place within a cell is tested too.
+    // Four quarters of each cell, so that the position within a cell is tested, too.
     const int samples = 400'000;
     std::vector<double> observed(weights.size() * 4, 0.0);
     std::vector<double> expected;

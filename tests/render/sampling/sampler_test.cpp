@@ -81,7 +81,7 @@ int pair_quality(const std::vector<Point>& pair, int m) {
 }
 
 // The worst t of each pair of Joe and Kuo's first five dimensions over 2^6, 2^8 and 2^10 points,
-// counted by an independent program that does not scramble; Owen's scrambling keeps it.
+// computed by an independent program without scrambling; Owen's scrambling conserves it.
 constexpr int kWorstPairQuality[5][5] = {
     {0, 0, 1, 2, 2}, {0, 0, 1, 2, 2}, {1, 1, 0, 1, 3}, {2, 2, 1, 0, 3}, {2, 2, 3, 3, 0}};
 
@@ -128,7 +128,7 @@ TEST(SampleStream, Sets_PairsKeepSobolsQuality) {
 }
 
 TEST(SampleStream, AlignedRuns_AreNetsToo) {
-    // Samples 64 to 127 of a pixel are as good as the first 64.
+    // Samples 64 to 127 of a pixel are as well distributed as the first 64.
     std::vector<Point> points;
     for (std::uint32_t i = 64; i < 128; ++i) {
         SampleStream stream(4, 5, 6, i);
@@ -139,7 +139,7 @@ TEST(SampleStream, AlignedRuns_AreNetsToo) {
 }
 
 TEST(SampleStream, DifferentSets_AreIndependent) {
-    // First coordinates of camera point and two sets against one another: a 16 x 16 table of counts
+    // First coordinates of camera point and two sets against each other: a 16 x 16 table of counts
     // over many pixels must not deviate from uniform.
     const int pixels = 4'000;
     for (int pair = 0; pair < 3; ++pair) {
@@ -203,7 +203,7 @@ TEST(SampleStream, SameArguments_SameNumbers) {
 }
 
 TEST(SampleStream, FixedArguments_FixedBits) {
-    // Pictures depend on these numbers: a change here needs a new kRendererRevision.
+    // Pictures depend on these numbers: a change here requires a new kRendererRevision.
     SampleStream stream(1, 2, 3, 4);
     const CameraSample camera = stream.camera_sample();
     const auto set = stream.next_4d();
@@ -251,8 +251,8 @@ TEST(SampleStream, SmoothIntegrand_ErrorFallsFasterThanByChance) {
         }
         return std::sqrt(sum / 32);
     };
-    // Independent numbers: a factor 4 from 64 to 1024 samples; Owen scrambling on smooth functions
-    // approaches 16^1.5 = 64 (Owen 1997).
+    // Independent numbers would give a factor of 4 from 64 to 1024 samples; Owen scrambling on
+    // smooth functions approaches 16^1.5 = 64 (Owen 1997).
     EXPECT_GT(error(64) / error(1024), 20);
 }
 
@@ -265,7 +265,7 @@ TEST(SampleStream, SquareBlocks_AreOneSequenceOfFourTimesAsMany) {
                 points.push_back({u.x, u.y});
             }
         }
-        // Every way to divide the square into as many boxes as there are points.
+        // All divisions of the square into as many boxes as there are points.
         int bits = 0;
         while (1 << bits < 4 * samples) {
             ++bits;

@@ -132,7 +132,7 @@ class ConeTest : public testing::TestWithParam<float> {};
 
 TEST_P(ConeTest, Samples_FollowPdf) {
     const float one_minus_cos = GetParam();
-    // The height is recovered from the sine, which keeps its digits in a narrow cone.
+    // The height is computed from the sine, which is accurate in a narrow cone.
     expect_density(
         {0, 1.00001, 0, kTurn + 1e-6},
         [&](V2f u) {

@@ -22,13 +22,13 @@ BallPaint paint_of(const BallTexture& texture) {
     return BallPaint(texture, texture.number > 0 ? draw_number(texture.number) : nullptr);
 }
 
-/// Colour as seen from `side` (+1: from +x, -1: from -x), `right` and `up` in ball radii.
+/// Colour seen from `side` (+1: from +x, -1: from -x), `right` and `up` in ball radii.
 V3f seen(const BallPaint& paint, float side, float right, float up) {
     const float depth = std::sqrt(1 - right * right - up * up);
     return paint.colour(V3f(side * depth, side * right, up) * kRadius, 1e-6f);
 }
 
-/// Share of ink in a rectangle of the disc, in ball radii.
+/// Fraction of ink in a rectangle of the disc, in ball radii.
 float ink(const BallPaint& paint, float side, float right0, float right1, float up0, float up1) {
     int dark = 0;
     constexpr int kSteps = 40;
@@ -52,7 +52,7 @@ TEST(BallPaint, Seven_IsUprightFromBothSides) {
 }
 
 TEST(BallPaint, SixAndNine_AreUnderlinedAndThereforeNotTheSameUpsideDown) {
-    // Separate bands of ink from the top down: the figures, and the line below them.
+    // The number of separate bands of ink from the top down: the digits, and the line below them.
     const auto bands = [](int number) {
         const BallPaint paint = paint_of(painted(number));
         int count = 0;

@@ -14,7 +14,7 @@
 namespace carom::render {
 namespace {
 
-/// A file of the test's own that disappears with it.
+/// A temporary file that is removed with the object.
 class TemporaryFile {
   public:
     explicit TemporaryFile(const std::string& ending)
@@ -99,7 +99,7 @@ TEST(MipPyramid, OutsideTheSquare_WrapsAsTold) {
     EXPECT_EQ(mask.lookup(7.0f, 0.5f, 0, Wrap::clamp, Wrap::clamp), 1);
     EXPECT_EQ(mask.lookup(-0.125f, 0.5f, 0, Wrap::repeat, Wrap::clamp), 1);
     EXPECT_EQ(mask.lookup(3.125f, 0.5f, 0, Wrap::repeat, Wrap::clamp), 0);
-    // Half-way between the last and the first.
+    // Half-way between the last texel and the first.
     EXPECT_EQ(mask.lookup(1.0f, 0.5f, 0, Wrap::repeat, Wrap::clamp), 0.5f);
 }
 
@@ -120,7 +120,7 @@ TEST(MipPyramid, OddSizes_ShrinkToOneTexel) {
     EXPECT_NEAR(mask.lookup(0.9f, 0.1f, 2, Wrap::clamp, Wrap::clamp), 0.2f, 1e-6f);
 }
 
-/// Two by two: red and green above blue and white; a surface that uv crosses in 4 m by 2 m.
+/// Two by two texels: red and green above blue and white, on a surface whose uv covers 4 m by 2 m.
 class PlacedImage : public ::testing::Test {
   protected:
     PlacedImage() {
@@ -171,7 +171,7 @@ TEST_F(PlacedImage, Offset_MovesThePicture) {
 
 TEST_F(PlacedImage, Rotation_TurnsItCounterClockwise) {
     image_.rotation = std::acos(-1.0) / 2;
-    // What was right of the corner is above it now.
+    // What was to the right of the corner is now above it.
     const V3f above = at(-0.25f, 0.75f);
     EXPECT_NEAR((above - kWhite).length(), 0, 1e-5);
     EXPECT_NEAR((at(-0.75f, 0.25f) - kRed).length(), 0, 1e-5);

@@ -1,4 +1,4 @@
-// Letters straight from FreeType are those that OpenImageIO draws.
+// Letters from FreeType are the same as those that OpenImageIO draws.
 #include "render/texture/letters.h"
 
 #include <array>

@@ -10,7 +10,7 @@
 namespace carom::render {
 namespace {
 
-/// Made once: it takes a while.
+/// Made once, because it takes long.
 const std::shared_ptr<const ClothTiles>& cloth_tiles() {
     static const auto tiles = make_cloth_tiles();
     return tiles;
@@ -71,7 +71,7 @@ TEST(ClothTiles, EveryLevel_AveragesToNothing) {
     for (const SignedPyramid* noise : {&tiles->nap, &tiles->wear}) {
         EXPECT_NEAR(noise->lookup(0.3f, 0.7f, 1, Wrap::repeat, Wrap::repeat), 0, 0.02f);
     }
-    // No seam where it repeats.
+    // The texture has no seam where it repeats.
     const V3f before = weave.lookup(0.999999f, 0.37f, 0, Wrap::repeat, Wrap::repeat);
     const V3f after = weave.lookup(1.000001f, 0.37f, 0, Wrap::repeat, Wrap::repeat);
     EXPECT_LT((before - after).length(), 0.01f);
