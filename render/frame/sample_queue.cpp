@@ -20,7 +20,7 @@ SampleQueue::SampleQueue(const Setting& setting, std::stop_token stop, RenderSta
     pixels_.reserve(kSize);
 }
 
-void SampleQueue::ask(const SampleStream& stream, const SampleIndex& index, PixelSums& sums,
+void SampleQueue::add(const SampleStream& stream, const SampleIndex& index, PixelSums& sums,
                       int group) {
     const std::size_t i = tasks_.size();
     batch_->x[i] = index.x;

@@ -26,7 +26,7 @@ class SampleQueue {
     SampleQueue(const Setting& setting, std::stop_token stop, RenderStatistics& count);
 
     /// `sums` must stay in place until `flush`; `group`: of the pixel's sums, or -1.
-    void ask(const SampleStream& stream, const SampleIndex& index, PixelSums& sums, int group = -1);
+    void add(const SampleStream& stream, const SampleIndex& index, PixelSums& sums, int group = -1);
 
     /// Returns when all samples are done, or at once if a stop is requested; sums are then
     /// incomplete.

@@ -97,7 +97,8 @@ RenderStatistics TileRenderer::render(int tile, const std::stop_token& stop) {
     SampleQueue queue = make_queue(stop, count);
     std::vector<PixelSums> sums(std::size_t{kTileSize} * kTileSize);
     std::size_t next = 0;
-    for_each_pixel(tile, stop, [&](int x, int y) { ask(x, y, 0, samples_, sums[next++], queue); });
+    for_each_pixel(tile, stop,
+                   [&](int x, int y) { request(x, y, 0, samples_, sums[next++], queue); });
     queue.flush();
     next = 0;
     for_each_pixel(tile, stop, [&](int x, int y) { write(x, y, sums[next++], samples_); });
@@ -111,8 +112,8 @@ RenderStatistics TileRenderer::begin(int tile, std::vector<PixelSums>& pilot,
     const int group_samples = settings_.samples / PixelSums::kGroups;
     for_each_pixel(tile, stop, [&](int x, int y) {
         for (int group = 0; group < PixelSums::kGroups; ++group) {
-            ask(x, y, group * group_samples, (group + 1) * group_samples, pilot[index(x, y)], queue,
-                group);
+            request(x, y, group * group_samples, (group + 1) * group_samples, pilot[index(x, y)],
+                    queue, group);
         }
     });
     queue.flush();
@@ -161,7 +162,7 @@ RenderStatistics TileRenderer::finish(int tile, const std::vector<PixelSums>& pi
     std::size_t next = 0;
     for_each_pixel(tile, stop, [&](int x, int y) {
         sums[next] = pilot[index(x, y)];
-        ask(x, y, settings_.samples, plan[index(x, y)], sums[next++], queue);
+        request(x, y, settings_.samples, plan[index(x, y)], sums[next++], queue);
     });
     queue.flush();
     next = 0;
@@ -177,12 +178,12 @@ SampleQueue TileRenderer::make_queue(const std::stop_token& stop, RenderStatisti
 }
 
 // Requests samples `from` to `to` of a pixel.
-void TileRenderer::ask(int x, int y, int from, int to, PixelSums& sums, SampleQueue& queue,
-                       int group) const {
+void TileRenderer::request(int x, int y, int from, int to, PixelSums& sums, SampleQueue& queue,
+                           int group) const {
     const SampleStream first(seed_, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
                              0);
     for (int sample = from; sample < to; ++sample) {
-        queue.ask(first.of_sample(static_cast<std::uint32_t>(sample)), {x, y, sample}, sums, group);
+        queue.add(first.of_sample(static_cast<std::uint32_t>(sample)), {x, y, sample}, sums, group);
     }
 }
 

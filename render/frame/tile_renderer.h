@@ -63,8 +63,8 @@ class TileRenderer {
     void for_each_pixel(int tile, const std::stop_token& stop, const Pixel& pixel) const;
     [[nodiscard]] SampleQueue make_queue(const std::stop_token& stop,
                                          RenderStatistics& count) const;
-    void ask(int x, int y, int from, int to, PixelSums& sums, SampleQueue& queue,
-             int group = -1) const;
+    void request(int x, int y, int from, int to, PixelSums& sums, SampleQueue& queue,
+                 int group = -1) const;
     void write(int x, int y, const PixelSums& sums, int samples);
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(settings_.width) +

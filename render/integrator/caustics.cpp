@@ -98,11 +98,11 @@ V3f Caustics::connected(const Path& path, const ShadingVertex& vertex, std::uint
     if (chosen == balls_.size()) {
         return V3f(0, 0, 0);
     }
-    return through(chosen, path, vertex, u, count) / (survival * probability);
+    return sample_connection(chosen, path, vertex, u, count) / (survival * probability);
 }
 
-V3f Caustics::through(std::size_t index, const Path& path, const ShadingVertex& vertex,
-                      const std::array<float, 4>& u, RenderStatistics& count) const {
+V3f Caustics::sample_connection(std::size_t index, const Path& path, const ShadingVertex& vertex,
+                                const std::array<float, 4>& u, RenderStatistics& count) const {
     const float* intensities = &pairs_[index * light_count_];
     std::size_t light = 0;
     float rest = u[1] * intensity_[index];

@@ -49,8 +49,9 @@ class Caustics {
   private:
     [[nodiscard]] float weight(std::size_t ball, const V3f& position, const V3f& normal) const;
     [[nodiscard]] float total_weight(const ShadingVertex& vertex, std::size_t own) const;
-    [[nodiscard]] V3f through(std::size_t ball, const Path& path, const ShadingVertex& vertex,
-                              const std::array<float, 4>& u, RenderStatistics& count) const;
+    [[nodiscard]] V3f sample_connection(std::size_t ball, const Path& path,
+                                        const ShadingVertex& vertex, const std::array<float, 4>& u,
+                                        RenderStatistics& count) const;
     void add(const SpecularBall& ball);
 
     TransportScene scene_;

@@ -127,7 +127,7 @@ V3f DistributedIntegrator::trace(const TreeRay& from, Work& work) const {
     V3f sum = surface.emission + vertex.model.ambient_colour(surface.base) * ambient +
               direct(vertex, work);
     if (from.generation < settings_.recursion_limit) {
-        sum += sent_on(vertex, work);
+        sum += reflected_and_refracted(vertex, work);
     }
     return sum;
 }
@@ -190,7 +190,7 @@ V3f DistributedIntegrator::from_light(std::size_t light, const V2f& u, const Ver
     return scene_.frame.structure().any_hit(shadow) ? V3f(0, 0, 0) : scattered;
 }
 
-V3f DistributedIntegrator::sent_on(const Vertex& vertex, Work& work) const {
+V3f DistributedIntegrator::reflected_and_refracted(const Vertex& vertex, Work& work) const {
     const PhongModel& model = vertex.model;
     V3f reflectance = model.reflectance_colour(vertex.surface.base);
     V3f transmittance = model.transmittance;
@@ -200,7 +200,7 @@ V3f DistributedIntegrator::sent_on(const Vertex& vertex, Work& work) const {
         const float relative_index = from_outside ? model.index : 1 / model.index;
         if (const auto axis = refracted(vertex.wo, vertex.surface.frame.z, relative_index)) {
             const Lobe lobe{*axis, model.transmittance_spread, settings_.refraction_samples, -1, 1};
-            sum += transmittance * gathered(lobe, vertex, work);
+            sum += transmittance * mean_over_lobe(lobe, vertex, work);
         } else {
             reflectance += transmittance;
         }
@@ -208,12 +208,13 @@ V3f DistributedIntegrator::sent_on(const Vertex& vertex, Work& work) const {
     if (!is_black(reflectance)) {
         const Lobe lobe{reflect(vertex.wo, vertex.surface.frame.z), model.reflectance_spread,
                         settings_.reflection_samples, 1, 0};
-        sum += reflectance * gathered(lobe, vertex, work);
+        sum += reflectance * mean_over_lobe(lobe, vertex, work);
     }
     return sum;
 }
 
-V3f DistributedIntegrator::gathered(const Lobe& lobe, const Vertex& vertex, Work& work) const {
+V3f DistributedIntegrator::mean_over_lobe(const Lobe& lobe, const Vertex& vertex,
+                                          Work& work) const {
     const TreeRay& from = vertex.from;
     const bool is_exact = lobe.spread <= 0 || lobe.samples == 1;
     const int samples = is_exact ? 1 : samples_at(lobe.samples, from.generation, settings_.falloff);

@@ -41,8 +41,8 @@ class DistributedIntegrator final : public Integrator {
     [[nodiscard]] V3f direct(const Vertex& vertex, Work& work) const;
     [[nodiscard]] V3f from_light(std::size_t light, const V2f& u, const Vertex& vertex,
                                  Work& work) const;
-    [[nodiscard]] V3f sent_on(const Vertex& vertex, Work& work) const;
-    [[nodiscard]] V3f gathered(const Lobe& lobe, const Vertex& vertex, Work& work) const;
+    [[nodiscard]] V3f reflected_and_refracted(const Vertex& vertex, Work& work) const;
+    [[nodiscard]] V3f mean_over_lobe(const Lobe& lobe, const Vertex& vertex, Work& work) const;
 
     TransportScene scene_;
     DistributedSettings settings_;

@@ -40,14 +40,14 @@ LightTracer::LightTracer(const TransportScene& scene, const ThinLensCamera& came
     for (const SpecularBall& ball : specular_balls(scene)) {
         for (std::size_t light = 0; light < light_count_; ++light) {
             if (connection_importance(scene, ball, light) > 0) {
-                consider(ball, light);
+                add_if_small(ball, light);
             }
         }
     }
 }
 
 // Estimates with a few probes how large the image is and over how many pixels it is blurred.
-void LightTracer::consider(const SpecularBall& ball, std::size_t light) {
+void LightTracer::add_if_small(const SpecularBall& ball, std::size_t light) {
     RenderStatistics ignored;
     Extent extent;
     float area = 0;

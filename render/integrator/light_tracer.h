@@ -55,7 +55,7 @@ class LightTracer {
     [[nodiscard]] std::optional<Landing> landing(const SpecularBall& ball, std::size_t light,
                                                  const CameraSample& sample,
                                                  RenderStatistics& count) const;
-    void consider(const SpecularBall& ball, std::size_t light);
+    void add_if_small(const SpecularBall& ball, std::size_t light);
 
     TransportScene scene_;
     const ThinLensCamera& camera_;

@@ -37,19 +37,19 @@ EmissiveSurface::EmissiveSurface(const std::vector<Triangle>& triangles, const V
         return;
     }
     for (const double area : up_to) {
-        area_up_to_.push_back(static_cast<float>(area / sum));
+        area_cdf_.push_back(static_cast<float>(area / sum));
     }
-    area_up_to_.back() = 1;
+    area_cdf_.back() = 1;
     area_ = static_cast<float>(sum);
     centre_ = bounds.center();
     bounding_radius_ = 0.5f * bounds.size().length();
 }
 
 std::optional<LightSample> EmissiveSurface::sample(const V3f& point, const V2f& u) const {
-    const auto found = std::upper_bound(area_up_to_.begin(), area_up_to_.end() - 1, u.x);
-    const auto index = static_cast<std::size_t>(found - area_up_to_.begin());
-    const float before = index > 0 ? area_up_to_[index - 1] : 0.0f;
-    const float fraction = area_up_to_[index] - before;
+    const auto found = std::upper_bound(area_cdf_.begin(), area_cdf_.end() - 1, u.x);
+    const auto index = static_cast<std::size_t>(found - area_cdf_.begin());
+    const float before = index > 0 ? area_cdf_[index - 1] : 0.0f;
+    const float fraction = area_cdf_[index] - before;
     const float rest =
         fraction > 0 ? std::clamp((u.x - before) / fraction, 0.0f, kOneMinusEpsilon) : 0.5f;
     // Uniform over the triangle (Turk 1990, "Generating random points in triangles").

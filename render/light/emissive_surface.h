@@ -33,7 +33,7 @@ class EmissiveSurface {
 
   private:
     std::vector<Triangle> triangles_;
-    std::vector<float> area_up_to_;  // cumulative distribution of the triangles' areas
+    std::vector<float> area_cdf_;  // cumulative distribution of the triangles' areas
     V3f radiance_;
     float area_ = 0;
     V3f centre_{0, 0, 0};        // of the bounding box

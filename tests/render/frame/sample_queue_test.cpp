@@ -42,7 +42,7 @@ std::vector<std::size_t> asked_for(int samples, std::size_t at_once,
                       count);
     PixelSums sums;
     for (int i = 0; i < samples; ++i) {
-        queue.ask(SampleStream(1, 3, 4, static_cast<std::uint32_t>(i)), {3, 4, i}, sums);
+        queue.add(SampleStream(1, 3, 4, static_cast<std::uint32_t>(i)), {3, 4, i}, sums);
     }
     return integrator.sizes;
 }
