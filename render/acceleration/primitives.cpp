@@ -86,11 +86,11 @@ void Primitives::find_closest_plane(const Ray& ray, Hit& best) const {
 }
 
 std::size_t Primitives::first_plane_hit(const Ray& ray) const {
-    const auto plane = std::ranges::find_if(planes_, [&](const Primitive& plane) {
+    const auto first = std::ranges::find_if(planes_, [&](const Primitive& plane) {
         Hit hit;
         return closest(plane, ray, hit);
     });
-    return static_cast<std::size_t>(plane - planes_.begin());
+    return static_cast<std::size_t>(first - planes_.begin());
 }
 
 }  // namespace carom::render
