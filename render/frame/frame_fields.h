@@ -1,4 +1,4 @@
-// The fields of what a frame is given, in the order in which they are hashed (core/fields.h).
+// The fields of a frame's input, in the order in which they are hashed (core/fields.h).
 #pragma once
 
 #include "core/fields.h"

@@ -182,13 +182,13 @@ std::optional<BsdfSample> Bsdf::sample_coat(Layers layers, const V2f& u, float p
 
 std::optional<BsdfSample> Bsdf::sample_base(Layers layers, const V2f& u, float probability) const {
     V2f square = u;
-    const auto takes = [&](float probability) {
-        if (probability <= 0) {
+    const auto takes = [&](float lobe_probability) {
+        if (lobe_probability <= 0) {
             return false;
         }
-        const bool taken = square.x < probability;
-        if (probability < 1) {
-            square.x = remap_sample(square.x, probability);
+        const bool taken = square.x < lobe_probability;
+        if (lobe_probability < 1) {
+            square.x = remap_sample(square.x, lobe_probability);
         }
         return taken;
     };

@@ -119,10 +119,10 @@ void expect_hits_of_reference(const Variant& variant, const TestSet& set,
                         is_borderline(set, i, expected.triangle, hit, epsilon))
                 << "ray " << i << ": " << hit.triangle << " not " << expected.triangle;
         } else if (hit.triangle >= 0) {
-            const Exact hit = exact(set, i, hit.triangle, epsilon);
-            EXPECT_NEAR(hit.t / expected.t, 1, kRoundings * hit.distance_error);
-            EXPECT_NEAR(hit.u, expected.u, kRoundings * hit.weight_error);
-            EXPECT_NEAR(hit.v, expected.v, kRoundings * hit.weight_error);
+            const Exact exact_hit = exact(set, i, hit.triangle, epsilon);
+            EXPECT_NEAR(hit.t / expected.t, 1, kRoundings * exact_hit.distance_error);
+            EXPECT_NEAR(hit.u, expected.u, kRoundings * exact_hit.weight_error);
+            EXPECT_NEAR(hit.v, expected.v, kRoundings * exact_hit.weight_error);
         }
     }
     EXPECT_LE(other_triangles, static_cast<int>(hits.size() / 1000));
@@ -284,10 +284,10 @@ TEST(Sets, Worst_EveryRayHitsEveryTriangleNearerThanTheOneBefore) {
 TEST(Sets, Random_HasHitsAndMisses) {
     const TestSet set = make_random_set(20, 5);
     const auto hits = reference_hits(Precision::single_precision, set);
-    const auto hit = std::count_if(hits.begin(), hits.end(),
-                                   [](const NearestHit& hit) { return hit.triangle >= 0; });
-    EXPECT_GT(hit, 400);
-    EXPECT_LT(hit, 900);
+    const auto hit_count = std::count_if(hits.begin(), hits.end(),
+                                         [](const NearestHit& hit) { return hit.triangle >= 0; });
+    EXPECT_GT(hit_count, 400);
+    EXPECT_LT(hit_count, 900);
 }
 
 TEST(Names, Kernels_FoundByTheirOwnNames) {

@@ -89,7 +89,7 @@ TEST_F(ImageFile, Exr_RoundTripsColoursAsHalfAndOthersAsFloat) {
 TEST_F(ImageFile, AsStored_IsWhatIsReadBack) {
     Film film = some_film(37, 23);
     film.aovs[0].values[5] = -1e30f;
-    // Ties, numbers below the least normal half, and what is beyond the largest.
+    // Ties, subnormal numbers, and numbers beyond the largest.
     const float odd[] = {1 + 0x1p-11f, 1 + 0x3p-11f, 0x1.8p-25f, 0x1p-25f, -0x1.23p-20f,
                          65519,        65520,        -1e9f,      -0.0f,    0x1.ffep-15f};
     std::copy(std::begin(odd), std::end(odd), film.rgba.begin());
