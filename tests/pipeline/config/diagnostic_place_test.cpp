@@ -47,7 +47,7 @@ std::string place_of(const Subject& subject, const std::string& field) {
 }
 
 TEST(DiagnosticPlace, Event_IsFoundByItsIndexAndField) {
-    EXPECT_EQ(place_of(Subject::event(1), "tip"), "14:46 events[1].strike.tip");
+    EXPECT_EQ(place_of(Subject::event(1), "tip"), "14:48 events[1].strike.tip");
     EXPECT_EQ(place_of(Subject::event(0), "when"), "13:5 events[0].impulse");
     EXPECT_EQ(place_of(Subject::event(7), "tip"), "12:1 events");
 }

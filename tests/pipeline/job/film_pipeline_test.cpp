@@ -129,7 +129,8 @@ TEST(FilmPipeline, Film_IsTheSameFromMemoryAndFromTheStore) {
         const std::string file = name == "film.mkv" ? name : "film.0005.exr";
         EXPECT_EQ(at_once.film(slow_and_fine(at_once.shot), at_once.options(name)).rendered,
                   kPictures);
-        FilmJobOptions half = resumed.options("");
+        FilmJobOptions half = resumed.options(name);
+        half.output.clear();
         half.frames = parse_frame_range("0-4");
         EXPECT_EQ(resumed.film(slow_and_fine(resumed.shot), half).rendered, 5);
         EXPECT_EQ(resumed.film(slow_and_fine(resumed.shot), resumed.options(name)).rendered,

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -63,7 +64,9 @@ TEST(Touches_WithoutEnd, AreCappedAndToldOf) {
     const std::string& first = result.warnings[0].sentence;
     EXPECT_NE(first.find("touches at 0.002"), std::string::npos) << first;
     EXPECT_NE(first.find("near 'cue' at (0.0000, 0.0000, 0.2500)"), std::string::npos) << first;
-    EXPECT_EQ(find_faults(world, result).size(), 3U) << "the loop's cap is a fault";
+    EXPECT_THAT(find_faults(world, result),
+                testing::Contains(testing::StartsWith("warning: more than 20000 touches")).Times(3))
+        << "the loop's cap is a fault";
 }
 
 }  // namespace
