@@ -1,7 +1,8 @@
-// carom::film: from a shot in YAML to its film. Includes carom/sim.h and carom/render.h, whose rules
-// hold here, too.
+// carom::film: from a shot in YAML to its film. Includes carom/sim.h and carom/render.h, whose
+// rules hold here, too.
 //
-//   pipeline::load_shot       reads a shot with its includes, presets and overrides; returns the Shot
+//   pipeline::load_shot       reads a shot with its includes, presets and overrides; returns the
+//   Shot
 //                             and every problem, each with its place in a file
 //   pipeline::Shot            world, scene, cameras and settings, as plain data
 //   pipeline::bake_shot       simulates it; bake_or_reuse takes the kept bake if there is one

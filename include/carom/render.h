@@ -1,9 +1,9 @@
 // carom::render: from a scene, the tracks of what moves in it and a camera to pixels.
 //
 //   render::SceneDescription, RenderSettings, FrameInput   what is rendered, as plain data
-//   render::PreparedScene   what all frames share: meshes, textures, the structure over still shapes
-//   render::render_frame    one frame; returns a Film
-//   render::Film            width * height linear Rec.709 RGBA floats, row by row from the top left,
+//   render::PreparedScene   what all frames share: meshes, textures, the structure over still
+//   shapes render::render_frame    one frame; returns a Film render::Film            width * height
+//   linear Rec.709 RGBA floats, row by row from the top left,
 //                           and the channels that the settings ask for
 //   render::write_exr, read_exr, write_display_image   pictures in files
 //
