@@ -39,7 +39,7 @@ std::string world_lines(const Shot& shot) {
                             shot.scene.materials.size(), shot.scene.lights.size()));
 }
 
-std::string film_lines(const Shot& shot) {
+std::string film_lines(const Shot& shot, std::uint64_t memory) {
     const std::int64_t frames = pipeline::frame_count(shot.cameras, shot.timing);
     const double fps = shot.timing.fps.to_double();
     std::string text =
@@ -49,8 +49,8 @@ std::string film_lines(const Shot& shot) {
                  fmt::format("{}x{}, {} samples a pixel, ", shot.render.width, shot.render.height,
                              shot.render.samples) +
                  pipeline::default_extension(shot.output));
-    text += line("memory", "about " + pipeline::memory_text(pipeline::forecast_memory(shot, "")) +
-                               " to render and encode the film");
+    text +=
+        line("memory", "about " + pipeline::memory_text(memory) + " to render and encode the film");
     for (const pipeline::CameraRig& rig : shot.cameras) {
         const pipeline::SceneStretch shown = pipeline::shown_scene_times(rig);
         text += line(
@@ -80,8 +80,7 @@ std::string file_lines(const Shot& shot, const pipeline::ShotSource& source) {
     return text;
 }
 
-void warn_of_little_memory(const Shot& shot, Console& console) {
-    const std::uint64_t needed = pipeline::forecast_memory(shot, "");
+void warn_of_little_memory(std::uint64_t needed, Console& console) {
     const std::optional<std::uint64_t> free = free_memory();
     if (free && needed > *free) {
         console.warning(fmt::format(
@@ -100,10 +99,11 @@ void run(const InfoCommand& command, CommandContext& context) {
         report_problems(pipeline::simulation_problems(input.bake->timeline, input.source.get()),
                         context.console);
     }
-    warn_of_little_memory(input.shot, context.console);
+    const std::uint64_t memory = pipeline::forecast_memory(input.shot, "");
+    warn_of_little_memory(memory, context.console);
     const std::string text =
         command.resolved ? pipeline::explained_yaml(*input.source, input.shot)
-                         : line("shot", input.shot.name) + film_lines(input.shot) +
+                         : line("shot", input.shot.name) + film_lines(input.shot, memory) +
                                world_lines(input.shot) + file_lines(input.shot, *input.source);
     write_text_output(command.output.empty() ? "-" : command.output, text);
 }
