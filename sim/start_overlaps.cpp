@@ -8,7 +8,7 @@
 
 #include "core/finite.h"
 #include "sim/solid_shape.h"
-#include "sim/spatial/convex_touch.h"
+#include "sim/spatial/convex_impact_time.h"
 #include "sim/spatial/static_mesh.h"
 
 namespace carom::sim {

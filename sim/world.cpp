@@ -14,9 +14,9 @@ namespace carom::sim {
 namespace {
 
 /// Collects problems. The sentences about one subject all begin with the same words.
-class Complaints {
+class ProblemCollector {
   public:
-    explicit Complaints(std::vector<Diagnostic>& list) : list_(list) {}
+    explicit ProblemCollector(std::vector<Diagnostic>& list) : list_(list) {}
 
     void about_contact(const std::string& name) {
         subject_ = {Subject::Kind::contact, name};
@@ -61,49 +61,49 @@ bool is_fraction(double value) {
 }
 
 void check_pair(const PairContact& pair, const std::string& key, const std::string& names,
-                Complaints& complaints) {
-    complaints.about_other_contact(key, names);
-    complaints.require(is_fraction(pair.restitution), "restitution",
-                       "restitution has to be in [0, 1]");
-    complaints.require(is_not_negative(pair.friction), "friction", "friction has to be 0 or more");
-    complaints.require(is_not_negative(pair.rolling_friction), "rolling_friction",
-                       "rolling_friction has to be 0 or more");
+                ProblemCollector& collector) {
+    collector.about_other_contact(key, names);
+    collector.require(is_fraction(pair.restitution), "restitution",
+                      "restitution has to be in [0, 1]");
+    collector.require(is_not_negative(pair.friction), "friction", "friction has to be 0 or more");
+    collector.require(is_not_negative(pair.rolling_friction), "rolling_friction",
+                      "rolling_friction has to be 0 or more");
 }
 
-void check_contact_law(const ContactLaw& law, Complaints& complaints) {
-    complaints.about_contact("ball_cloth");
-    complaints.require(is_not_negative(law.ball_cloth.sliding_friction) &&
-                           is_not_negative(law.ball_cloth.rolling_friction) &&
-                           is_not_negative(law.ball_cloth.spinning_friction),
-                       "friction", "friction has to be 0 or more");
-    complaints.require(is_fraction(law.ball_cloth.restitution), "restitution",
-                       "restitution has to be in [0, 1]");
-    complaints.about_contact("ball_ball");
-    complaints.require(is_fraction(law.ball_ball.restitution), "restitution",
-                       "restitution has to be in [0, 1]");
-    complaints.require(is_not_negative(law.ball_ball.friction), "friction",
-                       "friction has to be 0 or more");
-    complaints.about_contact("ball_cushion");
-    complaints.require(is_fraction(law.ball_cushion.restitution), "restitution",
-                       "restitution has to be in [0, 1]");
-    complaints.require(is_not_negative(law.ball_cushion.friction), "friction",
-                       "friction has to be 0 or more");
-    check_pair(law.otherwise, "otherwise", "other materials", complaints);
+void check_contact_law(const ContactLaw& law, ProblemCollector& collector) {
+    collector.about_contact("ball_cloth");
+    collector.require(is_not_negative(law.ball_cloth.sliding_friction) &&
+                          is_not_negative(law.ball_cloth.rolling_friction) &&
+                          is_not_negative(law.ball_cloth.spinning_friction),
+                      "friction", "friction has to be 0 or more");
+    collector.require(is_fraction(law.ball_cloth.restitution), "restitution",
+                      "restitution has to be in [0, 1]");
+    collector.about_contact("ball_ball");
+    collector.require(is_fraction(law.ball_ball.restitution), "restitution",
+                      "restitution has to be in [0, 1]");
+    collector.require(is_not_negative(law.ball_ball.friction), "friction",
+                      "friction has to be 0 or more");
+    collector.about_contact("ball_cushion");
+    collector.require(is_fraction(law.ball_cushion.restitution), "restitution",
+                      "restitution has to be in [0, 1]");
+    collector.require(is_not_negative(law.ball_cushion.friction), "friction",
+                      "friction has to be 0 or more");
+    check_pair(law.otherwise, "otherwise", "other materials", collector);
     for (const auto& [names, pair] : law.pairs) {
-        check_pair(pair, "pairs", "'" + names.first + "' and '" + names.second + "'", complaints);
+        check_pair(pair, "pairs", "'" + names.first + "' and '" + names.second + "'", collector);
     }
 }
 
-void check_hull(const ConvexHull& shape, Complaints& complaints) {
+void check_hull(const ConvexHull& shape, ProblemCollector& collector) {
     for (const Vec3& point : shape.points) {
         if (!is_finite(point)) {
-            return complaints.require(false, "points",
-                                      "every point of a convex hull has to be finite");
+            return collector.require(false, "points",
+                                     "every point of a convex hull has to be finite");
         }
     }
     const std::optional<Polyhedron> hull = convex_hull(shape.points);
-    complaints.require(hull.has_value(), "points",
-                       "a convex hull needs at least four points that do not lie in a plane");
+    collector.require(hull.has_value(), "points",
+                      "a convex hull needs at least four points that do not lie in a plane");
     if (!hull) {
         return;
     }
@@ -112,63 +112,62 @@ void check_hull(const ConvexHull& shape, Complaints& complaints) {
     for (const Vec3& vertex : hull->vertices) {
         reach = std::max(reach, std::sqrt(vertex.dot(vertex)));
     }
-    complaints.require(std::sqrt(centre.dot(centre)) <= 1e-6 * reach, "points",
-                       "the points of a convex hull have to be given about its centre of mass");
+    collector.require(std::sqrt(centre.dot(centre)) <= 1e-6 * reach, "points",
+                      "the points of a convex hull have to be given about its centre of mass");
 }
 
-void check_shape(const Body& body, Complaints& complaints) {
+void check_shape(const Body& body, ProblemCollector& collector) {
     if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
-        complaints.require(is_positive(sphere->radius), "radius",
-                           "radius has to be greater than 0");
+        collector.require(is_positive(sphere->radius), "radius", "radius has to be greater than 0");
     } else if (const auto* box = std::get_if<Box>(&body.shape)) {
-        complaints.require(
+        collector.require(
             is_positive(box->size.x) && is_positive(box->size.y) && is_positive(box->size.z),
             "size", "every edge of a box has to be longer than 0");
     } else if (const auto* capsule = std::get_if<Capsule>(&body.shape)) {
-        complaints.require(is_positive(capsule->radius) && is_positive(capsule->length), "",
-                           "radius and length of a capsule have to be greater than 0");
+        collector.require(is_positive(capsule->radius) && is_positive(capsule->length), "",
+                          "radius and length of a capsule have to be greater than 0");
     } else if (const auto* cylinder = std::get_if<Cylinder>(&body.shape)) {
-        complaints.require(is_positive(cylinder->radius) && is_positive(cylinder->height), "",
-                           "radius and height of a cylinder have to be greater than 0");
+        collector.require(is_positive(cylinder->radius) && is_positive(cylinder->height), "",
+                          "radius and height of a cylinder have to be greater than 0");
     } else if (const auto* hull = std::get_if<ConvexHull>(&body.shape)) {
-        check_hull(*hull, complaints);
+        check_hull(*hull, collector);
     } else if (const auto* mesh = std::get_if<TriangleMesh>(&body.shape)) {
-        complaints.require(body.kind == BodyKind::fixed, "", "a mesh has to be fixed");
+        collector.require(body.kind == BodyKind::fixed, "", "a mesh has to be fixed");
         bool vertices_fit = true;
         for (const Vec3& vertex : mesh->vertices) {
             vertices_fit = vertices_fit && is_finite(vertex);
         }
-        complaints.require(vertices_fit, "mesh", "every vertex has to be finite");
+        collector.require(vertices_fit, "mesh", "every vertex has to be finite");
         bool indices_fit = true;
         for (const auto& triangle : mesh->triangles) {
             for (const std::uint32_t index : triangle) {
                 indices_fit = indices_fit && index < mesh->vertices.size();
             }
         }
-        complaints.require(indices_fit, "mesh",
-                           "a triangle names a vertex that the mesh does not have");
+        collector.require(indices_fit, "mesh",
+                          "a triangle names a vertex that the mesh does not have");
     }
 }
 
-void check_body(const Body& body, Complaints& complaints) {
-    complaints.about_body(body.name);
-    complaints.require(!body.name.empty(), "", "the name is empty");
-    check_shape(body, complaints);
+void check_body(const Body& body, ProblemCollector& collector) {
+    collector.about_body(body.name);
+    collector.require(!body.name.empty(), "", "the name is empty");
+    check_shape(body, collector);
     if (body.kind == BodyKind::dynamic) {
-        complaints.require(is_positive(body.mass), "mass", "mass has to be greater than 0");
+        collector.require(is_positive(body.mass), "mass", "mass has to be greater than 0");
     }
-    complaints.require((body.kind == BodyKind::kinematic) == (body.path && body.path->track),
-                       "motion", "a path is for a kinematic body, which needs one");
+    collector.require((body.kind == BodyKind::kinematic) == (body.path && body.path->track),
+                      "motion", "a path is for a kinematic body, which needs one");
     const Quat& q = body.pose.orientation;
     const double norm = std::sqrt(q.r * q.r + q.v.dot(q.v));
-    complaints.require(std::abs(norm - 1) < 1e-6, "rotate",
-                       "the orientation has to be a unit quaternion");
-    complaints.require(is_finite(body.pose.position) && is_finite(body.velocity) &&
-                           is_finite(body.angular_velocity),
-                       "at", "position and velocities have to be finite");
+    collector.require(std::abs(norm - 1) < 1e-6, "rotate",
+                      "the orientation has to be a unit quaternion");
+    collector.require(is_finite(body.pose.position) && is_finite(body.velocity) &&
+                          is_finite(body.angular_velocity),
+                      "at", "position and velocities have to be finite");
 }
 
-void check_overlaps(const WorldDescription& world, Complaints& complaints) {
+void check_overlaps(const WorldDescription& world, ProblemCollector& collector) {
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
         for (std::size_t j = i + 1; j < world.bodies.size(); ++j) {
             const auto* a = std::get_if<Sphere>(&world.bodies[i].shape);
@@ -181,25 +180,25 @@ void check_overlaps(const WorldDescription& world, Complaints& complaints) {
             if (depth < 1e-9 * (a->radius + b->radius)) {
                 continue;
             }
-            complaints.about_body(world.bodies[j].name);
-            complaints.require(false, "at",
-                               "it overlaps '" + world.bodies[i].name + "' by " +
-                                   millimetres(depth) + " at the start");
+            collector.about_body(world.bodies[j].name);
+            collector.require(false, "at",
+                              "it overlaps '" + world.bodies[i].name + "' by " +
+                                  millimetres(depth) + " at the start");
         }
     }
 }
 
 class EventChecker {
   public:
-    EventChecker(const WorldDescription& world, Complaints& complaints)
-        : world_(world), complaints_(complaints) {}
+    EventChecker(const WorldDescription& world, ProblemCollector& collector)
+        : world_(world), collector_(collector) {}
 
     void check(const ForceEvent& event, std::size_t index) {
-        complaints_.about_event(index, event.object);
-        complaints_.require(is_dynamic(event.object), "",
-                            "there is no body of that name that can move");
-        complaints_.require(is_not_negative(event.time), "at", "its time has to be 0 or more");
-        complaints_.require(is_not_negative(event.after), "after", "the delay has to be 0 or more");
+        collector_.about_event(index, event.object);
+        collector_.require(is_dynamic(event.object), "",
+                           "there is no body of that name that can move");
+        collector_.require(is_not_negative(event.time), "at", "its time has to be 0 or more");
+        collector_.require(is_not_negative(event.after), "after", "the delay has to be 0 or more");
         if (event.trigger) {
             check_trigger(*event.trigger);
         }
@@ -227,83 +226,83 @@ class EventChecker {
 
     void check_trigger(const Trigger& trigger) {
         const bool all_rest = trigger.kind == Trigger::Kind::resting && trigger.a.empty();
-        complaints_.require(all_rest || find(trigger.a) != nullptr, "when",
-                            "its trigger names '" + trigger.a + "', which does not exist");
+        collector_.require(all_rest || find(trigger.a) != nullptr, "when",
+                           "its trigger names '" + trigger.a + "', which does not exist");
         if (trigger.kind == Trigger::Kind::contact) {
             static const std::set<std::string> surfaces{"cushion", "cloth", "floor", "rail",
                                                         "pocket"};
-            complaints_.require(find(trigger.b) != nullptr || surfaces.contains(trigger.b), "when",
-                                "its trigger names '" + trigger.b + "', which does not exist");
+            collector_.require(find(trigger.b) != nullptr || surfaces.contains(trigger.b), "when",
+                               "its trigger names '" + trigger.b + "', which does not exist");
         }
         if (trigger.kind == Trigger::Kind::crossing) {
             const Vec2 way = trigger.to - trigger.from;
             const double length2 = way.dot(way);
-            complaints_.require(
+            collector_.require(
                 !is_fixed(trigger.a), "when",
                 "it waits for '" + trigger.a + "' to cross a line, which never moves");
-            complaints_.require(std::isfinite(length2) && length2 > 0, "when",
-                                "the line of its trigger needs two different ends");
+            collector_.require(std::isfinite(length2) && length2 > 0, "when",
+                               "the line of its trigger needs two different ends");
         }
     }
 
     void check_action(const Force& force) {
-        complaints_.require(is_finite(force.newtons) && is_finite(force.at_point), "newtons",
-                            "the force has to be finite");
-        complaints_.require(is_positive(force.duration), "duration",
-                            "a force has to last longer than 0 s");
+        collector_.require(is_finite(force.newtons) && is_finite(force.at_point), "newtons",
+                           "the force has to be finite");
+        collector_.require(is_positive(force.duration), "duration",
+                           "a force has to last longer than 0 s");
     }
     void check_action(const Torque& torque) {
-        complaints_.require(is_finite(torque.newton_metres), "newton_metres",
-                            "the torque has to be finite");
-        complaints_.require(is_positive(torque.duration), "duration",
-                            "a torque has to last longer than 0 s");
+        collector_.require(is_finite(torque.newton_metres), "newton_metres",
+                           "the torque has to be finite");
+        collector_.require(is_positive(torque.duration), "duration",
+                           "a torque has to last longer than 0 s");
     }
     void check_action(const Impulse& impulse) {
-        complaints_.require(is_finite(impulse.newton_seconds) && is_finite(impulse.at_point),
-                            "newton_seconds", "the impulse has to be finite");
+        collector_.require(is_finite(impulse.newton_seconds) && is_finite(impulse.at_point),
+                           "newton_seconds", "the impulse has to be finite");
     }
     void check_action(const SetVelocity& velocity) {
-        complaints_.require(is_finite(velocity.linear.value_or(Vec3(0, 0, 0))) &&
-                                is_finite(velocity.angular.value_or(Vec3(0, 0, 0))),
-                            "", "the velocity has to be finite");
+        collector_.require(is_finite(velocity.linear.value_or(Vec3(0, 0, 0))) &&
+                               is_finite(velocity.angular.value_or(Vec3(0, 0, 0))),
+                           "", "the velocity has to be finite");
     }
     void check_action(const Strike& strike) {
         const Body* body = find(*object_);
-        complaints_.require(body == nullptr || std::holds_alternative<Sphere>(body->shape), "",
-                            "only a ball can be struck");
+        collector_.require(body == nullptr || std::holds_alternative<Sphere>(body->shape), "",
+                           "only a ball can be struck");
         const int aims = int{strike.toward.has_value()} + int{strike.toward_point.has_value()} +
                          int{strike.direction.has_value()};
-        complaints_.require(aims == 1, "toward",
-                            "a strike needs exactly one of toward and direction");
-        complaints_.require(strike.speed.has_value() != strike.ball_speed.has_value(), "speed",
-                            "a strike needs exactly one of speed and ball_speed");
-        complaints_.require(
+        collector_.require(aims == 1, "toward",
+                           "a strike needs exactly one of toward and direction");
+        collector_.require(strike.speed.has_value() != strike.ball_speed.has_value(), "speed",
+                           "a strike needs exactly one of speed and ball_speed");
+        collector_.require(
             is_positive(strike.speed.value_or(1)) && is_positive(strike.ball_speed.value_or(1)),
             "speed", "the speed of a strike has to be greater than 0");
         if (strike.toward) {
-            complaints_.require(find(*strike.toward) != nullptr, "toward",
-                                "it aims at '" + *strike.toward + "', which does not exist");
-            complaints_.require(*strike.toward != *object_, "toward",
-                                "a ball cannot be aimed at itself");
+            collector_.require(find(*strike.toward) != nullptr, "toward",
+                               "it aims at '" + *strike.toward + "', which does not exist");
+            collector_.require(*strike.toward != *object_, "toward",
+                               "a ball cannot be aimed at itself");
         }
-        complaints_.require(is_finite(strike.toward_point.value_or(Vec3(0, 0, 0))) &&
-                                std::abs(strike.direction.value_or(0)) < 1e5,
-                            "toward", "the aim has to be finite");
-        complaints_.require(strike.elevation >= 0 && strike.elevation < 1.5707963267948966,
-                            "elevation", "elevation has to be in [0, 90) degrees");
-        complaints_.require(strike.tip.dot(strike.tip) < 1, "tip", "the tip misses the ball");
-        complaints_.require(is_positive(strike.stick_mass), "stick_mass",
-                            "stick_mass has to be greater than 0");
-        complaints_.require(is_positive(strike.end_mass_ratio), "end_mass_ratio",
-                            "end_mass_ratio has to be greater than 0");
+        collector_.require(is_finite(strike.toward_point.value_or(Vec3(0, 0, 0))) &&
+                               std::abs(strike.direction.value_or(0)) < 1e5,
+                           "toward", "the aim has to be finite");
+        collector_.require(strike.elevation >= 0 && strike.elevation < 1.5707963267948966,
+                           "elevation", "elevation has to be in [0, 90) degrees");
+        collector_.require(strike.tip.dot(strike.tip) < 1, "tip", "the tip misses the ball");
+        collector_.require(is_positive(strike.stick_mass), "stick_mass",
+                           "stick_mass has to be greater than 0");
+        collector_.require(is_positive(strike.end_mass_ratio), "end_mass_ratio",
+                           "end_mass_ratio has to be greater than 0");
     }
 
     const WorldDescription& world_;
-    Complaints& complaints_;
+    ProblemCollector& collector_;
     const std::string* object_ = nullptr;
 };
 
-void check_table(const WorldDescription& world, Complaints& complaints,
+void check_table(const WorldDescription& world, ProblemCollector& collector,
                  std::vector<Diagnostic>& problems) {
     if (!world.table) {
         return;
@@ -320,9 +319,9 @@ void check_table(const WorldDescription& world, Complaints& complaints,
         if (sphere == nullptr || body.kind != BodyKind::dynamic) {
             continue;
         }
-        complaints.about_body(body.name);
-        complaints.require(world.table->nose_height < 2 * sphere->radius, "radius",
-                           "the ball would roll under the cushion, whose nose is higher than it");
+        collector.about_body(body.name);
+        collector.require(world.table->nose_height < 2 * sphere->radius, "radius",
+                          "the ball would roll under the cushion, whose nose is higher than it");
     }
 }
 
@@ -330,25 +329,25 @@ void check_table(const WorldDescription& world, Complaints& complaints,
 
 std::vector<Diagnostic> find_problems(const WorldDescription& world) {
     std::vector<Diagnostic> problems;
-    Complaints complaints(problems);
-    complaints.require(is_finite(world.gravity), "gravity", "gravity has to be finite");
-    complaints.require(is_positive(world.duration) && world.duration <= 3600, "duration",
-                       "duration has to be in (0, 3600] s");
-    complaints.require(world.step >= 1e-5 && world.step <= 0.1, "step",
-                       "step has to be in [1e-5, 0.1] s");
-    complaints.require(is_positive(world.key_reduction.position_error) &&
-                           is_positive(world.key_reduction.orientation_error),
-                       "key_reduction",
-                       "the errors that key reduction allows have to be greater than 0");
-    check_contact_law(world.contact_law, complaints);
-    check_table(world, complaints, problems);
+    ProblemCollector collector(problems);
+    collector.require(is_finite(world.gravity), "gravity", "gravity has to be finite");
+    collector.require(is_positive(world.duration) && world.duration <= 3600, "duration",
+                      "duration has to be in (0, 3600] s");
+    collector.require(world.step >= 1e-5 && world.step <= 0.1, "step",
+                      "step has to be in [1e-5, 0.1] s");
+    collector.require(is_positive(world.key_reduction.position_error) &&
+                          is_positive(world.key_reduction.orientation_error),
+                      "key_reduction",
+                      "the errors that key reduction allows have to be greater than 0");
+    check_contact_law(world.contact_law, collector);
+    check_table(world, collector, problems);
     std::set<std::string> names;
     for (const Body& body : world.bodies) {
-        check_body(body, complaints);
-        complaints.require(names.insert(body.name).second, "", "there are two bodies of that name");
+        check_body(body, collector);
+        collector.require(names.insert(body.name).second, "", "there are two bodies of that name");
     }
-    check_overlaps(world, complaints);
-    EventChecker checker(world, complaints);
+    check_overlaps(world, collector);
+    EventChecker checker(world, collector);
     for (std::size_t i = 0; i < world.events.size(); ++i) {
         checker.check(world.events[i], i);
     }

@@ -46,12 +46,13 @@ bool reads_smaller_backwards(const BezierCurve& curve) {
                                         });
 }
 
-Vec3 position_from_start(const BezierCurve& curve, Progress share) {
+Vec3 position_from_start(const BezierCurve& curve, Progress fraction) {
     const ArcLengthTable table(curve);
-    if (share.done <= 0) {
-        return curve.points().front() + direction_at_start(curve) * (share.done * table.length());
+    if (fraction.done <= 0) {
+        return curve.points().front() +
+               direction_at_start(curve) * (fraction.done * table.length());
     }
-    const double parameter = table.parameter_at(share.done * table.length());
+    const double parameter = table.parameter_at(fraction.done * table.length());
     return curve.position({parameter, 1 - parameter});
 }
 
@@ -122,27 +123,27 @@ double ArcLengthTable::parameter_at(double travelled) const {
     return parameter;
 }
 
-Vec3 even_pace_position(const BezierCurve& curve, Progress share) {
+Vec3 even_pace_position(const BezierCurve& curve, Progress fraction) {
     // Measured from the nearer end, so that both directions do the same arithmetic.
-    const bool from_end =
-        share.left < share.done || (share.left == share.done && reads_smaller_backwards(curve));
-    return from_end ? position_from_start(curve.reversed(), share.reversed())
-                    : position_from_start(curve, share);
+    const bool from_end = fraction.left < fraction.done ||
+                          (fraction.left == fraction.done && reads_smaller_backwards(curve));
+    return from_end ? position_from_start(curve.reversed(), fraction.reversed())
+                    : position_from_start(curve, fraction);
 }
 
-Vec3 even_pace_along(const Curve& curve, Progress share, int first_pieces) {
+Vec3 even_pace_along(const Curve& curve, Progress fraction, int first_pieces) {
     const ArcLengthTable table(curve, first_pieces);
     const auto straight_on = [&](Progress end, double distance) {
         const Vec3 slope = curve.derivative(end);
         return curve.position(end) + slope.normalized() * distance;  // of a zero vector: zero
     };
-    if (share.done < 0) {
-        return straight_on({0, 1}, share.done * table.length());
+    if (fraction.done < 0) {
+        return straight_on({0, 1}, fraction.done * table.length());
     }
-    if (share.left < 0) {
-        return straight_on({1, 0}, -share.left * table.length());
+    if (fraction.left < 0) {
+        return straight_on({1, 0}, -fraction.left * table.length());
     }
-    const double parameter = table.parameter_at(share.done * table.length());
+    const double parameter = table.parameter_at(fraction.done * table.length());
     return curve.position({parameter, 1 - parameter});
 }
 

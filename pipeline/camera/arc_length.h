@@ -42,9 +42,9 @@ class ArcLengthTable {
 
 /// The point at `share.done` of the curve's length; beyond the ends straight on at the same pace.
 /// The reversed curve at the reversed share gives the same bits.
-[[nodiscard]] Vec3 even_pace_position(const BezierCurve& curve, Progress share);
+[[nodiscard]] Vec3 even_pace_position(const BezierCurve& curve, Progress fraction);
 
 /// The same for any curve, always measured from its start.
-[[nodiscard]] Vec3 even_pace_along(const Curve& curve, Progress share, int first_pieces);
+[[nodiscard]] Vec3 even_pace_along(const Curve& curve, Progress fraction, int first_pieces);
 
 }  // namespace carom::pipeline

@@ -109,11 +109,11 @@ Vec3 mean_position(const sim::Track& track, double scene_time, double window) {
     // Deviations from the centre are summed, so that a resting object gives its place exactly. The
     // integral of a cubic Hermite stretch of duration h is h (p0 + p1) / 2 + h^2 (v0 - v1) / 12.
     Vec3 sum(0, 0, 0);
-    for (const sim::PathStretch& stretch :
-         track.stretches(scene_time - window / 2, scene_time + window / 2)) {
-        const double duration = stretch.end - stretch.start;
-        sum += ((stretch.p0 - centre) + (stretch.p1 - centre)) * (duration / 2) +
-               (stretch.v0 - stretch.v1) * (duration * duration / 12);
+    for (const sim::PathSegment& segment :
+         track.segments(scene_time - window / 2, scene_time + window / 2)) {
+        const double duration = segment.end - segment.start;
+        sum += ((segment.p0 - centre) + (segment.p1 - centre)) * (duration / 2) +
+               (segment.v0 - segment.v1) * (duration * duration / 12);
     }
     return centre + sum / window;
 }

@@ -44,9 +44,9 @@ Exposure expose(const CameraRig& rig, std::int64_t number, const FilmTiming& tim
 
 Progress progress_at(const CameraRig& rig, const WideRational& video_time) {
     const WideRational duration = WideRational(rig.video_end) - WideRational(rig.video_start);
-    const WideRational share = (video_time - WideRational(rig.video_start)) / duration;
+    const WideRational fraction = (video_time - WideRational(rig.video_start)) / duration;
     const WideRational start(rig.way_start);
-    const WideRational done = start + (WideRational(rig.way_end) - start) * share;
+    const WideRational done = start + (WideRational(rig.way_end) - start) * fraction;
     return {done.to_double(), (WideRational(1, 1) - done).to_double()};
 }
 

@@ -16,7 +16,7 @@ constexpr int kSamples = 400;
 constexpr std::array kDegrees{1, 2, 3, 4, 6, 8, 11, 15, 20, 25, kHighestFitDegree};
 
 struct Sample {
-    Progress share;
+    Progress fraction;
     Vec3 place;
 };
 
@@ -26,8 +26,8 @@ std::vector<Sample> sample_path(const sim::Track& track, double from, double to)
     samples.reserve(kSamples);
     for (int i = 0; i < kSamples; ++i) {
         const double angle = std::numbers::pi * i / (kSamples - 1);
-        const Progress share{(1 - std::cos(angle)) / 2, (1 + std::cos(angle)) / 2};
-        samples.push_back({share, track.sample(from + (to - from) * share.done).position});
+        const Progress fraction{(1 - std::cos(angle)) / 2, (1 + std::cos(angle)) / 2};
+        samples.push_back({fraction, track.sample(from + (to - from) * fraction.done).position});
     }
     return samples;
 }
@@ -35,31 +35,32 @@ std::vector<Sample> sample_path(const sim::Track& track, double from, double to)
 // Where the error is looked for: between the fitted instants, too, and at every key of the track,
 // where the path may have a corner.
 std::vector<Sample> check_path(const sim::Track& track, double from, double to) {
-    std::vector<double> shares;
+    std::vector<double> fractions;
     for (int i = 0; i <= 2 * kSamples; ++i) {
-        shares.push_back(double(i) / (2 * kSamples));
+        fractions.push_back(double(i) / (2 * kSamples));
     }
-    for (const sim::PathStretch& stretch : track.stretches(from, to)) {
-        shares.push_back((stretch.start - from) / (to - from));
+    for (const sim::PathSegment& segment : track.segments(from, to)) {
+        fractions.push_back((segment.start - from) / (to - from));
     }
     std::vector<Sample> samples;
-    samples.reserve(shares.size());
-    for (const double share : shares) {
-        samples.push_back({{share, 1 - share}, track.sample(from + (to - from) * share).position});
+    samples.reserve(fractions.size());
+    for (const double fraction : fractions) {
+        samples.push_back(
+            {{fraction, 1 - fraction}, track.sample(from + (to - from) * fraction).position});
     }
     return samples;
 }
 
 // Bernstein's polynomials of one degree at one parameter, by their recursion: sums of products of
 // numbers that are not negative, hence sound at any degree.
-std::vector<double> bernstein(int degree, Progress share) {
+std::vector<double> bernstein(int degree, Progress fraction) {
     std::vector<double> values(static_cast<std::size_t>(degree) + 1, 0);
     values[0] = 1;
     for (int d = 1; d <= degree; ++d) {
         for (int i = d; i > 0; --i) {
-            values[i] = values[i] * share.left + values[i - 1] * share.done;
+            values[i] = values[i] * fraction.left + values[i - 1] * fraction.done;
         }
-        values[0] *= share.left;
+        values[0] *= fraction.left;
     }
     return values;
 }
@@ -127,7 +128,7 @@ PathFit fit_degree(const std::vector<Sample>& samples, const std::vector<Sample>
     equations.columns.assign(static_cast<std::size_t>(degree) - 1,
                              std::vector<double>(samples.size()));
     for (std::size_t row = 0; row < samples.size(); ++row) {
-        const std::vector<double> values = bernstein(degree, samples[row].share);
+        const std::vector<double> values = bernstein(degree, samples[row].fraction);
         for (std::size_t i = 0; i < equations.columns.size(); ++i) {
             equations.columns[i][row] = values[i + 1];
         }
@@ -140,7 +141,7 @@ PathFit fit_degree(const std::vector<Sample>& samples, const std::vector<Sample>
     fit.points.push_back(last);
     const BezierCurve curve(fit.points);
     for (const Sample& sample : checks) {
-        fit.error = std::max(fit.error, (curve.position(sample.share) - sample.place).length());
+        fit.error = std::max(fit.error, (curve.position(sample.fraction) - sample.place).length());
     }
     return fit;
 }

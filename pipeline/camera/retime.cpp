@@ -52,13 +52,13 @@ Rational ramp_video_time(const CameraRig& rig, const Rational& scene_time) {
 /// The share of its way on which a rig shows a scene time.
 Rational way_at(const CameraRig& rig, const Rational& scene_time) {
     const TimeMap& map = rig.time_map;
-    const Rational share =
+    const Rational fraction =
         map.speeds.empty() ? (scene_time - map.scene_start) / (map.scene_end - map.scene_start)
                            : (ramp_video_time(rig, scene_time) - rig.video_start) / length_of(rig);
-    return rig.way_start + (rig.way_end - rig.way_start) * share;
+    return rig.way_start + (rig.way_end - rig.way_start) * fraction;
 }
 
-Rational clamped(const Rational& value, const SceneStretch& range) {
+Rational clamped(const Rational& value, const SceneTimeRange& range) {
     return value < range.first ? range.first : range.last < value ? range.last : value;
 }
 
@@ -155,7 +155,7 @@ std::vector<CameraRig> chosen(std::span<const CameraRig> rigs, const std::string
 [[noreturn]] void throw_not_shown(const std::vector<CameraRig>& rigs, const Rational& time) {
     std::string list;
     for (const CameraRig& rig : rigs) {
-        const SceneStretch shown = shown_scene_times(rig);
+        const SceneTimeRange shown = shown_scene_times(rig);
         list += (list.empty() ? "" : ", ") + ("'" + rig.name + "' ") + seconds(shown.first) +
                 (shown.is_frozen() ? "" : " to " + seconds(shown.last));
     }
@@ -165,7 +165,7 @@ std::vector<CameraRig> chosen(std::span<const CameraRig> rigs, const std::string
 /// The first rig in which time passes on from `time`.
 const CameraRig& rig_showing(const std::vector<CameraRig>& rigs, const Rational& time) {
     for (const CameraRig& rig : rigs) {
-        const SceneStretch shown = shown_scene_times(rig);
+        const SceneTimeRange shown = shown_scene_times(rig);
         if (shown.first <= time && time < shown.last) {
             return rig;
         }
@@ -174,9 +174,9 @@ const CameraRig& rig_showing(const std::vector<CameraRig>& rigs, const Rational&
 }
 
 std::vector<CameraRig> parts(const std::vector<CameraRig>& rigs, const RetimeOptions& options) {
-    SceneStretch all = shown_scene_times(rigs.front());
+    SceneTimeRange all = shown_scene_times(rigs.front());
     for (const CameraRig& rig : rigs) {
-        const SceneStretch shown = shown_scene_times(rig);
+        const SceneTimeRange shown = shown_scene_times(rig);
         all.first = shown.first < all.first ? shown.first : all.first;
         all.last = all.last < shown.last ? shown.last : all.last;
     }

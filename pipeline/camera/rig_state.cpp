@@ -97,7 +97,7 @@ double lens_radius(const Aperture& aperture, double vertical_fov, double sensor_
 std::vector<std::string> focus_behind_camera(const CameraRig& rig, const RigInstant& instant,
                                              const sim::Timeline& timeline) {
     const render::CameraState camera = camera_state(rig, instant, timeline);
-    const double share = mix(0.0, 1.0, ease(instant.progress, rig.focus.easing));
+    const double fraction = mix(0.0, 1.0, ease(instant.progress, rig.focus.easing));
     std::vector<std::string> behind;
     const auto look_at = [&](const Focus& focus, double weight) {
         const bool counts = weight > 1e-6 && !focus.distance && !focus.object.empty() &&
@@ -106,8 +106,8 @@ std::vector<std::string> focus_behind_camera(const CameraRig& rig, const RigInst
             behind.push_back(focus.object);
         }
     };
-    look_at(rig.focus.start, 1 - share);
-    look_at(rig.focus.end, share);
+    look_at(rig.focus.start, 1 - fraction);
+    look_at(rig.focus.end, fraction);
     return behind;
 }
 

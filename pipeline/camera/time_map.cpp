@@ -130,9 +130,9 @@ Rational narrow_scene_time(const CameraRig& rig, const Rational& video_time) {
     }
 }
 
-SceneStretch shown_scene_times(const CameraRig& rig) {
+SceneTimeRange shown_scene_times(const CameraRig& rig) {
     const Rational start = narrow_scene_time(rig, rig.video_start);
-    SceneStretch shown{start, start};
+    SceneTimeRange shown{start, start};
     const auto include = [&](const Rational& video_time) {
         const Rational time = narrow_scene_time(rig, video_time);
         shown.first = time < shown.first ? time : shown.first;

@@ -15,7 +15,7 @@ namespace carom::pipeline {
 [[nodiscard]] WideRational speed_at(const CameraRig& rig, const WideRational& video_time);
 
 /// Scene times, first <= last, s.
-struct SceneStretch {
+struct SceneTimeRange {
     Rational first;
     Rational last;
 
@@ -24,7 +24,7 @@ struct SceneStretch {
 
 /// From the smallest to the largest of the scene times that the rig shows at its ends and at its
 /// speed keys between them; each the nearest fraction of 64 bits.
-[[nodiscard]] SceneStretch shown_scene_times(const CameraRig& rig);
+[[nodiscard]] SceneTimeRange shown_scene_times(const CameraRig& rig);
 
 /// scene_time_at as a fraction of 64 bits, the nearest if the exact one has too many digits.
 [[nodiscard]] Rational narrow_scene_time(const CameraRig& rig, const Rational& video_time);

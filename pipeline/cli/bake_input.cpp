@@ -2,7 +2,7 @@
 
 #include "pipeline/check/motion_check.h"
 #include "pipeline/cli/bake_reason.h"
-#include "pipeline/cli/job_talk.h"
+#include "pipeline/cli/job_observer.h"
 
 namespace carom::cli {
 
@@ -12,7 +12,7 @@ sim::Bake bake_of_shot(const ShotInput& input, const std::string& path, const Ca
                        CommandContext& context) {
     const BakeReason reason(input.shot, path, cache.folder);
     pipeline::BakedShot baked = pipeline::bake_or_reuse(
-        input.shot, cache.folder, talk_about_job(context.console), context.stop);
+        input.shot, cache.folder, make_console_observer(context.console), context.stop);
     context.console.end_progress();
     context.console.info(reason.text(baked.origin));
     reason.remember();

@@ -108,9 +108,8 @@ std::string help_of(const CLI::App& app, const CommandDescription& program) {
 
 /// "unknown command 'rendr' (did you mean 'render'?)" instead of CLI11's "a subcommand is
 /// required".
-std::string complaint_about(const CLI::App& app, const CommandDescription& program,
-                            const CLI::ParseError& error,
-                            const std::vector<std::string>& arguments) {
+std::string usage_error(const CLI::App& app, const CommandDescription& program,
+                        const CLI::ParseError& error, const std::vector<std::string>& arguments) {
     if (!app.get_subcommands().empty() || arguments.empty()) {
         return error.what();
     }
@@ -131,7 +130,7 @@ NothingToRun wrong_usage(const CLI::App& app, const CommandDescription& program,
     const auto chosen = app.get_subcommands();
     const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + " ";
     return {kWrongUsage, "",
-            "carom: error: " + printable(complaint_about(app, program, error, arguments)) +
+            "carom: error: " + printable(usage_error(app, program, error, arguments)) +
                 "\nSee 'carom " + command + "--help'.\n"};
 }
 

@@ -18,7 +18,7 @@ struct CommandContext;      // run_program.h
 struct CommandDescription;  // command_description.h
 
 /// How a command talks.
-struct TalkOptions {
+struct LoggingOptions {
     bool quiet = false;
     bool json = false;
 };
@@ -308,7 +308,7 @@ constexpr CommandRow<T> kRowOf = std::get<CommandRow<T>>(kCommandTable);
 }
 
 struct CommandLine {
-    TalkOptions talk;
+    LoggingOptions logging;
     Command command;
 };
 

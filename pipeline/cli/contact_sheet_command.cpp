@@ -8,7 +8,7 @@
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/film_input.h"
-#include "pipeline/cli/job_talk.h"
+#include "pipeline/cli/job_observer.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/job/film_job.h"
@@ -31,7 +31,7 @@ pipeline::FrameRange spread_frames(std::int64_t count, std::int64_t all) {
     const std::int64_t steps = std::min(count, all);
     for (std::int64_t i = 0; i < steps; ++i) {
         const std::int64_t frame = steps == 1 ? 0 : (i * (all - 1) + (steps - 1) / 2) / (steps - 1);
-        range.stretches.push_back({frame, frame, 1});
+        range.parts.push_back({frame, frame, 1});
     }
     return range;
 }
@@ -92,8 +92,8 @@ void run(const ContactSheetCommand& command, CommandContext& context) {
     const std::vector<std::int64_t> frames = job.frames.frames(all);
     const sim::Bake bake = bake_of(input, options, command.cache, context);
     // All pictures in one go, into the store; then from there.
-    (void)pipeline::make_film(shot, bake, job, talk_about_job(context.console, std::ssize(frames)),
-                              context.stop);
+    (void)pipeline::make_film(
+        shot, bake, job, make_console_observer(context.console, std::ssize(frames)), context.stop);
     context.console.end_progress();
     const std::vector<pipeline::CameraRig> rigs =
         pipeline::with_fitted_paths(shot.cameras, bake.timeline);

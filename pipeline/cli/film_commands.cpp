@@ -10,7 +10,7 @@
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/cli/bake_input.h"
 #include "pipeline/cli/film_input.h"
-#include "pipeline/cli/job_talk.h"
+#include "pipeline/cli/job_observer.h"
 #include "pipeline/cli/output_file.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/cli/shot_input.h"
@@ -174,7 +174,7 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
         return;
     }
     const pipeline::FilmJobResult result = pipeline::make_film(
-        input.shot, bake, options, talk_about_job(context.console, frames), context.stop);
+        input.shot, bake, options, make_console_observer(context.console, frames), context.stop);
     context.console.end_progress();
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     context.console.info(counts_text(result) + " rendered now, in " +
@@ -195,7 +195,7 @@ void run(const MuxCommand& command, CommandContext& context) {
         count_job_frames(input.shot, options, command.frames, context.console);
     const sim::Bake bake = bake_of(input, command.input, command.cache, context);
     const pipeline::FilmJobResult result = pipeline::mux_film(
-        input.shot, bake, options, talk_about_job(context.console, frames), context.stop);
+        input.shot, bake, options, make_console_observer(context.console, frames), context.stop);
     context.console.end_progress();
     context.console.info(fmt::format("{} frames", result.frames));
     print_path(path);
@@ -215,7 +215,7 @@ void run(const FrameCommand& command, CommandContext& context) {
     options.factory = context.factory;
     const sim::Bake bake = bake_of(input, command.input, command.cache, context);
     const render::Film film = pipeline::make_frame(
-        input.shot, bake, frame, options, talk_about_job(context.console, 1), context.stop);
+        input.shot, bake, frame, options, make_console_observer(context.console, 1), context.stop);
     context.console.end_progress();
     tell_rays(input.shot, film.statistics, context.console);
     const pipeline::PlannedFrame planned =

@@ -52,7 +52,7 @@ std::string film_lines(const Shot& shot, std::uint64_t memory) {
     text +=
         line("memory", "about " + pipeline::memory_text(memory) + " to render and encode the film");
     for (const pipeline::CameraRig& rig : shot.cameras) {
-        const pipeline::SceneStretch shown = pipeline::shown_scene_times(rig);
+        const pipeline::SceneTimeRange shown = pipeline::shown_scene_times(rig);
         text += line(
             &rig == &shot.cameras.front() ? "cameras" : "",
             rig.name + fmt::format(": {:.6g} s to {:.6g} s of the film, shows {:.6g} s to {:.6g} s",

@@ -60,7 +60,7 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
 }  // namespace
 
 ExitCode run_command(const CommandLine& line, const CommandHandler& handler) {
-    Console console(console_on_stderr(line.talk.json, line.talk.quiet));
+    Console console(console_on_stderr(line.logging.json, line.logging.quiet));
     std::optional<Interrupts> interrupts;
     try {
         interrupts.emplace(

@@ -56,8 +56,8 @@ class Straightener {
         const auto parts = static_cast<std::size_t>(wanted);
         double last = from.time;
         for (std::size_t part = 1; part <= parts; ++part) {
-            const double share = static_cast<double>(part) / static_cast<double>(parts);
-            const double next = part == parts ? to.time : from.time + duration * share;
+            const double fraction = static_cast<double>(part) / static_cast<double>(parts);
+            const double next = part == parts ? to.time : from.time + duration * fraction;
             refine(last, next, 0);
             last = next;
         }

@@ -159,14 +159,14 @@ class Motion {
         std::size_t at = 0;
         for (std::size_t i = begin + 1; i < end; ++i) {
             const MotionState state = track.sample(rows_[i].time);
-            double share = (state.position - rows_[i].position).length() / options_.error;
+            double fraction = (state.position - rows_[i].position).length() / options_.error;
             if (has_turns_) {
                 const double angle =
                     sim::angle_between(state.orientation, orientation_of(rows_[i]));
-                share = std::max(share, angle / options_.turn_error);
+                fraction = std::max(fraction, angle / options_.turn_error);
             }
-            if (share > worst) {
-                worst = share;
+            if (fraction > worst) {
+                worst = fraction;
                 at = i;
             }
         }

@@ -104,7 +104,7 @@ BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
     WorkContext context;
     context.stop = stop;
     if (observer.on_progress) {
-        context.progress = [&observer](double share) { observer.on_progress("bake", share); };
+        context.progress = [&observer](double fraction) { observer.on_progress("bake", fraction); };
     }
     sim::Bake bake = simulate(shot, context);
     try {

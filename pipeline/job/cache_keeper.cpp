@@ -15,7 +15,8 @@ constexpr std::chrono::seconds kClockSlack{2};
 
 }  // namespace
 
-CacheKeeper::CacheKeeper(std::string cache_folder, std::uint64_t limit, ObserverGate& observer)
+CacheKeeper::CacheKeeper(std::string cache_folder, std::uint64_t limit,
+                         ThreadSafeObserver& observer)
     : cache_folder_(std::move(cache_folder)),
       limit_(limit),
       observer_(observer),

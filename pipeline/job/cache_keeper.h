@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "pipeline/job/observer_gate.h"
+#include "pipeline/job/thread_safe_observer.h"
 
 namespace carom::pipeline {
 
@@ -14,7 +14,7 @@ namespace carom::pipeline {
 class CacheKeeper {
   public:
     /// `limit` in bytes; kNoLimit: does nothing.
-    CacheKeeper(std::string cache_folder, std::uint64_t limit, ObserverGate& observer);
+    CacheKeeper(std::string cache_folder, std::uint64_t limit, ThreadSafeObserver& observer);
 
     /// To be called after every picture that was stored; every now and then it prunes.
     void picture_stored();
@@ -26,7 +26,7 @@ class CacheKeeper {
   private:
     std::string cache_folder_;
     std::uint64_t limit_;
-    ObserverGate& observer_;
+    ThreadSafeObserver& observer_;
     std::chrono::system_clock::time_point begin_;
     int stored_ = 0;
     bool has_warned_ = false;

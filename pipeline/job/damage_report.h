@@ -4,7 +4,7 @@
 #include <mutex>
 #include <string>
 
-#include "pipeline/job/observer_gate.h"
+#include "pipeline/job/thread_safe_observer.h"
 
 namespace carom::pipeline {
 
@@ -13,7 +13,7 @@ namespace carom::pipeline {
 /// thread may call at any time.
 class DamageReport {
   public:
-    explicit DamageReport(ObserverGate& observer) : observer_(observer) {}
+    explicit DamageReport(ThreadSafeObserver& observer) : observer_(observer) {}
     ~DamageReport();
     DamageReport(const DamageReport&) = delete;
     DamageReport& operator=(const DamageReport&) = delete;
@@ -23,7 +23,7 @@ class DamageReport {
     void add(const std::string& path, const std::string& damage);
 
   private:
-    ObserverGate& observer_;
+    ThreadSafeObserver& observer_;
     std::mutex mutex_;
     int count_ = 0;
 };

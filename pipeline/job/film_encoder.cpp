@@ -10,22 +10,22 @@ namespace carom::pipeline {
 namespace {
 
 render::Film read_picture(std::size_t picture, const FilmPlan& plan, const FrameStore& store,
-                          PictureBoard& board, const std::stop_token& stop) {
+                          FrameQueue& queue, const std::stop_token& stop) {
     while (true) {
-        if (std::optional<render::Film> film = board.receive(picture, stop)) {
+        if (std::optional<render::Film> film = queue.receive(picture, stop)) {
             return std::move(*film);
         }
         if (std::optional<render::Film> film = store.read(plan.pictures[picture].key)) {
             return std::move(*film);
         }
-        board.request_again(picture);
+        queue.request_again(picture);
     }
 }
 
 /// Shows the film's frames in order, from the first to the last, to `take(frame, picture,
 /// same_as_before)`.
 template <class Take>
-void show_frames(const FilmPlan& plan, const FrameStore& store, PictureBoard& board,
+void show_frames(const FilmPlan& plan, const FrameStore& store, FrameQueue& queue,
                  const std::stop_token& stop, Take take) {
     constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
     std::size_t shown = kNone;  // the picture in `film`, if it is one as it is
@@ -34,11 +34,11 @@ void show_frames(const FilmPlan& plan, const FrameStore& store, PictureBoard& bo
         const std::size_t picture = plan.picture_of[i];
         const bool same_as_before = shown == picture && plan.blend_of(i) == nullptr;
         if (!same_as_before) {
-            film = read_picture(picture, plan, store, board, stop);
+            film = read_picture(picture, plan, store, queue, stop);
             shown = picture;
         }
         if (const FilmPlan::Blend* blend = plan.blend_of(i)) {
-            mix_in(read_picture(blend->picture, plan, store, board, stop), blend->weight, film);
+            mix_in(read_picture(blend->picture, plan, store, queue, stop), blend->weight, film);
             shown = kNone;
         }
         if (stop.stop_requested()) {
@@ -50,20 +50,20 @@ void show_frames(const FilmPlan& plan, const FrameStore& store, PictureBoard& bo
 
 }  // namespace
 
-void encode_film(FilmSink& sink, const FilmPlan& plan, const FrameStore& store, PictureBoard& board,
-                 ObserverGate& observer, const std::stop_token& stop) {
+void encode_film(FilmSink& sink, const FilmPlan& plan, const FrameStore& store, FrameQueue& queue,
+                 ThreadSafeObserver& observer, const std::stop_token& stop) {
     const std::size_t rounds = sink.wants_preview() ? 2 : 1;
     // The last step is the trailer's.
     const auto steps = static_cast<double>(rounds * plan.picture_of.size() + 1);
     double done = 0;
     if (sink.wants_preview()) {
-        show_frames(plan, store, board, stop,
+        show_frames(plan, store, queue, stop,
                     [&](std::int64_t frame, const render::Film& picture, bool is_same) {
                         sink.preview(frame, picture, is_same);
                         observer.encode_progress(++done / steps);
                     });
     }
-    show_frames(plan, store, board, stop,
+    show_frames(plan, store, queue, stop,
                 [&](std::int64_t frame, const render::Film& picture, bool is_same) {
                     sink.add(frame, picture, is_same);
                     observer.encode_progress(++done / steps);

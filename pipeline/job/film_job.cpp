@@ -11,15 +11,15 @@
 #include "pipeline/job/damage_report.h"
 #include "pipeline/job/exported_frame.h"
 #include "pipeline/job/film_encoder.h"
+#include "pipeline/job/frame_scheduler.h"
 #include "pipeline/job/job_frames.h"
 #include "pipeline/job/mixed_film.h"
-#include "pipeline/job/picture_supply.h"
 #include "pipeline/job/scene_renderer.h"
 
 namespace carom::pipeline {
 namespace {
 
-FrameStore open_store(const FilmJobOptions& options, ObserverGate& observer,
+FrameStore open_store(const FilmJobOptions& options, ThreadSafeObserver& observer,
                       DamageReport& damages) {
     FrameStore store(frames_folder(options),
                      [&damages](const std::string& path, const std::string& damage) {
@@ -65,17 +65,17 @@ void mark_whole_film(const FilmSource& source, const FilmPlan& part, const FilmJ
 
 // In the encoder's place when nothing is to be encoded: sees to it that the frames which were there
 // are whole.
-void await_pictures(const FilmPlan& plan, const FrameStore& store, PictureBoard& board,
+void await_pictures(const FilmPlan& plan, const FrameStore& store, FrameQueue& queue,
                     const std::stop_token& stop) {
     for (std::size_t i = 0; i < plan.pictures.size();) {
-        if (!board.wait_until_ready(i, stop) || stop.stop_requested()) {
+        if (!queue.wait_until_ready(i, stop) || stop.stop_requested()) {
             throw Stopped();
         }
         if (store.holds_whole(plan.pictures[i].key)) {
             ++i;
         } else {
             store.discard_damaged(plan.pictures[i].key);
-            board.request_again(i);
+            queue.request_again(i);
         }
     }
 }
@@ -84,8 +84,8 @@ void await_pictures(const FilmPlan& plan, const FrameStore& store, PictureBoard&
 class EncoderThread {
   public:
     template <class Work>
-    EncoderThread(PictureBoard& board, std::stop_source& stop, Work work)
-        : thread_([this, &board, &stop, work] {
+    EncoderThread(FrameQueue& queue, std::stop_source& stop, Work work)
+        : thread_([this, &queue, &stop, work] {
               try {
                   work();
                   is_complete_ = true;
@@ -93,7 +93,7 @@ class EncoderThread {
                   failure_ = std::current_exception();
                   stop.request_stop();
               }
-              board.reader_done();
+              queue.reader_done();
           }) {}
 
     /// Waits for the end. What the encoder threw is thrown here, unless it was only stopped.
@@ -122,7 +122,7 @@ class EncoderThread {
 FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                         const JobObserver& observer, const std::stop_token& stop) {
     const std::vector<std::int64_t> frames = job_frames(shot, options);
-    ObserverGate gate(observer);
+    ThreadSafeObserver gate(observer);
     DamageReport damages(gate);
     const FrameStore store = open_store(options, gate, damages);
     const FilmSource source(shot, bake.timeline);
@@ -136,19 +136,19 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
         options.output.empty() ? nullptr : make_film_sink(source, plan, options.output);
     std::stop_source job_stop;
     const std::stop_callback pass_on(stop, [&job_stop] { job_stop.request_stop(); });
-    PictureBoard board(plan.pictures.size());
-    PictureMaker maker(source, store, renderer_of(shot, options));
-    PictureSupply supply(plan, maker, board, gate, &keeper);
-    EncoderThread encoder(board, job_stop, [&] {
+    FrameQueue queue(plan.pictures.size());
+    CachedRenderer renderer(source, store, renderer_of(shot, options));
+    FrameScheduler scheduler(plan, renderer, queue, gate, &keeper);
+    EncoderThread encoder(queue, job_stop, [&] {
         if (!sink) {
-            await_pictures(plan, store, board, job_stop.get_token());
+            await_pictures(plan, store, queue, job_stop.get_token());
             return;
         }
-        encode_film(*sink, plan, store, board, gate, job_stop.get_token());
+        encode_film(*sink, plan, store, queue, gate, job_stop.get_token());
     });
     std::exception_ptr failure;
     try {
-        supply.run(job_stop.get_token());
+        scheduler.run(job_stop.get_token());
     } catch (...) {
         failure = std::current_exception();
         job_stop.request_stop();
@@ -159,13 +159,14 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
     }
     keeper.prune();
     return {static_cast<std::int64_t>(frames.size()),
-            static_cast<std::int64_t>(plan.pictures.size()), supply.rendered(), supply.counts()};
+            static_cast<std::int64_t>(plan.pictures.size()), scheduler.rendered(),
+            scheduler.counts()};
 }
 
 render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t frame,
                         const FilmJobOptions& options, const JobObserver& observer,
                         const std::stop_token& stop) {
-    ObserverGate gate(observer);
+    ThreadSafeObserver gate(observer);
     DamageReport damages(gate);
     const FrameStore store = open_store(options, gate, damages);
     const FilmSource source(shot, bake.timeline);
@@ -173,12 +174,12 @@ render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t fr
     CacheKeeper keeper(cache_of(options), options.cache_limit, gate);
     mark_whole_film(source, plan, options, store, stop);
     keeper.prune();
-    PictureBoard board(plan.pictures.size());
-    board.reader_done();
-    PictureMaker maker(source, store, renderer_of(shot, options));
+    FrameQueue queue(plan.pictures.size());
+    queue.reader_done();
+    CachedRenderer renderer(source, store, renderer_of(shot, options));
     for (int attempt = 0; attempt < 2; ++attempt) {  // what was kept may be damaged, and is removed
-        PictureSupply supply(plan, maker, board, gate);
-        supply.run(stop);
+        FrameScheduler scheduler(plan, renderer, queue, gate);
+        scheduler.run(stop);
         if (std::optional<render::Film> film = store.read(plan.pictures[0].key)) {
             if (const FilmPlan::Blend* blend = plan.blend_of(0)) {
                 const std::optional<render::Film> other =
@@ -189,7 +190,7 @@ render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t fr
                 mix_in(*other, blend->weight, *film);
             }
             render::Film exported = exported_frame(*film, source, frame);
-            exported.statistics = supply.counts();
+            exported.statistics = scheduler.counts();
             return exported;
         }
     }

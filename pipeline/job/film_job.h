@@ -25,7 +25,7 @@ struct FrameInputs;  // pipeline/store/frame_inputs.h
 struct JobObserver {
     /// "bake", "render", "encode", one after the other; shares never decrease. Encoding goes on
     /// beside rendering but is told of only when that is over.
-    std::function<void(std::string_view stage, double share)> on_progress{};
+    std::function<void(std::string_view stage, double fraction)> on_progress{};
     std::function<void(const std::string& message)> on_warning{};
     /// Once for every frame of the job, in the order in which they are finished.
     std::function<void(std::int64_t frame, bool from_store, double seconds, std::uint64_t rays)>

@@ -25,8 +25,8 @@ FrameGrace::FrameGrace(const std::stop_token& stop, double expected)
 
 void FrameGrace::job_stopped() {
     const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
-    const double share = share_;
-    const double whole = share > 0 ? elapsed / share : expected_;
+    const double fraction = fraction_;
+    const double whole = fraction > 0 ? elapsed / fraction : expected_;
     if (whole <= 0 || whole - elapsed >= std::chrono::duration<double>(kGrace).count()) {
         frame_stop_.request_stop();
         return;
@@ -42,8 +42,8 @@ void FrameGrace::job_stopped() {
     }
 }
 
-void FrameGrace::progress(double share) {
-    share_ = share;
+void FrameGrace::progress(double fraction) {
+    fraction_ = fraction;
 }
 
 }  // namespace carom::pipeline

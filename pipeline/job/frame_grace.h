@@ -20,7 +20,7 @@ class FrameGrace {
     [[nodiscard]] std::stop_token token() const { return frame_stop_.get_token(); }
 
     /// To be told of the frame's progress, from any thread.
-    void progress(double share);
+    void progress(double fraction);
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -29,7 +29,7 @@ class FrameGrace {
 
     Clock::time_point begin_ = Clock::now();
     double expected_;
-    std::atomic<double> share_{0};
+    std::atomic<double> fraction_{0};
     std::stop_source frame_stop_;
     std::jthread watchdog_;                               // runs from the job's stop on
     std::stop_callback<std::function<void()>> callback_;  // last: it may call at once

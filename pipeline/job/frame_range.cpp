@@ -39,52 +39,52 @@ bool take(std::string_view& text, char letter) {
     return true;
 }
 
-FrameRange::Stretch parse_stretch(std::string_view part) {
-    const std::string quoted = "'" + std::string(part) + "'";
-    FrameRange::Stretch stretch;
-    bool readable = take_number(part, stretch.first);
-    stretch.last = stretch.first;
-    if (readable && take(part, '-')) {
-        readable = take_number(part, stretch.last);
-        if (readable && take(part, 'x')) {
-            readable = take_number(part, stretch.step);
+FrameRange::Part parse_part(std::string_view text) {
+    const std::string quoted = "'" + std::string(text) + "'";
+    FrameRange::Part part;
+    bool readable = take_number(text, part.first);
+    part.last = part.first;
+    if (readable && take(text, '-')) {
+        readable = take_number(text, part.last);
+        if (readable && take(text, 'x')) {
+            readable = take_number(text, part.step);
         }
     }
-    if (!readable || !part.empty()) {
+    if (!readable || !text.empty()) {
         throw Error("cannot read the frames " + quoted +
-                    "; write a frame (12), a stretch (0-47) or every n-th of one (0-47x2)");
+                    "; write a frame (12), a range (0-47) or every n-th of one (0-47x2)");
     }
-    if (stretch.last < stretch.first) {
+    if (part.last < part.first) {
         throw Error("the frames " + quoted + " go backwards; write the smaller number first");
     }
-    if (stretch.step < 1) {
+    if (part.step < 1) {
         throw Error("the frames " + quoted + " have a step of 0; it must be at least 1");
     }
-    return stretch;
+    return part;
 }
 
 }  // namespace
 
 std::int64_t FrameRange::last() const {
     std::int64_t result = -1;
-    for (const Stretch& stretch : stretches) {
-        const std::int64_t beyond = (stretch.last - stretch.first) % stretch.step;
-        result = std::max(result, stretch.last - beyond);
+    for (const Part& part : parts) {
+        const std::int64_t beyond = (part.last - part.first) % part.step;
+        result = std::max(result, part.last - beyond);
     }
     return result;
 }
 
 std::vector<std::int64_t> FrameRange::frames(std::int64_t count) const {
-    std::vector<Stretch> wanted = stretches;
+    std::vector<Part> wanted = parts;
     if (wanted.empty()) {
         wanted.push_back({0, count - 1, 1});
     }
     std::vector<bool> is_wanted(static_cast<std::size_t>(std::max<std::int64_t>(count, 0)));
-    for (const Stretch& stretch : wanted) {
-        const std::int64_t last = std::min(stretch.last, count - 1);
-        for (std::int64_t number = stretch.first; number <= last; number += stretch.step) {
+    for (const Part& part : wanted) {
+        const std::int64_t last = std::min(part.last, count - 1);
+        for (std::int64_t number = part.first; number <= last; number += part.step) {
             is_wanted[static_cast<std::size_t>(number)] = true;
-            if (stretch.step > last - number) {
+            if (part.step > last - number) {
                 break;  // before the sum overflows
             }
         }
@@ -103,7 +103,7 @@ FrameRange parse_frame_range(std::string_view text) {
     std::string_view rest = text;
     while (true) {
         const std::size_t comma = rest.find(',');
-        range.stretches.push_back(parse_stretch(trimmed(rest.substr(0, comma))));
+        range.parts.push_back(parse_part(trimmed(rest.substr(0, comma))));
         if (comma == std::string_view::npos) {
             return range;
         }

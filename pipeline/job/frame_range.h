@@ -8,14 +8,14 @@
 
 namespace carom::pipeline {
 
-/// Inclusive stretches "A", "A-B" or "A-BxSTEP". Empty: all frames.
+/// Inclusive ranges "A", "A-B" or "A-BxSTEP". Empty: all frames.
 struct FrameRange {
-    struct Stretch {
+    struct Part {
         std::int64_t first = 0;
         std::int64_t last = 0;
         std::int64_t step = 1;
     };
-    std::vector<Stretch> stretches;
+    std::vector<Part> parts;
 
     /// The last frame that is asked for, which the film may not have; -1 for all frames.
     [[nodiscard]] std::int64_t last() const;
@@ -27,7 +27,7 @@ struct FrameRange {
 /// Throws Error with a sentence that quotes the part it cannot read.
 [[nodiscard]] FrameRange parse_frame_range(std::string_view text);
 
-/// One of several machines' share of a film: stretches of it that differ by at most one frame in
+/// One of several machines' share of a film: parts of it that differ by at most one frame in
 /// length, so that neighbours, which may show the same, stay together.
 struct FrameChunk {
     std::int64_t number = 1;  // [1, of]

@@ -13,8 +13,8 @@ namespace {
 WorkContext step_of(const WorkContext& context, std::size_t step, std::size_t count) {
     WorkContext part{{}, context.stop};
     if (context.progress) {
-        part.progress = [&context, step, count](double share) {
-            context.progress((static_cast<double>(step) + share) / static_cast<double>(count));
+        part.progress = [&context, step, count](double fraction) {
+            context.progress((static_cast<double>(step) + fraction) / static_cast<double>(count));
         };
     }
     return part;

@@ -5,9 +5,9 @@
 namespace carom::pipeline {
 
 void mix_in(const render::Film& other, double weight, render::Film& film) {
-    const auto share = static_cast<float>(weight);
+    const auto fraction = static_cast<float>(weight);
     std::transform(film.rgba.begin(), film.rgba.end(), other.rgba.begin(), film.rgba.begin(),
-                   [share](float a, float b) { return a * (1 - share) + b * share; });
+                   [fraction](float a, float b) { return a * (1 - fraction) + b * fraction; });
 }
 
 }  // namespace carom::pipeline

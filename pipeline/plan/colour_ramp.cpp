@@ -21,8 +21,8 @@ constexpr std::array<Rgb, 5> kCold{
 constexpr std::array<Rgb, 4> kWarm{{{112, 48, 150}, {184, 38, 104}, {224, 84, 48}, {236, 132, 52}}};
 
 template <std::size_t count>
-Rgb mixed(const std::array<Rgb, count>& stops, double share) {
-    const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(count - 1);
+Rgb mixed(const std::array<Rgb, count>& stops, double fraction) {
+    const double at = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(count - 1);
     const std::size_t i = std::min(static_cast<std::size_t>(at), count - 2);
     const double part = at - static_cast<double>(i);
     Rgb result{};
@@ -38,8 +38,8 @@ std::string ColourRamp::colour(std::size_t place) const {
     return colour_at(static_cast<double>(place) / static_cast<double>(members.size() - 1));
 }
 
-std::string ColourRamp::colour_at(double share) const {
-    const Rgb rgb = is_warm ? mixed(kWarm, share) : mixed(kCold, share);
+std::string ColourRamp::colour_at(double fraction) const {
+    const Rgb rgb = is_warm ? mixed(kWarm, fraction) : mixed(kCold, fraction);
     return fmt::format("#{:02x}{:02x}{:02x}", std::lround(rgb[0]), std::lround(rgb[1]),
                        std::lround(rgb[2]));
 }

@@ -17,7 +17,7 @@ struct ColourRamp {
     /// Of the member at that place in `members`.
     [[nodiscard]] std::string colour(std::size_t place) const;
     /// `share` in [0, 1]: of the way along the ramp.
-    [[nodiscard]] std::string colour_at(double share) const;
+    [[nodiscard]] std::string colour_at(double fraction) const;
 };
 
 struct RampEntry {

@@ -174,7 +174,7 @@ void draw_ramp(PlanDrawing& plan, const ColourRamp& ramp, Flow& flow) {
 bool has_motion(const PlanDrawing& plan, Motion motion) {
     return std::any_of(plan.objects.begin(), plan.objects.end(), [&](const PlanObject& object) {
         return std::any_of(object.motion.begin(), object.motion.end(),
-                           [&](const MotionStretch& s) { return s.motion == motion; });
+                           [&](const MotionPhase& s) { return s.motion == motion; });
     });
 }
 

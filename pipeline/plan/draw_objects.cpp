@@ -48,7 +48,7 @@ SvgText::Attributes with(SvgText::Attributes attributes, std::string_view name, 
     return attributes;
 }
 
-void draw_path(PlanDrawing& plan, const PlanObject& object, const MotionStretch& stretch) {
+void draw_path(PlanDrawing& plan, const PlanObject& object, const MotionPhase& stretch) {
     const std::string kind(class_of(stretch.motion));
     const std::string way = svg_path(on_paper(plan.sheet, stretch.points), false);
     plan.svg.open("g");
@@ -205,7 +205,7 @@ void draw_ball(SvgText& svg, const ObjectPaint& paint, const Vec2& centre, doubl
 void draw_paths(PlanDrawing& plan) {
     plan.svg.open("g", {{"id", "paths"}});
     for (const PlanObject& object : plan.objects) {
-        for (const MotionStretch& stretch : object.motion) {
+        for (const MotionPhase& stretch : object.motion) {
             draw_path(plan, object, stretch);
             keep_free(plan, stretch.points);
         }

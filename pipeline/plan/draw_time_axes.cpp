@@ -83,7 +83,7 @@ void draw_film(PlanDrawing& plan, double y) {
 }
 
 void draw_shown(PlanDrawing& plan, const TimeAxis& axis, const PlanRig& rig, double y) {
-    const SceneStretch shown = shown_scene_times(*rig.rig);
+    const SceneTimeRange shown = shown_scene_times(*rig.rig);
     const double from = std::clamp(axis.at(shown.first.to_double()), kAxisLeft, kAxisRight);
     const double to = std::clamp(axis.at(shown.last.to_double()), kAxisLeft, kAxisRight);
     draw_bar(plan.svg, from, to, y, rig.colour);

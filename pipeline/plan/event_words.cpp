@@ -24,9 +24,9 @@ std::string speed_after(const ReportedEvent& strike) {
 }
 
 std::string tip_text(double offset, const char* more, const char* less) {
-    return std::abs(offset) < kOffCentre
-               ? std::string()
-               : ", tip " + radius_share_text(std::abs(offset)) + " " + (offset > 0 ? more : less);
+    return std::abs(offset) < kOffCentre ? std::string()
+                                         : ", tip " + radius_fraction_text(std::abs(offset)) + " " +
+                                               (offset > 0 ? more : less);
 }
 
 }  // namespace

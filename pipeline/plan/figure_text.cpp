@@ -29,8 +29,8 @@ std::string angle_text(double angle) {
     return decimal_text(std::round(angle * kDegrees), 0) + "°";
 }
 
-std::string radius_share_text(double share) {
-    return decimal_text(share, 2) + " R";
+std::string radius_fraction_text(double fraction) {
+    return decimal_text(fraction, 2) + " R";
 }
 
 }  // namespace carom::pipeline

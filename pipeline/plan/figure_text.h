@@ -18,6 +18,6 @@ namespace carom::pipeline {
 [[nodiscard]] std::string angle_text(double angle);
 
 /// "0.35 R" for a share of a ball's radius: two decimals at most.
-[[nodiscard]] std::string radius_share_text(double share);
+[[nodiscard]] std::string radius_fraction_text(double fraction);
 
 }  // namespace carom::pipeline

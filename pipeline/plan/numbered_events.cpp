@@ -142,12 +142,12 @@ class Grouping {
                 break;
             }
             const bool is_impact = group->first.event.kind == EventKind::impact;
-            const bool shares = group->who.contains(event.a) ||
-                                (group->who.contains(event.b) && find_body(shot_, event.b));
+            const bool fractions = group->who.contains(event.a) ||
+                                   (group->who.contains(event.b) && find_body(shot_, event.b));
             if (is_impact && is_row && group->is_row) {
                 return &*group;
             }
-            if (is_impact && !is_row && !group->is_row && shares && pause < longest_pause) {
+            if (is_impact && !is_row && !group->is_row && fractions && pause < longest_pause) {
                 return &*group;
             }
             if (group->first.event.kind == EventKind::strike && event.b == "cloth" &&

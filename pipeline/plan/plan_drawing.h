@@ -8,7 +8,7 @@
 
 #include "pipeline/plan/colour_ramp.h"
 #include "pipeline/plan/label_placer.h"
-#include "pipeline/plan/motion_stretches.h"
+#include "pipeline/plan/motion_phases.h"
 #include "pipeline/plan/numbered_events.h"
 #include "pipeline/plan/plan_colours.h"
 #include "pipeline/plan/sheet.h"
@@ -30,7 +30,7 @@ struct PlanObject {
     const sim::Track* track = nullptr;
     std::optional<double> radius;  // of a ball
     ObjectPaint paint;
-    std::vector<MotionStretch> motion;
+    std::vector<MotionPhase> motion;
     double gone = 1e300;  // when it was potted, s
     [[nodiscard]] bool moves() const { return !motion.empty(); }
 };

@@ -28,8 +28,8 @@ std::vector<PlanObject> plan_objects(const Shot& shot, const sim::Timeline& time
                 object.gone = event.time;
             }
         }
-        object.motion = motion_stretches(track, object.radius,
-                                         std::min(object.gone, timeline.end_time), kTolerance);
+        object.motion = motion_phases(track, object.radius,
+                                      std::min(object.gone, timeline.end_time), kTolerance);
         objects.push_back(std::move(object));
     }
     return objects;

@@ -79,7 +79,7 @@ Extent extent_of(const PlanDrawing& plan) {
             const double reach = 3 * object.radius.value_or(0.05);
             extent.include(Vec2(start.x, start.y) - Vec2(reach));
             extent.include(Vec2(start.x, start.y) + Vec2(reach));
-            for (const MotionStretch& stretch : object.motion) {
+            for (const MotionPhase& stretch : object.motion) {
                 for (const Vec2& point : stretch.points) {
                     extent.include(point - Vec2(reach));
                     extent.include(point + Vec2(reach));
@@ -117,8 +117,8 @@ void draw_title(PlanDrawing& plan, const std::string& name) {
 void draw_scale_bar(PlanDrawing& plan, double y) {
     const double wanted = 0.03 * plan.sheet.denominator;  // m
     const double decade = std::pow(10, std::floor(std::log10(wanted)));
-    const double share = wanted / decade;
-    const double metres = decade * (share >= 5 ? 5 : share >= 2 ? 2 : 1);
+    const double fraction = wanted / decade;
+    const double metres = decade * (fraction >= 5 ? 5 : fraction >= 2 ? 2 : 1);
     const double right = kPageWidth - kMargin;
     const double left = right - plan.sheet.length(metres);
     plan.svg.leaf("path",

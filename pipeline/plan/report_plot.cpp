@@ -27,8 +27,8 @@ struct Panel {
     bool is_square_root = false;
 
     [[nodiscard]] double at(double value) const {
-        const double share = std::clamp(value / highest, 0.0, 1.0);
-        return top + height * (1 - (is_square_root ? std::sqrt(share) : share));
+        const double fraction = std::clamp(value / highest, 0.0, 1.0);
+        return top + height * (1 - (is_square_root ? std::sqrt(fraction) : fraction));
     }
     [[nodiscard]] double bottom() const { return top + height; }
 };

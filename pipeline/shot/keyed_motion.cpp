@@ -121,7 +121,7 @@ Key middle_key(const Key& from, const Key& to, const Vec3& turn) {
         w = better;
         halves = turned(from.orientation, w0, w, w1, half);
     }
-    const sim::PathStretch path{from.time,   to.time,           from.position,
+    const sim::PathSegment path{from.time,   to.time,           from.position,
                                 to.position, from.velocity_out, to.velocity_in};
     Key key;
     key.time = from.time + half;

@@ -52,7 +52,7 @@ PruneResult prune_cache(const std::string& folder, const PruneOptions& options) 
 }
 
 VerifyResult verify_cache(const std::string& folder,
-                          const std::function<void(double share)>& progress,
+                          const std::function<void(double fraction)>& progress,
                           const std::stop_token& stop) {
     const std::vector<CacheEntry> entries = list_cache(folder);
     VerifyResult result;

@@ -56,7 +56,7 @@ struct VerifyResult {
 /// Reads every frame and bake and checks its seal. Throws Error if the folder or a file cannot be
 /// read, Stopped.
 [[nodiscard]] VerifyResult verify_cache(const std::string& folder,
-                                        const std::function<void(double share)>& progress,
+                                        const std::function<void(double fraction)>& progress,
                                         const std::stop_token& stop);
 
 }  // namespace carom::pipeline

@@ -8,9 +8,9 @@
 namespace carom::pipeline {
 namespace {
 
-bool is_still(const sim::PathStretch& stretch) {
+bool is_still(const sim::PathSegment& segment) {
     const Vec3 zero(0, 0, 0);
-    return stretch.p0 == stretch.p1 && stretch.v0 == zero && stretch.v1 == zero;
+    return segment.p0 == segment.p1 && segment.v0 == zero && segment.v1 == zero;
 }
 
 bool is_at_rest(const MotionState& state, const Quat& orientation) {
@@ -20,10 +20,10 @@ bool is_at_rest(const MotionState& state, const Quat& orientation) {
 // Between keys the angular velocity is linear, so that it is zero throughout if it is at both ends.
 bool rests(const sim::Track& track, double open, double close) {
     const Quat orientation = track.sample(open).orientation;
-    for (const sim::PathStretch& stretch : track.stretches(open, close)) {
-        if (!is_still(stretch) || !is_at_rest(track.sample(stretch.start), orientation) ||
-            !is_at_rest(track.sample((stretch.start + stretch.end) / 2), orientation) ||
-            !is_at_rest(track.sample(stretch.end), orientation)) {
+    for (const sim::PathSegment& segment : track.segments(open, close)) {
+        if (!is_still(segment) || !is_at_rest(track.sample(segment.start), orientation) ||
+            !is_at_rest(track.sample((segment.start + segment.end) / 2), orientation) ||
+            !is_at_rest(track.sample(segment.end), orientation)) {
             return false;
         }
     }

@@ -45,21 +45,21 @@ void add_names(Hasher& hasher, const render::SceneDescription& scene) {
 // One smooth piece: the path as it is, and the turning by what it is at five instants. Orientation
 // and angular velocity at the ends fix it up to the rounding of its integral, which the instants
 // between would show.
-void add_stretch(FieldHasher& hasher, const sim::Track& track, const sim::PathStretch& stretch) {
-    hasher.add_value(stretch);
-    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        const double time = stretch.start * (1 - share) + stretch.end * share;
+void add_segment(FieldHasher& hasher, const sim::Track& track, const sim::PathSegment& segment) {
+    hasher.add_value(segment);
+    for (const double fraction : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const double time = segment.start * (1 - fraction) + segment.end * fraction;
         const MotionState state = track.sample(time);
         hasher.add(state.orientation).add(state.angular_velocity);
     }
 }
 
 void add_track(FieldHasher& hasher, const sim::Track& track, const render::FrameInput& frame) {
-    const std::vector<sim::PathStretch> stretches =
-        track.stretches(frame.scene_open, frame.scene_close);
-    hasher.add(std::uint64_t{stretches.size()});
-    for (const sim::PathStretch& stretch : stretches) {
-        add_stretch(hasher, track, stretch);
+    const std::vector<sim::PathSegment> segments =
+        track.segments(frame.scene_open, frame.scene_close);
+    hasher.add(std::uint64_t{segments.size()});
+    for (const sim::PathSegment& segment : segments) {
+        add_segment(hasher, track, segment);
     }
 }
 

@@ -69,7 +69,7 @@ class Cells {
         return line_map(
             cells_, pixels_, taps,
             [&](std::size_t cell) { return (static_cast<double>(cell) - 1.5) * length_ - 1; },
-            [&](std::size_t cell, std::size_t pixel) { return share(pixel, cell) / length_; });
+            [&](std::size_t cell, std::size_t pixel) { return fraction(pixel, cell) / length_; });
     }
 
     [[nodiscard]] LineMap enlargement() const {
@@ -77,7 +77,7 @@ class Cells {
         return line_map(
             pixels_, cells_, kTaps,
             [&](std::size_t pixel) { return static_cast<double>(pixel) / length_ - 2.5; },
-            [&](std::size_t pixel, std::size_t cell) { return share(pixel, cell); });
+            [&](std::size_t pixel, std::size_t cell) { return fraction(pixel, cell); });
     }
 
     /// The variance of a Gaussian on the cells that together with the way there and back makes
@@ -87,7 +87,7 @@ class Cells {
     }
 
   private:
-    [[nodiscard]] double share(std::size_t pixel, std::size_t cell) const {
+    [[nodiscard]] double fraction(std::size_t pixel, std::size_t cell) const {
         const double from = static_cast<double>(pixel) / length_ - 0.5;
         const double to = static_cast<double>(pixel + 1) / length_ - 0.5;
         return length_ * sum_over_images(cell, cells_, 3, [&](double place) {

@@ -33,8 +33,8 @@ class PqTable {
     [[nodiscard]] std::uint16_t operator()(float light) const {
         const float at = std::sqrt(std::sqrt(light / static_cast<float>(kPqPeak))) * kSteps;
         const auto index = std::min(static_cast<std::size_t>(at), table_.size() - 2);
-        const float share = at - static_cast<float>(index);
-        return nearest_code(table_[index] + share * (table_[index + 1] - table_[index]));
+        const float fraction = at - static_cast<float>(index);
+        return nearest_code(table_[index] + fraction * (table_[index + 1] - table_[index]));
     }
 
   private:

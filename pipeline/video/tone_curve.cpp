@@ -33,8 +33,8 @@ float ToneCurve::operator()(float value) const {
     }
     const float place = std::sqrt(value) * scale_;
     const auto cell = static_cast<std::size_t>(place);
-    const float share = place - static_cast<float>(cell);
-    return table_[cell] + (table_[cell + 1] - table_[cell]) * share;
+    const float fraction = place - static_cast<float>(cell);
+    return table_[cell] + (table_[cell + 1] - table_[cell]) * fraction;
 }
 
 double srgb_encode(double linear) {

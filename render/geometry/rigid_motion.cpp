@@ -20,7 +20,7 @@ Imath::Quatf narrowed(const Quat& q) {
 }
 
 /// The Hermite segment as a cubic in shutter time; `shutter` is the length of the shutter in s.
-PathPiece make_piece(const sim::PathStretch& segment, double scene_open, double shutter) {
+PathPiece make_piece(const sim::PathSegment& segment, double scene_open, double shutter) {
     PathPiece piece;
     piece.c[0] = V3f(segment.p0);
     const double h = segment.end - segment.start;
@@ -78,7 +78,7 @@ RigidMotion::RigidMotion(const Pose& pose) {
 RigidMotion::RigidMotion(const sim::Track& track, double scene_open, double scene_close) {
     CAROM_ASSERT(scene_open <= scene_close);
     const double shutter = scene_close - scene_open;
-    for (const sim::PathStretch& segment : track.stretches(scene_open, scene_close)) {
+    for (const sim::PathSegment& segment : track.segments(scene_open, scene_close)) {
         path_.push_back(make_piece(segment, scene_open, shutter));
         add_turns(track, scene_open, scene_close, segment.start, segment.end, 0);
     }

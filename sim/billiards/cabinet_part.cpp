@@ -74,8 +74,8 @@ Surface build_leg(const std::string& name, const Vec2& axis, double floor, doubl
     std::vector<std::vector<SurfaceVertex>> rows;
     const double height = top - floor;
     for (int ring = 0; ring <= kRings; ++ring) {
-        const double share = double(ring) / kRings;
-        const auto [radius, slope] = turning_at(share);
+        const double fraction = double(ring) / kRings;
+        const auto [radius, slope] = turning_at(fraction);
         const double down = -slope * kLegRadius / height;
         auto& row = rows.emplace_back();
         for (int step = 0; step <= kAround; ++step) {
@@ -83,9 +83,10 @@ Surface build_leg(const std::string& name, const Vec2& axis, double floor, doubl
             const SinCos at = sin_cos(angle);
             const Vec2 radial(at.cos, at.sin);
             const Vec2 place = axis + kLegRadius * radius * radial;
-            row.push_back({{place.x, place.y, floor + share * height},
-                           Vec3(radial.x, radial.y, down).normalized(),
-                           {share * height, kLegRadius * 2 * std::numbers::pi * step / kAround}});
+            row.push_back(
+                {{place.x, place.y, floor + fraction * height},
+                 Vec3(radial.x, radial.y, down).normalized(),
+                 {fraction * height, kLegRadius * 2 * std::numbers::pi * step / kAround}});
         }
     }
     builder.add_grid(rows);

@@ -75,9 +75,9 @@ class CushionSection {
     /// The nose's row at a profile point: over a jaw the rounding is drawn out to the top there.
     [[nodiscard]] std::vector<SurfaceVertex> nose_row(const PlanPath& path,
                                                       const ProfilePoint& point) const {
-        const double share = (point.z - measures_.nose_height) / radius_;
+        const double fraction = (point.z - measures_.nose_height) / radius_;
         return row_along(path, point, [&](const PathPoint& place, SurfaceVertex& vertex) {
-            if (share <= 0) {
+            if (fraction <= 0) {
                 return;
             }
             const double top = top_at(place.inside(radius_));
@@ -87,7 +87,7 @@ class CushionSection {
                 return;
             }
             const double height = top - measures_.nose_height;
-            vertex.position.z = measures_.nose_height + height * share;
+            vertex.position.z = measures_.nose_height + height * fraction;
             vertex.normal.x *= height / radius_;
             vertex.normal.y *= height / radius_;
             vertex.normal.normalize();

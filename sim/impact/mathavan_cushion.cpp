@@ -142,7 +142,7 @@ class CushionContact {
         const double cloth_speed = length(cloth_slip);
         const bool is_nose_known = ahead == 0 && nose_speed > no_slip_;
         const bool is_cloth_known = ahead == 0 && cloth_speed > no_slip_;
-        const double share = ahead > 0 ? 1 / ahead : 0;
+        const double fraction = ahead > 0 ? 1 / ahead : 0;
         Forces& f = forces_;  // those found last are close
         if (is_nose_known) {
             f.nose = nose_slip * (-friction_ / nose_speed);
@@ -150,7 +150,7 @@ class CushionContact {
         for (int turn = 0; turn < 100; ++turn) {
             const Forces last = f;
             if (!is_nose_known) {
-                const Vec3 coming = nose_slip * share + slip(rate(motion, f), normal_);
+                const Vec3 coming = nose_slip * fraction + slip(rate(motion, f), normal_);
                 f.nose = shortened(f.nose - coming / kResponse, friction_);
             }
             f.support = support(motion, f.nose);
@@ -158,7 +158,7 @@ class CushionContact {
             if (is_cloth_known) {
                 f.cloth = cloth_slip * (-limit / cloth_speed);
             } else {
-                const Vec3 coming = cloth_slip * share + slip(rate(motion, f), kUp);
+                const Vec3 coming = cloth_slip * fraction + slip(rate(motion, f), kUp);
                 f.cloth = shortened(f.cloth - coming / kResponse, limit);
             }
             const double change = length(f.nose - last.nose) + length(f.cloth - last.cloth);

@@ -16,38 +16,39 @@ constexpr double kSpeedEpsilon = 1e-9;  // m/s
 constexpr double kSpinEpsilon = 1e-9;   // rad/s
 
 /// Spin about the vertical slows at a constant rate, 5/2 mu_sp g / R, until it stops.
-void add_spin_decay(Stretch& stretch, double radius, double gravity, double friction) {
-    const double spin = stretch.state.angular_velocity.z;
+void add_spin_decay(MotionSegment& segment, double radius, double gravity, double friction) {
+    const double spin = segment.state.angular_velocity.z;
     if (spin == 0 || friction == 0) {
         return;
     }
     const double rate = 2.5 * friction * gravity / radius;
-    stretch.angular_acceleration.z = spin > 0 ? -rate : rate;
-    stretch.end = std::min(stretch.end, stretch.start + std::abs(spin) / rate);
+    segment.angular_acceleration.z = spin > 0 ? -rate : rate;
+    segment.end = std::min(segment.end, segment.start + std::abs(spin) / rate);
 }
 
 /// Coulomb friction against the slip u, whose direction stays: dv/dt = -mu g u/|u|,
 /// dw/dt = 5/2 (mu g / R) z x u/|u|; u vanishes after 2 |u| / (7 mu g).
-void slide(Stretch& stretch, const Vec3& slip, double radius, double gravity, double friction) {
-    stretch.kind = MotionKind::sliding;
+void slide(MotionSegment& segment, const Vec3& slip, double radius, double gravity,
+           double friction) {
+    segment.kind = MotionKind::sliding;
     if (friction == 0) {
         return;
     }
     const double speed = length(slip);
     const Vec3 direction = slip / speed;
-    stretch.acceleration = direction * (-friction * gravity);
-    stretch.angular_acceleration = kUp.cross(direction) * (2.5 * friction * gravity / radius);
-    stretch.end = stretch.start + 2 * speed / (7 * friction * gravity);
+    segment.acceleration = direction * (-friction * gravity);
+    segment.angular_acceleration = kUp.cross(direction) * (2.5 * friction * gravity / radius);
+    segment.end = segment.start + 2 * speed / (7 * friction * gravity);
 }
 
-void roll(Stretch& stretch, double radius, double gravity, double friction) {
-    stretch.kind = MotionKind::rolling;
-    const Vec3& velocity = stretch.state.velocity;
+void roll(MotionSegment& segment, double radius, double gravity, double friction) {
+    segment.kind = MotionKind::rolling;
+    const Vec3& velocity = segment.state.velocity;
     const double speed = length(velocity);
-    stretch.acceleration = velocity * (-friction * gravity / speed);
-    stretch.angular_acceleration = kUp.cross(stretch.acceleration) / radius;
+    segment.acceleration = velocity * (-friction * gravity / speed);
+    segment.angular_acceleration = kUp.cross(segment.acceleration) / radius;
     if (friction > 0) {
-        stretch.end = stretch.start + speed / (friction * gravity);
+        segment.end = segment.start + speed / (friction * gravity);
     }
 }
 
@@ -57,39 +58,39 @@ Vec3 slip_velocity(const MotionState& state, double radius) {
     return state.velocity + state.angular_velocity.cross(Vec3(0, 0, -radius));
 }
 
-Stretch cloth_stretch(double time, const MotionState& from, double radius, double gravity,
-                      const SupportLaw& law) {
-    Stretch stretch;
-    stretch.start = time;
-    stretch.state = from;
-    MotionState& state = stretch.state;
+MotionSegment cloth_segment(double time, const MotionState& from, double radius, double gravity,
+                            const SupportLaw& law) {
+    MotionSegment segment;
+    segment.start = time;
+    segment.state = from;
+    MotionState& state = segment.state;
     state.velocity.z = 0;
     if (std::abs(state.angular_velocity.z) < kSpinEpsilon) {
         state.angular_velocity.z = 0;
     }
     const Vec3 slip = slip_velocity(state, radius);
     if (length(slip) > kSlipEpsilon) {
-        slide(stretch, slip, radius, gravity, law.sliding_friction);
+        slide(segment, slip, radius, gravity, law.sliding_friction);
     } else if (length(state.velocity) > kSpeedEpsilon) {
         const Vec3 rolling = kUp.cross(state.velocity) / radius;
         state.angular_velocity = {rolling.x, rolling.y, state.angular_velocity.z};
-        roll(stretch, radius, gravity, law.rolling_friction);
+        roll(segment, radius, gravity, law.rolling_friction);
     } else {
         state.velocity = {0, 0, 0};
         state.angular_velocity = {0, 0, state.angular_velocity.z};
-        stretch.kind = state.angular_velocity.z != 0 ? MotionKind::spinning : MotionKind::resting;
+        segment.kind = state.angular_velocity.z != 0 ? MotionKind::spinning : MotionKind::resting;
     }
-    add_spin_decay(stretch, radius, gravity, law.spinning_friction);
-    return stretch;
+    add_spin_decay(segment, radius, gravity, law.spinning_friction);
+    return segment;
 }
 
-Stretch flight_stretch(double time, const MotionState& state, const Vec3& gravity) {
-    Stretch stretch;
-    stretch.kind = MotionKind::flying;
-    stretch.start = time;
-    stretch.state = state;
-    stretch.acceleration = gravity;
-    return stretch;
+MotionSegment flight_segment(double time, const MotionState& state, const Vec3& gravity) {
+    MotionSegment segment;
+    segment.kind = MotionKind::flying;
+    segment.start = time;
+    segment.state = state;
+    segment.acceleration = gravity;
+    return segment;
 }
 
 }  // namespace carom::sim

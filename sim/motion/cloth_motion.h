@@ -2,7 +2,7 @@
 // (Marlow, The Physics of Pocket Billiards, 1995, chapter 2; Alciatore, TP A-4 and TP B-2).
 #pragma once
 
-#include "sim/motion/stretch.h"
+#include "sim/motion/motion_segment.h"
 
 namespace carom::sim {
 
@@ -16,13 +16,14 @@ struct SupportLaw {
 /// Velocity of the ball's lowest point: u = v + w x (-R z).
 [[nodiscard]] Vec3 slip_velocity(const MotionState& state, double radius);
 
-/// The stretch that begins at `time` from `state`: which law holds, with which accelerations, until
+/// The segment that begins at `time` from `state`: which law holds, with which accelerations, until
 /// when. `gravity` > 0, m/s^2. Vertical velocity is taken as zero. States that round-off keeps from
 /// rolling or resting exactly are put right.
-[[nodiscard]] Stretch cloth_stretch(double time, const MotionState& state, double radius,
-                                    double gravity, const SupportLaw& law);
+[[nodiscard]] MotionSegment cloth_segment(double time, const MotionState& state, double radius,
+                                          double gravity, const SupportLaw& law);
 
 /// A ball that touches nothing.
-[[nodiscard]] Stretch flight_stretch(double time, const MotionState& state, const Vec3& gravity);
+[[nodiscard]] MotionSegment flight_segment(double time, const MotionState& state,
+                                           const Vec3& gravity);
 
 }  // namespace carom::sim

@@ -10,7 +10,7 @@ struct Relative {
     Vec3 d, w, a;
 };
 
-Relative relative_to(const Stretch& ball, const Vec3& point, double now) {
+Relative relative_to(const MotionSegment& ball, const Vec3& point, double now) {
     return {ball.position_at(now) - point, ball.velocity_at(now), ball.acceleration};
 }
 
@@ -58,7 +58,7 @@ std::optional<double> closing(const Relative& m, double distance, double now, do
         return std::nullopt;
     }
     return at_scene_time(
-        first_closing(squared_gap(m, distance), 2 * distance * kTouchDistance, until - now), now);
+        first_closing(squared_gap(m, distance), 2 * distance * kContactDistance, until - now), now);
 }
 
 Vec3 across(const Vec3& v, const Vec3& direction) {
@@ -71,38 +71,41 @@ Relative across(const Relative& m, const Vec3& direction) {
 
 }  // namespace
 
-std::optional<double> ball_touch(const Stretch& a, const Stretch& b, double distance, double now,
-                                 double until) {
+std::optional<double> ball_impact_time(const MotionSegment& a, const MotionSegment& b,
+                                       double distance, double now, double until) {
     const Relative m{a.position_at(now) - b.position_at(now),
                      a.velocity_at(now) - b.velocity_at(now), a.acceleration - b.acceleration};
     return closing(m, distance, now, until);
 }
 
-std::optional<double> point_touch(const Stretch& ball, const Vec3& point, double distance,
-                                  double now, double until) {
+std::optional<double> point_impact_time(const MotionSegment& ball, const Vec3& point,
+                                        double distance, double now, double until) {
     return closing(relative_to(ball, point, now), distance, now, until);
 }
 
-std::optional<double> line_touch(const Stretch& ball, const Vec3& point, const Vec3& direction,
-                                 double distance, double now, double until) {
+std::optional<double> line_impact_time(const MotionSegment& ball, const Vec3& point,
+                                       const Vec3& direction, double distance, double now,
+                                       double until) {
     return closing(across(relative_to(ball, point, now), direction), distance, now, until);
 }
 
-std::optional<double> plane_touch(const Stretch& ball, const Vec3& point, const Vec3& normal,
-                                  double distance, double now, double until) {
+std::optional<double> plane_impact_time(const MotionSegment& ball, const Vec3& point,
+                                        const Vec3& normal, double distance, double now,
+                                        double until) {
     const Relative m = relative_to(ball, point, now);
     const Quartic f{m.d.dot(normal) - distance, m.w.dot(normal), 0.5 * m.a.dot(normal), 0, 0};
-    return at_scene_time(first_closing(f, kTouchDistance, until - now), now);
+    return at_scene_time(first_closing(f, kContactDistance, until - now), now);
 }
 
-std::optional<double> line_departure(const Stretch& ball, const Vec3& point, const Vec3& direction,
-                                     double distance, double now, double until) {
+std::optional<double> line_departure(const MotionSegment& ball, const Vec3& point,
+                                     const Vec3& direction, double distance, double now,
+                                     double until) {
     const Relative m = across(relative_to(ball, point, now), direction);
     Quartic f = squared_gap(m, distance);
     for (double& c : f) {
         c = -c;
     }
-    return at_scene_time(first_closing(f, 2 * distance * kTouchDistance, until - now), now);
+    return at_scene_time(first_closing(f, 2 * distance * kContactDistance, until - now), now);
 }
 
 }  // namespace carom::sim

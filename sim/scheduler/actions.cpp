@@ -45,7 +45,7 @@ void Actions::apply(const DueAction& due) {
 
 MotionState Actions::state_of(std::uint32_t body, double time) const {
     const StepBody& entry = stepped_.all()[body];
-    return entry.is_ball ? balls_.all()[body].stretch.state_at(time) : entry.state;
+    return entry.is_ball ? balls_.all()[body].segment.state_at(time) : entry.state;
 }
 
 Quat Actions::axes_of(std::uint32_t body, double time) const {
@@ -107,7 +107,7 @@ void Actions::begin(const SetVelocity& velocity, const DueAction& due, std::uint
 
 void Actions::begin(const Strike& strike, const DueAction& due, std::uint32_t body) {
     const Ball& struck = balls_[body];
-    const MotionState before = struck.stretch.state_at(due.time);
+    const MotionState before = struck.segment.state_at(due.time);
     const Vec3 aim = aim_of(strike, before.position, due.time);
     if (aim == Vec3(0, 0, 0)) {
         recording_.warn(
@@ -137,13 +137,13 @@ void Actions::kick(const DueAction& due, std::uint32_t body) {
     const ForceEvent& event = world_.events[due.event];
     const Quat orientation = axes_of(body, due.time);
     if (const auto* force = std::get_if<Force>(&event.action)) {
-        const double share = force->duration / kick_count(force->duration);
-        const Vec3 p = in_world(force->axes, orientation, force->newtons) * share;
+        const double fraction = force->duration / kick_count(force->duration);
+        const Vec3 p = in_world(force->axes, orientation, force->newtons) * fraction;
         push(body, due.time, p, in_world(force->axes, orientation, force->at_point).cross(p));
     } else if (const auto* torque = std::get_if<Torque>(&event.action)) {
-        const double share = torque->duration / kick_count(torque->duration);
+        const double fraction = torque->duration / kick_count(torque->duration);
         push(body, due.time, Vec3(0, 0, 0),
-             in_world(torque->axes, orientation, torque->newton_metres) * share);
+             in_world(torque->axes, orientation, torque->newton_metres) * fraction);
     }
 }
 

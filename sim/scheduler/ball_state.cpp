@@ -22,15 +22,15 @@ GroundLaw cloth_law(const std::string& material, const ContactLaw& law) {
             cloth.sliding_friction};
 }
 
-Ball make_ball(const Body& body, double radius, const Surroundings& around) {
+Ball make_ball(const Body& body, double radius, const StaticEnvironment& environment) {
     Ball ball;
     ball.name = body.name;
-    ball.material = around.contacts.id_of(body.material);
+    ball.material = environment.contacts.id_of(body.material);
     ball.mass = body.mass;
     ball.radius = radius;
-    ball.cloth_law = cloth_law(body.material, around.law);
-    ball.floor_law = ground_law(around.law.between(body.material, "floor"));
-    ball.stretch.state = {body.pose.position, body.pose.orientation, body.velocity,
+    ball.cloth_law = cloth_law(body.material, environment.law);
+    ball.floor_law = ground_law(environment.law.between(body.material, "floor"));
+    ball.segment.state = {body.pose.position, body.pose.orientation, body.velocity,
                           body.angular_velocity};
     ball.rested_at = body.pose.position;
     return ball;
@@ -42,21 +42,21 @@ bool Ball::has_left() const {
     if (!is_stepped()) {
         return !is_still();
     }
-    const Vec3 way = stretch.state.position - rested_at;
-    const Vec3& spin = stretch.state.angular_velocity;
+    const Vec3 way = segment.state.position - rested_at;
+    const Vec3& spin = segment.state.angular_velocity;
     return way.dot(way) > kLeastMove * kLeastMove ||
            spin.dot(spin) * radius * radius > kLeastTurning * kLeastTurning;
 }
 
-double ground_height(Ground ground, const Surroundings& around) {
-    return ground == Ground::floor ? around.floor_height.value_or(0) : 0;
+double ground_height(Ground ground, const StaticEnvironment& environment) {
+    return ground == Ground::floor ? environment.floor_height.value_or(0) : 0;
 }
 
 const char* ground_name(Ground ground) {
     return ground == Ground::floor ? "floor" : "cloth";
 }
 
-std::vector<Ball> make_balls(const WorldDescription& world, const Surroundings& around) {
+std::vector<Ball> make_balls(const WorldDescription& world, const StaticEnvironment& environment) {
     std::vector<Ball> balls;
     std::size_t track = 0;
     for (const Body& body : world.bodies) {
@@ -64,7 +64,7 @@ std::vector<Ball> make_balls(const WorldDescription& world, const Surroundings& 
             continue;
         }
         if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
-            balls.push_back(make_ball(body, sphere->radius, around));
+            balls.push_back(make_ball(body, sphere->radius, environment));
             balls.back().track = track;
         }
         ++track;
@@ -72,15 +72,15 @@ std::vector<Ball> make_balls(const WorldDescription& world, const Surroundings& 
     return balls;
 }
 
-Stretch next_stretch(const Ball& ball, double time, const MotionState& state,
-                     const Surroundings& around) {
+MotionSegment next_segment(const Ball& ball, double time, const MotionState& state,
+                           const StaticEnvironment& environment) {
     if (ball.ground == Ground::none) {
-        return flight_stretch(time, state, around.gravity);
+        return flight_segment(time, state, environment.gravity);
     }
-    Stretch stretch = cloth_stretch(time, state, ball.radius, around.downward_gravity,
-                                    ball.law_of(ball.ground).motion);
-    stretch.state.position.z = ground_height(ball.ground, around) + ball.radius;
-    return stretch;
+    MotionSegment segment = cloth_segment(time, state, ball.radius, environment.downward_gravity,
+                                          ball.law_of(ball.ground).motion);
+    segment.state.position.z = ground_height(ball.ground, environment) + ball.radius;
+    return segment;
 }
 
 }  // namespace carom::sim

@@ -8,7 +8,7 @@
 
 #include "sim/impact/ball_impact.h"
 #include "sim/motion/cloth_motion.h"
-#include "sim/scheduler/surroundings.h"
+#include "sim/scheduler/static_environment.h"
 
 namespace carom::sim {
 
@@ -31,21 +31,21 @@ struct Ball {
     double radius = 0;
     GroundLaw cloth_law, floor_law;
 
-    Stretch stretch;
+    MotionSegment segment;
     Ground ground = Ground::none;  // what carries it in closed form
     bool is_lying = false;         // at rest where ODE left it, on something else than a ground
     bool is_potted = false;
     bool is_off_table = false;
     std::optional<std::size_t> flight_event;  // of the log: its last flight began
     Vec3 rested_at{0, 0, 0};                  // its centre when it last rested, or at the start
-    std::uint32_t version = 0;                // counts its stretches: older predictions are void
+    std::uint32_t version = 0;                // counts its segments: older predictions are void
 
-    [[nodiscard]] bool is_still() const { return stretch.kind == MotionKind::resting; }
-    [[nodiscard]] bool is_stepped() const { return stretch.kind == MotionKind::stepped; }
+    [[nodiscard]] bool is_still() const { return segment.kind == MotionKind::resting; }
+    [[nodiscard]] bool is_stepped() const { return segment.kind == MotionKind::stepped; }
     /// It moves, and if ODE carries it, it has moved visibly since it last rested.
     [[nodiscard]] bool has_left() const;
     [[nodiscard]] BallBody body_at(double time) const {
-        return {mass, radius, stretch.state_at(time)};
+        return {mass, radius, segment.state_at(time)};
     }
     [[nodiscard]] const GroundLaw& law_of(Ground on) const {
         return on == Ground::floor ? floor_law : cloth_law;
@@ -53,15 +53,15 @@ struct Ball {
 };
 
 /// The height of a level surface.
-[[nodiscard]] double ground_height(Ground ground, const Surroundings& around);
+[[nodiscard]] double ground_height(Ground ground, const StaticEnvironment& environment);
 [[nodiscard]] const char* ground_name(Ground ground);
 
 /// The moving spheres of the world, in its order.
 [[nodiscard]] std::vector<Ball> make_balls(const WorldDescription& world,
-                                           const Surroundings& around);
+                                           const StaticEnvironment& environment);
 
-/// The stretch that `ball` begins at `time` from `state`, carried by `ball.ground` or flying.
-[[nodiscard]] Stretch next_stretch(const Ball& ball, double time, const MotionState& state,
-                                   const Surroundings& around);
+/// The segment that `ball` begins at `time` from `state`, carried by `ball.ground` or flying.
+[[nodiscard]] MotionSegment next_segment(const Ball& ball, double time, const MotionState& state,
+                                         const StaticEnvironment& environment);
 
 }  // namespace carom::sim

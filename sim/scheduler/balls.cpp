@@ -29,17 +29,17 @@ EventKind event_of(MotionKind kind) {
 }
 
 /// Which level surface a ball placed at `state` stands on.
-Ground ground_at_start(const Ball& ball, const Surroundings& around) {
+Ground ground_at_start(const Ball& ball, const StaticEnvironment& environment) {
     constexpr double kClose = 1e-6;  // m
-    const MotionState& state = ball.stretch.state;
-    if (around.downward_gravity <= 0 || state.velocity.z > kLandingSpeed) {
+    const MotionState& state = ball.segment.state;
+    if (environment.downward_gravity <= 0 || state.velocity.z > kLandingSpeed) {
         return Ground::none;
     }
     const double bottom = state.position.z - ball.radius;
-    if (std::abs(bottom) < kClose && around.is_over_cloth(state.position)) {
+    if (std::abs(bottom) < kClose && environment.is_over_cloth(state.position)) {
         return Ground::cloth;
     }
-    if (around.floor_height && std::abs(bottom - *around.floor_height) < kClose) {
+    if (environment.floor_height && std::abs(bottom - *environment.floor_height) < kClose) {
         return Ground::floor;
     }
     return Ground::none;
@@ -47,17 +47,18 @@ Ground ground_at_start(const Ball& ball, const Surroundings& around) {
 
 }  // namespace
 
-Balls::Balls(const WorldDescription& world, const Surroundings& around, Recording& recording)
-    : around_(around),
+Balls::Balls(const WorldDescription& world, const StaticEnvironment& environment,
+             Recording& recording)
+    : environment_(environment),
       recording_(recording),
-      balls_(make_balls(world, around)),
+      balls_(make_balls(world, environment)),
       is_changed_(balls_.size(), 0) {}
 
 void Balls::start(double time) {
     for (Ball& ball : balls_) {
-        ball.ground = ground_at_start(ball, around_);
-        set_stretch(ball, next_stretch(ball, time, ball.stretch.state, around_));
-        recording_.keep(ball.track, time, ball.stretch.state);
+        ball.ground = ground_at_start(ball, environment_);
+        set_segment(ball, next_segment(ball, time, ball.segment.state, environment_));
+        recording_.keep(ball.track, time, ball.segment.state);
     }
 }
 
@@ -65,7 +66,7 @@ void Balls::change(std::uint32_t index, double time, const MotionState& before, 
     Ball& ball = balls_[index];
     settle(ball, time, after);
     begin(ball, time, after);
-    recording_.add_break(ball.track, time, before, ball.stretch.state);
+    recording_.add_break(ball.track, time, before, ball.segment.state);
 }
 
 void Balls::change_stepped(std::uint32_t index, double time, const MotionState& before,
@@ -79,7 +80,7 @@ void Balls::settle(Ball& ball, double time, MotionState& state) {
         return;
     }
     const GroundLaw& law = ball.law_of(ball.ground);
-    if (around_.downward_gravity <= 0) {
+    if (environment_.downward_gravity <= 0) {
         ball.ground = Ground::none;
         return;
     }
@@ -100,26 +101,26 @@ void Balls::settle(Ball& ball, double time, MotionState& state) {
 }
 
 void Balls::begin(Ball& ball, double time, const MotionState& state) {
-    const MotionKind kind = ball.stretch.kind;
-    set_stretch(ball, next_stretch(ball, time, state, around_));
+    const MotionKind kind = ball.segment.kind;
+    set_segment(ball, next_segment(ball, time, state, environment_));
     ball.is_lying = false;
-    if (ball.stretch.kind == MotionKind::flying && kind != MotionKind::flying) {
+    if (ball.segment.kind == MotionKind::flying && kind != MotionKind::flying) {
         ball.flight_event = recording_.events().size();
     }
-    if (ball.stretch.kind != kind) {
-        recording_.log(event_of(ball.stretch.kind), time, ball.name, ball.stretch.state.position);
+    if (ball.segment.kind != kind) {
+        recording_.log(event_of(ball.segment.kind), time, ball.name, ball.segment.state.position);
     }
 }
 
-void Balls::set_stretch(Ball& ball, const Stretch& stretch) {
+void Balls::set_segment(Ball& ball, const MotionSegment& segment) {
     if (ball.is_stepped()) {
         --stepped_count_;
     }
-    CAROM_VALIDATE(is_finite(stretch.state) && is_finite(stretch.acceleration) &&
-                   is_finite(stretch.angular_acceleration));
-    ball.stretch = stretch;
+    CAROM_VALIDATE(is_finite(segment.state) && is_finite(segment.acceleration) &&
+                   is_finite(segment.angular_acceleration));
+    ball.segment = segment;
     if (ball.is_still()) {
-        ball.rested_at = stretch.state.position;
+        ball.rested_at = segment.state.position;
     }
     if (ball.is_stepped()) {
         ++stepped_count_;
@@ -154,8 +155,8 @@ std::vector<std::uint32_t> Balls::take_changed() {
 
 void Balls::go_on(std::uint32_t index, double time) {
     Ball& ball = balls_[index];
-    begin(ball, time, ball.stretch.state_at(time));
-    recording_.keep(ball.track, time, ball.stretch.state);
+    begin(ball, time, ball.segment.state_at(time));
+    recording_.keep(ball.track, time, ball.segment.state);
 }
 
 void Balls::fall(std::uint32_t index, double time) {
@@ -164,45 +165,45 @@ void Balls::fall(std::uint32_t index, double time) {
 }
 
 void Balls::retract_flight(const Ball& ball, double time) {
-    if (ball.stretch.kind == MotionKind::flying && ball.flight_event &&
+    if (ball.segment.kind == MotionKind::flying && ball.flight_event &&
         time - recording_.events()[*ball.flight_event].time < kLeastFlight) {
         recording_.retract(*ball.flight_event);
     }
 }
 
-void Balls::hand_to_ode(std::uint32_t index, double time) {
+void Balls::activate(std::uint32_t index, double time) {
     retract_flight(balls_[index], time);
-    carry(index, time, balls_[index].stretch.state_at(time));
+    carry(index, time, balls_[index].segment.state_at(time));
 }
 
 void Balls::carry(std::uint32_t index, double time, const MotionState& state) {
     Ball& ball = balls_[index];
     ball.ground = Ground::none;
     ball.is_lying = false;
-    Stretch stretch;
-    stretch.kind = MotionKind::stepped;
-    stretch.start = time;
-    stretch.state = state;
-    set_stretch(ball, stretch);
+    MotionSegment segment;
+    segment.kind = MotionKind::stepped;
+    segment.start = time;
+    segment.state = state;
+    set_segment(ball, segment);
 }
 
-void Balls::take_back(std::uint32_t index, double time, const MotionState& state, Ground ground) {
+void Balls::deactivate(std::uint32_t index, double time, const MotionState& state, Ground ground) {
     Ball& ball = balls_[index];
     ball.ground = ground;
     begin(ball, time, state);
-    recording_.keep(ball.track, time, ball.stretch.state);
+    recording_.keep(ball.track, time, ball.segment.state);
 }
 
 void Balls::note_sunk(std::uint32_t index, double time, const Vec3& centre) {
     Ball& ball = balls_[index];
-    if (!around_.has_cushions || ball.is_potted || ball.is_off_table) {
+    if (!environment_.has_cushions || ball.is_potted || ball.is_off_table) {
         return;
     }
-    const int pocket = around_.pocket_below(centre);
+    const int pocket = environment_.pocket_below(centre);
     if (pocket >= 0) {
         ball.is_potted = true;
         recording_.log(EventKind::potted, time, ball.name, centre,
-                       around_.table.pockets[static_cast<std::size_t>(pocket)].name);
+                       environment_.table.pockets[static_cast<std::size_t>(pocket)].name);
     } else {
         ball.is_off_table = true;
         recording_.log(EventKind::off_table, time, ball.name, centre);
@@ -211,24 +212,24 @@ void Balls::note_sunk(std::uint32_t index, double time, const Vec3& centre) {
 
 void Balls::warn_of_jammed() const {
     for (const Ball& ball : balls_) {
-        const int pocket = around_.pocket_below(ball.stretch.state.position);
+        const int pocket = environment_.pocket_below(ball.segment.state.position);
         if (!ball.is_still() || ball.is_potted || ball.is_off_table || pocket < 0) {
             continue;
         }
         recording_.warn({Subject::body(ball.name), "",
                          "'" + ball.name + "' is not potted: it rests in the mouth of pocket '" +
-                             around_.table.pockets[static_cast<std::size_t>(pocket)].name +
+                             environment_.table.pockets[static_cast<std::size_t>(pocket)].name +
                              "' on the balls that fell in before"});
     }
 }
 
-void Balls::lay_down(std::uint32_t index, double time, MotionState state) {
+void Balls::put_to_rest(std::uint32_t index, double time, MotionState state) {
     Ball& ball = balls_[index];
     state.velocity = state.angular_velocity = {0, 0, 0};
     carry(index, time, state);
-    Stretch still = ball.stretch;
+    MotionSegment still = ball.segment;
     still.kind = MotionKind::resting;
-    set_stretch(ball, still);
+    set_segment(ball, still);
     ball.is_lying = true;
     recording_.keep(ball.track, time, state);
     recording_.log(EventKind::resting, time, ball.name, state.position);
@@ -236,16 +237,16 @@ void Balls::lay_down(std::uint32_t index, double time, MotionState state) {
 
 void Balls::finish(double time) {
     for (const Ball& ball : balls_) {
-        recording_.keep(ball.track, time, ball.stretch.state_at(time));
+        recording_.keep(ball.track, time, ball.segment.state_at(time));
     }
 }
 
 void Balls::add_energy(double time, EnergySample& sample) const {
     for (const Ball& ball : balls_) {
-        const Vec3 v = ball.stretch.velocity_at(time);
-        const Vec3 w = ball.stretch.angular_velocity_at(time);
+        const Vec3 v = ball.segment.velocity_at(time);
+        const Vec3 w = ball.segment.angular_velocity_at(time);
         sample.kinetic += 0.5 * ball.mass * (v.dot(v) + 0.4 * ball.radius * ball.radius * w.dot(w));
-        sample.potential -= ball.mass * around_.gravity.dot(ball.stretch.position_at(time));
+        sample.potential -= ball.mass * environment_.gravity.dot(ball.segment.position_at(time));
     }
 }
 

@@ -1,4 +1,4 @@
-// The balls, and how each one's motion goes on: new stretch, key, log entry.
+// The balls, and how each one's motion goes on: new segment, key, log entry.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,8 @@ inline constexpr double kLeastFlight = 0.01;
 
 class Balls {
   public:
-    Balls(const WorldDescription& world, const Surroundings& around, Recording& recording);
+    Balls(const WorldDescription& world, const StaticEnvironment& environment,
+          Recording& recording);
 
     [[nodiscard]] const std::vector<Ball>& all() const { return balls_; }
     [[nodiscard]] Ball& operator[](std::uint32_t index) { return balls_[index]; }
@@ -40,20 +41,20 @@ class Balls {
     void change_stepped(std::uint32_t index, double time, const MotionState& before,
                         const MotionState& after);
 
-    /// Its stretch ended by itself; the next one begins.
+    /// Its segment ended by itself; the next one begins.
     void go_on(std::uint32_t index, double time);
 
     /// It leaves what carried it without an impact.
     void fall(std::uint32_t index, double time);
 
     /// From now on ODE carries it. Takes effect with the next window.
-    void hand_to_ode(std::uint32_t index, double time);
+    void activate(std::uint32_t index, double time);
     /// Where ODE has carried it: still ODE's ...
     void carry(std::uint32_t index, double time, const MotionState& state);
     /// ... or handed back: on level ground, in the air ...
-    void take_back(std::uint32_t index, double time, const MotionState& state, Ground ground);
+    void deactivate(std::uint32_t index, double time, const MotionState& state, Ground ground);
     /// ... or lying still where it is.
-    void lay_down(std::uint32_t index, double time, MotionState state);
+    void put_to_rest(std::uint32_t index, double time, MotionState state);
     /// The ball's centre is below the cloth: it is potted or off the table. Written down the first
     /// time.
     void note_sunk(std::uint32_t index, double time, const Vec3& centre);
@@ -66,7 +67,7 @@ class Balls {
 
     void finish(double time);
 
-    /// Those that have begun a new stretch since this was asked last, in their order.
+    /// Those that have begun a new segment since this was asked last, in their order.
     [[nodiscard]] std::vector<std::uint32_t> take_changed();
     /// All predictions are void, and all balls count as changed.
     void void_predictions();
@@ -81,9 +82,9 @@ class Balls {
     void begin(Ball& ball, double time, const MotionState& state);
     void note_change(Ball& ball);
     void retract_flight(const Ball& ball, double time);
-    void set_stretch(Ball& ball, const Stretch& stretch);
+    void set_segment(Ball& ball, const MotionSegment& segment);
 
-    const Surroundings& around_;
+    const StaticEnvironment& environment_;
     Recording& recording_;
     std::vector<Ball> balls_;
     ode::ImpactSolver solver_;

@@ -57,14 +57,14 @@ SurfaceInfo ContactFinder::info(int other) const {
         return {"floor", MaterialId::floor};
     }
     if (other <= kFirstFixed) {
-        return around_.spheres[static_cast<std::size_t>(kFirstFixed - other)].info;
+        return environment_.spheres[static_cast<std::size_t>(kFirstFixed - other)].info;
     }
-    return around_.surfaces[static_cast<std::size_t>(kFirstSurface - other)];
+    return environment_.surfaces[static_cast<std::size_t>(kFirstSurface - other)];
 }
 
 void ContactFinder::add(int number, const StepBody& body, int other, MaterialId other_material,
                         const SurfaceContact& contact, std::vector<FoundContact>& found) const {
-    const ContactNumbers& numbers = around_.contacts.between(body.material, other_material);
+    const ContactNumbers& numbers = environment_.contacts.between(body.material, other_material);
     FoundContact result;
     result.other = other;
     result.contact = {number,
@@ -82,35 +82,36 @@ void ContactFinder::add(int number, const StepBody& body, int other, MaterialId 
 void ContactFinder::find_for_ball(int number, const StepBody& ball,
                                   std::vector<FoundContact>& found) const {
     const Vec3& centre = ball.state.position;
-    if (around_.has_cloth && centre.z > -ball.radius) {
-        const int pocket = around_.pocket_below(centre);
+    if (environment_.has_cloth && centre.z > -ball.radius) {
+        const int pocket = environment_.pocket_below(centre);
         SurfaceContact contact;
         contact.depth = -1;
         if (pocket >= 0) {
-            contact = around_.rims[static_cast<std::size_t>(pocket)].contact(centre, ball.radius);
-        } else if (around_.is_over_cloth(centre)) {
+            contact =
+                environment_.rims[static_cast<std::size_t>(pocket)].contact(centre, ball.radius);
+        } else if (environment_.is_over_cloth(centre)) {
             contact = {Vec3(centre.x, centre.y, 0), Vec3(0, 0, 1), ball.radius - centre.z, 0};
         }
         if (contact.depth > -kMargin) {
             add(number, ball, kCloth, MaterialId::cloth, contact, found);
         }
     }
-    if (around_.floor_height) {
-        const double height = centre.z - *around_.floor_height;
+    if (environment_.floor_height) {
+        const double height = centre.z - *environment_.floor_height;
         if (ball.radius - height > -kMargin) {
             add(number, ball, kFloor, MaterialId::floor,
-                {Vec3(centre.x, centre.y, *around_.floor_height), Vec3(0, 0, 1),
+                {Vec3(centre.x, centre.y, *environment_.floor_height), Vec3(0, 0, 1),
                  ball.radius - height, 0},
                 found);
         }
     }
-    for (const StaticMesh* mesh : {&around_.table_mesh, &around_.scenery_mesh}) {
+    for (const StaticMesh* mesh : {&environment_.table_mesh, &environment_.scenery_mesh}) {
         for (const SurfaceContact& contact : mesh->contacts(centre, ball.radius, kMargin)) {
             add(number, ball, kFirstSurface - static_cast<int>(contact.surface),
-                around_.surfaces[contact.surface].material, contact, found);
+                environment_.surfaces[contact.surface].material, contact, found);
         }
     }
-    for (const FixedSolid& solid : around_.solids) {
+    for (const FixedSolid& solid : environment_.solids) {
         if (solid.has_mesh) {
             continue;
         }
@@ -121,8 +122,8 @@ void ContactFinder::find_for_ball(int number, const StepBody& ball,
                 contact, found);
         }
     }
-    for (std::size_t i = 0; i < around_.spheres.size(); ++i) {
-        const FixedSphere& sphere = around_.spheres[i];
+    for (std::size_t i = 0; i < environment_.spheres.size(); ++i) {
+        const FixedSphere& sphere = environment_.spheres[i];
         const Vec3 d = centre - sphere.centre;
         const double distance = std::sqrt(d.dot(d));
         const double depth = ball.radius + sphere.radius - distance;
@@ -138,7 +139,7 @@ void ContactFinder::find_for_solid(int number, const StepBody& body,
     find_level(number, body, found);
     Aabb bounds = body.bounds();
     bounds.grow(ode::kBoxMargin);
-    for (const FixedSolid& solid : around_.solids) {
+    for (const FixedSolid& solid : environment_.solids) {
         if (!bounds.overlaps(solid.bounds)) {
             continue;
         }
@@ -153,8 +154,8 @@ void ContactFinder::find_for_solid(int number, const StepBody& body,
     } else {
         find_meshes(number, body, bounds, found);
     }
-    for (std::size_t i = 0; i < around_.spheres.size(); ++i) {
-        const FixedSphere& sphere = around_.spheres[i];
+    for (std::size_t i = 0; i < environment_.spheres.size(); ++i) {
+        const FixedSphere& sphere = environment_.spheres[i];
         SurfaceContact contact =
             convex_contact(*body.shape, body.placed().pose, sphere.centre, sphere.radius);
         contact.normal = -contact.normal;
@@ -168,7 +169,7 @@ void ContactFinder::find_for_solid(int number, const StepBody& body,
 void ContactFinder::find_obstacles(int number, const StepBody& box, const Aabb& bounds,
                                    std::vector<FoundContact>& found) const {
     std::vector<ode::BoxContact> contacts;
-    for (const BoxObstacle& obstacle : around_.box_obstacles) {
+    for (const BoxObstacle& obstacle : environment_.box_obstacles) {
         if (!bounds.overlaps(obstacle.bounds)) {
             continue;
         }
@@ -183,17 +184,18 @@ void ContactFinder::find_obstacles(int number, const StepBody& box, const Aabb& 
 
 void ContactFinder::find_meshes(int number, const StepBody& body, const Aabb& bounds,
                                 std::vector<FoundContact>& found) const {
-    for (const StaticMesh* mesh : {&around_.table_mesh, &around_.scenery_mesh}) {
+    for (const StaticMesh* mesh : {&environment_.table_mesh, &environment_.scenery_mesh}) {
         for (const SurfaceContact& contact :
              mesh_contacts(body.placed(), *mesh, bounds, ode::kBoxMargin)) {
             // Solids with flat sides are met as solids.
             const bool is_solid = std::any_of(
-                around_.solids.begin(), around_.solids.end(), [&](const FixedSolid& solid) {
-                    return mesh == &around_.scenery_mesh && solid.surface == contact.surface;
+                environment_.solids.begin(), environment_.solids.end(),
+                [&](const FixedSolid& solid) {
+                    return mesh == &environment_.scenery_mesh && solid.surface == contact.surface;
                 });
             if (!is_solid) {
                 add(number, body, kFirstSurface - static_cast<int>(contact.surface),
-                    around_.surfaces[contact.surface].material, contact, found);
+                    environment_.surfaces[contact.surface].material, contact, found);
             }
         }
     }
@@ -209,12 +211,12 @@ void ContactFinder::find_level(int number, const StepBody& body,
     std::vector<ConvexContact> on_floor;
     for (const Vec3& point : points) {
         const Vec3 corner = body.state.position + to_world(turn, point);
-        if (around_.has_cloth && corner.z < ode::kBoxMargin && corner.z > -body.reach() &&
-            around_.is_over_cloth(corner)) {
+        if (environment_.has_cloth && corner.z < ode::kBoxMargin &&
+            corner.z > -body.bounding_radius() && environment_.is_over_cloth(corner)) {
             on_cloth.push_back({corner, up, -corner.z});
         }
-        if (around_.floor_height && corner.z - *around_.floor_height < ode::kBoxMargin) {
-            on_floor.push_back({corner, up, *around_.floor_height - corner.z});
+        if (environment_.floor_height && corner.z - *environment_.floor_height < ode::kBoxMargin) {
+            on_floor.push_back({corner, up, *environment_.floor_height - corner.z});
         }
     }
     thin_out(on_cloth);
@@ -251,7 +253,7 @@ std::vector<SurfaceContact> ContactFinder::solid_contacts(const PlacedShape& a,
 void ContactFinder::find_between(int a, const StepBody& first, int b, const StepBody& second,
                                  std::vector<FoundContact>& found) const {
     const Vec3 d = first.state.position - second.state.position;
-    const double reach = first.reach() + second.reach() + ode::kBoxMargin;
+    const double reach = first.bounding_radius() + second.bounding_radius() + ode::kBoxMargin;
     if (d.dot(d) > reach * reach) {
         return;
     }

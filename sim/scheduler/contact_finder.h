@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "sim/ode/step_world.h"
+#include "sim/scheduler/static_environment.h"
 #include "sim/scheduler/step_body.h"
-#include "sim/scheduler/surroundings.h"
 
 namespace carom::sim {
 
 /// What does not move, as the second of a contact: negative numbers.
 inline constexpr int kCloth = -1;
 inline constexpr int kFloor = -2;
-inline constexpr int kFirstSurface = -10;     // - index into Surroundings::surfaces
+inline constexpr int kFirstSurface = -10;     // - index into StaticEnvironment::surfaces
 inline constexpr int kFirstFixed = -1000000;  // - index of a fixed sphere
 
 struct FoundContact {
@@ -26,7 +26,7 @@ struct FoundContact {
 
 class ContactFinder {
   public:
-    explicit ContactFinder(const Surroundings& around) : around_(around) {}
+    explicit ContactFinder(const StaticEnvironment& environment) : environment_(environment) {}
 
     /// All contacts of awake bodies, in a fixed order.
     [[nodiscard]] std::vector<FoundContact> find(const std::vector<StepBody>& bodies) const;
@@ -49,7 +49,7 @@ class ContactFinder {
     void add(int number, const StepBody& body, int other, MaterialId other_material,
              const SurfaceContact& contact, std::vector<FoundContact>& found) const;
 
-    const Surroundings& around_;
+    const StaticEnvironment& environment_;
 };
 
 }  // namespace carom::sim

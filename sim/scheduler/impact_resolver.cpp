@@ -5,17 +5,17 @@
 #include "core/length.h"
 #include "sim/impact/cushion_impact.h"
 #include "sim/scheduler/contact_table.h"
-#include "sim/scheduler/touch_finder.h"
+#include "sim/scheduler/event_predictor.h"
 
 namespace carom::sim {
 namespace {
 
 /// Restitution and friction of two balls that meet.
-ContactNumbers pair_law(const Surroundings& around, const Ball& a, const Ball& b,
+ContactNumbers pair_law(const StaticEnvironment& environment, const Ball& a, const Ball& b,
                         double slip_speed) {
-    ContactNumbers law = around.contacts.between(a.material, b.material);
+    ContactNumbers law = environment.contacts.between(a.material, b.material);
     if (a.material == MaterialId::ball && b.material == MaterialId::ball) {
-        law.friction = ball_friction(around.law.ball_ball, slip_speed);
+        law.friction = ball_friction(environment.law.ball_ball, slip_speed);
     }
     return law;
 }
@@ -38,87 +38,87 @@ bool stays_in_touch(const Ball& ball, double separation, const Vec3& normal) {
 
 }  // namespace
 
-void ImpactResolver::resolve(const Touch& touch) {
-    const Vec3 centre = balls_[touch.first].stretch.position_at(touch.time);
+void ImpactResolver::resolve(const PredictedEvent& event) {
+    const Vec3 centre = balls_[event.first].segment.position_at(event.time);
     const Vec2 level(centre.x, centre.y);
-    switch (touch.kind) {
-        case TouchKind::ball:
-            return meet_ball(touch);
-        case TouchKind::box:
-            return meet_box(touch);
-        case TouchKind::cushion_face:
-            return meet_cushion(touch, nearest_on(around_.table.faces[touch.second], level));
-        case TouchKind::cushion_corner:
-            return meet_cushion(touch, nearest_on(around_.table.corners[touch.second], level));
-        case TouchKind::pocket_edge:
-            return enter_pocket(touch);
-        case TouchKind::rim:
-        case TouchKind::table_feature:
-        case TouchKind::scenery_feature:
-        case TouchKind::fixed_sphere:
-        case TouchKind::fixed_solid:
-            return meet_surface(touch);
-        case TouchKind::ground:
-            return land(touch);
-        case TouchKind::slate_underside:
-            return meet_slate_from_below(touch);
-        case TouchKind::below_cloth:
-            return sink(touch);
-        case TouchKind::stretch_end:
-            return balls_.go_on(touch.first, touch.time);
-        case TouchKind::line:
-        case TouchKind::cell_crossing:
-        case TouchKind::look_again:  // the scheduler's
+    switch (event.kind) {
+        case PredictedEventKind::ball:
+            return meet_ball(event);
+        case PredictedEventKind::box:
+            return meet_box(event);
+        case PredictedEventKind::cushion_face:
+            return meet_cushion(event, nearest_on(environment_.table.faces[event.second], level));
+        case PredictedEventKind::cushion_corner:
+            return meet_cushion(event, nearest_on(environment_.table.corners[event.second], level));
+        case PredictedEventKind::pocket_edge:
+            return enter_pocket(event);
+        case PredictedEventKind::rim:
+        case PredictedEventKind::table_feature:
+        case PredictedEventKind::scenery_feature:
+        case PredictedEventKind::fixed_sphere:
+        case PredictedEventKind::fixed_solid:
+            return meet_surface(event);
+        case PredictedEventKind::ground:
+            return land(event);
+        case PredictedEventKind::slate_underside:
+            return meet_slate_from_below(event);
+        case PredictedEventKind::below_cloth:
+            return sink(event);
+        case PredictedEventKind::segment_end:
+            return balls_.go_on(event.first, event.time);
+        case PredictedEventKind::line:
+        case PredictedEventKind::cell_crossing:
+        case PredictedEventKind::search_again:  // the scheduler's
             break;
     }
 }
 
-void ImpactResolver::meet_ball(const Touch& touch) {
-    Ball& a = balls_[touch.first];
-    Ball& b = balls_[touch.second];
-    BallBody body_a = a.body_at(touch.time);
-    BallBody body_b = b.body_at(touch.time);
+void ImpactResolver::meet_ball(const PredictedEvent& event) {
+    Ball& a = balls_[event.first];
+    Ball& b = balls_[event.second];
+    BallBody body_a = a.body_at(event.time);
+    BallBody body_b = b.body_at(event.time);
     const MotionState before_a = body_a.state;
     const MotionState before_b = body_b.state;
     const Vec3 normal = unit(before_a.position - before_b.position);
     const double approach = -(before_a.velocity - before_b.velocity).dot(normal);
     const Vec3 slip = contact_slip(body_a, body_b, normal);
-    const ContactNumbers law = pair_law(around_, a, b, std::sqrt(slip.dot(slip)));
+    const ContactNumbers law = pair_law(environment_, a, b, std::sqrt(slip.dot(slip)));
     const ImpulsePair impulse =
         ball_ball_impact(balls_.solver(), body_a, body_b, normal, law.restitution, law.friction);
     // The reference models leave out what would make balls on the cloth hop.
-    if (!around_.law.hop && a.ground != Ground::none && b.ground != Ground::none) {
+    if (!environment_.law.hop && a.ground != Ground::none && b.ground != Ground::none) {
         body_a.state.velocity.z = 0;
         body_b.state.velocity.z = 0;
     }
     if (approach > kQuietSpeed) {
-        recording_.log_impact(touch.time, a.name, b.name, before_a.position - normal * a.radius,
+        recording_.log_impact(event.time, a.name, b.name, before_a.position - normal * a.radius,
                               normal, impulse);
     }
     const double separation = (body_a.state.velocity - body_b.state.velocity).dot(normal);
     const bool stay =
         stays_in_touch(a, separation, normal) || stays_in_touch(b, separation, normal);
-    leave_lying(touch.first, touch.time);
-    leave_lying(touch.second, touch.time);
-    balls_.change(touch.first, touch.time, before_a, body_a.state);
-    balls_.change(touch.second, touch.time, before_b, body_b.state);
+    leave_lying(event.first, event.time);
+    leave_lying(event.second, event.time);
+    balls_.change(event.first, event.time, before_a, body_a.state);
+    balls_.change(event.second, event.time, before_b, body_b.state);
     if (stay) {
-        balls_.hand_to_ode(touch.first, touch.time);
-        balls_.hand_to_ode(touch.second, touch.time);
+        balls_.activate(event.first, event.time);
+        balls_.activate(event.second, event.time);
     }
 }
 
 void ImpactResolver::leave_lying(std::uint32_t index, double time) {
     const Ball& ball = balls_[index];
     if (ball.is_lying) {
-        stepped_.wake_near(ball.stretch.state.position, ball.radius, time);
+        stepped_.wake_near(ball.segment.state.position, ball.radius, time);
     }
 }
 
-void ImpactResolver::meet_box(const Touch& touch) {
-    const Ball& ball = balls_[touch.first];
-    const StepBody& box = stepped_.all()[touch.second];
-    BallBody body = ball.body_at(touch.time);
+void ImpactResolver::meet_box(const PredictedEvent& event) {
+    const Ball& ball = balls_[event.first];
+    const StepBody& box = stepped_.all()[event.second];
+    BallBody body = ball.body_at(event.time);
     const MotionState before = body.state;
     const Pose box_pose{box.state.position, box.state.orientation};
     const SurfaceContact contact =
@@ -131,9 +131,9 @@ void ImpactResolver::meet_box(const Touch& touch) {
     const ode::Velocities box_before{box.state.velocity, box.state.angular_velocity};
     const double approach = -separation(before.velocity, box_before);
     if (approach <= 0) {
-        return balls_.hand_to_ode(touch.first, touch.time);
+        return balls_.activate(event.first, event.time);
     }
-    const ContactNumbers& law = around_.contacts.between(ball.material, box.material);
+    const ContactNumbers& law = environment_.contacts.between(ball.material, box.material);
     const ode::ImpactBody ball_part{ball.mass,
                                     Vec3(0.4 * ball.mass * ball.radius * ball.radius),
                                     {before.position, Quat()},
@@ -148,90 +148,91 @@ void ImpactResolver::meet_box(const Touch& touch) {
         result = balls_.solver().solve(ball_part, box_part, impact);
     }
     if (approach > kQuietSpeed) {
-        recording_.log_impact(touch.time, ball.name, *box.name, contact.point, contact.normal,
+        recording_.log_impact(event.time, ball.name, *box.name, contact.point, contact.normal,
                               {result.normal_impulse, result.tangential_impulse});
     }
     body.state.velocity = result.first.linear;
     body.state.angular_velocity = result.first.angular;
     const bool stay = separation(result.first.linear, result.second) < kLandingSpeed;
-    stepped_.change_box(touch.second, touch.time, result.second.linear, result.second.angular);
-    balls_.change(touch.first, touch.time, before, body.state);
+    stepped_.change_box(event.second, event.time, result.second.linear, result.second.angular);
+    balls_.change(event.first, event.time, before, body.state);
     if (stay) {
-        balls_.hand_to_ode(touch.first, touch.time);
+        balls_.activate(event.first, event.time);
     }
 }
 
-void ImpactResolver::meet_surface(const Touch& touch) {
-    const Ball& ball = balls_[touch.first];
-    const Vec3 centre = ball.stretch.position_at(touch.time);
-    if (touch.kind == TouchKind::rim) {
-        bounce(touch, around_.rims[touch.second].contact(centre, ball.radius),
+void ImpactResolver::meet_surface(const PredictedEvent& event) {
+    const Ball& ball = balls_[event.first];
+    const Vec3 centre = ball.segment.position_at(event.time);
+    if (event.kind == PredictedEventKind::rim) {
+        bounce(event, environment_.rims[event.second].contact(centre, ball.radius),
                {"cloth", MaterialId::cloth});
-    } else if (touch.kind == TouchKind::fixed_sphere) {
-        const FixedSphere& sphere = around_.spheres[touch.second];
+    } else if (event.kind == PredictedEventKind::fixed_sphere) {
+        const FixedSphere& sphere = environment_.spheres[event.second];
         const Vec3 normal = unit(centre - sphere.centre);
-        bounce(touch, {sphere.centre + normal * sphere.radius, normal, 0, 0}, sphere.info);
-    } else if (touch.kind == TouchKind::fixed_solid) {
-        const FixedSolid& solid = around_.solids[touch.second];
-        bounce(touch, convex_contact(*solid.shape, solid.pose, centre, ball.radius), solid.info);
+        bounce(event, {sphere.centre + normal * sphere.radius, normal, 0, 0}, sphere.info);
+    } else if (event.kind == PredictedEventKind::fixed_solid) {
+        const FixedSolid& solid = environment_.solids[event.second];
+        bounce(event, convex_contact(*solid.shape, solid.pose, centre, ball.radius), solid.info);
     } else {
-        const bool is_table = touch.kind == TouchKind::table_feature;
-        const StaticMesh& mesh = is_table ? around_.table_mesh : around_.scenery_mesh;
-        const SurfaceContact contact = mesh.contact(touch.second, centre, ball.radius);
-        bounce(touch, contact, around_.surfaces[contact.surface]);
+        const bool is_table = event.kind == PredictedEventKind::table_feature;
+        const StaticMesh& mesh = is_table ? environment_.table_mesh : environment_.scenery_mesh;
+        const SurfaceContact contact = mesh.contact(event.second, centre, ball.radius);
+        bounce(event, contact, environment_.surfaces[contact.surface]);
     }
 }
 
 /// It is as hard as the rails' wood.
-void ImpactResolver::meet_slate_from_below(const Touch& touch) {
-    const Ball& ball = balls_[touch.first];
+void ImpactResolver::meet_slate_from_below(const PredictedEvent& event) {
+    const Ball& ball = balls_[event.first];
     const Vec3 down(0, 0, -1);
-    const Vec3 top = ball.stretch.position_at(touch.time) - down * ball.radius;
-    bounce(touch, {top, down, 0, 0}, {"rail", MaterialId::rail});
+    const Vec3 top = ball.segment.position_at(event.time) - down * ball.radius;
+    bounce(event, {top, down, 0, 0}, {"rail", MaterialId::rail});
 }
 
-void ImpactResolver::bounce(const Touch& touch, const SurfaceContact& contact,
+void ImpactResolver::bounce(const PredictedEvent& event, const SurfaceContact& contact,
                             const SurfaceInfo& info) {
-    const Ball& ball = balls_[touch.first];
-    BallBody body = ball.body_at(touch.time);
+    const Ball& ball = balls_[event.first];
+    BallBody body = ball.body_at(event.time);
     const MotionState before = body.state;
     const double approach = -before.velocity.dot(contact.normal);
-    const ContactNumbers& law = around_.contacts.between(ball.material, info.material);
+    const ContactNumbers& law = environment_.contacts.between(ball.material, info.material);
     const ImpulsePair impulse =
         is_lining(info.material, contact.normal)
             ? lining_impact(body, contact.normal, law.restitution, law.friction)
             : ball_static_impact(balls_.solver(), body, contact.normal, law.restitution,
                                  law.friction);
-    if (!around_.law.hop && ball.ground != Ground::none && std::abs(contact.normal.z) < 1e-6) {
+    if (!environment_.law.hop && ball.ground != Ground::none && std::abs(contact.normal.z) < 1e-6) {
         body.state.velocity.z = 0;
     }
     if (approach > kQuietSpeed) {
-        recording_.log_impact(touch.time, ball.name, info.name, contact.point, contact.normal,
+        recording_.log_impact(event.time, ball.name, info.name, contact.point, contact.normal,
                               impulse);
     }
     const bool stay = stays_in_touch(ball, body.state.velocity.dot(contact.normal), contact.normal);
-    balls_.change(touch.first, touch.time, before, body.state);
+    balls_.change(event.first, event.time, before, body.state);
     if (stay) {
-        balls_.hand_to_ode(touch.first, touch.time);
+        balls_.activate(event.first, event.time);
     }
 }
 
-void ImpactResolver::meet_cushion(const Touch& touch, const Vec2& nearest) {
-    const Ball& ball = balls_[touch.first];
-    BallBody body = ball.body_at(touch.time);
+void ImpactResolver::meet_cushion(const PredictedEvent& event, const Vec2& nearest) {
+    const Ball& ball = balls_[event.first];
+    BallBody body = ball.body_at(event.time);
     const MotionState before = body.state;
-    const Vec3 nose(nearest.x, nearest.y, around_.nose_height);
+    const Vec3 nose(nearest.x, nearest.y, environment_.nose_height);
     const Vec3 normal = unit(before.position - nose);
     const Vec3 inward = unit(Vec3(normal.x, normal.y, 0));
     const double approach = -before.velocity.dot(inward);
     ImpulsePair impulse;
     if (ball.material == MaterialId::ball) {
-        impulse = cushion_impact(body, inward, normal, around_.law);
+        impulse = cushion_impact(body, inward, normal, environment_.law);
     } else {
-        const ContactNumbers& law = around_.contacts.between(ball.material, MaterialId::cushion);
+        const ContactNumbers& law =
+            environment_.contacts.between(ball.material, MaterialId::cushion);
         impulse = ball_static_impact(balls_.solver(), body, normal, law.restitution, law.friction);
     }
-    if (!around_.law.hop) {
+    if (!environment_.law.hop) {
         body.state.velocity.z = 0;
     }
     const double separation = body.state.velocity.dot(inward);
@@ -239,46 +240,46 @@ void ImpactResolver::meet_cushion(const Touch& touch, const Vec2& nearest) {
         body.state.velocity += inward * (kLeastSeparation - separation);
     }
     if (approach > kQuietSpeed) {
-        recording_.log_impact(touch.time, ball.name, "cushion", nose, normal, impulse);
+        recording_.log_impact(event.time, ball.name, "cushion", nose, normal, impulse);
     }
-    balls_.change(touch.first, touch.time, before, body.state);
+    balls_.change(event.first, event.time, before, body.state);
 }
 
 /// A ball that comes over the edge faster than sqrt(g R) leaves it at once: the edge would have to
 /// pull it down. A slower one turns over the edge first.
-void ImpactResolver::enter_pocket(const Touch& touch) {
-    const Ball& ball = balls_[touch.first];
-    const Vec3 centre = ball.stretch.position_at(touch.time);
-    const billiards::Pocket& pocket = around_.table.pockets[touch.second];
+void ImpactResolver::enter_pocket(const PredictedEvent& event) {
+    const Ball& ball = balls_[event.first];
+    const Vec3 centre = ball.segment.position_at(event.time);
+    const billiards::Pocket& pocket = environment_.table.pockets[event.second];
     const Vec3 inward = unit(Vec3(pocket.centre.x - centre.x, pocket.centre.y - centre.y, 0));
-    const double speed = ball.stretch.velocity_at(touch.time).dot(inward);
-    if (speed * speed > around_.downward_gravity * ball.radius) {
-        balls_.fall(touch.first, touch.time);
+    const double speed = ball.segment.velocity_at(event.time).dot(inward);
+    if (speed * speed > environment_.downward_gravity * ball.radius) {
+        balls_.fall(event.first, event.time);
     } else {
-        recording_.keep(ball.track, touch.time, ball.stretch.state_at(touch.time));
-        balls_.hand_to_ode(touch.first, touch.time);
+        recording_.keep(ball.track, event.time, ball.segment.state_at(event.time));
+        balls_.activate(event.first, event.time);
     }
 }
 
-void ImpactResolver::sink(const Touch& touch) {
-    const Ball& ball = balls_[touch.first];
-    balls_.note_sunk(touch.first, touch.time, ball.stretch.position_at(touch.time));
-    balls_.go_on(touch.first, touch.time);
+void ImpactResolver::sink(const PredictedEvent& event) {
+    const Ball& ball = balls_[event.first];
+    balls_.note_sunk(event.first, event.time, ball.segment.position_at(event.time));
+    balls_.go_on(event.first, event.time);
 }
 
-void ImpactResolver::land(const Touch& touch) {
-    Ball& ball = balls_[touch.first];
-    const auto ground = static_cast<Ground>(touch.second);
-    const MotionState before = ball.stretch.state_at(touch.time);
-    if (around_.downward_gravity <= 0) {
+void ImpactResolver::land(const PredictedEvent& event) {
+    Ball& ball = balls_[event.first];
+    const auto ground = static_cast<Ground>(event.second);
+    const MotionState before = ball.segment.state_at(event.time);
+    if (environment_.downward_gravity <= 0) {
         const Vec3 up(0, 0, 1);
         bounce(
-            touch, {before.position - up * ball.radius, up, 0, 0},
+            event, {before.position - up * ball.radius, up, 0, 0},
             {ground_name(ground), ground == Ground::floor ? MaterialId::floor : MaterialId::cloth});
         return;
     }
     ball.ground = ground;
-    balls_.change(touch.first, touch.time, before, before);
+    balls_.change(event.first, event.time, before, before);
 }
 
 }  // namespace carom::sim

@@ -48,24 +48,24 @@ LineWatch::LineWatch(const std::vector<ForceEvent>& events, const std::vector<St
 }
 
 void LineWatch::find(std::uint32_t number, const Ball& ball, double now, double until,
-                     TouchQueue& queue) {
+                     PredictedEventQueue& queue) {
     if (ball.is_still()) {
         return;
     }
-    const Touch found{0, TouchKind::line, number, 0, ball.version, 0};
-    find(found, ball.stretch, now, std::min(until, ball.stretch.end), queue);
+    const PredictedEvent found{0, PredictedEventKind::line, number, 0, ball.version, 0};
+    find(found, ball.segment, now, std::min(until, ball.segment.end), queue);
 }
 
 void LineWatch::find(std::uint32_t number, const StepBody& body, double now, double until,
-                     std::uint32_t round, TouchQueue& queue) {
-    Stretch path;
+                     std::uint32_t round, PredictedEventQueue& queue) {
+    MotionSegment path;
     path.start = body.motion.start;
     path.state = body.motion.state;
-    find({0, TouchKind::line, number, 0, 0, round}, path, now, until, queue);
+    find({0, PredictedEventKind::line, number, 0, 0, round}, path, now, until, queue);
 }
 
-void LineWatch::find(const Touch& found, const Stretch& path, double now, double until,
-                     TouchQueue& queue) {
+void LineWatch::find(const PredictedEvent& found, const MotionSegment& path, double now,
+                     double until, PredictedEventQueue& queue) {
     for (std::uint32_t i = 0; i < lines_.size(); ++i) {
         Line& line = lines_[i];
         if (!line.is_waiting || line.body != found.first || line.since > until) {
@@ -75,16 +75,16 @@ void LineWatch::find(const Touch& found, const Stretch& path, double now, double
         if (!time) {
             continue;
         }
-        Touch touch = found;
-        touch.time = *time;
-        touch.second = i;
-        queue.push(touch);
+        PredictedEvent event = found;
+        event.time = *time;
+        event.second = i;
+        queue.push(event);
     }
 }
 
-/// Roots of the distance to the line, a polynomial of second degree. What the last stretch left
+/// Roots of the distance to the line, a polynomial of second degree. What the last segment left
 /// within round-off of the line is carried over by `side`.
-std::optional<double> LineWatch::first_crossing(Line& line, const Stretch& path, double now,
+std::optional<double> LineWatch::first_crossing(Line& line, const MotionSegment& path, double now,
                                                 double until) {
     const Vec2 offset = level(path.position_at(now)) - line.from;
     Quartic distance{offset.dot(line.across), level(path.velocity_at(now)).dot(line.across),

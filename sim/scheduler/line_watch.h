@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "sim/motion/stretch.h"
+#include "sim/motion/motion_segment.h"
 #include "sim/scheduler/ball_state.h"
+#include "sim/scheduler/predicted_event.h"
 #include "sim/scheduler/step_body.h"
-#include "sim/scheduler/touch_queue.h"
 #include "sim/world.h"
 
 namespace carom::sim {
@@ -24,16 +24,18 @@ class LineWatch {
     [[nodiscard]] bool is_empty() const { return waiting_ == 0; }
     /// Puts the lines into the queue that a ball (its number) or a body that ODE carries crosses in
     /// [now, until] and that wait for it.
-    void find(std::uint32_t number, const Ball& ball, double now, double until, TouchQueue& queue);
+    void find(std::uint32_t number, const Ball& ball, double now, double until,
+              PredictedEventQueue& queue);
     void find(std::uint32_t number, const StepBody& body, double now, double until,
-              std::uint32_t round, TouchQueue& queue);
+              std::uint32_t round, PredictedEventQueue& queue);
 
     /// The line has been crossed, and waits no longer. The event that it triggers: an index into
     /// the world's; none if it has been crossed before.
     [[nodiscard]] std::optional<std::size_t> take(std::uint32_t line);
 
   private:
-    void find(const Touch& found, const Stretch& path, double now, double until, TouchQueue& queue);
+    void find(const PredictedEvent& found, const MotionSegment& path, double now, double until,
+              PredictedEventQueue& queue);
 
     struct Line {
         std::size_t event = 0;
@@ -44,7 +46,7 @@ class LineWatch {
         int side = 0;      // on which the body was last seen clearly; 0: on none yet
         bool is_waiting = true;
     };
-    [[nodiscard]] static std::optional<double> first_crossing(Line& line, const Stretch& path,
+    [[nodiscard]] static std::optional<double> first_crossing(Line& line, const MotionSegment& path,
                                                               double now, double until);
 
     std::vector<Line> lines_;

@@ -17,7 +17,7 @@ class Recording {
 
     /// The state of moving body `track` at one instant, kept as a key.
     void keep(std::size_t track, double time, const MotionState& state);
-    /// A state on a smooth stretch, dropped if its neighbours give it.
+    /// A state on a smooth segment, dropped if its neighbours give it.
     void add(std::size_t track, double time, const MotionState& state);
     void add_break(std::size_t track, double time, const MotionState& before,
                    const MotionState& after);

@@ -16,33 +16,33 @@ constexpr double kEnergyInterval = 1.0 / 60;  // s
 constexpr double kLongestCoarseStep = 1.0 / 240;
 /// More touches than this per ball in one window mean that balls are caught in a corner that the
 /// laws do not resolve. A break has some ten, a spinning ball pressed to a cushion some hundreds.
-constexpr std::size_t kMostTouchesPerBall = 2000;
+constexpr std::size_t kMostEventsPerBall = 2000;
 
-std::string cap_warning(std::size_t most, const Touch& touch, const Ball& ball) {
-    const Vec3 p = ball.stretch.position_at(touch.time);
+std::string cap_warning(std::size_t most, const PredictedEvent& event, const Ball& ball) {
+    const Vec3 p = ball.segment.position_at(event.time);
     return fmt::format(
         "more than {} touches at {:.6f} s near '{}' at ({:.4f}, {:.4f}, {:.4f}): "
         "touches are ignored for up to 1/60 s",
-        most, touch.time, ball.name, p.x, p.y, p.z);
+        most, event.time, ball.name, p.x, p.y, p.z);
 }
 
 }  // namespace
 
 Scheduler::Scheduler(const WorldDescription& world)
     : world_(world),
-      around_(world),
+      environment_(world),
       recording_(world),
-      balls_(world, around_, recording_),
-      stepped_(world, around_, balls_, recording_),
-      finder_(around_, balls_.all(), stepped_.all()),
-      resolver_(around_, balls_, stepped_, recording_),
+      balls_(world, environment_, recording_),
+      stepped_(world, environment_, balls_, recording_),
+      finder_(environment_, balls_.all(), stepped_.all()),
+      resolver_(environment_, balls_, stepped_, recording_),
       schedule_(world.events),
       actions_(world, balls_, stepped_, recording_),
       lines_(world.events, stepped_.all()) {}
 
 bool Scheduler::run(const WorkContext& context, std::uint64_t most_steps) {
     const auto overlaps =
-        find_start_overlaps(world_, around_.has_cushions ? &around_.table : nullptr);
+        find_start_overlaps(world_, environment_.has_cushions ? &environment_.table : nullptr);
     if (!overlaps.empty()) {
         throw Error("body '" + overlaps[0].ball + "' " + overlaps[0].sentence() + " at the start");
     }
@@ -57,10 +57,10 @@ bool Scheduler::run(const WorkContext& context, std::uint64_t most_steps) {
             return false;
         }
         run_window();
-        const double share = now_ / world_.duration;
-        if (context.progress && share >= reported + 0.01) {
-            reported = share;
-            context.progress(std::min(share, 1.0));
+        const double fraction = now_ / world_.duration;
+        if (context.progress && fraction >= reported + 0.01) {
+            reported = fraction;
+            context.progress(std::min(fraction, 1.0));
         }
     }
     conclude();
@@ -82,10 +82,10 @@ void Scheduler::run_window() {
         const double parts = std::ceil((window_end_ - now_) / fine * (1 - 1e-9));
         window_end_ = stepped_.try_step(now_, now_ + (window_end_ - now_) / std::max(parts, 1.0));
     }
-    look_ahead();
+    predict();
     find_boxes();
     find_lines_of_boxes();
-    const std::optional<Touch> last = meet_all();
+    const std::optional<PredictedEvent> last = meet_all();
     if (stepped_.is_trying()) {
         steps_ += stepped_.step_size();
         stepped_.commit(window_end_);
@@ -99,37 +99,38 @@ void Scheduler::run_window() {
 
 /// Meets touch after touch up to the window's end. Where a ball meets something that ODE carries,
 /// the window ends: that touch is returned, to be resolved when ODE has come so far.
-std::optional<Touch> Scheduler::meet_all() {
+std::optional<PredictedEvent> Scheduler::meet_all() {
     while (!queue_.empty() && queue_.top().time <= window_end_) {
-        const Touch touch = queue_.top();
+        const PredictedEvent event = queue_.top();
         queue_.pop();
-        if (!is_valid(touch)) {
+        if (!is_valid(event)) {
             continue;
         }
         ++steps_;
-        if (touch.kind == TouchKind::cell_crossing || touch.kind == TouchKind::look_again) {
-            look_on(touch);
+        if (event.kind == PredictedEventKind::cell_crossing ||
+            event.kind == PredictedEventKind::search_again) {
+            search_on(event);
             continue;
         }
-        if (touch.kind == TouchKind::line) {
-            cross_line(touch);
+        if (event.kind == PredictedEventKind::line) {
+            cross_line(event);
             continue;
         }
-        if (needs_step(touch)) {
-            window_end_ = touch.time;
-            return touch;
+        if (needs_step(event)) {
+            window_end_ = event.time;
+            return event;
         }
-        meet(touch);
+        meet(event);
     }
     return std::nullopt;
 }
 
-bool Scheduler::needs_step(const Touch& touch) const {
-    if (touch.kind == TouchKind::box) {
+bool Scheduler::needs_step(const PredictedEvent& event) const {
+    if (event.kind == PredictedEventKind::box) {
         return true;
     }
-    return touch.kind == TouchKind::ball &&
-           (balls_.all()[touch.first].is_stepped() || balls_.all()[touch.second].is_stepped());
+    return event.kind == PredictedEventKind::ball &&
+           (balls_.all()[event.first].is_stepped() || balls_.all()[event.second].is_stepped());
 }
 
 double Scheduler::window_end_from(double now) const {
@@ -165,20 +166,20 @@ void Scheduler::act() {
     window_end_ = window_end_from(now_);
 }
 
-Outlook Scheduler::outlook() const {
+SearchHorizon Scheduler::horizon() const {
     return {now_, world_.duration, stepped_.is_trying() ? window_end_ : world_.duration};
 }
 
-void Scheduler::look_ahead() {
+void Scheduler::predict() {
     const std::vector<std::uint32_t> changed = balls_.take_changed();
-    finder_.find(changed, outlook(), queue_);
+    finder_.find(changed, horizon(), queue_);
     if (!lines_.is_empty()) {
         find_lines(changed);
     }
 }
 
 void Scheduler::find_lines(const std::vector<std::uint32_t>& changed) {
-    const Outlook ahead = outlook();
+    const SearchHorizon ahead = horizon();
     for (const std::uint32_t index : changed) {
         const Ball& ball = balls_.all()[index];
         lines_.find(index, ball, now_, ball.is_stepped() ? ahead.step_end : ahead.end, queue_);
@@ -196,20 +197,20 @@ void Scheduler::find_lines_of_boxes() {
     }
 }
 
-void Scheduler::cross_line(const Touch& touch) {
-    now_ = std::max(now_, touch.time);
-    if (const auto event = lines_.take(touch.second)) {
-        schedule_.notice_crossing(*event, touch.time);
+void Scheduler::cross_line(const PredictedEvent& event) {
+    now_ = std::max(now_, event.time);
+    if (const auto triggered = lines_.take(event.second)) {
+        schedule_.notice_crossing(*triggered, event.time);
     }
     window_end_ = std::max(now_, std::min(window_end_, schedule_.next_time()));
 }
 
-void Scheduler::look_on(const Touch& touch) {
-    now_ = std::max(now_, touch.time);
-    if (touch.kind == TouchKind::cell_crossing) {
-        finder_.cross(touch, outlook(), queue_);
+void Scheduler::search_on(const PredictedEvent& event) {
+    now_ = std::max(now_, event.time);
+    if (event.kind == PredictedEventKind::cell_crossing) {
+        finder_.cross(event, horizon(), queue_);
     } else {
-        finder_.look_again(touch, outlook(), queue_);
+        finder_.search_again(event, horizon(), queue_);
     }
 }
 
@@ -217,7 +218,7 @@ void Scheduler::look_on(const Touch& touch) {
 void Scheduler::find_boxes() {
     const bool has_boxes = stepped_.all().size() > balls_.all().size();
     if (has_boxes && (stepped_.is_trying() || was_stepping_)) {
-        finder_.find_boxes_for_all(outlook(), queue_);
+        finder_.find_boxes_for_all(horizon(), queue_);
     }
     was_stepping_ = stepped_.is_trying();
 }
@@ -225,7 +226,7 @@ void Scheduler::find_boxes() {
 /// Counts touches anew for every window. Touches that have been ignored may be long past: all balls
 /// look ahead again.
 void Scheduler::begin_count() {
-    touches_in_window_ = 0;
+    events_in_window_ = 0;
     if (!is_capped_) {
         return;
     }
@@ -233,37 +234,37 @@ void Scheduler::begin_count() {
     balls_.void_predictions();
 }
 
-bool Scheduler::is_valid(const Touch& touch) const {
+bool Scheduler::is_valid(const PredictedEvent& event) const {
     const std::vector<Ball>& balls = balls_.all();
-    if (touch.first >= balls.size()) {  // what is not a ball, crossing a line
-        return touch.second_version == round_;
+    if (event.first >= balls.size()) {  // what is not a ball, crossing a line
+        return event.second_version == round_;
     }
-    if (balls[touch.first].version != touch.first_version) {
+    if (balls[event.first].version != event.first_version) {
         return false;
     }
-    if (touch.kind == TouchKind::ball) {
-        return balls[touch.second].version == touch.second_version;
+    if (event.kind == PredictedEventKind::ball) {
+        return balls[event.second].version == event.second_version;
     }
-    return touch.kind != TouchKind::box || touch.second_version == finder_.box_round();
+    return event.kind != PredictedEventKind::box || event.second_version == finder_.box_round();
 }
 
-void Scheduler::meet(const Touch& touch) {
-    const bool is_law_change = touch.kind == TouchKind::stretch_end;
-    const std::size_t most = kMostTouchesPerBall * std::max<std::size_t>(balls_.all().size(), 10);
-    if (++touches_in_window_ > most && !is_law_change) {
+void Scheduler::meet(const PredictedEvent& event) {
+    const bool is_law_change = event.kind == PredictedEventKind::segment_end;
+    const std::size_t most = kMostEventsPerBall * std::max<std::size_t>(balls_.all().size(), 10);
+    if (++events_in_window_ > most && !is_law_change) {
         if (!is_capped_) {
-            recording_.warn({{}, "", cap_warning(most, touch, balls_.all()[touch.first])});
+            recording_.warn({{}, "", cap_warning(most, event, balls_.all()[event.first])});
         }
         is_capped_ = true;
         return;
     }
-    now_ = touch.time;
+    now_ = event.time;
     const bool was_stepping = stepped_.is_active();
-    resolver_.resolve(touch);
-    look_ahead();
+    resolver_.resolve(event);
+    predict();
     notice_events();
     // What ODE has just been given it steps from here on, in a window of its own.
-    const bool is_handed = balls_.all()[touch.first].is_stepped() || !was_stepping;
+    const bool is_handed = balls_.all()[event.first].is_stepped() || !was_stepping;
     if (stepped_.is_active() && is_handed) {
         window_end_ = now_;
     }

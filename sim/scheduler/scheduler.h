@@ -11,14 +11,14 @@
 #include "sim/ode/process.h"
 #include "sim/scheduler/actions.h"
 #include "sim/scheduler/balls.h"
+#include "sim/scheduler/event_predictor.h"
 #include "sim/scheduler/force_schedule.h"
 #include "sim/scheduler/impact_resolver.h"
 #include "sim/scheduler/line_watch.h"
+#include "sim/scheduler/predicted_event.h"
 #include "sim/scheduler/recording.h"
+#include "sim/scheduler/static_environment.h"
 #include "sim/scheduler/stepped_bodies.h"
-#include "sim/scheduler/surroundings.h"
-#include "sim/scheduler/touch_finder.h"
-#include "sim/scheduler/touch_queue.h"
 
 namespace carom::sim {
 
@@ -35,45 +35,45 @@ class Scheduler {
 
   private:
     void run_window();
-    [[nodiscard]] std::optional<Touch> meet_all();
+    [[nodiscard]] std::optional<PredictedEvent> meet_all();
     void act();
-    void meet(const Touch& touch);
-    void look_on(const Touch& touch);
-    void look_ahead();
+    void meet(const PredictedEvent& event);
+    void search_on(const PredictedEvent& event);
+    void predict();
     void find_boxes();
     void find_lines(const std::vector<std::uint32_t>& changed);
     void find_lines_of_boxes();
-    void cross_line(const Touch& touch);
+    void cross_line(const PredictedEvent& event);
     void begin_count();
-    [[nodiscard]] Outlook outlook() const;
+    [[nodiscard]] SearchHorizon horizon() const;
     void notice_events();
     void notice_rest();
     void measure_energy();
     void add_energy();
-    [[nodiscard]] bool needs_step(const Touch& touch) const;
+    [[nodiscard]] bool needs_step(const PredictedEvent& event) const;
     void conclude();
-    [[nodiscard]] bool is_valid(const Touch& touch) const;
+    [[nodiscard]] bool is_valid(const PredictedEvent& event) const;
     [[nodiscard]] double window_end_from(double now) const;
     [[nodiscard]] bool is_resting(const std::string& name) const;
     [[nodiscard]] bool is_moving(const std::string& name) const;
 
     ode::ThreadGuard guard_;
     const WorldDescription& world_;
-    Surroundings around_;
+    StaticEnvironment environment_;
     Recording recording_;
     Balls balls_;
     SteppedBodies stepped_;
-    TouchFinder finder_;
+    EventPredictor finder_;
     ImpactResolver resolver_;
     ForceSchedule schedule_;
     Actions actions_;
     LineWatch lines_;
-    TouchQueue queue_;
+    PredictedEventQueue queue_;
     double now_ = 0;
     double window_end_ = 0;
     double next_energy_time_ = 0;
     std::size_t noticed_events_ = 0;
-    std::size_t touches_in_window_ = 0;
+    std::size_t events_in_window_ = 0;
     std::uint64_t steps_ = 0;   // as bake_within counts them
     std::uint32_t round_ = 0;   // counts the windows
     bool is_capped_ = false;    // for the rest of this window

@@ -54,8 +54,8 @@ StepBody solid_body(const StepSolid& solid, const ContactTable& contacts) {
 
 }  // namespace
 
-double StepBody::reach() const {
-    return is_ball ? radius : shape->reach();
+double StepBody::bounding_radius() const {
+    return is_ball ? radius : shape->bounding_radius();
 }
 
 MotionState StepBody::seen(const MotionState& internal) const {
@@ -74,7 +74,7 @@ Aabb StepBody::bounds() const {
 }
 
 double StepBody::farthest_speed() const {
-    return length(state.velocity) + reach() * length(state.angular_velocity);
+    return length(state.velocity) + bounding_radius() * length(state.angular_velocity);
 }
 
 bool StepBody::has_left() const {
@@ -83,7 +83,7 @@ bool StepBody::has_left() const {
     }
     const Quat turn = state.orientation * rested_at.orientation.inverse();
     const double moved = length(state.position - rested_at.position);
-    return moved + 2 * reach() * length(turn.v) > kLeastMove;
+    return moved + 2 * bounding_radius() * length(turn.v) > kLeastMove;
 }
 
 Vec3 StepBody::velocity_at(const Vec3& point) const {

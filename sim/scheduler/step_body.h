@@ -15,7 +15,7 @@
 #include "sim/scheduler/kinematic_path.h"
 #include "sim/solid_shape.h"
 #include "sim/spatial/convex_distance.h"
-#include "sim/spatial/convex_touch.h"
+#include "sim/spatial/convex_impact_time.h"
 
 namespace carom::sim {
 
@@ -59,7 +59,7 @@ struct StepBody {
     [[nodiscard]] MotionState seen(const MotionState& internal) const;
 
     /// Radius of a sphere around the centre that holds all of it.
-    [[nodiscard]] double reach() const;
+    [[nodiscard]] double bounding_radius() const;
     [[nodiscard]] Aabb bounds() const;
     /// A bound for the speed of any of its points, m/s.
     [[nodiscard]] double farthest_speed() const;

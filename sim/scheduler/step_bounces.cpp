@@ -43,9 +43,9 @@ void StepBounces::resolve(const std::vector<FoundContact>& contacts, double time
         } else {
             bounce_pair(contacts, *fastest, time);
         }
-        count_blow(*fastest, time);
+        count_impact(*fastest, time);
     }
-    log_blows(time);
+    log_impacts(time);
 }
 
 void StepBounces::forget_jams(const std::vector<FoundContact>& contacts) {
@@ -57,7 +57,7 @@ void StepBounces::forget_jams(const std::vector<FoundContact>& contacts) {
 }
 
 /// Between two free bodies blows die away. What keys move strikes on for ever.
-void StepBounces::count_blow(const FoundContact& found, double time) {
+void StepBounces::count_impact(const FoundContact& found, double time) {
     constexpr int kMostBlows = 50;
     if (found.other < 0) {
         return;
@@ -182,28 +182,28 @@ ImpulsePair StepBounces::strike(const std::vector<int>& moving,
 }
 
 void StepBounces::note(const FoundContact& found, const ImpulsePair& impulse) {
-    const auto same = std::find_if(blows_.begin(), blows_.end(), [&](const Blow& blow) {
-        return blow.contact.pair() == found.pair();
-    });
-    if (same == blows_.end()) {
-        blows_.push_back({found, impulse});
+    const auto same = std::find_if(
+        impacts_.begin(), impacts_.end(),
+        [&](const LoggedImpact& impact) { return impact.contact.pair() == found.pair(); });
+    if (same == impacts_.end()) {
+        impacts_.push_back({found, impulse});
     } else {
         same->impulse.normal += impulse.normal;
         same->impulse.tangential += impulse.tangential;
     }
 }
 
-void StepBounces::log_blows(double time) {
-    for (const Blow& blow : blows_) {
+void StepBounces::log_impacts(double time) {
+    for (const LoggedImpact& impact : impacts_) {
         const auto name = [&](int number) {
             return number >= 0 ? *bodies_[static_cast<std::size_t>(number)].name
                                : finder_.info(number).name;
         };
-        const ode::StepContact& contact = blow.contact.contact;
-        recording_.log_impact(time, name(contact.first), name(blow.contact.other), contact.point,
-                              contact.normal, blow.impulse);
+        const ode::StepContact& contact = impact.contact.contact;
+        recording_.log_impact(time, name(contact.first), name(impact.contact.other), contact.point,
+                              contact.normal, impact.impulse);
     }
-    blows_.clear();
+    impacts_.clear();
 }
 
 void StepBounces::take(StepBody& body, const ode::Velocities& velocities, double time) {

@@ -52,13 +52,13 @@ class StepBounces {
                        std::vector<ode::Velocities>& after);
     void take(StepBody& body, const ode::Velocities& velocities, double time);
     void note(const FoundContact& found, const ImpulsePair& impulse);
-    void log_blows(double time);
+    void log_impacts(double time);
     void forget_jams(const std::vector<FoundContact>& contacts);
-    void count_blow(const FoundContact& found, double time);
+    void count_impact(const FoundContact& found, double time);
 
     /// What a pair of boxes gave each other in one instant, in one entry of the log however often
     /// they struck.
-    struct Blow {
+    struct LoggedImpact {
         FoundContact contact;
         ImpulsePair impulse;
     };
@@ -69,7 +69,7 @@ class StepBounces {
     ode::StepWorld& world_;
     Balls& balls_;
     Recording& recording_;
-    std::vector<Blow> blows_;
+    std::vector<LoggedImpact> impacts_;
     std::map<std::pair<int, int>, int> counts_;  // blows of this instant, from kinematic bodies
     std::set<std::pair<int, int>> jams_;
     std::set<std::pair<int, int>> warned_;

@@ -27,7 +27,7 @@ void StepSleep::wake(StepBody& body, double time) {
     body.free_steps = 0;
     recording_.keep(body.track, time, body.seen(body.state));
     if (body.is_ball) {
-        balls_.hand_to_ode(static_cast<std::uint32_t>(&body - bodies_.data()), time);
+        balls_.activate(static_cast<std::uint32_t>(&body - bodies_.data()), time);
     }
 }
 
@@ -35,15 +35,16 @@ void StepSleep::wake_near(const Vec3& place, double reach, double time) {
     constexpr double kNear = 1e-3;  // m
     for (StepBody& body : bodies_) {
         const bool sleeps = body.is_in && !body.is_awake && !body.is_kinematic();
-        if (!sleeps || length(body.state.position - place) > reach + body.reach() + kNear) {
+        if (!sleeps ||
+            length(body.state.position - place) > reach + body.bounding_radius() + kNear) {
             continue;
         }
         wake(body, time);
-        wake_near(body.state.position, body.reach(), time);
+        wake_near(body.state.position, body.bounding_radius(), time);
     }
 }
 
-bool StepSleep::wake_by_touch(const std::vector<FoundContact>& contacts, double time) {
+bool StepSleep::wake_by_contact(const std::vector<FoundContact>& contacts, double time) {
     bool is_changed = false;
     for (const FoundContact& found : contacts) {
         if (found.other < 0) {

@@ -24,7 +24,7 @@ class StepSleep {
     void wake_near(const Vec3& place, double reach, double time);
 
     /// Wakes sleepers that something awake comes against; true if there were any.
-    bool wake_by_touch(const std::vector<FoundContact>& contacts, double time);
+    bool wake_by_contact(const std::vector<FoundContact>& contacts, double time);
 
     /// Whether a body has hardly moved, in touch with something, for long enough at `time`. What is
     /// only balanced, or touches what is, has to stay for as long as it would take to fall.

@@ -12,7 +12,7 @@ namespace {
 
 /// What strikes or meets may overlap by this much (m) at a step's end; else the step is shortened
 /// to when it does by between a quarter of this and this.
-constexpr double kTouchDepth = 4e-6;
+constexpr double kContactDepth = 4e-6;
 /// Lasting contacts may get deeper by this much (m) in the first half of a step, those of rims,
 /// which wander fastest, by less; else the step is halved, up to so many times.
 constexpr double kSinking = 3e-6;
@@ -35,9 +35,9 @@ void StepTrial::attempt(double start, double end) {
     }
     solve();
     const double whole = end_ - start;
-    const double share = share_until_touch();
-    if (share < 1) {
-        end_ = start + std::max(share * whole, std::min(kShortestStep, whole));
+    const double fraction = fraction_until_contact();
+    if (fraction < 1) {
+        end_ = start + std::max(fraction * whole, std::min(kShortestStep, whole));
         go_half_way();
         solve();
     }
@@ -94,7 +94,7 @@ void StepTrial::go_half_way() {
         middles_.push_back(body.state);
     }
     contacts_ = finder_.find(placed_);
-    drop_blows();
+    drop_impacts();
     drop_unmoved();
     step_contacts_.clear();
     for (FoundContact& found : contacts_) {
@@ -115,7 +115,7 @@ void StepTrial::solve() {
 
 /// Half-way: what was apart at the start and comes fast is no lasting contact. It strikes. Contacts
 /// of a pair that come about as fast are of one mind, lest round-off turns bodies aside.
-void StepTrial::drop_blows() {
+void StepTrial::drop_impacts() {
     std::map<std::pair<int, int>, double> fastest;
     std::vector<double> speeds;
     for (const FoundContact& found : contacts_) {
@@ -160,21 +160,21 @@ MotionState StepTrial::place_after(std::size_t slot, double time) const {
                        : drift(motions_[slot].after, body.inertia, time - half);
 }
 
-void StepTrial::place_at(double share) {
-    const double time = share * (end_ - start_);
+void StepTrial::place_at(double fraction) {
+    const double time = fraction * (end_ - start_);
     for (std::size_t slot = 0; slot < moving_.size(); ++slot) {
         placed_[static_cast<std::size_t>(moving_[slot])].state = place_after(slot, time);
     }
 }
 
 /// Which share of the step passes before something strikes or bodies meet that were apart.
-double StepTrial::share_until_touch() {
+double StepTrial::fraction_until_contact() {
     std::set<std::pair<int, int>> known;
     for (const FoundContact& found : contacts_) {
         known.insert(found.pair());
     }
-    const auto deepest_at = [&](double share) {
-        place_at(share);
+    const auto deepest_at = [&](double fraction) {
+        place_at(fraction);
         double deepest = 0;
         for (const FoundContact& found : finder_.find(placed_)) {
             if (found.contact.depth > deepest && !bounces_.is_jammed(found) &&
@@ -185,7 +185,7 @@ double StepTrial::share_until_touch() {
         }
         return deepest;
     };
-    if (deepest_at(1) <= kTouchDepth) {
+    if (deepest_at(1) <= kContactDepth) {
         return 1;
     }
     double low = 0;
@@ -193,10 +193,10 @@ double StepTrial::share_until_touch() {
     for (int i = 0; i < 16; ++i) {
         const double middle = 0.5 * (low + high);
         const double depth = deepest_at(middle);
-        if (depth > 0.25 * kTouchDepth && depth <= kTouchDepth) {
+        if (depth > 0.25 * kContactDepth && depth <= kContactDepth) {
             return middle;
         }
-        (depth > kTouchDepth ? high : low) = middle;
+        (depth > kContactDepth ? high : low) = middle;
     }
     return low;
 }

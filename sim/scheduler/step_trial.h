@@ -38,12 +38,12 @@ class StepTrial {
     void choose_moving();
     void go_half_way();
     void solve();
-    void drop_blows();
+    void drop_impacts();
     void drop_unmoved();
     [[nodiscard]] MotionState place_after(std::size_t slot, double time) const;
     [[nodiscard]] double sinking() const;
-    [[nodiscard]] double share_until_touch();
-    void place_at(double share);
+    [[nodiscard]] double fraction_until_contact();
+    void place_at(double fraction);
 
     ode::StepWorld& world_;
     const ContactFinder& finder_;

@@ -11,17 +11,17 @@ constexpr int kFreeSteps = 3;
 
 }  // namespace
 
-SteppedBodies::SteppedBodies(const WorldDescription& world, const Surroundings& around,
+SteppedBodies::SteppedBodies(const WorldDescription& world, const StaticEnvironment& environment,
                              Balls& balls, Recording& recording)
-    : around_(around),
+    : environment_(environment),
       balls_(balls),
       recording_(recording),
-      finder_(around),
+      finder_(environment),
       solids_(make_step_solids(world)),
-      bodies_(make_step_bodies(balls.all(), solids_, around.contacts)),
-      sleep_(bodies_, balls, recording, around.gravity),
+      bodies_(make_step_bodies(balls.all(), solids_, environment.contacts)),
+      sleep_(bodies_, balls, recording, environment.gravity),
       bounces_(bodies_, sleep_, finder_, world_, balls, recording),
-      trial_(world_, finder_, bounces_, around.gravity, bodies_) {
+      trial_(world_, finder_, bounces_, environment.gravity, bodies_) {
     for (const StepBody& body : bodies_) {
         world_.add({body.mass, body.inertia, body.is_kinematic()});
     }
@@ -78,7 +78,7 @@ void SteppedBodies::adopt_balls(double time) {
         body.is_in = ball.is_stepped() || ball.is_lying;
         body.is_awake = ball.is_stepped();
         if (body.is_in) {
-            body.state = ball.stretch.state_at(time);
+            body.state = ball.segment.state_at(time);
         }
         if (is_new) {
             body.begin_rest(time);
@@ -91,7 +91,7 @@ double SteppedBodies::try_step(double now, double until) {
     adopt_balls(now);
     is_trying_ = true;
     std::vector<FoundContact> contacts = finder_.find(bodies_);
-    if (sleep_.wake_by_touch(contacts, now)) {
+    if (sleep_.wake_by_contact(contacts, now)) {
         contacts = finder_.find(bodies_);
     }
     bounces_.resolve(contacts, now);
@@ -173,7 +173,8 @@ Ground SteppedBodies::ground_under(const StepBody& ball, bool& touches_other) co
         if (found.contact.first != me && found.other != me) {
             continue;
         }
-        const bool is_cloth = found.other == kCloth && around_.is_over_cloth(ball.state.position);
+        const bool is_cloth =
+            found.other == kCloth && environment_.is_over_cloth(ball.state.position);
         if (is_cloth || found.other == kFloor) {
             ground = is_cloth ? Ground::cloth : Ground::floor;
         } else {
@@ -189,7 +190,7 @@ void SteppedBodies::settle_ball(StepBody& body, double end) {
     bool touches_other = false;
     const Ground ground = ground_under(body, touches_other);
     MotionState& state = body.state;
-    const double height = ground_height(ground, around_) + body.radius;
+    const double height = ground_height(ground, environment_) + body.radius;
     const bool stays_down = ground != Ground::none && state.velocity.z < kLandingSpeed &&
                             state.position.z < height + 1e-4;
     if (stays_down) {
@@ -201,13 +202,13 @@ void SteppedBodies::settle_ball(StepBody& body, double end) {
     if (state.position.z < 0) {
         balls_.note_sunk(number, end, state.position);
     }
-    if (is_free && stays_down && around_.downward_gravity > 0) {
-        balls_.take_back(number, end, state, ground);
+    if (is_free && stays_down && environment_.downward_gravity > 0) {
+        balls_.deactivate(number, end, state, ground);
     } else if (is_free && ground == Ground::none) {
-        balls_.take_back(number, end, state, Ground::none);
+        balls_.deactivate(number, end, state, Ground::none);
     } else if (is_tired) {
         recording_.add(body.track, end, state);
-        balls_.lay_down(number, end, state);
+        balls_.put_to_rest(number, end, state);
     } else {
         recording_.add(body.track, end, state);
         balls_.carry(number, end, state);
@@ -237,7 +238,7 @@ void SteppedBodies::add_energy(EnergySample& sample) const {
             continue;
         }
         sample.kinetic += body.kinetic_energy();
-        sample.potential -= body.mass * around_.gravity.dot(body.state.position);
+        sample.potential -= body.mass * environment_.gravity.dot(body.state.position);
     }
 }
 

@@ -7,11 +7,11 @@
 #include "sim/scheduler/balls.h"
 #include "sim/scheduler/contact_finder.h"
 #include "sim/scheduler/recording.h"
+#include "sim/scheduler/static_environment.h"
 #include "sim/scheduler/step_body.h"
 #include "sim/scheduler/step_bounces.h"
 #include "sim/scheduler/step_sleep.h"
 #include "sim/scheduler/step_trial.h"
-#include "sim/scheduler/surroundings.h"
 
 namespace carom::sim {
 
@@ -19,7 +19,7 @@ namespace carom::sim {
 /// they meet what ODE carries, then `commit` up to the first such meeting.
 class SteppedBodies {
   public:
-    SteppedBodies(const WorldDescription& world, const Surroundings& around, Balls& balls,
+    SteppedBodies(const WorldDescription& world, const StaticEnvironment& environment, Balls& balls,
                   Recording& recording);
 
     void start(double time);
@@ -68,7 +68,7 @@ class SteppedBodies {
     void settle_ball(StepBody& body, double end);
     [[nodiscard]] Ground ground_under(const StepBody& ball, bool& touches_other) const;
 
-    const Surroundings& around_;
+    const StaticEnvironment& environment_;
     Balls& balls_;
     Recording& recording_;
     ContactFinder finder_;

@@ -71,8 +71,8 @@ std::vector<Vec2> hull_of(std::vector<Vec2> points) {
 double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
     const Vec2 along = b - a;
     const double square = along.dot(along);
-    const double share = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0;
-    return (p - a - along * share).length();
+    const double fraction = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0;
+    return (p - a - along * fraction).length();
 }
 
 double distance_to_outline(const Vec2& p, const std::vector<Vec2>& hull) {
@@ -167,7 +167,7 @@ bool leans(int number, const SolvedContacts& solved, const Vec3& gravity) {
 double time_to_tip(const StepBody& body, const Vec3& gravity) {
     constexpr double kGrowth = 34.5;  // e^34.5 = 10^15
     // The length of a rod of this reach is 2 reach.
-    return kGrowth * std::sqrt(4 * body.reach() / (3 * length(gravity)));
+    return kGrowth * std::sqrt(4 * body.bounding_radius() / (3 * length(gravity)));
 }
 
 }  // namespace carom::sim

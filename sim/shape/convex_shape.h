@@ -38,7 +38,7 @@ class ConvexShape {
     [[nodiscard]] const Polyhedron& solid() const { return solid_; }    // of a hull
 
     /// Radius of a sphere around the origin that holds all of it.
-    [[nodiscard]] double reach() const { return reach_; }
+    [[nodiscard]] double bounding_radius() const { return reach_; }
 
     /// The farthest point along `direction` (not zero, of any length).
     [[nodiscard]] Vec3 support(const Vec3& direction) const;

@@ -107,8 +107,9 @@ void CellGrid::place(std::uint32_t item, const Vec3& position) {
     link(item);
 }
 
-std::optional<CellGrid::Crossing> CellGrid::next_crossing(std::uint32_t item, const Stretch& path,
-                                                          double now, double until) const {
+std::optional<CellGrid::Crossing> CellGrid::next_crossing(std::uint32_t item,
+                                                          const MotionSegment& path, double now,
+                                                          double until) const {
     const Cell cell = cells_[item];
     const Vec3 p = path.position_at(now);
     const Vec3 v = path.velocity_at(now);

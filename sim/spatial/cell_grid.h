@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/motion/stretch.h"
+#include "sim/motion/motion_segment.h"
 
 namespace carom::sim {
 
@@ -35,8 +35,9 @@ class CellGrid {
     void place(std::uint32_t item, const Vec3& position);
 
     /// When the item, moving along `path`, passes into another cell in [now, until].
-    [[nodiscard]] std::optional<Crossing> next_crossing(std::uint32_t item, const Stretch& path,
-                                                        double now, double until) const;
+    [[nodiscard]] std::optional<Crossing> next_crossing(std::uint32_t item,
+                                                        const MotionSegment& path, double now,
+                                                        double until) const;
     void cross(std::uint32_t item, Side to);
 
     /// The other items in its cell and the eight around it; `found` is emptied first.

@@ -20,7 +20,7 @@ SurfaceContact Rim::contact(const Vec3& ball_centre, double ball_radius) const {
     return contact;
 }
 
-std::optional<double> Rim::touch(const Stretch& ball, double ball_radius, double now,
+std::optional<double> Rim::touch(const MotionSegment& ball, double ball_radius, double now,
                                  double until) const {
     const double speed = std::max(length(ball.velocity_at(now)), length(ball.velocity_at(until)));
     const Vec3 apart = ball.position_at(now) - centre;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "sim/motion/stretch.h"
+#include "sim/motion/motion_segment.h"
 #include "sim/spatial/static_mesh.h"
 
 namespace carom::sim {
@@ -13,8 +13,8 @@ struct Rim {
     double radius = 0;  // of the level circle
 
     [[nodiscard]] SurfaceContact contact(const Vec3& ball_centre, double ball_radius) const;
-    [[nodiscard]] std::optional<double> touch(const Stretch& ball, double ball_radius, double now,
-                                              double until) const;
+    [[nodiscard]] std::optional<double> touch(const MotionSegment& ball, double ball_radius,
+                                              double now, double until) const;
 };
 
 }  // namespace carom::sim

@@ -34,17 +34,17 @@ bool is_above(const MeshFeature& face, const Vec3& p) {
     return true;
 }
 
-std::optional<double> face_touch(const MeshFeature& face, const Stretch& ball, double radius,
-                                 double now, double until) {
+std::optional<double> face_impact_time(const MeshFeature& face, const MotionSegment& ball,
+                                       double radius, double now, double until) {
     const double side = face.direction.dot(ball.position_at(now) - face.points[0]);
     const Vec3 normal = side >= 0 ? face.direction : -face.direction;
-    const auto time = plane_touch(ball, face.points[0], normal, radius, now, until);
+    const auto time = plane_impact_time(ball, face.points[0], normal, radius, now, until);
     return time && is_above(face, ball.position_at(*time)) ? time : std::nullopt;
 }
 
-std::optional<double> edge_touch(const MeshFeature& edge, const Stretch& ball, double radius,
-                                 double now, double until) {
-    const auto time = line_touch(ball, edge.points[0], edge.direction, radius, now, until);
+std::optional<double> edge_impact_time(const MeshFeature& edge, const MotionSegment& ball,
+                                       double radius, double now, double until) {
+    const auto time = line_impact_time(ball, edge.points[0], edge.direction, radius, now, until);
     if (!time) {
         return time;
     }
@@ -53,17 +53,17 @@ std::optional<double> edge_touch(const MeshFeature& edge, const Stretch& ball, d
     return place >= 0 && place <= whole ? time : std::nullopt;
 }
 
-std::optional<double> feature_touch(const MeshFeature& feature, const Stretch& ball, double radius,
-                                    double now, double until) {
+std::optional<double> feature_impact_time(const MeshFeature& feature, const MotionSegment& ball,
+                                          double radius, double now, double until) {
     switch (feature.kind) {
         case MeshFeature::Kind::face:
-            return face_touch(feature, ball, radius, now, until);
+            return face_impact_time(feature, ball, radius, now, until);
         case MeshFeature::Kind::edge:
-            return edge_touch(feature, ball, radius, now, until);
+            return edge_impact_time(feature, ball, radius, now, until);
         case MeshFeature::Kind::corner:
             break;
     }
-    return point_touch(ball, feature.points[0], radius, now, until);
+    return point_impact_time(ball, feature.points[0], radius, now, until);
 }
 
 SurfaceContact contact_with(const MeshFeature& feature, const Vec3& centre, double radius) {
@@ -119,9 +119,10 @@ const StaticMesh::Part& StaticMesh::part_of(std::uint32_t feature) const {
     return *std::prev(next);
 }
 
-std::optional<StaticMesh::Touch> StaticMesh::first_touch(const Stretch& ball, double radius,
-                                                         double now, double until) const {
-    std::optional<Touch> first;
+std::optional<StaticMesh::FeatureImpact> StaticMesh::first_impact(const MotionSegment& ball,
+                                                                  double radius, double now,
+                                                                  double until) const {
+    std::optional<FeatureImpact> first;
     Aabb bounds = swept_bounds(ball, now, until);
     bounds.grow(radius + 1e-9);
     std::vector<std::uint32_t> near;
@@ -132,10 +133,10 @@ std::optional<StaticMesh::Touch> StaticMesh::first_touch(const Stretch& ball, do
         make_ready(part);
         part.tree.query(bounds, near);
         for (const std::uint32_t index : near) {
-            const auto time =
-                feature_touch(part.features[index], ball, radius, now, first ? first->time : until);
+            const auto time = feature_impact_time(part.features[index], ball, radius, now,
+                                                  first ? first->time : until);
             if (time && (!first || *time < first->time)) {
-                first = Touch{*time, part.first_feature + index};
+                first = FeatureImpact{*time, part.first_feature + index};
             }
         }
     }
@@ -202,7 +203,7 @@ std::vector<StaticMesh::Triangle> StaticMesh::triangles_near(const Aabb& bounds)
     return found;
 }
 
-Aabb swept_bounds(const Stretch& ball, double from, double to) {
+Aabb swept_bounds(const MotionSegment& ball, double from, double to) {
     const Vec3 p = ball.position_at(from);
     Aabb box{p, p};
     box.extend(ball.position_at(to));

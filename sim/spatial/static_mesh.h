@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/motion/stretch.h"
+#include "sim/motion/motion_segment.h"
 #include "sim/spatial/aabb_tree.h"
 #include "sim/spatial/mesh_features.h"
 
@@ -28,15 +28,16 @@ class StaticMesh {
     void add(std::vector<Vec3> vertices, std::vector<MeshTriangle> triangles,
              std::uint32_t surface);
 
-    struct Touch {
+    struct FeatureImpact {
         double time = 0;
         std::uint32_t feature = 0;
     };
 
-    /// The first touch in [now, until] of a ball on that stretch, by the rules of
+    /// The first touch in [now, until] of a ball on that segment, by the rules of
     /// time_of_impact.h.
-    [[nodiscard]] std::optional<Touch> first_touch(const Stretch& ball, double radius, double now,
-                                                   double until) const;
+    [[nodiscard]] std::optional<FeatureImpact> first_impact(const MotionSegment& ball,
+                                                            double radius, double now,
+                                                            double until) const;
 
     [[nodiscard]] SurfaceContact contact(std::uint32_t feature, const Vec3& centre,
                                          double radius) const;
@@ -76,6 +77,6 @@ class StaticMesh {
 };
 
 /// The box that a ball's centre stays in during [from, to].
-[[nodiscard]] Aabb swept_bounds(const Stretch& ball, double from, double to);
+[[nodiscard]] Aabb swept_bounds(const MotionSegment& ball, double from, double to);
 
 }  // namespace carom::sim

@@ -14,11 +14,11 @@ struct Coefficients {
     Vec3 c1, c2, c3;
 };
 
-Coefficients coefficients(const PathStretch& stretch) {
-    const double h = stretch.end - stretch.start;
-    const Vec3 d = stretch.p1 - stretch.p0;
-    const Vec3 m0 = h * stretch.v0;
-    const Vec3 m1 = h * stretch.v1;
+Coefficients coefficients(const PathSegment& segment) {
+    const double h = segment.end - segment.start;
+    const Vec3 d = segment.p1 - segment.p0;
+    const Vec3 m0 = h * segment.v0;
+    const Vec3 m1 = h * segment.v1;
     return {h, m0, 3.0 * d - 2.0 * m0 - m1, m0 + m1 - 2.0 * d};
 }
 
@@ -36,45 +36,45 @@ std::array<double, 2> turning_points(double c1, double c2, double c3) {
 
 }  // namespace
 
-Vec3 hermite_position(const PathStretch& stretch, double time) {
-    if (time <= stretch.start) {
-        return stretch.p0;
+Vec3 hermite_position(const PathSegment& segment, double time) {
+    if (time <= segment.start) {
+        return segment.p0;
     }
-    if (time >= stretch.end) {
-        return stretch.p1;
+    if (time >= segment.end) {
+        return segment.p1;
     }
-    const auto [h, c1, c2, c3] = coefficients(stretch);
-    const double s = (time - stretch.start) / h;
-    return stretch.p0 + s * (c1 + s * (c2 + s * c3));
+    const auto [h, c1, c2, c3] = coefficients(segment);
+    const double s = (time - segment.start) / h;
+    return segment.p0 + s * (c1 + s * (c2 + s * c3));
 }
 
-Vec3 hermite_velocity(const PathStretch& stretch, double time) {
-    if (time <= stretch.start) {
-        return stretch.v0;
+Vec3 hermite_velocity(const PathSegment& segment, double time) {
+    if (time <= segment.start) {
+        return segment.v0;
     }
-    if (time >= stretch.end) {
-        return stretch.v1;
+    if (time >= segment.end) {
+        return segment.v1;
     }
-    const auto [h, c1, c2, c3] = coefficients(stretch);
-    const double s = (time - stretch.start) / h;
+    const auto [h, c1, c2, c3] = coefficients(segment);
+    const double s = (time - segment.start) / h;
     return (c1 + s * (2.0 * c2 + (3.0 * s) * c3)) / h;
 }
 
-PathStretch cut(const PathStretch& stretch, double from, double to) {
+PathSegment cut(const PathSegment& segment, double from, double to) {
     return {from,
             to,
-            hermite_position(stretch, from),
-            hermite_position(stretch, to),
-            hermite_velocity(stretch, from),
-            hermite_velocity(stretch, to)};
+            hermite_position(segment, from),
+            hermite_position(segment, to),
+            hermite_velocity(segment, from),
+            hermite_velocity(segment, to)};
 }
 
-Bounds bounds_of(const PathStretch& stretch, double from, double to) {
-    const auto [h, c1, c2, c3] = coefficients(stretch);
-    const double s0 = (from - stretch.start) / h;
-    const double s1 = (to - stretch.start) / h;
-    const Vec3 begin = hermite_position(stretch, from);
-    const Vec3 end = hermite_position(stretch, to);
+Bounds bounds_of(const PathSegment& segment, double from, double to) {
+    const auto [h, c1, c2, c3] = coefficients(segment);
+    const double s0 = (from - segment.start) / h;
+    const double s1 = (to - segment.start) / h;
+    const Vec3 begin = hermite_position(segment, from);
+    const Vec3 end = hermite_position(segment, to);
     Bounds bounds;
     for (int axis = 0; axis < 3; ++axis) {
         double low = std::min(begin[axis], end[axis]);
@@ -83,13 +83,13 @@ Bounds bounds_of(const PathStretch& stretch, double from, double to) {
             if (!(s > s0 && s < s1)) {
                 continue;
             }
-            const double p = stretch.p0[axis] + s * (c1[axis] + s * (c2[axis] + s * c3[axis]));
+            const double p = segment.p0[axis] + s * (c1[axis] + s * (c2[axis] + s * c3[axis]));
             low = std::min(low, p);
             high = std::max(high, p);
         }
         // What the terms of the sum can lose to rounding.
         const double rounding =
-            4e-16 * (std::abs(stretch.p0[axis]) + std::abs(stretch.p1[axis]) + std::abs(c1[axis]) +
+            4e-16 * (std::abs(segment.p0[axis]) + std::abs(segment.p1[axis]) + std::abs(c1[axis]) +
                      std::abs(c2[axis]) + std::abs(c3[axis]));
         bounds.low[axis] = low - rounding;
         bounds.high[axis] = high + rounding;

@@ -76,10 +76,10 @@ Track::Data Track::prepare(std::string name, std::vector<Key> keys) {
     for (const Key& key : data.keys) {
         data.times.push_back(key.time);
     }
-    data.segments.resize(data.keys.size() - 1);
-    for (std::size_t index = 0; index < data.segments.size(); ++index) {
+    data.intervals.resize(data.keys.size() - 1);
+    for (std::size_t index = 0; index < data.intervals.size(); ++index) {
         const Turning turning = turning_between(data.keys[index], data.keys[index + 1]);
-        data.segments[index].first_checkpoint = data.checkpoints.size();
+        data.intervals[index].first_checkpoint = data.checkpoints.size();
         Quat orientation = data.keys[index].orientation;
         for (std::uint32_t substep = 0; substep < turning.substeps();) {
             data.checkpoints.push_back(orientation);
@@ -87,7 +87,7 @@ Track::Data Track::prepare(std::string name, std::vector<Key> keys) {
             orientation = turning.advance(orientation, substep, next);
             substep = next;
         }
-        data.segments[index].residual =
+        data.intervals[index].residual =
             rotation_vector(data.keys[index + 1].orientation * ~orientation);
     }
     return data;
@@ -100,7 +100,7 @@ std::size_t Track::last_key_at(double scene_time) const {
     return static_cast<std::size_t>(after - data_->times.begin()) - 1;
 }
 
-PathStretch Track::segment_stretch(std::size_t index) const {
+PathSegment Track::segment_after(std::size_t index) const {
     const Key& from = data_->keys[index];
     const Key& to = data_->keys[index + 1];
     return {from.time, to.time, from.position, to.position, from.velocity_out, to.velocity_in};
@@ -109,19 +109,19 @@ PathStretch Track::segment_stretch(std::size_t index) const {
 Quat Track::orientation_in(std::size_t index, double scene_time) const {
     const Key& from = data_->keys[index];
     const Key& to = data_->keys[index + 1];
-    const Segment& segment = data_->segments[index];
+    const KeyInterval& interval = data_->intervals[index];
     const Turning turning = turning_between(from, to);
     const double elapsed = scene_time - from.time;
     const std::uint32_t substep = turning.substep_at(elapsed);
     const std::uint32_t checkpoint = substep / kCheckpointSpacing;
-    Quat orientation = turning.advance(data_->checkpoints[segment.first_checkpoint + checkpoint],
+    Quat orientation = turning.advance(data_->checkpoints[interval.first_checkpoint + checkpoint],
                                        checkpoint * kCheckpointSpacing, substep);
     orientation = turning.finish(orientation, substep, elapsed);
-    if (segment.residual == Vec3(0)) {
+    if (interval.residual == Vec3(0)) {
         return orientation;
     }
-    const double share = elapsed / (to.time - from.time);
-    return (rotation_from_vector(share * segment.residual) * orientation).normalized();
+    const double fraction = elapsed / (to.time - from.time);
+    return (rotation_from_vector(fraction * interval.residual) * orientation).normalized();
 }
 
 MotionState Track::sample(double scene_time) const {
@@ -138,9 +138,9 @@ MotionState Track::sample(double scene_time) const {
     if (scene_time == key.time) {
         return {key.position, key.orientation, key.velocity_out, key.angular_velocity_out};
     }
-    const PathStretch stretch = segment_stretch(index);
-    return {hermite_position(stretch, scene_time), orientation_in(index, scene_time),
-            hermite_velocity(stretch, scene_time),
+    const PathSegment segment = segment_after(index);
+    return {hermite_position(segment, scene_time), orientation_in(index, scene_time),
+            hermite_velocity(segment, scene_time),
             turning_between(key, data_->keys[index + 1]).angular_velocity(scene_time - key.time)};
 }
 
@@ -150,7 +150,7 @@ std::vector<Track::Piece> Track::pieces(double from, double to) const {
     const Key& last = data_->keys.back();
     std::vector<Piece> pieces;
     const auto add_rest = [&](const Vec3& position, double begin, double end) {
-        const PathStretch rest{begin, end, position, position, Vec3(0), Vec3(0)};
+        const PathSegment rest{begin, end, position, position, Vec3(0), Vec3(0)};
         pieces.push_back({rest, begin, end});
     };
     if (from < first.time) {
@@ -159,8 +159,8 @@ std::vector<Track::Piece> Track::pieces(double from, double to) const {
     if (to > first.time && from < last.time) {
         const double begin = std::max(from, first.time);
         for (std::size_t index = last_key_at(begin);
-             index < data_->segments.size() && data_->keys[index].time < to; ++index) {
-            const PathStretch whole = segment_stretch(index);
+             index < data_->intervals.size() && data_->keys[index].time < to; ++index) {
+            const PathSegment whole = segment_after(index);
             pieces.push_back({whole, std::max(begin, whole.start), std::min(to, whole.end)});
         }
     }
@@ -169,25 +169,25 @@ std::vector<Track::Piece> Track::pieces(double from, double to) const {
     }
     if (pieces.empty()) {  // from == to at a key
         const MotionState state = sample(from);
-        const PathStretch instant{from,          to, state.position, state.position, state.velocity,
+        const PathSegment instant{from,          to, state.position, state.position, state.velocity,
                                   state.velocity};
         pieces.push_back({instant, from, to});
     }
     return pieces;
 }
 
-std::vector<PathStretch> Track::stretches(double from, double to) const {
-    std::vector<PathStretch> stretches;
+std::vector<PathSegment> Track::segments(double from, double to) const {
+    std::vector<PathSegment> segments;
     for (const Piece& piece : pieces(from, to)) {
-        stretches.push_back(cut(piece.stretch, piece.from, piece.to));
+        segments.push_back(cut(piece.segment, piece.from, piece.to));
     }
-    return stretches;
+    return segments;
 }
 
 Bounds Track::position_bounds(double from, double to) const {
     std::optional<Bounds> bounds;
     for (const Piece& piece : pieces(from, to)) {
-        const Bounds box = bounds_of(piece.stretch, piece.from, piece.to);
+        const Bounds box = bounds_of(piece.segment, piece.from, piece.to);
         bounds = bounds ? united(*bounds, box) : box;
     }
     return *bounds;

@@ -30,7 +30,7 @@ struct Key {
 
 /// One smooth piece of a path: the cubic Hermite curve from (p0, v0) at `start` to (p1, v1) at
 /// `end`.
-struct PathStretch {
+struct PathSegment {
     double start = 0;  // scene time, s
     double end = 0;
     Vec3 p0, p1;
@@ -63,7 +63,7 @@ class Track {
     /// The smooth pieces that make up [from, to] (from <= to), cut at its ends, in order of time,
     /// without gaps. Where the object rests or the times lie outside the keys, a constant piece.
     /// At least one piece, also when from == to.
-    [[nodiscard]] std::vector<PathStretch> stretches(double from, double to) const;
+    [[nodiscard]] std::vector<PathSegment> segments(double from, double to) const;
 
     /// A box around every position taken during [from, to].
     [[nodiscard]] Bounds position_bounds(double from, double to) const;
@@ -75,14 +75,14 @@ class Track {
 
   private:
     // What sample() needs to know about the turn from one key to the next.
-    struct Segment {
+    struct KeyInterval {
         Vec3 residual{0, 0, 0};            // rotation vector left over at the next key
         std::size_t first_checkpoint = 0;  // orientation at every 16th substep
     };
 
-    // A whole stretch between keys and the part of it that is meant.
+    // A whole segment between keys and the part of it that is meant.
     struct Piece {
-        PathStretch stretch;
+        PathSegment segment;
         double from = 0;
         double to = 0;
     };
@@ -91,13 +91,13 @@ class Track {
         std::string name;
         std::vector<Key> keys;
         std::vector<double> times;  // of the keys, close together for the search
-        std::vector<Segment> segments;
+        std::vector<KeyInterval> intervals;
         std::vector<Quat> checkpoints;
     };
 
     [[nodiscard]] static Data prepare(std::string name, std::vector<Key> keys);
     [[nodiscard]] std::size_t last_key_at(double scene_time) const;
-    [[nodiscard]] PathStretch segment_stretch(std::size_t index) const;
+    [[nodiscard]] PathSegment segment_after(std::size_t index) const;
     [[nodiscard]] std::vector<Piece> pieces(double from, double to) const;
     [[nodiscard]] Quat orientation_in(std::size_t index, double scene_time) const;
 

@@ -38,8 +38,8 @@ inline std::span<const Key> hashed_part(const Track& track) {
     return track.keys();
 }
 
-constexpr auto fields_of(Describes<PathStretch>) {
-    using T = PathStretch;
+constexpr auto fields_of(Describes<PathSegment>) {
+    using T = PathSegment;
     return fields<T>(field("start", &T::start), field("end", &T::end), field("p0", &T::p0),
                      field("p1", &T::p1), field("v0", &T::v0), field("v1", &T::v1));
 }

@@ -37,7 +37,7 @@ Key smooth_key(double time, const MotionState& state) {
             state.angular_velocity};
 }
 
-PathStretch stretch_between(const Key& from, const Key& to) {
+PathSegment segment_between(const Key& from, const Key& to) {
     return {from.time, to.time, from.position, to.position, from.velocity_out, to.velocity_in};
 }
 
@@ -52,14 +52,14 @@ class SpanCheck {
   private:
     // At the keys between, and half-way between them, where the dense path is a curve of its own.
     [[nodiscard]] bool positions_pass() const {
-        const PathStretch span = stretch_between(keys_.front(), keys_.back());
+        const PathSegment span = segment_between(keys_.front(), keys_.back());
         const double bound2 = reduction_.position_error * reduction_.position_error;
         const auto is_near = [&](const Vec3& position, double time) {
             const Vec3 error = hermite_position(span, time) - position;
             return error.dot(error) <= bound2;
         };
         for (std::size_t index = 1; index < keys_.size(); ++index) {
-            const PathStretch piece = stretch_between(keys_[index - 1], keys_[index]);
+            const PathSegment piece = segment_between(keys_[index - 1], keys_[index]);
             const double middle = 0.5 * (piece.start + piece.end);
             if (!is_near(piece.p1, piece.end) ||
                 !is_near(hermite_position(piece, middle), middle)) {

@@ -22,8 +22,8 @@ class TrackRecorder {
   public:
     explicit TrackRecorder(std::string name, KeyReduction reduction = {});
 
-    /// A state on a smooth stretch. A state at the time of the last one replaces nothing and must
-    /// equal it (within 1e-9): callers may add a stretch's end and the next one's beginning.
+    /// A state on a smooth segment. A state at the time of the last one replaces nothing and must
+    /// equal it (within 1e-9): callers may add a segment's end and the next one's beginning.
     void add(double time, const MotionState& state);
 
     /// Something happened in an instant: the pose is one, the velocities jump from `before` to

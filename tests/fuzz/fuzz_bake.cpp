@@ -35,16 +35,16 @@ void use(const Bake& bake) {
     for (const Track& track : bake.timeline.tracks) {
         const double first = track.keys().front().time;
         const double last = track.keys().back().time;
-        for (const double share : {-0.1, 0.0, 0.137, 0.5, 0.863, 1.0, 1.1}) {
-            sample(track, first + share * (last - first));
+        for (const double fraction : {-0.1, 0.0, 0.137, 0.5, 0.863, 1.0, 1.1}) {
+            sample(track, first + fraction * (last - first));
         }
         const double middle = first + 0.6 * (last - first);
         double time = first;
-        for (const PathStretch& stretch : track.stretches(first, middle)) {
-            require(stretch.start == time && is_finite(stretch.p1), "stretches");
-            time = stretch.end;
+        for (const PathSegment& segment : track.segments(first, middle)) {
+            require(segment.start == time && is_finite(segment.p1), "segments");
+            time = segment.end;
         }
-        require(time == middle, "stretches' end");
+        require(time == middle, "segments' end");
         const Bounds bounds = track.position_bounds(first, middle);
         require(is_finite(bounds.low) && is_finite(bounds.high), "bounds");
     }

@@ -15,10 +15,12 @@ class Dice {
   public:
     explicit Dice(std::uint64_t seed) : engine_(seed * 0x9e3779b97f4a7c15 + 1) {}
 
-    [[nodiscard]] double share() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-    [[nodiscard]] double between(double low, double high) { return low + (high - low) * share(); }
-    [[nodiscard]] int below(int count) { return static_cast<int>(share() * count); }
-    [[nodiscard]] bool chance(double probability) { return share() < probability; }
+    [[nodiscard]] double fraction() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+    [[nodiscard]] double between(double low, double high) {
+        return low + (high - low) * fraction();
+    }
+    [[nodiscard]] int below(int count) { return static_cast<int>(fraction() * count); }
+    [[nodiscard]] bool chance(double probability) { return fraction() < probability; }
     [[nodiscard]] std::string pick(std::initializer_list<const char*> choices) {
         return *(choices.begin() + below(static_cast<int>(choices.size())));
     }
@@ -27,7 +29,7 @@ class Dice {
     [[nodiscard]] std::string number(double low, double high) { return text(between(low, high)); }
     /// Over several orders of magnitude.
     [[nodiscard]] std::string magnitude(double low, double high) {
-        return text(low * std::pow(high / low, share()));
+        return text(low * std::pow(high / low, fraction()));
     }
     [[nodiscard]] std::string vector(double low, double high, const std::string& unit = "") {
         const std::string end = unit.empty() ? "" : " " + unit;

@@ -19,12 +19,13 @@ Items near(const CellGrid& grid, std::uint32_t item) {
     return found;
 }
 
-Stretch moving(const Vec3& position, const Vec3& velocity, const Vec3& acceleration = {0, 0, 0}) {
-    Stretch stretch;
-    stretch.state.position = position;
-    stretch.state.velocity = velocity;
-    stretch.acceleration = acceleration;
-    return stretch;
+MotionSegment moving(const Vec3& position, const Vec3& velocity,
+                     const Vec3& acceleration = {0, 0, 0}) {
+    MotionSegment segment;
+    segment.state.position = position;
+    segment.state.velocity = velocity;
+    segment.acceleration = acceleration;
+    return segment;
 }
 
 TEST(CellGrid_ItemsFartherThanTwoCells, AreNotNear) {
@@ -49,7 +50,7 @@ TEST(CellGrid_ItemWithinTheMargin, StaysInItsCell) {
 
 TEST(CellGrid_StraightPath, CrossesAtEveryCell) {
     CellGrid grid(0.25, 1);
-    const Stretch path = moving({0.05, 0.1, 0}, {-1, 0, 0});
+    const MotionSegment path = moving({0.05, 0.1, 0}, {-1, 0, 0});
     grid.place(0, path.state.position);
     double now = 0;
     for (int i = 0; i < 5; ++i) {
@@ -66,7 +67,7 @@ TEST(CellGrid_StraightPath, CrossesAtEveryCell) {
 TEST(CellGrid_PathThatTurnsBack, CrossesTheSameEdgeTwice) {
     CellGrid grid(1, 1);
     // x = 0.5 + t - t^2 / 4: over 1 at 2 - sqrt(2), back at 2 + sqrt(2).
-    const Stretch path = moving({0.5, 0.5, 0}, {1, 0, 0}, {-0.5, 0, 0});
+    const MotionSegment path = moving({0.5, 0.5, 0}, {1, 0, 0}, {-0.5, 0, 0});
     grid.place(0, path.state.position);
     const auto there = grid.next_crossing(0, path, 0, 10);
     ASSERT_TRUE(there);
@@ -81,7 +82,7 @@ TEST(CellGrid_PathThatTurnsBack, CrossesTheSameEdgeTwice) {
 
 TEST(CellGrid_FarFromTheOrigin, PathsCrossNoMore) {
     CellGrid grid(0.1, 2);
-    const Stretch path = moving({1e7, 1e7, 0}, {1000, 0, 0});
+    const MotionSegment path = moving({1e7, 1e7, 0}, {1000, 0, 0});
     grid.place(0, path.state.position);
     grid.place(1, {2e7, 3e7, 0});
     EXPECT_FALSE(grid.next_crossing(0, path, 0, 3600));
@@ -96,7 +97,7 @@ TEST(CellGrid_RandomPaths, FindEachOtherBeforeTheyMeet) {
     int meetings = 0;
     for (int round = 0; round < 300; ++round) {
         CellGrid grid(0.12, 2);
-        std::array<Stretch, 2> paths;
+        std::array<MotionSegment, 2> paths;
         for (std::uint32_t i = 0; i < 2; ++i) {
             paths[i] = moving({uniform(), uniform(), 0}, {uniform(), uniform(), 0},
                               {uniform(), uniform(), 0});

@@ -22,8 +22,8 @@ MotionState moving(const Vec3& velocity, const Vec3& spin) {
 
 TEST(ClothMotion_StunShot, RollsAtFiveSeventhsOfItsSpeed) {
     for (const double speed : {0.1, 1.0, 5.0, 15.0}) {
-        const Stretch slide =
-            cloth_stretch(2.0, moving({speed, 0, 0}, {0, 0, 0}), kRadius, kGravity, kLaw);
+        const MotionSegment slide =
+            cloth_segment(2.0, moving({speed, 0, 0}, {0, 0, 0}), kRadius, kGravity, kLaw);
         ASSERT_EQ(slide.kind, MotionKind::sliding);
         EXPECT_NEAR(slide.end - 2.0, 2 * speed / (7 * 0.2 * kGravity), 1e-14);
         const MotionState end = slide.state_at(slide.end);
@@ -36,15 +36,15 @@ TEST(ClothMotion_StunShot, RollsAtFiveSeventhsOfItsSpeed) {
 TEST(ClothMotion_DrawShot, ComesBackIfTheSpinIsLargeEnough) {
     // v_end = 5/7 v + 2/7 R w for spin about the axis of rolling; here it is negative.
     const double spin = -4 / kRadius;
-    const Stretch slide =
-        cloth_stretch(0, moving({1, 0, 0}, {0, spin, 0}), kRadius, kGravity, kLaw);
+    const MotionSegment slide =
+        cloth_segment(0, moving({1, 0, 0}, {0, spin, 0}), kRadius, kGravity, kLaw);
     const MotionState end = slide.state_at(slide.end);
     EXPECT_NEAR(end.velocity.x, 5.0 / 7 + 2.0 / 7 * kRadius * spin, 1e-13);
 }
 
 TEST(ClothMotion_Masse, FollowsAParabolaToItsRollingVelocity) {
     const MotionState start = moving({2, 0.5, 0}, {60, -30, 20});
-    const Stretch slide = cloth_stretch(0, start, kRadius, kGravity, kLaw);
+    const MotionSegment slide = cloth_segment(0, start, kRadius, kGravity, kLaw);
     const MotionState end = slide.state_at(slide.end);
     // u' = -7/2 mu g, and the velocity changes by 2/7 of the slip that is gone.
     const Vec3 slip = slip_velocity(start, kRadius);
@@ -56,7 +56,7 @@ TEST(ClothMotion_Masse, FollowsAParabolaToItsRollingVelocity) {
 TEST(ClothMotion_Rolling, StopsAfterVSquaredOverTwoMuG) {
     const MotionState start =
         moving({0.6, 0.8, 0}, Vec3(0, 0, 1).cross(Vec3(0.6, 0.8, 0)) / kRadius);
-    const Stretch roll = cloth_stretch(0, start, kRadius, kGravity, kLaw);
+    const MotionSegment roll = cloth_segment(0, start, kRadius, kGravity, kLaw);
     ASSERT_EQ(roll.kind, MotionKind::rolling);
     EXPECT_NEAR(roll.end, 1 / (0.01 * kGravity), 1e-12);
     const MotionState end = roll.state_at(roll.end);
@@ -65,21 +65,23 @@ TEST(ClothMotion_Rolling, StopsAfterVSquaredOverTwoMuG) {
 }
 
 TEST(ClothMotion_SpinAboutTheVertical, DecaysAtAConstantRate) {
-    const Stretch spin = cloth_stretch(0, moving({0, 0, 0}, {0, 0, -50}), kRadius, kGravity, kLaw);
+    const MotionSegment spin =
+        cloth_segment(0, moving({0, 0, 0}, {0, 0, -50}), kRadius, kGravity, kLaw);
     ASSERT_EQ(spin.kind, MotionKind::spinning);
     EXPECT_NEAR(spin.end, 50 / (2.5 * 0.0127 * kGravity / kRadius), 1e-12);
     EXPECT_NEAR(spin.angular_velocity_at(spin.end / 2).z, -25, 1e-11);
 }
 
 TEST(ClothMotion_NoVelocity, Rests) {
-    const Stretch rest = cloth_stretch(0, moving({0, 0, 0}, {0, 0, 0}), kRadius, kGravity, kLaw);
+    const MotionSegment rest =
+        cloth_segment(0, moving({0, 0, 0}, {0, 0, 0}), kRadius, kGravity, kLaw);
     EXPECT_EQ(rest.kind, MotionKind::resting);
     EXPECT_EQ(rest.end, kNever);
 }
 
 TEST(ClothMotion_WithoutFriction, SlidesForEver) {
-    const Stretch slide =
-        cloth_stretch(0, moving({1, 0, 0}, {0, 0, 0}), kRadius, kGravity, {0, 0, 0});
+    const MotionSegment slide =
+        cloth_segment(0, moving({1, 0, 0}, {0, 0, 0}), kRadius, kGravity, {0, 0, 0});
     EXPECT_EQ(slide.kind, MotionKind::sliding);
     EXPECT_EQ(slide.end, kNever);
 }

@@ -262,13 +262,13 @@ TEST(BakeWithin_ANumberOfSteps, GivesTheSameBakeOrNone) {
 TEST(Bake_Progress, RisesToOne) {
     WorldDescription world = cloth_world(1);
     world.bodies = {ball("cue", 0, 0, {1, 0, 0})};
-    std::vector<double> shares;
+    std::vector<double> fractions;
     WorkContext context;
-    context.progress = [&](double share) { shares.push_back(share); };
+    context.progress = [&](double fraction) { fractions.push_back(fraction); };
     (void)bake(world, context);
-    ASSERT_FALSE(shares.empty());
-    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
-    EXPECT_EQ(shares.back(), 1);
+    ASSERT_FALSE(fractions.empty());
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    EXPECT_EQ(fractions.back(), 1);
 }
 
 }  // namespace

@@ -92,13 +92,13 @@ TEST(KinematicSolid_StrikingABall, GivesItTheSpeedOfAHeavyBody) {
         world.bodies = {ball("ball", 0, 0),
                         pusher(shape, straight({{0, {-0.5, 0, kRadius}}, {1, {0.7, 0, kRadius}}}))};
         const Timeline timeline = bake(world);
-        const Event* blow = find_event(timeline, EventKind::impact, "ball", "pusher");
-        ASSERT_NE(blow, nullptr) << shape.index();
-        EXPECT_NEAR(blow->time, (0.45 - kRadius) / 1.2, 1e-8) << shape.index();
+        const Event* impact = find_event(timeline, EventKind::impact, "ball", "pusher");
+        ASSERT_NE(impact, nullptr) << shape.index();
+        EXPECT_NEAR(impact->time, (0.45 - kRadius) / 1.2, 1e-8) << shape.index();
         const MotionState after = state_at(timeline, "ball", 0.6);
         EXPECT_NEAR(after.velocity.x, 1.2 * 1.6, 1e-6) << shape.index();
         EXPECT_NEAR(after.velocity.y, 0, 1e-6) << shape.index();
-        EXPECT_NEAR(blow->normal_impulse, kMass * 1.2 * 1.6, 1e-6) << shape.index();
+        EXPECT_NEAR(impact->normal_impulse, kMass * 1.2 * 1.6, 1e-6) << shape.index();
         EXPECT_EQ(timeline.tracks.size(), 1U) << "its own way is no finding of the simulation";
     }
 }
@@ -119,9 +119,9 @@ TEST(KinematicBat_Swung, StrikesWithTheSpeedOfItsPlace) {
                                                turning({0, 0, 0}, {0, 0, 1}, kPi, 1), {0.5, 0, 0})};
     world.bodies[0].pose.position = {-(0.01 + kRadius), 0.8, 0};
     const Timeline timeline = bake(world);
-    const Event* blow = find_event(timeline, EventKind::impact, "ball", "pusher");
-    ASSERT_NE(blow, nullptr);
-    EXPECT_NEAR(blow->time, 0.5, 1e-6);
+    const Event* impact = find_event(timeline, EventKind::impact, "ball", "pusher");
+    ASSERT_NE(impact, nullptr);
+    EXPECT_NEAR(impact->time, 0.5, 1e-6);
     EXPECT_NEAR(state_at(timeline, "ball", 0.7).velocity.x, -kPi * 0.8 * 1.6, 1e-3);
 }
 
@@ -197,10 +197,10 @@ TEST(KinematicPaddle_OnABilliardTable, StrikesABallThatRests) {
                     pusher(Box{{0.02, 0.1, 0.04}},
                            straight({{1, {-0.3, 0, kRadius}}, {1.3, {-0.03, 0, kRadius}}}))};
     const Timeline timeline = bake(world);
-    const Event* blow = find_event(timeline, EventKind::impact, "cue", "pusher");
-    ASSERT_NE(blow, nullptr);
-    EXPECT_NEAR(blow->time, 1 + (0.29 - kRadius) / 0.9, 1e-8);
-    EXPECT_NEAR(key_at(timeline, "cue", blow->time).velocity_out.x, 0.9 * 1.8, 1e-6);
+    const Event* impact = find_event(timeline, EventKind::impact, "cue", "pusher");
+    ASSERT_NE(impact, nullptr);
+    EXPECT_NEAR(impact->time, 1 + (0.29 - kRadius) / 0.9, 1e-8);
+    EXPECT_NEAR(key_at(timeline, "cue", impact->time).velocity_out.x, 0.9 * 1.8, 1e-6);
     EXPECT_NE(find_event(timeline, EventKind::impact, "cue", "object"), nullptr);
 }
 

@@ -163,7 +163,7 @@ TEST(Mathavan_Sweep, NeverGainsEnergy) {
 }
 
 /// Even in (0, 1), the same in every run.
-double random_share(std::uint32_t& seed) {
+double random_fraction(std::uint32_t& seed) {
     seed = seed * 1664525U + 1013904223U;
     return (seed >> 8U) / 16777216.0;
 }
@@ -173,12 +173,12 @@ double random_share(std::uint32_t& seed) {
 TEST(Mathavan_AnyNumbers, EndsWithoutGainingEnergy) {
     std::uint32_t seed = 7;
     for (int i = 0; i < 2500; ++i) {
-        const double sine = -0.5 + 1.4 * random_share(seed);
+        const double sine = -0.5 + 1.4 * random_fraction(seed);
         const Vec3 normal(0, -std::sqrt(1 - sine * sine), -sine);
-        const double scale = std::pow(10.0, -4 + 5 * random_share(seed));
-        const auto speed = [&] { return scale * (2 * random_share(seed) - 1); };
+        const double scale = std::pow(10.0, -4 + 5 * random_fraction(seed));
+        const auto speed = [&] { return scale * (2 * random_fraction(seed) - 1); };
         BallBody ball{0.17, 0.03, {}};
-        ball.state.velocity = {speed(), scale * random_share(seed), 0};
+        ball.state.velocity = {speed(), scale * random_fraction(seed), 0};
         ball.state.angular_velocity = Vec3(speed(), speed(), speed()) * (3 / ball.radius);
         const auto energy_of = [](const MotionState& state, double radius) {
             return state.velocity.dot(state.velocity) +
@@ -186,9 +186,9 @@ TEST(Mathavan_AnyNumbers, EndsWithoutGainingEnergy) {
         };
         const double before = energy_of(ball.state, ball.radius);
         const double friction =
-            random_share(seed) < 0.5 ? random_share(seed) : 10 * random_share(seed);
-        const double restitution = random_share(seed);
-        const double cloth = 2 * random_share(seed);
+            random_fraction(seed) < 0.5 ? random_fraction(seed) : 10 * random_fraction(seed);
+        const double restitution = random_fraction(seed);
+        const double cloth = 2 * random_fraction(seed);
         mathavan_impact(ball, normal, restitution, friction, cloth);
         const MotionState& after = ball.state;
         ASSERT_LE(energy_of(after, ball.radius), before * (1 + 1e-9)) << i;

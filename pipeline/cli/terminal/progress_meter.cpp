@@ -14,13 +14,13 @@ void ProgressMeter::enter(std::string_view stage, double now) {
     if (stage_ != stage) {
         stage_ = stage;
         stage_begin_ = now;
-        share_ = 0;
+        fraction_ = 0;
     }
 }
 
-void ProgressMeter::on_progress(std::string_view stage, double share, double now) {
+void ProgressMeter::on_progress(std::string_view stage, double fraction, double now) {
     enter(stage, now);
-    share_ = std::clamp(share, share_, 1.0);
+    fraction_ = std::clamp(fraction, fraction_, 1.0);
 }
 
 void ProgressMeter::on_frame(bool found, std::uint64_t rays, double now) {
@@ -36,7 +36,7 @@ std::optional<double> ProgressMeter::seconds_left(double elapsed) const {
         // Found frames take no time and say nothing about the others; frames in progress count as
         // far as the share tells.
         const auto total = static_cast<double>(frames_total_);
-        const double reached = std::max(share_ * total, static_cast<double>(frames_done_));
+        const double reached = std::max(fraction_ * total, static_cast<double>(frames_done_));
         const double worked = reached - static_cast<double>(frames_found_);
         constexpr double kTooLittle = 0.1;  // frames
         if (worked < kTooLittle) {
@@ -45,16 +45,16 @@ std::optional<double> ProgressMeter::seconds_left(double elapsed) const {
         return elapsed / worked * std::max(total - reached, 0.0);
     }
     constexpr double kTooEarly = 0.01;
-    if (share_ < kTooEarly) {
+    if (fraction_ < kTooEarly) {
         return std::nullopt;
     }
-    return elapsed * (1 - share_) / share_;
+    return elapsed * (1 - fraction_) / fraction_;
 }
 
 ProgressSnapshot ProgressMeter::snapshot(double now) const {
     ProgressSnapshot snapshot;
     snapshot.stage = stage_;
-    snapshot.share = share_;
+    snapshot.fraction = fraction_;
     snapshot.elapsed = now - stage_begin_;
     snapshot.left = seconds_left(snapshot.elapsed);
     if (stage_ == kRenderStage) {
@@ -64,7 +64,7 @@ ProgressSnapshot ProgressMeter::snapshot(double now) const {
         if (frames_total_ > 0) {
             const double by_frames =
                 static_cast<double>(frames_done_) / static_cast<double>(frames_total_);
-            snapshot.share = std::clamp(std::max(share_, by_frames), 0.0, 1.0);
+            snapshot.fraction = std::clamp(std::max(fraction_, by_frames), 0.0, 1.0);
         }
         // Rays are known when their frame is finished: between two frames the rate stands.
         if (rays_ > 0 && last_frame_ > stage_begin_) {

@@ -10,7 +10,7 @@ namespace carom::cli {
 
 struct ProgressSnapshot {
     std::string stage;                // "bake", "render", "encode"; empty before the first one
-    double share = 0;                 // of the stage, [0, 1]
+    double fraction = 0;              // of the stage, [0, 1]
     std::int64_t frames_total = 0;    // 0: the stage has no frames to count
     std::int64_t frames_done = 0;     // rendered or found
     std::int64_t frames_found = 0;    // of these, finished by an earlier run
@@ -26,7 +26,7 @@ class ProgressMeter {
     /// Frames that the "render" stage is going to take.
     void expect_frames(std::int64_t total) { frames_total_ = total; }
 
-    void on_progress(std::string_view stage, double share, double now);
+    void on_progress(std::string_view stage, double fraction, double now);
     void on_frame(bool found, std::uint64_t rays, double now);
 
     [[nodiscard]] ProgressSnapshot snapshot(double now) const;
@@ -37,7 +37,7 @@ class ProgressMeter {
 
     std::string stage_;
     double stage_begin_ = 0;
-    double share_ = 0;
+    double fraction_ = 0;
     std::int64_t frames_total_ = 0;
     std::int64_t frames_done_ = 0;
     std::int64_t frames_found_ = 0;

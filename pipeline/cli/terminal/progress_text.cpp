@@ -16,12 +16,12 @@ constexpr int kWidestBar = 40;
 constexpr int kNarrowestBar = 8;
 
 // Rounded down: 100 % means done.
-std::string percent(double share) {
-    return fmt::format("{}", std::lround(std::floor(share * 100)));
+std::string percent(double fraction) {
+    return fmt::format("{}", std::lround(std::floor(fraction * 100)));
 }
 
-std::string bar_of(double share, int width) {
-    const int filled = static_cast<int>(share * width);
+std::string bar_of(double fraction, int width) {
+    const int filled = static_cast<int>(fraction * width);
     std::string bar(static_cast<std::size_t>(width), ' ');
     std::fill_n(bar.begin(), filled, '=');
     if (filled < width) {
@@ -39,9 +39,9 @@ std::vector<std::string> bar_details(const ProgressSnapshot& snapshot) {
         done.insert(0, total.size() - std::min(total.size(), done.size()), ' ');
         details.push_back(done + "/" + total);
     }
-    std::string share = percent(snapshot.share);
-    share.insert(0, 3 - std::min<std::size_t>(3, share.size()), ' ');
-    details.push_back(share + " %");
+    std::string fraction = percent(snapshot.fraction);
+    fraction.insert(0, 3 - std::min<std::size_t>(3, fraction.size()), ' ');
+    details.push_back(fraction + " %");
     if (snapshot.left) {
         details.push_back(duration_text(*snapshot.left) + " left");
     }
@@ -69,7 +69,7 @@ std::string progress_bar(const ProgressSnapshot& snapshot, int columns) {
     }
     const std::size_t room = limit > needed() ? limit - needed() : 0;
     const auto width = static_cast<int>(std::min<std::size_t>(room, kWidestBar));
-    std::string text = snapshot.stage + " " + bar_of(snapshot.share, width);
+    std::string text = snapshot.stage + " " + bar_of(snapshot.fraction, width);
     for (const std::string& detail : details) {
         text += "  " + detail;
     }
@@ -80,13 +80,13 @@ std::string progress_line(const ProgressSnapshot& snapshot) {
     std::string text = snapshot.stage + ": ";
     if (snapshot.frames_total > 0) {
         text += fmt::format("{} of {} frames ({} %", snapshot.frames_done, snapshot.frames_total,
-                            percent(snapshot.share));
+                            percent(snapshot.fraction));
         if (snapshot.frames_found > 0) {
             text += fmt::format(", {} from an earlier run", snapshot.frames_found);
         }
         text += ")";
     } else {
-        text += percent(snapshot.share) + " %";
+        text += percent(snapshot.fraction) + " %";
     }
     if (snapshot.left) {
         text += ", " + duration_text(*snapshot.left) + " left";
@@ -99,7 +99,7 @@ std::string progress_line(const ProgressSnapshot& snapshot) {
 
 JsonMembers progress_json(const ProgressSnapshot& snapshot) {
     JsonMembers members;
-    members.add("stage", snapshot.stage).add("share", snapshot.share);
+    members.add("stage", snapshot.stage).add("share", snapshot.fraction);
     if (snapshot.frames_total > 0) {
         members.add("frames_total", snapshot.frames_total)
             .add("frames_done", snapshot.frames_done)

@@ -43,7 +43,7 @@ void add_cameras(Builder& builder) {
 }
 
 /// The place of what a camera says of its stretch of the film.
-Place place_of_stretch(const Builder& builder, std::size_t index) {
+Place place_of_rig(const Builder& builder, std::size_t index) {
     const Entry* cameras = builder.root.find("cameras");
     if (cameras != nullptr && index < cameras->value.items.size()) {
         if (const Entry* video = cameras->value.items[index].find("video")) {
@@ -58,10 +58,10 @@ void check_sequence(Builder& builder) {
     const Shot& shot = builder.shot;
     for (const RigProblem& problem : find_problems(shot.cameras, shot.timing)) {
         const Place place =
-            problem.rig ? place_of_stretch(builder, *problem.rig) : builder.file.cameras_place;
+            problem.rig ? place_of_rig(builder, *problem.rig) : builder.file.cameras_place;
         std::string message = problem.message;
         if (problem.other) {
-            const Place other = place_of_stretch(builder, *problem.other);
+            const Place other = place_of_rig(builder, *problem.other);
             message += " (" + quote(shot.cameras[*problem.other].name) + " is at " +
                        builder.reader.sources().to_string(other) + ")";
         }
@@ -73,7 +73,7 @@ void check_sequence(Builder& builder) {
 void check_scene_times(Builder& builder) {
     const double duration = builder.shot.world.duration;
     for (std::size_t i = 0; i < builder.shot.cameras.size(); ++i) {
-        const SceneStretch shown = shown_scene_times(builder.shot.cameras[i]);
+        const SceneTimeRange shown = shown_scene_times(builder.shot.cameras[i]);
         const double first = shown.first.to_double();
         const double last = shown.last.to_double();
         if (first < 0) {

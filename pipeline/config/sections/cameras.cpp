@@ -62,20 +62,20 @@ ValueType<Aperture> f_number() {
     });
 }
 
-struct Stretch {
+struct TimeRange {
     Rational start;
     Rational end;
 };
 
-ValueType<Stretch> stretch() {
-    return convert<Stretch>(list_of(exact(Dimension::time, between(0, kLongest)), 2, 2),
-                            [](const std::vector<Rational>& ends) {
-                                return Stretch{ends[0], ends[1]};
-                            });
+ValueType<TimeRange> time_range() {
+    return convert<TimeRange>(list_of(exact(Dimension::time, between(0, kLongest)), 2, 2),
+                              [](const std::vector<Rational>& ends) {
+                                  return TimeRange{ends[0], ends[1]};
+                              });
 }
 
 ValueType<TimeMap> straight_map() {
-    return convert<TimeMap>(stretch(), [](const Stretch& ends) {
+    return convert<TimeMap>(time_range(), [](const TimeRange& ends) {
         return TimeMap{ends.start, ends.end};
     });
 }
@@ -157,8 +157,8 @@ void add_time(MapSpec<CameraRig>& s) {
     s.key("name", &CameraRig::name, text("a camera's name"),
           "name for messages and for the metadata of frames");
     s.set(
-         "video", stretch(),
-         [](CameraRig& rig, const Stretch& value) {
+         "video", time_range(),
+         [](CameraRig& rig, const TimeRange& value) {
              rig.video_start = value.start;
              rig.video_end = value.end;
          },

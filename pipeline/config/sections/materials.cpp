@@ -166,19 +166,19 @@ const MapSpec<PhongMaterial>& phong_spec() {
     static const MapSpec<PhongMaterial> spec = [] {
         MapSpec<PhongMaterial> s(
             "phong", "The classic Phong material. `path` scales its fractions down to a sum of 1.");
-        const auto share = colour(between(0, 1));
+        const auto fraction = colour(between(0, 1));
         const auto spread = angle(between(0, render::kWidestPhongSpread));
-        s.key("ambient", &PhongMaterial::ambient, share,
+        s.key("ambient", &PhongMaterial::ambient, fraction,
               "colour under the ambient light. The default is that of `diffuse`");
         s.key("diffuse", &PhongMaterial::diffuse, base(), "colour or a texture");
-        s.key("specular", &PhongMaterial::specular, share, "colour of the highlights");
+        s.key("specular", &PhongMaterial::specular, fraction, "colour of the highlights");
         s.key("shininess", &PhongMaterial::shininess, number(between(0, 1e6)),
               "exponent of the highlights: a higher value is sharper");
-        s.key("reflectance", &PhongMaterial::reflectance, share,
+        s.key("reflectance", &PhongMaterial::reflectance, fraction,
               "fraction of light that is mirrored");
         s.key("reflectance_spread", &PhongMaterial::reflectance_spread, spread,
               "standard deviation of reflection rays from the mirror direction");
-        s.key("transmittance", &PhongMaterial::transmittance, share,
+        s.key("transmittance", &PhongMaterial::transmittance, fraction,
               "fraction of light that is transmitted");
         s.key("transmittance_spread", &PhongMaterial::transmittance_spread, spread,
               "standard deviation of refraction rays from the refracted direction");

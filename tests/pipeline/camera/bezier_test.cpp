@@ -23,8 +23,8 @@ std::vector<Vec3> elevated(const std::vector<Vec3>& points) {
     result.front() = points.front();
     result.back() = points.back();
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const double share = static_cast<double>(i) / degree;
-        result[i] = points[i - 1] * share + points[i] * (1 - share);
+        const double fraction = static_cast<double>(i) / degree;
+        result[i] = points[i - 1] * fraction + points[i] * (1 - fraction);
     }
     return result;
 }
@@ -115,8 +115,9 @@ TEST(EvenPace, UnevenLine_IsWalkedAtConstantSpeed) {
     // x(t) = t^3: the parameter's pace is zero at the start.
     const BezierCurve curve({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}});
     for (int i = -8; i <= 72; ++i) {
-        const double share = i / 64.0;
-        EXPECT_NEAR(even_pace_position(curve, at(share)).x, share, kEvenPaceError) << share;
+        const double fraction = i / 64.0;
+        EXPECT_NEAR(even_pace_position(curve, at(fraction)).x, fraction, kEvenPaceError)
+            << fraction;
     }
 }
 
@@ -125,10 +126,10 @@ TEST(EvenPace, Parabola_HasItsClosedFormLength) {
     const BezierCurve curve({{0, 0, 0}, {0.5, 0, 0}, {1, 1, 0}});
     const double length = std::sqrt(5.0) / 2 + std::asinh(2.0) / 4;
     EXPECT_NEAR(ArcLengthTable(curve).length(), length, kEvenPaceError * length);
-    for (double share = 0.05; share < 1; share += 0.05) {
-        const double x = even_pace_position(curve, at(share)).x;
+    for (double fraction = 0.05; fraction < 1; fraction += 0.05) {
+        const double x = even_pace_position(curve, at(fraction)).x;
         const double travelled = x / 2 * std::sqrt(1 + 4 * x * x) + std::asinh(2 * x) / 4;
-        EXPECT_NEAR(travelled / length, share, kEvenPaceError);
+        EXPECT_NEAR(travelled / length, fraction, kEvenPaceError);
     }
 }
 

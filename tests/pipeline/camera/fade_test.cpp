@@ -22,17 +22,17 @@ TEST(Fade, Weights_ShiftFromOneRigToTheOther) {
     const std::vector<CameraRig> rigs = make_rigs();
     for (std::int64_t n = 40; n < 70; ++n) {
         const auto frames = plan_mixed_frame(n, rigs, {}, fixture_timeline());
-        const double share = n <= 48 ? 0 : n >= 60 ? 1 : static_cast<double>(n - 48) / 12;
-        if (share == 0 || share == 1) {
+        const double fraction = n <= 48 ? 0 : n >= 60 ? 1 : static_cast<double>(n - 48) / 12;
+        if (fraction == 0 || fraction == 1) {
             ASSERT_EQ(frames.size(), 1u) << n;
-            EXPECT_EQ(frames[0].rig, share == 0 ? "a" : "b");
+            EXPECT_EQ(frames[0].rig, fraction == 0 ? "a" : "b");
             EXPECT_EQ(frames[0].weight, 1);
             continue;
         }
         ASSERT_EQ(frames.size(), 2u) << n;
-        EXPECT_EQ(frames[0].rig, share < 0.5 ? "a" : "b");
-        EXPECT_EQ(frames[1].rig, share < 0.5 ? "b" : "a");
-        EXPECT_DOUBLE_EQ(frames[0].weight, std::max(share, 1 - share));
+        EXPECT_EQ(frames[0].rig, fraction < 0.5 ? "a" : "b");
+        EXPECT_EQ(frames[1].rig, fraction < 0.5 ? "b" : "a");
+        EXPECT_DOUBLE_EQ(frames[0].weight, std::max(fraction, 1 - fraction));
         EXPECT_DOUBLE_EQ(frames[0].weight + frames[1].weight, 1);
         EXPECT_EQ(plan_frame(n, rigs, {}, fixture_timeline()).rig, frames[0].rig);
     }

@@ -126,8 +126,8 @@ TEST(CommandLine, Defaults_AreEmpty) {
 
 TEST(CommandLine, Talk_IsReadAfterTheCommand) {
     const auto result = parse_command_line({"check", "a.yaml", "--log", "json", "-q"});
-    EXPECT_TRUE(std::get<CommandLine>(result).talk.json);
-    EXPECT_TRUE(std::get<CommandLine>(result).talk.quiet);
+    EXPECT_TRUE(std::get<CommandLine>(result).logging.json);
+    EXPECT_TRUE(std::get<CommandLine>(result).logging.quiet);
 }
 
 TEST(CommandLine, FrameAndAt_ExcludeEachOther) {

@@ -145,12 +145,12 @@ TEST_F(CompareCommand, CtrlC_PrintsWhatIsMeasured) {
         {"compare", "--scene", "cylinder_walls", "--size", "64x48", "--accelerators",
          "kdtree,brute_force", "--threads", "1", "--log", "json"},
         options());
-    const auto share = [&] {
+    const auto fraction = [&] {
         const std::string err = program.err_so_far();
         const std::size_t at = err.rfind("\"share\":");
         return at == std::string::npos ? 0.0 : std::atof(err.c_str() + at + 8);
     };
-    for (int i = 0; i < 4000 && share() < 0.55; ++i) {
+    for (int i = 0; i < 4000 && fraction() < 0.55; ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     program.send(SIGINT);

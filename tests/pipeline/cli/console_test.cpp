@@ -24,10 +24,10 @@ struct Recorder {
     }
 };
 
-ProgressSnapshot at(double share) {
+ProgressSnapshot at(double fraction) {
     ProgressSnapshot snapshot;
     snapshot.stage = "bake";
-    snapshot.share = share;
+    snapshot.fraction = fraction;
     return snapshot;
 }
 
@@ -102,7 +102,7 @@ TEST(Console, Json_IsOneObjectPerLine) {
               R"({"time":"0000-00-00T00:00:00.000Z","event":"problem","line":0})"
               "\n"
               R"({"time":"0000-00-00T00:00:00.000Z","event":"progress","stage":"bake",)"
-              R"("share":0.0,"seconds_elapsed":0})"
+              R"("fraction":0.0,"seconds_elapsed":0})"
               "\n");
 }
 

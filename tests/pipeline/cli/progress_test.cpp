@@ -9,7 +9,7 @@ namespace {
 ProgressSnapshot rendering() {
     ProgressSnapshot snapshot;
     snapshot.stage = "render";
-    snapshot.share = 0.3;
+    snapshot.fraction = 0.3;
     snapshot.frames_total = 240;
     snapshot.frames_done = 72;
     snapshot.elapsed = 34;
@@ -36,7 +36,7 @@ TEST(ProgressBar, Ends_AreEmptyAndFull) {
     ProgressSnapshot snapshot;
     snapshot.stage = "bake";
     EXPECT_EQ(progress_bar(snapshot, 30), "bake [>               ]    0 %");
-    snapshot.share = 1;
+    snapshot.fraction = 1;
     EXPECT_EQ(progress_bar(snapshot, 30), "bake [================]  100 %");
 }
 
@@ -50,13 +50,13 @@ TEST(ProgressLine, Snapshot_IsASentence) {
     EXPECT_EQ(progress_line(snapshot), "render: 72 of 240 frames (30 %, 12 from an earlier run)");
     snapshot = {};
     snapshot.stage = "bake";
-    snapshot.share = 0.999;
+    snapshot.fraction = 0.999;
     EXPECT_EQ(progress_line(snapshot), "bake: 99 %");
 }
 
 TEST(ProgressJson, Snapshot_HasItsNumbers) {
     EXPECT_EQ(progress_json(rendering()).object(),
-              R"({"stage":"render","share":0.3,"frames_total":240,"frames_done":72,)"
+              R"({"stage":"render","fraction":0.3,"frames_total":240,"frames_done":72,)"
               R"("frames_found":0,"seconds_elapsed":34,"seconds_left":80,)"
               R"("rays_per_second":8123000})");
 }
@@ -75,7 +75,7 @@ TEST(ProgressMeter, FoundFrames_DoNotShortenTheEstimate) {
     EXPECT_EQ(snapshot.stage, "render");
     EXPECT_EQ(snapshot.frames_done, 6);
     EXPECT_EQ(snapshot.frames_found, 4);
-    EXPECT_DOUBLE_EQ(snapshot.share, 0.6);
+    EXPECT_DOUBLE_EQ(snapshot.fraction, 0.6);
     EXPECT_DOUBLE_EQ(snapshot.left.value(), 8);  // 2 s each for the 4 that are missing
     EXPECT_DOUBLE_EQ(snapshot.rays_rate.value(), 1000);
     EXPECT_DOUBLE_EQ(meter.snapshot(205).rays_rate.value(), 1000);  // until the next frame
@@ -98,9 +98,9 @@ TEST(ProgressMeter, ShareAlone_GivesAnEstimate) {
     meter.on_progress("bake", 0.25, 12);
     EXPECT_DOUBLE_EQ(meter.snapshot(12).left.value(), 6);
     meter.on_progress("bake", 0.2, 13);  // never goes back
-    EXPECT_DOUBLE_EQ(meter.snapshot(13).share, 0.25);
+    EXPECT_DOUBLE_EQ(meter.snapshot(13).fraction, 0.25);
     meter.on_progress("encode", 0, 20);  // a new stage starts afresh
-    EXPECT_DOUBLE_EQ(meter.snapshot(20).share, 0);
+    EXPECT_DOUBLE_EQ(meter.snapshot(20).fraction, 0);
     EXPECT_EQ(meter.snapshot(20).frames_total, 0);
 }
 

@@ -46,16 +46,16 @@ struct Baking {
     bool baked = false;
     BakeOrigin origin = BakeOrigin::kept;
     std::vector<std::string> warnings;
-    double last_share = -1;
+    double last_fraction = -1;
 };
 
 Baking run(const Shot& shot, const std::string& cache) {
     Baking result;
     JobObserver observer;
     observer.on_warning = [&](const std::string& text) { result.warnings.push_back(text); };
-    observer.on_progress = [&](std::string_view stage, double share) {
+    observer.on_progress = [&](std::string_view stage, double fraction) {
         EXPECT_EQ(stage, "bake");
-        result.last_share = share;
+        result.last_fraction = fraction;
     };
     BakedShot baked = bake_or_reuse(shot, cache, observer, {});
     result.bake = std::move(baked.bake);
@@ -72,9 +72,10 @@ TEST(BakeShot, Bake_IsTheOneThatIsKept) {
     const ScratchFolder folder;
     Shot shot = make_shot();
     shot.keyed = {sim::Track("lamp", std::vector<sim::Key>(1))};
-    double last_share = -1;
-    const sim::Bake bake = bake_shot(shot, {[&](double share) { last_share = share; }, {}});
-    EXPECT_EQ(last_share, 1);
+    double last_fraction = -1;
+    const sim::Bake bake =
+        bake_shot(shot, {[&](double fraction) { last_fraction = fraction; }, {}});
+    EXPECT_EQ(last_fraction, 1);
     EXPECT_NE(bake.timeline.find("cue"), nullptr);
     EXPECT_NE(bake.timeline.find("lamp"), nullptr);
     EXPECT_EQ(bake, bake_or_reuse(shot, folder.path(), {}, {}).bake);
@@ -88,12 +89,12 @@ TEST(BakeJob, SecondTime_TakesTheKeptBakeAndWarnsAgain) {
     const Shot shot = make_shot();
     const Baking first = run(shot, cache.path());
     EXPECT_EQ(first.origin, BakeOrigin::made);
-    EXPECT_EQ(first.last_share, 1);
+    EXPECT_EQ(first.last_fraction, 1);
     EXPECT_EQ(first.bake.timeline.warnings.size(), 1u);
     EXPECT_EQ(first.bake.shot_text, "carom: 1");
     const Baking second = run(shot, cache.path());
     EXPECT_FALSE(second.baked);
-    EXPECT_EQ(second.last_share, -1);
+    EXPECT_EQ(second.last_fraction, -1);
     EXPECT_EQ(second.bake, first.bake);
     EXPECT_EQ(second.bake.timeline.warnings, first.bake.timeline.warnings);
     using Files = std::filesystem::directory_iterator;

@@ -104,12 +104,12 @@ TEST(FrameRenderer, Frames_AreTheFilmsOwnBeforeTheStoreRoundsThem) {
 TEST(FrameRenderer, Progress_IsOneOverBothPicturesOfAFade) {
     const Shot shot = fading_shot();
     const sim::Bake bake = make_bake();
-    std::vector<double> shares{0};
-    const auto note = [&](double share) { shares.push_back(share); };
+    std::vector<double> fractions{0};
+    const auto note = [&](double fraction) { fractions.push_back(fraction); };
     (void)make_frame_renderer(shot, bake.timeline, 1)(5, {note, {}});
-    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
-    EXPECT_EQ(shares.back(), 1);
-    EXPECT_THAT(shares, ::testing::Contains(0.5));
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    EXPECT_EQ(fractions.back(), 1);
+    EXPECT_THAT(fractions, ::testing::Contains(0.5));
     std::stop_source stop;
     stop.request_stop();
     EXPECT_THROW((void)make_frame_renderer(shot, bake.timeline)(5, {{}, stop.get_token()}),

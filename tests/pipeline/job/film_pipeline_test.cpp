@@ -9,8 +9,8 @@
 #include "core/error.h"
 #include "pipeline/job/film_job.h"
 #include "pipeline/job/film_plan.h"
-#include "pipeline/job/picture_board.h"
-#include "pipeline/job/picture_supply.h"
+#include "pipeline/job/frame_queue.h"
+#include "pipeline/job/frame_scheduler.h"
 #include "pipeline/store/frame_store.h"
 #include "tests/pipeline/job/tiny_shot.h"
 #include "tests/pipeline/video/scratch_folder.h"
@@ -142,36 +142,36 @@ TEST(FilmPipeline, Film_IsTheSameFromMemoryAndFromTheStore) {
     }
 }
 
-TEST(PictureBoard, PictureThatIsAwaited_IsHandedOver) {
+TEST(FrameQueue, PictureThatIsAwaited_IsHandedOver) {
     constexpr int kAttempts = 200;  // the reader has to wait already, which it may be slow to do
-    PictureBoard board(kAttempts);
+    FrameQueue queue(kAttempts);
     int handed_over = 0;
     for (std::size_t i = 0; i < kAttempts && handed_over == 0; ++i) {
         std::optional<render::Film> film;
-        std::thread reader([&] { film = board.receive(i, {}); });
+        std::thread reader([&] { film = queue.receive(i, {}); });
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        board.mark_ready(i, render::Film{7, 5, {}, {}, {}, {}});
+        queue.mark_ready(i, render::Film{7, 5, {}, {}, {}, {}});
         reader.join();
         handed_over += film && film->width == 7 ? 1 : 0;
     }
     EXPECT_EQ(handed_over, 1);
 }
 
-TEST(PictureBoard, PictureThatNobodyAwaits_IsNotKept) {
-    PictureBoard board(2);
-    board.mark_ready(0, render::Film{7, 5, {}, {}, {}, {}});
-    EXPECT_FALSE(board.receive(0, {}));
-    board.request_again(0);
-    EXPECT_TRUE(board.take_request());
-    board.mark_ready(0);
-    EXPECT_FALSE(board.receive(0, {}));
+TEST(FrameQueue, PictureThatNobodyAwaits_IsNotKept) {
+    FrameQueue queue(2);
+    queue.mark_ready(0, render::Film{7, 5, {}, {}, {}, {}});
+    EXPECT_FALSE(queue.receive(0, {}));
+    queue.request_again(0);
+    EXPECT_TRUE(queue.take_request());
+    queue.mark_ready(0);
+    EXPECT_FALSE(queue.receive(0, {}));
 }
 
-TEST(PictureBoard, Stopped_HandsNothingOver) {
-    PictureBoard board(1);
+TEST(FrameQueue, Stopped_HandsNothingOver) {
+    FrameQueue queue(1);
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_THROW((void)board.receive(0, stop.get_token()), Stopped);
+    EXPECT_THROW((void)queue.receive(0, stop.get_token()), Stopped);
 }
 
 TEST(FilmPipeline, ReversedFilm_SharesItsPictures) {
@@ -194,13 +194,13 @@ TEST(FilmPipeline, Observer_HearsOfEveryFrameAndOfOneStageAfterTheOther) {
         EXPECT_EQ(seconds > 0, !from_store);
         EXPECT_TRUE(progress.empty() || progress.back().first == "render");
     };
-    studio.observer.on_progress = [&](std::string_view stage, double share) {
+    studio.observer.on_progress = [&](std::string_view stage, double fraction) {
         if (!progress.empty() && progress.back().first == stage) {
-            EXPECT_GT(share, progress.back().second);
+            EXPECT_GT(fraction, progress.back().second);
         } else {
             EXPECT_TRUE(progress.empty() || progress.back().second == 1);
         }
-        progress.emplace_back(stage, share);
+        progress.emplace_back(stage, fraction);
     };
     (void)studio.film();
     EXPECT_THAT(rendered, ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8));
@@ -410,17 +410,17 @@ TEST(FilmPipeline, EncoderThatNeverReads_DoesNotHoldTheRenderingUp) {
     std::iota(frames.begin(), frames.end(), 0);
     const FilmPlan plan = plan_film(source, frames, {});
     const FrameStore store = studio.store();
-    ObserverGate gate(studio.observer);
-    PictureBoard board(plan.pictures.size());
-    PictureMaker maker(source, store, studio.renderer.function());
-    PictureSupply supply(plan, maker, board, gate);
-    std::thread rendering([&] { supply.run({}); });
+    ThreadSafeObserver gate(studio.observer);
+    FrameQueue queue(plan.pictures.size());
+    CachedRenderer renderer(source, store, studio.renderer.function());
+    FrameScheduler scheduler(plan, renderer, queue, gate);
+    std::thread rendering([&] { scheduler.run({}); });
     for (std::size_t i = 0; i < plan.pictures.size(); ++i) {
-        EXPECT_TRUE(board.wait_until_ready(i, {})) << "the last ones, too, before any was read";
+        EXPECT_TRUE(queue.wait_until_ready(i, {})) << "the last ones, too, before any was read";
     }
-    board.reader_done();
+    queue.reader_done();
     rendering.join();
-    EXPECT_EQ(supply.rendered(), kPictures);
+    EXPECT_EQ(scheduler.rendered(), kPictures);
 }
 
 TEST(FilmPipeline, RendererThatFails_IsHeardAndLeavesNoVideo) {

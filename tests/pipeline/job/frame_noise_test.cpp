@@ -69,9 +69,9 @@ TEST_F(FrameNoise, AnotherNumberOnOneBall_ChangesThatBallAlone) {
         }
     }
     ASSERT_EQ(painted, 1);
-    const double share = changed(usual, picture(), 0);
-    EXPECT_GT(share, 0);
-    EXPECT_LT(share, 0.05);
+    const double fraction = changed(usual, picture(), 0);
+    EXPECT_GT(fraction, 0);
+    EXPECT_LT(fraction, 0.05);
 }
 
 TEST_F(FrameNoise, AnotherLook_HasTheSameNoise) {

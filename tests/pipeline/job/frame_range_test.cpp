@@ -47,7 +47,7 @@ TEST(FrameRange, Empty_IsTheWholeFilm) {
 TEST(FrameRange, Unreadable_IsAnErrorThatQuotesThePart) {
     const auto unreadable = [](const std::string& part) {
         return "cannot read the frames '" + part +
-               "'; write a frame (12), a stretch (0-47) or every n-th of one (0-47x2)";
+               "'; write a frame (12), a range (0-47) or every n-th of one (0-47x2)";
     };
     EXPECT_EQ(error_of(""), unreadable(""));
     EXPECT_EQ(error_of("1,,2"), unreadable(""));

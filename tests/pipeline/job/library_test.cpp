@@ -61,7 +61,7 @@ void expect_frames(const LoadResult& loaded, const std::string& cache) {
     const std::int64_t count = frame_count(shot.cameras, shot.timing);
     const std::vector<std::int64_t> frames{0, count / 2, count - 1};
     for (const std::int64_t frame : frames) {
-        options.frames.stretches.push_back({frame, frame, 1});
+        options.frames.parts.push_back({frame, frame, 1});
     }
     (void)make_film(shot, bake, options, {}, {});  // into the store, from where they are taken
     for (const std::int64_t frame : frames) {

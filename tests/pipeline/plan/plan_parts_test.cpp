@@ -6,7 +6,7 @@
 #include "pipeline/plan/colour_ramp.h"
 #include "pipeline/plan/footprint.h"
 #include "pipeline/plan/label_placer.h"
-#include "pipeline/plan/motion_stretches.h"
+#include "pipeline/plan/motion_phases.h"
 #include "pipeline/plan/sheet.h"
 #include "pipeline/plan/svg_text.h"
 
@@ -55,7 +55,7 @@ sim::Key key(double time, const Vec3& place, const Vec3& velocity, const Vec3& t
     return k;
 }
 
-TEST(MotionStretches, SlidingRollingAirborneAndStill_AreToldApart) {
+TEST(MotionPhases, SlidingRollingAirborneAndStill_AreToldApart) {
     constexpr double kRadius = 0.03;
     const Vec3 v(1, 0, 0);
     const Vec3 roll(0, 1 / kRadius, 0);
@@ -69,17 +69,17 @@ TEST(MotionStretches, SlidingRollingAirborneAndStill_AreToldApart) {
     keys[1].velocity_out = v;
     keys[2].angular_velocity_out = Vec3(0, 0, 0);
     const sim::Track track("cue", keys);
-    const auto stretches = motion_stretches(track, kRadius, 4.5, 1e-4);
-    ASSERT_EQ(stretches.size(), 3U);
-    EXPECT_EQ(stretches[0].motion, Motion::sliding);
-    EXPECT_NEAR(stretches[0].from, 1, 1e-9);
-    EXPECT_EQ(stretches[1].motion, Motion::rolling);
-    EXPECT_NEAR(stretches[1].from, 3, 0.02);  // the last hundredth of slip is called rolling
-    EXPECT_EQ(stretches[2].motion, Motion::airborne);
-    EXPECT_NEAR(stretches[2].from, 4, 0.02);
-    EXPECT_DOUBLE_EQ(stretches[2].to, 4.5);
-    EXPECT_EQ(stretches[1].points.size(), 2U);  // straight
-    EXPECT_EQ(motion_stretches(track, std::nullopt, 5, 1e-4).front().motion, Motion::moving);
+    const auto phases = motion_phases(track, kRadius, 4.5, 1e-4);
+    ASSERT_EQ(phases.size(), 3U);
+    EXPECT_EQ(phases[0].motion, Motion::sliding);
+    EXPECT_NEAR(phases[0].from, 1, 1e-9);
+    EXPECT_EQ(phases[1].motion, Motion::rolling);
+    EXPECT_NEAR(phases[1].from, 3, 0.02);  // the last hundredth of slip is called rolling
+    EXPECT_EQ(phases[2].motion, Motion::airborne);
+    EXPECT_NEAR(phases[2].from, 4, 0.02);
+    EXPECT_DOUBLE_EQ(phases[2].to, 4.5);
+    EXPECT_EQ(phases[1].points.size(), 2U);  // straight
+    EXPECT_EQ(motion_phases(track, std::nullopt, 5, 1e-4).front().motion, Motion::moving);
 }
 
 TEST(Sheet, UsualScale_FitsTheRoom) {

@@ -142,11 +142,11 @@ TEST(VerifyCache, DamagedFiles_AreNamed) {
         bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 4);
         write_text(path, bytes);
     }
-    double share = 0;
-    const VerifyResult result = verify_cache(cache.path(), [&](double now) { share = now; }, {});
+    double fraction = 0;
+    const VerifyResult result = verify_cache(cache.path(), [&](double now) { fraction = now; }, {});
     EXPECT_EQ(result.checked, 3U);
     EXPECT_EQ(result.damaged.size(), 2U);
-    EXPECT_EQ(share, 1);
+    EXPECT_EQ(fraction, 1);
     std::stop_source stop;
     stop.request_stop();
     EXPECT_THROW((void)verify_cache(cache.path(), {}, stop.get_token()), Stopped);

@@ -34,7 +34,7 @@ int hold(const FrameStore& store, const char* file) {
     return 0;
 }
 
-int share(const FrameStore& store, const char* folder) {
+int fraction(const FrameStore& store, const char* folder) {
     for (int granted = 0; granted < 300;) {
         const std::optional<FrameClaim> claim = store.claim(make_key(1));
         if (!claim) {
@@ -57,5 +57,5 @@ int main(int, char** arguments) {
     if (part == "write") {
         write_for_ever(store);
     }
-    return part == "hold" ? hold(store, arguments[3]) : share(store, arguments[3]);
+    return part == "hold" ? hold(store, arguments[3]) : fraction(store, arguments[3]);
 }

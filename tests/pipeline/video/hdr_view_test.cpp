@@ -8,10 +8,10 @@
 namespace carom::pipeline {
 namespace {
 
-render::Film grey(float light, float blue_share = 1) {
+render::Film grey(float light, float blue_fraction = 1) {
     render::Film film;
     film.width = film.height = 1;
-    film.rgba = {light, light, light * blue_share, 1};
+    film.rgba = {light, light, light * blue_fraction, 1};
     return film;
 }
 

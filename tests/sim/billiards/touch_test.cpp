@@ -16,7 +16,7 @@ class Touch : public testing::TestWithParam<test::NamedTable> {
     TableGeometry geometry_ = build_table(measures_, radius_);
 
     // How far from the nose's line the centre of a ball on the cloth is when it touches it.
-    [[nodiscard]] double reach() const {
+    [[nodiscard]] double bounding_radius() const {
         const double above = measures_.nose_height - radius_;
         return std::sqrt(radius_ * radius_ - above * above);
     }
@@ -32,9 +32,9 @@ class Touch : public testing::TestWithParam<test::NamedTable> {
 
 TEST_P(Touch, AlongFaces_BallAndDrawnCushionMeet) {
     for (const CushionFace& face : geometry_.faces) {
-        for (const double share : {0.1, 0.5, 0.9}) {
-            const Vec2 nose = face.from + share * (face.to - face.from);
-            const Vec2 centre = nose + reach() * face.normal;
+        for (const double fraction : {0.1, 0.5, 0.9}) {
+            const Vec2 nose = face.from + fraction * (face.to - face.from);
+            const Vec2 centre = nose + bounding_radius() * face.normal;
             // In a pool table's corner a ball near one jaw's end may touch the other jaw first.
             EXPECT_LE(distance_to_cushions(centre), radius_ + 1e-9);
             if (!face.is_jaw) {
@@ -60,7 +60,8 @@ TEST_P(Touch, RoundCorners_BallAndDrawnCushionMeet) {
                 }
             }
         }
-        const Vec2 centre = corner.centre + (corner.radius + reach()) * outward.normalized();
+        const Vec2 centre =
+            corner.centre + (corner.radius + bounding_radius()) * outward.normalized();
         // The drawn polygon lies up to one sagitta, 10 um, inside the arc.
         EXPECT_NEAR(distance_to_cushions(centre), radius_, 2.5e-5);
         EXPECT_GE(distance_to_cushions(centre), radius_ - 1e-9);

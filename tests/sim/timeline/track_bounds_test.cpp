@@ -10,13 +10,13 @@ namespace {
 
 using test::smooth_key;
 
-void expect_covers(const std::vector<PathStretch>& stretches, double from, double to) {
-    ASSERT_FALSE(stretches.empty());
-    EXPECT_EQ(stretches.front().start, from);
-    EXPECT_EQ(stretches.back().end, to);
-    for (std::size_t index = 1; index < stretches.size(); ++index) {
-        EXPECT_EQ(stretches[index].start, stretches[index - 1].end);
-        EXPECT_EQ(stretches[index].p0, stretches[index - 1].p1);
+void expect_covers(const std::vector<PathSegment>& segments, double from, double to) {
+    ASSERT_FALSE(segments.empty());
+    EXPECT_EQ(segments.front().start, from);
+    EXPECT_EQ(segments.back().end, to);
+    for (std::size_t index = 1; index < segments.size(); ++index) {
+        EXPECT_EQ(segments[index].start, segments[index - 1].end);
+        EXPECT_EQ(segments[index].p0, segments[index - 1].p1);
     }
 }
 
@@ -26,13 +26,13 @@ TEST(TrackStretches, RandomIntervals_AreCoveredWithoutGapsAndAgreeWithSample) {
     for (int trial = 0; trial < 300; ++trial) {
         const double from = numbers.between(-1, 6);
         const double to = from + numbers.between(0, 2);
-        const auto stretches = track.stretches(from, to);
-        expect_covers(stretches, from, to);
-        for (const PathStretch& stretch : stretches) {
-            for (const double share : {0.1, 0.5, 0.77}) {
-                const double time = stretch.start + share * (stretch.end - stretch.start);
+        const auto segments = track.segments(from, to);
+        expect_covers(segments, from, to);
+        for (const PathSegment& segment : segments) {
+            for (const double fraction : {0.1, 0.5, 0.77}) {
+                const double time = segment.start + fraction * (segment.end - segment.start);
                 const MotionState state = track.sample(time);
-                EXPECT_LT((hermite_position(stretch, time) - state.position).length(), 1e-13);
+                EXPECT_LT((hermite_position(segment, time) - state.position).length(), 1e-13);
             }
         }
     }
@@ -41,13 +41,13 @@ TEST(TrackStretches, RandomIntervals_AreCoveredWithoutGapsAndAgreeWithSample) {
 TEST(TrackStretches, CutAtKeys_ReturnsTheirValues) {
     const Track track = test::random_track(12, 6);
     const auto keys = track.keys();
-    const auto stretches = track.stretches(keys[1].time, keys[4].time);
-    ASSERT_EQ(stretches.size(), 3U);
+    const auto segments = track.segments(keys[1].time, keys[4].time);
+    ASSERT_EQ(segments.size(), 3U);
     for (std::size_t index = 0; index < 3; ++index) {
-        EXPECT_EQ(stretches[index].p0, keys[index + 1].position);
-        EXPECT_EQ(stretches[index].v0, keys[index + 1].velocity_out);
-        EXPECT_EQ(stretches[index].p1, keys[index + 2].position);
-        EXPECT_EQ(stretches[index].v1, keys[index + 2].velocity_in);
+        EXPECT_EQ(segments[index].p0, keys[index + 1].position);
+        EXPECT_EQ(segments[index].v0, keys[index + 1].velocity_out);
+        EXPECT_EQ(segments[index].p1, keys[index + 2].position);
+        EXPECT_EQ(segments[index].v1, keys[index + 2].velocity_in);
     }
 }
 
@@ -57,26 +57,26 @@ TEST(TrackStretches, OneInstant_IsOnePiece) {
     const double last = track.keys().back().time;
     for (const double time :
          {first - 1, first, track.keys()[1].time, first + 0.0007, last, last + 1}) {
-        const auto stretches = track.stretches(time, time);
-        ASSERT_EQ(stretches.size(), 1U);
-        EXPECT_EQ(stretches[0].start, time);
-        EXPECT_EQ(stretches[0].end, time);
-        EXPECT_EQ(stretches[0].p0, track.sample(time).position);
-        EXPECT_EQ(stretches[0].p1, track.sample(time).position);
-        EXPECT_EQ(stretches[0].v0, track.sample(time).velocity);
+        const auto segments = track.segments(time, time);
+        ASSERT_EQ(segments.size(), 1U);
+        EXPECT_EQ(segments[0].start, time);
+        EXPECT_EQ(segments[0].end, time);
+        EXPECT_EQ(segments[0].p0, track.sample(time).position);
+        EXPECT_EQ(segments[0].p1, track.sample(time).position);
+        EXPECT_EQ(segments[0].v0, track.sample(time).velocity);
     }
 }
 
 TEST(TrackStretches, OutsideTheKeys_AreConstant) {
     const Track track("ball",
                       {smooth_key(1, {1, 0, 0}, {5, 0, 0}), smooth_key(2, {6, 0, 0}, {5, 0, 0})});
-    const auto stretches = track.stretches(0, 3);
-    ASSERT_EQ(stretches.size(), 3U);
-    EXPECT_EQ(stretches[0].p0, stretches[0].p1);
-    EXPECT_EQ(stretches[0].v1, Vec3(0));
-    EXPECT_EQ(stretches[1].v0, Vec3(5, 0, 0));
-    EXPECT_EQ(stretches[2].p1, Vec3(6, 0, 0));
-    EXPECT_EQ(stretches[2].v0, Vec3(0));
+    const auto segments = track.segments(0, 3);
+    ASSERT_EQ(segments.size(), 3U);
+    EXPECT_EQ(segments[0].p0, segments[0].p1);
+    EXPECT_EQ(segments[0].v1, Vec3(0));
+    EXPECT_EQ(segments[1].v0, Vec3(5, 0, 0));
+    EXPECT_EQ(segments[2].p1, Vec3(6, 0, 0));
+    EXPECT_EQ(segments[2].v0, Vec3(0));
 }
 
 TEST(TrackBounds, RandomIntervals_ContainEverySample) {

@@ -83,8 +83,8 @@ TEST(TrackTurn, RandomTurns_StayWithinTheBoundPerRadian) {
         const Track track =
             turning_track(before, after, duration, Quat(), fine.rotation_at(duration));
         const double turn = duration * std::max(before.length(), after.length());
-        for (const double share : {0.21, 0.5, 0.83}) {
-            const double time = share * duration;
+        for (const double fraction : {0.21, 0.5, 0.83}) {
+            const double time = fraction * duration;
             const double error =
                 angle_between(track.sample(time).orientation, fine.rotation_at(time));
             EXPECT_LT(error, 1e-5 * (1 + turn)) << trial;

@@ -44,8 +44,8 @@ class Writer {
         if (value.text == "true" || value.text == "false") {
             return value.text;  // in quotes they would be texts
         }
-        const double share = value.text.starts_with('\'') ? 0 : value.is_text ? 0.5 : 0.03;
-        if (!dice_.chance(share)) {
+        const double fraction = value.text.starts_with('\'') ? 0 : value.is_text ? 0.5 : 0.03;
+        if (!dice_.chance(fraction)) {
             return value.text;
         }
         const char quote = dice_.chance(0.5) ? '\'' : '"';

@@ -1,4 +1,4 @@
-// A stretch of a ball's motion on which both accelerations are constant.
+// A segment of a ball's motion on which both accelerations are constant.
 #pragma once
 
 #include <limits>
@@ -20,7 +20,7 @@ enum class MotionKind {
 
 /// Holds from `start` to `end`; `end` is when the law of motion changes by itself (sliding ends,
 /// the ball stops), kNever if it does not.
-struct Stretch {
+struct MotionSegment {
     MotionKind kind = MotionKind::resting;
     double start = 0;  // scene time, s
     double end = kNever;

@@ -1,4 +1,4 @@
-#include "pipeline/plan/motion_stretches.h"
+#include "pipeline/plan/motion_phases.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +37,9 @@ Vec2 from_above(const Vec3& place) {
 
 }  // namespace
 
-std::vector<MotionStretch> motion_stretches(const sim::Track& track, std::optional<double> radius,
-                                            double end, double tolerance) {
-    std::vector<MotionStretch> stretches;
+std::vector<MotionPhase> motion_phases(const sim::Track& track, std::optional<double> radius,
+                                       double end, double tolerance) {
+    std::vector<MotionPhase> phases;
     const auto keys = track.keys();
     for (std::size_t i = 0; i + 1 < keys.size() && keys[i].time < end; ++i) {
         const double from = keys[i].time;
@@ -53,20 +53,20 @@ std::vector<MotionStretch> motion_stretches(const sim::Track& track, std::option
             if (motion == Motion::still) {
                 continue;
             }
-            const bool goes_on = !stretches.empty() && stretches.back().motion == motion &&
-                                 stretches.back().to >= begin - 1e-9;
+            const bool goes_on = !phases.empty() && phases.back().motion == motion &&
+                                 phases.back().to >= begin - 1e-9;
             if (!goes_on) {
-                stretches.push_back(
+                phases.push_back(
                     {motion, begin, begin, {from_above(track.sample(begin).position)}});
             }
-            stretches.back().points.push_back(from_above(track.sample(close).position));
-            stretches.back().to = close;
+            phases.back().points.push_back(from_above(track.sample(close).position));
+            phases.back().to = close;
         }
     }
-    for (MotionStretch& stretch : stretches) {
-        stretch.points = simplified(stretch.points, tolerance);
+    for (MotionPhase& phase : phases) {
+        phase.points = simplified(phase.points, tolerance);
     }
-    return stretches;
+    return phases;
 }
 
 }  // namespace carom::pipeline

@@ -1,4 +1,4 @@
-#include "sim/spatial/convex_touch.h"
+#include "sim/spatial/convex_impact_time.h"
 
 #include <algorithm>
 
@@ -24,13 +24,13 @@ SurfaceContact convex_contact(const ConvexShape& shape, const Pose& pose, const 
     return contact;
 }
 
-std::optional<double> convex_touch(const Stretch& ball, double radius, const ConvexMotion& solid,
-                                   double now, double until) {
+std::optional<double> convex_impact_time(const MotionSegment& ball, double radius,
+                                         const ConvexMotion& solid, double now, double until) {
     const double span = until - now;
     if (!(span >= 0)) {
         return std::nullopt;
     }
-    const double reach = solid.shape->reach();
+    const double reach = solid.shape->bounding_radius();
     const double ball_speed =
         std::max(length(ball.velocity_at(now)), length(ball.velocity_at(until)));
     const double solid_speed =

@@ -15,9 +15,9 @@ namespace carom::pipeline {
 
 /// Which pictures the store has, by index. A picture that the encoder waits for is handed over in
 /// memory when it is rendered; it reads all others from the store, so that nothing piles up here.
-class PictureBoard {
+class FrameQueue {
   public:
-    explicit PictureBoard(std::size_t pictures) : is_ready_(pictures, false) {}
+    explicit FrameQueue(std::size_t pictures) : is_ready_(pictures, false) {}
 
     // The rendering side.
     /// The store has the picture. `film`: as the store holds it, if it was rendered just now.

@@ -1,4 +1,4 @@
-#include "pipeline/job/picture_maker.h"
+#include "pipeline/job/cached_renderer.h"
 
 #include <chrono>
 #include <utility>
@@ -9,16 +9,16 @@
 
 namespace carom::pipeline {
 
-MadePicture PictureMaker::make(const FilmPlan::Picture& picture, const WorkContext& context) {
+CachedRender CachedRenderer::make(const FilmPlan::Picture& picture, const WorkContext& context) {
     if (store_.contains(picture.key)) {
-        return {PictureOrigin::stored};
+        return {RenderOrigin::stored};
     }
     const std::optional<FrameClaim> claim = store_.claim(picture.key);
     if (!claim) {
-        return {PictureOrigin::held};
+        return {RenderOrigin::held};
     }
     if (store_.contains(picture.key)) {  // finished between the two questions
-        return {PictureOrigin::stored};
+        return {RenderOrigin::stored};
     }
     if (context.stop.stop_requested()) {
         throw Stopped();
@@ -28,10 +28,10 @@ MadePicture PictureMaker::make(const FilmPlan::Picture& picture, const WorkConte
     FrameGrace grace(context.stop, expected_seconds_);
     WorkContext frame_context;
     frame_context.stop = grace.token();
-    frame_context.progress = [&](double share) {
-        grace.progress(share);
+    frame_context.progress = [&](double fraction) {
+        grace.progress(fraction);
         if (context.progress) {
-            context.progress(share);
+            context.progress(fraction);
         }
     };
     render::Film film = render_(inputs, frame_context);
@@ -40,7 +40,7 @@ MadePicture PictureMaker::make(const FilmPlan::Picture& picture, const WorkConte
     store_.write(picture.key, film, metadata);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     expected_seconds_ = elapsed.count();  // of the next one
-    return {PictureOrigin::rendered, elapsed.count(), counts,
+    return {RenderOrigin::rendered, elapsed.count(), counts,
             render::as_stored(std::move(film), metadata)};
 }
 

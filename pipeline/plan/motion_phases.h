@@ -16,7 +16,7 @@ enum class Motion {
     moving,    // of what is no ball
 };
 
-struct MotionStretch {
+struct MotionPhase {
     Motion motion = Motion::still;
     double from = 0, to = 0;   // scene time, s
     std::vector<Vec2> points;  // seen from above, at least two, m
@@ -24,8 +24,8 @@ struct MotionStretch {
 
 /// In order of time, without those in which it stands still. `radius`: of a ball. Nothing after
 /// `end` (where it was potted, say). Curves become lines that stay within `tolerance` (m).
-[[nodiscard]] std::vector<MotionStretch> motion_stretches(const sim::Track& track,
-                                                          std::optional<double> radius, double end,
-                                                          double tolerance);
+[[nodiscard]] std::vector<MotionPhase> motion_phases(const sim::Track& track,
+                                                     std::optional<double> radius, double end,
+                                                     double tolerance);
 
 }  // namespace carom::pipeline

@@ -10,14 +10,14 @@
 
 namespace carom::pipeline {
 
-enum class PictureOrigin {
+enum class RenderOrigin {
     stored,    // was there
     rendered,  // now
     held,      // another process is at it: come back later
 };
 
-struct MadePicture {
-    PictureOrigin origin = PictureOrigin::held;
+struct CachedRender {
+    RenderOrigin origin = RenderOrigin::held;
     double seconds = 0;  // spent rendering
     render::RenderStatistics counts{};
     std::optional<render::Film> film{};  // as the store holds it, if it was rendered now
@@ -28,14 +28,14 @@ struct MadePicture {
 };
 
 /// For one thread at a time. Refers to its arguments.
-class PictureMaker {
+class CachedRenderer {
   public:
-    PictureMaker(const FilmSource& source, const FrameStore& store, RenderFunction render)
+    CachedRenderer(const FilmSource& source, const FrameStore& store, RenderFunction render)
         : source_(source), store_(store), render_(std::move(render)) {}
 
     /// Sees to it that the store has the picture, unless another process is about to. When stopped,
     /// a picture that needs less than two seconds more is finished. Throws Error, Stopped.
-    MadePicture make(const FilmPlan::Picture& picture, const WorkContext& context);
+    CachedRender make(const FilmPlan::Picture& picture, const WorkContext& context);
 
   private:
     const FilmSource& source_;

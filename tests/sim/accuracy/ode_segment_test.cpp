@@ -1,4 +1,4 @@
-// Lone balls on the cloth go by their closed forms; here ODE carries the same stretches, as it
+// Lone balls on the cloth go by their closed forms; here ODE carries the same segments, as it
 // carries everything else, and has to arrive where they do. Without the cares below ODE is off by
 // decimetres over a shot:
 // - the contact with the cloth is made by hand, at depth 0, its first friction direction along the
@@ -92,7 +92,7 @@ class OdeBall {
 
 struct Errors {
     double position = 0, velocity = 0, spin = 0, orientation = 0;
-    int stretches = 0;
+    int segments = 0;
 };
 
 /// Carries the ball for `duration` along the closed forms and by ODE in steps of at most `h`.
@@ -101,14 +101,14 @@ Errors compare(MotionState state, double h, double duration) {
     Errors worst;
     double now = 0;
     while (now < duration) {
-        const Stretch stretch = cloth_stretch(now, state, kRadius, kGravity, kLaw);
-        ++worst.stretches;
-        const double end = std::min(stretch.end, duration);
-        while (now < end && stretch.kind != MotionKind::resting) {
+        const MotionSegment segment = cloth_segment(now, state, kRadius, kGravity, kLaw);
+        ++worst.segments;
+        const double end = std::min(segment.end, duration);
+        while (now < end && segment.kind != MotionKind::resting) {
             const double next = std::min(now + h, end);
-            ode.step(next - now, stretch.kind);
+            ode.step(next - now, segment.kind);
             now = next;
-            const MotionState exact = stretch.state_at(now);
+            const MotionState exact = segment.state_at(now);
             worst.position =
                 std::max(worst.position, (exact.position - ode.state().position).length());
             worst.velocity =
@@ -121,7 +121,7 @@ Errors compare(MotionState state, double h, double duration) {
             worst.orientation =
                 std::max(worst.orientation, 2 * std::sqrt(2 * std::max(0.0, 1 - std::abs(cosine))));
         }
-        state = stretch.state_at(end);
+        state = segment.state_at(end);
         now = end;
     }
     return worst;
@@ -146,7 +146,7 @@ TEST(ClosedForm_OfEveryLaw, IsWhereOdeArrives) {
         state.angular_velocity = start.spin;
         const Errors worst = compare(state, 1.0 / 240, 6);
         SCOPED_TRACE(std::to_string(start.velocity.x) + " " + std::to_string(start.spin.x));
-        EXPECT_GE(worst.stretches, start.velocity.x == 0 ? 2 : 1);
+        EXPECT_GE(worst.segments, start.velocity.x == 0 ? 2 : 1);
         EXPECT_LT(worst.position, 1e-7);
         EXPECT_LT(worst.velocity, 1e-7);
         EXPECT_LT(worst.spin, 1e-7);

@@ -9,23 +9,23 @@ namespace carom::pipeline {
 
 /// Lets one call through at a time. Stages come one after the other: what is said of encoding while
 /// rendering still goes on is kept back.
-class ObserverGate {
+class ThreadSafeObserver {
   public:
-    explicit ObserverGate(const JobObserver& observer) : observer_(observer) {}
+    explicit ThreadSafeObserver(const JobObserver& observer) : observer_(observer) {}
 
     /// Shares never decrease; smaller ones are dropped.
-    void render_progress(double share);
-    void encode_progress(double share);
+    void render_progress(double fraction);
+    void encode_progress(double fraction);
     void warning(const std::string& message);
     void frame(std::int64_t number, bool from_store, double seconds, std::uint64_t rays);
 
   private:
-    void tell(std::string_view stage, double share);
+    void tell(std::string_view stage, double fraction);
 
     std::mutex mutex_;
     const JobObserver& observer_;
-    double render_share_ = 0;
-    double encode_share_ = 0;
+    double render_fraction_ = 0;
+    double encode_fraction_ = 0;
 };
 
 }  // namespace carom::pipeline

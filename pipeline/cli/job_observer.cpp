@@ -1,4 +1,4 @@
-#include "pipeline/cli/job_talk.h"
+#include "pipeline/cli/job_observer.h"
 
 #include <chrono>
 #include <memory>
@@ -16,12 +16,12 @@ double now() {
 
 }  // namespace
 
-pipeline::JobObserver talk_about_job(Console& console, std::int64_t frames) {
+pipeline::JobObserver make_console_observer(Console& console, std::int64_t frames) {
     const auto meter = std::make_shared<ProgressMeter>();
     meter->expect_frames(frames);
     pipeline::JobObserver observer;
-    observer.on_progress = [meter, &console](std::string_view stage, double share) {
-        meter->on_progress(stage, share, now());
+    observer.on_progress = [meter, &console](std::string_view stage, double fraction) {
+        meter->on_progress(stage, fraction, now());
         console.progress(meter->snapshot(now()));
     };
     observer.on_warning = [&console](const std::string& message) { console.warning(message); };

@@ -10,6 +10,7 @@ namespace carom::cli {
 
 /// Shows a job's progress and warnings. The console must outlive what this returns.
 /// `frames`: how many the "render" stage takes, 0 if it renders none.
-[[nodiscard]] pipeline::JobObserver talk_about_job(Console& console, std::int64_t frames = 0);
+[[nodiscard]] pipeline::JobObserver make_console_observer(Console& console,
+                                                          std::int64_t frames = 0);
 
 }  // namespace carom::cli

@@ -1,4 +1,4 @@
-#include "sim/scheduler/surroundings.h"
+#include "sim/scheduler/static_environment.h"
 
 #include <algorithm>
 #include <array>
@@ -98,7 +98,7 @@ Aabb bounds_of(const std::vector<Vec3>& vertices) {
 
 }  // namespace
 
-Surroundings::Surroundings(const WorldDescription& world)
+StaticEnvironment::StaticEnvironment(const WorldDescription& world)
     : gravity(world.gravity),
       law(world.contact_law),
       contacts(law),
@@ -116,7 +116,7 @@ Surroundings::Surroundings(const WorldDescription& world)
     add_fixed_bodies(world, has_boxes);
 }
 
-void Surroundings::add_table(const WorldDescription& world, bool has_boxes) {
+void StaticEnvironment::add_table(const WorldDescription& world, bool has_boxes) {
     has_cloth = true;
     has_cushions = world.table->has_cushions;
     nose_height = world.table->nose_height;
@@ -147,7 +147,7 @@ void Surroundings::add_table(const WorldDescription& world, bool has_boxes) {
     }
 }
 
-void Surroundings::add_fixed_bodies(const WorldDescription& world, bool has_boxes) {
+void StaticEnvironment::add_fixed_bodies(const WorldDescription& world, bool has_boxes) {
     for (const Body& body : world.bodies) {
         if (body.kind != BodyKind::fixed) {
             continue;
@@ -185,7 +185,7 @@ void Surroundings::add_fixed_bodies(const WorldDescription& world, bool has_boxe
     }
 }
 
-bool Surroundings::is_over_cloth(const Vec3& centre) const {
+bool StaticEnvironment::is_over_cloth(const Vec3& centre) const {
     if (!has_cloth) {
         return false;
     }
@@ -196,7 +196,7 @@ bool Surroundings::is_over_cloth(const Vec3& centre) const {
            pocket_below(centre) < 0;
 }
 
-int Surroundings::pocket_below(const Vec3& centre) const {
+int StaticEnvironment::pocket_below(const Vec3& centre) const {
     for (std::size_t i = 0; i < table.pockets.size(); ++i) {
         const billiards::Pocket& pocket = table.pockets[i];
         const Vec2 d = Vec2(centre.x, centre.y) - pocket.centre;

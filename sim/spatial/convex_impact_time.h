@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "sim/motion/stretch.h"
+#include "sim/motion/motion_segment.h"
 #include "sim/shape/convex_shape.h"
 #include "sim/spatial/axes.h"
 #include "sim/spatial/static_mesh.h"
@@ -24,8 +24,8 @@ struct ConvexMotion {
                                             const Vec3& centre, double radius);
 
 /// When the ball touches the solid in [now, until], by the rules of time_of_impact.h.
-[[nodiscard]] std::optional<double> convex_touch(const Stretch& ball, double radius,
-                                                 const ConvexMotion& solid, double now,
-                                                 double until);
+[[nodiscard]] std::optional<double> convex_impact_time(const MotionSegment& ball, double radius,
+                                                       const ConvexMotion& solid, double now,
+                                                       double until);
 
 }  // namespace carom::sim

@@ -1,4 +1,4 @@
-#include "pipeline/job/picture_board.h"
+#include "pipeline/job/frame_queue.h"
 
 #include <utility>
 
@@ -6,7 +6,7 @@
 
 namespace carom::pipeline {
 
-void PictureBoard::mark_ready(std::size_t picture, std::optional<render::Film> film) {
+void FrameQueue::mark_ready(std::size_t picture, std::optional<render::Film> film) {
     {
         const std::scoped_lock lock(mutex_);
         is_ready_[picture] = true;
@@ -17,7 +17,7 @@ void PictureBoard::mark_ready(std::size_t picture, std::optional<render::Film> f
     changed_.notify_all();
 }
 
-std::optional<std::size_t> PictureBoard::take_request() {
+std::optional<std::size_t> FrameQueue::take_request() {
     const std::scoped_lock lock(mutex_);
     if (requests_.empty()) {
         return std::nullopt;
@@ -27,29 +27,27 @@ std::optional<std::size_t> PictureBoard::take_request() {
     return picture;
 }
 
-bool PictureBoard::reader_is_done() {
+bool FrameQueue::reader_is_done() {
     const std::scoped_lock lock(mutex_);
     return reader_is_done_;
 }
 
-void PictureBoard::wait_for_request(std::chrono::milliseconds longest,
-                                    const std::stop_token& stop) {
+void FrameQueue::wait_for_request(std::chrono::milliseconds longest, const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, stop, longest, [this] { return !requests_.empty(); });
 }
 
-void PictureBoard::wait_for_reader(const std::stop_token& stop) {
+void FrameQueue::wait_for_reader(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, stop, [this] { return !requests_.empty() || reader_is_done_; });
 }
 
-bool PictureBoard::wait_until_ready(std::size_t picture, const std::stop_token& stop) {
+bool FrameQueue::wait_until_ready(std::size_t picture, const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     return changed_.wait(lock, stop, [this, picture] { return is_ready_[picture]; });
 }
 
-std::optional<render::Film> PictureBoard::receive(std::size_t picture,
-                                                  const std::stop_token& stop) {
+std::optional<render::Film> FrameQueue::receive(std::size_t picture, const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     awaited_ = picture;
     const bool is_ready = changed_.wait(lock, stop, [this, picture] { return is_ready_[picture]; });
@@ -60,7 +58,7 @@ std::optional<render::Film> PictureBoard::receive(std::size_t picture,
     return std::exchange(film_, std::nullopt);
 }
 
-void PictureBoard::request_again(std::size_t picture) {
+void FrameQueue::request_again(std::size_t picture) {
     {
         const std::scoped_lock lock(mutex_);
         is_ready_[picture] = false;
@@ -69,7 +67,7 @@ void PictureBoard::request_again(std::size_t picture) {
     changed_.notify_all();
 }
 
-void PictureBoard::reader_done() {
+void FrameQueue::reader_done() {
     {
         const std::scoped_lock lock(mutex_);
         reader_is_done_ = true;

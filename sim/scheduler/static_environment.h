@@ -38,7 +38,7 @@ struct FixedSphere {
 /// A fixed box, capsule, cylinder or hull.
 struct FixedSolid {
     SurfaceInfo info;
-    std::uint32_t surface = 0;  // its index in Surroundings::surfaces
+    std::uint32_t surface = 0;  // its index in StaticEnvironment::surfaces
     std::shared_ptr<const ConvexShape> shape;
     Pose pose;  // of the shape's axes
     Aabb bounds;
@@ -48,13 +48,13 @@ struct FixedSolid {
 /// A fixed mesh as moving boxes see it.
 struct BoxObstacle {
     SurfaceInfo info;
-    std::uint32_t number = 0;  // its index in Surroundings::surfaces
+    std::uint32_t number = 0;  // its index in StaticEnvironment::surfaces
     ode::TriangleSurface surface;
     Aabb bounds;
 };
 
-struct Surroundings {
-    explicit Surroundings(const WorldDescription& world);
+struct StaticEnvironment {
+    explicit StaticEnvironment(const WorldDescription& world);
 
     Vec3 gravity;
     /// Gravity pulls straight down at this rate; 0 if it does not, and nothing rolls in closed

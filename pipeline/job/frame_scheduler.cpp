@@ -1,4 +1,4 @@
-#include "pipeline/job/picture_supply.h"
+#include "pipeline/job/frame_scheduler.h"
 
 #include <utility>
 
@@ -14,13 +14,13 @@ constexpr int kMostRepairs = 3;
 
 }  // namespace
 
-void PictureSupply::run(const std::stop_token& stop) {
+void FrameScheduler::run(const std::stop_token& stop) {
     std::size_t next = 0;
     while (true) {
         if (stop.stop_requested()) {
             throw Stopped();
         }
-        if (const std::optional<std::size_t> broken = board_.take_request()) {
+        if (const std::optional<std::size_t> broken = queue_.take_request()) {
             repair(*broken, stop);
         } else if (try_held(stop)) {
             continue;
@@ -30,41 +30,41 @@ void PictureSupply::run(const std::stop_token& stop) {
             }
             ++next;
         } else if (!held_.empty()) {
-            board_.wait_for_request(kPollHeld, stop);
-        } else if (board_.reader_is_done()) {
+            queue_.wait_for_request(kPollHeld, stop);
+        } else if (queue_.reader_is_done()) {
             return;
         } else {
-            board_.wait_for_reader(stop);
+            queue_.wait_for_reader(stop);
         }
     }
 }
 
-bool PictureSupply::try_make(std::size_t picture, const std::stop_token& stop) {
+bool FrameScheduler::try_make(std::size_t picture, const std::stop_token& stop) {
     WorkContext context;
     context.stop = stop;
-    context.progress = [this](double share) {
+    context.progress = [this](double fraction) {
         constexpr double kRendering = 0.999;  // storing is the rest
-        observer_.render_progress((static_cast<double>(reported_frames_) + share * kRendering) /
+        observer_.render_progress((static_cast<double>(reported_frames_) + fraction * kRendering) /
                                   static_cast<double>(plan_.picture_of.size()));
     };
-    MadePicture made = maker_.make(plan_.pictures[picture], context);
-    if (made.origin == PictureOrigin::held) {
+    CachedRender made = renderer_.make(plan_.pictures[picture], context);
+    if (made.origin == RenderOrigin::held) {
         return false;
     }
-    if (made.origin == PictureOrigin::rendered && !is_rendered_[picture]) {
+    if (made.origin == RenderOrigin::rendered && !is_rendered_[picture]) {
         is_rendered_[picture] = true;
         ++rendered_;
     }
     counts_ += made.counts;
     report(picture, made);
-    board_.mark_ready(picture, std::move(made.film));
-    if (keeper_ != nullptr && made.origin == PictureOrigin::rendered) {
+    queue_.mark_ready(picture, std::move(made.film));
+    if (keeper_ != nullptr && made.origin == RenderOrigin::rendered) {
         keeper_->picture_stored();
     }
     return true;
 }
 
-bool PictureSupply::try_held(const std::stop_token& stop) {
+bool FrameScheduler::try_held(const std::stop_token& stop) {
     for (auto it = held_.begin(); it != held_.end(); ++it) {
         if (try_make(*it, stop)) {
             held_.erase(it);
@@ -74,7 +74,7 @@ bool PictureSupply::try_held(const std::stop_token& stop) {
     return false;
 }
 
-void PictureSupply::repair(std::size_t picture, const std::stop_token& stop) {
+void FrameScheduler::repair(std::size_t picture, const std::stop_token& stop) {
     const FilmPlan::Picture& broken = plan_.pictures[picture];
     ++repairs_[picture];
     if (repairs_[picture] > kMostRepairs) {
@@ -88,12 +88,12 @@ void PictureSupply::repair(std::size_t picture, const std::stop_token& stop) {
 }
 
 // Every frame of the film is told of once, also if its picture is made again later.
-void PictureSupply::report(std::size_t picture, const MadePicture& made) {
+void FrameScheduler::report(std::size_t picture, const CachedRender& made) {
     if (is_reported_[picture]) {
         return;
     }
     is_reported_[picture] = true;
-    bool from_store = made.origin == PictureOrigin::stored;
+    bool from_store = made.origin == RenderOrigin::stored;
     for (const std::int64_t frame : plan_.pictures[picture].frames) {
         observer_.frame(frame, from_store, from_store ? 0 : made.seconds,
                         from_store ? 0 : made.rays());

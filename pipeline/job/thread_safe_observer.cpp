@@ -1,0 +1,47 @@
+#include "pipeline/job/thread_safe_observer.h"
+
+namespace carom::pipeline {
+
+void ThreadSafeObserver::tell(std::string_view stage, double fraction) {
+    if (observer_.on_progress) {
+        observer_.on_progress(stage, fraction);
+    }
+}
+
+void ThreadSafeObserver::render_progress(double fraction) {
+    const std::scoped_lock lock(mutex_);
+    if (fraction > render_fraction_) {
+        render_fraction_ = fraction;
+        tell("render", fraction);
+        if (fraction >= 1 && encode_fraction_ > 0) {
+            tell("encode", encode_fraction_);
+        }
+    }
+}
+
+void ThreadSafeObserver::encode_progress(double fraction) {
+    const std::scoped_lock lock(mutex_);
+    if (fraction > encode_fraction_) {
+        encode_fraction_ = fraction;
+        if (render_fraction_ >= 1) {
+            tell("encode", fraction);
+        }
+    }
+}
+
+void ThreadSafeObserver::warning(const std::string& message) {
+    const std::scoped_lock lock(mutex_);
+    if (observer_.on_warning) {
+        observer_.on_warning(message);
+    }
+}
+
+void ThreadSafeObserver::frame(std::int64_t number, bool from_store, double seconds,
+                               std::uint64_t rays) {
+    const std::scoped_lock lock(mutex_);
+    if (observer_.on_frame) {
+        observer_.on_frame(number, from_store, seconds, rays);
+    }
+}
+
+}  // namespace carom::pipeline
