@@ -16,7 +16,7 @@ namespace {
 constexpr double kBar = 4.4;
 constexpr double kText = 2.4;
 
-std::string share_text(double speed) {
+std::string fraction_text(double speed) {
     const double size = std::abs(speed);
     const double whole = std::round(1 / std::max(size, 1e-9));
     if (size < 0.999 && size > 0.005 && std::abs(whole * size - 1) < 5e-3) {
@@ -32,12 +32,12 @@ std::string pace_text(const PlanRig& rig) {
     }
     const std::string back = rig.fastest <= 0 ? "backwards " : "";
     if (std::abs(rig.fastest - rig.slowest) < 1e-6) {
-        return back + share_text(rig.fastest);
+        return back + fraction_text(rig.fastest);
     }
     if (rig.slowest < 0 && rig.fastest > 0) {
-        return share_text(rig.fastest) + " to backwards " + share_text(rig.slowest);
+        return fraction_text(rig.fastest) + " to backwards " + fraction_text(rig.slowest);
     }
-    return back + share_text(rig.slowest) + " to " + share_text(rig.fastest);
+    return back + fraction_text(rig.slowest) + " to " + fraction_text(rig.fastest);
 }
 
 void draw_bar(SvgText& svg, double from, double to, double y, const std::string& colour) {
