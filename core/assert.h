@@ -1,7 +1,7 @@
 // Programming errors stop the program with the place and both sides of the comparison that does not
 // hold; user errors are `Error` (error.h).
 //   CAROM_ASSERT(condition)     cheap; on in every preset, in what users run as well
-//   CAROM_VALIDATE(condition)   expensive; on in the debug, asan and fuzz presets
+//   CAROM_VALIDATE(condition)   expensive; on in the debug, test, asan and fuzz presets
 // "assertion failed: count < size (4 < 3)": the values are those of a condition that is one
 // comparison; the condition is evaluated once more to print them.
 #pragma once

@@ -99,7 +99,7 @@ std::string progress_line(const ProgressSnapshot& snapshot) {
 
 JsonMembers progress_json(const ProgressSnapshot& snapshot) {
     JsonMembers members;
-    members.add("stage", snapshot.stage).add("share", snapshot.fraction);
+    members.add("stage", snapshot.stage).add("fraction", snapshot.fraction);
     if (snapshot.frames_total > 0) {
         members.add("frames_total", snapshot.frames_total)
             .add("frames_done", snapshot.frames_done)
