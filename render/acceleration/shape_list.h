@@ -2,7 +2,7 @@
 // it.
 //
 // To add a shape: give it a ShapeKind, a struct below and a place in UnitShapes, and a LaneTest in
-// shape_tests-inl.h. A missing part does not compile.
+// lane_tests/. A missing part does not compile.
 #pragma once
 
 #include <algorithm>
