@@ -8,10 +8,10 @@
 namespace carom::pipeline {
 namespace {
 
-constexpr int kDeepest = 20;  // halvings of one of the first pieces
+constexpr int kMaxDepth = 20;  // bisections of one initial piece
 
 struct Node {
-    double place;  // in [-1, 1]
+    double position;  // in [-1, 1]
     double weight;
 };
 
@@ -27,7 +27,7 @@ double speed(const Curve& curve, double parameter) {
     return curve.derivative({parameter, 1 - parameter}).length();
 }
 
-// The first control points may coincide; the curve then leaves towards the first that differs.
+// If the first control points coincide, the curve leaves towards the first one that differs.
 Vec3 direction_at_start(const BezierCurve& curve) {
     for (const Vec3& point : curve.points()) {
         if (point != curve.points().front()) {
@@ -37,7 +37,8 @@ Vec3 direction_at_start(const BezierCurve& curve) {
     return {0, 0, 0};
 }
 
-bool reads_smaller_backwards(const BezierCurve& curve) {
+// Lexicographically, coordinate by coordinate.
+bool is_reverse_smaller(const BezierCurve& curve) {
     const auto points = curve.points();
     return std::lexicographical_compare(points.rbegin(), points.rend(), points.begin(),
                                         points.end(), [](const Vec3& a, const Vec3& b) {
@@ -58,16 +59,17 @@ Vec3 position_from_start(const BezierCurve& curve, Progress fraction) {
 
 }  // namespace
 
-ArcLengthTable::ArcLengthTable(const Curve& curve, int first_pieces) : curve_(curve) {
-    std::vector<double> first(static_cast<std::size_t>(first_pieces));
+ArcLengthTable::ArcLengthTable(const Curve& curve, int initial_pieces) : curve_(curve) {
+    std::vector<double> lengths(static_cast<std::size_t>(initial_pieces));
     double estimate = 0;
-    for (int i = 0; i < first_pieces; ++i) {
-        first[i] = length_between(double(i) / first_pieces, double(i + 1) / first_pieces);
-        estimate += first[i];
+    for (int i = 0; i < initial_pieces; ++i) {
+        lengths[i] = length_between(double(i) / initial_pieces, double(i + 1) / initial_pieces);
+        estimate += lengths[i];
     }
-    const double tolerance = kEvenPaceError / 10 * estimate / first_pieces;
-    for (int i = 0; i < first_pieces; ++i) {
-        divide(double(i) / first_pieces, double(i + 1) / first_pieces, first[i], tolerance, 0);
+    const double tolerance = kEvenPaceError / 10 * estimate / initial_pieces;
+    for (int i = 0; i < initial_pieces; ++i) {
+        divide(double(i) / initial_pieces, double(i + 1) / initial_pieces, lengths[i], tolerance,
+               0);
     }
 }
 
@@ -76,17 +78,18 @@ double ArcLengthTable::length_between(double start, double end) const {
     const double half = (end - start) / 2;
     double sum = 0;
     for (const Node& node : kNodes) {
-        sum += node.weight * speed(curve_, middle + half * node.place);
+        sum += node.weight * speed(curve_, middle + half * node.position);
     }
     return sum * half;
 }
 
-// Appends the pieces of [start, end] in order. `length` is the stretch's length by one quadrature.
+// Appends the pieces of [start, end] in order. `length` is the length of [start, end] by one
+// quadrature.
 void ArcLengthTable::divide(double start, double end, double length, double tolerance, int depth) {
     const double middle = (start + end) / 2;
     const double left = length_between(start, middle);
     const double right = length_between(middle, end);
-    if (depth == kDeepest || std::fabs(left + right - length) <= tolerance) {
+    if (depth == kMaxDepth || std::fabs(left + right - length) <= tolerance) {
         pieces_.push_back({start, middle, left, length_});
         length_ += left;
         pieces_.push_back({middle, end, right, length_});
@@ -97,22 +100,22 @@ void ArcLengthTable::divide(double start, double end, double length, double tole
     divide(middle, end, right, tolerance / 2, depth + 1);
 }
 
-// Newton's method on the length within one piece, kept inside a shrinking bracket.
+// Newton's method on the length within one piece, safeguarded by bisection of a bracket.
 double ArcLengthTable::parameter_at(double travelled) const {
     auto piece = std::upper_bound(pieces_.begin(), pieces_.end(), travelled,
                                   [](double value, const Piece& p) { return value < p.before; });
     if (piece != pieces_.begin()) {
         --piece;
     }
-    const double wanted = travelled - piece->before;
+    const double target = travelled - piece->before;
     if (!(piece->length > 0)) {
         return piece->start;
     }
     double low = piece->start;
     double high = piece->end;
-    double parameter = low + (high - low) * std::clamp(wanted / piece->length, 0.0, 1.0);
+    double parameter = low + (high - low) * std::clamp(target / piece->length, 0.0, 1.0);
     for (int i = 0; i < 60; ++i) {
-        const double excess = length_between(piece->start, parameter) - wanted;
+        const double excess = length_between(piece->start, parameter) - target;
         if (std::fabs(excess) <= kEvenPaceError / 100 * length_) {
             break;
         }
@@ -124,24 +127,24 @@ double ArcLengthTable::parameter_at(double travelled) const {
 }
 
 Vec3 even_pace_position(const BezierCurve& curve, Progress fraction) {
-    // Measured from the nearer end, so that both directions do the same arithmetic.
+    // The length is measured from the nearer end, so that both directions do the same arithmetic.
     const bool from_end = fraction.left < fraction.done ||
-                          (fraction.left == fraction.done && reads_smaller_backwards(curve));
+                          (fraction.left == fraction.done && is_reverse_smaller(curve));
     return from_end ? position_from_start(curve.reversed(), fraction.reversed())
                     : position_from_start(curve, fraction);
 }
 
-Vec3 even_pace_along(const Curve& curve, Progress fraction, int first_pieces) {
-    const ArcLengthTable table(curve, first_pieces);
-    const auto straight_on = [&](Progress end, double distance) {
+Vec3 even_pace_along(const Curve& curve, Progress fraction, int initial_pieces) {
+    const ArcLengthTable table(curve, initial_pieces);
+    const auto extrapolate = [&](Progress end, double distance) {
         const Vec3 slope = curve.derivative(end);
-        return curve.position(end) + slope.normalized() * distance;  // of a zero vector: zero
+        return curve.position(end) + slope.normalized() * distance;  // a zero vector stays zero
     };
     if (fraction.done < 0) {
-        return straight_on({0, 1}, fraction.done * table.length());
+        return extrapolate({0, 1}, fraction.done * table.length());
     }
     if (fraction.left < 0) {
-        return straight_on({1, 0}, -fraction.left * table.length());
+        return extrapolate({1, 0}, -fraction.left * table.length());
     }
     const double parameter = table.parameter_at(fraction.done * table.length());
     return curve.position({parameter, 1 - parameter});

@@ -1,4 +1,4 @@
-// Moving along a curve at an even pace.
+// Parametrisation of a curve by arc length, for motion at constant speed.
 #pragma once
 
 #include <vector>
@@ -7,17 +7,17 @@
 
 namespace carom::pipeline {
 
-/// How far the length travelled at the point returned may be from the one asked for, as a share of
-/// the whole curve. At a cusp (zero derivative) pieces shorter than 2^-23 of the parameter are not
-/// divided further, whatever the error.
+/// Largest error of the arc length at the returned point, as a fraction of the curve's length. At a
+/// cusp (zero derivative), pieces shorter than 2^-23 of the parameter are not divided further, even
+/// if the error is larger.
 inline constexpr double kEvenPaceError = 1e-9;
 
-/// A curve's parameter by the length travelled from its start.
+/// Maps the arc length from a curve's start to the curve's parameter.
 class ArcLengthTable {
   public:
-    /// `first_pieces`: how many stretches are looked at for detail of their own; a curve made of
-    /// several parts needs some in each.
-    explicit ArcLengthTable(const Curve& curve, int first_pieces = 8);
+    /// The parameter range is first divided into `initial_pieces` equal pieces, and each is then
+    /// refined. A curve made of several segments needs at least one piece per segment.
+    explicit ArcLengthTable(const Curve& curve, int initial_pieces = 8);
 
     [[nodiscard]] double length() const { return length_; }  // m
 
@@ -29,7 +29,7 @@ class ArcLengthTable {
         double start;   // parameter
         double end;     // parameter
         double length;  // m, of this piece
-        double before;  // m, of all pieces before it
+        double before;  // m, total length of the pieces before it
     };
 
     [[nodiscard]] double length_between(double start, double end) const;
@@ -40,11 +40,12 @@ class ArcLengthTable {
     double length_ = 0;
 };
 
-/// The point at `share.done` of the curve's length; beyond the ends straight on at the same pace.
-/// The reversed curve at the reversed share gives the same bits.
+/// The point at the fraction `fraction.done` of the curve's length. Beyond the ends the point
+/// continues along the tangent at the same speed. The reversed curve at the reversed fraction gives
+/// the same bits.
 [[nodiscard]] Vec3 even_pace_position(const BezierCurve& curve, Progress fraction);
 
-/// The same for any curve, always measured from its start.
-[[nodiscard]] Vec3 even_pace_along(const Curve& curve, Progress fraction, int first_pieces);
+/// Like even_pace_position for any curve, but always measured from its start.
+[[nodiscard]] Vec3 even_pace_along(const Curve& curve, Progress fraction, int initial_pieces);
 
 }  // namespace carom::pipeline

@@ -8,7 +8,7 @@ namespace carom::pipeline {
 namespace {
 
 // P. de Faget de Casteljau's algorithm (Farin, "Curves and Surfaces for CAGD", 5th ed. 2002,
-// section 4.2): neighbours are averaged until one point is left.
+// section 4.2): neighbouring points are interpolated until one point is left.
 Vec3 de_casteljau(std::vector<Vec3> points, Progress parameter) {
     for (std::size_t count = points.size(); count > 1; --count) {
         for (std::size_t i = 0; i + 1 < count; ++i) {

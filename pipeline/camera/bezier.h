@@ -1,4 +1,4 @@
-// Bezier curves of any degree by de Casteljau's algorithm.
+// Bezier curves of any degree, evaluated by de Casteljau's algorithm.
 #pragma once
 
 #include <span>
@@ -8,17 +8,17 @@
 
 namespace carom::pipeline {
 
-/// A curve over [0, 1] through its first and last control point. Sound at high degrees: inside
-/// [0, 1] every step averages points, so the rounding error stays below the degree times that of
-/// one average.
+/// A curve over [0, 1] from its first to its last control point. It is numerically stable at high
+/// degrees: inside [0, 1] every step averages points, so the rounding error is at most the degree
+/// times that of one average.
 class BezierCurve : public Curve {
   public:
-    /// At least one point; throws Error otherwise.
+    /// Throws Error without points.
     explicit BezierCurve(std::vector<Vec3> points);
 
     [[nodiscard]] std::span<const Vec3> points() const { return points_; }
 
-    /// Inside [0, 1] the curve, beyond it the tangent of the end.
+    /// A point of the curve inside [0, 1], and of the tangent at the end outside.
     [[nodiscard]] Vec3 position(Progress parameter) const override;
 
     /// d position / d parameter, `parameter` in [0, 1].

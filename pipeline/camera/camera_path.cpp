@@ -15,39 +15,39 @@
 namespace carom::pipeline {
 namespace {
 
-Vec3 place_of(const ControlPoint& point, const sim::Timeline& timeline) {
+Vec3 position_of(const ControlPoint& point, const sim::Timeline& timeline) {
     if (point.of.empty()) {
         return point.offset;
     }
     return find_track(timeline, point.of).sample(point.at).position + point.offset;
 }
 
-std::vector<Vec3> places_of(const std::vector<ControlPoint>& points,
-                            const sim::Timeline& timeline) {
-    std::vector<Vec3> places;
-    places.reserve(points.size());
+std::vector<Vec3> positions_of(const std::vector<ControlPoint>& points,
+                               const sim::Timeline& timeline) {
+    std::vector<Vec3> positions;
+    positions.reserve(points.size());
     for (const ControlPoint& point : points) {
-        places.push_back(place_of(point, timeline));
+        positions.push_back(position_of(point, timeline));
     }
-    return places;
+    return positions;
 }
 
 Vec3 position_on(const BezierPath& path, const RigInstant& instant, const sim::Timeline& timeline) {
-    const BezierCurve curve(places_of(path.points, timeline));
+    const BezierCurve curve(positions_of(path.points, timeline));
     const Progress progress = ease(instant.progress, path.easing);
     return path.even_pace ? even_pace_position(curve, progress) : curve.position(progress);
 }
 
-bool comes_first(const Vec3& a, const Vec3& b) {
+bool is_less(const Vec3& a, const Vec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
 
-// Always computed in the same direction, so that the points backwards give the same bits.
+// The curve is always computed in the same direction, so that reversed points give the same bits.
 Vec3 position_on(const SplinePath& path, const RigInstant& instant, const sim::Timeline& timeline) {
-    std::vector<Vec3> points = places_of(path.points, timeline);
+    std::vector<Vec3> points = positions_of(path.points, timeline);
     Progress progress = ease(instant.progress, path.easing);
     if (std::lexicographical_compare(points.rbegin(), points.rend(), points.begin(), points.end(),
-                                     comes_first)) {
+                                     is_less)) {
         std::reverse(points.begin(), points.end());
         progress = progress.reversed();
     }
@@ -57,7 +57,7 @@ Vec3 position_on(const SplinePath& path, const RigInstant& instant, const sim::T
 }
 
 Vec3 position_on(const AlongPath& path, const RigInstant& instant, const sim::Timeline& timeline) {
-    return position_on(fitted(path, timeline), instant, timeline);
+    return position_on(fit_bezier_path(path, timeline), instant, timeline);
 }
 
 Vec3 position_on(const FollowPath& path, const RigInstant& instant, const sim::Timeline& timeline) {
@@ -69,18 +69,18 @@ Vec3 position_on(const FollowPath& path, const RigInstant& instant, const sim::T
 Vec3 position_on(const OrbitPath& path, const RigInstant& instant, const sim::Timeline& timeline) {
     const auto* point = std::get_if<ControlPoint>(&path.around);
     const Vec3 centre = point != nullptr
-                            ? place_of(*point, timeline)
+                            ? position_of(*point, timeline)
                             : position_on(std::get<FollowPath>(path.around), instant, timeline);
     Progress progress = ease(instant.progress, path.easing);
     double start = path.start_angle;
     double end = path.end_angle;
-    if (end < start) {  // computed in the same direction either way
+    if (end < start) {  // both directions do the same arithmetic
         std::swap(start, end);
         progress = progress.reversed();
     }
     const EllipseCurve curve(path.turn.rotateVector({path.radii.x, 0, 0}),
                              path.turn.rotateVector({0, path.radii.y, 0}), start, end);
-    const bool is_circle = path.radii.x == path.radii.y;  // even as it is
+    const bool is_circle = path.radii.x == path.radii.y;  // its speed is constant anyway
     constexpr int kPieces = 16;
     return centre + (path.even_pace && !is_circle ? even_pace_along(curve, progress, kPieces)
                                                   : curve.position(progress));
@@ -106,8 +106,9 @@ Vec3 mean_position(const sim::Track& track, double scene_time, double window) {
     if (!(window > 0)) {
         return centre;
     }
-    // Deviations from the centre are summed, so that a resting object gives its place exactly. The
-    // integral of a cubic Hermite stretch of duration h is h (p0 + p1) / 2 + h^2 (v0 - v1) / 12.
+    // Deviations from the centre are summed, so that a resting object gives its position exactly.
+    // The integral of a cubic Hermite segment of duration h is
+    // h (p0 + p1) / 2 + h^2 (v0 - v1) / 12.
     Vec3 sum(0, 0, 0);
     for (const sim::PathSegment& segment :
          track.segments(scene_time - window / 2, scene_time + window / 2)) {

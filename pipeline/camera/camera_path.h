@@ -1,4 +1,4 @@
-// Where a camera path is at one instant.
+// The position on a camera path at one instant.
 #pragma once
 
 #include <string>
@@ -9,21 +9,21 @@
 
 namespace carom::pipeline {
 
-/// One instant of a rig: how far along it is, and what the scene's clock shows.
+/// One instant of a rig: its progress along its path, and the scene time.
 struct RigInstant {
     Progress progress;
     double scene_time = 0;  // s
 };
 
-/// The track of that name; throws Error if there is none.
+/// Throws Error if the timeline has no track of that name.
 [[nodiscard]] const sim::Track& find_track(const sim::Timeline& timeline, const std::string& name);
 
-/// Throws Error naming an object that is not in the timeline.
+/// Throws Error, with the object's name, if an object of the path is not in the timeline.
 [[nodiscard]] Vec3 path_position(const CameraPath& path, const RigInstant& instant,
                                  const sim::Timeline& timeline);
 
-/// The track's mean position over `window` seconds centred on `scene_time`, exact for the
-/// interpolated path; at `scene_time` itself if `window` is 0.
+/// The track's mean position over a window of `window` seconds centred on `scene_time`. The mean is
+/// exact for the interpolated path. A window of 0 gives the position at `scene_time`.
 [[nodiscard]] Vec3 mean_position(const sim::Track& track, double scene_time, double window);
 
 }  // namespace carom::pipeline

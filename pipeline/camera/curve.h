@@ -1,4 +1,4 @@
-// What can be walked along.
+// Interface of parametric curves.
 #pragma once
 
 #include "core/vectors.h"
@@ -15,7 +15,7 @@ class Curve {
     Curve& operator=(Curve&&) = default;
     virtual ~Curve() = default;
 
-    /// Beyond the ends the curve goes on in its own way.
+    /// Each curve defines how it continues beyond its ends.
     [[nodiscard]] virtual Vec3 position(Progress parameter) const = 0;
 
     /// d position / d parameter, `parameter` in [0, 1].

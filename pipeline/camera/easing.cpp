@@ -5,13 +5,13 @@
 namespace carom::pipeline {
 namespace {
 
-// A coordinate of the curve 0, a, b, 1 at parameter s.
+// One coordinate of the cubic Bezier curve 0, a, b, 1 at parameter s.
 double coordinate(double a, double b, double s) {
     const double r = 1 - s;
     return 3 * r * r * s * a + 3 * r * s * s * b + s * s * s;
 }
 
-// The time x(s) never decreases, so that halving finds its parameter; 60 halvings exhaust a double.
+// The time x(s) never decreases, so bisection finds its parameter. 60 bisections exhaust a double.
 double parameter_at(double time, const Easing& easing) {
     double low = 0;
     double high = 1;
@@ -22,7 +22,7 @@ double parameter_at(double time, const Easing& easing) {
     return (low + high) / 2;
 }
 
-// dy/dx of the straight line that leaves an end towards the first control point that is elsewhere.
+// dy/dx of the line from an end to the first control point that differs from it.
 double slope(double dx, double dy) {
     return dx > 0 ? dy / dx : 0;
 }
@@ -63,7 +63,8 @@ Progress ease(Progress progress, const Easing& easing) {
     if (progress.left <= 0) {
         return {1, 0};
     }
-    // The cubic Hermite step 3 u^2 - 2 u^3 = u^2 (1 + 2 (1 - u)), written alike from both ends.
+    // The cubic Hermite step 3 u^2 - 2 u^3 = u^2 (1 + 2 (1 - u)), written symmetrically in both
+    // ends.
     return {progress.done * progress.done * (1 + 2 * progress.left),
             progress.left * progress.left * (1 + 2 * progress.done)};
 }

@@ -1,4 +1,4 @@
-// Eased values between a rig's start and end.
+// Easing of a rig's progress.
 #pragma once
 
 #include "pipeline/camera/camera_rig.h"
@@ -6,8 +6,9 @@
 
 namespace carom::pipeline {
 
-/// Beyond the ends the easing continues with its end slope: 1 for linear, 0 for smooth, that of the
-/// curve for Bezier (0 where it is upright). A Bezier easing may leave [0, 1] on its way.
+/// Beyond the ends the easing continues with the slope at the end: 1 for linear, 0 for smooth, that
+/// of the curve for Bezier (0 where the curve is vertical). A Bezier easing may leave [0, 1]
+/// between its ends.
 [[nodiscard]] Progress ease(Progress progress, const Easing& easing);
 
 }  // namespace carom::pipeline

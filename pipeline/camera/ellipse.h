@@ -5,8 +5,8 @@
 
 namespace carom::pipeline {
 
-/// cos(angle) a + sin(angle) b around the origin, the angle going evenly from start to end. Beyond
-/// the ends it goes on round.
+/// cos(angle) a + sin(angle) b around the origin. The angle is linear in the parameter, also beyond
+/// the ends.
 class EllipseCurve : public Curve {
   public:
     EllipseCurve(const Vec3& a, const Vec3& b, double start_angle, double end_angle)

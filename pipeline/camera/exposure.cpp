@@ -3,7 +3,7 @@
 namespace carom::pipeline {
 namespace {
 
-// When the shutter opens, in units of the exposure after the frame's own time.
+// Offset of the shutter's opening from the frame's own time, in units of the exposure.
 WideRational opening(ShutterPosition position) {
     switch (position) {
         case ShutterPosition::start:
@@ -45,8 +45,8 @@ Exposure expose(const CameraRig& rig, std::int64_t number, const FilmTiming& tim
 Progress progress_at(const CameraRig& rig, const WideRational& video_time) {
     const WideRational duration = WideRational(rig.video_end) - WideRational(rig.video_start);
     const WideRational fraction = (video_time - WideRational(rig.video_start)) / duration;
-    const WideRational start(rig.way_start);
-    const WideRational done = start + (WideRational(rig.way_end) - start) * fraction;
+    const WideRational start(rig.path_start);
+    const WideRational done = start + (WideRational(rig.path_end) - start) * fraction;
     return {done.to_double(), (WideRational(1, 1) - done).to_double()};
 }
 

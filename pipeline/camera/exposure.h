@@ -11,12 +11,13 @@
 
 namespace carom::pipeline {
 
-/// In the order of video time: the shutter opens, then closes. Scene times descend in reverse.
+/// The times are in the order of video time: the shutter opens, then closes. Scene times descend
+/// when time is reversed.
 ///
-/// With the shutter on the video clock the scene shows what the map makes of the stretch of video
-/// time. On the scene clock it shows `exposure` seconds of its own time in the map's direction,
-/// whatever the speed, and none when frozen. The camera lives on video time: it always moves for
-/// `exposure` seconds of that.
+/// With the shutter on the video clock, the exposed interval of scene time is the map of the
+/// exposed interval of video time. On the scene clock it has `exposure` seconds in the map's
+/// direction, at any speed, and none when time is frozen. The camera always moves for `exposure`
+/// seconds of video time.
 struct Exposure {
     WideRational video_time;
     WideRational video_open;
@@ -26,12 +27,12 @@ struct Exposure {
     WideRational scene_close;
 };
 
-/// Exact: frame `number` is at number / fps.
+/// Frame `number` is at number / fps, exactly.
 [[nodiscard]] WideRational frame_time(std::int64_t number, const FilmTiming& timing);
 
 [[nodiscard]] Exposure expose(const CameraRig& rig, std::int64_t number, const FilmTiming& timing);
 
-/// How much of its way the rig has behind it at `video_time`.
+/// The rig's progress along its path at `video_time`.
 [[nodiscard]] Progress progress_at(const CameraRig& rig, const WideRational& video_time);
 
 }  // namespace carom::pipeline

@@ -12,30 +12,30 @@
 namespace carom::pipeline {
 namespace {
 
-struct SeenRig {
+struct WeightedRig {
     const CameraRig* rig = nullptr;
-    double weight = 1;
+    double weight = 1;  // in the picture
 };
 
-bool films(const CameraRig& rig, const WideRational& video_time) {
+bool is_active(const CameraRig& rig, const WideRational& video_time) {
     return (video_time - WideRational(rig.video_start)).sign() >= 0 &&
            (WideRational(rig.video_end) - video_time).sign() > 0;
 }
 
-/// How much of the picture a rig that is fading in has.
-WideRational faded_in(const CameraRig& rig, const WideRational& video_time) {
+/// The weight in the picture of a rig that is fading in.
+WideRational fade_weight(const CameraRig& rig, const WideRational& video_time) {
     const WideRational since = video_time - WideRational(rig.video_start);
     const bool is_fading = (WideRational(rig.fade) - since).sign() > 0;
     return is_fading ? since / WideRational(rig.fade) : WideRational(1, 1);
 }
 
-/// The rigs that film, the one that is seen most first.
-std::vector<SeenRig> rigs_at(std::span<const CameraRig> rigs, const WideRational& video_time,
-                             std::int64_t number) {
+/// The rigs that film at that time, in the order of descending weight.
+std::vector<WeightedRig> rigs_at(std::span<const CameraRig> rigs, const WideRational& video_time,
+                                 std::int64_t number) {
     const CameraRig* latest = nullptr;
-    const CameraRig* before = nullptr;  // the one that it takes over from
+    const CameraRig* before = nullptr;  // the rig from which it takes over
     for (const CameraRig& rig : rigs) {
-        if (!films(rig, video_time)) {
+        if (!is_active(rig, video_time)) {
             continue;
         }
         const bool is_later = latest == nullptr || latest->video_start < rig.video_start;
@@ -50,7 +50,7 @@ std::vector<SeenRig> rigs_at(std::span<const CameraRig> rigs, const WideRational
         throw Error(fmt::format("no camera films frame {} at {:f} s of the film", number,
                                 video_time.to_double()));
     }
-    const double weight = faded_in(*latest, video_time).to_double();
+    const double weight = fade_weight(*latest, video_time).to_double();
     if (before == nullptr || weight == 1) {
         return {{latest, 1}};
     }
@@ -77,7 +77,7 @@ PlannedFrame plan(std::int64_t number, const CameraRig& rig, const FilmTiming& t
         camera_state(rig, {progress_at(rig, exposure.video_open), frame.scene_open}, timeline);
     frame.camera_close =
         camera_state(rig, {progress_at(rig, exposure.video_close), frame.scene_close}, timeline);
-    // A lens has one number of blades while the shutter is open.
+    // The number of blades does not change while the shutter is open.
     const int blades = blades_at(rig, progress_at(rig, exposure.video_time));
     frame.camera_open.blades = blades;
     frame.camera_close.blades = blades;
@@ -105,7 +105,7 @@ std::vector<PlannedFrame> plan_mixed_frame(std::int64_t number, std::span<const 
                                            const FilmTiming& timing,
                                            const sim::Timeline& timeline) {
     std::vector<PlannedFrame> frames;
-    for (const SeenRig& seen : rigs_at(rigs, frame_time(number, timing), number)) {
+    for (const WeightedRig& seen : rigs_at(rigs, frame_time(number, timing), number)) {
         try {
             frames.push_back(plan(number, *seen.rig, timing, timeline));
             frames.back().weight = seen.weight;

@@ -17,10 +17,11 @@ constexpr std::array kDegrees{1, 2, 3, 4, 6, 8, 11, 15, 20, 25, kHighestFitDegre
 
 struct Sample {
     Progress fraction;
-    Vec3 place;
+    Vec3 position;
 };
 
-// Denser towards the ends, as Chebyshev's nodes are: a polynomial fitted there does not swing.
+// The samples are denser towards the ends, like Chebyshev nodes, so that the fitted polynomial does
+// not oscillate.
 std::vector<Sample> sample_path(const sim::Track& track, double from, double to) {
     std::vector<Sample> samples;
     samples.reserve(kSamples);
@@ -32,9 +33,9 @@ std::vector<Sample> sample_path(const sim::Track& track, double from, double to)
     return samples;
 }
 
-// Where the error is looked for: between the fitted instants, too, and at every key of the track,
-// where the path may have a corner.
-std::vector<Sample> check_path(const sim::Track& track, double from, double to) {
+// The points at which the error is measured. They include instants between the fitted ones and
+// every key of the track, where the path may have a corner.
+std::vector<Sample> check_samples(const sim::Track& track, double from, double to) {
     std::vector<double> fractions;
     for (int i = 0; i <= 2 * kSamples; ++i) {
         fractions.push_back(double(i) / (2 * kSamples));
@@ -51,8 +52,8 @@ std::vector<Sample> check_path(const sim::Track& track, double from, double to) 
     return samples;
 }
 
-// Bernstein's polynomials of one degree at one parameter, by their recursion: sums of products of
-// numbers that are not negative, hence sound at any degree.
+// The Bernstein polynomials of one degree at one parameter, by their recursion. It sums products of
+// non-negative numbers, so it is numerically stable at any degree.
 std::vector<double> bernstein(int degree, Progress fraction) {
     std::vector<double> values(static_cast<std::size_t>(degree) + 1, 0);
     values[0] = 1;
@@ -65,16 +66,16 @@ std::vector<double> bernstein(int degree, Progress fraction) {
     return values;
 }
 
-// A matrix by columns, with the right-hand side beside it.
+// A matrix by columns, and the right-hand side.
 struct Equations {
     std::vector<std::vector<double>> columns;
     std::vector<Vec3> right;
 };
 
-// Least squares by Householder's reflections (Golub and Van Loan, "Matrix Computations", 4th ed.
-// 2013, section 5.3): Bernstein's polynomials are nearly dependent at high degree, and the normal
-// equations would square that.
-std::vector<Vec3> solve(Equations equations) {
+// Linear least squares by Householder reflections (Golub and Van Loan, "Matrix Computations", 4th
+// ed. 2013, section 5.3). Bernstein polynomials of high degree are nearly dependent, and the normal
+// equations would square the condition number.
+std::vector<Vec3> solve_least_squares(Equations equations) {
     auto& columns = equations.columns;
     auto& right = equations.right;
     const std::size_t rows = right.size();
@@ -122,8 +123,8 @@ std::vector<Vec3> solve(Equations equations) {
 
 PathFit fit_degree(const std::vector<Sample>& samples, const std::vector<Sample>& checks,
                    int degree) {
-    const Vec3 first = samples.front().place;
-    const Vec3 last = samples.back().place;
+    const Vec3 first = samples.front().position;
+    const Vec3 last = samples.back().position;
     Equations equations;
     equations.columns.assign(static_cast<std::size_t>(degree) - 1,
                              std::vector<double>(samples.size()));
@@ -132,16 +133,17 @@ PathFit fit_degree(const std::vector<Sample>& samples, const std::vector<Sample>
         for (std::size_t i = 0; i < equations.columns.size(); ++i) {
             equations.columns[i][row] = values[i + 1];
         }
-        equations.right.push_back(samples[row].place - first * values.front() -
+        equations.right.push_back(samples[row].position - first * values.front() -
                                   last * values.back());
     }
     PathFit fit;
-    fit.points = solve(std::move(equations));
+    fit.points = solve_least_squares(std::move(equations));
     fit.points.insert(fit.points.begin(), first);
     fit.points.push_back(last);
     const BezierCurve curve(fit.points);
     for (const Sample& sample : checks) {
-        fit.error = std::max(fit.error, (curve.position(sample.fraction) - sample.place).length());
+        fit.error =
+            std::max(fit.error, (curve.position(sample.fraction) - sample.position).length());
     }
     return fit;
 }
@@ -155,7 +157,7 @@ void replace_along(CameraPath& path, const CameraRig& rig, const sim::Timeline& 
     PathFit fit;
     BezierPath bezier;
     try {
-        bezier = fitted(*along, timeline, &fit);
+        bezier = fit_bezier_path(*along, timeline, &fit);
     } catch (const Error& error) {
         throw Error("camera '" + rig.name + "': " + error.what());
     }
@@ -173,7 +175,7 @@ PathFit fit_path(const sim::Track& track, double from, double to) {
         return {{track.sample(from).position}, 0};
     }
     const std::vector<Sample> samples = sample_path(track, std::min(from, to), std::max(from, to));
-    const std::vector<Sample> checks = check_path(track, std::min(from, to), std::max(from, to));
+    const std::vector<Sample> checks = check_samples(track, std::min(from, to), std::max(from, to));
     PathFit best;
     for (const int degree : kDegrees) {
         PathFit fit = fit_degree(samples, checks, degree);
@@ -190,16 +192,16 @@ PathFit fit_path(const sim::Track& track, double from, double to) {
     return best;
 }
 
-BezierPath fitted(const AlongPath& path, const sim::Timeline& timeline, PathFit* fit) {
-    PathFit made = fit_path(find_track(timeline, path.object), path.from, path.to);
+BezierPath fit_bezier_path(const AlongPath& path, const sim::Timeline& timeline, PathFit* fit) {
+    PathFit result = fit_path(find_track(timeline, path.object), path.from, path.to);
     BezierPath bezier;
     bezier.even_pace = path.even_pace;
     bezier.easing = path.easing;
-    for (const Vec3& point : made.points) {
+    for (const Vec3& point : result.points) {
         bezier.points.push_back({point + path.offset, "", 0});
     }
     if (fit != nullptr) {
-        *fit = std::move(made);
+        *fit = std::move(result);
     }
     return bezier;
 }

@@ -1,4 +1,4 @@
-// A Bezier curve along what an object did.
+// Fits a Bezier curve to an object's path.
 #pragma once
 
 #include <span>
@@ -16,15 +16,15 @@ inline constexpr double kFitError = 1e-3;
 inline constexpr int kHighestFitDegree = 30;
 
 struct PathFit {
-    std::vector<Vec3> points;  // control points; the curve's parameter is the share of time
+    std::vector<Vec3> points;  // control points; the curve's parameter is the fraction of the time
     double error = 0;          // m, largest distance from the object at the same time
 };
 
-/// The track's path over [from, to] (`to` may come first), least squares with both ends kept. The
-/// same stretch backwards gives the same points backwards, bit for bit.
+/// Fits the track's path over [from, to] (`to` may come first) by least squares, with both ends
+/// fixed. The reversed interval gives the same points in reverse, bit for bit.
 [[nodiscard]] PathFit fit_path(const sim::Track& track, double from, double to);
 
-/// What became of a rig's path along an object.
+/// The result of the fit of a rig's path along an object.
 struct FittedPath {
     std::string rig;
     std::string object;
@@ -33,15 +33,15 @@ struct FittedPath {
     double error = 0;  // m
 };
 
-/// The rigs with each AlongPath replaced by the Bezier path that it stands for, so that it is
-/// fitted once and not for every frame. `fitted`, if given, gets one entry for each of them. Throws
-/// Error naming the rig whose object is not in the timeline.
+/// Replaces each AlongPath of the rigs by its fitted Bezier path, so that it is fitted once and not
+/// for every frame. `fitted`, if given, receives one entry for each of them. Throws Error, with the
+/// rig's name, if the object is not in the timeline.
 [[nodiscard]] std::vector<CameraRig> with_fitted_paths(std::span<const CameraRig> rigs,
                                                        const sim::Timeline& timeline,
                                                        std::vector<FittedPath>* fitted = nullptr);
 
-/// The Bezier path that `path` stands for; `fit`, if given, is what it was made from.
-[[nodiscard]] BezierPath fitted(const AlongPath& path, const sim::Timeline& timeline,
-                                PathFit* fit = nullptr);
+/// The Bezier path that is fitted to `path`; `fit`, if given, receives the fit.
+[[nodiscard]] BezierPath fit_bezier_path(const AlongPath& path, const sim::Timeline& timeline,
+                                         PathFit* fit = nullptr);
 
 }  // namespace carom::pipeline

@@ -1,12 +1,12 @@
-// How far a rig has come, told from both ends so that a reversed rig computes the same bits.
+// The progress of a rig, stored from both ends so that a reversed rig computes the same bits.
 #pragma once
 
 #include "core/vectors.h"
 
 namespace carom::pipeline {
 
-/// `done` + `left` = 1, each rounded from the exact fraction by itself: 1 - done has other low
-/// bits. Beyond the rig's ends one of them is negative.
+/// `done` + `left` = 1. Each is rounded separately from the exact fraction, because 1 - done would
+/// have other low bits. Beyond the rig's ends one of them is negative.
 struct Progress {
     double done = 0;
     double left = 1;
@@ -14,7 +14,8 @@ struct Progress {
     [[nodiscard]] Progress reversed() const { return {left, done}; }
 };
 
-/// Linear. What does not change is returned as it is: rounding must not make a still camera move.
+/// Linear interpolation. Equal ends are returned unchanged, so that rounding does not move a still
+/// camera.
 inline double mix(double start, double end, Progress progress) {
     return start == end ? start : start * progress.left + end * progress.done;
 }

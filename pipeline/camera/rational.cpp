@@ -10,9 +10,9 @@
 namespace carom::pipeline {
 namespace {
 
-// The fraction of smallest numerator and denominator in [low, high], 1 <= low <= high: both ends'
-// continued fractions are followed as far as they agree (Graham, Knuth, Patashnik, "Concrete
-// Mathematics", 2nd ed. 1994, section 4.5, on the Stern-Brocot tree).
+// The fraction with the smallest numerator and denominator in [low, high], 1 <= low <= high. The
+// continued fractions of both ends are followed as long as they agree (Graham, Knuth, Patashnik,
+// "Concrete Mathematics", 2nd ed. 1994, section 4.5, on the Stern-Brocot tree).
 WideRational simplest_between(WideRational low, WideRational high) {
     // The last two convergents, numerator and denominator.
     Int128 numerator = 1, denominator = 0;
@@ -68,12 +68,12 @@ Rational Rational::nearest(double value) {
     }
     const double size = std::fabs(value);
     if (!(size < 0x1p62) || !(size > 0x1p-62)) {
-        throw Error(fmt::format("the number {:g} has no fraction of 64 bits", value));
+        throw Error(fmt::format("the number {:g} is not a fraction of two 64-bit integers", value));
     }
     if (value == std::floor(value)) {
         return {static_cast<std::int64_t>(value)};
     }
-    // Below 1 the simplest fraction is the reciprocal of the reciprocal's simplest.
+    // Below 1, the simplest fraction is the reciprocal of the simplest fraction of the reciprocal.
     const WideRational exact = exact_value(size < 1 ? 1 / size : size);
     constexpr std::int64_t kParts = 1'000'000'000'000;  // 1e-12 relative
     const WideRational low = exact * WideRational(kParts - 1, kParts);

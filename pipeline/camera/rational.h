@@ -12,7 +12,7 @@ class Rational {
     constexpr Rational() = default;
     Rational(std::int64_t numerator, std::int64_t denominator = 1);
 
-    /// The fraction with the smallest denominator within 1e-12 relative of `value`.
+    /// The fraction with the smallest denominator whose relative error is at most 1e-12.
     [[nodiscard]] static Rational nearest(double value);
 
     [[nodiscard]] std::int64_t numerator() const { return numerator_; }

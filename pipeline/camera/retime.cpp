@@ -14,7 +14,7 @@ std::string seconds(const Rational& time) {
     return seconds_text(time.to_double());
 }
 
-Rational length_of(const CameraRig& rig) {
+Rational duration_of(const CameraRig& rig) {
     return rig.video_end - rig.video_start;
 }
 
@@ -22,25 +22,25 @@ Rational magnitude(const Rational& value) {
     return value < Rational(0) ? Rational(0) - value : value;
 }
 
-// The first film time at which a ramp shows `scene_time`, by steps and then by halving.
-Rational ramp_video_time(const CameraRig& rig, const Rational& scene_time) {
+// The first film time at which a ramp shows `scene_time`, by a scan in steps and then by bisection.
+Rational find_ramp_video_time(const CameraRig& rig, const Rational& scene_time) {
     constexpr int kSteps = 4096;
-    const double wanted = scene_time.to_double();
-    const Rational step = length_of(rig) / Rational(kSteps);
-    const auto ahead = [&](const Rational& time) {
-        return scene_time_at(rig, time).to_double() - wanted;
+    const double target = scene_time.to_double();
+    const Rational step = duration_of(rig) / Rational(kSteps);
+    const auto excess = [&](const Rational& time) {
+        return scene_time_at(rig, time).to_double() - target;
     };
     Rational low = rig.video_start;
     for (int i = 1; i <= kSteps; ++i) {
         Rational high = rig.video_start + step * Rational(i);
-        const double before = ahead(low);
+        const double before = excess(low);
         if (before == 0) {
             return low;
         }
-        if (before * ahead(high) <= 0) {
-            for (int halving = 0; halving < 40; ++halving) {
+        if (before * excess(high) <= 0) {
+            for (int bisection = 0; bisection < 40; ++bisection) {
                 const Rational middle = Rational::nearest((low.to_double() + high.to_double()) / 2);
-                (before * ahead(middle) <= 0 ? high : low) = middle;
+                (before * excess(middle) <= 0 ? high : low) = middle;
             }
             return high;
         }
@@ -49,13 +49,14 @@ Rational ramp_video_time(const CameraRig& rig, const Rational& scene_time) {
     return rig.video_end;
 }
 
-/// The share of its way on which a rig shows a scene time.
-Rational way_at(const CameraRig& rig, const Rational& scene_time) {
+/// The fraction of its path at which a rig shows a scene time.
+Rational path_fraction_at(const CameraRig& rig, const Rational& scene_time) {
     const TimeMap& map = rig.time_map;
     const Rational fraction =
-        map.speeds.empty() ? (scene_time - map.scene_start) / (map.scene_end - map.scene_start)
-                           : (ramp_video_time(rig, scene_time) - rig.video_start) / length_of(rig);
-    return rig.way_start + (rig.way_end - rig.way_start) * fraction;
+        map.speeds.empty()
+            ? (scene_time - map.scene_start) / (map.scene_end - map.scene_start)
+            : (find_ramp_video_time(rig, scene_time) - rig.video_start) / duration_of(rig);
+    return rig.path_start + (rig.path_end - rig.path_start) * fraction;
 }
 
 Rational clamped(const Rational& value, const SceneTimeRange& range) {
@@ -66,8 +67,8 @@ Rational clamped(const Rational& value, const SceneTimeRange& range) {
 CameraRig part_of(const CameraRig& rig, const Rational& first, const Rational& last,
                   const Rational& speed) {
     CameraRig part = rig;
-    part.way_start = way_at(rig, first);
-    part.way_end = way_at(rig, last);
+    part.path_start = path_fraction_at(rig, first);
+    part.path_end = path_fraction_at(rig, last);
     part.time_map = {first, last};
     part.video_start = 0;
     part.video_end = (last - first) / speed;
@@ -77,14 +78,14 @@ CameraRig part_of(const CameraRig& rig, const Rational& first, const Rational& l
 
 Rational mean_speed(const CameraRig& rig) {
     return (narrow_scene_time(rig, rig.video_end) - narrow_scene_time(rig, rig.video_start)) /
-           length_of(rig);
+           duration_of(rig);
 }
 
 /// A whole rig at its own or another speed, starting at video time 0.
-CameraRig whole(const CameraRig& rig, const std::optional<Rational>& speed) {
+CameraRig retime_whole(const CameraRig& rig, const std::optional<Rational>& speed) {
     CameraRig result = rig;
     result.video_start = 0;
-    result.video_end = length_of(rig);
+    result.video_end = duration_of(rig);
     const Rational first = narrow_scene_time(rig, rig.video_start);
     const Rational last = narrow_scene_time(rig, rig.video_end);
     if (speed && first != last) {
@@ -98,10 +99,10 @@ CameraRig whole(const CameraRig& rig, const std::optional<Rational>& speed) {
     return result;
 }
 
-/// Backwards, starting at video time 0 like the rig itself.
-CameraRig backwards(const CameraRig& rig) {
+/// A rig that starts at video time 0, reversed in time; the result also starts at 0.
+CameraRig reverse_rig(const CameraRig& rig) {
     CameraRig result = rig;
-    std::swap(result.way_start, result.way_end);
+    std::swap(result.path_start, result.path_end);
     result.time_map.scene_start = narrow_scene_time(rig, rig.video_end);
     result.time_map.scene_end = rig.time_map.scene_start;
     std::reverse(result.time_map.speeds.begin(), result.time_map.speeds.end());
@@ -120,8 +121,8 @@ void move_by(CameraRig& rig, const Rational& offset) {
     }
 }
 
-/// Puts rigs that all start at 0 one after the other, overlapping by their fades.
-void lay_out(std::vector<CameraRig>& rigs) {
+/// Arranges rigs that all start at 0 one after the other, overlapping by their fades.
+void arrange_in_sequence(std::vector<CameraRig>& rigs) {
     Rational end = 0;
     for (CameraRig& rig : rigs) {
         move_by(rig, end - rig.fade);
@@ -129,8 +130,8 @@ void lay_out(std::vector<CameraRig>& rigs) {
     }
 }
 
-/// The film's rigs in order, or the one that is asked for.
-std::vector<CameraRig> chosen(std::span<const CameraRig> rigs, const std::string& name) {
+/// The film's rigs in order, or only the one with that name.
+std::vector<CameraRig> select_rigs(std::span<const CameraRig> rigs, const std::string& name) {
     std::vector<CameraRig> result;
     std::string names;
     for (const CameraRig& rig : rigs) {
@@ -141,7 +142,7 @@ std::vector<CameraRig> chosen(std::span<const CameraRig> rigs, const std::string
     }
     if (result.empty()) {
         throw Error(rigs.empty() ? "no camera films the shot"
-                                 : "there is no camera '" + name + "'; there are " + names);
+                                 : "there is no camera '" + name + "'; the cameras are " + names);
     }
     std::stable_sort(result.begin(), result.end(), [](const CameraRig& a, const CameraRig& b) {
         return a.video_start < b.video_start;
@@ -162,7 +163,7 @@ std::vector<CameraRig> chosen(std::span<const CameraRig> rigs, const std::string
     throw Error("no camera shows scene time " + seconds(time) + " (" + list + ")");
 }
 
-/// The first rig in which time passes on from `time`.
+/// The first rig that shows an interval of scene time after `time`.
 const CameraRig& rig_showing(const std::vector<CameraRig>& rigs, const Rational& time) {
     for (const CameraRig& rig : rigs) {
         const SceneTimeRange shown = shown_scene_times(rig);
@@ -173,7 +174,8 @@ const CameraRig& rig_showing(const std::vector<CameraRig>& rigs, const Rational&
     throw_not_shown(rigs, time);
 }
 
-std::vector<CameraRig> parts(const std::vector<CameraRig>& rigs, const RetimeOptions& options) {
+std::vector<CameraRig> retime_interval(const std::vector<CameraRig>& rigs,
+                                       const RetimeOptions& options) {
     SceneTimeRange all = shown_scene_times(rigs.front());
     for (const CameraRig& rig : rigs) {
         const SceneTimeRange shown = shown_scene_times(rig);
@@ -183,8 +185,9 @@ std::vector<CameraRig> parts(const std::vector<CameraRig>& rigs, const RetimeOpt
     const Rational last = options.to.value_or(all.last);
     Rational time = options.from.value_or(all.first);
     if (last <= time) {
-        throw Error("the stretch of scene time from " + seconds(time) + " to " + seconds(last) +
-                    " does not go forward; --reverse shows one backwards");
+        throw Error("the interval of scene time ends at " + seconds(last) +
+                    ", which is not after its start at " + seconds(time) +
+                    "; to show an interval backwards, use --reverse");
     }
     std::vector<CameraRig> result;
     while (time < last) {
@@ -198,50 +201,50 @@ std::vector<CameraRig> parts(const std::vector<CameraRig>& rigs, const RetimeOpt
     return result;
 }
 
-std::vector<CameraRig> all_of(const std::vector<CameraRig>& rigs, const RetimeOptions& options) {
+std::vector<CameraRig> retime_all(const std::vector<CameraRig>& rigs,
+                                  const RetimeOptions& options) {
     std::vector<CameraRig> result;
-    std::vector<Rational> stretching;  // of each rig's length
+    std::vector<Rational> factors;  // of each rig's duration
     for (const CameraRig& rig : rigs) {
-        result.push_back(whole(rig, options.speed));
-        stretching.push_back(length_of(result.back()) / length_of(rig));
-        if (result.size() > 1) {  // by the smaller, so that the fade fits into both
-            const Rational& before = stretching[stretching.size() - 2];
-            result.back().fade =
-                rig.fade * (before < stretching.back() ? before : stretching.back());
+        result.push_back(retime_whole(rig, options.speed));
+        factors.push_back(duration_of(result.back()) / duration_of(rig));
+        if (result.size() > 1) {  // by the smaller factor, so that the fade fits into both rigs
+            const Rational& before = factors[factors.size() - 2];
+            result.back().fade = rig.fade * (before < factors.back() ? before : factors.back());
         }
     }
     return result;
 }
 
-CameraRig ramped(const std::vector<CameraRig>& rigs, const RetimeOptions& options) {
+CameraRig retime_by_ramp(const std::vector<CameraRig>& rigs, const RetimeOptions& options) {
     const Rational start = options.from.value_or(shown_scene_times(rigs.front()).first);
     const CameraRig& rig = rig_showing(rigs, start);
     CameraRig result = rig;
     result.video_start = 0;
     result.video_end = options.ramp.back().video_time;
     result.fade = 0;
-    result.time_map = {start, start, options.ramp, options.gentle};
+    result.time_map = {start, start, options.ramp, options.is_smooth};
     const Rational end = narrow_scene_time(result, result.video_end);
-    result.way_start = way_at(rig, start);
-    result.way_end = way_at(rig, clamped(end, shown_scene_times(rig)));
+    result.path_start = path_fraction_at(rig, start);
+    result.path_end = path_fraction_at(rig, clamped(end, shown_scene_times(rig)));
     return result;
 }
 
-void check(const RetimeOptions& options) {
+void check_options(const RetimeOptions& options) {
     if (options.speed && options.speed <= Rational(0)) {
-        throw Error("the speed must be above 0; --reverse shows the film backwards");
+        throw Error("the speed must be above 0; to show the film backwards, use --reverse");
     }
     if (options.ramp.empty()) {
         return;
     }
     if (options.speed || options.to) {
-        throw Error(std::string("--ramp says itself ") +
-                    (options.speed ? "how fast time passes" : "where the film ends") + "; leave " +
-                    (options.speed ? "--speed" : "--to") + " out");
+        throw Error(std::string("--ramp already sets ") +
+                    (options.speed ? "the speed" : "the end of the film") + "; leave out " +
+                    (options.speed ? "--speed" : "--to"));
     }
     for (std::size_t i = 1; i < options.ramp.size(); ++i) {
         if (options.ramp[i].video_time <= options.ramp[i - 1].video_time) {
-            throw Error("the times of --ramp must ascend");
+            throw Error("the times of --ramp must be in increasing order");
         }
     }
     if (options.ramp.back().video_time <= Rational(0)) {
@@ -251,24 +254,25 @@ void check(const RetimeOptions& options) {
 
 }  // namespace
 
-std::vector<CameraRig> retimed(std::span<const CameraRig> rigs, const RetimeOptions& options) {
-    check(options);
-    const std::vector<CameraRig> pool = chosen(rigs, options.rig);
+std::vector<CameraRig> retime_rigs(std::span<const CameraRig> rigs, const RetimeOptions& options) {
+    check_options(options);
+    const std::vector<CameraRig> pool = select_rigs(rigs, options.rig);
     std::vector<CameraRig> film;
     if (!options.ramp.empty()) {
-        film = {ramped(pool, options)};
+        film = {retime_by_ramp(pool, options)};
     } else {
-        film = options.from || options.to ? parts(pool, options) : all_of(pool, options);
+        film =
+            options.from || options.to ? retime_interval(pool, options) : retime_all(pool, options);
     }
     if (options.reverse) {
-        // What a rig faded in over is now where the one before it is taken over.
+        // The fade at the start of a rig becomes the fade of the rig that was before it.
         for (std::size_t i = 0; i < film.size(); ++i) {
-            film[i] = backwards(film[i]);
+            film[i] = reverse_rig(film[i]);
             film[i].fade = i + 1 < film.size() ? film[i + 1].fade : Rational(0);
         }
         std::reverse(film.begin(), film.end());
     }
-    lay_out(film);
+    arrange_in_sequence(film);
     return film;
 }
 

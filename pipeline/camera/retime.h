@@ -1,4 +1,4 @@
-// The same film at another speed: slower, backwards, a part of it, a ramp.
+// Changes the speed of a film: slower, backwards, only an interval, or a speed ramp.
 #pragma once
 
 #include <optional>
@@ -11,22 +11,22 @@
 namespace carom::pipeline {
 
 struct RetimeOptions {
-    std::optional<Rational> speed;  // > 0, scene seconds per second of film; empty: as it was
-    std::optional<Rational> from;   // scene times; empty: all that the film shows
+    std::optional<Rational> speed;  // > 0, scene seconds per second of film; empty: unchanged
+    std::optional<Rational> from;   // scene times; empty: everything that the film shows
     std::optional<Rational> to;
     bool reverse = false;
     std::vector<SpeedKey> ramp;  // instead of `speed` and `to`; film times from 0 on
-    bool gentle = true;          // how the ramp gets from one speed to the next
-    std::string rig;             // only this one; empty: the film as it is cut
+    bool is_smooth = true;       // the ramp's speed changes by the smooth step, else linearly
+    std::string rig;             // only this one; empty: all rigs
 };
 
-/// The rigs of the new film, from video time 0 on. Each goes the same way as before, or the part
-/// of it on which it showed those scene times. A stretch of scene time is seen by the first rig of
-/// the film that shows it, then by the next: forwards, whichever way that rig went. Rigs of frozen
-/// time keep their length. A ramp is filmed by one rig, the first that shows its beginning.
-/// Throws Error with a sentence where the film does not show what is asked for or the options
+/// The rigs of the new film, which starts at video time 0. Each rig keeps its path, or the part of
+/// it on which it showed the chosen scene times. An interval of scene time is filmed by the first
+/// rig that shows its start, then by the next, always forwards, whatever the direction of that rig
+/// was. Rigs of frozen time keep their duration. A ramp is filmed by one rig, the first that shows
+/// its start. Throws Error if the film does not show the chosen scene times or the options
 /// contradict each other.
-[[nodiscard]] std::vector<CameraRig> retimed(std::span<const CameraRig> rigs,
-                                             const RetimeOptions& options);
+[[nodiscard]] std::vector<CameraRig> retime_rigs(std::span<const CameraRig> rigs,
+                                                 const RetimeOptions& options);
 
 }  // namespace carom::pipeline

@@ -1,4 +1,4 @@
-// What is wrong with rigs as a sequence.
+// Problems of rigs as a sequence.
 #include <algorithm>
 
 #include <fmt/core.h>
@@ -40,13 +40,13 @@ void check_timing(const FilmTiming& timing, std::vector<RigProblem>& problems) {
     }
 }
 
-/// What is wrong where `after` takes over from `before`; empty if nothing is.
-std::string seam_problem(const CameraRig& before, const CameraRig& after) {
+/// The problem of the transition from `before` to `after`; empty if there is none.
+std::string transition_problem(const CameraRig& before, const CameraRig& after) {
     if (after.fade == Rational(0)) {
         if (before.video_end < after.video_start) {
-            return "nobody films between " + quoted(before) + ", which ends at " +
-                   seconds(before.video_end) + " of the film, and " + quoted(after) +
-                   ", which starts at " + seconds(after.video_start);
+            return "there is a gap in the film: " + quoted(before) + " ends at " +
+                   seconds(before.video_end) + ", and " + quoted(after) + " starts at " +
+                   seconds(after.video_start);
         }
         if (after.video_start < before.video_end) {
             return quoted(after) + " starts at " + seconds(after.video_start) +
@@ -56,20 +56,21 @@ std::string seam_problem(const CameraRig& before, const CameraRig& after) {
         }
         return {};
     }
-    const Rational over = after.video_start + after.fade;
-    if (before.video_end != over) {
-        return quoted(after) + " fades in until " + seconds(over) + " of the film, so " +
+    const Rational fade_end = after.video_start + after.fade;
+    if (before.video_end != fade_end) {
+        return quoted(after) + " fades in until " + seconds(fade_end) + " of the film, so " +
                quoted(before) + " must end there, not at " + seconds(before.video_end);
     }
     if (after.video_start < before.video_start + before.fade) {
         return quoted(after) + " starts to fade in at " + seconds(after.video_start) +
-               " of the film, before " + quoted(before) + " has done so at " +
+               " of the film, before " + quoted(before) + " has finished fading in at " +
                seconds(before.video_start + before.fade);
     }
     return {};
 }
 
-/// A fade longer than its rig, or without anything to fade from.
+/// The problem of a fade that is longer than its rig or has no rig to fade from; empty if there is
+/// none.
 std::string fade_problem(const CameraRig& rig, bool is_first) {
     if (rig.fade == Rational(0)) {
         return {};
@@ -112,7 +113,7 @@ std::vector<RigProblem> find_problems(std::span<const CameraRig> rigs, const Fil
     if (!order.empty() && rigs[order.front()].video_start != Rational(0)) {
         const CameraRig& first = rigs[order.front()];
         problems.push_back({"the film starts at 0 s, but its first camera, '" + first.name +
-                                "', at " + seconds(first.video_start),
+                                "', starts at " + seconds(first.video_start),
                             order.front(),
                             {}});
     }
@@ -121,9 +122,9 @@ std::vector<RigProblem> find_problems(std::span<const CameraRig> rigs, const Fil
         if (!fade.empty()) {
             problems.push_back({fade, order[i], {}});
         } else if (i > 0) {
-            const std::string seam = seam_problem(rigs[order[i - 1]], rigs[order[i]]);
-            if (!seam.empty()) {
-                problems.push_back({seam, order[i], order[i - 1]});
+            const std::string transition = transition_problem(rigs[order[i - 1]], rigs[order[i]]);
+            if (!transition.empty()) {
+                problems.push_back({transition, order[i], order[i - 1]});
             }
         }
     }

@@ -20,15 +20,15 @@ double field_of_view(const CameraRig& rig, Progress progress) {
                             : eased(rig.vertical_fov, progress);
 }
 
-// Along the optical axis; negative behind the camera.
+// Depth along the optical axis; negative behind the camera.
 double depth_of(const std::string& object, const render::CameraState& camera, double scene_time,
                 const sim::Timeline& timeline) {
     const Vec3 axis = (camera.target - camera.position).normalized();
-    const Vec3 place = find_track(timeline, object).sample(scene_time).position;
-    return axis.dot(place - camera.position);
+    const Vec3 position = find_track(timeline, object).sample(scene_time).position;
+    return axis.dot(position - camera.position);
 }
 
-// Distance along the optical axis, so that the plane of focus contains the point.
+// The distance is along the optical axis, so that the plane of focus contains the point.
 double focus_distance(const Focus& focus, const render::CameraState& camera, double scene_time,
                       const sim::Timeline& timeline) {
     if (focus.distance) {
@@ -41,7 +41,7 @@ double focus_distance(const Focus& focus, const render::CameraState& camera, dou
     return std::max(depth_of(focus.object, camera, scene_time, timeline), kNearestFocus);
 }
 
-// Two f-numbers are mixed as such, anything else by radius. Continued beyond the rig's end a
+// Two f-numbers are interpolated as f-numbers, everything else as radii. Beyond the rig's end a
 // closing aperture stays closed.
 double eased_lens_radius(const CameraRig& rig, Progress progress, double fov) {
     const Eased<Aperture>& aperture = rig.aperture;
@@ -55,7 +55,7 @@ double eased_lens_radius(const CameraRig& rig, Progress progress, double fov) {
                              lens_radius(aperture.end, fov, sensor), eased_progress));
 }
 
-void check_makes_a_picture(const render::CameraState& camera) {
+void check_view(const render::CameraState& camera) {
     const Vec3 axis = camera.target - camera.position;
     constexpr double kNearest = 1e-9;  // m
     if (!(axis.length() > kNearest)) {
@@ -94,20 +94,20 @@ double lens_radius(const Aperture& aperture, double vertical_fov, double sensor_
     return focal_length / (2 * aperture.value);
 }
 
-std::vector<std::string> focus_behind_camera(const CameraRig& rig, const RigInstant& instant,
-                                             const sim::Timeline& timeline) {
+std::vector<std::string> find_focus_behind_camera(const CameraRig& rig, const RigInstant& instant,
+                                                  const sim::Timeline& timeline) {
     const render::CameraState camera = camera_state(rig, instant, timeline);
     const double fraction = mix(0.0, 1.0, ease(instant.progress, rig.focus.easing));
     std::vector<std::string> behind;
-    const auto look_at = [&](const Focus& focus, double weight) {
-        const bool counts = weight > 1e-6 && !focus.distance && !focus.object.empty() &&
-                            (behind.empty() || behind.front() != focus.object);
-        if (counts && !(depth_of(focus.object, camera, instant.scene_time, timeline) > 0)) {
+    const auto check_focus = [&](const Focus& focus, double weight) {
+        const bool is_relevant = weight > 1e-6 && !focus.distance && !focus.object.empty() &&
+                                 (behind.empty() || behind.front() != focus.object);
+        if (is_relevant && !(depth_of(focus.object, camera, instant.scene_time, timeline) > 0)) {
             behind.push_back(focus.object);
         }
     };
-    look_at(rig.focus.start, 1 - fraction);
-    look_at(rig.focus.end, fraction);
+    check_focus(rig.focus.start, 1 - fraction);
+    check_focus(rig.focus.end, fraction);
     return behind;
 }
 
@@ -119,7 +119,7 @@ render::CameraState camera_state(const CameraRig& rig, const RigInstant& instant
     camera.up = eased(rig.up, instant.progress);
     camera.roll = eased(rig.roll, instant.progress);
     camera.vertical_fov = field_of_view(rig, instant.progress);
-    check_makes_a_picture(camera);
+    check_view(camera);
     camera.focus_distance =
         mix(focus_distance(rig.focus.start, camera, instant.scene_time, timeline),
             focus_distance(rig.focus.end, camera, instant.scene_time, timeline),

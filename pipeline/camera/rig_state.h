@@ -1,4 +1,4 @@
-// The values of a rig's camera at one instant.
+// Computes a rig's camera values at one instant.
 #pragma once
 
 #include <string>
@@ -11,10 +11,11 @@
 
 namespace carom::pipeline {
 
-/// Vertical, rad: 2 atan(sensor height / (2 focal length)), focused at infinity.
+/// The vertical field of view of a lens that is focused at infinity, rad:
+/// 2 atan(sensor height / (2 focal length)).
 [[nodiscard]] double fov_of_lens(double focal_length, double sensor_height);
 
-/// The whole number of blades nearest to what the easing says.
+/// The eased number of blades, rounded to the nearest whole number.
 [[nodiscard]] int blades_at(const CameraRig& rig, Progress progress);
 
 /// Radius of the lens opening, m: focal length / (2 N), focal length = sensor height / (2 tan(fov /
@@ -22,17 +23,17 @@ namespace carom::pipeline {
 [[nodiscard]] double lens_radius(const Aperture& aperture, double vertical_fov,
                                  double sensor_height = 0.024);
 
-/// A lens that is to be focused on something behind the camera or nearer than this is focused as
-/// near as it can, m.
+/// Shortest focus distance, m. A lens whose object of focus is nearer or behind the camera is
+/// focused at this distance.
 inline constexpr double kNearestFocus = 0.01;
 
-/// The objects that the rig should be focused on at that instant and that are behind its camera:
-/// at most two, on the way from one to the other. Throws as camera_state does.
-[[nodiscard]] std::vector<std::string> focus_behind_camera(const CameraRig& rig,
-                                                           const RigInstant& instant,
-                                                           const sim::Timeline& timeline);
+/// The objects of the rig's focus at that instant that are behind its camera: at most two, while
+/// the focus changes from one to the other. Throws as camera_state does.
+[[nodiscard]] std::vector<std::string> find_focus_behind_camera(const CameraRig& rig,
+                                                                const RigInstant& instant,
+                                                                const sim::Timeline& timeline);
 
-/// Throws Error, without the rig's name, if the values make no picture.
+/// Throws Error, without the rig's name, if the values give no valid view.
 [[nodiscard]] render::CameraState camera_state(const CameraRig& rig, const RigInstant& instant,
                                                const sim::Timeline& timeline);
 

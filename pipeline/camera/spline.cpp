@@ -17,7 +17,7 @@ SplineCurve::SplineCurve(const std::vector<Vec3>& points) {
         throw Error("a spline has no points");
     }
     choose_knots();
-    solve();
+    solve_second_derivatives();
 }
 
 // Lee, "Choosing nodes in parametric curve interpolation", Computer-Aided Design 21 (1989): the
@@ -36,8 +36,8 @@ void SplineCurve::choose_knots() {
 // The second derivatives m of the natural spline (de Boor, "A Practical Guide to Splines", 1978,
 // chapter IV): with h[i] = t[i+1] - t[i] and d[i] = (p[i+1] - p[i]) / h[i],
 //   h[i-1] m[i-1] + 2 (h[i-1] + h[i]) m[i] + h[i] m[i+1] = 6 (d[i] - d[i-1]),  m[0] = m[n] = 0,
-// by elimination, which needs no pivots as the diagonal dominates.
-void SplineCurve::solve() {
+// solved by Gaussian elimination without pivoting, because the matrix is diagonally dominant.
+void SplineCurve::solve_second_derivatives() {
     const std::size_t count = points_.size();
     second_.assign(count, Vec3(0, 0, 0));
     if (count < 3) {
@@ -58,16 +58,16 @@ void SplineCurve::solve() {
     }
 }
 
-SplineCurve::Place SplineCurve::find(double parameter) const {
+SplineCurve::Location SplineCurve::locate(double parameter) const {
     const auto after = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, parameter);
-    Place place;
-    place.segment = static_cast<std::size_t>(after - knots_.begin()) - 1;
-    const double start = knots_[place.segment];
-    const double end = knots_[place.segment + 1];
-    place.length = end - start;
-    place.left = (end - parameter) / place.length;
-    place.done = (parameter - start) / place.length;
-    return place;
+    Location location;
+    location.segment = static_cast<std::size_t>(after - knots_.begin()) - 1;
+    const double start = knots_[location.segment];
+    const double end = knots_[location.segment + 1];
+    location.length = end - start;
+    location.left = (end - parameter) / location.length;
+    location.done = (parameter - start) / location.length;
+    return location;
 }
 
 Vec3 SplineCurve::position(Progress parameter) const {
@@ -80,7 +80,7 @@ Vec3 SplineCurve::position(Progress parameter) const {
     if (parameter.left < 0) {
         return points_.back() - derivative({1, 0}) * parameter.left;
     }
-    const Place at = find(parameter.done);
+    const Location at = locate(parameter.done);
     const double a = at.left;
     const double b = at.done;
     return points_[at.segment] * a + points_[at.segment + 1] * b +
@@ -92,7 +92,7 @@ Vec3 SplineCurve::derivative(Progress parameter) const {
     if (points_.size() == 1) {
         return {0, 0, 0};
     }
-    const Place at = find(std::clamp(parameter.done, 0.0, 1.0));
+    const Location at = locate(std::clamp(parameter.done, 0.0, 1.0));
     return (points_[at.segment + 1] - points_[at.segment]) / at.length +
            (second_[at.segment + 1] * (3 * at.done * at.done - 1) -
             second_[at.segment] * (3 * at.left * at.left - 1)) *

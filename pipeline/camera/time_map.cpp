@@ -30,22 +30,22 @@ Number whole(std::int64_t value) {
     return number<Number>(Rational(value));
 }
 
-// The share of a change of speed that has happened at the share x of its time, ...
+// The fraction of a change of speed that has happened at the fraction x of its duration, ...
 template <class Number>
-Number changed(const Number& x, bool gentle) {
-    return gentle ? x * x * (whole<Number>(3) - whole<Number>(2) * x) : x;
+Number change_fraction(const Number& x, bool is_smooth) {
+    return is_smooth ? x * x * (whole<Number>(3) - whole<Number>(2) * x) : x;
 }
 
-// ... and its integral from 0 to x. Over the whole of it both are 1/2.
+// ... and its integral from 0 to x, which is 1/2 at x = 1.
 template <class Number>
-Number integral(const Number& x, bool gentle) {
+Number integrated_fraction(const Number& x, bool is_smooth) {
     const Number half = number<Number>(Rational(1, 2));
-    return gentle ? x * x * x * (whole<Number>(1) - half * x) : half * x * x;
+    return is_smooth ? x * x * x * (whole<Number>(1) - half * x) : half * x * x;
 }
 
-// Scene seconds that pass from the first key to `time`.
+// Seconds of scene time from the first key to `time`.
 template <class Number>
-Number passed(const TimeMap& map, const Number& time) {
+Number elapsed(const TimeMap& map, const Number& time) {
     const auto at = [&](std::size_t i) { return number<Number>(map.speeds[i].video_time); };
     const auto speed = [&](std::size_t i) { return number<Number>(map.speeds[i].speed); };
     Number sum = whole<Number>(0);
@@ -57,7 +57,7 @@ Number passed(const TimeMap& map, const Number& time) {
         const Number change = speed(i + 1) - speed(i);
         if (to_double(time - at(i + 1)) < 0) {
             const Number x = (time - at(i)) / length;
-            return sum + length * (speed(i) * x + change * integral(x, map.gentle));
+            return sum + length * (speed(i) * x + change * integrated_fraction(x, map.is_smooth));
         }
         sum = sum + length * (speed(i) + number<Number>(Rational(1, 2)) * change);
     }
@@ -65,7 +65,7 @@ Number passed(const TimeMap& map, const Number& time) {
     return sum + speed(last) * (time - at(last));
 }
 
-WideRational straight_speed(const CameraRig& rig) {
+WideRational linear_speed(const CameraRig& rig) {
     return (WideRational(rig.time_map.scene_end) - WideRational(rig.time_map.scene_start)) /
            (WideRational(rig.video_end) - WideRational(rig.video_start));
 }
@@ -84,8 +84,8 @@ WideRational ramp_speed(const TimeMap& map, const WideRational& time) {
     }
     const WideRational x = (time - WideRational(before.video_time)) /
                            (WideRational(next->video_time) - WideRational(before.video_time));
-    return WideRational(before.speed) +
-           (WideRational(next->speed) - WideRational(before.speed)) * changed(x, map.gentle);
+    return WideRational(before.speed) + (WideRational(next->speed) - WideRational(before.speed)) *
+                                            change_fraction(x, map.is_smooth);
 }
 
 }  // namespace
@@ -94,29 +94,30 @@ WideRational scene_time_at(const CameraRig& rig, const WideRational& video_time)
     const TimeMap& map = rig.time_map;
     if (map.speeds.empty()) {
         return WideRational(map.scene_start) +
-               (video_time - WideRational(rig.video_start)) * straight_speed(rig);
+               (video_time - WideRational(rig.video_start)) * linear_speed(rig);
     }
     try {
-        return WideRational(map.scene_start) + passed(map, video_time) -
-               passed(map, WideRational(rig.video_start));
-    } catch (const Error&) {  // too many digits
-        return Rational::nearest(map.scene_start.to_double() + passed(map, video_time.to_double()) -
-                                 passed(map, rig.video_start.to_double()));
+        return WideRational(map.scene_start) + elapsed(map, video_time) -
+               elapsed(map, WideRational(rig.video_start));
+    } catch (const Error&) {  // the exact fraction has too many digits
+        return Rational::nearest(map.scene_start.to_double() +
+                                 elapsed(map, video_time.to_double()) -
+                                 elapsed(map, rig.video_start.to_double()));
     }
 }
 
 WideRational speed_at(const CameraRig& rig, const WideRational& video_time) {
     if (rig.time_map.speeds.empty()) {
-        return straight_speed(rig);
+        return linear_speed(rig);
     }
     try {
         return ramp_speed(rig.time_map, video_time);
     } catch (const Error&) {
-        // Which way and how fast: the difference of two instants is close enough.
+        // A central difference is accurate enough.
         constexpr double kStep = 1e-6;
         const double time = video_time.to_double();
         return Rational::nearest(
-            (passed(rig.time_map, time + kStep) - passed(rig.time_map, time - kStep)) /
+            (elapsed(rig.time_map, time + kStep) - elapsed(rig.time_map, time - kStep)) /
             (2 * kStep));
     }
 }

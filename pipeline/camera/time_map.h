@@ -1,4 +1,4 @@
-// Which scene time a rig shows at a time of the film, exactly.
+// Exact conversion from video time to a rig's scene time.
 #pragma once
 
 #include "pipeline/camera/camera_rig.h"
@@ -6,9 +6,9 @@
 
 namespace carom::pipeline {
 
-/// Exact, beyond the rig's ends, too: a straight map goes on, and so do the first and the last
-/// speed. Only where a ramp of speeds would need terms of more than 127 bits (its smooth step takes
-/// fourth powers) it is the nearest fraction within 1e-12.
+/// The scene time at a video time. The value is exact, also beyond the rig's ends, where a linear
+/// map and the first and the last speed continue. If a speed ramp would need terms of more than 127
+/// bits (its smooth step needs fourth powers), the value is the nearest fraction within 1e-12.
 [[nodiscard]] WideRational scene_time_at(const CameraRig& rig, const WideRational& video_time);
 
 /// Seconds of scene time per second of film at that instant; negative in reverse.
@@ -22,11 +22,11 @@ struct SceneTimeRange {
     [[nodiscard]] bool is_frozen() const { return first == last; }
 };
 
-/// From the smallest to the largest of the scene times that the rig shows at its ends and at its
-/// speed keys between them; each the nearest fraction of 64 bits.
+/// The smallest and the largest of the scene times that the rig shows at its ends and at the speed
+/// keys between them; each is rounded to the nearest fraction of 64 bits.
 [[nodiscard]] SceneTimeRange shown_scene_times(const CameraRig& rig);
 
-/// scene_time_at as a fraction of 64 bits, the nearest if the exact one has too many digits.
+/// scene_time_at as a fraction of 64 bits, rounded if the exact one has too many digits.
 [[nodiscard]] Rational narrow_scene_time(const CameraRig& rig, const Rational& video_time);
 
 }  // namespace carom::pipeline

@@ -15,10 +15,10 @@ UInt128 magnitude(Int128 value) {
 }
 
 [[noreturn]] void throw_overflow() {
-    throw Error("times with this many digits cannot be kept exactly; round them");
+    throw Error("times with this many digits cannot be represented exactly; round them");
 }
 
-// The builtins for signed 128-bit overflow need a run-time library that clang does not link.
+// The builtins for signed 128-bit overflow need a run-time library that clang does not link to.
 Int128 multiply(Int128 a, Int128 b) {
     const UInt128 x = magnitude(a);
     const UInt128 y = magnitude(b);
@@ -81,7 +81,8 @@ double WideRational::to_double() const {
     UInt128 quotient = magnitude(numerator_) / denominator;
     UInt128 rest = magnitude(numerator_) % denominator;
     int exponent = 0;
-    // At least 65 bits, so that the lowest can stand for all those behind it.
+    // The quotient gets at least 65 bits, so that its lowest bit can represent all lower ones
+    // (sticky bit).
     while (quotient >> 64 == 0) {
         rest <<= 1;
         quotient <<= 1;
@@ -126,7 +127,8 @@ WideRational operator-(const WideRational& a, const WideRational& b) {
 }
 
 WideRational operator*(const WideRational& a, const WideRational& b) {
-    // Reduced crosswise first, so that only what truly is too long overflows.
+    // Common factors are cancelled crosswise first, so that only a product that is really too long
+    // overflows.
     const Int128 left = greatest_common_divisor(a.numerator_, b.denominator_);
     const Int128 right = greatest_common_divisor(b.numerator_, a.denominator_);
     return {multiply(a.numerator_ / left, b.numerator_ / right),

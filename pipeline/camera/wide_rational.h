@@ -1,4 +1,4 @@
-// Exact fractions of 128-bit integers: the intermediate results of Rational and of time maps.
+// Exact fractions of 128-bit integers, for the intermediate results of Rational and of time maps.
 #pragma once
 
 #include "pipeline/camera/rational.h"
@@ -28,7 +28,7 @@ class WideRational {
     /// Throws Error if numerator or denominator needs more than 64 bits.
     [[nodiscard]] Rational narrow() const;
 
-    /// Rounded towards minus or plus infinity. Throws Error beyond 64 bits.
+    /// Rounds towards minus or plus infinity. Throws Error if the result needs more than 64 bits.
     [[nodiscard]] std::int64_t floor() const;
     [[nodiscard]] std::int64_t ceil() const;
 

@@ -1,4 +1,4 @@
-// Balls on a cloth without cushions, which is drawn as far as it was thought to be needed.
+// Warns of balls that leave the drawn part of a cloth without cushions.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,42 +11,43 @@ namespace carom::pipeline {
 
 namespace {
 
-constexpr double kInterval = 1.0 / 120;  // s, between two looks
+constexpr double kSampleInterval = 1.0 / 120;  // s
 
-/// Beyond the drawn square of the cloth.
-bool is_beyond(const sim::billiards::TableMeasures& cloth, const Vec3& place) {
-    return std::abs(place.x) > cloth.length / 2 || std::abs(place.y) > cloth.width / 2;
+/// Whether the position is outside the drawn square of the cloth.
+bool is_outside(const sim::billiards::TableMeasures& cloth, const Vec3& position) {
+    return std::abs(position.x) > cloth.length / 2 || std::abs(position.y) > cloth.width / 2;
 }
 
-/// When the object is first seen beyond the cloth, s; empty if never, or from the start.
-std::optional<double> leaves_at(const sim::billiards::TableMeasures& cloth, const sim::Track& track,
-                                const sim::Timeline& timeline) {
+/// The time at which the object leaves the cloth, s; empty if it never does or starts outside.
+std::optional<double> find_exit_time(const sim::billiards::TableMeasures& cloth,
+                                     const sim::Track& track, const sim::Timeline& timeline) {
     double inside = timeline.start_time;
-    if (is_beyond(cloth, track.sample(inside).position)) {
+    if (is_outside(cloth, track.sample(inside).position)) {
         return std::nullopt;
     }
-    const auto looks =
-        static_cast<int>(std::ceil((timeline.end_time - timeline.start_time) / kInterval));
-    for (int i = 1; i <= looks; ++i) {
-        double beyond = std::min(timeline.start_time + i * kInterval, timeline.end_time);
-        if (!is_beyond(cloth, track.sample(beyond).position)) {
-            inside = beyond;
+    const auto samples =
+        static_cast<int>(std::ceil((timeline.end_time - timeline.start_time) / kSampleInterval));
+    for (int i = 1; i <= samples; ++i) {
+        double outside = std::min(timeline.start_time + i * kSampleInterval, timeline.end_time);
+        if (!is_outside(cloth, track.sample(outside).position)) {
+            inside = outside;
             continue;
         }
-        for (int halving = 0; halving < 20; ++halving) {
-            const double middle = (inside + beyond) / 2;
-            (is_beyond(cloth, track.sample(middle).position) ? beyond : inside) = middle;
+        for (int bisection = 0; bisection < 20; ++bisection) {
+            const double middle = (inside + outside) / 2;
+            (is_outside(cloth, track.sample(middle).position) ? outside : inside) = middle;
         }
-        return beyond;
+        return outside;
     }
     return std::nullopt;
 }
 
-Problem warning_of(const std::string& ball, double time, const sim::billiards::TableMeasures& cloth,
-                   const ShotSource* source) {
+Problem make_warning(const std::string& ball, double time,
+                     const sim::billiards::TableMeasures& cloth, const ShotSource* source) {
     const std::string message = fmt::format(
-        "'{}' leaves the cloth that is drawn, {:g} m square, at {:.3f} s; it rolls on over nothing",
-        ball, cloth.length, time);
+        "'{}' leaves the drawn cloth at {:.3f} s: only a square of {:g} m is drawn, and the ball "
+        "continues outside it",
+        ball, time, cloth.length);
     if (source != nullptr) {
         return source->problem_at({"balls", ball}, Severity::warning, message);
     }
@@ -71,8 +72,8 @@ std::vector<Problem> cloth_problems(const Shot& shot, const ShotSource* source,
         if (!is_ball || track == nullptr) {
             continue;
         }
-        if (const auto time = leaves_at(*shot.world.table, *track, timeline)) {
-            problems.push_back(warning_of(body.name, *time, *shot.world.table, source));
+        if (const auto time = find_exit_time(*shot.world.table, *track, timeline)) {
+            problems.push_back(make_warning(body.name, *time, *shot.world.table, source));
         }
     }
     return problems;

@@ -17,7 +17,7 @@ namespace carom::pipeline {
 
 namespace {
 
-constexpr std::int64_t kMostFrames = 2000;
+constexpr std::int64_t kMaxCheckedFrames = 2000;
 
 Problem problem_at(const ShotSource* source, const std::vector<std::string>& path,
                    Severity severity, std::string message) {
@@ -30,8 +30,8 @@ Problem problem_at(const ShotSource* source, const std::vector<std::string>& pat
     return problem;
 }
 
-/// The frames of a camera at which something is the case.
-struct Stretch {
+/// The first and the last frame of a camera with a problem.
+struct FrameRange {
     std::int64_t first = 0, last = 0;
 
     /// "at 1.25 s of the film (frame 30)", "from 1.25 s to 2 s of the film (frames 30 to 48)"
@@ -62,14 +62,14 @@ std::vector<Ball> balls_of(const Shot& shot, const sim::Timeline& timeline) {
     return balls;
 }
 
-/// Looks at one camera, frame by frame.
-class RigLook {
+/// Checks one camera, frame by frame.
+class CameraChecker {
   public:
-    RigLook(const CameraRig& rig, const FilmTiming& timing, const std::vector<Ball>& balls,
-            const sim::Timeline& timeline)
+    CameraChecker(const CameraRig& rig, const FilmTiming& timing, const std::vector<Ball>& balls,
+                  const sim::Timeline& timeline)
         : rig_(rig), timing_(timing), balls_(balls), timeline_(timeline) {}
 
-    void look(std::int64_t frame) {
+    void check_frame(std::int64_t frame) {
         const WideRational time = frame_time(frame, timing_);
         const RigInstant instant{progress_at(rig_, time), scene_time_at(rig_, time).to_double()};
         try {
@@ -80,49 +80,51 @@ class RigLook {
                     add(inside_[ball.track->name()], frame);
                 }
             }
-            for (const std::string& name : focus_behind_camera(rig_, instant, timeline_)) {
+            for (const std::string& name : find_focus_behind_camera(rig_, instant, timeline_)) {
                 add(behind_[name], frame);
             }
         } catch (const Error& error) {
-            add(broken_[error.what()], frame);
+            add(invalid_[error.what()], frame);
         }
     }
 
     void report(std::size_t index, const ShotSource* source, std::vector<Problem>& problems) const {
         const std::string number = fmt::format("{}", index);
         const std::string camera = "camera '" + rig_.name + "' ";
-        const auto tell = [&](const char* key, Severity severity, const std::string& message) {
+        const auto add_problem = [&](const char* key, Severity severity,
+                                     const std::string& message) {
             problems.push_back(
                 problem_at(source, {"cameras", number, key}, severity, camera + message));
         };
-        for (const auto& [reason, stretch] : broken_) {
-            tell("name", Severity::error,
-                 "makes no picture " + stretch->text(timing_) + ": " + reason);
+        for (const auto& [reason, frames] : invalid_) {
+            add_problem("name", Severity::error,
+                        "has no valid view " + frames->text(timing_) + ": " + reason);
         }
-        for (const auto& [ball, stretch] : inside_) {
-            tell("position", Severity::warning,
-                 "is inside '" + ball + "' " + stretch->text(timing_));
+        for (const auto& [ball, frames] : inside_) {
+            add_problem("position", Severity::warning,
+                        "is inside '" + ball + "' " + frames->text(timing_));
         }
-        for (const auto& [object, stretch] : behind_) {
-            tell("focus", Severity::warning,
-                 "is focused on '" + object + "', which is behind it " + stretch->text(timing_));
+        for (const auto& [object, frames] : behind_) {
+            add_problem(
+                "focus", Severity::warning,
+                "is focused on '" + object + "', which is behind it " + frames->text(timing_));
         }
     }
 
   private:
-    static void add(std::optional<Stretch>& stretch, std::int64_t frame) {
-        stretch = stretch ? Stretch{stretch->first, frame} : Stretch{frame, frame};
+    static void add(std::optional<FrameRange>& range, std::int64_t frame) {
+        range = range ? FrameRange{range->first, frame} : FrameRange{frame, frame};
     }
 
     const CameraRig& rig_;
     const FilmTiming& timing_;
     const std::vector<Ball>& balls_;
     const sim::Timeline& timeline_;
-    std::map<std::string, std::optional<Stretch>> inside_, behind_, broken_;
+    std::map<std::string, std::optional<FrameRange>> inside_, behind_, invalid_;
 };
 
-/// The shot's cameras, ready to be asked; those along something that is not there stay as they are.
-std::vector<CameraRig> ready(const Shot& shot, const sim::Timeline& timeline) {
+/// The shot's cameras with fitted paths; unchanged if the object of a path does not exist.
+std::vector<CameraRig> fit_camera_paths(const Shot& shot, const sim::Timeline& timeline) {
     try {
         return with_fitted_paths(shot.cameras, timeline);
     } catch (const Error&) {
@@ -130,7 +132,7 @@ std::vector<CameraRig> ready(const Shot& shot, const sim::Timeline& timeline) {
     }
 }
 
-bool films(const CameraRig& rig, const WideRational& time) {
+bool is_active(const CameraRig& rig, const WideRational& time) {
     return (time - WideRational(rig.video_start)).sign() >= 0 &&
            (time - WideRational(rig.video_end)).sign() < 0;
 }
@@ -149,26 +151,26 @@ std::vector<Problem> simulation_problems(const sim::Timeline& timeline, const Sh
 
 std::vector<Problem> camera_problems(const Shot& shot, const ShotSource* source,
                                      const sim::Timeline& timeline) {
-    const std::vector<CameraRig> rigs = ready(shot, timeline);
+    const std::vector<CameraRig> rigs = fit_camera_paths(shot, timeline);
     const std::vector<Ball> balls = balls_of(shot, timeline);
-    std::vector<RigLook> looks;
-    looks.reserve(rigs.size());
+    std::vector<CameraChecker> checkers;
+    checkers.reserve(rigs.size());
     for (const CameraRig& rig : rigs) {
-        looks.emplace_back(rig, shot.timing, balls, timeline);
+        checkers.emplace_back(rig, shot.timing, balls, timeline);
     }
     const std::int64_t frames = frame_count(rigs, shot.timing);
-    const std::int64_t step = std::max<std::int64_t>(1, frames / kMostFrames);
+    const std::int64_t step = std::max<std::int64_t>(1, frames / kMaxCheckedFrames);
     for (std::int64_t frame = 0; frame < frames; frame += step) {
         const WideRational time = frame_time(frame, shot.timing);
         for (std::size_t i = 0; i < rigs.size(); ++i) {
-            if (films(rigs[i], time)) {
-                looks[i].look(frame);
+            if (is_active(rigs[i], time)) {
+                checkers[i].check_frame(frame);
             }
         }
     }
     std::vector<Problem> problems;
-    for (std::size_t i = 0; i < looks.size(); ++i) {
-        looks[i].report(i, source, problems);
+    for (std::size_t i = 0; i < checkers.size(); ++i) {
+        checkers[i].report(i, source, problems);
     }
     return problems;
 }

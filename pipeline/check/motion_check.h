@@ -1,4 +1,5 @@
-// What is legal but surely not meant, seen from how a shot moves and is filmed.
+// Warnings about valid shots that are probably mistakes, found from the simulated motion and the
+// cameras.
 #pragma once
 
 #include <string>
@@ -11,20 +12,19 @@
 
 namespace carom::pipeline {
 
-/// What the simulation warned of, each at the key that it is about: "strike on 'cue' at 0.5 s: it
-/// never touched 'one', which it was aimed at". Without a source: at no place.
+/// The warnings of the simulation, each at the key to which it refers: "strike on 'cue' at 0.5 s:
+/// it never touched 'one', which it was aimed at". Without a source they have no place.
 [[nodiscard]] std::vector<Problem> simulation_problems(const sim::Timeline& timeline,
                                                        const ShotSource* source);
 
-/// Balls that leave the part of an unbounded cloth that is drawn: a warning each. `source`: as
-/// above.
+/// A warning for each ball that leaves the drawn part of an unbounded cloth. `source`: as above.
 [[nodiscard]] std::vector<Problem> cloth_problems(const Shot& shot, const ShotSource* source,
                                                   const sim::Timeline& timeline);
 
-/// Cameras inside balls, and focused on what is behind them: warnings. A frame that makes no
-/// picture is an error. Each once for a camera, with its first and last frame; of films of more
-/// than 2000 frames as many are looked at, evenly. `source`: of the shot as it was read; nullptr if
-/// its cameras are others.
+/// Warnings about cameras that are inside a ball or focused on an object behind them, and errors
+/// for frames without a valid view. Each problem is reported once per camera, with its first and
+/// last frame. In films of more than 2000 frames, about 2000 evenly spaced ones are checked.
+/// `source`: of the shot as it was read; nullptr if it has other cameras.
 [[nodiscard]] std::vector<Problem> camera_problems(const Shot& shot, const ShotSource* source,
                                                    const sim::Timeline& timeline);
 

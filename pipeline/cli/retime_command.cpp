@@ -79,7 +79,7 @@ pipeline::RetimeOptions options_of(const RetimeCommand& command) {
         options.to = time_of(command.to);
     }
     options.ramp = ramp_of(command.ramp);
-    options.gentle = command.easing != "linear";
+    options.is_smooth = command.easing != "linear";
     options.reverse = command.reverse;
     options.rig = command.rig;
     if (!command.easing.empty() && options.ramp.empty()) {
@@ -101,7 +101,7 @@ void run(const RetimeCommand& command, CommandContext& context) {
     const pipeline::RetimeOptions options = options_of(command);
     ShotInput input = read_film_input(command.render.input, context);
     try {
-        input.shot.cameras = pipeline::retimed(input.shot.cameras, options);
+        input.shot.cameras = pipeline::retime_rigs(input.shot.cameras, options);
         input.has_own_cameras = false;
     } catch (const Error& error) {
         throw InputError(error.what());

@@ -130,7 +130,7 @@ const MapSpec<TimeMap>& ramp_spec() {
               "list of [film time, seconds of the scene per second of film]: 1 is real time, 0 "
               "stands still, a negative speed runs backwards")
             .required();
-        s.key("easing", &TimeMap::gentle, choice<bool>({{"linear", false}, {"smooth", true}}),
+        s.key("easing", &TimeMap::is_smooth, choice<bool>({{"linear", false}, {"smooth", true}}),
               "how the speed changes from one value to the next");
         s.check(check_ramp);
         return s;

@@ -16,7 +16,7 @@ Progress at(double done) {
     return {done, 1 - done};
 }
 
-/// The same curve with one control point more (degree elevation, Farin 2002, section 6.1).
+/// The same curve with one more control point (degree elevation, Farin 2002, section 6.1).
 std::vector<Vec3> elevated(const std::vector<Vec3>& points) {
     const auto degree = static_cast<double>(points.size());
     std::vector<Vec3> result(points.size() + 1);
@@ -52,7 +52,7 @@ TEST(BezierCurve, BeyondTheEnds_ContinuesAlongTheTangent) {
     EXPECT_EQ(curve.position({1.25, -0.25}), Vec3(1, 3, 0));
 }
 
-TEST(BezierCurve, OnePoint_StandsStillEverywhere) {
+TEST(BezierCurve, OnePoint_IsConstant) {
     const BezierCurve curve({{1, 2, 3}});
     for (const double t : {-1.0, 0.0, 0.3, 1.0, 2.0}) {
         EXPECT_EQ(curve.position(at(t)), Vec3(1, 2, 3));
@@ -69,7 +69,7 @@ TEST(BezierCurve, EqualPoints_DoNotMoveByRounding) {
     }
 }
 
-TEST(BezierCurve, Degree30_EqualsTheCubicItWasRaisedFrom) {
+TEST(BezierCurve, ElevatedToDegree30_EqualsTheCubic) {
     const std::vector<Vec3> cubic{{1, 0, 0.5}, {3, 4, -1}, {-2, 5, 2}, {0, -1, 1}};
     std::vector<Vec3> points = cubic;
     while (points.size() < 31) {
@@ -81,7 +81,7 @@ TEST(BezierCurve, Degree30_EqualsTheCubicItWasRaisedFrom) {
     }
 }
 
-TEST(BezierCurve, Degree30WithWildPoints_StaysWithinTheirBox) {
+TEST(BezierCurve, Degree30WithDistantPoints_StaysWithinTheirBounds) {
     std::vector<Vec3> points;
     for (int i = 0; i <= 30; ++i) {
         points.emplace_back(i % 2 == 0 ? 1e6 : -1e6, i, 0);
@@ -111,8 +111,8 @@ TEST(BezierCurve, Reversed_GivesTheSameBits) {
     }
 }
 
-TEST(EvenPace, UnevenLine_IsWalkedAtConstantSpeed) {
-    // x(t) = t^3: the parameter's pace is zero at the start.
+TEST(EvenPace, LineWithVaryingSpeed_IsTravelledAtConstantSpeed) {
+    // x(t) = t^3: the parameter's speed is zero at the start.
     const BezierCurve curve({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}});
     for (int i = -8; i <= 72; ++i) {
         const double fraction = i / 64.0;
@@ -133,7 +133,7 @@ TEST(EvenPace, Parabola_HasItsClosedFormLength) {
     }
 }
 
-TEST(EvenPace, CurveOfDegree20_CoversEqualWaysInEqualTimes) {
+TEST(EvenPace, CurveOfDegree20_CoversEqualDistancesInEqualTimes) {
     std::vector<Vec3> points;
     for (int i = 0; i <= 20; ++i) {
         points.emplace_back(std::cos(i * 0.9) * (1 + i % 4), std::sin(i * 0.9) * 2, i * 0.1);
@@ -150,13 +150,13 @@ TEST(EvenPace, CurveOfDegree20_CoversEqualWaysInEqualTimes) {
     }
 }
 
-TEST(EvenPace, PointsAllEqual_StandsStill) {
+TEST(EvenPace, EqualPoints_StandStill) {
     const BezierCurve curve({{1, 2, 3}, {1, 2, 3}});
     EXPECT_EQ(even_pace_position(curve, at(0.4)), Vec3(1, 2, 3));
     EXPECT_EQ(even_pace_position(curve, at(-1)), Vec3(1, 2, 3));
 }
 
-TEST(Easing, Smooth_IsTheCubicStepAndHoldsBeyond) {
+TEST(Easing, Smooth_IsTheCubicStepAndConstantOutside) {
     const Progress quarter = ease(at(0.25), Easing::smooth);
     EXPECT_DOUBLE_EQ(quarter.done, 0.15625);
     EXPECT_DOUBLE_EQ(quarter.left, 0.84375);

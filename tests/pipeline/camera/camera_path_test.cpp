@@ -1,4 +1,4 @@
-// Paths other than Bezier curves, and the lens.
+// Tests of the paths other than Bezier curves, and of the lens.
 #include "pipeline/camera/camera_path.h"
 
 #include <cmath>
@@ -24,7 +24,7 @@ Vec3 place(const CameraPath& path, double done, double scene_time = 0) {
     return path_position(path, at(done, scene_time), fixture_timeline());
 }
 
-TEST(Orbit, Circle_GoesRoundItsPoint) {
+TEST(Orbit, Circle_HasItsCentreAndRadius) {
     OrbitPath path;
     path.around = ControlPoint{{1, 2, 3}, "", 0};
     path.radii = {0.5, 0.5};
@@ -33,10 +33,10 @@ TEST(Orbit, Circle_GoesRoundItsPoint) {
     EXPECT_LT((place(path, 0) - Vec3(1, 2.5, 3)).length(), 1e-15);
     EXPECT_LT((place(path, 0.5) - Vec3(0.5, 2, 3)).length(), 1e-15);
     EXPECT_LT((place(path, 1) - Vec3(1, 1.5, 3)).length(), 1e-15);
-    EXPECT_LT((place(path, 1.5) - Vec3(1.5, 2, 3)).length(), 1e-15);  // goes on round
+    EXPECT_LT((place(path, 1.5) - Vec3(1.5, 2, 3)).length(), 1e-15);  // continues around the circle
 }
 
-TEST(Orbit, MovingObject_TakesTheOrbitAlong) {
+TEST(Orbit, MovingObject_IsFollowedByTheOrbit) {
     OrbitPath path;
     path.around = FollowPath{"cue", {0, 0, 1}, 0, 0};
     path.radii = {2, 1};
@@ -44,19 +44,19 @@ TEST(Orbit, MovingObject_TakesTheOrbitAlong) {
     EXPECT_LT((place(path, 0.25, 1) - Vec3(2, 1, 1)).length(), 1e-15);
 }
 
-TEST(Orbit, Turn_TiltsItsPlane) {
+TEST(Orbit, Turn_RotatesItsPlane) {
     OrbitPath path;
     path.around = ControlPoint{{0, 0, 0}, "", 0};
-    path.turn.setAxisAngle({1, 0, 0}, kPi / 2);  // y goes up
+    path.turn.setAxisAngle({1, 0, 0}, kPi / 2);  // y becomes vertical
     EXPECT_LT((place(path, 0.25) - Vec3(0, 0, 1)).length(), 1e-15);
 }
 
-TEST(Orbit, EvenPaceOnAnEllipse_CoversEqualWays) {
+TEST(Orbit, EvenPaceOnAnEllipse_CoversEqualDistances) {
     OrbitPath path;
     path.around = ControlPoint{{0, 0, 0}, "", 0};
     path.radii = {2, 0.5};
     path.even_pace = true;
-    // A quarter by symmetry; the parameter's own pace would be at the same place.
+    // A quarter of the ellipse by symmetry, where the position without even pace is the same.
     EXPECT_LT((place(path, 0.25) - Vec3(0, 0.5, 0)).length(), 1e-8);
     const int steps = 2000;
     double longest = 0;
@@ -68,11 +68,11 @@ TEST(Orbit, EvenPaceOnAnEllipse_CoversEqualWays) {
         shortest = std::min(shortest, (now - before).length());
         before = now;
     }
-    // A chord is shorter than its arc by at most (arc / least radius)^2 / 24, 1e-4 here.
+    // A chord is shorter than its arc by at most (arc / smallest radius)^2 / 24, 1e-4 here.
     EXPECT_NEAR(shortest / longest, 1, 2e-4);
 }
 
-TEST(Follow, LookAhead_IsWhereItWillBe) {
+TEST(Follow, LookAhead_IsTheLaterPosition) {
     EXPECT_LT((place(FollowPath{"cue", {0, 0, 1}, 0, 0.25}, 0, 0.5) - Vec3(1.5, 0, 1)).length(),
               1e-15);
     EXPECT_LT((place(FollowPath{"cue", {0, 0, 0}, 0, -0.5}, 0, 0.75) - Vec3(0.5, 0, 0)).length(),
@@ -86,7 +86,7 @@ TEST(Paths, WithEasing_StartAndEndGently) {
     EXPECT_NEAR(place(SplinePath{line, true, Easing::smooth}, 0.25).x, 0.15625, 1e-9);
 }
 
-TEST(Paths, Backwards_GiveTheSameBits) {
+TEST(Paths, Reversed_GiveTheSameBits) {
     const std::vector<ControlPoint> points{
         {{0.1, 0.7, 0}, "", 0}, {{0, 0.1, 0.5}, "cue", 0.7}, {{2.1, 3.3, 0.2}, "", 0}};
     OrbitPath orbit;
@@ -113,20 +113,20 @@ TEST(Paths, Backwards_GiveTheSameBits) {
     }
 }
 
-TEST(Easing, Bezier_IsTheCurveOfItsPoints) {
-    // x(s) = s for x1 = 1/3, x2 = 2/3: y is the cubic of 0, y1, y2, 1 itself.
+TEST(Easing, Bezier_IsTheCurveOfItsControlPoints) {
+    // x(s) = s for x1 = 1/3, x2 = 2/3: y is the cubic Bezier polynomial of 0, y1, y2, 1.
     const Easing curve(1.0 / 3, 0.9, 2.0 / 3, -0.4);
     for (double t = 0; t <= 1; t += 1.0 / 16) {
         const double r = 1 - t;
         EXPECT_NEAR(ease({t, r}, curve).done, 3 * r * r * t * 0.9 - 3 * r * t * t * 0.4 + t * t * t,
                     1e-15);
     }
-    // Symmetric about its middle, steep there, level at the ends.
-    const Easing gentle(0.5, 0, 0.5, 1);
-    EXPECT_NEAR(ease({0.5, 0.5}, gentle).done, 0.5, 1e-15);
-    EXPECT_NEAR(ease({0.2, 0.8}, gentle).done, 1 - ease({0.8, 0.2}, gentle).done, 1e-15);
-    EXPECT_EQ(ease({-0.1, 1.1}, gentle).done, 0);
-    // Beyond the ends it goes on with the slope it has there.
+    // Symmetric about its middle, steep there, and with zero slope at the ends.
+    const Easing symmetric(0.5, 0, 0.5, 1);
+    EXPECT_NEAR(ease({0.5, 0.5}, symmetric).done, 0.5, 1e-15);
+    EXPECT_NEAR(ease({0.2, 0.8}, symmetric).done, 1 - ease({0.8, 0.2}, symmetric).done, 1e-15);
+    EXPECT_EQ(ease({-0.1, 1.1}, symmetric).done, 0);
+    // Beyond the ends it continues with the slope at the end.
     const Easing quick(0.25, 0.5, 0.5, 1);
     EXPECT_DOUBLE_EQ(ease({-0.1, 1.1}, quick).done, -0.2);
     EXPECT_DOUBLE_EQ(ease({1.1, -0.1}, quick).done, 1);
@@ -145,13 +145,14 @@ TEST(Lens, FocalLength_GivesTheFieldOfViewOfItsSensor) {
     EXPECT_DOUBLE_EQ(camera_state(rig, at(1), fixture_timeline()).lens_radius, 0.003);
 }
 
-TEST(Lens, SkyVectorAndBlades_GoFromStartToEnd) {
+TEST(Lens, UpVectorAndBlades_ChangeFromStartToEnd) {
     CameraRig rig = fixture_rig();
     rig.up = {{0, 0, 1}, {1, 0, 1}};
     rig.blades = {5, 9};
     EXPECT_EQ(camera_state(rig, at(0.5), fixture_timeline()).up, Vec3(0.5, 0, 1));
     EXPECT_EQ(camera_state(rig, at(0.4), fixture_timeline()).blades, 7);
-    // The shutter closes past the half from 5 to 6, but one exposure has one iris.
+    // The number of blades rounds to 6 only during this exposure, but it is constant in an
+    // exposure.
     rig.blades = {5, 6};
     FilmTiming timing;
     timing.shutter.exposure = {1, 24};

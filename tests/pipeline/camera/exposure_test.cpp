@@ -24,7 +24,7 @@ FilmTiming make_timing(Rational fps, Rational exposure) {
     return timing;
 }
 
-TEST(Exposure, EighthOfTheSpeed_IsExactAtEveryFrame) {
+TEST(Exposure, EighthOfTheSpeed_IsExactInEveryFrame) {
     for (const Rational fps : {Rational(24), Rational(24000, 1001), Rational(60000, 1001)}) {
         const CameraRig rig = make_rig(0, 8, Rational(3, 10), Rational(13, 10));
         const FilmTiming timing = make_timing(fps, Rational(1, 2) / fps);
@@ -36,7 +36,7 @@ TEST(Exposure, EighthOfTheSpeed_IsExactAtEveryFrame) {
     }
 }
 
-TEST(Exposure, Positions_PutTheShutterBeforeOnAndAfterTheFrame) {
+TEST(Exposure, Positions_PlaceTheExposureRelativeToTheFrame) {
     const CameraRig rig = make_rig(0, 1, 0, 1);
     FilmTiming timing = make_timing(24, Rational(1, 48));
     const WideRational frame_time(1, 4);
@@ -94,23 +94,24 @@ TEST(Exposure, FirstFrame_OpensBeforeTheRigAlongItsOwnMap) {
     EXPECT_EQ(progress.left, 49.0 / 48);
 }
 
-TEST(Exposure, RigsEnds_AreCrossedInBothClocksAndDirections) {
-    // The shutter of the first frame opens before the rig, that of the last closes behind it.
+TEST(Exposure, ExposureAcrossTheRigsEnds_ContinuesInBothClocksAndDirections) {
+    // The exposure of the first frame begins before the rig starts, that of the last ends after it.
     for (const ShutterClock clock : {ShutterClock::video, ShutterClock::scene}) {
         for (const bool reversed : {false, true}) {
             FilmTiming timing = make_timing(24, Rational(1, 24));
             timing.shutter.clock = clock;
             const CameraRig rig = reversed ? make_rig(2, 3, 7, 5) : make_rig(2, 3, 5, 7);
-            const WideRational way(reversed ? -1 : 1, 1);
-            // Half an exposure is 1/48 s of film, 2/48 s of the map's scene time.
+            const WideRational direction(reversed ? -1 : 1, 1);
+            // Half an exposure is 1/48 s of film, which the map converts to 2/48 s of scene time.
             const WideRational half =
-                way * (clock == ShutterClock::video ? WideRational(1, 24) : WideRational(1, 48));
+                direction *
+                (clock == ShutterClock::video ? WideRational(1, 24) : WideRational(1, 48));
             const Exposure first = expose(rig, 48, timing);
             EXPECT_EQ(first.scene_open, WideRational(reversed ? 7 : 5, 1) - half);
             EXPECT_EQ(first.scene_close, WideRational(reversed ? 7 : 5, 1) + half);
             const Exposure last = expose(rig, 71, timing);
             EXPECT_EQ(last.scene_time,
-                      WideRational(reversed ? 5 : 7, 1) - way * WideRational(1, 12));
+                      WideRational(reversed ? 5 : 7, 1) - direction * WideRational(1, 12));
             EXPECT_EQ(last.scene_close, last.scene_time + half);
             EXPECT_EQ(last.video_close, WideRational(3, 1) - WideRational(1, 48));
             timing.shutter.position = ShutterPosition::start;
@@ -122,12 +123,13 @@ TEST(Exposure, RigsEnds_AreCrossedInBothClocksAndDirections) {
     }
 }
 
-TEST(Exposure, ManyDigits_AreKeptOrRefused) {
+TEST(Exposure, ManyDigits_AreExactOrAnError) {
     const FilmTiming timing = make_timing({24000, 1001}, Rational(1001, 48000));
     const CameraRig rig =
         make_rig(Rational(1, 10'000'019), Rational(33'333'333, 10'000'079),
                  Rational(7'777'777, 10'000'103), Rational(14'142'135, 10'000'121));
-    // One step further the map has moved by exactly one frame of its speed.
+    // From one frame to the next, scene time increases by exactly the speed times the frame's
+    // duration.
     const WideRational step =
         scene_time_at(rig, WideRational(1, 24)) - scene_time_at(rig, WideRational(0, 1));
     EXPECT_NEAR(step.to_double(),

@@ -6,7 +6,7 @@
 namespace carom::pipeline {
 namespace {
 
-/// "a" until 2.5 s, "b" from 2 s on, fading in over half a second.
+/// Rig "a" films until 2.5 s; "b" starts at 2 s and fades in over half a second.
 std::vector<CameraRig> make_rigs() {
     CameraRig a = fixture_rig();
     a.video_end = {5, 2};
@@ -18,7 +18,7 @@ std::vector<CameraRig> make_rigs() {
     return {a, b};
 }
 
-TEST(Fade, Weights_ShiftFromOneRigToTheOther) {
+TEST(Fade, Weights_ChangeLinearlyFromOneRigToTheOther) {
     const std::vector<CameraRig> rigs = make_rigs();
     for (std::int64_t n = 40; n < 70; ++n) {
         const auto frames = plan_mixed_frame(n, rigs, {}, fixture_timeline());
@@ -38,7 +38,7 @@ TEST(Fade, Weights_ShiftFromOneRigToTheOther) {
     }
 }
 
-TEST(Fade, OrderOfTheRigs_DoesNotMatter) {
+TEST(Fade, OrderOfTheRigs_IsIrrelevant) {
     std::vector<CameraRig> rigs = make_rigs();
     std::swap(rigs[0], rigs[1]);
     const auto frames = plan_mixed_frame(51, rigs, {}, fixture_timeline());

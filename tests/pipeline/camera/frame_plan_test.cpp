@@ -21,7 +21,7 @@ sim::Key make_key(double time, const Vec3& position, const Vec3& in, const Vec3&
     return key;
 }
 
-/// "cue" rolls along x at 2 m/s from the origin until it stops dead at 1 s; "one" rests at (3,1,0).
+/// "cue" rolls along x at 2 m/s from the origin until it stops at 1 s; "one" rests at (3,1,0).
 sim::Timeline make_timeline() {
     sim::Timeline timeline;
     timeline.end_time = 4;
@@ -67,7 +67,7 @@ TEST(FramePlan, NormalSpeed_FillsTimesAndCamera) {
     EXPECT_EQ(frame.camera_open.focus_distance, 5);
 }
 
-/// A rig with everything in it that can move, and the same film backwards.
+/// A rig in which every value changes.
 CameraRig make_moving_rig() {
     CameraRig rig = make_rig({1, 3}, {7, 5});
     rig.position =
@@ -113,18 +113,18 @@ TEST(FramePlan, ReversedRig_HasTheSameExposuresBitForBit) {
     }
 }
 
-TEST(FramePlan, ReversedTime_ExchangesTheCamerasWithTheScene) {
+TEST(FramePlan, ReversedTime_ExchangesCamerasAndSceneTimes) {
     CameraRig rig = make_rig(2, 0);
     rig.position = BezierPath{{{{0, -4, 1}, "", 0}, {{2, -4, 1}, "", 0}}, false};
     const PlannedFrame frame = plan_frame(24, std::vector{rig}, {}, make_timeline());
     EXPECT_TRUE(frame.reversed);
     EXPECT_LT(frame.scene_open, frame.scene_close);
-    // Video opens at 1 s - 1/96 s, when the scene's clock shows the later time.
+    // The shutter opens at 1 s - 1/96 s of video time, which is the later scene time.
     EXPECT_EQ(frame.camera_close.position.x, Rational(95, 96).to_double());
     EXPECT_EQ(frame.camera_open.position.x, Rational(97, 96).to_double());
 }
 
-TEST(FramePlan, FrozenTime_StillMovesTheCameraInVideoOrder) {
+TEST(FramePlan, FrozenTime_KeepsTheCameraMoving) {
     CameraRig rig = make_rig({1, 2}, {1, 2});
     rig.position = BezierPath{{{{0, -4, 1}, "", 0}, {{2, -4, 1}, "", 0}}, false};
     for (const ShutterClock clock : {ShutterClock::video, ShutterClock::scene}) {
@@ -152,14 +152,14 @@ TEST(FramePlan, Cut_BelongsToTheRigThatStartsThere) {
     EXPECT_THROW((void)plan_frame(-1, rigs, {}, make_timeline()), Error);
 }
 
-TEST(FramePlan, ControlPointAtAnObject_TakesItsPlaceAtThatTime) {
+TEST(FramePlan, ControlPointAtAnObject_IsItsPositionAtThatTime) {
     CameraRig rig = make_rig(0, 2);
     rig.position = BezierPath{{{{0, -1, 0.5}, "cue", 0.25}}, false};
     EXPECT_EQ(plan_frame(30, std::vector{rig}, {}, make_timeline()).camera_open.position,
               Vec3(0.5, -1, 0.5));
 }
 
-TEST(FramePlan, FollowedObject_IsSeenAtTheFramesOwnTime) {
+TEST(FramePlan, FollowedObject_IsAtItsPositionOfThatInstant) {
     CameraRig rig = make_rig(0, 2);
     rig.target = FollowPath{"cue", {0, 0, 0.25}, 0};
     FilmTiming timing;
@@ -172,16 +172,16 @@ TEST(FramePlan, FollowedObject_IsSeenAtTheFramesOwnTime) {
 TEST(MeanPosition, AcrossTheStop_IsTheIntegralOverTheWindow) {
     const sim::Timeline timeline = make_timeline();
     const sim::Track& cue = *timeline.find("cue");
-    // Over [0.8, 1.2]: the mean of 2 t up to 1 s and of 2 behind it, (0.36 + 0.4) / 0.4.
+    // Over [0.8, 1.2]: the mean of 2 t up to 1 s and of 2 after it, (0.36 + 0.4) / 0.4.
     EXPECT_NEAR(mean_position(cue, 1, 0.4).x, 1.9, 1e-14);
     EXPECT_NEAR(mean_position(cue, 0.5, 0.4).x, 1.0, 1e-14);
-    // Outside the bake the end poses hold: over [-0.2, 0.2] (0 + 0.04) / 0.4.
+    // Outside the bake the poses of its ends apply: over [-0.2, 0.2] the mean is (0 + 0.04) / 0.4.
     EXPECT_NEAR(mean_position(cue, 0, 0.4).x, 0.1, 1e-14);
     EXPECT_EQ(mean_position(cue, 2.3, 0.4), Vec3(2, 0, 0));
     EXPECT_EQ(mean_position(cue, 0.3, 0), cue.sample(0.3).position);
 }
 
-TEST(MeanPosition, CurvedStretch_AgreesWithFineSums) {
+TEST(MeanPosition, CurvedPath_AgreesWithNumericalIntegration) {
     const sim::Track track("ball", {make_key(0, {0, 0, 0}, {1, 0, 0}, {1, -2, 0.5}),
                                     make_key(1, {1, 1, 0}, {-3, 4, 0}, {0, 1, 0}),
                                     make_key(1.5, {2, 1, 1}, {0, 0, 2}, {0, 0, 0})});
@@ -204,7 +204,7 @@ TEST(RigState, FocusOnAnObject_IsItsDepthAlongTheAxis) {
     EXPECT_EQ(camera_state(rig, {}, make_timeline()).focus_distance, 10);
 }
 
-TEST(RigState, RackFocus_GoesFromOneObjectToTheOther) {
+TEST(RigState, RackFocus_ChangesFromOneObjectToTheOther) {
     CameraRig rig = make_rig(0, 2);
     rig.position = BezierPath{{{{-1, 0, 0}, "", 0}}, false};
     rig.target = BezierPath{{{{10, 0, 0}, "", 0}}, false};
@@ -216,8 +216,8 @@ TEST(RigState, RackFocus_GoesFromOneObjectToTheOther) {
                      1 + 3 * 0.15625);
 }
 
-TEST(RigState, FNumber_GivesTheRadiusOfTheOpening) {
-    // 90 degrees on a film 24 mm high: 12 mm focal length; at f/2 the opening is 6 mm wide.
+TEST(RigState, FNumber_DeterminesTheLensRadius) {
+    // 90 degrees on a sensor 24 mm high: 12 mm focal length; at f/2 the opening is 6 mm wide.
     EXPECT_NEAR(lens_radius({2, true}, std::acos(0.0)), 0.003, 1e-15);
     EXPECT_EQ(lens_radius({0.008, false}, 0.7), 0.008);
     CameraRig rig = make_rig(0, 2);
@@ -228,20 +228,20 @@ TEST(RigState, FNumber_GivesTheRadiusOfTheOpening) {
     EXPECT_EQ(camera_state(rig, {{1.01, -0.01}, 0}, make_timeline()).lens_radius, 0);
 }
 
-TEST(RigState, FocusBehindTheCamera_IsAsNearAsTheLensCan) {
+TEST(RigState, FocusBehindTheCamera_IsAtTheShortestDistance) {
     CameraRig rig = make_rig(0, 2);
     rig.focus.start = rig.focus.end = Focus{{}, "cue"};
-    EXPECT_TRUE(focus_behind_camera(rig, {{0, 1}, 0}, make_timeline()).empty());
+    EXPECT_TRUE(find_focus_behind_camera(rig, {{0, 1}, 0}, make_timeline()).empty());
     rig.target = BezierPath{{{{0, -9, 1}, "", 0}}, false};
     EXPECT_EQ(camera_state(rig, {{0, 1}, 0}, make_timeline()).focus_distance, kNearestFocus);
-    EXPECT_EQ(focus_behind_camera(rig, {{0, 1}, 0}, make_timeline()),
+    EXPECT_EQ(find_focus_behind_camera(rig, {{0, 1}, 0}, make_timeline()),
               std::vector<std::string>{"cue"});
     rig.focus.start = Focus{2.5, ""};
-    EXPECT_TRUE(focus_behind_camera(rig, {{0, 1}, 0}, make_timeline()).empty());
-    EXPECT_FALSE(focus_behind_camera(rig, {{0.5, 0.5}, 0}, make_timeline()).empty());
+    EXPECT_TRUE(find_focus_behind_camera(rig, {{0, 1}, 0}, make_timeline()).empty());
+    EXPECT_FALSE(find_focus_behind_camera(rig, {{0.5, 0.5}, 0}, make_timeline()).empty());
 }
 
-TEST(FramePlan, CameraWithoutAPicture_IsAnErrorWithItsName) {
+TEST(FramePlan, CameraWithoutAValidView_IsAnErrorWithItsName) {
     CameraRig rig = make_rig(0, 2);
     rig.target = rig.position;
     expect_error(rig, 3,

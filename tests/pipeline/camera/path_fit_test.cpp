@@ -10,19 +10,19 @@
 namespace carom::pipeline {
 namespace {
 
-/// The largest distance at 1001 instants, none of those that were fitted but the ends.
-double distance(const PathFit& fit, const sim::Track& track, double from, double to) {
+/// The largest distance at 1001 instants, which are not fitted ones except for the ends.
+double largest_distance(const PathFit& fit, const sim::Track& track, double from, double to) {
     const BezierCurve curve(fit.points);
-    double worst = 0;
+    double largest = 0;
     for (int i = 0; i <= 1000; ++i) {
         const double done = i / 1000.0;
-        const Vec3 place = track.sample(from + (to - from) * done).position;
-        worst = std::max(worst, (curve.position({done, 1 - done}) - place).length());
+        const Vec3 position = track.sample(from + (to - from) * done).position;
+        largest = std::max(largest, (curve.position({done, 1 - done}) - position).length());
     }
-    return worst;
+    return largest;
 }
 
-TEST(PathFit, StraightStretch_IsALine) {
+TEST(PathFit, StraightPath_IsALine) {
     const sim::Timeline timeline = fixture_timeline();
     const PathFit fit = fit_path(*timeline.find("cue"), 0.25, 0.75);
     ASSERT_EQ(fit.points.size(), 2u);
@@ -31,7 +31,7 @@ TEST(PathFit, StraightStretch_IsALine) {
     EXPECT_LT(fit.error, 1e-14);
 }
 
-TEST(PathFit, CubicStretch_IsFoundExactly) {
+TEST(PathFit, CubicPath_IsFittedExactly) {
     const sim::Track track("ball", {fixture_key(0, {0, 0, 0}, {0, 0, 0}, {3, 0, 1}),
                                     fixture_key(1, {1, 1, 0}, {0, 6, -2}, {0, 0, 0})});
     const PathFit fit = fit_path(track, 0, 1);
@@ -40,7 +40,7 @@ TEST(PathFit, CubicStretch_IsFoundExactly) {
     EXPECT_LT((fit.points[2] - Vec3(1, -1, 2.0 / 3)).length(), 1e-12);
 }
 
-TEST(PathFit, SharpTurn_IsRoundedAndTheErrorToldTruly) {
+TEST(PathFit, SharpTurn_IsRoundedAndTheErrorIsReported) {
     const sim::Timeline timeline = fixture_timeline();
     const sim::Track& cue = *timeline.find("cue");
     const PathFit fit = fit_path(cue, 0, 3);
@@ -49,10 +49,10 @@ TEST(PathFit, SharpTurn_IsRoundedAndTheErrorToldTruly) {
     EXPECT_EQ(fit.points.size(), std::size_t{kHighestFitDegree} + 1);
     EXPECT_GT(fit.error, kFitError);
     EXPECT_LT(fit.error, 0.05);
-    EXPECT_NEAR(distance(fit, cue, 0, 3), fit.error, 0.1 * fit.error);
+    EXPECT_NEAR(largest_distance(fit, cue, 0, 3), fit.error, 0.1 * fit.error);
 }
 
-TEST(PathFit, LongWayAtRest_DoesNotSwing) {
+TEST(PathFit, ObjectAtRest_GivesNoOscillation) {
     const sim::Timeline timeline = fixture_timeline();
     const PathFit fit = fit_path(*timeline.find("one"), 0, 4);
     for (const Vec3& point : fit.points) {
@@ -60,13 +60,13 @@ TEST(PathFit, LongWayAtRest_DoesNotSwing) {
     }
 }
 
-TEST(PathFit, OneInstant_IsAPlace) {
+TEST(PathFit, OneInstant_IsAPoint) {
     const sim::Timeline timeline = fixture_timeline();
     EXPECT_THAT(fit_path(*timeline.find("cue"), 0.5, 0.5).points,
                 testing::ElementsAre(Vec3(1, 0, 0)));
 }
 
-TEST(PathFit, FittedOnce_GivesTheFramesOfTheRigItself) {
+TEST(PathFit, FittedRigs_GiveTheFramesOfTheOriginalRigs) {
     const sim::Timeline timeline = fixture_timeline();
     CameraRig rig = fixture_rig();
     rig.position = AlongPath{"cue", 0, 2, {0, -1, 0.5}, true, Easing::smooth};

@@ -11,7 +11,7 @@
 namespace carom::pipeline {
 namespace {
 
-TEST(Rational, Construction_ReducesAndMovesTheSignUp) {
+TEST(Rational, Construction_ReducesAndMovesTheSignToTheNumerator) {
     const Rational value(6, -8);
     EXPECT_EQ(value.numerator(), -3);
     EXPECT_EQ(value.denominator(), 4);
@@ -29,7 +29,7 @@ TEST(Rational, Arithmetic_IsExact) {
     EXPECT_THROW(ntsc / Rational(0), Error);
 }
 
-TEST(Rational, Order_HoldsWhereDoublesAreEqual) {
+TEST(Rational, Order_IsExactWhereDoublesAreEqual) {
     const std::int64_t big = std::int64_t{1} << 60;
     const Rational less(big - 1, big), more(big, big + 1);
     EXPECT_EQ(less.to_double(), more.to_double());
@@ -45,13 +45,13 @@ TEST(Rational, Overflow_IsAnErrorNotAWrongValue) {
     EXPECT_THROW(Rational(1, largest) * Rational(1, 3), Error);
     EXPECT_THROW(Rational(-largest) - Rational(largest), Error);
     EXPECT_EQ(Rational(largest, 3) * Rational(3, largest), Rational(1));
-    // Three factors of 2^62 leave 128 bits as well.
+    // Three factors of 2^62 exceed 128 bits, too.
     const WideRational wide(Int128{1} << 62, 1);
     EXPECT_NO_THROW(wide * wide);
     EXPECT_THROW(wide * wide * wide, Error);
 }
 
-TEST(Rational, Text_IsWholeOrAFraction) {
+TEST(Rational, Text_IsAWholeNumberOrAFraction) {
     EXPECT_EQ(Rational(24).to_string(), "24");
     EXPECT_EQ(Rational(24000, 1001).to_string(), "24000/1001");
     EXPECT_EQ(Rational(-1, 2).to_string(), "-1/2");
@@ -86,7 +86,8 @@ TEST(Rational, ToDouble_IsTheNearestDouble) {
     for (std::int64_t n = -500; n <= 500; ++n) {
         EXPECT_EQ(Rational(n, 192).to_double(), static_cast<double>(n) / 192);
     }
-    // 2^60 + 2^7 lies halfway between two doubles and goes to the even one, a little more does not.
+    // 2^60 + 2^7 lies halfway between two doubles and rounds to the even one; a slightly larger
+    // value rounds up.
     const std::int64_t base = std::int64_t{1} << 60;
     EXPECT_EQ(Rational(base + 128).to_double(), 0x1p60);
     EXPECT_EQ(Rational(base + 129).to_double(), 0x1p60 + 256);

@@ -1,4 +1,4 @@
-// A timeline and a rig to bend.
+// A timeline and a rig for tests to modify.
 #pragma once
 
 #include <vector>
@@ -31,7 +31,7 @@ inline sim::Timeline fixture_timeline() {
     return timeline;
 }
 
-/// Films the first two seconds from a fixed place.
+/// A rig that films the first two seconds from a fixed position.
 inline CameraRig fixture_rig() {
     CameraRig rig;
     rig.name = "a";

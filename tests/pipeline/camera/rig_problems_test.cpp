@@ -24,20 +24,20 @@ CameraRig make_rig(const std::string& name, Rational start, Rational end) {
     return rig;
 }
 
-TEST(RigProblems, ConsecutiveRigs_AreFine) {
+TEST(RigProblems, ConsecutiveRigs_HaveNoProblem) {
     EXPECT_THAT(messages(std::vector{make_rig("a", 0, 1), make_rig("b", 1, {7, 3})}), IsEmpty());
     EXPECT_THAT(messages(std::vector{make_rig("b", 1, 2), make_rig("a", 0, 1)}, {}), IsEmpty());
 }
 
-TEST(RigProblems, NoRigs_IsOne) {
+TEST(RigProblems, NoRigs_IsAProblem) {
     EXPECT_THAT(messages({}, {}), ElementsAre("there is no camera"));
 }
 
 TEST(RigProblems, Gap_NamesBothRigs) {
     EXPECT_THAT(
         messages(std::vector{make_rig("a", 0, 1), make_rig("b", {5, 4}, 2)}, {}),
-        ElementsAre("nobody films between camera 'a', which ends at 1 s of the film, and camera "
-                    "'b', which starts at 1.25 s"));
+        ElementsAre("there is a gap in the film: camera 'a' ends at 1 s, and camera 'b' starts at "
+                    "1.25 s"));
 }
 
 TEST(RigProblems, Overlap_NamesBothRigs) {
@@ -47,7 +47,7 @@ TEST(RigProblems, Overlap_NamesBothRigs) {
                     "to overlap it needs a 'fade' of 0.5 s"));
 }
 
-TEST(RigProblems, Seams_SayWhichRigsMeet) {
+TEST(RigProblems, Transitions_HaveTheIndicesOfBothRigs) {
     const auto problems =
         find_problems(std::vector{make_rig("b", {5, 4}, 2), make_rig("a", 0, 1)}, {});
     ASSERT_EQ(problems.size(), 1u);
@@ -61,13 +61,13 @@ CameraRig make_fade(const std::string& name, Rational start, Rational end, Ratio
     return rig;
 }
 
-TEST(RigProblems, FadeOverTheWholeOverlap_IsFine) {
+TEST(RigProblems, FadeOverTheWholeOverlap_IsNoProblem) {
     EXPECT_THAT(messages(std::vector{make_rig("a", 0, {5, 2}), make_fade("b", 2, 4, {1, 2}),
                                      make_fade("c", {7, 2}, 5, {1, 2})}),
                 IsEmpty());
 }
 
-TEST(RigProblems, FadesThatDoNotFit_AreNamed) {
+TEST(RigProblems, FadesThatDoNotFit_AreReported) {
     EXPECT_THAT(messages(std::vector{make_fade("a", 0, 1, {1, 2})}),
                 ElementsAre("camera 'a' fades in, but no camera films before it"));
     EXPECT_THAT(messages(std::vector{make_rig("a", 0, 2), make_fade("b", 2, 4, {1, 2})}),
@@ -78,22 +78,22 @@ TEST(RigProblems, FadesThatDoNotFit_AreNamed) {
     EXPECT_THAT(messages(std::vector{make_rig("a", 0, 2), make_fade("b", 1, 3, 1),
                                      make_fade("c", {3, 2}, 4, {3, 2})}),
                 ElementsAre("camera 'c' starts to fade in at 1.5 s of the film, before camera 'b' "
-                            "has done so at 2 s"));
+                            "has finished fading in at 2 s"));
 }
 
 TEST(RigProblems, LateStart_NamesTheFirstRig) {
     EXPECT_THAT(messages(std::vector{make_rig("a", {1, 2}, 1)}, {}),
-                ElementsAre("the film starts at 0 s, but its first camera, 'a', at 0.5 s"));
+                ElementsAre("the film starts at 0 s, but its first camera, 'a', starts at 0.5 s"));
 }
 
-TEST(RigProblems, EmptyStretch_NamesTheRig) {
+TEST(RigProblems, EmptyInterval_NamesTheRig) {
     EXPECT_THAT(
         messages(std::vector{make_rig("a", 0, 1), make_rig("b", 2, 2)}, {}),
         ElementsAre(
             "camera 'b' films from 2 s to 2 s of the film; the end must be after the start"));
 }
 
-TEST(RigProblems, BadTiming_IsNamed) {
+TEST(RigProblems, InvalidTiming_IsReported) {
     FilmTiming timing;
     timing.fps = 0;
     timing.shutter.exposure = Rational(-1, 48);
@@ -104,7 +104,7 @@ TEST(RigProblems, BadTiming_IsNamed) {
                             "the shutter's switch ratio is 2.000000; it must be between 0 and 1"));
 }
 
-TEST(FrameCount, CountsFramesThatStartInsideTheFilm) {
+TEST(FrameCount, FrameTimes_LieInsideTheFilm) {
     FilmTiming timing;
     timing.fps = 24;
     EXPECT_EQ(frame_count(std::vector{make_rig("a", 0, 1)}, timing), 24);

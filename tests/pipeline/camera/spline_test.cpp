@@ -15,7 +15,7 @@ Progress at(double done) {
 }
 
 const std::vector<Vec3> kPoints{{0, 0, 0}, {1, 0, 0}, {1, 4, 0}, {1, 4, 9}, {2, 4, 9}};
-// Their distances are 1, 4, 9 and 1, the roots 1, 2, 3 and 1.
+// Their distances are 1, 4, 9 and 1; the square roots are 1, 2, 3 and 1.
 const std::vector<double> kKnots{0, 1.0 / 7, 3.0 / 7, 6.0 / 7, 1};
 
 TEST(Spline, PassesThroughItsPoints) {
@@ -27,7 +27,7 @@ TEST(Spline, PassesThroughItsPoints) {
     }
 }
 
-TEST(Spline, VelocityAndAcceleration_DoNotJump) {
+TEST(Spline, VelocityAndAcceleration_AreContinuous) {
     const SplineCurve curve(kPoints);
     constexpr double h = 1e-5;
     for (std::size_t i = 1; i + 1 < kKnots.size(); ++i) {
@@ -35,12 +35,12 @@ TEST(Spline, VelocityAndAcceleration_DoNotJump) {
         const Vec3 middle = curve.derivative(at(kKnots[i]));
         const Vec3 after = curve.derivative(at(kKnots[i] + h));
         EXPECT_LT(((middle - before) / h - (after - middle) / h).length(), 0.05) << i;
-        EXPECT_GT(((middle - before) / h).length(), 1) << i;  // a jump would show
+        EXPECT_GT(((middle - before) / h).length(), 1) << i;  // a discontinuity would be visible
     }
     EXPECT_LT((curve.derivative(at(h)) - curve.derivative(at(0))).length() / h, 0.05);
 }
 
-TEST(Spline, Derivative_IsThatOfThePosition) {
+TEST(Spline, Derivative_MatchesThePosition) {
     const SplineCurve curve(kPoints);
     constexpr double h = 1e-6;
     for (double t = 0.05; t < 1; t += 0.05) {
@@ -57,14 +57,14 @@ TEST(Spline, BeyondTheEnds_ContinuesAlongTheTangent) {
               1e-13);
 }
 
-TEST(Spline, FewPoints_AreAPlaceOrALine) {
+TEST(Spline, OneOrTwoPoints_AreAPointOrALine) {
     EXPECT_EQ(SplineCurve({{1, 2, 3}}).position(at(0.7)), Vec3(1, 2, 3));
     EXPECT_EQ(SplineCurve({{1, 2, 3}, {1, 2, 3}}).position(at(0.7)), Vec3(1, 2, 3));
     EXPECT_EQ(SplineCurve({{0, 0, 0}, {2, 4, 6}}).position(at(0.5)), Vec3(1, 2, 3));
     EXPECT_THROW(SplineCurve({}), Error);
 }
 
-TEST(Spline, EvenPace_CoversEqualWaysInEqualTimes) {
+TEST(Spline, EvenPace_CoversEqualDistancesInEqualTimes) {
     const SplineCurve curve(kPoints);
     const int pieces = 2 * curve.segments();
     const double length = ArcLengthTable(curve, pieces).length();

@@ -1,4 +1,4 @@
-// Speed ramps; straight maps are in exposure_test.cpp.
+// Tests of speed ramps; linear maps are in exposure_test.cpp.
 #include "pipeline/camera/time_map.h"
 
 #include <gmock/gmock.h>
@@ -10,14 +10,14 @@
 namespace carom::pipeline {
 namespace {
 
-/// Films from 1 s to 6 s, beginning at scene time 3/10 s: real time until 2 s, down to an eighth at
-/// 3 s, that until 5 s, backwards at half speed from 6 s on.
-CameraRig ramp(bool gentle) {
+/// Films from 1 s to 6 s, starting at scene time 3/10 s. The speed is 1 until 2 s, decreases to 1/8
+/// at 3 s, is constant until 5 s, and changes to -1/2 at 6 s.
+CameraRig ramp(bool is_smooth) {
     CameraRig rig = fixture_rig();
     rig.video_start = 1;
     rig.video_end = 6;
     rig.time_map.scene_start = {3, 10};
-    rig.time_map.gentle = gentle;
+    rig.time_map.is_smooth = is_smooth;
     rig.time_map.speeds = {{2, 1}, {3, {1, 8}}, {5, {1, 8}}, {6, {-1, 2}}};
     return rig;
 }
@@ -27,18 +27,19 @@ WideRational scene(const CameraRig& rig, Rational time) {
 }
 
 TEST(SpeedRamp, SceneTime_IsTheExactIntegralOfTheSpeed) {
-    for (const bool gentle : {false, true}) {
-        const CameraRig rig = ramp(gentle);
+    for (const bool is_smooth : {false, true}) {
+        const CameraRig rig = ramp(is_smooth);
         EXPECT_EQ(scene(rig, 1), WideRational(3, 10));
         EXPECT_EQ(scene(rig, 2), WideRational(13, 10));
-        // A change over one second covers the mean of its speeds, evenly or gently.
+        // During a change over one second, scene time advances by the mean speed, linear or smooth.
         EXPECT_EQ(scene(rig, 3), WideRational(13, 10) + WideRational(9, 16));
         EXPECT_EQ(scene(rig, 5), WideRational(13, 10) + WideRational(13, 16));
         EXPECT_EQ(scene(rig, 6), WideRational(13, 10) + WideRational(10, 16));
         EXPECT_EQ(scene(rig, 7), WideRational(13, 10) + WideRational(2, 16));
-        EXPECT_EQ(scene(rig, 0), WideRational(-7, 10));  // the first speed goes on before the rig
+        EXPECT_EQ(scene(rig, 0),
+                  WideRational(-7, 10));  // the first speed also applies before the rig
     }
-    // After half of the first change: 1/2 s at 1, less 7/8 of the change's integral.
+    // After half of the first change: 1/2 s at speed 1, minus 7/8 of the integrated fraction.
     EXPECT_EQ(scene(ramp(false), {5, 2}),
               WideRational(13, 10) + WideRational(1, 2) - WideRational(7, 8) * WideRational(1, 8));
     EXPECT_EQ(scene(ramp(true), {5, 2}),
@@ -46,8 +47,8 @@ TEST(SpeedRamp, SceneTime_IsTheExactIntegralOfTheSpeed) {
 }
 
 TEST(SpeedRamp, Speed_IsTheSlopeOfTheSceneTime) {
-    for (const bool gentle : {false, true}) {
-        const CameraRig rig = ramp(gentle);
+    for (const bool is_smooth : {false, true}) {
+        const CameraRig rig = ramp(is_smooth);
         EXPECT_EQ(speed_at(rig, Rational(1)), WideRational(1, 1));
         EXPECT_EQ(speed_at(rig, Rational(4)), WideRational(1, 8));
         EXPECT_EQ(speed_at(rig, Rational(9)), WideRational(-1, 2));
@@ -62,15 +63,15 @@ TEST(SpeedRamp, Speed_IsTheSlopeOfTheSceneTime) {
 }
 
 TEST(SpeedRamp, AtFilmRates_StaysExact) {
-    // Frame by frame at 24000/1001 the sum of the parts is the whole: no rounding on the way.
-    for (const bool gentle : {false, true}) {
-        CameraRig rig = ramp(gentle);
+    // At 24000/1001 frames per second every exposed interval is exact: nothing is rounded.
+    for (const bool is_smooth : {false, true}) {
+        CameraRig rig = ramp(is_smooth);
         FilmTiming timing;
         timing.fps = {24000, 1001};
         timing.shutter.exposure = {1001, 48000};
         for (std::int64_t n = 24; n < 143; ++n) {
             const Exposure exposure = expose(rig, n, timing);
-            // Each side of the frame in a map that starts there is the same stretch of scene time.
+            // A map with another start gives an interval of the same duration.
             CameraRig shifted = rig;
             shifted.time_map.scene_start = 0;
             EXPECT_EQ(
@@ -81,9 +82,9 @@ TEST(SpeedRamp, AtFilmRates_StaysExact) {
     }
 }
 
-TEST(SpeedRamp, Backwards_ShowsTheSameTimes) {
-    for (const bool gentle : {false, true}) {
-        const CameraRig rig = ramp(gentle);
+TEST(SpeedRamp, Reversed_ShowsTheSameTimes) {
+    for (const bool is_smooth : {false, true}) {
+        const CameraRig rig = ramp(is_smooth);
         CameraRig back = rig;  // mirrored about 7/2 s of the film
         back.time_map.scene_start = scene(rig, 6).narrow();
         back.time_map.speeds = {{1, {1, 2}}, {2, {-1, 8}}, {4, {-1, 8}}, {5, -1}};
@@ -104,11 +105,11 @@ TEST(SpeedRamp, SceneClock_FollowsTheSignOfTheSpeed) {
     };
     EXPECT_EQ(blur(24), WideRational(1, 48));
     EXPECT_EQ(blur(71), WideRational(1, 48));
-    EXPECT_EQ(blur(72), WideRational(0, 1));  // 3 s: the turning point stands still
+    EXPECT_EQ(blur(72), WideRational(0, 1));  // 3 s: speed 0 where time reverses
     EXPECT_EQ(blur(73), WideRational(-1, 48));
 }
 
-TEST(SpeedRamp, TooManyDigits_AreRoundedNotRefused) {
+TEST(SpeedRamp, TooManyDigits_AreRounded) {
     CameraRig rig = ramp(true);
     rig.time_map.speeds = {{{7'777'777, 10'000'103}, {14'142'135, 10'000'121}},
                            {{33'333'333, 10'000'079}, {1, 10'000'019}}};
@@ -121,7 +122,7 @@ TEST(SpeedRamp, TooManyDigits_AreRoundedNotRefused) {
     EXPECT_NEAR((after + before) / 2, exact, 1e-6);
 }
 
-TEST(SpeedRamp, ShownSceneTimes_ReachAsFarAsItsKeys) {
+TEST(SpeedRamp, ShownSceneTimes_IncludeTheExtremesAtItsKeys) {
     CameraRig rig = ramp(false);
     rig.time_map.speeds = {{1, 1}, {2, 1}, {3, -1}, {6, -1}};
     EXPECT_EQ(shown_scene_times(rig).last, Rational(13, 10));
@@ -131,7 +132,7 @@ TEST(SpeedRamp, ShownSceneTimes_ReachAsFarAsItsKeys) {
     EXPECT_EQ(shown_scene_times(rig).last, Rational(2));
 }
 
-TEST(SpeedRamp, PlannedFrame_TellsItsSpeed) {
+TEST(SpeedRamp, PlannedFrame_HasItsSpeed) {
     CameraRig rig = ramp(false);
     rig.video_start = 0;
     const PlannedFrame slow = plan_frame(96, std::vector{rig}, {}, fixture_timeline());
@@ -143,13 +144,13 @@ TEST(SpeedRamp, PlannedFrame_TellsItsSpeed) {
     EXPECT_TRUE(back.reversed);
 }
 
-TEST(Way, PartOfIt_IsThatPartOfTheSameWay) {
+TEST(PathInterval, PartOfAPath_HasTheSameCameras) {
     CameraRig whole = fixture_rig();
     whole.position = BezierPath{
         {{{0, -4, 1}, "", 0}, {{2, -4, 1}, "", 0}, {{2, -2, 1}, "", 0}}, true, Easing::smooth};
     CameraRig part = whole;  // its second half, backwards, at half the speed
-    part.way_start = 1;
-    part.way_end = {1, 2};
+    part.path_start = 1;
+    part.path_end = {1, 2};
     part.time_map = {2, 1};
     FilmTiming still;
     still.shutter.exposure = 0;

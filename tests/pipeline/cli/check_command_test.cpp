@@ -119,7 +119,7 @@ cameras:
 )");
     EXPECT_EQ(
         said(),
-        R"(s.yaml:5:3: warning: 'cue' leaves the cloth that is drawn, 6 m square, at 0.292 s; it rolls on over nothing
+        R"(s.yaml:5:3: warning: 'cue' leaves the drawn cloth at 0.292 s: only a square of 6 m is drawn, and the ball continues outside it
     5 |   cue: {at: [2.5, 0], velocity: [2, 0, 0]}
       |   ^~~
 carom: 's.yaml' has no errors, but 1 warning
@@ -148,7 +148,7 @@ TEST_F(CheckCommandRun, CameraThatMakesNoPicture_IsAnError) {
     write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 3}", "[0, 0.5, 0]");
     EXPECT_EQ(
         said(2),
-        R"(s.yaml:8:5: error: camera 'seat' makes no picture from 0 s to 0.5 s of the film (frames 0 to 5): the camera's position and target are the same point
+        R"(s.yaml:8:5: error: camera 'seat' has no valid view from 0 s to 0.5 s of the film (frames 0 to 5): the camera's position and target are the same point
     8 |   - name: seat
       |     ^~~~
 carom: error: 's.yaml' has 1 error

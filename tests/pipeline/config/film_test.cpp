@@ -138,7 +138,7 @@ TEST(Cameras, SpeedsAndFade_AreExact) {
     ASSERT_EQ(rig.time_map.speeds.size(), 2U);
     EXPECT_EQ(rig.time_map.speeds[1].video_time, Rational(3));
     EXPECT_EQ(rig.time_map.speeds[1].speed, Rational(1, 8));
-    EXPECT_TRUE(rig.time_map.gentle);
+    EXPECT_TRUE(rig.time_map.is_smooth);
 }
 
 TEST(Cameras, FocalLengthAndSensor_StandForTheFieldOfView) {

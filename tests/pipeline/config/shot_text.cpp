@@ -165,7 +165,7 @@ void write_scene(Writer& out, const render::SceneDescription& scene) {
 
 void write_camera(Writer& out, const CameraRig& rig) {
     out.line("camera", rig.name, rig.video_start, rig.video_end, rig.fade, rig.time_map.scene_start,
-             rig.time_map.scene_end, rig.time_map.gentle);
+             rig.time_map.scene_end, rig.time_map.is_smooth);
     for (const SpeedKey& key : rig.time_map.speeds) {
         out.line(key.video_time, key.speed);
     }
