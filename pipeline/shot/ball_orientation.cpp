@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// FNV-1a (Fowler, Noll, Vo; parameters of draft-eastlake-fnv).
+/// The FNV-1a hash (Fowler, Noll, Vo; parameters of draft-eastlake-fnv).
 std::uint64_t hash_name(std::string_view name) {
     std::uint64_t hash = 0xCBF29CE484222325U;
     for (const char c : name) {
@@ -24,14 +24,14 @@ std::uint64_t mix(std::uint64_t z) {
     return split_mix(z + kSplitMixStep);
 }
 
-/// Uniform in [low, high); `dimension` tells the draws of one ball apart.
+/// A random number, uniform in [low, high); `dimension` distinguishes the draws of one ball.
 double draw(std::uint64_t seed, std::uint64_t name, std::uint64_t dimension, double low,
             double high) {
     const std::uint64_t bits = mix(mix(seed ^ mix(name)) + dimension);
     return low + (high - low) * unit_number(bits);
 }
 
-Quat turn(const Vec3& unit_axis, double angle) {
+Quat rotation(const Vec3& unit_axis, double angle) {
     return Quat(std::cos(angle / 2), unit_axis * std::sin(angle / 2));
 }
 
@@ -42,10 +42,10 @@ Quat initial_ball_orientation(std::uint64_t seed, std::string_view name) {
     const double azimuth = draw(seed, hash, 0, 120, 240) * kDegree;
     const double elevation = draw(seed, hash, 1, 10, 65) * kDegree;
     const double roll = draw(seed, hash, 2, -40, 40) * kDegree;
-    // Roll about the disc's own axis, then lift it, then turn it to its side; the right factor of
-    // a product acts first.
+    // The ball is rotated about the disc's own axis, then in elevation, then in azimuth; the right
+    // factor of a product acts first.
     const Quat orientation =
-        turn({0, 0, 1}, azimuth) * turn({0, 1, 0}, -elevation) * turn({1, 0, 0}, roll);
+        rotation({0, 0, 1}, azimuth) * rotation({0, 1, 0}, -elevation) * rotation({1, 0, 0}, roll);
     return orientation.normalized();
 }
 

@@ -37,7 +37,7 @@ BallTexture pool_texture(std::string_view name) {
     const auto* const found = std::find(kPoolNames.begin(), kPoolNames.end(), name);
     if (found == kPoolNames.end()) {
         BallTexture texture = plain(kWhite);
-        texture.spots = name == "cue" ? 6 : 0;  // they show its spin
+        texture.spots = name == "cue" ? 6 : 0;  // the spots make its spin visible
         return texture;
     }
     const auto index = static_cast<std::size_t>(found - kPoolNames.begin());
@@ -84,7 +84,7 @@ BallMeasures ball_measures(BallSet set) {
             // WPA, Tournament Table & Equipment Specifications: 2 1/4 in, 5.5 to 6 oz.
             return {0.028575, 0.170097};
         case BallSet::snooker:
-            // 2 1/16 in; the WPBSA's 52.5 mm with 0.05 mm either way holds it nearly.
+            // 2 1/16 in, close to the 52.5 mm +- 0.05 mm of the WPBSA.
             return {0.02619375, 0.140};
         case BallSet::carom:
             // UMB, World Rules of Carom Billiard, article 12: 61 to 61.5 mm, 205 to 220 g.

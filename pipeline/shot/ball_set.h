@@ -9,7 +9,7 @@ namespace carom::pipeline {
 
 enum class BallSet { pool, snooker, carom };
 
-/// The measures of a set's balls.
+/// Size and mass of a set's balls.
 struct BallMeasures {
     double radius = 0;  // m
     double mass = 0;    // kg
@@ -17,9 +17,9 @@ struct BallMeasures {
 
 [[nodiscard]] BallMeasures ball_measures(BallSet set);
 
-/// How the ball of that name is painted: "one" to "fifteen" and "cue" in pool, "red_1" ...,
-/// "yellow" ... and "cue" in snooker, "white", "yellow" and "red" in carom. Any other name: plain
-/// white.
+/// The texture of the ball of that name: "one" to "fifteen" and "cue" in pool, "red_1" ...,
+/// "yellow" ... and "cue" in snooker, "white", "yellow" and "red" in carom. A ball with any other
+/// name is plain white.
 [[nodiscard]] render::BallTexture ball_texture(BallSet set, std::string_view name);
 
 }  // namespace carom::pipeline

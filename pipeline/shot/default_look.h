@@ -1,4 +1,4 @@
-// What a shot shows unless its look says otherwise.
+// Default materials and lights of a shot.
 #pragma once
 
 #include <string_view>
@@ -9,15 +9,16 @@
 
 namespace carom::pipeline {
 
-/// Materials by the names that a look may define anew: "cloth", "cushion", "rail", "pocket_liner",
-/// "pocket_floor", "apron", "leg", "sight", "floor", "ball" (the finish of all balls; their colours
-/// come on top) and "plain".
+/// The default materials, which a look may replace by name: "cloth", "cushion", "rail",
+/// "pocket_liner", "pocket_floor", "apron", "leg", "sight", "floor", "ball" (the finish of all
+/// balls, without their colours) and "plain".
 [[nodiscard]] const std::vector<render::MaterialDescription>& default_materials();
 
-/// The name of the material that a part of the table has.
+/// The name of the default material of a part of the table.
 [[nodiscard]] std::string_view material_of(sim::billiards::SurfacePart part);
 
-/// A lamp above the middle of the table and a dim room. Without a table: above the origin.
+/// A lamp above the centre of the table and a dim room. Without a table the lamp is above the
+/// origin.
 [[nodiscard]] std::vector<render::LightDescription> default_lights(
     const sim::billiards::TableMeasures* table);
 

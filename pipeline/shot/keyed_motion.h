@@ -1,4 +1,4 @@
-// The motion of an object that is moved by keys of the shot, not by the laws of physics.
+// The motion of an object that the shot's keys move instead of the simulation.
 #pragma once
 
 #include <limits>
@@ -10,22 +10,24 @@
 
 namespace carom::pipeline {
 
-/// Where the object is at one instant. What is not given is as in the key before.
+/// Position and orientation of the object at one instant. Missing values are those of the previous
+/// key.
 struct MotionKey {
     double time = std::numeric_limits<double>::quiet_NaN();  // scene time, s
     std::optional<Vec3> position;                            // of the object's origin
-    std::optional<Quat> rotate;    // reached by the shortest arc from the key before
-    std::optional<Vec3> turn;      // instead: from the key before, a rotation vector of any length
-    std::optional<Vec3> velocity;  // on passing, m/s; smooth motions only
+    std::optional<Quat> rotate;    // reached from the previous key through the smaller angle
+    std::optional<Vec3> turn;      // instead: rotation vector since the previous key, of any length
+    std::optional<Vec3> velocity;  // at the key, m/s; smooth motions only
 };
 
 struct KeyedMotion {
     std::vector<MotionKey> keys;  // in strictly increasing time, at least one
-    bool is_linear = false;       // from key to key at constant speed, with corners at the keys
+    bool is_linear = false;       // constant speed from key to key, with corners at the keys
 };
 
-/// The track through the keys; what the first one leaves out is `start`. docs/timeline.md has the
-/// formulas. Before the first and after the last key the object stands. Throws Error as Track does.
+/// The track through the keys. Missing values of the first key are those of `start`. The object
+/// stands still before the first and after the last key. docs/timeline.md has the formulas. Throws
+/// Error as Track does.
 [[nodiscard]] sim::Track keyed_track(std::string name, const KeyedMotion& motion,
                                      const Pose& start = {});
 

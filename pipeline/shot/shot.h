@@ -1,4 +1,4 @@
-// A whole shot, as read from YAML: what is simulated, what is seen, who films it, where it goes.
+// A shot as read from YAML: the world, the scene, the cameras and the output.
 #pragma once
 
 #include <map>
@@ -17,14 +17,14 @@ namespace carom::pipeline {
 struct Shot {
     std::string name;  // the file's name without folder and extension
     sim::WorldDescription world;
-    render::SceneDescription scene;  // its objects name tracks of the world's bodies, or of `keyed`
-    std::vector<sim::Track> keyed;   // of what is moved by keys and only seen
+    render::SceneDescription scene;  // its objects refer to tracks of bodies or of `keyed` by name
+    std::vector<sim::Track> keyed;   // of objects that keys move
     std::vector<CameraRig> cameras;
     FilmTiming timing;
     render::RenderSettings render;
     OutputSettings output;
-    std::string resolved_text;  // the shot after includes and overrides, as YAML that loads alone
-    std::vector<sim::Asset> assets;  // files that it refers to
+    std::string resolved_text;  // the shot after includes and overrides, as self-contained YAML
+    std::vector<sim::Asset> assets;  // files to which it refers
 };
 
 }  // namespace carom::pipeline

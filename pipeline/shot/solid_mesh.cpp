@@ -9,13 +9,13 @@ namespace {
 
 constexpr std::uint32_t kSides = 96;
 
-Vec3 around(std::uint32_t side) {
+Vec3 unit_circle_point(std::uint32_t side) {
     const double angle = 2 * std::numbers::pi * side / kSides;
     return {std::cos(angle), std::sin(angle), 0};
 }
 
-/// A flat side of its own vertices.
-void add_side(render::MeshShape& mesh, const std::vector<Vec3>& corners, const Vec3& normal) {
+/// Adds a flat face that has its own vertices.
+void add_face(render::MeshShape& mesh, const std::vector<Vec3>& corners, const Vec3& normal) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (const Vec3& corner : corners) {
         mesh.vertices.push_back(corner);
@@ -32,7 +32,7 @@ sim::TriangleMesh disk_mesh(double radius) {
     sim::TriangleMesh mesh;
     mesh.vertices.emplace_back(0, 0, 0);
     for (std::uint32_t i = 0; i < kSides; ++i) {
-        mesh.vertices.push_back(around(i) * radius);
+        mesh.vertices.push_back(unit_circle_point(i) * radius);
         mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % kSides});
     }
     return mesh;
@@ -44,7 +44,7 @@ sim::TriangleMesh cone_mesh(const render::ConeShape& cone) {
         const double radius = end < 0 ? cone.radius : cone.top_radius;
         const Vec3 centre(0, 0, end * cone.height);
         for (std::uint32_t i = 0; i < (radius > 0 ? kSides : 1); ++i) {
-            points.push_back(centre + around(i) * radius);
+            points.push_back(centre + unit_circle_point(i) * radius);
         }
     }
     sim::TriangleMesh mesh;
@@ -68,7 +68,7 @@ render::MeshShape hull_mesh(const sim::Polyhedron& hull) {
         for (const std::uint32_t corner : face.corners) {
             corners.push_back(hull.vertices[corner]);
         }
-        add_side(mesh, corners, face.normal);
+        add_face(mesh, corners, face.normal);
     }
     return mesh;
 }

@@ -1,4 +1,4 @@
-// Hulls as meshes to see, disks and cones as meshes to collide with.
+// Render meshes of convex hulls, and collision meshes of disks and cones.
 #pragma once
 
 #include "render/scene/scene_description.h"
@@ -7,12 +7,12 @@
 
 namespace carom::pipeline {
 
-/// What balls collide with: 96 sides around, inside the true surface by at most
-/// 0.06 % of the radius.
+/// Collision meshes with 96 sides. They lie inside the true surface by at most 0.06 % of the
+/// radius.
 [[nodiscard]] sim::TriangleMesh disk_mesh(double radius);
 [[nodiscard]] sim::TriangleMesh cone_mesh(const render::ConeShape& cone);
 
-/// Every side flat.
+/// A mesh with flat-shaded faces.
 [[nodiscard]] render::MeshShape hull_mesh(const sim::Polyhedron& hull);
 
 }  // namespace carom::pipeline

@@ -9,7 +9,7 @@ namespace carom::pipeline {
 
 namespace {
 
-render::ObjectDescription drawn(const sim::billiards::Surface& surface) {
+render::ObjectDescription make_object(const sim::billiards::Surface& surface) {
     render::MeshShape mesh;
     mesh.vertices = surface.vertices;
     mesh.normals = surface.normals;
@@ -27,7 +27,7 @@ render::ObjectDescription drawn(const sim::billiards::Surface& surface) {
 void add_table(render::SceneDescription& scene, const sim::billiards::TableMeasures& measures,
                const sim::billiards::TableGeometry& geometry) {
     for (const sim::billiards::Surface& surface : geometry.surfaces) {
-        scene.objects.push_back(drawn(surface));
+        scene.objects.push_back(make_object(surface));
     }
     if (!measures.has_cushions) {
         return;

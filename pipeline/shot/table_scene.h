@@ -1,4 +1,4 @@
-// A table's surfaces as objects to see.
+// The surfaces of a table as objects of the scene.
 #pragma once
 
 #include "render/scene/scene_description.h"

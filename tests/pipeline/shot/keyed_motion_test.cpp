@@ -1,4 +1,4 @@
-// Where keys take an object, against closed forms.
+// Compares keyed motions with closed forms.
 #include "pipeline/shot/keyed_motion.h"
 
 #include <algorithm>
@@ -47,13 +47,13 @@ void expect_near(const Vec3& a, const Vec3& b, double bound = 1e-12) {
     EXPECT_LE((a - b).length(), bound) << a << " against " << b;
 }
 
-/// That the orientation is that after a turn about z.
+/// Expects the orientation after a rotation about z.
 void expect_turned(const sim::Track& track, double time, double degrees) {
     const Quat expected = sim::rotation_from_vector({0, 0, degrees * kDegree});
     EXPECT_LE(sim::angle_between(track.sample(time).orientation, expected), 1e-12) << time;
 }
 
-TEST(KeyedMotion, Linear_GoesStraightAtConstantSpeed) {
+TEST(KeyedMotion, Linear_IsStraightAtConstantSpeed) {
     const sim::Track track =
         keyed_track("a", {{at(1, {0, 0, 0}), at(3, {4, 0, 0}), at(4, {4, 3, 0})}, true});
     expect_near(track.sample(1.5).position, {1, 0, 0});
@@ -63,7 +63,7 @@ TEST(KeyedMotion, Linear_GoesStraightAtConstantSpeed) {
     expect_near(track.sample(3.25).velocity, {0, 3, 0});
 }
 
-TEST(KeyedMotion, BeforeAndAfter_Stands) {
+TEST(KeyedMotion, BeforeAndAfterTheKeys_StandsStill) {
     const sim::Track track = keyed_track("a", {{at(1, {1, 0, 0}), at(2, {2, 0, 0})}, true});
     EXPECT_EQ(track.sample(0).position, Vec3(1, 0, 0));
     EXPECT_EQ(track.sample(9).position, Vec3(2, 0, 0));
@@ -78,7 +78,7 @@ TEST(KeyedMotion, SmoothPair_StartsAndStopsAtRest) {
     }
 }
 
-TEST(KeyedMotion, SmoothInnerKey_PassesWithTheMeanVelocityOfItsNeighbours) {
+TEST(KeyedMotion, SmoothInnerKey_HasTheMeanVelocityOfItsNeighbours) {
     const sim::Track track =
         keyed_track("a", {{at(0, {0, 0, 0}), at(1, {1, 0, 0}), at(3, {1, 6, 0})}});
     const Vec3 v(1.0 / 3, 2, 0);
@@ -95,7 +95,7 @@ TEST(KeyedMotion, SmoothInnerKey_PassesWithTheMeanVelocityOfItsNeighbours) {
 TEST(KeyedMotion, GivenVelocity_IsKept) {
     KeyedMotion motion{{at(0, {0, 0, 0}), at(1, {1, 0, 0})}};
     motion.keys[0].velocity = Vec3(2, 0, 0);
-    const sim::Track track = keyed_track("a", motion);  // brakes evenly from 2 m/s to none
+    const sim::Track track = keyed_track("a", motion);  // constant deceleration from 2 m/s to 0
     for (const double t : {0.0, 0.3, 0.7, 1.0}) {
         expect_near(track.sample(t).position, {2 * t - t * t, 0, 0});
     }
@@ -109,7 +109,7 @@ TEST(KeyedMotion, Pause_DoesNotDrift) {
     }
 }
 
-TEST(KeyedMotion, WhatIsLeftOut_IsAsBeforeOrAtTheStart) {
+TEST(KeyedMotion, MissingValues_AreThoseOfThePreviousKeyOrTheStart) {
     const Pose start{{1, 2, 3}, sim::rotation_from_vector({0, 0, 30 * kDegree})};
     const sim::Track track = keyed_track(
         "a", {{first(), turned(1, {0, 0, 60 * kDegree}), at(2, {9, 2, 3})}, true}, start);
@@ -120,14 +120,14 @@ TEST(KeyedMotion, WhatIsLeftOut_IsAsBeforeOrAtTheStart) {
     expect_turned(track, 2, 90);
 }
 
-TEST(KeyedMotion, LinearTurn_MayBeOfManyRounds) {
+TEST(KeyedMotion, LinearTurn_MayHaveManyRevolutions) {
     const sim::Track track = keyed_track("a", {{first(), turned(2, {0, 0, 900 * kDegree})}, true});
     for (const double s : {0.0, 0.1, 0.5, 0.77, 1.0}) {
         expect_turned(track, 2 * s, 900 * s);
     }
 }
 
-TEST(KeyedMotion, SmoothTurn_OfManyRoundsSpeedsUpAndSlowsDownEvenly) {
+TEST(KeyedMotion, SmoothTurnOfManyRevolutions_AcceleratesAndDeceleratesEvenly) {
     for (const double degrees : {720.0, -270.0, 190.0}) {
         const sim::Track track =
             keyed_track("a", {{first(), turned(2, {0, 0, degrees * kDegree})}});
@@ -140,13 +140,13 @@ TEST(KeyedMotion, SmoothTurn_OfManyRoundsSpeedsUpAndSlowsDownEvenly) {
     }
 }
 
-TEST(KeyedMotion, Rotation_TakesTheShorterWay) {
+TEST(KeyedMotion, Rotation_TakesTheSmallerAngle) {
     const sim::Track track =
         keyed_track("a", {{rotated(0, {0, 0, 0}), rotated(1, {0, 0, 270 * kDegree})}, true});
     expect_turned(track, 0.5, -45);
 }
 
-TEST(KeyedMotion, SmoothTurnsAboutOneAxis_PassTheInnerKeyWithTheirMean) {
+TEST(KeyedMotion, SmoothTurnsAboutOneAxis_HaveTheirMeanVelocityAtTheInnerKey) {
     const sim::Track track = keyed_track(
         "a", {{first(), turned(1, {0, 0, 400 * kDegree}), turned(3, {0, 0, 500 * kDegree})}});
     expect_near(track.sample(1).angular_velocity, {0, 0, 300 * kDegree});
@@ -154,9 +154,9 @@ TEST(KeyedMotion, SmoothTurnsAboutOneAxis_PassTheInnerKeyWithTheirMean) {
     expect_turned(track, 3, 900);
 }
 
-/// What a track would have to spread over the turn to a key because its velocities do not lead
-/// there: the largest of all, rad.
-double largest_rest(const sim::Track& track) {
+/// The largest rotation error that a track would have to distribute between two keys because its
+/// angular velocities do not lead from one to the other, rad.
+double largest_rotation_error(const sim::Track& track) {
     double largest = 0;
     for (std::size_t i = 1; i < track.keys().size(); ++i) {
         const sim::Key& from = track.keys()[i - 1];
@@ -169,14 +169,14 @@ double largest_rest(const sim::Track& track) {
     return largest;
 }
 
-TEST(KeyedMotion, SmoothTurnsAboutChangingAxes_HaveNoJolt) {
+TEST(KeyedMotion, SmoothTurnsAboutChangingAxes_HaveContinuousVelocity) {
     const sim::Track track =
         keyed_track("a", {{rotated(0, {0, 0, 0}), rotated(1, {1.2, 0.3, 0}),
                            rotated(1.7, {0.4, -0.5, 1.4}), rotated(3, {-1, 0.5, 2})}});
     for (const sim::Key& key : track.keys()) {
         EXPECT_FALSE(key.is_break());
     }
-    EXPECT_LE(largest_rest(track), 1e-12);
+    EXPECT_LE(largest_rotation_error(track), 1e-12);
 }
 
 TEST(KeyedMotion, SmoothTurnsAboutAnyAxes_LeadToTheirKeys) {
@@ -187,11 +187,11 @@ TEST(KeyedMotion, SmoothTurnsAboutAnyAxes_LeadToTheirKeys) {
         for (const double time : {0.0, 0.5, 2.0, 2.5, 4.0}) {
             motion.keys.push_back(rotated(time, 1.8 * Vec3{next(), next(), next()}));
         }
-        EXPECT_LE(largest_rest(keyed_track("a", motion)), 1e-12) << i;
+        EXPECT_LE(largest_rotation_error(keyed_track("a", motion)), 1e-12) << i;
     }
 }
 
-TEST(KeyedMotion, LongTurnsAboutDifferentAxes_StopBetween) {
+TEST(KeyedMotion, LongTurnsAboutDifferentAxes_StopAtTheKey) {
     const sim::Track track =
         keyed_track("a", {{first(), turned(1, {0, 0, 720 * kDegree}), turned(2, {9, 0, 0})}});
     EXPECT_EQ(track.sample(1).angular_velocity, Vec3(0, 0, 0));
