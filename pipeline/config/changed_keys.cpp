@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<std::string_view, 8> kSections{"simulation", "physics", "ball_set", "table",
                                                     "rack",       "balls",   "objects",  "events"};
 
-// What balls and objects say of their look.
+// The keys of balls and objects that are not compared.
 constexpr std::array<std::string_view, 4> kLook{"look", "material", "smooth", "motion"};
 
 Node parse(const std::string& text) {
@@ -63,28 +63,28 @@ void compare(const Node& before, const Node& after, const std::string& path,
     }
 }
 
-/// A ball's or object's look is no physics.
-void drop_look(Node& root) {
+/// Removes the keys of balls and objects that are not compared.
+void remove_look(Node& root) {
     for (const std::string_view section : {"balls", "objects"}) {
         Entry* entries = root.find(section);
         if (entries == nullptr) {
             continue;
         }
-        for (Entry& thing : entries->value.entries) {
-            std::erase_if(thing.value.entries, [](const Entry& entry) {
+        for (Entry& named : entries->value.entries) {
+            std::erase_if(named.value.entries, [](const Entry& entry) {
                 return std::find(kLook.begin(), kLook.end(), entry.key) != kLook.end();
             });
         }
     }
 }
 
-/// The sections that make the physics.
+/// The sections that affect the simulation.
 Node physics_of(const std::string& text) {
     Node root = parse(text);
     std::erase_if(root.entries, [](const Entry& entry) {
         return std::find(kSections.begin(), kSections.end(), entry.key) == kSections.end();
     });
-    drop_look(root);
+    remove_look(root);
     return root;
 }
 

@@ -1,4 +1,4 @@
-// In what two shots differ.
+// Finds the differences between two shots.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 namespace carom::pipeline {
 
 /// Paths of the keys in which the physics of two resolved shots differ ("events[0].strike.speed"),
-/// in the order of the second. Where a list got longer or shorter it is named as a whole. Texts
-/// that cannot be read have no keys.
+/// in the order of the second shot. A list whose length differs is named as a whole. A text that
+/// cannot be read has no keys.
 [[nodiscard]] std::vector<std::string> changed_physics_keys(const std::string& before,
                                                             const std::string& after);
 

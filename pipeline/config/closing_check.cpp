@@ -12,7 +12,7 @@ namespace carom::pipeline::config {
 
 namespace {
 
-constexpr std::size_t kNowhere = std::string_view::npos;
+constexpr std::size_t kNotFound = std::string_view::npos;
 
 bool is_blank(char c) {
     return c == ' ' || c == '\t';
@@ -22,8 +22,8 @@ bool is_line_end(char c) {
     return c == '\n' || c == '\r';
 }
 
-/// Goes through a text token by token, just well enough to know which quotes open a quoted text,
-/// which brackets a list or a map, and how far their key (or dash) is indented.
+/// A simplified tokenizer. It determines only which quotes open a quoted text, which brackets open
+/// a list or a map, and the indentation of their key (or dash).
 class ClosingFinder {
   public:
     explicit ClosingFinder(std::string_view text) : text_(text) {}
@@ -70,10 +70,10 @@ class ClosingFinder {
         return (start == "---" || start == "...") && ends_word(3);
     }
 
-    /// True if nothing of the line's beginning is left to read.
+    /// Reads the beginning of a line. True if the caller must call it again, at the next line.
     bool begin_line() {
         const std::size_t first = text_.find_first_not_of(" \t\r", at_);
-        if (first == kNowhere || text_[first] == '\n') {
+        if (first == kNotFound || text_[first] == '\n') {
             go_to_next_line();
             return true;
         }
@@ -87,20 +87,20 @@ class ClosingFinder {
         return in_flow() ? continue_flow() : begin_block_line();
     }
 
-    /// The same on a line within brackets.
+    /// Like begin_line, on a line within brackets.
     bool continue_flow() {
         const bool continues = std::exchange(is_plain_open_, false) && peek() != '#';
         if (column(at_) <= parent_ && peek() != '#') {
             return check_open_brackets();
         }
-        if (continues && std::string_view(",]}[{:").find(peek()) == kNowhere) {
+        if (continues && std::string_view(",]}[{:").find(peek()) == kNotFound) {
             read_plain();
             return true;
         }
         return false;
     }
 
-    /// The same on any other line.
+    /// Like begin_line, on any other line.
     bool begin_block_line() {
         if (is_plain_open_ && peek() != '#' && column(at_) > plain_parent_) {
             go_to_next_line();
@@ -108,9 +108,9 @@ class ClosingFinder {
         }
         is_plain_open_ = false;
         if (column(at_) <= parent_ && peek() != '-' && peek() != '#') {
-            // What was indented deeper has ended. A bracket or a quote here is not the value of a
-            // key above; it must not take the keys that follow for its own lines.
-            const bool is_opening = std::string_view("[{'\"").find(peek()) != kNowhere;
+            // The block with deeper indentation has ended. A bracket or a quote here is not the
+            // value of a key above, and the keys that follow are not continuation lines of it.
+            const bool is_opening = std::string_view("[{'\"").find(peek()) != kNotFound;
             parent_ = std::max(column(at_) - 1, is_opening ? 0 : -1);
         }
         return false;
@@ -142,7 +142,7 @@ class ClosingFinder {
         }
     }
 
-    [[nodiscard]] std::string opened(std::size_t bracket) const {
+    [[nodiscard]] std::string describe_bracket(std::size_t bracket) const {
         return std::string("this '") + text_[bracket] + "'";
     }
 
@@ -152,7 +152,7 @@ class ClosingFinder {
             const std::string closed_by = std::string(" is closed by a '") + peek() + "'";
             const std::size_t line = line_number(at_);
             at_ = bracket;
-            report(opened(bracket) + closed_by +
+            report(describe_bracket(bracket) + closed_by +
                        (line == line_number(bracket) ? "" : fmt::format(" on line {}", line)),
                    1);
             return;
@@ -161,21 +161,21 @@ class ClosingFinder {
         ++at_;
     }
 
-    /// On a line that is not indented deeper than the key of the open brackets: it must begin with
-    /// their closing ones. True if it does not.
+    /// Checks a line that is not indented more deeply than the key of the open brackets. It must
+    /// begin with a closing bracket. True after a problem.
     bool check_open_brackets() {
         if (peek() == ']' || peek() == '}') {
             return false;
         }
         const std::string line = fmt::format("{}", line_number(at_));
         at_ = open_.back();
-        report(opened(at_) + " is not closed before line " + line +
-                   ", which is not indented deeper than its key",
+        report(describe_bracket(at_) + " must be closed before line " + line +
+                   ", which is not indented more deeply than its key",
                1);
         return true;
     }
 
-    /// An anchor, an alias or a tag.
+    /// Skips an anchor, an alias or a tag.
     void skip_property() {
         token_column_ = column(at_);
         const std::string_view ends = in_flow() ? " \t\r\n,[]{}" : " \t\r\n";
@@ -185,14 +185,14 @@ class ClosingFinder {
     void skip_block_text() {
         for (go_to_next_line(); at_ < text_.size(); go_to_next_line()) {
             const std::size_t first = text_.find_first_not_of(" \r", at_);
-            const bool is_empty = first == kNowhere || text_[first] == '\n';
+            const bool is_empty = first == kNotFound || text_[first] == '\n';
             if (!is_empty && column(first) <= parent_) {
                 return;
             }
         }
     }
 
-    /// Up to its end on this line.
+    /// Reads a scalar without quotes up to its end on this line.
     void read_plain() {
         token_column_ = column(at_);
         plain_parent_ = parent_;
@@ -202,7 +202,7 @@ class ClosingFinder {
                 peek() == ':' && (ends_word(1) || (in_flow() && (peek(1) == ',' || peek(1) == ']' ||
                                                                  peek(1) == '}')));
             if (is_value || (peek() == '#' && is_blank(text_[at_ - 1])) ||
-                (in_flow() && std::string_view(",[]{}").find(peek()) != kNowhere)) {
+                (in_flow() && std::string_view(",[]{}").find(peek()) != kNotFound)) {
                 return;
             }
             ++at_;
@@ -210,7 +210,7 @@ class ClosingFinder {
         is_plain_open_ = true;
     }
 
-    /// Where the text that starts at the quote `at_` is closed; nowhere if it is not.
+    /// The offset of the quote that closes the text at `at_`, or kNotFound.
     [[nodiscard]] std::size_t find_closing_quote() const {
         const char mark = peek();
         for (std::size_t i = at_ + 1; i < text_.size(); ++i) {
@@ -223,83 +223,81 @@ class ClosingFinder {
                 ++i;  // '' is an apostrophe
             }
         }
-        return kNowhere;
+        return kNotFound;
     }
 
-    /// The first line between the quotes that is not indented as a continuation; nowhere if all
-    /// are.
+    /// The first line between the quotes that is not indented as a continuation line, or kNotFound.
     [[nodiscard]] std::size_t find_shallow_line(std::size_t close) const {
         const std::string_view inside = text_.substr(0, close);
-        for (std::size_t end = inside.find('\n', at_); end != kNowhere;
+        for (std::size_t end = inside.find('\n', at_); end != kNotFound;
              end = inside.find('\n', end)) {
             const std::size_t start = ++end;
             const std::size_t first = text_.find_first_not_of(" \t\r", start);
             const std::size_t indent = text_.find_first_not_of(' ', start);
-            if (first != kNowhere && text_[first] != '\n' &&
+            if (first != kNotFound && text_[first] != '\n' &&
                 static_cast<int>(indent - start) <= parent_) {
                 return start;
             }
         }
-        return kNowhere;
+        return kNotFound;
     }
 
     void read_quoted() {
         const std::size_t close = find_closing_quote();
-        if (close == kNowhere) {
+        if (close == kNotFound) {
             report("the quote opened here is never closed");
             return;
         }
         const std::size_t shallow = find_shallow_line(close);
-        if (shallow != kNowhere) {
+        if (shallow != kNotFound) {
             report(
-                fmt::format("{}; the lines of a quoted text must be indented deeper than its key, "
-                            "and line {} is not",
-                            not_on_its_line(close), line_number(shallow)));
+                fmt::format("{}; further lines of a quoted text must be indented more deeply than "
+                            "its key, but line {} is not",
+                            describe_late_quote(close), line_number(shallow)));
             return;
         }
         token_column_ = column(at_);
-        check_behind(close);
+        check_after_quote(close);
         if (problem_) {
             return;
         }
         const std::size_t last_line_end = text_.substr(at_, close - at_).rfind('\n');
-        if (last_line_end != kNowhere) {
+        if (last_line_end != kNotFound) {
             line_start_ = at_ + last_line_end + 1;
         }
         at_ = close + 1;
     }
 
-    [[nodiscard]] std::string not_on_its_line(std::size_t close) const {
-        return fmt::format("the quote opened here is not closed on its line but only on line {}",
-                           line_number(close));
+    [[nodiscard]] std::string describe_late_quote(std::size_t close) const {
+        return fmt::format("the quote opened here is closed only on line {}", line_number(close));
     }
 
-    /// What follows the closing quote must be the end of the value.
-    void check_behind(std::size_t close) {
+    /// Checks that the value ends at the closing quote.
+    void check_after_quote(std::size_t close) {
         std::size_t next = close + 1;
         while (next < text_.size() && is_blank(text_[next])) {
             ++next;
         }
         const bool is_end = next >= text_.size() || is_line_end(text_[next]) ||
-                            std::string_view(",]}:").find(text_[next]) != kNowhere ||
+                            std::string_view(",]}:").find(text_[next]) != kNotFound ||
                             (text_[next] == '#' && next > close + 1);
         if (is_end) {
             return;
         }
         const std::size_t end = std::min(text_.find_first_of("\r\n", next), text_.size());
-        const std::string behind = quote(text_.substr(next, end - next));
-        if (text_.substr(at_, close - at_).find('\n') != kNowhere) {
-            report(not_on_its_line(close) + ", where " + behind + " follows");
+        const std::string rest = quote(text_.substr(next, end - next));
+        if (text_.substr(at_, close - at_).find('\n') != kNotFound) {
+            report(describe_late_quote(close) + ", where " + rest + " follows it");
             return;
         }
         const bool is_single = peek() == '\'';
         at_ = next;
-        report(behind + " follows a closing quote; is a quote or a comma missing?" +
+        report(rest + " follows a closing quote; is a quote or a comma missing?" +
                (is_single ? " An apostrophe in single quotes is written twice: ''" : ""));
     }
 
-    /// About what stands at `at_`, up to the line's end unless a length is given.
-    void report(const std::string& message, std::size_t length = kNowhere) {
+    /// Reports a problem at `at_`, up to the end of the line unless a length is given.
+    void report(const std::string& message, std::size_t length = kNotFound) {
         const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
         problem_ = ClosingProblem{at_, std::clamp<std::size_t>(end - at_, 1, length),
                                   "YAML syntax: " + message};
@@ -309,8 +307,8 @@ class ClosingFinder {
     std::size_t at_ = 0;
     std::size_t line_start_ = 0;
     std::vector<std::size_t> open_;  // brackets, the innermost last
-    int parent_ = -1;       // column of the key or dash whose value comes next; -1: the document
-    int token_column_ = 0;  // where the last scalar began
+    int parent_ = -1;             // column of the key or dash of the next value; -1: the document
+    int token_column_ = 0;        // column of the last scalar
     bool is_plain_open_ = false;  // the next line may continue a text without quotes ...
     int plain_parent_ = -1;       // ... of the key in this column
     std::optional<ClosingProblem> problem_;

@@ -13,7 +13,7 @@ namespace carom::pipeline::config {
 
 namespace {
 
-/// sRGB's decoding function (IEC 61966-2-1:1999).
+/// The sRGB decoding function (IEC 61966-2-1:1999).
 double decode_srgb(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
@@ -30,7 +30,7 @@ std::optional<Vec3> parse_hexadecimal_colour(std::string_view text) {
         if (code != std::errc() || end != begin + 2) {
             return std::nullopt;
         }
-        // Rounded, since pow differs in its last bits between libraries.
+        // Rounded, because the last bits of pow differ between libraries.
         colour[channel] = std::round(decode_srgb(value / 255.0) * 1e7) / 1e7;
     }
     return colour;

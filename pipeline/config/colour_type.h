@@ -1,4 +1,4 @@
-// Colours as values of keys.
+// The type of colours.
 #pragma once
 
 #include "core/vectors.h"
@@ -6,7 +6,8 @@
 
 namespace carom::pipeline::config {
 
-/// Linear red, green and blue in `range`, one number for grey, or "#rrggbb" (sRGB-encoded).
+/// A colour: linear red, green and blue in `range`, one number for grey, or "#rrggbb"
+/// (sRGB-encoded).
 [[nodiscard]] ValueType<Vec3> colour(Range range);
 
 }  // namespace carom::pipeline::config

@@ -1,4 +1,4 @@
-// Types of values made of others: alternatives, and values carried into another type.
+// Value types that are made from others: alternatives and conversions.
 #pragma once
 
 #include <functional>
@@ -25,13 +25,13 @@ struct AnyAlternative {
     ReadFunction read_into;
 };
 
-/// What any one of the alternatives may be.
+/// The type that consists of the alternatives.
 [[nodiscard]] TypeInfo any_of_info(const std::vector<AnyAlternative>& alternatives);
 
-/// Reads with the first alternative that accepts the node.
+/// A function that reads with the first alternative that accepts the node.
 [[nodiscard]] ReadFunction read_any_of(std::vector<AnyAlternative> alternatives);
 
-/// The first alternative that accepts the node reads it.
+/// A type whose values are read by the first alternative that accepts the node.
 template <class V>
 ValueType<V> any_of(std::initializer_list<Alternative<V>> alternatives) {
     std::vector<AnyAlternative> all;
@@ -59,7 +59,7 @@ inline bool is_word(const Node& node) {
     return node.is_scalar() && !looks_like_number(node.text);
 }
 
-/// The value of `from` carried into another type.
+/// A type whose values are those of `from`, converted to another C++ type.
 template <class To, class From, class Convert>
 ValueType<To> convert(const ValueType<From>& from, Convert function) {
     ValueType<To> result;

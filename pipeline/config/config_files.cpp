@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kLongestPathBytes = 4096;
 
-/// Why `path` cannot be taken; empty if it is a regular file.
+/// The reason why `path` cannot be used; empty if it is a regular file.
 std::string problem_with(const fs::path& path) {
     std::error_code code;
     const fs::file_status status = fs::status(path, code);
@@ -35,27 +35,27 @@ std::string problem_with(const fs::path& path) {
     return status.type() == fs::file_type::regular ? "" : "is not a regular file";
 }
 
-/// Every path that may be meant, in order.
+/// All paths that may be meant, in the order of the search.
 std::vector<fs::path> candidates(const fs::path& name, const std::string& folder,
                                  const ConfigFolders& folders) {
     if (name.is_absolute()) {
         return {name};
     }
     std::vector<fs::path> paths{fs::path(folder) / name};
-    fs::path behind;  // what follows the last "configs/"
+    fs::path relative;  // the part after the last "configs/"
     bool is_in_configs = false;
     for (const fs::path& part : name) {
         if (part == "configs") {
-            behind.clear();
+            relative.clear();
             is_in_configs = true;
         } else if (is_in_configs) {
-            behind /= part;
+            relative /= part;
         }
     }
     for (const std::string& config_folder : folders.folders) {
         paths.push_back(fs::path(config_folder) / name);
-        if (!behind.empty()) {
-            paths.push_back(fs::path(config_folder) / behind);
+        if (!relative.empty()) {
+            paths.push_back(fs::path(config_folder) / relative);
         }
     }
     return paths;
@@ -70,19 +70,19 @@ std::optional<fs::path> folder_of_program() {
 }  // namespace
 
 ConfigFolders standard_config_folders() {
-    std::vector<fs::path> wanted;
+    std::vector<fs::path> candidates;
     const char* given = std::getenv("CAROM_CONFIGS");
     if (given != nullptr && *given != '\0') {
-        wanted.emplace_back(given);
+        candidates.emplace_back(given);
     }
     if (const std::optional<fs::path> program = folder_of_program()) {
-        wanted.push_back(*program / "../share/carom/configs");     // bin/carom
-        wanted.push_back(*program / "../../share/carom/configs");  // libexec/carom/carom-film
+        candidates.push_back(*program / "../share/carom/configs");     // bin/carom
+        candidates.push_back(*program / "../../share/carom/configs");  // libexec/carom/carom-film
     }
-    wanted.emplace_back(CAROM_SOURCE_CONFIGS);
-    wanted.emplace_back(CAROM_INSTALLED_CONFIGS);
+    candidates.emplace_back(CAROM_SOURCE_CONFIGS);
+    candidates.emplace_back(CAROM_INSTALLED_CONFIGS);
     ConfigFolders folders;
-    for (const fs::path& path : wanted) {
+    for (const fs::path& path : candidates) {
         std::error_code code;
         if (fs::is_directory(path, code)) {
             folders.folders.push_back(fs::absolute(path).lexically_normal().string());
@@ -93,24 +93,24 @@ ConfigFolders standard_config_folders() {
 
 namespace {
 
-constexpr std::size_t kMostSuggested = 2000;  // files that are looked at for a hint
+constexpr std::size_t kMaxSuggestions = 2000;  // files that are compared for a hint
 
-/// Names as one would write them: files beside the wanted one, and all that the config folders
-/// have, "tables/pool_9ft.yaml".
+/// The names of the files beside the missing one and of all files in the config folders, as a shot
+/// would write them: "tables/pool_9ft.yaml".
 std::vector<std::string> nearby_names(const fs::path& name, const std::string& folder,
                                       const ConfigFolders& folders) {
     std::vector<std::string> names;
     std::error_code code;
     const fs::path parent = name.parent_path();
     for (fs::directory_iterator entry(fs::path(folder) / parent, code), end;
-         !code && entry != end && names.size() < kMostSuggested; entry.increment(code)) {
+         !code && entry != end && names.size() < kMaxSuggestions; entry.increment(code)) {
         if (entry->path().extension() == name.extension()) {
             names.push_back((parent / entry->path().filename()).string());
         }
     }
     for (const std::string& root : folders.folders) {
         for (fs::recursive_directory_iterator entry(root, code), end;
-             !code && entry != end && names.size() < kMostSuggested; entry.increment(code)) {
+             !code && entry != end && names.size() < kMaxSuggestions; entry.increment(code)) {
             if (entry->path().extension() == name.extension()) {
                 names.push_back(entry->path().lexically_relative(root).string());
             }
@@ -124,7 +124,8 @@ std::vector<std::string> nearby_names(const fs::path& name, const std::string& f
     return names;
 }
 
-/// " (did you mean 'rigs/orbit.yaml'?)", or nothing. A name without its folder is known, too.
+/// " (did you mean 'rigs/orbit.yaml'?)", or nothing. The name of an existing file without its
+/// folder is recognised, too.
 std::string file_hint(const fs::path& name, const std::string& folder,
                       const ConfigFolders& folders) {
     std::vector<std::string> names = nearby_names(name, folder, folders);
@@ -133,17 +134,17 @@ std::string file_hint(const fs::path& name, const std::string& folder,
             return " (did you mean " + quote(known) + "?)";
         }
     }
-    // Folders have much in common: the file's own name must be near.
+    // Paths in the same folder are always similar, so the file's own name must be similar, too.
     std::erase_if(names, [&](const std::string& known) {
         const std::vector<std::string> stem{fs::path(known).stem().string()};
         return !nearest_name(name.stem().string(), stem);
     });
-    // The typed folder may lead to the configs by another way: ../configs/rigs/orbt.yaml.
+    // The typed path may lead to the configs through another folder: ../configs/rigs/orbt.yaml.
     const std::string text = name.string();
     const std::size_t configs = text.rfind("configs/");
-    const std::string wanted =
+    const std::string name_in_configs =
         configs != std::string::npos ? text.substr(configs + std::strlen("configs/")) : text;
-    return hint(wanted, names);
+    return hint(name_in_configs, names);
 }
 
 }  // namespace
@@ -152,11 +153,11 @@ namespace {
 
 bool is_below(const fs::path& path, const std::string& folder) {
     std::error_code code;
-    const fs::path way = path.lexically_relative(fs::canonical(folder, code));
-    return !code && !way.empty() && *way.begin() != "..";
+    const fs::path relative = path.lexically_relative(fs::canonical(folder, code));
+    return !code && !relative.empty() && *relative.begin() != "..";
 }
 
-/// `path` has no links in it.
+/// Whether a shot may use the file; `path` contains no links.
 bool is_allowed(const fs::path& path, const ConfigFolders& folders) {
     return folders.root.empty() || is_below(path, folders.root) ||
            std::any_of(folders.folders.begin(), folders.folders.end(),
@@ -169,7 +170,7 @@ FoundFile find_config_file(std::string_view name, const std::string& folder,
                            const ConfigFolders& folders) {
     if (name.empty() || name.size() > kLongestPathBytes ||
         name.find('\0') != std::string_view::npos) {
-        return {{}, quote(name) + " is not a file's name"};
+        return {{}, quote(name) + " is not a valid file name"};
     }
     std::string first_problem;
     for (const fs::path& path : candidates(fs::path(name), folder, folders)) {
@@ -180,8 +181,8 @@ FoundFile find_config_file(std::string_view name, const std::string& folder,
             const std::string found = code ? fs::absolute(path, code).string() : canonical.string();
             if (!is_allowed(found, folders)) {
                 return {{},
-                        "file " + quote(name) + " lies outside of " + quote(folders.root) +
-                            ", to which --root confines what a shot names"};
+                        "file " + quote(name) + " is outside " + quote(folders.root) +
+                            "; --root allows only files inside that folder"};
             }
             return {found, {}};
         }
@@ -211,7 +212,7 @@ std::vector<std::string> preset_names(const ConfigFolders& folders) {
     return names;
 }
 
-bool read_text_file(const std::string& path, std::size_t most_bytes, std::string& text) {
+bool read_text_file(const std::string& path, std::size_t max_bytes, std::string& text) {
     const std::string problem = problem_with(path);
     if (!problem.empty()) {
         text = problem;
@@ -224,7 +225,7 @@ bool read_text_file(const std::string& path, std::size_t most_bytes, std::string
     }
     text.clear();
     std::string block(65536, '\0');
-    while (stream && text.size() <= most_bytes) {
+    while (stream && text.size() <= max_bytes) {
         stream.read(block.data(), static_cast<std::streamsize>(block.size()));
         text.append(block, 0, static_cast<std::size_t>(stream.gcount()));
     }
@@ -232,8 +233,8 @@ bool read_text_file(const std::string& path, std::size_t most_bytes, std::string
         text = "cannot be read";
         return false;
     }
-    if (text.size() > most_bytes) {
-        text = fmt::format("has more than {} bytes{}", most_bytes, how_to_raise_limits());
+    if (text.size() > max_bytes) {
+        text = fmt::format("has more than {} bytes{}", max_bytes, how_to_raise_limits());
         return false;
     }
     return true;

@@ -1,4 +1,4 @@
-// Finding the files that a shot refers to.
+// Finds the files to which a shot refers.
 #pragma once
 
 #include <string>
@@ -7,33 +7,35 @@
 
 namespace carom::pipeline::config {
 
-/// Folders that hold tables, ball sets, looks and quality presets, in the order of the search.
+/// Folders with tables, ball sets, looks and quality presets, in the order of the search.
 struct ConfigFolders {
     std::vector<std::string> folders;
-    /// Files that a shot names lie below this folder (or in the config folders), links followed;
-    /// empty: anywhere.
+    /// A shot may use only files inside this folder (or the config folders), with links resolved;
+    /// empty: any files.
     std::string root = {};
 };
 
-/// $CAROM_CONFIGS, share/carom/configs beside the program's own folder, the source tree's configs,
-/// and those where carom is installed (for programs that only link it); those that exist.
+/// Those of these folders that exist: $CAROM_CONFIGS, share/carom/configs beside the program's own
+/// folder, the configs of the source tree, and those of the installed carom (for programs that link
+/// to it).
 [[nodiscard]] ConfigFolders standard_config_folders();
 
 struct FoundFile {
-    std::string path;     // absolute, without "." and ".."; empty if there is none
-    std::string problem;  // why there is none
+    std::string path;     // absolute, without "." and ".."; empty if there is no such file
+    std::string problem;  // the reason if `path` is empty
 };
 
-/// `name` below `folder`, or else in one of the config folders: under the same name, and under the
-/// part of it that follows its last "configs/". Regular files only.
+/// Searches for `name` in `folder` and then in the config folders: under the same name, and under
+/// the part of the name after its last "configs/". Only regular files are found.
 [[nodiscard]] FoundFile find_config_file(std::string_view name, const std::string& folder,
                                          const ConfigFolders& folders);
 
-/// The quality presets, by name.
+/// The names of the quality presets.
 [[nodiscard]] std::vector<std::string> preset_names(const ConfigFolders& folders);
 
-/// The whole text of a regular file of at most `most_bytes`. False: `text` says what is wrong.
-[[nodiscard]] bool read_text_file(const std::string& path, std::size_t most_bytes,
+/// Reads the whole text of a regular file of at most `max_bytes`. If it returns false, `text` is
+/// the problem.
+[[nodiscard]] bool read_text_file(const std::string& path, std::size_t max_bytes,
                                   std::string& text);
 
 }  // namespace carom::pipeline::config

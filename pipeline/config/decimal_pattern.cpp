@@ -11,7 +11,7 @@ namespace carom::pipeline::config {
 
 namespace {
 
-/// Digits before the point without leading zeros, and behind it without those at the end.
+/// The digits before the point without leading zeros, and those after it without trailing zeros.
 struct Decimal {
     std::string whole;
     std::string fraction;
@@ -19,17 +19,16 @@ struct Decimal {
     [[nodiscard]] bool is_zero() const { return whole.empty() && fraction.empty(); }
 };
 
-/// Of a number that is not negative; what nine digits cannot hold is rounded up or down.
+/// Converts a number that is not negative; more than nine digits are rounded up or down.
 Decimal decimal(double value, bool upwards) {
     constexpr int kDigits = 9;
-    value = std::abs(value);  // -0 is 0
     value = std::abs(value);  // -0 is 0
     const int magnitude = value > 0 ? static_cast<int>(std::floor(std::log10(value))) + 1 : 0;
     const int places = std::max(0, kDigits - magnitude);
     std::string text = fmt::format("{:.{}f}", value, places);
     const double step = std::pow(10.0, -places);
     const double shown = std::strtod(text.c_str(), nullptr);
-    const double tolerance = 1e-12 * value;  // of the conversion from SI units
+    const double tolerance = 1e-12 * value;  // for the conversion from SI units
     if (std::abs(shown - value) > tolerance && (shown < value) == upwards) {
         text = fmt::format("{:.{}f}", shown + (upwards ? step : -step), places);
     }
@@ -44,7 +43,7 @@ std::string alternatives(const std::vector<std::string>& forms) {
     return "(" + carom::join(forms, "|") + ")";
 }
 
-/// "[3-9]"; empty if the class is.
+/// "[3-9]"; empty if the range is empty.
 std::string digits(char low, char high) {
     if (low > high) {
         return {};
@@ -57,7 +56,8 @@ std::string any_digits(std::size_t count) {
     return count == 0 ? "" : fmt::format("[0-9]{{{}}}", count);
 }
 
-/// Digit by digit: what first differs from `bound` is less (or more), what follows is any.
+/// Adds the numbers whose first digit that differs from `bound` is less (or greater); the digits
+/// after it are arbitrary.
 void add_first_differences(std::vector<std::string>& forms, const std::string& before,
                            const std::string& bound, bool is_less, bool is_fraction) {
     for (std::size_t i = 0; i < bound.size(); ++i) {
@@ -110,7 +110,7 @@ std::string at_least_pattern(const Decimal& bound, bool is_open) {
     return alternatives(forms);
 }
 
-/// Numbers without a sign from `low` to `high`; missing ends are unbounded.
+/// Matches the numbers of `range` without a sign.
 std::string positive_pattern(const Range& range) {
     const std::string end = "(?![0-9.])";
     std::string pattern;
@@ -123,7 +123,7 @@ std::string positive_pattern(const Range& range) {
     return pattern + R"(([0-9]+\.?[0-9]*|\.[0-9]+))";
 }
 
-/// The same numbers with their signs turned.
+/// The range of the negated numbers.
 Range negated(const Range& range) {
     Range result;
     if (range.high) {

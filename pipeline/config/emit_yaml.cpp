@@ -10,7 +10,7 @@ namespace {
 
 using Replaced = std::map<const Node*, std::string>;
 
-/// Whether a plain scalar means the same everywhere, also inside [ ] and { }.
+/// Whether a plain scalar has the same meaning everywhere, also inside [ ] and { }.
 bool is_safe_plain(const std::string& text) {
     const auto is_safe = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
@@ -51,7 +51,7 @@ std::string key_text(const std::string& key) {
     return is_word ? key : double_quoted(key);
 }
 
-/// Everything that fits on one line of a block.
+/// A value in flow style, on one line.
 std::string flow(const Node& node, const Replaced& replaced) {
     switch (node.kind) {
         case Node::Kind::null:

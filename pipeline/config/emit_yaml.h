@@ -1,4 +1,4 @@
-// A tree of nodes as YAML text.
+// Writes a tree of nodes as YAML text.
 #pragma once
 
 #include <map>
@@ -8,11 +8,11 @@
 
 namespace carom::pipeline::config {
 
-/// Reads back as the same tree. `replaced` gives other texts for some scalars.
+/// Text that reads back as the same tree. `replaced` has other texts for some scalars.
 [[nodiscard]] std::string emit_yaml(const Node& root,
                                     const std::map<const Node*, std::string>& replaced = {});
 
-/// One value on one line, as it stands inside [ ] and { }.
+/// One value on one line, in the form that is valid inside [ ] and { }.
 [[nodiscard]] std::string emit_flow(const Node& node,
                                     const std::map<const Node*, std::string>& replaced = {});
 

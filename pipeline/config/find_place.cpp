@@ -23,7 +23,7 @@ bool has(const Node& root, const char* section, const std::string& key) {
     return entry != nullptr && entry->value.find(key) != nullptr;
 }
 
-/// Balls of the rack have no entry of their own.
+/// The path of a body. Balls of the rack have no entry of their own.
 std::vector<std::string> path_of_body(const std::string& name, const Node& root) {
     if (has(root, "objects", name)) {
         return {"objects", name};
@@ -33,7 +33,7 @@ std::vector<std::string> path_of_body(const std::string& name, const Node& root)
                : std::vector<std::string>{"rack"};
 }
 
-/// The one key of an event's entry is its kind: {"events", "0", "strike"}.
+/// The path of an event. The only key of an event's entry is its kind: {"events", "0", "strike"}.
 std::vector<std::string> path_of_event(std::size_t index, const Node& root) {
     std::vector<std::string> path{"events", fmt::format("{}", index)};
     const Entry* events = root.find("events");

@@ -1,4 +1,4 @@
-// Where something stands in the tree of a shot.
+// Finds the place of a key in the tree of a shot.
 #pragma once
 
 #include <string>
@@ -15,10 +15,10 @@ struct FoundPlace {
 };
 
 /// Follows the keys of a path ({"events", "0", "strike", "tip"}; elements of lists by their index)
-/// for as long as the tree has them.
+/// as far as the tree has them.
 [[nodiscard]] FoundPlace find_place(const Node& root, const std::vector<std::string>& path);
 
-/// The path of what a diagnostic is about; empty if it is about the shot as a whole.
+/// The path to which a diagnostic refers; empty if it refers to the whole shot.
 [[nodiscard]] std::vector<std::string> path_of(const Diagnostic& diagnostic, const Node& root);
 
 }  // namespace carom::pipeline::config

@@ -64,11 +64,11 @@ std::optional<Fraction> decimal_fraction(std::string_view text) {
     const bool negative = !text.empty() && text.front() == '-';
     std::int64_t digits = 0;
     int exponent = 0;
-    bool behind_point = false;
+    bool is_after_point = false;
     for (std::size_t i = text.find_first_of("0123456789."); i < text.size(); ++i) {
         const char c = text[i];
         if (c == '.') {
-            behind_point = true;
+            is_after_point = true;
         } else if (c == 'e' || c == 'E') {
             const char* begin = text.data() + i + (text[i + 1] == '+' ? 2 : 1);
             int given = 0;
@@ -83,7 +83,7 @@ std::optional<Fraction> decimal_fraction(std::string_view text) {
             if (!shifted || __builtin_add_overflow(*shifted, c - '0', &digits)) {
                 return std::nullopt;
             }
-            exponent -= behind_point ? 1 : 0;
+            exponent -= is_after_point ? 1 : 0;
         }
     }
     const auto scale = power_of_ten(std::abs(exponent));

@@ -1,4 +1,4 @@
-// Exact fractions that give up instead of overflowing.
+// Exact fractions whose operations return nothing on overflow.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,10 @@ struct Fraction {
 [[nodiscard]] std::optional<Fraction> multiply(const Fraction& a, const Fraction& b);
 [[nodiscard]] std::optional<Fraction> divide(const Fraction& a, const Fraction& b);
 
-/// A plain decimal such as "-12.5e-3" (already checked to be one), exactly.
+/// The exact value of a decimal number such as "-12.5e-3". The text must be a valid number.
 [[nodiscard]] std::optional<Fraction> decimal_fraction(std::string_view text);
 
-/// Correctly rounded where numerator and denominator are below 2^53; empty otherwise.
+/// The correctly rounded value if numerator and denominator are at most 2^53; empty otherwise.
 [[nodiscard]] std::optional<double> to_double(const Fraction& fraction);
 
 }  // namespace carom::pipeline::config

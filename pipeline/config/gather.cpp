@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kDeepestInclude = 16;
-constexpr std::size_t kMostIncludes = 256;
+constexpr std::size_t kMaxIncludeDepth = 16;
+constexpr std::size_t kMaxIncludes = 256;
 
-/// A file on the way from the root to the one that is being read.
+/// A file that is being read: the shot, or a file that the previous one includes.
 struct OpenFile {
     std::string path;  // absolute, or the origin's name for a text in memory
     std::string name;  // as problems print it
@@ -33,33 +33,33 @@ class Gatherer {
     Gatherer(SourceSet& sources, const ConfigFolders& folders, ProblemList& problems)
         : sources_(sources), folders_(folders), problems_(problems) {}
 
-    /// The tree of a text with its includes merged beneath it. With `use_quality` the shot's own
-    /// preset stands between the two.
-    std::optional<Node> read(int source, std::vector<OpenFile>& trail, bool use_quality);
+    /// The tree of a text, merged over its includes. With `use_quality` the shot's own preset is
+    /// merged between the two.
+    std::optional<Node> read(int source, std::vector<OpenFile>& open_files, bool use_quality);
 
-    /// The preset that `name` (at `place`) names.
+    /// The preset with that name, which is given at `place`.
     std::optional<Node> read_preset(const std::string& name, const Place& place,
-                                    std::vector<OpenFile>& trail);
+                                    std::vector<OpenFile>& open_files);
 
-    /// The camera file `path`, given by the option at `place`.
+    /// The camera file `path`, which is given by the option at `place`.
     std::optional<Node> read_camera_file(const std::string& path, const Place& place);
 
-    [[nodiscard]] bool is_whole() const { return is_whole_; }
+    [[nodiscard]] bool is_complete() const { return is_complete_; }
 
   private:
-    std::optional<Node> read_included(const Node& name, std::vector<OpenFile>& trail);
+    std::optional<Node> read_included(const Node& name, std::vector<OpenFile>& open_files);
     std::optional<Node> read_file(const std::string& path, std::string shown_name,
-                                  const Place& named_at, std::vector<OpenFile>& trail);
-    Node merge_includes(const Node& own, std::vector<OpenFile>& trail);
-    void merge_rigs(Node& own, std::vector<OpenFile>& trail);
-    std::optional<Node> read_rig(const Node& name, std::vector<OpenFile>& trail);
+                                  const Place& named_at, std::vector<OpenFile>& open_files);
+    Node merge_includes(const Node& own, std::vector<OpenFile>& open_files);
+    void merge_rigs(Node& own, std::vector<OpenFile>& open_files);
+    std::optional<Node> read_rig(const Node& name, std::vector<OpenFile>& open_files);
     bool check_version(const Node& root);
 
     SourceSet& sources_;
     const ConfigFolders& folders_;
     ProblemList& problems_;
     std::size_t include_count_ = 0;
-    bool is_whole_ = true;
+    bool is_complete_ = true;
 };
 
 Node take_entry(Node& map, std::string_view key) {
@@ -73,7 +73,7 @@ Node take_entry(Node& map, std::string_view key) {
     return value;
 }
 
-/// False for a file of another version: nothing in it can be relied on.
+/// False, after a problem, for a file of another version of the format.
 bool Gatherer::check_version(const Node& root) {
     const Entry* version = root.find("carom");
     if (version == nullptr || (version->value.is_scalar() && version->value.text == "1")) {
@@ -82,16 +82,17 @@ bool Gatherer::check_version(const Node& root) {
     problems_.error(
         version->value.place,
         "this program reads version 1 of the format ('carom: 1'), not " +
-            (version->value.is_scalar() ? quote(version->value.text) : std::string("this")));
+            (version->value.is_scalar() ? quote(version->value.text) : std::string("this value")));
     return false;
 }
 
-std::optional<Node> Gatherer::read(int source, std::vector<OpenFile>& trail, bool use_quality) {
+std::optional<Node> Gatherer::read(int source, std::vector<OpenFile>& open_files,
+                                   bool use_quality) {
     std::optional<Node> own = parse_yaml(sources_, source, problems_);
     if (!own) {
         return std::nullopt;
     }
-    const bool is_root = trail.size() == 1;
+    const bool is_root = open_files.size() == 1;
     if (!own->is_map()) {
         problems_.error(own->place,
                         own->is_null() ? "the file is empty" : "the file must be a map of keys");
@@ -100,10 +101,10 @@ std::optional<Node> Gatherer::read(int source, std::vector<OpenFile>& trail, boo
     if (!check_version(*own)) {
         return std::nullopt;
     }
-    Node base = merge_includes(*own, trail);
+    Node base = merge_includes(*own, open_files);
     take_entry(*own, "include");
-    merge_rigs(*own, trail);
-    take_entry(base, "carom");  // the shot itself has to say it
+    merge_rigs(*own, open_files);
+    take_entry(base, "carom");  // required in the shot itself
     Node inherited = take_entry(base, "quality");
     Node quality = take_entry(*own, "quality");
     if (quality.is_null()) {
@@ -112,17 +113,17 @@ std::optional<Node> Gatherer::read(int source, std::vector<OpenFile>& trail, boo
     if (!quality.is_null() && !quality.is_scalar()) {
         problems_.error(quality.place, "'quality' must be the name of a preset");
     } else if (is_root && use_quality && quality.is_scalar()) {
-        if (std::optional<Node> preset = read_preset(quality.text, quality.place, trail)) {
-            lay_over(base, std::move(*preset));
+        if (std::optional<Node> preset = read_preset(quality.text, quality.place, open_files)) {
+            merge_layer(base, std::move(*preset));
         }
     } else if (!is_root && quality.is_scalar()) {
         own->entries.push_back({"quality", quality.place, std::move(quality)});
     }
-    lay_over(base, std::move(*own));
+    merge_layer(base, std::move(*own));
     return base;
 }
 
-Node Gatherer::merge_includes(const Node& own, std::vector<OpenFile>& trail) {
+Node Gatherer::merge_includes(const Node& own, std::vector<OpenFile>& open_files) {
     Node base;
     base.kind = Node::Kind::map;
     base.place = own.place;
@@ -134,22 +135,22 @@ Node Gatherer::merge_includes(const Node& own, std::vector<OpenFile>& trail) {
     const std::vector<Node> names = value.is_sequence() ? value.items : std::vector<Node>{value};
     for (const Node& name : names) {
         if (!name.is_scalar()) {
-            is_whole_ = false;
-            problems_.error(name.place, "'include' must be the name of a file or a list of them");
+            is_complete_ = false;
+            problems_.error(name.place, "'include' must be a file name or a list of file names");
             continue;
         }
-        std::optional<Node> included = read_included(name, trail);
+        std::optional<Node> included = read_included(name, open_files);
         if (included) {
-            lay_over(base, std::move(*included));
+            merge_layer(base, std::move(*included));
         } else {
-            is_whole_ = false;
+            is_complete_ = false;
         }
     }
     return base;
 }
 
-/// Cameras that include a file are laid over the one that it has.
-void Gatherer::merge_rigs(Node& own, std::vector<OpenFile>& trail) {
+/// Merges each camera that includes a file over the camera of that file.
+void Gatherer::merge_rigs(Node& own, std::vector<OpenFile>& open_files) {
     Entry* cameras = own.find("cameras");
     if (cameras == nullptr) {
         return;
@@ -157,75 +158,76 @@ void Gatherer::merge_rigs(Node& own, std::vector<OpenFile>& trail) {
     for (Node& camera : cameras->value.items) {
         const Node name = take_entry(camera, "include");
         if (name.place.source < 0) {
-            continue;  // there was none
+            continue;  // the camera includes no file
         }
-        if (std::optional<Node> rig = read_rig(name, trail)) {
+        if (std::optional<Node> rig = read_rig(name, open_files)) {
             merge(*rig, std::move(camera));
             camera = std::move(*rig);
         } else {
-            is_whole_ = false;
+            is_complete_ = false;
         }
     }
 }
 
-/// The one camera of a file that says nothing else.
-std::optional<Node> Gatherer::read_rig(const Node& name, std::vector<OpenFile>& trail) {
+/// The camera of a file that contains only this camera.
+std::optional<Node> Gatherer::read_rig(const Node& name, std::vector<OpenFile>& open_files) {
     if (!name.is_scalar()) {
-        problems_.error(name.place, "'include' of a camera must be the name of a file");
+        problems_.error(name.place, "'include' of a camera must be a file name");
         return std::nullopt;
     }
-    std::optional<Node> included = read_included(name, trail);
+    std::optional<Node> included = read_included(name, open_files);
     if (!included) {
         return std::nullopt;
     }
     Node cameras = take_entry(*included, "cameras");
     if (cameras.items.size() != 1 || !cameras.items.front().is_map()) {
-        problems_.error(name.place, "file " + quote(name.text) +
-                                        " must have one camera, to be a camera's beginning");
+        problems_.error(name.place,
+                        "file " + quote(name.text) +
+                            " must have exactly one camera, because a camera includes it");
         return std::nullopt;
     }
     for (const Entry& entry : included->entries) {
         if (entry.key != "carom") {
             problems_.error(entry.key_place,
-                            quote(entry.key) +
-                                " cannot stand in a file that a camera includes, only 'cameras'");
+                            "a file that a camera includes may contain only 'cameras', not " +
+                                quote(entry.key));
         }
     }
     return std::move(cameras.items.front());
 }
 
-std::optional<Node> Gatherer::read_included(const Node& name, std::vector<OpenFile>& trail) {
+std::optional<Node> Gatherer::read_included(const Node& name, std::vector<OpenFile>& open_files) {
     const std::string& folder = sources_.at(name.place.source).folder;
     const FoundFile found = find_config_file(name.text, folder, folders_);
     if (found.path.empty()) {
         problems_.error(name.place, "included " + found.problem);
         return std::nullopt;
     }
-    // Shown as seen from where the including file is shown.
-    const fs::path beside = fs::path(trail.back().name).parent_path() / name.text;
+    // The name is shown relative to the shown name of the including file.
+    const fs::path beside = fs::path(open_files.back().name).parent_path() / name.text;
     std::error_code code;
     const bool is_beside = fs::equivalent(beside, found.path, code) && !code;
     return read_file(found.path, is_beside ? beside.lexically_normal().string() : found.path,
-                     name.place, trail);
+                     name.place, open_files);
 }
 
 std::optional<Node> Gatherer::read_file(const std::string& path, std::string shown_name,
-                                        const Place& named_at, std::vector<OpenFile>& trail) {
+                                        const Place& named_at, std::vector<OpenFile>& open_files) {
     const auto same = [&](const OpenFile& open) { return open.path == path; };
-    if (std::any_of(trail.begin(), trail.end(), same)) {
-        std::string way;
-        for (const OpenFile& open : trail) {
-            way += open.name + " -> ";
+    if (std::any_of(open_files.begin(), open_files.end(), same)) {
+        std::string chain;
+        for (const OpenFile& open : open_files) {
+            chain += open.name + " -> ";
         }
-        problems_.error(named_at, "files include each other in a circle: " + way + shown_name);
+        problems_.error(named_at, "files include each other in a cycle: " + chain + shown_name);
         return std::nullopt;
     }
-    if (trail.size() > kDeepestInclude || ++include_count_ > input_limit(kMostIncludes)) {
+    if (open_files.size() > kMaxIncludeDepth || ++include_count_ > input_limit(kMaxIncludes)) {
         problems_.error(
             named_at,
-            trail.size() > kDeepestInclude
-                ? fmt::format("files include each other deeper than {} levels", kDeepestInclude)
-                : beyond_limit(input_limit(kMostIncludes), "files are included"));
+            open_files.size() > kMaxIncludeDepth
+                ? fmt::format("includes are nested more than {} levels deep", kMaxIncludeDepth)
+                : beyond_limit(input_limit(kMaxIncludes), "files are included"));
         return std::nullopt;
     }
     std::string text;
@@ -235,14 +237,14 @@ std::optional<Node> Gatherer::read_file(const std::string& path, std::string sho
     }
     const std::string folder = fs::path(path).parent_path().string();
     const int source = sources_.add({shown_name, folder, std::move(text), named_at});
-    trail.push_back({path, std::move(shown_name)});
-    std::optional<Node> tree = read(source, trail, false);
-    trail.pop_back();
+    open_files.push_back({path, std::move(shown_name)});
+    std::optional<Node> tree = read(source, open_files, false);
+    open_files.pop_back();
     return tree;
 }
 
 std::optional<Node> Gatherer::read_preset(const std::string& name, const Place& place,
-                                          std::vector<OpenFile>& trail) {
+                                          std::vector<OpenFile>& open_files) {
     const std::vector<std::string> known = preset_names(folders_);
     const std::string& folder = sources_.at(place.source).folder;
     const bool is_name = !name.empty() && name.find('/') == std::string::npos;
@@ -250,28 +252,27 @@ std::optional<Node> Gatherer::read_preset(const std::string& name, const Place& 
         is_name ? find_config_file("quality/" + name + ".yaml", folder, folders_) : FoundFile{};
     if (found.path.empty()) {
         problems_.error(
-            place, "there is no quality preset " + quote(name) +
-                       (known.empty() ? std::string() : " (there are " + join(known, "and") + ")"));
+            place,
+            "there is no quality preset " + quote(name) +
+                (known.empty() ? std::string() : " (the presets are " + join(known, "and") + ")"));
         return std::nullopt;
     }
-    std::optional<Node> preset = read_file(found.path, found.path, place, trail);
+    std::optional<Node> preset = read_file(found.path, found.path, place, open_files);
     if (preset) {
         take_entry(*preset, "carom");
     }
     return preset;
 }
 
-/// Takes away what a camera file must not say, with a problem for each.
+/// Removes the keys that a camera file must not have, and reports a problem for each.
 void keep_cameras_and_look(Node& tree, ProblemList& problems) {
     static const std::vector<std::string> allowed{"cameras", "render", "output", "lights",
                                                   "materials"};
     std::erase_if(tree.entries, [&](const Entry& entry) {
         const bool is_wrong = std::find(allowed.begin(), allowed.end(), entry.key) == allowed.end();
         if (is_wrong) {
-            problems.error(entry.key_place, quote(entry.key) +
-                                                " cannot stand in a camera file, "
-                                                "only " +
-                                                join(allowed, "and"));
+            problems.error(entry.key_place, "a camera file may contain only " +
+                                                join(allowed, "and") + ", not " + quote(entry.key));
         }
         return is_wrong;
     });
@@ -281,15 +282,15 @@ void keep_cameras_and_look(Node& tree, ProblemList& problems) {
 }
 
 std::optional<Node> Gatherer::read_camera_file(const std::string& path, const Place& place) {
-    std::vector<OpenFile> trail{{"--camera", path}};  // not the shot's: it is not included by it
+    std::vector<OpenFile> open_files{{"--camera", path}};  // not included by the shot
     std::error_code code;
     const fs::path canonical = fs::canonical(path, code);
-    std::optional<Node> tree = read_file(code ? path : canonical.string(), path, place, trail);
+    std::optional<Node> tree = read_file(code ? path : canonical.string(), path, place, open_files);
     if (tree) {
         take_entry(*tree, "carom");
         keep_cameras_and_look(*tree, problems_);
     } else {
-        is_whole_ = false;
+        is_complete_ = false;
     }
     return tree;
 }
@@ -302,38 +303,38 @@ Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folder
     const SourceText& root_text = sources.at(root_source);
     std::error_code code;
     const fs::path canonical = fs::canonical(root_text.name, code);
-    std::vector<OpenFile> trail{{code ? root_text.name : canonical.string(), root_text.name}};
+    std::vector<OpenFile> open_files{{code ? root_text.name : canonical.string(), root_text.name}};
     const std::string root_folder = root_text.folder;
-    std::optional<Node> root = gatherer.read(root_source, trail, options.quality.empty());
+    std::optional<Node> root = gatherer.read(root_source, open_files, options.quality.empty());
     if (!root) {
         return {};
     }
     if (!options.quality.empty()) {
         const int source = sources.add({"--quality", root_folder, options.quality});
         const Place place = sources.place_at(source, 0, options.quality.size());
-        if (std::optional<Node> preset = gatherer.read_preset(options.quality, place, trail)) {
-            lay_over(*root, std::move(*preset));
+        if (std::optional<Node> preset = gatherer.read_preset(options.quality, place, open_files)) {
+            merge_layer(*root, std::move(*preset));
         }
     }
     if (!options.camera_file.empty()) {
         const int source = sources.add({"--camera", root_folder, options.camera_file});
         const Place place = sources.place_at(source, 0, options.camera_file.size());
         if (std::optional<Node> cameras = gatherer.read_camera_file(options.camera_file, place)) {
-            lay_over(*root, std::move(*cameras));
+            merge_layer(*root, std::move(*cameras));
         }
     }
     for (const std::string& override_text : options.overrides) {
-        // Paths in an override are those of the shot.
+        // Paths in an override are relative to the shot.
         const int source = sources.add({"--set", root_folder, override_text});
-        lay_override_over(*root, sources, source, problems);
+        merge_override(*root, sources, source, problems);
     }
-    // The version comes first, as people write it.
+    // The version becomes the first key.
     const auto version = std::find_if(root->entries.begin(), root->entries.end(),
                                       [](const Entry& entry) { return entry.key == "carom"; });
     if (version != root->entries.end()) {
         std::rotate(root->entries.begin(), version, version + 1);
     }
-    return {std::move(root), gatherer.is_whole()};
+    return {std::move(root), gatherer.is_complete()};
 }
 
 }  // namespace carom::pipeline::config

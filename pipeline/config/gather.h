@@ -1,4 +1,4 @@
-// One tree of YAML out of a shot, the files that it includes, a quality preset and --set.
+// Merges a shot, the files that it includes, a quality preset and --set into one tree of YAML.
 #pragma once
 
 #include <optional>
@@ -12,23 +12,23 @@
 namespace carom::pipeline::config {
 
 struct GatherOptions {
-    std::vector<std::string> overrides;  // "render.samples=64", the strongest
-    std::string quality;                 // of the command line; empty: as the shot says
-    std::string camera_file;             // whose cameras and look replace the shot's; empty: none
+    std::vector<std::string> overrides;  // "render.samples=64", highest precedence
+    std::string quality;                 // of the command line; empty: that of the shot
+    std::string camera_file;  // file whose cameras and look replace those of the shot; empty: none
 };
 
 struct Gathered {
     std::optional<Node> root;  // empty after a syntax error in the shot's own file
-    bool is_whole = true;      // false: something that it includes is missing
+    bool is_complete = true;   // false if an included file is missing
 };
 
-/// Text `root_source` with all that it includes. From the weakest to the strongest: included files
-/// in their order, the preset that the shot's own `quality` names, the shot's own keys, the preset
-/// of the command line (which takes the place of the shot's), the camera file with what it
-/// includes, --set. A camera that includes a file is laid over the one that this has. A camera file
-/// says `cameras` and at most changes `render`, `output`, `lights` and `materials`, so that a bake
-/// still fits. A `render.size` that is stronger than a `render.short_side` removes it. The keys
-/// `include` and `quality` are used up.
+/// Merges the text `root_source` with everything that it includes. The layers in the order of
+/// ascending precedence: included files in their order, the preset that the shot's own `quality`
+/// names, the shot's own keys, the preset of the command line (which replaces that of the shot),
+/// the camera file with its includes, --set. A camera that includes a file is merged over the
+/// camera of that file. A camera file has `cameras` and may change `render`, `output`, `lights` and
+/// `materials`, so that an existing bake remains valid. A `render.size` with higher precedence
+/// removes a `render.short_side`. The result has no keys `include` and `quality`.
 [[nodiscard]] Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folders,
                               const GatherOptions& options, ProblemList& problems);
 

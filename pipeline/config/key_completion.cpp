@@ -18,13 +18,13 @@ namespace {
 // "cameras[0].fov" and "cameras.0.fov" are the same path.
 constexpr const char* kSeparators = ".[]";
 
-/// A type and the part of the shot that has it, or nullptr.
+/// A type, and the part of the shot that has this type, or nullptr.
 struct Spot {
     const TypeInfo* type = nullptr;
     const Node* node = nullptr;
 };
 
-/// Names that need no quotes in any shell; others are not offered.
+/// Whether a name needs no quotes in any shell; other names are not offered.
 bool is_plain(const std::string& name) {
     return !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
         return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
@@ -73,7 +73,7 @@ void add_steps(const Spot& spot, std::vector<Step>& steps) {
     }
 }
 
-/// Whether keys of the table are below it, so that a path goes on.
+/// Whether a path can continue with keys below this type.
 bool has_keys(const TypeInfo& type) {
     switch (type.kind) {
         case TypeInfo::Kind::map:
@@ -87,7 +87,7 @@ bool has_keys(const TypeInfo& type) {
     }
 }
 
-/// Whether a value fits behind "=" on a command line: a word, a number or a list of them.
+/// Whether a value can follow "=" on a command line: a word, a number or a list of these.
 bool has_value(const TypeInfo& type) {
     switch (type.kind) {
         case TypeInfo::Kind::map:
@@ -107,7 +107,7 @@ void add_names(const Node& shot, const char* section, std::vector<std::string>& 
     }
 }
 
-/// Of a closed set, or of what the shot has; none for anything else.
+/// Adds the possible values if they are a closed set or names of the shot.
 void add_values(const TypeInfo& type, const Node& shot, std::vector<std::string>& values) {
     if (type.kind == TypeInfo::Kind::boolean) {
         values.insert(values.end(), {"true", "false"});
@@ -127,7 +127,7 @@ void add_values(const TypeInfo& type, const Node& shot, std::vector<std::string>
     }
 }
 
-/// Everything below the spots that a path of whole names leads to.
+/// Everything below the given spots.
 std::vector<Step> steps_below(const std::vector<Spot>& spots) {
     std::vector<Step> steps;
     for (const Spot& spot : spots) {
@@ -136,7 +136,7 @@ std::vector<Step> steps_below(const std::vector<Spot>& spots) {
     return steps;
 }
 
-/// The element types of names and lists.
+/// Adds the element types of named maps and of lists.
 void add_elements(const TypeInfo& type, std::vector<Spot>& spots) {
     if (type.kind == TypeInfo::Kind::named || type.kind == TypeInfo::Kind::list) {
         spots.push_back({&type.elements.at(0), nullptr});
@@ -147,8 +147,8 @@ void add_elements(const TypeInfo& type, std::vector<Spot>& spots) {
     }
 }
 
-/// One step down. A name that the shot does not have is taken for one that will be added, an index
-/// of an element that has a name for that element.
+/// Goes one step down the path. A name that the shot does not have is assumed to be a new one, and
+/// an index also selects an element that has a name.
 std::vector<Spot> step_down(const std::vector<Spot>& spots, std::string_view name) {
     std::vector<Spot> below;
     for (const Step& step : steps_below(spots)) {
@@ -169,7 +169,7 @@ void add_candidate(std::vector<KeyCandidate>& candidates, KeyCandidate candidate
     }
 }
 
-/// What may follow `before`, a path that led to the spots.
+/// Adds the keys that may follow `before`, the path to the spots.
 void add_key_candidates(const std::vector<Spot>& spots, const std::string& before,
                         std::vector<KeyCandidate>& candidates) {
     for (const Step& step : steps_below(spots)) {
@@ -182,7 +182,7 @@ void add_key_candidates(const std::vector<Spot>& spots, const std::string& befor
     }
 }
 
-/// Values of the spots behind `before`, "render.denoise=".
+/// Adds the values that may follow `before`, such as "render.denoise=".
 void add_value_candidates(const std::vector<Spot>& spots, const Node& shot,
                           const std::string& before, std::vector<KeyCandidate>& candidates) {
     std::vector<std::string> values;
@@ -207,7 +207,7 @@ void add_racked_balls(Node& tree, Reader& reader) {
         tree.entries.push_back({"balls", {}, {}});
     }
     Node& balls = tree.find("balls")->value;
-    // Only their names count here: the radius and the table may be any.
+    // Only the names are used, so the radius and the table are arbitrary.
     for (const auto& ball : sim::billiards::rack(section.set, {}, 0.028, {})) {
         if (balls.find(ball.name) == nullptr) {
             balls.entries.push_back({ball.name, {}, {}});

@@ -1,4 +1,4 @@
-// What may stand in a --set, from the table of keys: for the completion in shells.
+// Shell completion of --set, from the table of keys.
 #pragma once
 
 #include <string>
@@ -9,21 +9,22 @@
 
 namespace carom::pipeline::config {
 
-/// One way to go on, as the whole text: "render.samples=", "render.", "render.denoise=true".
+/// One possible continuation, as the whole text: "render.samples=", "render.",
+/// "render.denoise=true".
 struct KeyCandidate {
     std::string text;
     std::string description;
 };
 
-/// Every way to go on with `start`, the beginning of a --set, by one more key or by a value. Names
-/// of balls, objects, materials, lights and cameras are those of `shot`; of an empty tree none.
+/// All continuations of `start`, the beginning of a --set, by one more key or by a value. The names
+/// of balls, objects, materials, lights and cameras are those of `shot`.
 [[nodiscard]] std::vector<KeyCandidate> complete_override(std::string_view start, const Node& shot);
 
-/// The tree of a shot with what it includes, and with the balls of its rack among its `balls`.
-/// Problems are not reported; after a syntax error the tree is empty.
+/// The tree of a shot with its includes, and with the balls of its rack among its `balls`. Problems
+/// are not reported; after a syntax error the tree is empty.
 [[nodiscard]] Node readable_tree(const std::string& text, const std::string& origin);
 
-/// The names of the shot's cameras that have one.
+/// The names of the shot's named cameras.
 [[nodiscard]] std::vector<std::string> camera_names(const Node& shot);
 
 }  // namespace carom::pipeline::config

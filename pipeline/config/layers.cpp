@@ -25,7 +25,7 @@ void remove_short_side(Node& root) {
     }
 }
 
-/// Whether a part of the value was written in that text.
+/// Whether a part of the value comes from that text.
 bool came_from(const Node& node, int source) {
     return node.place.source == source ||
            std::ranges::any_of(node.items,
@@ -34,14 +34,14 @@ bool came_from(const Node& node, int source) {
 
 }  // namespace
 
-void lay_over(Node& base, Node layer) {
+void merge_layer(Node& base, Node layer) {
     if (render_value(layer, "size") != nullptr && render_value(layer, kShortSide) == nullptr) {
         remove_short_side(base);
     }
     merge(base, std::move(layer));
 }
 
-void lay_override_over(Node& root, SourceSet& sources, int source, ProblemList& problems) {
+void merge_override(Node& root, SourceSet& sources, int source, ProblemList& problems) {
     apply_override(root, sources, source, problems);
     const Node* size = render_value(root, "size");
     const Node* short_side = render_value(root, kShortSide);

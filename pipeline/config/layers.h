@@ -1,4 +1,4 @@
-// Laying the files and options of a shot over each other.
+// Merges the files and options of a shot in the order of their precedence.
 #pragma once
 
 #include "pipeline/config/node.h"
@@ -7,12 +7,12 @@
 
 namespace carom::pipeline::config {
 
-/// Merges the stronger `layer` into `base`, both of them whole shots. A layer that gives
-/// `render.size` without `render.short_side` means exactly that size, so a `short_side` of `base`,
-/// which would scale it, is removed.
-void lay_over(Node& base, Node layer);
+/// Merges `layer`, which has precedence, into `base`; both have the structure of a shot. If the
+/// layer has `render.size` without `render.short_side`, it means exactly that size, so a
+/// `short_side` of `base`, which would scale it, is removed.
+void merge_layer(Node& base, Node layer);
 
-/// The same for a --set, which is text `source` of `sources`.
-void lay_override_over(Node& root, SourceSet& sources, int source, ProblemList& problems);
+/// Like merge_layer for a --set, which is the text `source` of `sources`.
+void merge_override(Node& root, SourceSet& sources, int source, ProblemList& problems);
 
 }  // namespace carom::pipeline::config

@@ -33,7 +33,7 @@ ValueType<V> vector_type(Dimension dimension, const Range& range) {
     return result;
 }
 
-/// Characters between two neighbours in brackets on one line; 0 if they are not that.
+/// The number of characters between two scalars on one line; 0 otherwise.
 int gap_between(const Node& first, const Node& second) {
     const bool is_one_line = first.is_scalar() && second.is_scalar() &&
                              first.place.source == second.place.source &&
@@ -45,33 +45,33 @@ bool belongs_to_number(char c) {
     return (c >= '0' && c <= '9') || c == '.';
 }
 
-/// Whether the two would be one number without the comma between them.
+/// Whether the two texts without the comma between them are one number.
 bool could_be_one(const Node& first, const Node& second) {
     return !first.text.empty() && !second.text.empty() && belongs_to_number(first.text.back()) &&
            belongs_to_number(second.text.front()) &&
            std::holds_alternative<Quantity>(parse_quantity(first.text + second.text));
 }
 
-/// "[0,3, 1]" is a list of three numbers, which the person who wrote it may not know.
-void warn_of_decimal_comma(Reader& reader, const Node& node) {
+/// Warns of lists such as "[0,3, 1]", which has three numbers and not two.
+void warn_about_decimal_comma(Reader& reader, const Node& node) {
     const Node* before_comma = nullptr;
-    const Node* behind_comma = nullptr;
-    bool has_blank = false;  // or a line end behind another comma
+    const Node* after_comma = nullptr;
+    bool has_space = false;  // or a line end after another comma
     for (std::size_t i = 1; i < node.items.size(); ++i) {
         const Node& first = node.items[i - 1];
         const Node& second = node.items[i];
         const int gap = gap_between(first, second);
-        has_blank = has_blank || gap != 1;
+        has_space = has_space || gap != 1;
         if (gap == 1 && could_be_one(first, second)) {
             before_comma = &first;
-            behind_comma = &second;
+            after_comma = &second;
         }
     }
-    if (before_comma != nullptr && has_blank) {
+    if (before_comma != nullptr && has_space) {
         reader.warning(before_comma->place,
-                       quote(before_comma->text + "," + behind_comma->text) +
-                           " is two numbers; write a point if a decimal number is meant, and a "
-                           "blank behind the comma if not");
+                       quote(before_comma->text + "," + after_comma->text) +
+                           " is read as two numbers; write a decimal point if it is one number, "
+                           "or a space after the comma if it is two");
     }
 }
 
@@ -91,7 +91,7 @@ bool check_list(Reader& reader, const Node& node, const TypeInfo& type) {
         return false;
     }
     if (type.elements.at(0).kind == TypeInfo::Kind::quantity) {
-        warn_of_decimal_comma(reader, node);
+        warn_about_decimal_comma(reader, node);
     }
     return true;
 }

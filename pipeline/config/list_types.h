@@ -1,4 +1,4 @@
-// Lists that keys may have as values.
+// The types of lists.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@
 
 namespace carom::pipeline::config {
 
-/// Whether `node` is a list of the allowed length; says what is wrong otherwise.
+/// Checks that `node` is a list of the allowed length, and reports a problem otherwise.
 [[nodiscard]] bool check_list(Reader& reader, const Node& node, const TypeInfo& type);
 
-/// "[1, 2]"; what is empty is left out.
+/// "[1, 2]".
 [[nodiscard]] std::string show_list(const std::vector<std::string>& shown);
 
-/// `fewest` to `most` values of one type; most -1: any number.
+/// A list of `fewest` to `most` values of one type; most = -1: no upper limit.
 template <class V>
 ValueType<std::vector<V>> list_of(const ValueType<V>& element, int fewest = 0, int most = -1) {
     ValueType<std::vector<V>> result;
@@ -53,7 +53,7 @@ ValueType<std::vector<V>> list_of(const ValueType<V>& element, int fewest = 0, i
 [[nodiscard]] ValueType<Vec3> vector3(Dimension dimension, Range range = {});
 [[nodiscard]] ValueType<Vec2> vector2(Dimension dimension, Range range = {});
 
-/// Two or three coordinates; without the third z is 0.
+/// Two or three coordinates; the default of z is 0.
 struct Coordinates {
     Vec3 value;
     bool has_z = false;

@@ -42,20 +42,20 @@ std::string absolute_folder(const std::string& origin) {
     return code ? "." : absolute.lexically_normal().parent_path().string();
 }
 
-/// Reads the gathered tree; empty after an error.
+/// Reads the merged tree; empty after an error.
 std::optional<Shot> read_shot(const Gathered& gathered, const std::string& name, Reader& reader) {
     const Node& root = *gathered.root;
     ShotFile file;
     reader.set_root_place(root.place);
-    reader.set_partial(!gathered.is_whole);
+    reader.set_partial(!gathered.is_complete);
     shot_spec().read(reader, root, file);
-    if (!gathered.is_whole) {
+    if (!gathered.is_complete) {
         return std::nullopt;
     }
     Shot shot;
     try {
         shot = build_shot(file, root, name, reader);
-    } catch (const Error& failure) {  // geometry that no check of a single key could foresee
+    } catch (const Error& failure) {  // geometry that the checks of single keys accept
         reader.error(root.place, failure.what());
     }
     if (!reader.has_error()) {
@@ -97,7 +97,7 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
 
 namespace {
 
-/// What is said of a folder that was given as a shot, with a file in it that may be meant.
+/// The problem of a folder that was given as a shot, with a file in it that may be meant.
 std::string folder_problem(const std::string& path) {
     std::vector<std::string> shots;
     std::error_code code;
@@ -108,8 +108,8 @@ std::string folder_problem(const std::string& path) {
         }
     }
     const auto first = std::ranges::min_element(shots);
-    return "this is a folder, not a shot" +
-           (first == shots.end() ? "" : "; a file in it is " + quote(*first));
+    return "this is a folder, not a shot file" +
+           (first == shots.end() ? "" : "; it contains " + quote(*first));
 }
 
 }  // namespace

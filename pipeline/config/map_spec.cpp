@@ -24,8 +24,8 @@ std::vector<std::string> quoted(const std::vector<std::string>& words) {
 /// What was probably meant by something that only looks like a key; empty if nothing is known.
 std::string explain_odd_key(const Entry& entry) {
     if (entry.key == "<<") {
-        return " (carom has no merge keys; an alias stands for a whole value, and 'include' lays "
-               "one file over another)";
+        return " (carom has no merge keys; an alias stands for a whole value, and 'include' "
+               "merges files)";
     }
     const bool is_number = !entry.key.empty() && entry.key[0] >= '0' && entry.key[0] <= '9';
     if (is_number && entry.value.is_null()) {
@@ -52,10 +52,10 @@ std::optional<std::string> report_unknown(Reader& reader, const Entry& entry, co
 
 void report_contradiction(Reader& reader, const Entry& first, const Entry& second) {
     std::string message = "'" + second.key + "' contradicts '" + first.key + "' in " +
-                          reader.label() + "; give one of them";
+                          reader.label() + "; give only one of them";
     if (first.key_place.source != second.key_place.source) {
         message += " (the other comes from " + reader.sources().to_string(first.key_place) + "; '" +
-                   first.key + ": null' takes it away)";
+                   first.key + ": null' removes it)";
     }
     reader.error(second.key_place, message);
 }

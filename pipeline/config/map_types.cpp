@@ -1,6 +1,7 @@
 #include "pipeline/config/map_types.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "pipeline/config/text.h"
 
@@ -8,7 +9,13 @@ namespace carom::pipeline::config {
 
 namespace {
 
-constexpr std::size_t kLongestName = 64;
+constexpr std::size_t kMaxNameLength = 64;
+
+/// "a ball", "an object"
+std::string with_article(const std::string& noun) {
+    const bool has_vowel = std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
+    return (has_vowel ? "an " : "a ") + noun;
+}
 
 }  // namespace
 
@@ -20,16 +27,17 @@ bool check_name(Reader& reader, const std::string& name, const Place& place,
     };
     const bool starts_well = !name.empty() && is_allowed(name[0]) && name[0] != '-' &&
                              !(name[0] >= '0' && name[0] <= '9');
-    if (!starts_well || name.size() > kLongestName ||
+    if (!starts_well || name.size() > kMaxNameLength ||
         !std::all_of(name.begin(), name.end(), is_allowed)) {
-        reader.error(place, quote(name) + " cannot be the name of a " + noun +
-                                ": a letter, then letters, digits, _ and -, at most 64 in all");
+        reader.error(place, quote(name) + " cannot be the name of " + with_article(noun) +
+                                "; a name is a letter or _, then letters, digits, _ and -, at most "
+                                "64 characters in all");
         return false;
     }
     static const std::vector<std::string> kReserved{"all", "auto", "none", "true", "false", "null"};
     if (std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end()) {
-        reader.error(place,
-                     quote(name) + " has a meaning of its own and cannot be the name of a " + noun);
+        reader.error(place, quote(name) + " is a reserved word and cannot be the name of " +
+                                with_article(noun));
         return false;
     }
     return true;

@@ -1,4 +1,4 @@
-// Maps that keys may have as values: of keys, numbered ones, and named ones.
+// The types of maps: maps of keys, numbered maps and named maps.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ ValueType<T> record(const MapSpec<T>& spec) {
     return result;
 }
 
-/// Something with a name that the user chose, and the place of that name.
+/// A value with a name that the user chose, and the place of that name.
 template <class T>
 struct Named {
     std::string name;
@@ -33,11 +33,12 @@ struct Named {
     T value;
 };
 
-/// Whether a name can be used in paths of keys and references.
+/// Checks that a name can be used in key paths and references, and reports a problem otherwise.
 [[nodiscard]] bool check_name(Reader& reader, const std::string& name, const Place& place,
                               const std::string& noun);
 
-/// A list of maps of keys, called "camera 1" or, by its key `name`, "camera 'opening'".
+/// A list of maps of keys. Messages call an element "camera 1" or, by its key `name`,
+/// "camera 'opening'".
 template <class T>
 ValueType<std::vector<T>> numbered(const std::string& noun, const MapSpec<T>& spec) {
     ValueType<std::vector<T>> result;

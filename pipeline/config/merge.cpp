@@ -40,7 +40,7 @@ std::vector<Segment> split_path(const SourceSet& sources, int source, std::strin
     return segments;
 }
 
-/// The element that `name` means: an index, or its key `name`.
+/// The element whose index or key `name` is `name`, or nullptr.
 Node* find_element(Node& list, const std::string& name) {
     std::size_t index = 0;
     const auto [end, code] = std::from_chars(name.data(), name.data() + name.size(), index);
@@ -62,13 +62,13 @@ Node* step_into(Node& node, const Segment& segment, ProblemList& problems) {
         Node* element = find_element(node, segment.name);
         if (element == nullptr) {
             problems.error(segment.place,
-                           fmt::format("the list has no element {} (it has {}, counted from 0)",
+                           fmt::format("the list has no element {}; it has {}, numbered from 0",
                                        quote(segment.name), node.items.size()));
         }
         return element;
     }
     if (!node.is_map()) {
-        // A scalar in the way is replaced: "shutter: 180 deg" by shutter.position=start.
+        // A scalar is replaced by a map: "shutter: 180 deg" by shutter.position=start.
         node = Node{};
         node.kind = Node::Kind::map;
         node.place = segment.place;
@@ -138,14 +138,15 @@ void apply_override(Node& root, SourceSet& sources, int source, ProblemList& pro
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) {
         problems.error(sources.place_at(source, 0, text.size()),
-                       quote(text) + " is not KEY=VALUE, as in render.samples=64");
+                       quote(text) + " is not of the form KEY=VALUE, as in render.samples=64");
         return;
     }
     const std::vector<Segment> path =
         split_path(sources, source, std::string_view(text).substr(0, equals));
     if (path.empty()) {
-        problems.error(sources.place_at(source, 0, equals),
-                       quote(text.substr(0, equals)) + " is not a path of keys");
+        problems.error(
+            sources.place_at(source, 0, equals),
+            quote(text.substr(0, equals)) + " is not a path of keys, as in render.samples");
         return;
     }
     std::optional<Node> value = parse_yaml(sources, source, problems, {}, equals + 1);

@@ -1,4 +1,4 @@
-// Laying one tree of YAML over another.
+// Merges one tree of YAML into another.
 #pragma once
 
 #include <string>
@@ -9,12 +9,14 @@
 
 namespace carom::pipeline::config {
 
-/// Maps merge key by key, everything else of `over` replaces what `base` has. A null takes a key of
-/// the base away; where the base has none it stays, and is reported when it is read.
+/// Merges maps key by key; all other values of `over` replace those of `base`. A null removes a key
+/// of the base. If the base does not have the key, the null remains and is reported when it is
+/// read.
 void merge(Node& base, Node over);
 
-/// Applies "a.b[0].c=VALUE" (text `source` of `sources`) to `root`: VALUE is YAML and is merged in.
-/// Maps on the way are made; list elements are named by their index or by their key `name`.
+/// Applies "a.b[0].c=VALUE" (text `source` of `sources`) to `root`: VALUE is YAML and is merged.
+/// Missing maps of the path are created; list elements are selected by their index or their key
+/// `name`.
 void apply_override(Node& root, SourceSet& sources, int source, ProblemList& problems);
 
 }  // namespace carom::pipeline::config

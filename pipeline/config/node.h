@@ -1,4 +1,4 @@
-// A YAML document as a tree in which every key and value knows its place.
+// A YAML document as a tree in which every key and value has its place.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ struct Node {
 
     Kind kind = Kind::null;
     Place place;
-    bool quoted = false;         // scalar: written in quotes or as a block, so never true or false
+    bool quoted = false;         // scalar in quotes or in a block, so never true or false
     std::string text;            // scalar
     std::vector<Node> items;     // sequence
     std::vector<Entry> entries;  // map, in order, keys unique

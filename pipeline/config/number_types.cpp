@@ -44,14 +44,14 @@ void report_missing_unit(Reader& reader, const Node& node, const TypeInfo& type,
                                  " and needs a unit; write " + forms);
 }
 
-/// For an unknown unit without a near one: those that can stand here.
+/// The allowed units, for an unknown unit without a similar known one.
 std::string units_help(const std::string& wrong, const TypeInfo& type) {
     const bool is_unit = wrong.find("unknown unit") != std::string::npos;
     if (!is_unit || wrong.find("did you mean") != std::string::npos) {
         return {};
     }
     const std::string& units = info(type.dimension).units;
-    return units.empty() ? " (it is a plain number)" : " (it may be in " + units + ")";
+    return units.empty() ? " (this number has no unit)" : " (the units are " + units + ")";
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ ValueType<double> lens_length(Range range) {
 }
 
 Rational to_rational(const Quantity& quantity) {
-    // Larger terms than any real rate or time has would overflow where they are multiplied.
+    // Larger terms could overflow when they are multiplied. Real rates and times have smaller ones.
     constexpr std::int64_t kLargest = 1'000'000'000;
     const std::optional<Fraction>& exact = quantity.exact;
     if (exact && std::abs(exact->numerator) <= kLargest && exact->denominator <= kLargest) {

@@ -1,4 +1,4 @@
-// Numbers that keys may have as values, and their ranges.
+// The types of numbers, and their ranges.
 #pragma once
 
 #include <cstdint>
@@ -36,10 +36,10 @@ inline Range inside(double low, double high) {
 
 // ---- numbers --------------------------------------------------------------------------------
 
-/// What messages and the schema say of a number of `dimension` within `range`.
+/// The type of a number of `dimension` within `range`.
 [[nodiscard]] TypeInfo quantity_info(Dimension dimension, const Range& range);
 
-/// A number with a unit of `dimension`; or a plain one in SI units, unless the dimension needs a
+/// A number with a unit of `dimension`, or a plain number in SI units if the dimension needs no
 /// unit.
 [[nodiscard]] ValueType<double> quantity(Dimension dimension, Range range = {});
 [[nodiscard]] inline ValueType<double> number(Range range = {}) {
@@ -51,23 +51,23 @@ inline Range inside(double low, double high) {
 [[nodiscard]] inline ValueType<double> time(Range range = {}) {
     return quantity(Dimension::time, range);
 }
-/// A length of a camera's lens, which photographers say in millimetres, so that it needs a unit.
+/// A length of a camera's lens. It needs a unit, because photographers give it in millimetres.
 [[nodiscard]] ValueType<double> lens_length(Range range = {});
 [[nodiscard]] inline ValueType<double> angle(Range range = {}) {
     return quantity(Dimension::angle, range);
 }
 
-/// The quantity's exact value where its terms are at most 1e9, else the nearest simple fraction.
+/// The quantity's exact value if its terms are at most 1e9, else the nearest simple fraction.
 [[nodiscard]] Rational to_rational(const Quantity& quantity);
 
-/// A time or frequency kept exactly: "1/48 s", "24000/1001".
+/// An exact time or frequency: "1/48 s", "24000/1001".
 [[nodiscard]] ValueType<Rational> exact(Dimension dimension, Range range = {});
 
 [[nodiscard]] ValueType<std::int64_t> integer64(std::int64_t low, std::int64_t high);
 [[nodiscard]] ValueType<int> integer(int low, int high);
 
-/// The quantity that a scalar holds, if it is one of this dimension and range; problems go to the
-/// reader. For types that are made of several.
+/// The quantity of a scalar; empty after a problem if it does not have this dimension and range. It
+/// is used by types that combine several others.
 [[nodiscard]] std::optional<Quantity> read_quantity(Reader& reader, const Node& node,
                                                     const TypeInfo& type);
 

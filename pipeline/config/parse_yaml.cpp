@@ -19,7 +19,7 @@ namespace carom::pipeline::config {
 
 namespace {
 
-/// Reads a text where it lies.
+/// A stream buffer that reads a text without copying it.
 class TextBuffer : public std::streambuf {
   public:
     explicit TextBuffer(std::string& text) {
@@ -27,14 +27,15 @@ class TextBuffer : public std::streambuf {
     }
 };
 
-/// yaml-cpp scans a whole run of open brackets before it tells of the first; a text with absurdly
-/// many is refused before that. Brackets in strings count too, hence the generous bound.
-bool has_absurd_nesting(std::string_view text, std::size_t& offset) {
-    constexpr int kAbsurd = 2000;
+/// yaml-cpp scans a whole sequence of opening brackets before it reports the first. A text with an
+/// extreme number of them is refused before that. Brackets in strings count, too, so the limit is
+/// generous.
+bool has_extreme_nesting(std::string_view text, std::size_t& offset) {
+    constexpr int kLimit = 2000;
     int open = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] == '[' || text[i] == '{') {
-            if (++open > kAbsurd) {
+            if (++open > kLimit) {
                 offset = i;
                 return true;
             }
@@ -50,19 +51,20 @@ bool check_raw_text(const SourceSet& sources, int source, ProblemList& problems,
     const std::string& text = sources.at(source).text;
     if (text.size() > limits.bytes) {
         problems.error({source, 0, 0, 1},
-                       fmt::format("the file has {} bytes; at most {} are read{}", text.size(),
+                       fmt::format("the file has {} bytes; at most {} are allowed{}", text.size(),
                                    limits.bytes, how_to_raise_limits()));
         return false;
     }
     const std::size_t invalid = find_invalid_utf8(text);
     if (invalid != std::string_view::npos) {
-        problems.error(sources.place_at(source, invalid, 1), "not UTF-8 text");
+        problems.error(sources.place_at(source, invalid, 1), "this is not valid UTF-8 text");
         return false;
     }
     std::size_t offset = 0;
-    if (has_absurd_nesting(text, offset)) {
-        problems.error(sources.place_at(source, offset, 1),
-                       fmt::format("nested deeper than {} levels", limits.depth));
+    if (has_extreme_nesting(text, offset)) {
+        problems.error(
+            sources.place_at(source, offset, 1),
+            fmt::format("maps and lists are nested more than {} levels deep", limits.depth));
         return false;
     }
     return true;

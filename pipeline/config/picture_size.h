@@ -1,4 +1,4 @@
-// The size of the picture from its shape and its shorter side.
+// Computes the size of the picture from its aspect ratio and its shorter side.
 #pragma once
 
 namespace carom::pipeline::config {
@@ -10,10 +10,10 @@ struct PictureSize {
     bool operator==(const PictureSize&) const = default;
 };
 
-/// A picture with the proportions of `shape` whose shorter side has `short_side` pixels, both sides
-/// rounded to even numbers, which every codec can hold. A side may exceed render::kLongestSide.
+/// The size with the aspect ratio of `shape` whose shorter side has `short_side` pixels. Both sides
+/// are rounded to even numbers, which every codec supports. A side may exceed render::kLongestSide.
 [[nodiscard]] PictureSize scaled_to_short_side(const PictureSize& shape, int short_side);
 
-constexpr int kShortestSide = 16;  // a film's; the longest is the renderer's
+constexpr int kShortestSide = 16;  // of a film; the renderer limits the longest side
 
 }  // namespace carom::pipeline::config

@@ -17,7 +17,7 @@ bool is_continuation(char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
 
-/// The text cut into its characters.
+/// The text as a list of its characters.
 std::vector<std::string> characters(std::string_view text) {
     std::vector<std::string> all;
     for (const char c : text) {
@@ -75,8 +75,8 @@ std::string place_text(const SourcePlace& place) {
     return text;
 }
 
-/// Under the line's number.
-std::string trail_text(const Problem& problem, const std::string& blank) {
+/// The chain of includes, aligned with the line's number.
+std::string include_chain_text(const Problem& problem, const std::string& blank) {
     std::string text;
     for (const SourcePlace& place : problem.included_by) {
         text += blank + " = included by " + printable(place_text(place)) + "\n";
@@ -92,14 +92,14 @@ std::string format(const Problem& problem) {
     std::string text =
         printable(place) + (place.empty() ? "" : ": ") + kind + printable(problem.message);
     if (problem.source_line.empty() || problem.place.line < 1) {
-        return text + "\n" + trail_text(problem, "     ");
+        return text + "\n" + include_chain_text(problem, "     ");
     }
     const std::string number = fmt::format("{}", problem.place.line);
     const std::string margin(number.size() < 5 ? 5 - number.size() : 0, ' ');
     const std::string blank(margin.size() + number.size(), ' ');
     const ShownLine shown = show_line(problem);
     return text + "\n" + margin + number + " | " + shown.text + "\n" + blank + " | " + shown.caret +
-           "\n" + trail_text(problem, blank);
+           "\n" + include_chain_text(problem, blank);
 }
 
 std::string suggestion(const Problem& problem) {

@@ -1,4 +1,4 @@
-// What is wrong with a file, with its place, as a compiler would say it.
+// A problem of a file with its place, formatted like a compiler's message.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct SourcePlace {
     std::string file;
     int line = 0;
     int column = 0;
-    int length = 1;  // characters that the caret underlines, >= 1
+    int length = 1;  // number of underlined characters, >= 1
 };
 
 struct Problem {
@@ -23,20 +23,21 @@ struct Problem {
     SourcePlace place;
     std::string key_path;  // "cameras[0].position", may be empty
     std::string message;   // "unknown key 'postion' in camera 'opening' (did you mean 'position'?)"
-    std::string source_line;  // the line of the file that `place` names, may be empty
-    /// What includes that file, what includes that one ...; empty for the shot itself.
+    std::string source_line;  // the line at `place`, may be empty
+    /// The place that includes that file, the place that includes the including file, and so on;
+    /// empty for the shot itself.
     std::vector<SourcePlace> included_by{};
 };
 
-/// The text for a person, with the source line and a caret:
+/// The message as text, with the source line and a caret:
 ///   shot.yaml:14:9: error: unknown key ...
 ///      14 |         postion: [0, -2, 1]
 ///         |         ^~~~~~~
-/// and, for each file on the way to an included one,
+/// and, for each file of the chain of includes,
 ///         = included by other.yaml:3:10
 [[nodiscard]] std::string format(const Problem& problem);
 
-/// What the message says was probably meant ("position"), or nothing.
+/// The suggestion in the message ("position"), or an empty text.
 [[nodiscard]] std::string suggestion(const Problem& problem);
 
 [[nodiscard]] bool has_errors(const std::vector<Problem>& problems);

@@ -10,8 +10,8 @@ namespace carom::pipeline::config {
 
 namespace {
 
-constexpr std::size_t kMostProblems = 100;
-constexpr std::size_t kMostKept = 10000;
+constexpr std::size_t kMaxProblems = 100;
+constexpr std::size_t kMaxStored = 10000;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void ProblemList::warning(const Place& place, std::string message, std::string k
 }
 
 void ProblemList::add(Entry entry) {
-    if (entries_.size() >= kMostKept) {
+    if (entries_.size() >= kMaxStored) {
         ++hidden_count_;
         return;
     }
@@ -42,8 +42,8 @@ std::vector<Problem> ProblemList::take() {
     entries_.erase(std::unique(entries_.begin(), entries_.end(), same), entries_.end());
     std::vector<Problem> problems;
     for (Entry& entry : entries_) {
-        if (problems.size() == kMostProblems) {
-            const std::size_t rest = entries_.size() - kMostProblems + hidden_count_;
+        if (problems.size() == kMaxProblems) {
+            const std::size_t rest = entries_.size() - kMaxProblems + hidden_count_;
             problems.push_back({has_error() ? Severity::error : Severity::warning,
                                 {},
                                 {},
@@ -54,7 +54,7 @@ std::vector<Problem> ProblemList::take() {
         }
         problems.push_back({entry.severity, sources_->describe(entry.place),
                             std::move(entry.key_path), std::move(entry.message),
-                            sources_->line_of(entry.place), sources_->trail(entry.place)});
+                            sources_->line_of(entry.place), sources_->include_chain(entry.place)});
     }
     entries_.clear();
     return problems;

@@ -1,4 +1,4 @@
-// Collects what is wrong while a shot is read.
+// Collects the problems of a shot while it is read.
 #pragma once
 
 #include <string>
@@ -18,8 +18,8 @@ class ProblemList {
 
     [[nodiscard]] bool has_error() const { return error_count_ > 0; }
 
-    /// In the order of the texts and their lines, each once. Past 100 of them one closing problem
-    /// says how many more there are.
+    /// The problems in the order of the texts and their lines, without duplicates. After 100 of
+    /// them, one last problem has the number of the others.
     [[nodiscard]] std::vector<Problem> take();
 
   private:

@@ -28,11 +28,11 @@ std::string unknown_unit(std::string_view name) {
     return "has the unknown unit " + quote(name) + hint(name, unit_names());
 }
 
-/// What is wrong with `rest`, which follows the number `number` and is neither a unit nor the
-/// other half of a fraction; empty if it may be a unit.
+/// The problem of `rest`, the text after the number `number`, if it contains an unusual space or a
+/// decimal comma; empty otherwise.
 std::string find_foreign_notation(std::string_view number, std::string_view rest) {
     if (const std::optional<OddSpace> space = find_odd_space(rest)) {
-        return "has " + space->name + " behind its number; write an ordinary space";
+        return "has " + space->name + " after its number; write an ordinary space";
     }
     const bool has_digit = rest.size() > 1 && is_digit(rest[1]);
     if (has_digit && rest.front() == ',') {
@@ -77,7 +77,7 @@ struct Number {
     std::optional<Fraction> exact;
 };
 
-/// Takes a number off the front of `text`; empty if it is too large for a double.
+/// Removes a number from the front of `text`; empty if it is too large for a double.
 std::optional<Number> take_number(std::string_view& text, std::size_t length) {
     std::string_view digits = text.substr(0, length);
     text.remove_prefix(length);
@@ -88,7 +88,8 @@ std::optional<Number> take_number(std::string_view& text, std::size_t length) {
     const auto [end, code] =
         std::from_chars(digits.data(), digits.data() + digits.size(), number.value);
     if (code == std::errc::result_out_of_range) {
-        // Both overflow and underflow end here; what is too small to write is zero to us.
+        // The code is the same for overflow and underflow. A number that underflows is read as
+        // zero.
         const std::size_t exponent = digits.find_first_of("eE");
         if (exponent == std::string_view::npos || digits[exponent + 1] != '-') {
             return std::nullopt;
@@ -116,7 +117,7 @@ void apply(Quantity& quantity, const Unit& unit, int exponent) {
     }
 }
 
-/// The power behind a unit's name: "^2", "2", "^-1" or nothing.
+/// Removes and returns the power after a unit's name: "^2", "2", "^-1" or nothing.
 int take_power(std::string_view& text) {
     std::size_t i = !text.empty() && text[0] == '^' ? 1 : 0;
     const bool negative = i < text.size() && i == 1 && text[i] == '-';
@@ -129,7 +130,7 @@ int take_power(std::string_view& text) {
     return negative ? -power : power;
 }
 
-/// Reads "km/h" or "N m" and applies it; the string is what is wrong, empty if nothing.
+/// Parses "km/h" or "N m" and applies it. The string is the problem, or empty.
 std::string apply_units(Quantity& quantity, std::string_view text) {
     const std::string_view whole = text;
     int sign = 1;
@@ -197,16 +198,16 @@ std::variant<Quantity, std::string> parse_quantity(std::string_view text) {
     }
     std::optional<Number> number = take_number(text, length);
     if (!number) {
-        return "is too large a number";
+        return "is too large";
     }
-    std::string_view behind = text;
-    skip_blanks(behind);
-    if (!behind.empty() && behind.front() == '/') {
-        behind.remove_prefix(1);
-        skip_blanks(behind);
-        const std::size_t divisor_length = number_length(behind);
+    std::string_view rest = text;
+    skip_blanks(rest);
+    if (!rest.empty() && rest.front() == '/') {
+        rest.remove_prefix(1);
+        skip_blanks(rest);
+        const std::size_t divisor_length = number_length(rest);
         const std::optional<Number> divisor =
-            divisor_length > 0 ? take_number(behind, divisor_length) : std::nullopt;
+            divisor_length > 0 ? take_number(rest, divisor_length) : std::nullopt;
         if (!divisor) {
             return "is not a number";
         }
@@ -216,7 +217,7 @@ std::variant<Quantity, std::string> parse_quantity(std::string_view text) {
         number->value /= divisor->value;
         number->exact = number->exact && divisor->exact ? divide(*number->exact, *divisor->exact)
                                                         : std::nullopt;
-        text = behind;
+        text = rest;
     }
     Quantity quantity;
     quantity.value = number->value;
@@ -234,7 +235,7 @@ std::variant<Quantity, std::string> parse_quantity(std::string_view text) {
         quantity.value = to_double(*quantity.exact).value_or(quantity.value);
     }
     if (!std::isfinite(quantity.value)) {
-        return "is too large a number";
+        return "is too large";
     }
     return quantity;
 }

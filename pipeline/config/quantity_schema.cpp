@@ -11,14 +11,14 @@ namespace {
 
 constexpr const char* kDigits = R"(([0-9]+\.?[0-9]*|\.[0-9]+))";
 constexpr const char* kExponent = "([eE][+-]?[0-9]+)";
-constexpr const char* kPowerOne = R"((\^?1)?)";  // behind a unit
+constexpr const char* kPowerOne = R"((\^?1)?)";  // after a unit
 
 /// A number without a sign: "0.5", "5e-1".
 std::string unsigned_number() {
     return std::string(kDigits) + kExponent + "?";
 }
 
-/// "1e5" and "1/48", which no pattern compares with a range.
+/// Matches "1e5" and "1/48", which cannot be compared with a range by a pattern.
 std::string not_decimal(const std::string& sign) {
     const std::string any_fraction =
         "[+-]?" + unsigned_number() + R"(\s*/\s*-)" + unsigned_number();

@@ -1,4 +1,5 @@
-// Where a reading of the shot stands, and what it has met: problems, references, files.
+// The state of reading a shot: the current key, and the problems, references and files found so
+// far.
 #pragma once
 
 #include <map>
@@ -13,18 +14,18 @@
 
 namespace carom::pipeline::config {
 
-/// What a name in the shot refers to.
+/// The kind of thing to which a name in the shot refers.
 enum class ReferenceKind {
     ball,       // a sphere that a stick can strike
-    body,       // anything that moves by the laws of physics, and so has a track
-    simulated,  // a body, or an object moved by keys that pushes others
-    moving,     // a body, or any object moved by keys
+    body,       // a ball or object that the simulation moves
+    simulated,  // a body, or an object that keys move and that pushes others
+    moving,     // a body, or any object that keys move
     touchable,  // a body, a fixed object or a part of the table ("cushion")
-    placed,     // a body or any object that stands somewhere
-    material,   // of the look
+    placed,     // a body or any object that has a position
+    material,   // a material of a surface
 };
 
-/// A name used before everything is read; checked at the end.
+/// A name that is checked after everything has been read.
 struct Reference {
     ReferenceKind kind = ReferenceKind::body;
     std::string name;
@@ -37,7 +38,7 @@ class Reader {
     Reader(const SourceSet& sources, const ConfigFolders& folders, ProblemList& problems)
         : sources_(&sources), folders_(&folders), problems_(&problems) {}
 
-    /// Goes into a key or a list element while it lives.
+    /// Enters a key or a list element for the lifetime of the scope.
     class Scope {
       public:
         Scope(Reader& reader, std::string key, Place key_place);
@@ -50,30 +51,30 @@ class Reader {
         Reader& reader_;
     };
 
-    /// Where the shot begins: the place of what is missing in it.
+    /// Sets the place of problems about missing keys of the whole shot.
     void set_root_place(const Place& place) { root_place_ = place; }
 
-    /// Names the thing that is being read, for messages: "camera 'opening'".
+    /// Sets the name of the current value for messages: "camera 'opening'".
     void set_label(std::string label) { steps_.back().label = std::move(label); }
 
-    /// What is being read: "camera 'opening'", "'shutter' of 'render'", "the shot".
+    /// The name of the current value: "camera 'opening'", "'shutter' of 'render'", "the shot".
     [[nodiscard]] std::string label() const;
 
-    /// The value that is being read: "'bezier[1]'".
+    /// The current value by its key: "'bezier[1]'".
     [[nodiscard]] std::string value_name() const;
 
     /// "cameras[0].position"
     [[nodiscard]] std::string key_path() const;
 
-    /// The place of the key that is being read (of the element, in a list).
+    /// The place of the current key, or of the current element of a list.
     [[nodiscard]] Place key_place() const;
 
     void error(const Place& place, std::string message);
     void warning(const Place& place, std::string message);
-    /// An error found later, about what stood at `key_path`.
+    /// Adds an error that is found later, for the value at `key_path`.
     void error_at_path(const Place& place, std::string message, std::string key_path);
-    /// Part of the shot could not be read (an included file is missing): what seems to be missing
-    /// may be there.
+    /// Sets whether a part of the shot could not be read (an included file is missing), so that
+    /// missing keys are not reported.
     void set_partial(bool is_partial) { is_partial_ = is_partial; }
     [[nodiscard]] bool is_partial() const { return is_partial_; }
 
@@ -85,12 +86,12 @@ class Reader {
     void refer(ReferenceKind kind, const Node& node);
     [[nodiscard]] const std::vector<Reference>& references() const { return references_; }
 
-    /// The absolute path of an existing regular file that `node` names; empty after a problem. It
-    /// becomes an asset of the shot.
+    /// The absolute path of the existing regular file whose name is `node`; empty after a problem.
+    /// The file becomes an asset of the shot.
     [[nodiscard]] std::string file(const Node& node);
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
-    /// What the resolved text says in place of a file's name, by the place of the node.
+    /// The absolute paths that replace the names of files in the resolved text, by node.
     [[nodiscard]] const std::map<const Node*, std::string>& absolute_paths() const {
         return absolute_paths_;
     }
@@ -116,7 +117,7 @@ class Reader {
     std::map<const Node*, std::string> absolute_paths_;
 };
 
-/// "a list", "a map", "nothing" or the quoted scalar: to follow "not".
+/// "a list", "a map", "nothing" or the quoted scalar, for use after "not".
 [[nodiscard]] std::string describe(const Node& node);
 
 }  // namespace carom::pipeline::config

@@ -120,7 +120,7 @@ std::string describe_type(const TypeInfo& type) {
     return describe(type);
 }
 
-/// A cell of a table.
+/// The text of a table cell, with its bars escaped.
 std::string cell(std::string text) {
     std::size_t at = 0;
     while ((at = text.find('|', at)) != std::string::npos) {
@@ -162,13 +162,13 @@ std::string describe_map(const MapInfo& map) {
     return text + describe_groups(map) + "\n";
 }
 
-/// A section of the page, and how many others lead to it from the top.
+/// A section of the page, and its depth in the table of contents.
 struct Section {
     const MapInfo* map = nullptr;
     std::size_t depth = 0;
 };
 
-/// The maps that a type leads to, each once, in the order in which a reader meets them.
+/// Collects the maps of a type, each once, in the order of their first use.
 void collect(const TypeInfo& type, std::size_t depth, std::vector<Section>& sections) {
     const auto is_same = [&](const Section& section) { return section.map == type.map; };
     if (type.map != nullptr && std::ranges::none_of(sections, is_same)) {

@@ -1,4 +1,4 @@
-// docs/reference.md, from the table of keys.
+// Generates docs/reference.md from the table of keys.
 #pragma once
 
 #include <string>

@@ -52,7 +52,8 @@ std::string any_of(const std::vector<std::string>& alternatives) {
 
 // ---- scalars --------------------------------------------------------------------------------
 
-/// A plain number within the range; only 0 where others need a unit. Empty: none can stand.
+/// A plain number within the range, or only 0 if other numbers need a unit. Empty if no plain
+/// number is allowed.
 std::string plain_number_schema(const TypeInfo& type) {
     if (!type.needed_unit.empty()) {
         return type.range.contains(0) ? object({{"const", "0"}}) : std::string();
@@ -75,7 +76,7 @@ std::string text_of(const std::string& pattern) {
 
 std::string integer_schema(const TypeInfo& type) {
     Members integer{{"type", json_string("integer")}};
-    // Beyond 2^53 numbers of JSON are not exact.
+    // JSON numbers above 2^53 are not exact.
     if (type.range.low && *type.range.low > -9e15) {
         integer.emplace_back("minimum", show(*type.range.low));
     }
@@ -91,7 +92,7 @@ std::string text_schema(const TypeInfo& type) {
         return object(
             {{"type", json_string("string")}, {"pattern", json_string("^#[0-9a-fA-F]{6}$")}});
     }
-    // A word may look like a number to YAML.
+    // YAML may read a word as a number.
     return object(
         {{"type", array({json_string("string"), json_string("number"), json_string("boolean")})}});
 }
@@ -104,7 +105,7 @@ std::string choice_schema(const TypeInfo& type) {
         const char* const end = word.data() + word.size();
         const auto [stop, code] = std::from_chars(word.data(), end, number);
         if ((code == std::errc() && stop == end) || word == "true" || word == "false") {
-            values.push_back(word);  // as YAML reads it without quotes
+            values.push_back(word);  // the value that YAML reads without quotes
         }
     }
     return object({{"enum", array(values)}});
@@ -112,8 +113,8 @@ std::string choice_schema(const TypeInfo& type) {
 
 // ---- the whole ------------------------------------------------------------------------------
 
-/// Definitions of maps, made as they are met. A map that may be merged with an included one need
-/// not be complete; one in a list replaces, and must be.
+/// Generates the definitions of maps in the order of their first use. A map that may be merged with
+/// an included one need not be complete. A map in a list is not merged, so it must be.
 class Schema {
   public:
     std::string text() {
@@ -148,7 +149,7 @@ class Schema {
         std::string definition;
     };
 
-    /// Refers to `definition`; its name begins with `noun` ("a length").
+    /// A reference to the shared `definition`, whose name begins with `noun` ("a length").
     std::string shared(std::string noun, const std::string& definition) {
         std::replace(noun.begin(), noun.end(), ' ', '-');
         int of_this_noun = 1;
@@ -238,7 +239,7 @@ class Schema {
         return "{}";
     }
 
-    /// Whether one in a list may be laid over one of another file.
+    /// Whether a map in a list may include a file.
     static bool may_include(const MapInfo& map) {
         return std::any_of(map.keys.begin(), map.keys.end(),
                            [](const KeyInfo& key) { return key.name == "include"; });
@@ -258,7 +259,7 @@ class Schema {
 
     std::string property(const KeyInfo& key, bool is_whole) {
         std::vector<std::string> alternatives{schema_of(key.type, is_whole)};
-        if (!is_whole) {  // takes away what an included file says
+        if (!is_whole) {  // null removes the key of an included file
             alternatives.push_back(object({{"type", json_string("null")}}));
         }
         Members members{{"description", json_string(key.description)}};

@@ -1,4 +1,4 @@
-// What a shot's YAML says, section by section, before names are looked up and geometry is made.
+// The sections of a shot's YAML, before names are resolved and geometry is built.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,14 @@
 
 namespace carom::pipeline::config {
 
-/// What all balls have in common unless one says otherwise.
+/// Properties of all balls. A single ball may replace them.
 struct BallSetSection {
-    std::optional<BallSet> kind;  // empty: by the table
+    std::optional<BallSet> kind;  // empty: the kind of the table
     std::optional<double> radius;
     std::optional<double> mass;
 };
 
-/// What is given changes the measures of the standard table.
+/// Changes of the dimensions of the standard table.
 struct PocketSection {
     std::optional<double> mouth, throat, jaw_angle, hole_radius, shelf, drop, lip_radius;
 };
@@ -52,7 +52,7 @@ struct RackSection {
     double gap = sim::billiards::RackOptions{}.gap;
 };
 
-/// How a ball is painted: by a material of the look, or by changes of the set's own paint.
+/// The look of a ball: a material, or changes of the paint of its set.
 struct BallLook {
     std::optional<std::string> material;
     std::optional<Vec3> colour, white;
@@ -71,9 +71,9 @@ struct BallSection {
     std::optional<BallLook> look;
 };
 
-/// An object's part in the simulation.
+/// How an object takes part in the simulation.
 struct ObjectPhysics {
-    std::optional<sim::BodyKind> kind;  // without it dynamic, or kinematic with a motion
+    std::optional<sim::BodyKind> kind;  // default: dynamic, or kinematic with a motion
     std::optional<double> density;
     std::optional<double> mass;
     std::string material = "object";  // physical
@@ -84,7 +84,7 @@ struct ObjectPhysics {
 struct ObjectSection {
     std::optional<render::Shape> shape;
     bool is_degenerate = false;           // a triangle or parallelogram without area
-    std::optional<sim::BodyShape> solid;  // what `shape` draws, if that is no shape of its own
+    std::optional<sim::BodyShape> solid;  // the collision shape, if `shape` does not define it
     Vec3 at{0, 0, 0};
     Vec3 centre{0, 0, 0};  // of mass, from the origin in the object's axes (hulls)
     Quat rotate;
@@ -97,7 +97,7 @@ struct ObjectSection {
     Place shape_place;
 };
 
-/// A picture, a colour or a sky all around.
+/// An environment light: a picture, a colour or a sky.
 struct EnvironmentSection {
     std::optional<std::string> image;
     std::optional<Vec3> radiance;
@@ -130,7 +130,7 @@ struct EventSection {
     Place place;
 };
 
-/// How long the shutter is open: a time, or a turn of a rotary shutter.
+/// The exposure: a time, or a fraction of a turn of a rotary shutter.
 struct ShutterSection {
     Rational length{1, 2};
     bool is_turn = true;
@@ -147,7 +147,7 @@ struct RenderSection {
 };
 
 struct ShotFile {
-    sim::WorldDescription world;  // what `simulation` and `physics` say
+    sim::WorldDescription world;  // from `simulation` and `physics`
     BallSetSection ball_set;
     std::optional<TableSection> table;
     std::optional<RackSection> rack;

@@ -1,4 +1,4 @@
-// The YAML that a shot was read from: where each of its values stands.
+// The YAML from which a shot was read, with the place of each value.
 #pragma once
 
 #include <map>
@@ -15,18 +15,18 @@ namespace carom::pipeline {
 class ShotSource {
   public:
     /// `root`: the tree after includes, presets and overrides. `files`: the absolute paths of the
-    /// files that values of it name.
+    /// files to which its values refer.
     ShotSource(config::SourceSet sources, config::Node root,
                std::map<const config::Node*, std::string> files)
         : sources_(std::move(sources)), root_(std::move(root)), files_(std::move(files)) {}
 
     /// A problem at the value of that path ({"events", "0", "strike", "tip"}; elements of lists by
-    /// their index), or at the last part of it that the shot has.
+    /// their index), or at the last part of the path that the shot has.
     [[nodiscard]] Problem problem_at(const std::vector<std::string>& path, Severity severity,
                                      std::string message) const;
 
-    /// The same for what the simulation or the renderer says, at the value that it is about; at no
-    /// place if it is about the shot as a whole.
+    /// A problem of the simulation or the renderer, at the value to which it refers; without a
+    /// place if it refers to the whole shot.
     [[nodiscard]] Problem problem_of(const Diagnostic& diagnostic) const;
 
     [[nodiscard]] const config::Node& root() const { return root_; }

@@ -8,7 +8,7 @@ namespace carom::pipeline::config {
 
 std::string show(double value) {
     const std::string decimal = fmt::format("{}", value + 0.0);  // + 0.0: -0 becomes 0
-    // A third or a 240th is shorter as such.
+    // 1/3 or 1/240 is shorter than the decimal.
     const double inverse = std::round(1 / value);
     const bool is_inverse = value > 0 && value < 1 && inverse < 1e6 && 1 / inverse == value;
     return is_inverse && decimal.size() > 8 ? fmt::format("1/{}", std::lround(inverse)) : decimal;
@@ -24,7 +24,8 @@ std::string show(double value, Dimension dimension) {
     }
     double shown = value / known.unit_value;
     if (dimension == Dimension::angle) {
-        // 30 degrees in radians and back is 29.999999999999996; 0.7 radians are no round degrees.
+        // 30 degrees in radians and back is 29.999999999999996; 0.7 radians are not a round number
+        // of degrees.
         shown = std::round(shown * 1e9) / 1e9;
         if (show(shown).size() > 8) {
             return show(value) + " rad";

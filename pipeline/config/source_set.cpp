@@ -71,7 +71,7 @@ SourcePlace SourceSet::describe(const Place& place) const {
             std::max(1, place.length)};
 }
 
-std::vector<SourcePlace> SourceSet::trail(const Place& place) const {
+std::vector<SourcePlace> SourceSet::include_chain(const Place& place) const {
     std::vector<SourcePlace> places;
     for (int source = place.source; source >= 0;) {
         const Place& included_at = sources_.at(source).source.included_at;

@@ -1,4 +1,4 @@
-// The texts that a shot was read from, so that every problem can show its line.
+// The texts from which a shot was read, so that every problem can show its line.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace carom::pipeline::config {
 /// A place in one of the texts of a SourceSet. Lines and columns count from 1; columns and lengths
 /// are characters (code points), not bytes.
 struct Place {
-    int source = -1;  // index in the SourceSet, -1: nowhere
+    int source = -1;  // index in the SourceSet, -1: no place
     int line = 0;
     int column = 0;
     int length = 1;
@@ -23,29 +23,30 @@ struct Place {
 
 /// One text: a file, a text in memory or the value of a --set.
 struct SourceText {
-    std::string name;     // as problems print it
-    std::string folder;   // relative paths in the text are below it
-    std::string text;     // valid UTF-8
-    Place included_at{};  // in another text; nowhere for the shot itself and for options
+    std::string name;    // as problems print it
+    std::string folder;  // relative paths in the text refer to this folder
+    std::string text;    // valid UTF-8
+    Place
+        included_at{};  // place of the include in another text; empty for the shot and for options
 };
 
 class SourceSet {
   public:
-    /// Index of the new text.
+    /// Adds a text and returns its index.
     int add(SourceText source);
 
     [[nodiscard]] const SourceText& at(int index) const { return sources_.at(index).source; }
     [[nodiscard]] int size() const { return static_cast<int>(sources_.size()); }
 
-    /// The line that `place` is on, without its end; empty for no place and for lines over 4 KiB.
+    /// The line of `place`, without its line end; empty without a place and for lines over 4 KiB.
     [[nodiscard]] std::string line_of(const Place& place) const;
 
-    /// For a person: with the text's name.
+    /// The place with the name of the text instead of its index.
     [[nodiscard]] SourcePlace describe(const Place& place) const;
 
-    /// Where the text of `place` is included, where that one is ...; an option, "--quality", is
-    /// named without a line.
-    [[nodiscard]] std::vector<SourcePlace> trail(const Place& place) const;
+    /// The place that includes the text of `place`, the place that includes the including text, and
+    /// so on. An option such as "--quality" has no line.
+    [[nodiscard]] std::vector<SourcePlace> include_chain(const Place& place) const;
 
     /// "shot.yaml:14:9"
     [[nodiscard]] std::string to_string(const Place& place) const;
@@ -53,7 +54,7 @@ class SourceSet {
     /// The place of byte `offset` of text `index`, `length_bytes` long (cut at the line's end).
     [[nodiscard]] Place place_at(int index, std::size_t offset, std::size_t length_bytes) const;
 
-    /// Offset of a line and a column counted in bytes, both from 0.
+    /// The offset of a line and a column in bytes, both counted from 0.
     [[nodiscard]] std::size_t offset_of(int index, int line, int column_bytes) const;
 
   private:
@@ -66,7 +67,7 @@ class SourceSet {
     std::vector<Entry> sources_;
 };
 
-/// Number of code points of valid UTF-8.
+/// The number of code points of valid UTF-8.
 [[nodiscard]] int character_count(std::string_view text);
 
 }  // namespace carom::pipeline::config

@@ -17,29 +17,32 @@ struct Sentence {
 
 constexpr std::array kSentences{
     Sentence{"illegal map value",
-             "a ':' where no value can begin (is the line indented as its "
-             "neighbours, or is a quote missing?)"},
-    Sentence{"illegal map key", "a key where none can begin"},
-    Sentence{"illegal block entry", "a '- ' where no list can begin"},
-    Sentence{"illegal flow end", "a closing bracket that was never opened"},
+             "a value cannot begin at this ':'; check the line's indentation and "
+             "whether a quote is missing"},
+    Sentence{"illegal map key", "a key cannot begin here"},
+    Sentence{"illegal block entry", "a list cannot begin here"},
+    Sentence{"illegal flow end", "this closing bracket has no opening bracket"},
     Sentence{"end of map not found",
-             "a key is expected here (is the line indented as its "
-             "neighbours?)"},
+             "a key is expected here; check that the line is indented like "
+             "its neighbours"},
     Sentence{"end of sequence not found",
-             "a '- ' is expected here (is the line indented as its "
-             "neighbours?)"},
+             "a '- ' is expected here; check that the line is indented like "
+             "its neighbours"},
     Sentence{"illegal EOF in scalar", "the text ends inside a quoted string"},
-    Sentence{"illegal document indicator in scalar", "a document's end inside a quoted string"},
-    Sentence{"illegal tab when looking for indentation", "a tab cannot indent; use spaces"},
-    Sentence{"the referenced anchor is not defined", "an alias to an anchor that is not there"},
-    Sentence{"cannot assign multiple anchors to the same node", "a second anchor for one value"},
-    Sentence{"cannot assign multiple tags to the same node", "a second tag for one value"},
+    Sentence{"illegal document indicator in scalar", "the document ends inside a quoted string"},
+    Sentence{"illegal tab when looking for indentation",
+             "a tab cannot be used for indentation; use spaces"},
+    Sentence{"the referenced anchor is not defined",
+             "this alias refers to an anchor that does not exist"},
+    Sentence{"cannot assign multiple anchors to the same node", "a value can have only one anchor"},
+    Sentence{"cannot assign multiple tags to the same node", "a value can have only one tag"},
     Sentence{"aliases can't have any content, *including* tags",
-             "an alias with a value of its own"},
-    Sentence{"alias not found after *", "a '*' without a name (a text with it needs quotes)"},
-    Sentence{"anchor not found after &", "a '&' without a name (a text with it needs quotes)"},
-    Sentence{"unknown token",
-             "a character that cannot begin a value (a text with it needs quotes)"},
+             "an alias cannot have a value of its own"},
+    Sentence{"alias not found after *",
+             "a '*' needs the name of an anchor after it; put a text with '*' in quotes"},
+    Sentence{"anchor not found after &",
+             "a '&' needs the name of an anchor after it; put a text with '&' in quotes"},
+    Sentence{"unknown token", "a value cannot begin with this character; put the text in quotes"},
 };
 
 std::size_t line_begin(std::string_view text, std::size_t offset) {
@@ -47,15 +50,16 @@ std::size_t line_begin(std::string_view text, std::size_t offset) {
     return end == std::string_view::npos ? 0 : end + 1;
 }
 
-/// The first tab that indents the line of `offset`; npos if there is none.
+/// The first tab in the indentation of the line of `offset`; npos if there is none.
 std::size_t indenting_tab(std::string_view text, std::size_t offset) {
     const std::size_t begin = line_begin(text, offset);
     const std::size_t first = text.find_first_not_of(' ', begin);
     return first != std::string_view::npos && text[first] == '\t' ? first : std::string_view::npos;
 }
 
-/// The opening bracket of that kind before `offset` on the same line that stands within a plain
-/// word ("cue {at: ..."), so that it opens nothing; npos if there is none.
+/// The first opening bracket before `offset` on the same line that is part of a plain word ("cue
+/// {at:
+/// ..."), so that it opens no map or list; npos if there is none.
 std::size_t bracket_without_colon(std::string_view text, std::size_t offset) {
     const std::size_t begin = line_begin(text, offset);
     const std::string_view line = text.substr(begin, offset - begin);
@@ -72,7 +76,7 @@ std::size_t bracket_without_colon(std::string_view text, std::size_t offset) {
     return std::string_view::npos;
 }
 
-/// A space of another kind on the line of `offset` or on the line before it.
+/// An unusual space on the line of `offset` or on the line before it.
 std::optional<OddSpace> odd_space_near(std::string_view text, std::size_t offset) {
     const std::size_t line = line_begin(text, offset);
     const std::size_t begin = line == 0 ? 0 : line_begin(text, line - 1);
@@ -103,7 +107,8 @@ SyntaxProblem describe_syntax_error(const SourceSet& sources, int source, std::s
     const std::string_view text = sources.at(source).text;
     const std::size_t tab = indenting_tab(text, std::min(offset, text.size()));
     if (tab != std::string_view::npos) {
-        return {sources.place_at(source, tab, 1), "YAML syntax: a tab cannot indent; use spaces"};
+        return {sources.place_at(source, tab, 1),
+                "YAML syntax: a tab cannot be used for indentation; use spaces"};
     }
     if (const std::optional<OddSpace> space = odd_space_near(text, std::min(offset, text.size()))) {
         return {
@@ -115,7 +120,7 @@ SyntaxProblem describe_syntax_error(const SourceSet& sources, int source, std::s
         if (bracket != std::string_view::npos) {
             return {sources.place_at(source, bracket, 1),
                     std::string("YAML syntax: this '") + text[bracket] +
-                        "' stands inside a word and opens nothing; a ':' is missing before it"};
+                        "' is inside a word and opens nothing; is a ':' missing before it?"};
         }
     }
     for (const Sentence& sentence : kSentences) {

@@ -1,4 +1,4 @@
-// What yaml-cpp says about a syntax error, in words that help.
+// Translates syntax errors of yaml-cpp into clear messages.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ struct SyntaxProblem {
     std::string message;
 };
 
-/// `message` is yaml-cpp's own, at a byte `offset` of the text; `innermost` the container that was
-/// open there, or nullptr.
+/// `message` is that of yaml-cpp, at the byte `offset` of the text; `innermost` is the container
+/// that was open there, or nullptr.
 [[nodiscard]] SyntaxProblem describe_syntax_error(const SourceSet& sources, int source,
                                                   std::size_t offset, std::string_view message,
                                                   const Node* innermost);

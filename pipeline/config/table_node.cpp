@@ -19,7 +19,8 @@ Node empty_map() {
     return map;
 }
 
-/// To a micrometre: what is computed or converted from inches has more digits than anybody reads.
+/// Adds a value. Lengths are rounded to a micrometre, because computed or converted ones have many
+/// digits.
 void add(Node& map, const char* key, double value, Dimension dimension = Dimension::length) {
     const bool is_length = dimension == Dimension::length;
     Node scalar;

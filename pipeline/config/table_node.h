@@ -1,4 +1,4 @@
-// The measures of a table as the YAML that would give them.
+// The dimensions of a table as YAML.
 #pragma once
 
 #include "pipeline/config/node.h"
@@ -6,9 +6,8 @@
 
 namespace carom::pipeline::config {
 
-/// A map with the keys of `table` that say how large it and its pockets are, in lengths rounded to
-/// a micrometre. The nodes stand in no
-/// text: their places name no source. A cloth without a table around it has no such keys.
+/// A map with the keys of `table` for the dimensions of the table and its pockets, rounded to a
+/// micrometre. The places of the nodes have no source. The map of an unbounded cloth is empty.
 [[nodiscard]] Node table_node(const sim::billiards::TableMeasures& measures);
 
 }  // namespace carom::pipeline::config

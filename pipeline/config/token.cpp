@@ -7,8 +7,8 @@ namespace carom::pipeline::config {
 
 namespace {
 
-/// Bytes of the token that starts at `offset`: a quoted scalar with its quotes, an alias, a plain
-/// scalar up to its end on this line, or one bracket.
+/// The number of bytes of the token that starts at `offset`: a quoted scalar with its quotes, an
+/// alias, a plain scalar up to its end on this line, or one bracket.
 std::size_t token_length(std::string_view text, std::size_t offset) {
     const std::string_view rest = text.substr(offset);
     const std::size_t line_end = std::min(rest.find_first_of("\r\n"), rest.size());
@@ -45,7 +45,7 @@ std::size_t token_length(std::string_view text, std::size_t offset) {
     return std::max<std::size_t>(1, end);
 }
 
-/// `offset` moved behind "&anchor " and "!tag ".
+/// `offset` moved after "&anchor " and "!tag ".
 std::size_t skip_properties(std::string_view text, std::size_t offset) {
     while (offset < text.size() && (text[offset] == '&' || text[offset] == '!')) {
         const std::size_t blank = text.find_first_of(" \t\r\n", offset);

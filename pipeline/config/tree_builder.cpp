@@ -17,7 +17,8 @@ void TreeBuilder::refuse(const Place& place, std::string message) {
 }
 
 void TreeBuilder::refuse_depth(const YAML::Mark& mark) {
-    refuse(token_place(mark), fmt::format("nested deeper than {} levels", limits_.depth));
+    refuse(token_place(mark),
+           fmt::format("maps and lists are nested more than {} levels deep", limits_.depth));
 }
 
 Place TreeBuilder::token_place(const YAML::Mark& mark) const {
@@ -27,7 +28,7 @@ Place TreeBuilder::token_place(const YAML::Mark& mark) const {
 void TreeBuilder::check_tag(const std::string& tag, const Place& place) {
     // "?" is a plain scalar or a container without a tag, "!" a quoted scalar.
     if (!tag.empty() && tag != "?" && tag != "!") {
-        refuse(place, "tags such as " + quote(tag) + " have no meaning here");
+        refuse(place, "tags such as " + quote(tag) + " are not supported");
     }
 }
 
@@ -35,14 +36,14 @@ void TreeBuilder::check_node_count(const YAML::Mark& mark) {
     if (node_count_ > limits_.nodes) {
         refuse(token_place(mark),
                beyond_limit(static_cast<std::size_t>(limits_.nodes),
-                            "values (aliases counted with what they stand for)"));
+                            "values (an alias counts as all values that it refers to)"));
     }
 }
 
 void TreeBuilder::OnDocumentStart(const YAML::Mark& mark) {
     if (++document_count_ > 1) {
         refuse(sources_.place_at(source_, sources_.offset_of(source_, mark.line, mark.column), 3),
-               "a file holds one document only");
+               "a file may contain only one document");
     }
 }
 
@@ -72,7 +73,7 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
 void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) {
     const auto found = anchors_.find(anchor);
     if (found == anchors_.end()) {
-        refuse(token_place(mark), "an alias cannot stand inside the node that it names");
+        refuse(token_place(mark), "an alias cannot be inside the value that it refers to");
     }
     const Anchored& anchored = found->second;
     if (static_cast<int>(stack_.size()) + anchored.height > limits_.depth) {
@@ -127,7 +128,8 @@ void TreeBuilder::keep(YAML::anchor_t anchor, const Node& node, int node_count, 
     }
     anchored_count_ += node_count;
     if (anchored_count_ > limits_.nodes) {
-        refuse(node.place, std::string("too much stands behind anchors") + how_to_raise_limits());
+        refuse(node.place,
+               std::string("the values with anchors are too large") + how_to_raise_limits());
     }
     anchors_[anchor] = {node, node_count, height};
 }
@@ -149,7 +151,7 @@ void TreeBuilder::put(Node node) {
 
 void TreeBuilder::put_key(Open& level, const Node& node) {
     if (!node.is_scalar()) {
-        refuse(node.place, "a key must be a plain word");
+        refuse(node.place, "a key must be a word");
     }
     if (const std::optional<OddSpace> space = find_odd_space(node.text); space && !node.quoted) {
         refuse(node.place, "this key contains " + space->name + "; write an ordinary space");

@@ -1,5 +1,5 @@
-// Receives what yaml-cpp's parser finds and makes our tree of it. A private header: it names
-// yaml-cpp's types.
+// Builds a tree of nodes from the events of yaml-cpp's parser. This header is private, because it
+// includes yaml-cpp.
 #pragma once
 
 #include <map>
@@ -15,11 +15,11 @@
 
 namespace carom::pipeline::config {
 
-/// yaml-cpp tells what it finds in order, each container before its contents, so every limit is
-/// checked before its recursion goes deeper.
+/// yaml-cpp sends each container before its contents, so every limit is checked before its
+/// recursion goes deeper.
 class TreeBuilder : public YAML::EventHandler {
   public:
-    /// Ends the parse: the problem is already in the list.
+    /// Thrown to stop the parser after a problem was reported.
     struct Refused {};
 
     TreeBuilder(const SourceSet& sources, int source, ProblemList& problems,
@@ -28,7 +28,7 @@ class TreeBuilder : public YAML::EventHandler {
 
     [[nodiscard]] Node take_root() { return std::move(root_); }
 
-    /// The container that is open when a parse ends early; nullptr if none is.
+    /// The innermost open container when the parser stops early; nullptr if none is open.
     [[nodiscard]] const Node* innermost() const {
         return stack_.empty() ? nullptr : &stack_.back().node;
     }
@@ -51,7 +51,7 @@ class TreeBuilder : public YAML::EventHandler {
         Node node;
         YAML::anchor_t anchor = 0;
         int nodes_before = 0;
-        int height = 1;  // levels below this one, itself included
+        int height = 1;  // number of levels, including this one
         bool has_key = false;
         std::string key;
         Place key_place;

@@ -12,7 +12,7 @@ namespace carom::pipeline::config {
 
 namespace {
 
-constexpr int kHighestPower = 9;  // that the parser reads
+constexpr int kHighestPower = 9;  // of the parser
 constexpr const char* kTimes = R"((\s*\*\s*|\s+))";
 constexpr const char* kDivided = R"(\s*/\s*)";
 constexpr const char* kAnyPower = R"((\^?[1-9]|\^-[1-9])?)";
@@ -29,8 +29,8 @@ std::string group(const std::vector<std::string>& names) {
     return "(" + carom::join(names, "|") + ")";
 }
 
-/// What the units that have a name of their own measure, each once.
-std::vector<Exponents> measured() {
+/// The exponents of the named units, without duplicates.
+std::vector<Exponents> named_unit_exponents() {
     std::vector<Exponents> all;
     for (const std::string& name : unit_names()) {
         const Exponents& exponents = find_unit(name)->exponents;
@@ -41,7 +41,7 @@ std::vector<Exponents> measured() {
     return all;
 }
 
-/// "^2", "2" or "^-1" behind a unit.
+/// Matches "^2", "2" or "^-1" after a unit.
 std::string power_pattern(int power) {
     if (power == 1) {
         return R"((\^?1)?)";
@@ -53,7 +53,7 @@ std::string unit_to(const Exponents& exponents, int power) {
     return one_of_units(exponents) + power_pattern(power);
 }
 
-/// Both ways to write a second factor: "m s^-1" and "m/s".
+/// Matches both forms of a second factor: "m s^-1" and "m/s".
 std::string second_factor(const Exponents& exponents, int power) {
     return "(" + (kTimes + unit_to(exponents, power)) + "|" +
            (kDivided + unit_to(exponents, -power)) + ")";
@@ -89,12 +89,12 @@ std::string compound_unit_pattern(Dimension dimension) {
     const std::string separator = std::string("(") + kTimes + "|" + kDivided + ")";
     const std::string any = group(unit_names()) + kAnyPower;
     std::vector<std::string> forms{any + "(" + separator + any + "){2,}"};
-    for (const Exponents& one : measured()) {
+    for (const Exponents& one : named_unit_exponents()) {
         add_powers(forms, one, wanted);
         const std::string same = one_of_units(one) + kAnyPower;
         forms.push_back(same);
         forms.back().append(separator).append(same);
-        for (const Exponents& other : measured()) {
+        for (const Exponents& other : named_unit_exponents()) {
             if (!(one == other)) {
                 add_products(forms, one, other, wanted);
             }

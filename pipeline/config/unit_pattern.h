@@ -1,4 +1,4 @@
-// Regular expressions for units of a dimension.
+// Regular expressions that match the units of a dimension.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace carom::pipeline::config {
 /// "(m|km|cm)".
 [[nodiscard]] std::string one_of_units(const Exponents& exponents);
 
-/// Units put together that measure `dimension` and have no name of their own: "m/s", "kg m/s^2".
-/// Of three and more units, and of two that measure the same ("m^3/m^2"), all are taken.
+/// Matches compound units of `dimension`: "m/s", "kg m/s^2". All combinations of three and more
+/// units are matched, and all of two units of the same dimension ("m^3/m^2").
 [[nodiscard]] std::string compound_unit_pattern(Dimension dimension);
 
 }  // namespace carom::pipeline::config

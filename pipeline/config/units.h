@@ -1,4 +1,4 @@
-// Units and what they measure.
+// Units and physical dimensions.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace carom::pipeline::config {
 
-/// What a value measures; decides which units it may carry. A plain number is in the SI unit, where
-/// plain numbers are taken.
+/// The physical dimension of a value, which determines its units. A plain number is in the SI unit,
+/// if the dimension allows plain numbers.
 enum class Dimension {
     none,
     length,
@@ -38,39 +38,39 @@ struct Exponents {
     bool operator==(const Exponents&) const = default;
 };
 
-/// A unit that has a name of its own.
+/// A named unit.
 struct Unit {
     std::string_view name;
     Exponents exponents;
     double value = 1;      // in SI units
-    Fraction exact{0, 1};  // the same (for degrees: in degrees); numerator 0 where there is none
+    Fraction exact{0, 1};  // exact value (of degrees: in degrees); numerator 0 if there is none
     bool is_degree = false;
 };
 
 /// The unit of that name, or nullptr.
 [[nodiscard]] const Unit* find_unit(std::string_view name);
 
-/// The units of exactly these exponents that have a name of their own: "m", "km" ...; all units
-/// without an argument.
+/// The names of the units with exactly these exponents: "m", "km" ...; without an argument, of all
+/// units.
 [[nodiscard]] std::vector<std::string> unit_names(const std::optional<Exponents>& of = {});
 
-/// What a dimension is called and how its values are shown.
+/// The name of a dimension and the format of its values.
 struct DimensionInfo {
     Dimension dimension = Dimension::none;
     Exponents exponents;
     std::string name;       // "a length"
     std::string plural;     // "lengths"
     std::string units;      // "m, cm, mm, in, ft": for messages and the reference
-    std::string unit;       // in which ranges and defaults are shown: "m", "deg"
+    std::string unit;       // unit of displayed ranges and defaults: "m", "deg"
     double unit_value = 1;  // of that unit in SI units
-    /// Whether a plain number (other than 0) is refused, because some readers would take it to be
-    /// in `unit` and others in the SI unit or in another common one.
+    /// Whether a plain number (other than 0) is refused, because some readers would assume `unit`
+    /// and others the SI unit or another common one.
     bool needs_unit = false;
 };
 
 [[nodiscard]] const DimensionInfo& info(Dimension dimension);
 
-/// "a length"; "a quantity of another kind" where the exponents have no name.
+/// "a length"; "a quantity of another kind" if the exponents have no name.
 [[nodiscard]] std::string name_of(const Exponents& exponents);
 
 }  // namespace carom::pipeline::config

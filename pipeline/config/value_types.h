@@ -1,4 +1,4 @@
-// The types of values that keys may have, as building blocks: all of them.
+// Includes all types of values.
 #pragma once
 
 #include "pipeline/config/colour_type.h"

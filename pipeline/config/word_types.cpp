@@ -33,7 +33,7 @@ ValueType<bool> boolean() {
     result.info.kind = TypeInfo::Kind::boolean;
     const TypeInfo type = result.info;
     result.read = [type](Reader& reader, const Node& node) -> std::optional<bool> {
-        // The core schema of YAML 1.2 (section 10.3.2) knows no yes, no, on and off.
+        // The core schema of YAML 1.2 (section 10.3.2) does not have yes, no, on and off.
         const bool is_plain = node.is_scalar() && !node.quoted;
         if (is_plain && (node.text == "true" || node.text == "True" || node.text == "TRUE")) {
             return true;

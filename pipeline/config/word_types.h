@@ -1,4 +1,4 @@
-// Words that keys may have as values.
+// The types of words.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,13 @@ namespace carom::pipeline::config {
 
 [[nodiscard]] ValueType<bool> boolean();
 
-/// Any word; `noun` says what it stands for.
+/// Any word; `noun` describes its meaning.
 [[nodiscard]] ValueType<std::string> text(std::string noun);
 
-/// The name of something in the shot; checked once everything is read.
+/// The name of something in the shot; it is checked after everything has been read.
 [[nodiscard]] ValueType<std::string> name_of(ReferenceKind kind);
 
-/// An existing file, as an absolute path.
+/// The absolute path of an existing file.
 [[nodiscard]] ValueType<std::string> file();
 
 /// The index of the scalar in `type.choices`.

@@ -12,12 +12,12 @@ namespace {
 
 using sim::billiards::TableKind;
 
-/// A ball with everything known about it.
+/// A ball of the rack or of `balls`.
 struct Ball {
     std::string name;
-    Vec3 position;  // NaN, so that it overlaps nothing, where the file fails to say it
+    Vec3 position;  // NaN if the file does not give it, so that it overlaps nothing
     bool has_position = false;
-    const BallSection* section = nullptr;  // null: as racked
+    const BallSection* section = nullptr;  // null: only racked
     Place place;
 };
 
@@ -58,8 +58,8 @@ void add_given_balls(Builder& builder, std::vector<Ball>& balls) {
         ball->section = &given.value;
         ball->place = given.place;
         const Entry* section = builder.root.find("balls")->value.find(given.name);
-        const bool says_where = section->value.find("at") != nullptr;  // well or not
-        if (!ball->has_position && !says_where) {
+        const bool has_position_key = section->value.find("at") != nullptr;  // valid or not
+        if (!ball->has_position && !has_position_key) {
             builder.reader.error(given.place, "ball '" + given.name +
                                                   "' needs the key 'at', since it is not racked");
         }
@@ -67,8 +67,8 @@ void add_given_balls(Builder& builder, std::vector<Ball>& balls) {
 }
 
 sim::Body make_body(const Ball& ball, const ShotFile& file) {
-    static const BallSection kNothing;
-    const BallSection& section = ball.section != nullptr ? *ball.section : kNothing;
+    static const BallSection kEmpty;
+    const BallSection& section = ball.section != nullptr ? *ball.section : kEmpty;
     const BallMeasures set = measures_of_set(file);
     sim::Body body;
     body.name = ball.name;
@@ -87,7 +87,7 @@ sim::Body make_body(const Ball& ball, const ShotFile& file) {
     return body;
 }
 
-void change_paint(render::BallTexture& texture, const BallLook& look) {
+void override_paint(render::BallTexture& texture, const BallLook& look) {
     texture.colour = look.colour.value_or(texture.colour);
     texture.white = look.white.value_or(texture.white);
     texture.striped = look.striped.value_or(texture.striped);
@@ -96,7 +96,7 @@ void change_paint(render::BallTexture& texture, const BallLook& look) {
     texture.spots = look.spots.value_or(texture.spots);
 }
 
-/// The finish of the look's material "ball" under the ball's own paint.
+/// The finish of the material "ball" with the ball's own paint.
 render::MaterialDescription make_material(const Ball& ball, const Builder& builder) {
     render::MaterialDescription material;
     material.name = "ball/" + ball.name;
@@ -113,7 +113,7 @@ render::MaterialDescription make_material(const Ball& ball, const Builder& build
     }
     render::BallTexture texture = ball_texture(set_of(builder.file), ball.name);
     if (ball.section != nullptr && ball.section->look) {
-        change_paint(texture, *ball.section->look);
+        override_paint(texture, *ball.section->look);
     }
     (material.phong ? material.phong->diffuse : material.surface.base) = texture;
     return material;
@@ -146,7 +146,7 @@ void build_balls(Builder& builder) {
     std::vector<Ball> balls = racked_balls(builder);
     add_given_balls(builder, balls);
     for (const Ball& ball : balls) {
-        if (!builder.claim(ball.name, ball.place, "ball")) {
+        if (!builder.claim_name(ball.name, ball.place, "ball")) {
             continue;
         }
         sim::Body body = make_body(ball, builder.file);

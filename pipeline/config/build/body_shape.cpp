@@ -22,8 +22,8 @@ std::string shape_name(const render::Shape& shape) {
     return std::visit([](const auto& one) { return std::string(one.kName); }, shape);
 }
 
-/// What collides with shapes that only stand and have no solid of their own; empty for others.
-std::optional<sim::TriangleMesh> still_mesh(const render::Shape& shape) {
+/// The collision mesh of shapes that can only be static; empty for others.
+std::optional<sim::TriangleMesh> static_mesh(const render::Shape& shape) {
     if (const auto* rectangle = std::get_if<render::RectangleShape>(&shape)) {
         const double x = rectangle->size.x / 2;
         const double y = rectangle->size.y / 2;
@@ -58,15 +58,15 @@ sim::TriangleMesh scaled_mesh(const std::string& file, const Vec3& scale) {
     return result;
 }
 
-/// What other shapes push with: their hull about its origin, which may lie anywhere in it.
-std::optional<sim::BodyShape> pushing_hull(const Named<ObjectSection>& object, Builder& builder) {
-    constexpr std::size_t kMostVertices = 5000;
+/// The convex hull of a kinematic shape, in the object's axes; empty after a problem.
+std::optional<sim::BodyShape> kinematic_hull(const Named<ObjectSection>& object, Builder& builder) {
+    constexpr std::size_t kMaxVertices = 5000;
     const auto refuse = [&](const std::string& sentence) {
         builder.reader.error(object.value.shape_place, sentence);
         return std::nullopt;
     };
     const render::Shape& shape = *object.value.shape;
-    std::optional<sim::TriangleMesh> mesh = still_mesh(shape);
+    std::optional<sim::TriangleMesh> mesh = static_mesh(shape);
     if (const auto* file = std::get_if<render::MeshShape>(&shape)) {
         try {
             mesh = scaled_mesh(file->file, object.value.scale);
@@ -74,19 +74,19 @@ std::optional<sim::BodyShape> pushing_hull(const Named<ObjectSection>& object, B
             return refuse(failure.what());
         }
     }
-    if (mesh && mesh->vertices.size() > kMostVertices) {
-        return refuse(
-            fmt::format("a mesh of {} vertices cannot push: its hull may be of {} at most; let a "
-                        "simpler shape with the same 'motion' push for object '{}'",
-                        mesh->vertices.size(), kMostVertices, object.name));
+    if (mesh && mesh->vertices.size() > kMaxVertices) {
+        return refuse(fmt::format(
+            "the mesh of object '{}' has {} vertices, but a mesh that pushes others may have "
+            "at most {}; add a simpler object with the same 'motion' that pushes instead",
+            object.name, mesh->vertices.size(), kMaxVertices));
     }
     std::optional<sim::Polyhedron> hull;
     if (mesh) {
         hull = sim::convex_hull(mesh->vertices);
     }
     if (!hull) {
-        return refuse("a " + shape_name(shape) + " is flat and cannot push: object '" +
-                      object.name + "' needs 'physics: false' or a thickness");
+        return refuse("a " + shape_name(shape) + " is flat and cannot push others; give object '" +
+                      object.name + "' 'physics: false' or a shape with a thickness");
     }
     return sim::ConvexHull{std::move(hull->vertices)};
 }
@@ -126,21 +126,23 @@ std::optional<sim::BodyShape> body_shape(const Named<ObjectSection>& object, Bui
         return sim::Box{box->size};
     }
     if (object.value.physics->kind == BodyKind::kinematic) {
-        return pushing_hull(object, builder);
+        return kinematic_hull(object, builder);
     }
     if (object.value.physics->kind == BodyKind::dynamic) {
         const bool is_mesh = std::holds_alternative<render::MeshShape>(shape);
-        const std::string way_out =
-            is_mesh ? "; what falls and collides is a 'box', 'sphere', 'capsule', 'cylinder' or "
-                      "'hull': a 'hull' of the mesh's outermost corners moves like it"
-                    : "";
+        const std::string alternative =
+            is_mesh
+                ? ", or use a 'box', 'sphere', 'capsule', 'cylinder' or 'hull' (a 'hull' of the "
+                  "mesh's outermost vertices moves like the mesh)"
+                : "";
         builder.reader.error(object.value.shape_place,
-                             "a " + shape_name(shape) + " cannot move: object '" + object.name +
-                                 "' needs 'physics: fixed' or 'physics: false'" + way_out);
+                             "the simulation cannot move a " + shape_name(shape) +
+                                 "; give object '" + object.name +
+                                 "' 'physics: fixed' or 'physics: false'" + alternative);
         return std::nullopt;
     }
-    if (auto still = still_mesh(shape)) {
-        return std::move(*still);
+    if (auto mesh = static_mesh(shape)) {
+        return std::move(*mesh);
     }
     const auto& mesh = std::get<render::MeshShape>(shape);
     try {

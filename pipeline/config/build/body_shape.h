@@ -1,4 +1,4 @@
-// What others collide with where an object is seen.
+// The collision shapes of objects.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,11 @@
 
 namespace carom::pipeline::config {
 
-/// The shape that others collide with, in the object's axes; empty after a problem.
+/// The collision shape in the object's axes; empty after a problem.
 [[nodiscard]] std::optional<sim::BodyShape> body_shape(const Named<ObjectSection>& object,
                                                        Builder& builder);
 
-/// Volume of the shapes that the simulation can move, m^3.
+/// The volume of the shapes that the simulation can move, m^3; empty for others.
 [[nodiscard]] std::optional<double> volume(const ObjectSection& object);
 
 }  // namespace carom::pipeline::config

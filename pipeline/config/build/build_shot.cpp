@@ -21,15 +21,16 @@ const std::vector<std::string>& surface_names() {
     return names;
 }
 
-bool Builder::claim(const std::string& name, const Place& place, const std::string& noun) {
+bool Builder::claim_name(const std::string& name, const Place& place, const std::string& noun) {
     const std::vector<std::string>& surfaces = surface_names();
     if (std::find(surfaces.begin(), surfaces.end(), name) != surfaces.end()) {
-        reader.error(place, noun + " '" + name + "' has the name of a part of the table");
+        reader.error(place, noun + " '" + name +
+                                "' has the name of a part of the table; choose another name");
         return false;
     }
     const auto [known, is_new] = placed.emplace(name, place);
     if (!is_new) {
-        reader.error(place, noun + " '" + name + "' has the name of something else (at " +
+        reader.error(place, "the name of " + noun + " '" + name + "' is already used (at " +
                                 reader.sources().to_string(known->second) + ")");
     }
     return is_new;
@@ -49,8 +50,8 @@ Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
     check_references(builder);
     check_placement(builder);
     check_world(builder);
-    warn_of_places(builder);
-    warn_of_coplanar(builder);
+    warn_about_ball_positions(builder);
+    warn_about_coplanar_surfaces(builder);
     return std::move(builder.shot);
 }
 

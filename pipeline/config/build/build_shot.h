@@ -1,4 +1,4 @@
-// From what the YAML says to a Shot: names looked up, geometry made, defaults filled in.
+// Builds a Shot from the sections of the YAML: resolves names, builds geometry, fills in defaults.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace carom::pipeline::config {
 
-/// Problems go to the reader; after an error the shot is of no use. `root` is the tree that `file`
-/// was read from, for places.
+/// Problems go to the reader; after an error the shot is invalid. `root` is the tree from which
+/// `file` was read, for places.
 [[nodiscard]] Shot build_shot(const ShotFile& file, const Node& root, const std::string& name,
                               Reader& reader);
 

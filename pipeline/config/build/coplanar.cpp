@@ -1,4 +1,4 @@
-// Flat things that lie exactly in each other: a picture shows now one, now the other.
+// Warns of coplanar surfaces that overlap: a picture would show a random mixture of both.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,14 +13,14 @@ namespace carom::pipeline::config {
 
 namespace {
 
-/// Planes nearer to each other than this (m) are the same for rays in single precision.
+/// Planes closer to each other than this (m) are the same for rays in single precision.
 constexpr double kSamePlane = 1e-6;
-/// What overlaps by less than this (m) only touches.
+/// Surfaces that overlap by less than this (m) only touch.
 constexpr double kTouching = 1e-6;
 
-struct Flat {
-    std::string name;           // as messages have it
-    std::vector<Vec3> corners;  // convex, in order; of an infinite plane any three of its points
+struct FlatSurface {
+    std::string name;           // in messages
+    std::vector<Vec3> corners;  // convex, in order; three points of an infinite plane
     bool is_infinite = false;
 
     [[nodiscard]] Vec3 normal() const {
@@ -38,7 +38,7 @@ std::vector<Vec3> disk_corners(double radius) {
     return corners;
 }
 
-/// In the axes of the shape; empty of what is not flat.
+/// The corners in the axes of the shape; empty if it is not flat.
 std::vector<Vec3> corners_of(const render::Shape& shape) {
     if (std::holds_alternative<render::PlaneShape>(shape)) {
         return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -61,8 +61,8 @@ std::vector<Vec3> corners_of(const render::Shape& shape) {
     return {};
 }
 
-std::optional<Flat> flat_of(const render::ObjectDescription& object) {
-    Flat flat;
+std::optional<FlatSurface> flat_surface_of(const render::ObjectDescription& object) {
+    FlatSurface flat;
     flat.corners = corners_of(object.shape);
     flat.is_infinite = std::holds_alternative<render::PlaneShape>(object.shape);
     flat.name = object.name == "table/floor" ? "the floor" : quote(object.name);
@@ -75,7 +75,7 @@ std::optional<Flat> flat_of(const render::ObjectDescription& object) {
     return flat;
 }
 
-Flat cloth_of(const sim::billiards::TableMeasures& table) {
+FlatSurface cloth_of(const sim::billiards::TableMeasures& table) {
     const Vec2 half =
         Vec2(table.length, table.width) * 0.5 + Vec2(table.has_cushions ? table.cushion_width : 0);
     return {
@@ -84,8 +84,8 @@ Flat cloth_of(const sim::billiards::TableMeasures& table) {
         false};
 }
 
-/// One of the edges of `a` has all of `b` on its outer side.
-bool is_apart_at_an_edge(const Flat& a, const Flat& b) {
+/// Whether all of `b` is on the outer side of an edge of `a`.
+bool has_separating_edge(const FlatSurface& a, const FlatSurface& b) {
     const Vec3 normal = a.normal();
     for (std::size_t i = 0; i < a.corners.size(); ++i) {
         const Vec3 edge = a.corners[(i + 1) % a.corners.size()] - a.corners[i];
@@ -100,7 +100,7 @@ bool is_apart_at_an_edge(const Flat& a, const Flat& b) {
     return false;
 }
 
-bool lie_in_each_other(const Flat& a, const Flat& b) {
+bool are_coplanar_and_overlap(const FlatSurface& a, const FlatSurface& b) {
     const Vec3 normal = a.normal();
     if (normal.cross(b.normal()).length() > 1e-9) {
         return false;
@@ -111,35 +111,35 @@ bool lie_in_each_other(const Flat& a, const Flat& b) {
     if (a.is_infinite || b.is_infinite) {
         return true;
     }
-    return !is_apart_at_an_edge(a, b) && !is_apart_at_an_edge(b, a);
+    return !has_separating_edge(a, b) && !has_separating_edge(b, a);
 }
 
 }  // namespace
 
-void warn_of_coplanar(Builder& builder) {
+void warn_about_coplanar_surfaces(Builder& builder) {
     if (builder.reader.has_error()) {
         return;
     }
-    std::vector<Flat> known;
+    std::vector<FlatSurface> known;
     if (builder.shot.world.table) {
         known.push_back(cloth_of(*builder.shot.world.table));
     }
     const auto& objects = builder.shot.scene.objects;
-    // The table's own come first, wherever they stand in the scene.
+    // The surfaces of the table come first, independently of their order in the scene.
     for (const bool is_table : {true, false}) {
         for (const render::ObjectDescription& object : objects) {
-            std::optional<Flat> flat = flat_of(object);
+            std::optional<FlatSurface> flat = flat_surface_of(object);
             if (!flat || object.name.starts_with("table/") != is_table) {
                 continue;
             }
-            const auto other = std::find_if(known.begin(), known.end(), [&](const Flat& k) {
-                return lie_in_each_other(k, *flat);
+            const auto other = std::find_if(known.begin(), known.end(), [&](const FlatSurface& k) {
+                return are_coplanar_and_overlap(k, *flat);
             });
             if (other != known.end() && !is_table) {
                 builder.reader.warning(
                     builder.placed.at(object.name),
-                    "object " + flat->name + " lies exactly in the plane of " + other->name +
-                        ", so that pictures show specks of both; move one of them by 0.1 mm");
+                    "object " + flat->name + " lies in the same plane as " + other->name +
+                        ", so pictures show specks of both; move one of them by 0.1 mm");
             }
             known.push_back(std::move(*flat));
         }

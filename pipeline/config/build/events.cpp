@@ -9,7 +9,7 @@ namespace carom::pipeline::config {
 
 namespace {
 
-/// A contact is of an object with something, in either order.
+/// Moves the object of a contact to the first place; the two names may be given in any order.
 void order_contact(sim::ForceEvent& event, const Place& place, Builder& builder) {
     if (!event.trigger || event.trigger->kind != sim::Trigger::Kind::contact) {
         return;
@@ -34,12 +34,13 @@ void build_events(Builder& builder) {
     for (const EventSection& section : builder.file.events) {
         sim::ForceEvent event = section.event;
         if (auto* strike = std::get_if<sim::Strike>(&event.action); strike != nullptr) {
-            // The simulation knows nothing of what is only seen: such a thing is a point to it.
-            const auto seen =
+            // The simulation does not contain objects that are only visible, so the aim is their
+            // position.
+            const auto visible =
                 strike->toward ? builder.scenery.find(*strike->toward) : builder.scenery.end();
-            if (seen != builder.scenery.end()) {
+            if (visible != builder.scenery.end()) {
                 strike->toward.reset();
-                strike->toward_point = seen->second;
+                strike->toward_point = visible->second;
             }
         }
         order_contact(event, section.place, builder);

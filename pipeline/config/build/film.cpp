@@ -36,13 +36,13 @@ void add_cameras(Builder& builder) {
         }
         if (!names.insert(rig.name).second) {
             builder.reader.error(place_of_camera(builder, i),
-                                 "there is another camera " + quote(rig.name));
+                                 "more than one camera has the name " + quote(rig.name));
         }
         builder.shot.cameras.push_back(std::move(rig));
     }
 }
 
-/// The place of what a camera says of its stretch of the film.
+/// The place of a camera's interval of the film.
 Place place_of_rig(const Builder& builder, std::size_t index) {
     const Entry* cameras = builder.root.find("cameras");
     if (cameras != nullptr && index < cameras->value.items.size()) {
@@ -53,7 +53,7 @@ Place place_of_rig(const Builder& builder, std::size_t index) {
     return place_of_camera(builder, index);
 }
 
-/// Gaps and overlaps, at the later of two cameras and with the place of the other.
+/// Reports gaps and overlaps at the later of two cameras, with the place of the other.
 void check_sequence(Builder& builder) {
     const Shot& shot = builder.shot;
     for (const RigProblem& problem : find_problems(shot.cameras, shot.timing)) {
@@ -69,7 +69,7 @@ void check_sequence(Builder& builder) {
     }
 }
 
-/// Beyond the simulation's end everything stands still.
+/// Warns of scene times outside the simulation, at which nothing moves.
 void check_scene_times(Builder& builder) {
     const double duration = builder.shot.world.duration;
     for (std::size_t i = 0; i < builder.shot.cameras.size(); ++i) {
@@ -103,7 +103,7 @@ Rational exposure_of(const ShutterSection& shutter, const Rational& fps) {
     }
 }
 
-/// Neighbouring frames would show the same motion twice.
+/// Warns of exposures that overlap, so that neighbouring frames show the same motion.
 void check_exposure(Builder& builder) {
     const FilmTiming& timing = builder.shot.timing;
     const double exposure = timing.shutter.exposure.to_double();
@@ -127,9 +127,10 @@ void apply_short_side(Builder& builder) {
     if (std::max(size.width, size.height) > render::kLongestSide) {
         builder.reader.error(
             builder.place_of({"render", "short_side"}),
-            fmt::format("a short side of {} makes the picture {}x{}, and no side may have more "
-                        "than {} pixels; take a smaller one, or give 'size' alone",
-                        *short_side, size.width, size.height, render::kLongestSide));
+            fmt::format(
+                "a short side of {} makes the picture {}x{}, but a side may have at most {} "
+                "pixels; use a smaller 'short_side', or only 'size'",
+                *short_side, size.width, size.height, render::kLongestSide));
         return;
     }
     render.width = size.width;

@@ -12,7 +12,7 @@ namespace carom::pipeline::config {
 
 namespace {
 
-/// The built-in materials, with the look's own laid over them by name.
+/// The default materials, with those of the look added or replaced by name.
 std::vector<render::MaterialDescription> all_materials(const ShotFile& file) {
     std::vector<render::MaterialDescription> materials = default_materials();
     for (const Named<render::MaterialDescription>& given : file.materials) {
@@ -30,7 +30,7 @@ std::vector<render::MaterialDescription> all_materials(const ShotFile& file) {
     return materials;
 }
 
-/// Only what is seen: a frame's key must not change with a material that nothing has.
+/// Adds only materials that an object uses, so that an unused one does not change a frame's key.
 void add_used_materials(Builder& builder) {
     render::SceneDescription& scene = builder.shot.scene;
     std::set<std::string> used;

@@ -14,7 +14,7 @@ namespace {
 
 using sim::BodyKind;
 
-/// Where the centre of mass is at the start.
+/// The initial position of the centre of mass.
 Vec3 centre_of(const ObjectSection& object) {
     return object.at + object.rotate.rotateVector(object.centre);
 }
@@ -25,7 +25,7 @@ Mat44 scaling(const Vec3& scale) {
     return result;
 }
 
-/// The object's axes in the world's, without its place.
+/// The object's axes in world coordinates, without its translation.
 Mat44 linear_map(const ObjectSection& object) {
     if (!object.axes) {
         return scaling(object.scale) * object.rotate.toMatrix44();
@@ -39,21 +39,21 @@ Mat44 linear_map(const ObjectSection& object) {
     return map;
 }
 
-/// The infinite floor of the simulation is level, and there is one.
+/// The simulation has at most one floor, which is infinite and level.
 void add_floor(const Named<ObjectSection>& object, Builder& builder) {
     const Vec3 normal = object.value.rotate.rotateVector(Vec3(0, 0, 1));
     const bool is_level = normal.z > 1 - 1e-12;
     if (object.value.physics->kind != BodyKind::fixed || !is_level ||
         builder.shot.world.floor_height) {
         builder.reader.error(object.value.shape_place,
-                             "a plane takes part in the simulation only as its one floor: fixed, "
-                             "level and without a table's own");
+                             "a plane with physics is the simulation's floor: it must be fixed and "
+                             "level, and there must be no other floor (a table has its own)");
         return;
     }
     builder.shot.world.floor_height = object.value.at.z;
 }
 
-/// Whether the key is there, be its value right or wrong.
+/// Whether the key is given, with a valid or an invalid value.
 bool has_physics_key(const std::string& object, const char* key, const Builder& builder) {
     const Place section = builder.place_of({"objects", object, "physics"});
     return builder.place_of({"objects", object, "physics", key}) != section;
@@ -70,11 +70,12 @@ void check_mass(const Named<ObjectSection>& object, Builder& builder) {
     }
     if (physics.kind == BodyKind::fixed && (physics.velocity || physics.spin)) {
         builder.reader.error(builder.place_of({"objects", object.name, "physics"}),
-                             "object '" + object.name + "' is fixed and can have no velocity");
+                             "object '" + object.name + "' is fixed and cannot have a velocity");
     }
 }
 
-/// What pushes is where its centre is, as the simulation wants it, and its keys move its origin.
+/// Sets the path of a kinematic body. The simulation positions a body by its centre of mass, but
+/// the keys move the object's origin.
 void follow_keys(const Named<ObjectSection>& object, const sim::Track& keys, sim::Body& body) {
     sim::KeyedPath path{std::make_shared<const sim::Track>(keys), object.value.centre};
     if (auto* hull = std::get_if<sim::ConvexHull>(&body.shape); hull && !object.value.solid) {
@@ -88,7 +89,7 @@ void follow_keys(const Named<ObjectSection>& object, const sim::Track& keys, sim
     body.path = std::move(path);
 }
 
-/// `keys`: of a kinematic body.
+/// `keys` is the track of a kinematic body, else nullptr.
 void add_body(const Named<ObjectSection>& object, const sim::Track* keys, Builder& builder) {
     const ObjectPhysics& physics = *object.value.physics;
     check_mass(object, builder);
@@ -112,12 +113,12 @@ void add_body(const Named<ObjectSection>& object, const sim::Track* keys, Builde
     builder.shot.world.bodies.push_back(std::move(body));
 }
 
-/// The track leads the object's origin; a hull's shape is placed in it by its centre.
+/// The track moves the object's origin; a hull's shape is placed relative to it by its centre.
 void add_keyed(const Named<ObjectSection>& object, Builder& builder) {
     const bool pushes = object.value.physics.has_value();
     (pushes ? builder.kinematic : builder.keyed).insert(object.name);
     if (object.value.motion->keys.size() < 2) {
-        return;  // what is wrong with them was said
+        return;  // their problem was reported
     }
     try {
         builder.shot.keyed.push_back(
@@ -158,7 +159,7 @@ void add_to_scene(const Named<ObjectSection>& object, bool is_moving, Builder& b
 
 void build_objects(Builder& builder) {
     for (const Named<ObjectSection>& object : builder.file.objects) {
-        if (!builder.claim(object.name, object.place, "object") || !object.value.shape) {
+        if (!builder.claim_name(object.name, object.place, "object") || !object.value.shape) {
             continue;
         }
         const bool has_physics = object.value.physics.has_value();

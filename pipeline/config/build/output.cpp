@@ -1,4 +1,4 @@
-// What is wrong with the film that the frames become.
+// Checks the output settings.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace carom::pipeline::config {
 
 namespace {
 
-/// What does not fit is cut off at the picture's edge.
+/// Warns of an overlay that does not fit into the picture.
 void check_overlay(Builder& builder) {
     const Shot& shot = builder.shot;
     const OverlaySettings& overlay = shot.output.overlay;
@@ -35,8 +35,7 @@ void check_overlay(Builder& builder) {
 
 }  // namespace
 
-/// How much a value's place overrides others: an option's, then the shot's own, then a file's that
-/// it includes.
+/// The precedence of a value by its place: first options, then the shot, then included files.
 int precedence(const Builder& builder, const Place& place) {
     if (place.source < 0) {
         return -1;
@@ -45,7 +44,8 @@ int precedence(const Builder& builder, const Place& place) {
     return is_option ? 2 : place.source == 0 ? 1 : 0;  // the first source is the shot
 }
 
-/// Of the keys of `output` that cannot stand together, the one that was given over the others.
+/// The place of the key with the highest precedence among keys of `output` that contradict each
+/// other.
 Place place_of_setting(const Builder& builder, const std::vector<std::string>& keys) {
     Place last = builder.place_of({"output"});
     int highest = -1;
@@ -60,8 +60,8 @@ Place place_of_setting(const Builder& builder, const std::vector<std::string>& k
     return last;
 }
 
-/// Whether a film can have the picture's size depends on the file that it is written to, which only
-/// the command knows.
+/// The size of the picture is not checked here: whether it is possible depends on the type of the
+/// output file, which only the command knows.
 void check_output(Builder& builder) {
     const Shot& shot = builder.shot;
     const std::string film = "film" + default_extension(shot.output);
@@ -84,7 +84,7 @@ void check_poster(Builder& builder) {
                                "the poster's time of " +
                                    show(*shot.output.poster, Dimension::time) +
                                    " is not within the film, which ends at " +
-                                   show(end, Dimension::time) + "; its last frame is taken");
+                                   show(end, Dimension::time) + "; the last frame is used instead");
     }
 }
 

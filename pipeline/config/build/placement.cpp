@@ -1,4 +1,4 @@
-// Balls that stand in each other or in something else.
+// Finds balls that overlap each other or other objects.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Balls that start where nobody would put them.
+// Warns of balls with an unlikely initial position.
 #include <algorithm>
 #include <cmath>
 
@@ -10,18 +10,19 @@ namespace carom::pipeline::config {
 
 namespace {
 
-/// A ball farther from the table's rails than this (m) is surely given in another unit.
+/// A ball farther from the table's rails than this (m) is probably given in another unit.
 constexpr double kFarAway = 5;
 
-/// Half of what the table covers, seen from above.
+/// Half of the table's length and width, seen from above.
 Vec2 half_extent(const sim::billiards::TableMeasures& table) {
     const double rails = table.has_cushions ? table.cushion_width + table.rail_width : 0;
     return Vec2(table.length, table.width) * 0.5 + Vec2(rails);
 }
 
-double distance_beside(const Vec2& half, const Vec3& place) {
-    const double x = std::max(std::abs(place.x) - half.x, 0.0);
-    const double y = std::max(std::abs(place.y) - half.y, 0.0);
+/// The horizontal distance from the table; 0 above and under it.
+double distance_from_table(const Vec2& half, const Vec3& position) {
+    const double x = std::max(std::abs(position.x) - half.x, 0.0);
+    const double y = std::max(std::abs(position.y) - half.y, 0.0);
     return std::hypot(x, y);
 }
 
@@ -39,7 +40,7 @@ void warn_far_away(const sim::Body& ball, double distance, Builder& builder) {
     const Vec3& at = ball.pose.position;
     const Vec2 half = half_extent(*builder.shot.world.table);
     std::string hint = "; lengths without a unit are in metres";
-    if (distance_beside(half, at * 1e-3) == 0) {
+    if (distance_from_table(half, at * 1e-3) == 0) {
         hint += ": for millimetres write [" + show(at.x) + " mm, " + show(at.y) + " mm]";
     }
     builder.reader.warning(
@@ -60,28 +61,28 @@ bool is_over_a_pocket(const Vec3& place, const Builder& builder) {
 void check_ball(const sim::Body& ball, double radius, Builder& builder) {
     const sim::billiards::TableMeasures& table = *builder.shot.world.table;
     const Vec3& at = ball.pose.position;
-    const double distance = distance_beside(half_extent(table), at);
+    const double distance = distance_from_table(half_extent(table), at);
     if (distance > kFarAway) {
         return warn_far_away(ball, distance, builder);
     }
     if (distance > 0 && !table.has_cushions) {
         builder.reader.warning(place_of_ball(builder, ball.name),
                                quote(ball.name) + " starts " + rounded(distance) +
-                                   " beyond the cloth that is drawn, " + show(table.length) +
-                                   " m square");
+                                   " outside the drawn cloth, a square of " + show(table.length) +
+                                   " m");
     }
     const bool is_under_table = distance == 0 || !table.has_cushions;
     if (is_under_table && at.z < -radius && !is_over_a_pocket(at, builder)) {
         builder.reader.warning(place_of_ball(builder, ball.name),
                                quote(ball.name) + " starts with its centre " + rounded(-at.z) +
                                    " below the cloth; heights are measured upwards from the cloth, "
-                                   "and a ball that lies on it needs none");
+                                   "and a ball without a height lies on it");
     }
 }
 
 }  // namespace
 
-void warn_of_places(Builder& builder) {
+void warn_about_ball_positions(Builder& builder) {
     if (!builder.shot.world.table || builder.reader.has_error()) {
         return;
     }

@@ -68,21 +68,21 @@ std::string noun(ReferenceKind kind) {
     return "ball or object";
 }
 
-/// Why something that exists cannot stand here.
+/// The reason why an existing object cannot be referred to here; empty if the object does not
+/// exist.
 std::string wrong_kind(const Builder& builder, const Reference& reference) {
     const bool is_keyed = builder.keyed.count(reference.name) != 0;
     if (is_keyed && reference.kind != ReferenceKind::material) {
         return quote(reference.name) +
-               " is moved by keys and only seen: the simulation knows nothing of it";
+               " is moved by keys and only visible, so it is not part of the simulation";
     }
     const bool is_kinematic = builder.kinematic.count(reference.name) != 0;
     if (is_kinematic && reference.kind != ReferenceKind::material) {
-        return quote(reference.name) +
-               " is moved by keys: nothing that happens to it changes its way";
+        return quote(reference.name) + " is moved by keys, so nothing else can change its motion";
     }
-    const bool stands_still =
+    const bool is_static =
         builder.fixed.count(reference.name) != 0 || builder.scenery.count(reference.name) != 0;
-    if (!stands_still && builder.bodies.count(reference.name) == 0) {
+    if (!is_static && builder.bodies.count(reference.name) == 0) {
         return {};
     }
     switch (reference.kind) {
@@ -94,7 +94,7 @@ std::string wrong_kind(const Builder& builder, const Reference& reference) {
             return quote(reference.name) +
                    " does not move: only balls and objects with physics or keys have a path";
         case ReferenceKind::touchable:
-            return quote(reference.name) + " has no physics, so nothing touches it";
+            return quote(reference.name) + " has no physics, so nothing can touch it";
         case ReferenceKind::placed:
         case ReferenceKind::material:
             break;

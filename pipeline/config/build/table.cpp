@@ -39,7 +39,7 @@ std::string default_size(TableKind kind) {
 }
 
 /// "9ft" and "9  ft" are "9 ft".
-std::string normal_size(const std::string& size) {
+std::string normalise_size(const std::string& size) {
     std::string result;
     for (const char c : size) {
         const bool is_digit = c >= '0' && c <= '9';
@@ -56,7 +56,7 @@ std::string normal_size(const std::string& size) {
 
 std::optional<TableMeasures> standard_measures(Builder& builder, const TableSection& section) {
     const TableKind kind = section.kind == TableKind::custom ? TableKind::pool : section.kind;
-    const std::string size = section.size ? normal_size(*section.size) : default_size(kind);
+    const std::string size = section.size ? normalise_size(*section.size) : default_size(kind);
     std::optional<TableMeasures> measures = sim::billiards::standard_table(kind, size);
     if (!measures) {
         std::vector<std::string> known;
@@ -74,7 +74,8 @@ std::optional<TableMeasures> standard_measures(Builder& builder, const TableSect
     return measures;
 }
 
-/// A table without such pockets gets what is given; whether that is enough, its own check says.
+/// Overrides the given dimensions. A table without such pockets gets them, and the check of the
+/// table finds missing dimensions.
 void override_pocket(std::optional<PocketMeasures>& pocket,
                      const std::optional<PocketSection>& section) {
     if (!section) {
@@ -143,7 +144,7 @@ std::vector<sim::billiards::PlacedBall> place_rack(Builder& builder) {
                              "a rack needs a table; 'table' is missing");
     }
     if (!builder.shot.world.table) {
-        return {};  // its problem is known
+        return {};  // its problem was reported
     }
     return sim::billiards::rack(file.rack->set, *builder.shot.world.table,
                                 measures_of_set(file).radius, {file.rack->gap, file.world.seed});

@@ -1,4 +1,4 @@
-// What the simulation would refuse and no key's own check could know.
+// Finds problems of the world that the checks of single keys cannot find.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@ namespace carom::pipeline::config {
 
 namespace {
 
-/// A pair of physical materials that nothing has does nothing: a likely misspelling is said.
+/// Warns of a pair of physical materials that no object has, if the name is probably misspelt.
 void check_pairs(Builder& builder) {
     std::vector<std::string> known{"ball"};
     known.insert(known.end(), surface_names().begin(), surface_names().end());
@@ -28,7 +28,7 @@ void check_pairs(Builder& builder) {
             const std::string help = hint(name.text, known);
             if (!is_known && !help.empty()) {
                 builder.reader.warning(
-                    name.place, "nothing has the physical material " + quote(name.text) + help);
+                    name.place, "no object has the physical material " + quote(name.text) + help);
             }
         }
     }
@@ -38,7 +38,7 @@ void check_pairs(Builder& builder) {
 
 void check_world(Builder& builder) {
     if (builder.reader.has_error()) {
-        return;  // the same again in other words
+        return;  // the same problems would be reported twice
     }
     check_pairs(builder);
     for (const Diagnostic& problem : sim::find_problems(builder.shot.world)) {

@@ -6,7 +6,7 @@ namespace {
 
 using render::BallTexture;
 
-/// The paint's keys for a texture, whose fields have defaults, and for changes of one.
+/// Adds the keys of the paint, for a texture, whose fields have defaults, or for changes of one.
 template <class T>
 void add_paint(MapSpec<T>& s) {
     s.key("colour", &T::colour, colour(between(0, 1)), "colour of the ball or of its stripe");

@@ -1,4 +1,4 @@
-// The types of a camera's values: paths, easings, and values that change.
+// The types of a camera's values: paths, easings and changing values.
 #pragma once
 
 #include <memory>
@@ -12,11 +12,11 @@ namespace carom::pipeline::config {
 /// A word, or the four numbers of a cubic Bezier curve.
 [[nodiscard]] ValueType<Easing> easing();
 
-/// A map that says what path, or one fixed point.
+/// A map that describes a path, or one fixed point.
 [[nodiscard]] ValueType<CameraPath> camera_path();
 
-/// One value, [start, end], or {from, to, easing}. A value that is itself a list is told from the
-/// pair by what is in it.
+/// One value, [start, end], or {from, to, easing}. A value that is itself a list is distinguished
+/// from a pair by its elements.
 template <class V>
 ValueType<Eased<V>> eased(const std::string& key, const ValueType<V>& single) {
     const auto spec = std::make_shared<MapSpec<Eased<V>>>(

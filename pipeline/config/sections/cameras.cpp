@@ -31,8 +31,8 @@ ValueType<Focus> focus() {
     return result;
 }
 
-/// A plain number for the radius of a lens: most often an f-number is meant. False for others.
-bool is_refused_radius(Reader& reader, const Node& node) {
+/// Reports a lens radius without a unit, which is probably an f-number. False for other values.
+bool report_radius_without_unit(Reader& reader, const Node& node) {
     const auto parsed = parse_quantity(node.text);
     const auto* value = std::get_if<Quantity>(&parsed);
     if (!node.is_scalar() || value == nullptr || value->has_unit || value->value == 0) {
@@ -50,7 +50,7 @@ ValueType<Aperture> lens_radius() {
     });
     result.read = [read = result.read](Reader& reader,
                                        const Node& node) -> std::optional<Aperture> {
-        return is_refused_radius(reader, node) ? std::nullopt : read(reader, node);
+        return report_radius_without_unit(reader, node) ? std::nullopt : read(reader, node);
     };
     result.show = [](const Aperture& value) { return show(value.value, Dimension::length); };
     return result;
@@ -74,13 +74,13 @@ ValueType<TimeRange> time_range() {
                               });
 }
 
-ValueType<TimeMap> straight_map() {
+ValueType<TimeMap> linear_map() {
     return convert<TimeMap>(time_range(), [](const TimeRange& ends) {
         return TimeMap{ends.start, ends.end};
     });
 }
 
-/// A film time and a speed.
+/// A pair of film time and speed.
 ValueType<SpeedKey> speed_key() {
     const ValueType<Rational> time = exact(Dimension::time, between(0, kLongest));
     const ValueType<Rational> speed = exact(Dimension::none, between(-1000, 1000));
@@ -115,7 +115,7 @@ void check_ramp(Reader& reader, const Node& node, TimeMap& map) {
     for (std::size_t i = 1; i < map.speeds.size(); ++i) {
         if (!(map.speeds[i - 1].video_time < map.speeds[i].video_time)) {
             reader.error(node.find("speeds")->value.items[i].place,
-                         "the times of 'speeds' must ascend");
+                         "the times of 'speeds' must be in increasing order");
         }
     }
 }
@@ -138,18 +138,18 @@ const MapSpec<TimeMap>& ramp_spec() {
     return spec;
 }
 
-/// Two scene times, one at which time stands still, or speeds.
+/// Two scene times, one scene time at which time stands still, or speeds.
 ValueType<TimeMap> time_map() {
     const auto freeze =
         convert<TimeMap>(exact(Dimension::time, between(0, kLongest)), [](const Rational& t) {
             return TimeMap{t, t};
         });
     return any_of<TimeMap>(
-        {{is_list, straight_map()}, {is_scalar, freeze}, {is_map, record(ramp_spec())}});
+        {{is_list, linear_map()}, {is_scalar, freeze}, {is_map, record(ramp_spec())}});
 }
 
 void add_time(MapSpec<CameraRig>& s) {
-    // Used up before the sections are read (gather.h); stands here for the reference.
+    // This key is removed before the sections are read (gather.h); it is here for the reference.
     s.set(
         "include", text("the name of a file"), [](CameraRig&, const auto&) {},
         "a file with one camera, such as `rigs/orbit.yaml`, whose keys this camera inherits and "
@@ -208,10 +208,10 @@ void check_camera(Reader& reader, const Node& node, CameraRig& rig) {
         reader.error(node.find("blades")->value.place, "'blades' must be 0 (round) or at least 3");
     } else if ((rig.blades.start == 0) != (rig.blades.end == 0)) {
         reader.error(node.find("blades")->value.place,
-                     "'blades' cannot go from a round iris to one of blades");
+                     "'blades' cannot change between 0 (a round iris) and a number of blades");
     }
     if (rig.up.start.length() < 1e-9 || rig.up.end.length() < 1e-9) {
-        reader.error(node.find("up")->value.place, "'up' must have a length");
+        reader.error(node.find("up")->value.place, "'up' must not be the zero vector");
     }
 }
 

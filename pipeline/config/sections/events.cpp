@@ -17,7 +17,7 @@ const MapSpec<Trigger>& crossing_spec() {
     static const MapSpec<Trigger> spec = [] {
         Trigger prototype;
         prototype.kind = Trigger::Kind::crossing;
-        // An end that could not be read differs from the other one, and from itself.
+        // A point that could not be read is NaN, so that it differs from the other one.
         prototype.from = prototype.to = Vec2(std::numeric_limits<double>::quiet_NaN());
         MapSpec<Trigger> s("crossing",
                            "The centre of an object, seen from above, crosses the line between two "
@@ -83,7 +83,7 @@ const MapSpec<Trigger>& trigger_spec() {
     return spec;
 }
 
-/// When the event happens; every kind has these.
+/// Adds the keys for the time of an event, which all kinds have.
 void add_start(MapSpec<ForceEvent>& s) {
     s.key("at", &ForceEvent::time, time(between(0, kLongest)),
           "scene time. With `when`, the event does not happen before it");
@@ -213,7 +213,7 @@ Strike& strike_of(ForceEvent& event) {
     return std::get<Strike>(event.action);
 }
 
-/// An object's name or a point.
+/// Adds the target of a strike: an object's name or a point.
 void add_toward(MapSpec<ForceEvent>& s) {
     const auto by_name = convert<Strike>(name_of(ReferenceKind::placed), [](std::string name) {
         Strike strike;
@@ -239,7 +239,7 @@ void check_tip(Reader& reader, const Node& node, ForceEvent& event) {
     const Vec2& tip = strike_of(event).tip;
     if (tip.dot(tip) >= 1) {
         reader.error(node.find("tip")->value.place,
-                     "'tip' must be less than 1 ball radius from the centre in all: the stick "
+                     "'tip' must be less than 1 ball radius from the centre; otherwise the stick "
                      "misses the ball");
     }
 }

@@ -117,11 +117,11 @@ void check_kind(Reader& reader, const Node& node, LightSection& keys) {
     }
     if (keys.angle.inner > keys.angle.outer || keys.angle.outer <= 0) {
         reader.error(node.find("angle")->value.place,
-                     "the second of 'angle' must not be less than the first, and above 0");
+                     "the second value of 'angle' must be above 0 and not less than the first");
         keys.angle = {};
     }
     if (keys.facing.length() < 1e-9) {
-        reader.error(node.find("facing")->value.place, "'facing' must have a length");
+        reader.error(node.find("facing")->value.place, "'facing' must not be the zero vector");
         keys.facing = {0, 0, -1};
     }
 }

@@ -70,7 +70,8 @@ const MapSpec<render::WoodTexture>& wood_spec() {
               "direction of the grain in the object's axes");
         s.check([](Reader& reader, const Node& node, render::WoodTexture& wood) {
             if (wood.grain.length() < 1e-9) {
-                reader.error(node.find("grain")->value.place, "'grain' must have a length");
+                reader.error(node.find("grain")->value.place,
+                             "'grain' must not be the zero vector");
             }
         });
         return s;

@@ -1,4 +1,4 @@
-// An object that is moved by keys.
+// The keys of an object's motion.
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/show_quantity.h"
 
@@ -9,7 +9,7 @@ namespace {
 constexpr double kLongest = 3600;      // s
 constexpr double kFarthest = 1e5;      // m
 constexpr double kFastest = 1e5;       // m/s
-constexpr double kShortestGap = 1e-6;  // s; what is nearer would be a jump
+constexpr double kShortestGap = 1e-6;  // s, between two keys
 
 const MapSpec<MotionKey>& motion_key_spec() {
     static const MapSpec<MotionKey> spec = [] {
@@ -41,27 +41,31 @@ const MapSpec<MotionKey>& motion_key_spec() {
 void check_order(Reader& reader, const Node& node, KeyedMotion& motion) {
     const Entry* list = node.find("keys");
     if (list == nullptr || motion.keys.size() != list->value.items.size()) {
-        return;  // something was wrong with them
+        return;  // their problem was reported
     }
     if (const Entry* turn = list->value.items.front().find("turn")) {
-        reader.error(turn->key_place,
-                     "'turn' is from the key before, which the first has not: give 'rotate'");
+        reader.error(
+            turn->key_place,
+            "'turn' is relative to the previous key, and the first key has none; use 'rotate'");
     }
     bool is_ordered = true;
     for (std::size_t i = 0; i < motion.keys.size(); ++i) {
         const Node& item = list->value.items[i];
         const Entry* at = item.find("at");
         const double earliest = i > 0 ? motion.keys[i - 1].time + kShortestGap : 0;
-        is_ordered = is_ordered && motion.keys[i].time >= earliest;  // not if one could not be read
+        is_ordered =
+            is_ordered && motion.keys[i].time >= earliest;  // false if one could not be read
         if (at != nullptr && motion.keys[i].time < earliest) {
-            reader.error(at->value.place, "'at' must be later than that of the key before, " +
-                                              show(motion.keys[i - 1].time, Dimension::time) +
-                                              ", by a microsecond or more");
+            reader.error(at->value.place,
+                         "'at' must be at least a microsecond later than that of "
+                         "the previous key, " +
+                             show(motion.keys[i - 1].time, Dimension::time));
         }
         const Entry* velocity = item.find("velocity");
         if (velocity != nullptr && motion.is_linear) {
             reader.error(velocity->key_place,
-                         "'velocity' is for smooth motions; with 'easing: linear' the keys say it");
+                         "'velocity' is only for smooth motions; 'easing: linear' computes it from "
+                         "the keys");
         }
     }
     if (!is_ordered) {

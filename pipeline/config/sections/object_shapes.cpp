@@ -1,4 +1,4 @@
-// The shapes that an object may have: one key each.
+// The shapes that an object may have, one key each.
 #include "pipeline/config/sections/object_shapes.h"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ const MapSpec<render::RoundedBoxShape>& rounded_box_spec() {
               "full lengths along x, y and z, the rounding included")
             .required();
         s.key("radius", &Box::radius, length(above_up_to(0, 1000)),
-              "of the rounding, at most half of the smallest side")
+              "radius of the rounding, at most half of the smallest side")
             .required();
         s.check(check_rounding);
         return s;
@@ -75,11 +75,12 @@ const MapSpec<render::RoundedBoxShape>& rounded_box_spec() {
     return spec;
 }
 
-/// What a rounded box collides as: the hull of 28 points on each corner, an eighth of a sphere. Its
-/// flat sides are those of the box; on edges and corners it lies inside by at most 2.3 % of the
-/// radius.
+/// The points of a rounded box's collision hull: 28 on each corner, which is an eighth of a sphere.
+/// The flat sides of the hull are those of the box. At edges and corners the hull is inside the box
+/// by at most 2.3 % of the radius.
 std::vector<Vec3> rounded_box_points(const render::RoundedBoxShape& box) {
-    // Of 0, 15, 30, 45, 60, 75 and 90 degrees, from square roots, whose bits are the same anywhere.
+    // Sines of 0, 15, 30, 45, 60, 75 and 90 degrees, from square roots, whose bits are the same on
+    // all platforms.
     const double of_15 = (std::sqrt(6.0) - std::sqrt(2.0)) / 4;
     const double of_75 = (std::sqrt(6.0) + std::sqrt(2.0)) / 4;
     const std::array<double, 7> sines{0, of_15, 0.5, std::sqrt(0.5), std::sqrt(0.75), of_75, 1};
@@ -99,7 +100,8 @@ std::vector<Vec3> rounded_box_points(const render::RoundedBoxShape& box) {
     return points;
 }
 
-/// The hull about its centre of mass: what `at` places is the origin of the points.
+/// Sets a hull whose vertices are relative to its centre of mass. `at` is still the position of the
+/// origin of the points.
 void set_hull(ObjectSection& object, const std::vector<Vec3>& points) {
     const std::optional<sim::Polyhedron> hull = sim::convex_hull(points);
     if (!hull) {
@@ -129,7 +131,7 @@ void add_solids(MapSpec<ObjectSection>& s) {
             object.shape = render::CylinderShape{cylinder.radius, cylinder.height};
             object.solid = cylinder;
         },
-        "a shape whose axis is z");
+        "a cylinder whose axis is z");
     s.set(
         "rounded_box", record(rounded_box_spec()),
         [](ObjectSection& object, const render::RoundedBoxShape& box) {
@@ -156,8 +158,7 @@ const MapSpec<render::ConeShape>& cone_spec() {
     return spec;
 }
 
-/// Whether two edges span an area; otherwise the shape is left out and said to be flat in
-/// note_shape_place.
+/// Whether two edges span an area; check_shape reports and removes a shape without area.
 bool spans_area(const Vec3& u, const Vec3& v) {
     return u.cross(v).length() > 1e-9 * u.length() * v.length();
 }
@@ -218,7 +219,7 @@ void add_shapes(MapSpec<ObjectSection>& s) {
     add_flat_shapes(s);
     add_shape(
         s, "cone", record(cone_spec()), [](const render::ConeShape& cone) { return cone; },
-        "a shape whose axis is z");
+        "a cone, or a truncated cone, whose axis is z");
     add_solids(s);
     s.exactly_one_of(shape_keys());
 }

@@ -1,4 +1,4 @@
-// The keys of an object's shapes.
+// The keys for the shapes of objects.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace carom::pipeline::config {
 /// `sphere`, `box`, ...: an object has exactly one of these.
 [[nodiscard]] const std::vector<std::string>& shape_keys();
 
-/// Adds them to an object's keys.
+/// Adds these keys to those of an object.
 void add_shapes(MapSpec<ObjectSection>& s);
 
 }  // namespace carom::pipeline::config

@@ -58,14 +58,15 @@ ValueType<std::optional<ObjectPhysics>> object_physics() {
     return any_of<Result>({{is_scalar, word}, {is_map, map}});
 }
 
-/// Only turns leave a shape what the simulation takes it for; a mesh is collided with as scaled.
+/// With physics, only rotations are allowed, because the simulation has no scaled shapes except
+/// meshes.
 void check_transform(Reader& reader, const Node& node, ObjectSection& object) {
     if (object.axes) {
         const std::vector<Vec3>& a = *object.axes;
         const double volume = std::abs(a[0].cross(a[1]).dot(a[2]));
         if (!(volume > 1e-9 * a[0].length() * a[1].length() * a[2].length())) {
             reader.error(node.find("axes")->key_place,
-                         "the axes of " + reader.label() + " lie in a plane");
+                         "the axes of " + reader.label() + " lie in one plane");
             object.axes.reset();
         }
     }
@@ -77,15 +78,17 @@ void check_transform(Reader& reader, const Node& node, ObjectSection& object) {
         const bool is_mesh = node.find("mesh") != nullptr && std::string(key) == "scale";
         if (entry != nullptr && !is_mesh) {
             const bool is_axes = std::string(key) == "axes";
-            const std::string what = std::string("'") + key + "' is for what has no physics; ";
+            const std::string what = std::string("'") + key + "' cannot be used with 'physics'" +
+                                     (is_axes ? "; " : " except for a mesh; ");
             reader.error(entry->key_place,
-                         what + (is_axes ? "turn " + reader.label() + " by 'rotate' instead"
-                                         : "give " + reader.label() + " its size instead"));
+                         what + (is_axes ? "rotate " + reader.label() + " with 'rotate' instead"
+                                         : "give the shape of " + reader.label() +
+                                               " its final size instead"));
         }
     }
 }
 
-/// What keys move pushes others, with `physics: true` or a map that says no other kind.
+/// An object that keys move may have `physics: true` or a map without another kind.
 void check_motion(Reader& reader, const Node& node, ObjectSection& object) {
     const Entry* physics = node.find("physics");
     const bool is_keyed = node.find("motion") != nullptr;
@@ -97,20 +100,22 @@ void check_motion(Reader& reader, const Node& node, ObjectSection& object) {
     }
     const bool is_kinematic = object.physics->kind == BodyKind::kinematic;
     if (is_keyed && !is_kinematic) {
-        reader.error(physics->key_place, "'motion' moves " + reader.label() +
-                                             ", so its 'physics' is 'true' if it is to push "
-                                             "others, or 'false'");
+        reader.error(physics->key_place,
+                     "'motion' moves " + reader.label() +
+                         ", so its 'physics' must be 'true' (it pushes others) or "
+                         "'false'");
     } else if (is_kinematic && !is_keyed) {
         reader.error(physics->key_place,
-                     "'physics: true' is for what 'motion' moves, which " + reader.label() +
-                         " has not; what the simulation moves has a 'density' or a 'mass'");
+                     "'physics: true' needs a 'motion', which " + reader.label() +
+                         " does not have; if the simulation moves the object, give a map with "
+                         "'density' or 'mass'");
     }
     for (const char* key : {"density", "mass", "velocity", "spin"}) {
         const Entry* entry = is_keyed && is_kinematic ? physics->value.find(key) : nullptr;
         if (entry != nullptr) {
             reader.error(entry->key_place, "'" + std::string(key) +
-                                               "' is for what the simulation moves; the keys of "
-                                               "'motion' move " +
+                                               "' is only for objects that the simulation moves; "
+                                               "the keys of 'motion' move " +
                                                reader.label());
         }
     }
@@ -129,10 +134,10 @@ void check_smooth(Reader& reader, const Node& node, ObjectSection& object) {
         return;
     }
     reader.error(node.find("smooth")->key_place,
-                 "'smooth' is for a mesh from a file, which " + reader.label() + " is not");
+                 "'smooth' is only for a mesh from a file, which " + reader.label() + " is not");
 }
 
-void note_shape_place(Reader& reader, const Node& node, ObjectSection& object) {
+void check_shape(Reader& reader, const Node& node, ObjectSection& object) {
     for (const std::string& key : shape_keys()) {
         if (const Entry* entry = node.find(key)) {
             object.shape_place = entry->key_place;
@@ -142,12 +147,12 @@ void note_shape_place(Reader& reader, const Node& node, ObjectSection& object) {
         const bool is_triangle = node.find("triangle") != nullptr;
         reader.error(object.shape_place,
                      std::string(is_triangle ? "the corners" : "the three points") + " of " +
-                         reader.label() + " lie in a line");
+                         reader.label() + " lie on a line");
         object.shape.reset();
     }
     if (node.find("hull") != nullptr && object.shape && !object.solid) {
         reader.error(object.shape_place, "the points of " + reader.label() +
-                                             " lie in a plane: a hull needs four that do not");
+                                             " lie in one plane; a hull needs four that do not");
         object.shape.reset();
     }
 }
@@ -196,7 +201,7 @@ const MapSpec<ObjectSection>& object_spec() {
             "or with `physics: true` pushes the bodies that it touches");
         s.at_most_one_of({"rotate", "axes"});
         s.at_most_one_of({"scale", "axes"});
-        s.check(note_shape_place);
+        s.check(check_shape);
         s.check(check_transform);
         s.check(check_motion);
         s.check(check_smooth);

@@ -1,4 +1,4 @@
-// How frames become a film.
+// The keys of the section `output`.
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/text.h"
 #include "pipeline/config/value_types.h"
@@ -160,7 +160,7 @@ const MapSpec<OutputSettings>& output_spec() {
         s.check([](Reader& reader, const Node& node, OutputSettings& output) {
             const Entry* ocio = node.find("ocio");
             if (ocio != nullptr && output.view != ViewTransform::ocio) {
-                reader.error(ocio->value.place, "'ocio' goes with 'view: ocio' only");
+                reader.error(ocio->value.place, "'ocio' can only be used with 'view: ocio'");
             }
         });
         s.key("hdr10", &OutputSettings::hdr10, record(hdr10_spec()),

@@ -33,7 +33,7 @@ const MapSpec<BallCloth>& ball_cloth_spec() {
     return spec;
 }
 
-/// A coefficient, or the name of a law that gives it.
+/// A coefficient of friction, or the name of a law for it.
 ValueType<BallBall> ball_friction() {
     const auto constant = convert<BallBall>(number(between(0, kLargestFriction)), [](double value) {
         return BallBall{0, value, sim::BallFriction::constant};
@@ -65,8 +65,8 @@ const MapSpec<BallBall>& ball_ball_spec() {
     return spec;
 }
 
-/// The numbers mean something else in each model, so each has its own, and those of a set of balls
-/// survive a change of the model.
+/// The values have a different meaning in each model, so each model has its own, and those of a
+/// ball set remain valid when a shot changes the model.
 struct CushionNumbers {
     std::optional<double> restitution;
     std::optional<double> friction;
@@ -74,7 +74,7 @@ struct CushionNumbers {
 
 struct CushionEntry {
     sim::CushionModel model = BallCushion{}.model;
-    CushionNumbers chosen;  // over those below
+    CushionNumbers chosen;  // has precedence over those below
     CushionNumbers mirror, han2005, mathavan2010;
 
     [[nodiscard]] BallCushion law() const;

@@ -15,7 +15,7 @@ namespace {
 using render::DistributedSettings;
 using render::RenderSettings;
 
-/// A rotary shutter's angle as a share of a turn; exact where it was given in degrees.
+/// A rotary shutter's angle as a fraction of a turn; it is exact if given in degrees.
 ValueType<Rational> shutter_turn() {
     const TypeInfo type = quantity_info(Dimension::angle, between(0, 20 * std::numbers::pi));
     ValueType<Rational> result;
@@ -93,7 +93,7 @@ const MapSpec<ShutterSection>& shutter_spec() {
     return spec;
 }
 
-/// Which of angle and time a bare value is, its unit says.
+/// A shutter without a map: the unit of the value determines whether it is an angle or a time.
 ValueType<ShutterSection> bare_shutter() {
     ValueType<ShutterSection> result;
     result.info.kind = TypeInfo::Kind::any_of;

@@ -1,4 +1,4 @@
-// Turns: of an object, of a key of its motion.
+// The types of rotations: of an object, and of a key of its motion.
 #include <cmath>
 
 #include "core/length.h"
@@ -8,8 +8,8 @@ namespace carom::pipeline::config {
 
 namespace {
 
-constexpr double kMostRounds = 100;
-constexpr double kRound = 6.283185307179586;
+constexpr double kMaxRevolutions = 100;
+constexpr double kRevolution = 6.283185307179586;
 
 struct AxisAngle {
     Vec3 axis{0, 0, 1};
@@ -27,7 +27,7 @@ MapSpec<AxisAngle> make_axis_angle(const char* name, const char* description, Ra
         if (value.axis.length() < 1e-9) {
             const Entry* axis = node.find("axis");
             reader.error(axis != nullptr ? axis->value.place : node.place,
-                         "'axis' must have a length");
+                         "'axis' must not be the zero vector");
             value.axis = {0, 0, 1};
         }
     });
@@ -43,7 +43,7 @@ const MapSpec<AxisAngle>& axis_angle_spec() {
 const MapSpec<AxisAngle>& turn_spec() {
     static const MapSpec<AxisAngle> spec = make_axis_angle(
         "turn", "A rotation about an axis since the previous key, of any number of revolutions.",
-        between(-kMostRounds * kRound, kMostRounds * kRound));
+        between(-kMaxRevolutions * kRevolution, kMaxRevolutions * kRevolution));
     return spec;
 }
 
@@ -55,7 +55,7 @@ Quat turn(const Vec3& axis, double angle) {
 
 ValueType<Quat> rotation() {
     const auto angles = convert<Quat>(vector3(Dimension::angle), [](const Vec3& a) {
-        // Imath's product q1 * q2 turns by q2 first.
+        // Imath's product q1 * q2 applies q2 first.
         return turn({0, 0, 1}, a.z) * turn({0, 1, 0}, a.y) * turn({1, 0, 0}, a.x);
     });
     const auto about_axis = convert<Quat>(record(axis_angle_spec()),

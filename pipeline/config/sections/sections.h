@@ -1,5 +1,5 @@
-// The table of keys, one function per section of the format. Each spec is built on first use and
-// then only read.
+// The table of keys, with one function per section of the format. Each spec is built on first use
+// and is constant afterwards.
 #pragma once
 
 #include "pipeline/config/map_spec.h"
@@ -27,7 +27,7 @@ namespace carom::pipeline::config {
 /// A rotation: angles about the world's x, y and z axis, in this order, or {axis, angle}.
 [[nodiscard]] ValueType<Quat> rotation();
 
-/// {axis, angle} of up to a hundred rounds, as the axis times the angle.
+/// {axis, angle} of up to 100 revolutions, as the unit axis times the angle.
 [[nodiscard]] ValueType<Vec3> rotation_vector();
 
 /// The light that a section describes (its name is left empty).

@@ -6,7 +6,8 @@ namespace carom::pipeline::config {
 
 namespace {
 
-/// Keys that are used up before the sections are read (gather.h) and stand here for the reference.
+/// Adds keys that are removed before the sections are read (gather.h); they are here for the
+/// reference.
 void add_file_keys(MapSpec<ShotFile>& s) {
     const auto ignore = [](ShotFile&, const auto&) {};
     s.set("carom", integer(1, 1), ignore, "version of the format").required();

@@ -53,7 +53,7 @@ ValueType<PocketsSection> pockets() {
     return any_of<PocketsSection>({{is_scalar, none}, {is_map, record(pockets_spec())}});
 }
 
-/// Which measures a kind of table has.
+/// Checks that the kind of table has the given dimensions.
 void check_measures(Reader& reader, const Node& node, TableSection& table) {
     if (const Entry* size = node.find("size")) {
         table.size_place = size->value.place;

@@ -237,8 +237,8 @@ TEST_F(CheckCommandRun, RootConfinesWhatAShotNames) {
               std::string::npos);
     const RunResult result = run({"check", "farm/shot.yaml", "--root", "farm", "--quick"});
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.err, HasSubstr("included file '../secret.yaml' lies outside of 'farm', to "
-                                      "which --root confines what a shot names"));
+    EXPECT_THAT(result.err, HasSubstr("included file '../secret.yaml' is outside 'farm'; "
+                                      "--root allows only files inside that folder"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Every file in tests/broken, named for its fault, with everything that is said about it.
+// Compares the problems of each file in tests/broken with its expected output.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -46,19 +46,19 @@ std::vector<std::string> options(const std::string& text, const std::string& opt
 
 class BrokenFile : public testing::TestWithParam<std::string> {};
 
-TEST_P(BrokenFile, Problems_AreSaidInFull) {
-    fs::current_path(kFolder);  // so that messages name the files as a user would
+TEST_P(BrokenFile, Problems_AreReportedInFull) {
+    fs::current_path(kFolder);  // so that messages have relative file names
     const std::string file = GetParam() + ".yaml";
     const std::string text = read(file);
     const std::vector<std::string> quality = options(text, "quality");
     const LoadResult result =
         load_shot(file, options(text, "set"), quality.empty() ? "" : quality[0]);
-    std::string said;
+    std::string reported;
     for (const Problem& problem : result.problems) {
-        said += format(problem);
+        reported += format(problem);
     }
-    EXPECT_EQ(said, read(GetParam() + ".expected"));
-    EXPECT_FALSE(said.empty());
+    EXPECT_EQ(reported, read(GetParam() + ".expected"));
+    EXPECT_FALSE(reported.empty());
     EXPECT_EQ(result.shot.has_value(), !has_errors(result.problems));
 }
 

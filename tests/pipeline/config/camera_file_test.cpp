@@ -1,4 +1,4 @@
-// A file whose cameras film a shot instead of its own.
+// Tests of camera files, whose cameras replace those of a shot.
 #include <filesystem>
 #include <fstream>
 
@@ -55,11 +55,11 @@ TEST_F(CameraFile, ItsCameras_ReplaceAllOfTheShots) {
     ASSERT_EQ(result.shot->cameras.size(), 2U);
     EXPECT_EQ(result.shot->cameras[0].name, "b");
     EXPECT_EQ(result.shot->render.samples, 2);
-    EXPECT_EQ(result.shot->timing.fps, Rational(30));  // of the shot still
+    EXPECT_EQ(result.shot->timing.fps, Rational(30));  // still that of the shot
     EXPECT_EQ(result.shot->name, "shot");
 }
 
-TEST_F(CameraFile, LightsAndMaterials_AreLaidOverTheShots) {
+TEST_F(CameraFile, LightsAndMaterials_AreMergedOverTheShots) {
     const LoadResult result =
         load_with(kOther +
                   "lights: {lamp: {at: [0, 0, 3]}, sky: {environment: 0.5}}\n"
@@ -70,7 +70,7 @@ TEST_F(CameraFile, LightsAndMaterials_AreLaidOverTheShots) {
     EXPECT_EQ(result.shot->output.crf, 30);
 }
 
-TEST_F(CameraFile, Override_IsStrongerStill) {
+TEST_F(CameraFile, Override_HasPrecedence) {
     const LoadResult result =
         load_with(kOther + "render: {samples: 2}\n", {"render.samples=3", "cameras[1].name=d"});
     ASSERT_TRUE(result.shot) << all_problems(result);
@@ -78,7 +78,7 @@ TEST_F(CameraFile, Override_IsStrongerStill) {
     EXPECT_EQ(result.shot->cameras[1].name, "d");
 }
 
-TEST_F(CameraFile, ItsIncludes_AreBesideIt) {
+TEST_F(CameraFile, ItsIncludes_AreRelativeToIt) {
     write("parts/wide.yaml", kOther);
     const LoadResult result = load_with("include: parts/wide.yaml\n");
     EXPECT_EQ(all_problems(result), "");
@@ -86,17 +86,18 @@ TEST_F(CameraFile, ItsIncludes_AreBesideIt) {
     EXPECT_EQ(result.shot->cameras.size(), 2U);
 }
 
-TEST_F(CameraFile, Physics_CannotStandInIt) {
-    EXPECT_EQ(problems_with(kOther + "physics: {gravity: 1.6}\n"),
-              "4: 'physics' cannot stand in a camera file, only cameras, render, output, lights "
-              "and materials\n");
+TEST_F(CameraFile, Physics_IsAnError) {
+    EXPECT_EQ(
+        problems_with(kOther + "physics: {gravity: 1.6}\n"),
+        "4: a camera file may contain only cameras, render, output, lights and materials, not "
+        "'physics'\n");
     EXPECT_EQ(problems_with("render: {samples: 2}\n"),
               "1: a camera file needs the key 'cameras'\n");
     EXPECT_EQ(problems_with(kOther + "render: {sample: 2}\n"),
               "4: unknown key 'sample' in 'render' (did you mean 'samples'?)\n");
 }
 
-TEST_F(CameraFile, ThatIsNotThere_IsAProblem) {
+TEST_F(CameraFile, MissingFile_IsAProblem) {
     const LoadResult result = load_shot((folder_ / "shot.yaml").string(), {}, "", "nowhere.yaml");
     EXPECT_FALSE(result.shot);
     ASSERT_EQ(result.problems.size(), 1U);

@@ -22,7 +22,7 @@ std::vector<std::string> changes(const std::string& from, const std::string& to)
     return changed_physics_keys(kShot, changed);
 }
 
-TEST(ChangedKeys, SameText_HasNone) {
+TEST(ChangedKeys, SameText_HasNoChangedKeys) {
     EXPECT_THAT(changed_physics_keys(kShot, kShot), IsEmpty());
     EXPECT_THAT(changed_physics_keys(kShot, "# remark\n" + kShot), IsEmpty());
 }
@@ -33,13 +33,13 @@ TEST(ChangedKeys, Value_IsNamedByItsPath) {
     EXPECT_THAT(changes("[1, 0]", "[1, 0, 2]"), ElementsAre("balls.one.at"));
 }
 
-TEST(ChangedKeys, WhatCameOrWent_IsNamedAsAWhole) {
+TEST(ChangedKeys, AddedOrRemovedKey_IsNamedAsAWhole) {
     EXPECT_THAT(changes("balls: {", "balls: {two: {at: [2, 2]}, "), ElementsAre("balls.two"));
     EXPECT_THAT(changes("simulation: {duration: 2 s}\n", ""), ElementsAre("simulation"));
     EXPECT_THAT(changes(", {impulse: {object: one}}", ""), ElementsAre("events"));
 }
 
-TEST(ChangedKeys, Look_IsNoPhysics) {
+TEST(ChangedKeys, Look_IsIgnored) {
     EXPECT_THAT(changes("fov: 3", "fov: 4"), IsEmpty());
     EXPECT_THAT(changes("number: 1", "number: 2"), IsEmpty());
     EXPECT_THAT(changes("material: brass", "material: wood"), IsEmpty());

@@ -1,4 +1,4 @@
-// Where in a shot's file a problem or warning of the simulation or the renderer stands.
+// Tests of the places of problems that the simulation or the renderer reports.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ cameras:
   - {video: [0 s, 1 s], scene: [0 s, 1 s], position: [0, -3, 2], target: [0, 0, 0]}
 )";
 
-/// "line:column key"; "nowhere" if the problem is about the shot as a whole.
+/// "line:column key"; "nowhere" if the problem refers to the whole shot.
 std::string place_of(const Subject& subject, const std::string& field) {
     static const LoadResult loaded = load_shot_text(kShot, "shot.yaml");
     if (!loaded.source) {
@@ -52,20 +52,20 @@ TEST(DiagnosticPlace, Event_IsFoundByItsIndexAndField) {
     EXPECT_EQ(place_of(Subject::event(7), "tip"), "12:1 events");
 }
 
-TEST(DiagnosticPlace, Body_IsABallAnObjectOrOneOfTheRack) {
+TEST(DiagnosticPlace, Body_IsABallAnObjectOrTheRack) {
     EXPECT_EQ(place_of(Subject::body("cue"), "mass"), "7:26 balls.cue.mass");
     EXPECT_EQ(place_of(Subject::body("cue"), ""), "7:3 balls.cue");
     EXPECT_EQ(place_of(Subject::body("crate"), "at"), "9:33 objects.crate.at");
     EXPECT_EQ(place_of(Subject::body("nine"), "at"), "5:1 rack");
 }
 
-TEST(DiagnosticPlace, Table_IsItsKindWhereTheMeasureIsNotGiven) {
+TEST(DiagnosticPlace, TableWithoutTheDimension_IsItsKind) {
     EXPECT_EQ(place_of({Kind::table}, "pockets.corner.drop"), "4:52 table.pockets.corner.drop");
     EXPECT_EQ(place_of({Kind::table}, "pockets.side.mouth"), "4:33 table.pockets");
     EXPECT_EQ(place_of({Kind::table}, "length"), "4:9 table.kind");
 }
 
-TEST(DiagnosticPlace, World_HasItsFieldsInTwoSections) {
+TEST(DiagnosticPlace, World_HasFieldsInTwoSections) {
     EXPECT_EQ(place_of({}, "duration"), "2:14 simulation.duration");
     EXPECT_EQ(place_of({}, "gravity"), "3:1 physics");
     EXPECT_EQ(place_of({Kind::contact, "ball_ball"}, "restitution"),

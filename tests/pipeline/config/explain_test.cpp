@@ -1,4 +1,4 @@
-// The shot as it was understood, with where each value came from.
+// Tests of the explained shot, which has the origin of each value.
 #include "pipeline/config/explain.h"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ std::string explained(const LoadResult& loaded) {
     return loaded.source ? explained_yaml(*loaded.source, *loaded.shot) : std::string();
 }
 
-TEST(Explain, Values_SayWhichLineOrOptionGaveThem) {
+TEST(Explain, Values_HaveTheLineOrOptionOfTheirOrigin) {
     const LoadResult loaded = load_shot_text(R"(carom: 1
 simulation: {duration: 2 s}
 table: {kind: cloth}
@@ -35,10 +35,10 @@ render: {samples: 16}
     EXPECT_THAT(text, ContainsRegex("\n    at: \\[0, 0\\] +# s.yaml:6\n"));
     EXPECT_THAT(text, ContainsRegex("\n  samples: 32 +# --set\n"));
     EXPECT_THAT(text, ContainsRegex("\nphysics:\n  gravity: 9.81 m/s\\^2 +# default\n"));
-    EXPECT_THAT(text, Not(HasSubstr("rack:")));  // there is none
+    EXPECT_THAT(text, Not(HasSubstr("rack:")));  // the shot has no rack
 }
 
-TEST(Explain, ShortSide_SaysWhatPictureItMakes) {
+TEST(Explain, ShortSide_HasTheSizeOfThePicture) {
     const std::string text = explained(
         load_shot_text("carom: 1\nrender:\n  size: [1024, 768]\n  short_side: 540\n", "s.yaml"));
     EXPECT_THAT(text, ContainsRegex("\n  size: \\[1024, 768\\] +# s.yaml:3\n"));
@@ -49,7 +49,7 @@ TEST(Explain, ShortSide_SaysWhatPictureItMakes) {
     EXPECT_EQ(again.shot->render.width, 720);
 }
 
-TEST(Explain, DefaultsWithoutMeaningHere_AreLeftOut) {
+TEST(Explain, DefaultsWithoutMeaning_AreLeftOut) {
     const LoadResult loaded = load_shot_text(R"(carom: 1
 lights: {sky: {environment: 0.5}}
 cameras:
@@ -59,11 +59,11 @@ cameras:
     const std::string text = explained(loaded);
     EXPECT_THAT(text, HasSubstr("environment: 0.5"));
     EXPECT_THAT(text, Not(HasSubstr("facing:")));
-    EXPECT_THAT(text, Not(HasSubstr("fov:")));  // the focal length stands in its place
+    EXPECT_THAT(text, Not(HasSubstr("fov:")));  // the focal length replaces it
     EXPECT_THAT(text, ContainsRegex("\n    sensor: 0.024 m +# default\n"));
 }
 
-TEST(Explain, Table_ShowsTheMeasuresOfItsKindAndSize) {
+TEST(Explain, Table_HasTheDimensionsOfItsKindAndSize) {
     const LoadResult loaded = load_shot_text(R"(carom: 1
 table: {kind: snooker, rail_height: 45 mm, pockets: {corner: {drop: 130 mm}}}
 balls: {cue: {at: [0, 0]}}

@@ -1,4 +1,4 @@
-// The sections that make the film: cameras, render, output.
+// Tests of the sections cameras, render and output.
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -36,7 +36,7 @@ TEST(Cameras, Times_AreExact) {
     EXPECT_EQ(shot.cameras[1].time_map.scene_end, Rational(1, 3));
 }
 
-TEST(Cameras, TimesWithManyDigits_AreRoundedNotRefused) {
+TEST(Cameras, TimesWithManyDigits_AreRounded) {
     const CameraRig rig = read_camera(
         "scene: [0.333333333333333333 s, 1e-30 s], position: [0, -2, 1], "
         "target: [0, 0, 0]");
@@ -78,7 +78,7 @@ TEST(Output, Overlay_IsAListOrAMap) {
     EXPECT_THAT(load_sections("").output.overlay.show, testing::IsEmpty());
 }
 
-TEST(Cameras, Along_IsAStretchOfAnObjectsOwnPath) {
+TEST(Cameras, Along_IsAnIntervalOfAnObjectsPath) {
     const auto path = std::get<AlongPath>(
         read_camera("scene: 0 s, target: [0, 0, 0], position: {along: cue, from: 2 s, to: 0.5 s, "
                     "offset: [0, -1, 0.3], pace: even, easing: smooth}")
@@ -91,7 +91,7 @@ TEST(Cameras, Along_IsAStretchOfAnObjectsOwnPath) {
     EXPECT_EQ(path.easing, Easing::smooth);
 }
 
-TEST(Cameras, Spline_TakesPointsLikeBezier) {
+TEST(Cameras, Spline_HasPointsLikeBezier) {
     const auto path = std::get<SplinePath>(
         read_camera("scene: 0 s, target: [0, 0, 0], position: {spline: [[0, 1, 2], {of: one, at: 1 "
                     "s}], easing: [0.1, 0.2, 0.3, 0.4]}")
@@ -101,7 +101,7 @@ TEST(Cameras, Spline_TakesPointsLikeBezier) {
     EXPECT_EQ(path.easing, (Easing(0.1, 0.2, 0.3, 0.4)));
 }
 
-TEST(Cameras, Orbit_GoesRoundAPlaceOrAnObject) {
+TEST(Cameras, Orbit_IsAroundAPointOrAnObject) {
     const CameraRig rig = read_camera(
         "scene: 0 s, position: {orbit: cue, radius: 1 m, offset: [0, 0, 30 cm], smoothing: 0.2 s, "
         "look_ahead: 0.1 s, angles: [90 deg, -90 deg], turn: [0, 10 deg, 0]}, "
@@ -141,7 +141,7 @@ TEST(Cameras, SpeedsAndFade_AreExact) {
     EXPECT_TRUE(rig.time_map.is_smooth);
 }
 
-TEST(Cameras, FocalLengthAndSensor_StandForTheFieldOfView) {
+TEST(Cameras, FocalLengthAndSensor_ReplaceTheFieldOfView) {
     const CameraRig rig = read_camera(
         kStill + ", focal_length: {from: 35 mm, to: 85 mm, easing: smooth}, sensor: 15.6 mm");
     ASSERT_TRUE(rig.focal_length);
@@ -149,7 +149,7 @@ TEST(Cameras, FocalLengthAndSensor_StandForTheFieldOfView) {
     EXPECT_EQ(rig.sensor_height, 0.0156);
 }
 
-TEST(Cameras, SkyVector_IsOneOrTwo) {
+TEST(Cameras, UpVector_IsOneOrTwo) {
     EXPECT_EQ(read_camera(kStill + ", up: [1, 0, 1]").up.end, Vec3(1, 0, 1));
     const CameraRig pair = read_camera(kStill + ", up: [[0, 0, 1], [0, 1, 1]], blades: [5, 8]");
     EXPECT_EQ(pair.up.start, Vec3(0, 0, 1));
@@ -271,7 +271,7 @@ TEST(Output, Settings_FillEveryField) {
     EXPECT_EQ(o.exposure, -1.5);
 }
 
-TEST(Output, FilmsOfOtherKinds_AreRead) {
+TEST(Output, OtherKindsOfFilms_AreRead) {
     const OutputSettings o =
         load_sections(
             "output: {codec: hevc, bit_rate: 8 Mbit/s, hdr10: {peak: 600}, poster: 500 ms, "
@@ -289,7 +289,7 @@ TEST(Output, FilmsOfOtherKinds_AreRead) {
     EXPECT_FALSE(load_sections("output: {exposure: 1}\n").output.codec.has_value());
 }
 
-TEST(Output, OddSizes_AreForFfv1) {
+TEST(Output, OddSize_IsAllowedForFfv1) {
     EXPECT_EQ(load_sections("render: {size: [641, 361]}\noutput: {codec: ffv1}\n").render.width,
               641);
 }

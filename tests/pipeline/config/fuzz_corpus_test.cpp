@@ -1,4 +1,4 @@
-// What the fuzzer started from and what it found: each file is a shot or has errors.
+// Loads the seeds and the findings of the fuzzer: each file is a valid shot or has errors.
 #include <filesystem>
 #include <fstream>
 #include <sstream>

@@ -1,4 +1,4 @@
-// Files that lie over each other: include, quality presets, --set, and where files are looked for.
+// Tests of includes, quality presets and --set, and of the search for files.
 #include <filesystem>
 #include <fstream>
 
@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// A folder of its own for each test, gone afterwards.
+/// A temporary folder for each test.
 class Include : public testing::Test {
   protected:
     Include() : folder_(fs::temp_directory_path() / ("carom_include_" + std::to_string(getpid()))) {
@@ -38,7 +38,7 @@ class Include : public testing::Test {
     fs::path folder_;
 };
 
-TEST_F(Include, LaterFiles_LieOverEarlierOnes) {
+TEST_F(Include, LaterFiles_HavePrecedence) {
     write("a.yaml", "render: {samples: 1, max_bounces: 1, clamp: 1}\n" + kCamera);
     write("b.yaml", "render: {max_bounces: 2, clamp: 2}\n");
     const Shot shot =
@@ -50,7 +50,7 @@ TEST_F(Include, LaterFiles_LieOverEarlierOnes) {
     EXPECT_EQ(shot.cameras.size(), 1U);
 }
 
-TEST_F(Include, ACamera_LiesOverTheOneOfAFile) {
+TEST_F(Include, Camera_IsMergedOverTheCameraOfItsFile) {
     write("rig.yaml",
           "cameras: [{name: rig, video: [0 s, 5 s], scene: 1 s, position: {follow: a, smoothing: 1 "
           "s}, "
@@ -73,7 +73,7 @@ TEST_F(Include, ACamera_LiesOverTheOneOfAFile) {
     EXPECT_EQ(follow.smoothing, 1);
 }
 
-TEST_F(Include, MissingFiles_AreGuessed) {
+TEST_F(Include, MissingFile_HasASuggestion) {
     const auto said = [&](const std::string& include) {
         write("shelf/club_room.yaml", "");
         const LoadResult result =
@@ -95,7 +95,7 @@ TEST_F(Include, MissingFiles_AreGuessed) {
     EXPECT_EQ(said("something/else.yaml"), "included file 'something/else.yaml' does not exist");
 }
 
-TEST_F(Include, IncludedFiles_IncludeFurtherOnesBesideThem) {
+TEST_F(Include, IncludesOfAnIncludedFile_AreRelativeToIt) {
     write("looks/base.yaml", "render: {samples: 5}\n" + kCamera);
     write("looks/club.yaml", "include: base.yaml\nrender: {clamp: 2}\n");
     const Shot shot = load_file(write("shot.yaml", "carom: 1\ninclude: looks/club.yaml\n"));
@@ -103,14 +103,14 @@ TEST_F(Include, IncludedFiles_IncludeFurtherOnesBesideThem) {
     EXPECT_EQ(shot.render.clamp, 2);
 }
 
-TEST_F(Include, SameFileTwice_IsNoCircle) {
+TEST_F(Include, SameFileTwice_IsNoCycle) {
     write("base.yaml", kCamera);
     write("a.yaml", "include: base.yaml\n");
     write("b.yaml", "include: base.yaml\n");
     load_file(write("shot.yaml", "carom: 1\ninclude: [a.yaml, b.yaml]\n"));
 }
 
-TEST_F(Include, AssetsOfAnIncludedFile_AreBesideIt) {
+TEST_F(Include, AssetsOfAnIncludedFile_AreRelativeToIt) {
     write("looks/sky.hdr", "light");
     write("looks/club.yaml", "lights: {sky: {environment: sky.hdr}}\n" + kCamera);
     const Shot shot = load_file(write("shot.yaml", "carom: 1\ninclude: looks/club.yaml\n"));
@@ -121,14 +121,14 @@ TEST_F(Include, AssetsOfAnIncludedFile_AreBesideIt) {
 TEST_F(Include, EnvironmentVariable_NamesAFolderOfConfigs) {
     write("mine/tables/own.yaml", "render: {samples: 3}\n" + kCamera);
     setenv("CAROM_CONFIGS", (folder_ / "mine").c_str(), 1);
-    // As an example of the source tree spells it, wherever it was copied to.
+    // The path of an example in the source tree works in any folder.
     const Shot shot =
         load_file(write("shot.yaml", "carom: 1\ninclude: ../configs/tables/own.yaml\n"));
     EXPECT_EQ(shot.render.samples, 3);
     EXPECT_EQ(load_file(write("b.yaml", "carom: 1\ninclude: tables/own.yaml\n")).render.samples, 3);
 }
 
-TEST_F(Include, OwnConfigs_AreFoundFromAnywhere) {
+TEST_F(Include, ConfigsOfTheSourceTree_AreFoundFromAnyFolder) {
     const Shot shot = load_file(write("shot.yaml",
                                       "carom: 1\ninclude: ../configs/balls/snooker.yaml\n"
                                       "balls: {cue: {at: [0, 0]}}\n" +
@@ -136,19 +136,19 @@ TEST_F(Include, OwnConfigs_AreFoundFromAnywhere) {
     EXPECT_EQ(std::get<sim::Sphere>(shot.world.bodies.at(0).shape).radius, 0.02619375);
 }
 
-TEST_F(Include, DeepChain_IsRefusedWithASentence) {
+TEST_F(Include, DeepIncludes_AreAnError) {
     for (int i = 0; i < 20; ++i) {
         write("f" + std::to_string(i) + ".yaml", "include: f" + std::to_string(i + 1) + ".yaml\n");
     }
     write("f20.yaml", kCamera);
     const LoadResult result = load_shot(write("shot.yaml", "carom: 1\ninclude: f0.yaml\n"));
-    EXPECT_THAT(all_problems(result), HasSubstr("files include each other deeper than 16 levels"));
+    EXPECT_THAT(all_problems(result), HasSubstr("includes are nested more than 16 levels deep"));
 }
 
-TEST_F(Include, ManyFiles_AreRefusedWithASentence) {
+TEST_F(Include, ManyIncludes_AreAnError) {
     write("leaf.yaml", kCamera);
     std::string names = "leaf.yaml";
-    for (int i = 0; i < 9; ++i) {  // each file includes the one before twice
+    for (int i = 0; i < 9; ++i) {  // each file includes the previous one twice
         write("n" + std::to_string(i) + ".yaml", "include: [" + names + ", " + names + "]\n");
         names = "n" + std::to_string(i) + ".yaml";
     }
@@ -156,32 +156,32 @@ TEST_F(Include, ManyFiles_AreRefusedWithASentence) {
     EXPECT_THAT(all_problems(result), HasSubstr("more than 256 files are included"));
 }
 
-TEST_F(Include, DeviceOrFolder_IsNotRead) {
+TEST_F(Include, DeviceOrFolder_IsAnError) {
     const LoadResult device = load_shot(write("a.yaml", "carom: 1\ninclude: /dev/zero\n"));
     EXPECT_THAT(all_problems(device), HasSubstr("included file '/dev/zero' is not a regular file"));
     EXPECT_THAT(all_problems(load_shot("/dev/zero")),
                 "/dev/zero: error: the file is not a regular file\n");
     EXPECT_THAT(all_problems(load_shot(folder_.string())),
-                HasSubstr("this is a folder, not a shot"));
+                HasSubstr("this is a folder, not a shot file"));
     EXPECT_THAT(all_problems(load_shot((folder_ / "none.yaml").string())),
                 HasSubstr("the file does not exist"));
     const std::string folder = (folder_ / "shots").string();
     fs::create_directories(folder);
     EXPECT_THAT(all_problems(load_shot(folder)),
-                HasSubstr("error: this is a folder, not a shot\n"));
+                HasSubstr("error: this is a folder, not a shot file\n"));
     write("shots/b.yaml", "");
     write("shots/a.yaml", "");
     EXPECT_THAT(all_problems(load_shot(folder)),
-                HasSubstr("error: this is a folder, not a shot; a file in it is '" + folder +
+                HasSubstr("error: this is a folder, not a shot file; it contains '" + folder +
                           "/a.yaml'\n"));
 }
 
-TEST_F(Include, LargeFile_IsNotRead) {
+TEST_F(Include, LargeFile_IsAnError) {
     const std::string path = write("large.yaml", std::string((4U << 20U) + 1, ' '));
     EXPECT_THAT(all_problems(load_shot(path)), HasSubstr("the file has more than 4194304 bytes"));
 }
 
-TEST_F(Include, Quality_StandsBetweenIncludesAndTheShot) {
+TEST_F(Include, Quality_HasPrecedenceOverIncludesButNotTheShot) {
     write("quality/mine.yaml", "carom: 1\nrender: {samples: 2, clamp: 2, max_bounces: 2}\n");
     write("look.yaml",
           "render: {samples: 1, clamp: 1, max_bounces: 1, filter_width: 1}\n" + kCamera);
@@ -222,7 +222,7 @@ TEST_F(Include, PresetsOfTheTree_ScaleTheShotsOwnSize) {
     EXPECT_EQ(sizes("render: {size: [1999, 1001]}\n"), "718x360 718x360 2156x1080 ");
 }
 
-TEST_F(Include, SizeAboveAShortSide_CountsAsItStands) {
+TEST_F(Include, SizeWithPrecedenceOverAShortSide_IsUnchanged) {
     const auto size = [this](const std::string& base, const std::string& render,
                              const std::vector<std::string>& overrides = {},
                              const std::string& quality = {}) {
@@ -246,7 +246,7 @@ TEST_F(Include, SizeAboveAShortSide_CountsAsItStands) {
     EXPECT_EQ(size(square, "render: {size: [800, 600], short_side: 90}\n"), std::pair(120, 90));
 }
 
-TEST_F(Include, Overrides_AreTheStrongest) {
+TEST_F(Include, Overrides_HaveTheHighestPrecedence) {
     const std::string path =
         write("shot.yaml", "carom: 1\nrender: {samples: 3, clamp: 1}\n" + kCamera);
     const Shot shot = load_file(path, {"render.samples=64", "render.samples=128",
@@ -257,14 +257,14 @@ TEST_F(Include, Overrides_AreTheStrongest) {
     EXPECT_NEAR(shot.cameras[0].vertical_fov.start, 0.5235987755982988, 1e-15);
 }
 
-TEST_F(Include, OverriddenFile_IsBesideTheShot) {
+TEST_F(Include, FileOfAnOverride_IsRelativeToTheShot) {
     write("sky.hdr", "light");
     const std::string path = write("shot.yaml", "carom: 1\n" + kCamera);
     const Shot shot = load_file(path, {"lights.sky={environment: sky.hdr}"});
     EXPECT_EQ(shot.assets.size(), 1U);
 }
 
-TEST_F(Include, RootConfinesWhatAShotNames) {
+TEST_F(Include, FileOutsideTheRoot_IsAnError) {
     write("outside/secret.yaml", "simulation: {duration: 3 s}\n");
     write("outside/flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     write("farm/mine.yaml", "simulation: {seed: 4}\n");
@@ -278,13 +278,13 @@ TEST_F(Include, RootConfinesWhatAShotNames) {
     EXPECT_EQ(problems(inside).find("error"), std::string::npos) << problems(inside);
     for (const std::string name : {"../outside/secret.yaml", "link/secret.yaml"}) {
         EXPECT_THAT(problems("include: " + name + "\n"),
-                    HasSubstr("error: included file '" + name + "' lies outside of '" +
+                    HasSubstr("error: included file '" + name + "' is outside '" +
                               (folder_ / "farm").string() +
-                              "', to which --root confines what a shot names"));
+                              "'; --root allows only files inside that folder"));
     }
     EXPECT_THAT(
         problems("objects: {flat: {mesh: " + (folder_ / "outside/flat.obj").string() + "}}\n"),
-        HasSubstr("lies outside of"));
+        HasSubstr(" is outside "));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Loads a shot from a text in one line.
+// Helpers that load a shot from a text.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace carom::pipeline {
 
-/// A camera, so that a shot has no warning.
+/// A camera, so that a shot has no warning about missing cameras.
 inline const std::string kCamera =
     "cameras: [{video: [0 s, 1 s], scene: [0 s, 1 s], position: [0, -2, 1], target: [0, 0, 0]}]\n";
 
@@ -22,7 +22,7 @@ inline std::string all_problems(const LoadResult& result) {
     return text;
 }
 
-/// The shot of a text without problems; paths are below tests/pipeline/config.
+/// The shot of a text without problems; paths are relative to tests/pipeline/config.
 inline Shot load(const std::string& text, const std::vector<std::string>& overrides = {},
                  const std::string& quality = {}) {
     const std::string origin = std::string(CAROM_SOURCE_DIR) + "/tests/pipeline/config/shot.yaml";
@@ -31,7 +31,7 @@ inline Shot load(const std::string& text, const std::vector<std::string>& overri
     return result.shot ? std::move(*result.shot) : Shot{};
 }
 
-/// The same for a few sections of a shot with a camera.
+/// Like load, for the given sections and a camera.
 inline Shot load_sections(const std::string& sections) {
     const bool has_camera = sections.find("cameras:") != std::string::npos;
     return load("carom: 1\n" + (has_camera ? std::string() : kCamera) + sections);

@@ -1,4 +1,4 @@
-// The sections that are seen: materials, lights, and what balls and objects look like.
+// Tests of materials, lights, and the look of balls and objects.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -31,7 +31,7 @@ const render::StandardMaterial& material(const Shot& shot, const std::string& na
     throw std::runtime_error("no material " + name);
 }
 
-/// The material "m" of a shot in which one object has it.
+/// The material "m" of a shot with an object that uses it.
 render::StandardMaterial read_material(const std::string& standard) {
     return material(load_sections("objects: {o: {sphere: 1, material: m}}\n"
                                   "materials: {m: {standard: " +
@@ -92,7 +92,7 @@ std::vector<std::string> shipped_shots() {
     return files;
 }
 
-TEST(Examples, All_HaveNoProblemAndTheirFilesAreThere) {
+TEST(Examples, All_HaveNoProblemAndTheirFilesExist) {
     EXPECT_GE(shipped_shots().size(), 15u);
     for (const std::string& file : shipped_shots()) {
         const LoadResult result = load_shot(file, {}, "");
@@ -107,7 +107,7 @@ TEST(Examples, All_HaveNoProblemAndTheirFilesAreThere) {
     }
 }
 
-TEST(Gallery, EveryPictureOnThePage_IsThereAndSoIsItsShot) {
+TEST(Gallery, EveryPictureOnThePage_ExistsWithItsShot) {
     const std::string root = CAROM_SOURCE_DIR;
     std::ifstream stream(root + "/docs/gallery.md");
     const std::string page{std::istreambuf_iterator<char>(stream), {}};
@@ -211,7 +211,7 @@ TEST(Materials, Textures_FillEveryField) {
     EXPECT_EQ(ball.number, 3);
 }
 
-TEST(Materials, OnlyWhatIsSeen_IsInTheScene) {
+TEST(Materials, OnlyUsedMaterials_AreInTheScene) {
     const Shot shot = load_sections("materials: {unused: {standard: {base: 0.2}}}\n");
     EXPECT_TRUE(shot.scene.materials.empty());
 }
@@ -234,7 +234,7 @@ TEST(Lights, EveryKind_FillsItsFields) {
     EXPECT_NEAR((lamp.edge_v - Vec3(0, -0.2, 0)).length(), 0, 1e-12);
     EXPECT_EQ(lamp.radiance, Vec3(24, 23, 21));
     const auto& side = std::get<render::RectangleLight>(shot.scene.lights[1].light);
-    // Without roll u is level; a quarter turn about the normal brings it to the vertical.
+    // Without roll u is horizontal; a quarter turn about the normal makes it vertical.
     EXPECT_NEAR(std::abs(side.edge_u.z), 0.5, 1e-12);
     EXPECT_NEAR(std::abs(side.edge_v.x), 1, 1e-12);
     EXPECT_EQ(side.radiance, Vec3(3));
@@ -246,7 +246,7 @@ TEST(Lights, EveryKind_FillsItsFields) {
     EXPECT_DOUBLE_EQ(room.rotation, 1.5707963267948966);
 }
 
-TEST(Lights, WithoutFalloff_AreMarked) {
+TEST(Lights, WithoutFalloff_HaveFalloffNone) {
     const Shot shot = load_sections(
         "lights:\n"
         "  lamp: {rectangle: [1.2, 0.4], falloff: none}\n"
@@ -282,7 +282,7 @@ TEST(Lights, Picture_IsAnAsset) {
     EXPECT_EQ(shot.assets[0].content_hash, hash_file(sky.image));
 }
 
-TEST(Lights, None_HasALampAndARoom) {
+TEST(Lights, Default_IsALampAndARoom) {
     EXPECT_EQ(load_sections("").scene.lights.size(), 2U);
 }
 
@@ -317,7 +317,7 @@ TEST(Balls, OtherSets_HaveTheirOwnColours) {
     EXPECT_EQ(red("carom", "white"), red("pool", "cue"));
 }
 
-TEST(Balls, Look_ReplacesTheSets) {
+TEST(Balls, Look_ReplacesThatOfTheSet) {
     const Shot shot = load_sections(
         "balls:\n"
         "  one: {at: [0, 0], look: {colour: [0, 0, 1], number: 17, striped: true, disc_radius: "
@@ -328,11 +328,11 @@ TEST(Balls, Look_ReplacesTheSets) {
     EXPECT_EQ(std::get<render::BallTexture>(own.base).number, 17);
     EXPECT_EQ(std::get<render::BallTexture>(own.base).colour, Vec3(0, 0, 1));
     EXPECT_EQ(std::get<render::BallTexture>(own.base).spots, 0);
-    EXPECT_EQ(own.coat.ior, 1.7);  // the look's finish for all balls
+    EXPECT_EQ(own.coat.ior, 1.7);  // the finish of all balls
     EXPECT_EQ(object(shot, "two").material, "glass");
 }
 
-TEST(Balls, Look_KeepsWhatItDoesNotName) {
+TEST(Balls, Look_KeepsThePaintThatItDoesNotChange) {
     const Shot shot = load_sections("balls: {nine: {at: [0, 0], look: {spots: 6}}}\n");
     const auto paint = std::get<render::BallTexture>(material(shot, "ball/nine").base);
     EXPECT_EQ(paint.number, 9);
@@ -340,7 +340,7 @@ TEST(Balls, Look_KeepsWhatItDoesNotName) {
     EXPECT_EQ(paint.spots, 6);
 }
 
-TEST(Objects, StillOnes_StandInTheWorld) {
+TEST(Objects, StaticObjects_AreInWorldCoordinates) {
     const Shot shot = load_sections(
         "objects:\n"
         "  poster: {rectangle: [2, 1], at: [1, 2, 3], rotate: [90 deg, 0, 0]}\n"
@@ -357,7 +357,7 @@ TEST(Objects, StillOnes_StandInTheWorld) {
     EXPECT_EQ(object(shot, "tile").world_from_object, Mat44());
 }
 
-TEST(Objects, EveryShape_HasItsMeasures) {
+TEST(Objects, EveryShape_HasItsDimensions) {
     const Shot shot = load_sections(
         "objects:\n"
         "  sail: {triangle: [[0, 0, 2], [1, 0, 2], [0, 2, 1]]}\n"
@@ -386,7 +386,7 @@ TEST(Objects, Smooth_IsAnAngleOfAMesh) {
                 3.14159265358979, 1e-12);
 }
 
-TEST(Objects, ScaleThenRotateThenAt) {
+TEST(Objects, Transform_IsScaleThenRotateThenAt) {
     const Shot shot = load_sections(
         "objects:\n"
         "  egg: {sphere: 0.5, scale: [1, 2, 3], rotate: [90 deg, 0, 0], at: [0, 0, 1]}\n");

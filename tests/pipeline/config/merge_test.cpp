@@ -43,12 +43,12 @@ TEST(Merge, ListsAndScalars_Replace) {
     EXPECT_EQ(merged("a: [1, 2]\nb: 1\n", "a: [3]\nb: {c: 2}\n"), "a:\n  - 3\nb:\n  c: 2\n");
 }
 
-TEST(Merge, Null_TakesAway) {
+TEST(Merge, Null_RemovesAKey) {
     EXPECT_EQ(merged("a: 1\nb: {c: 1, d: 2}\n", "a: null\nb: {c: ~}\n"), "b:\n  d: 2\n");
     EXPECT_EQ(merged("a: 1\n", "b: null\n"), "a: 1\nb: null\n");
 }
 
-TEST(Override, Path_ReachesIntoMapsAndLists) {
+TEST(Override, Path_LeadsThroughMapsAndLists) {
     EXPECT_EQ(overridden("render: {samples: 64}\n", "render.samples=16"),
               "render:\n  samples: 16\n");
     EXPECT_EQ(overridden("a: 1\n", "b.c=[1, 2 mm]"), "a: 1\nb:\n  c: [1, 2 mm]\n");
@@ -60,28 +60,30 @@ TEST(Override, Path_ReachesIntoMapsAndLists) {
               "cameras:\n  - {name: a}\n  - {name: b, fov: 3}\n");
 }
 
-TEST(Override, Map_IsMergedIn) {
+TEST(Override, Map_IsMerged) {
     EXPECT_EQ(overridden("render: {samples: 64, fps: 24}\n", "render={samples: 1}"),
               "render:\n  samples: 1\n  fps: 24\n");
 }
 
-TEST(Override, Nothing_TakesAway) {
+TEST(Override, Nothing_RemovesAKey) {
     EXPECT_EQ(overridden("rack: {set: nine_ball}\na: 1\n", "rack="), "a: 1\n");
     EXPECT_EQ(overridden("rack: {set: nine_ball}\na: 1\n", "rack=null"), "a: 1\n");
 }
 
-TEST(Override, ScalarOnTheWay_BecomesAMap) {
+TEST(Override, ScalarInThePath_BecomesAMap) {
     EXPECT_EQ(overridden("render: {shutter: 180 deg}\n", "render.shutter.clock=scene"),
               "render:\n  shutter: {clock: scene}\n");
 }
 
-TEST(Override, Faults_HaveTheirPlaceInTheOverride) {
+TEST(Override, Problems_HaveTheirPlaceInTheOverride) {
     EXPECT_EQ(overridden("a: 1\n", "render.samples"),
-              "--set:1:1: 'render.samples' is not KEY=VALUE, as in render.samples=64");
-    EXPECT_EQ(overridden("a: 1\n", "=5"), "--set:1:1: '' is not a path of keys");
-    EXPECT_EQ(overridden("a: 1\n", "a..b=5"), "--set:1:1: 'a..b' is not a path of keys");
+              "--set:1:1: 'render.samples' is not of the form KEY=VALUE, as in render.samples=64");
+    EXPECT_EQ(overridden("a: 1\n", "=5"),
+              "--set:1:1: '' is not a path of keys, as in render.samples");
+    EXPECT_EQ(overridden("a: 1\n", "a..b=5"),
+              "--set:1:1: 'a..b' is not a path of keys, as in render.samples");
     EXPECT_EQ(overridden("c: [1]\n", "c.4=5"),
-              "--set:1:3: the list has no element '4' (it has 1, counted from 0)");
+              "--set:1:3: the list has no element '4'; it has 1, numbered from 0");
     EXPECT_THAT(overridden("a: 1\n", "a=[1, 2"), testing::StartsWith("--set:1:"));
 }
 

@@ -22,7 +22,7 @@ TEST(Problem, Formatted_LooksLikeACompilersMessage) {
               "      |         ^~~~~~~\n");
 }
 
-TEST(Problem, Warning_SaysSo) {
+TEST(Problem, Warning_IsFormattedAsAWarning) {
     Problem problem = unknown_key();
     problem.severity = Severity::warning;
     EXPECT_THAT(format(problem), testing::StartsWith("shot.yaml:14:9: warning: unknown"));
@@ -30,7 +30,7 @@ TEST(Problem, Warning_SaysSo) {
     EXPECT_TRUE(has_errors({problem, unknown_key()}));
 }
 
-TEST(Problem, OfAnIncludedFile_SaysWhoIncludesIt) {
+TEST(Problem, OfAnIncludedFile_HasTheIncludingPlace) {
     Problem problem = unknown_key();
     problem.included_by = {{"looks.yaml", 2, 10, 1}, {"--quality", 0, 0, 1}};
     EXPECT_THAT(format(problem), testing::EndsWith("      |         ^~~~~~~\n"
@@ -38,7 +38,7 @@ TEST(Problem, OfAnIncludedFile_SaysWhoIncludesIt) {
                                                    "      = included by --quality\n"));
 }
 
-TEST(Problem, Suggestion_IsWhatTheMessageOffers) {
+TEST(Problem, Suggestion_IsThatOfTheMessage) {
     EXPECT_EQ(suggestion(unknown_key()), "position");
     Problem problem;
     problem.message = "the file is empty";
@@ -63,7 +63,7 @@ TEST(Problem, TabsAndWideText_KeepTheCaretUnderItsToken) {
               "      | \t    ^~\n");
 }
 
-TEST(Problem, ControlCharacters_AreNotSentToTheTerminal) {
+TEST(Problem, ControlCharacters_AreEscaped) {
     Problem problem;
     problem.place = {"a.yaml", 1, 1, 1};
     problem.message = "'\x1b[2J'";
@@ -80,7 +80,7 @@ TEST(Problem, LongLine_IsShownAroundTheToken) {
     EXPECT_LT(text.size(), 500U);
     EXPECT_THAT(text, testing::HasSubstr("    1 | ...aaa"));
     EXPECT_THAT(text, testing::HasSubstr("eee...\n"));
-    // The caret stands as far in as the token does.
+    // The caret has the same column as the token.
     const std::size_t line = text.find("bcd") - text.find("    1 | ");
     const std::size_t caret = text.find('^') - text.rfind("      | ");
     EXPECT_EQ(line, caret);

@@ -1,4 +1,4 @@
-// The patterns of the JSON Schema against the parser, text by text.
+// Compares the patterns of the JSON Schema with the parser.
 #include "pipeline/config/quantity_schema.h"
 
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// What the parser says of a text for a key of this type.
+/// Whether the parser accepts a text for a key of this type.
 bool parser_takes(const std::string& text, const TypeInfo& type) {
     const auto parsed = parse_quantity(text);
     const auto* quantity = std::get_if<Quantity>(&parsed);
@@ -47,7 +47,7 @@ const std::vector<std::string>& decimals() {
     return all;
 }
 
-/// Each of these is compared with the dimension, so that the schema knows what the parser knows.
+/// Texts that are tried with each dimension, to compare schema and parser.
 const std::vector<std::string>& units() {
     static const std::vector<std::string> all{
         "",     " m",    " mm",   " in",     " ft",    " kg",   " g",      " s",
@@ -64,7 +64,7 @@ const std::array kRanges{Range{},        at_least(0),         more_than(0),
 
 class EveryDimension : public testing::TestWithParam<int> {};
 
-TEST_P(EveryDimension, Schema_TakesWhatTheParserTakes) {
+TEST_P(EveryDimension, Schema_AcceptsWhatTheParserAccepts) {
     for (const Range& range : kRanges) {
         const TypeInfo type = quantity_info(static_cast<Dimension>(GetParam()), range);
         const Patterns patterns(type);
@@ -73,7 +73,7 @@ TEST_P(EveryDimension, Schema_TakesWhatTheParserTakes) {
                 const std::string text = number + unit;
                 const bool is_taken = parser_takes(text, type);
                 const bool is_own =
-                    unit.find_first_of("/*^2 ", 1) == std::string::npos;  // its range is known
+                    unit.find_first_of("/*^2 ", 1) == std::string::npos;  // its range is checked
                 if (is_taken || is_own) {
                     EXPECT_EQ(patterns.take(text), is_taken)
                         << "'" << text << "' as " << describe(type) << " "
@@ -94,7 +94,7 @@ TEST_P(EveryDimension, Schema_RefusesOtherDimensions) {
 
 INSTANTIATE_TEST_SUITE_P(All, EveryDimension, testing::Range(0, 13));
 
-TEST(QuantitySchema, FractionsAndExponents_AreTakenWhateverTheirSize) {
+TEST(QuantitySchema, FractionsAndExponents_AreAcceptedWithAnyValue) {
     TypeInfo time = quantity_info(Dimension::time, between(0, 3600));
     const Patterns patterns(time);
     for (const char* text : {"1/48 s", "1/48", "1e-3 s", "24000/1001 ms", "1e3", "-1/-48 s"}) {
@@ -105,13 +105,13 @@ TEST(QuantitySchema, FractionsAndExponents_AreTakenWhateverTheirSize) {
     EXPECT_FALSE(patterns.take("1/48 m"));
 }
 
-TEST(QuantitySchema, ThreeUnits_AreTaken) {
+TEST(QuantitySchema, ThreeUnits_AreAccepted) {
     EXPECT_TRUE(Patterns(quantity_info(Dimension::force, more_than(0))).take("3 kg m/s^2"));
     EXPECT_TRUE(Patterns(quantity_info(Dimension::impulse, {})).take("3 kg m/s"));
     EXPECT_TRUE(Patterns(quantity_info(Dimension::length, {})).take("3 m^3/m^2"));
 }
 
-TEST(DecimalPattern, EndsInWhatAPersonWouldWrite) {
+TEST(DecimalPattern, Limits_AreRoundedToNineDigits) {
     EXPECT_EQ(decimal_pattern(between(0, 5)),
               "(\\+?(?=(0*(\\.[0-9]*)?|0*[0-4](\\.[0-9]*)?|0*5(\\.0*)?)(?![0-9.]))"
               "([0-9]+\\.?[0-9]*|\\.[0-9]+)|-(?=(0*(\\.0*)?)(?![0-9.]))"

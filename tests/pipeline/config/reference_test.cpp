@@ -29,7 +29,7 @@ std::string first_difference(const std::string& a, const std::string& b) {
     return "'" + left_line + "' against '" + right_line + "'";
 }
 
-TEST(Reference, Page_IsWhatTheTableOfKeysSays) {
+TEST(Reference, Page_MatchesTheTableOfKeys) {
     const std::string path = std::string(CAROM_SOURCE_DIR) + "/docs/reference.md";
     std::ifstream stream(path, std::ios::binary);
     const std::string page{std::istreambuf_iterator<char>(stream), {}};
@@ -125,7 +125,7 @@ std::set<std::string> sections_used_by(const std::string& yaml) {
     return names;
 }
 
-TEST(Reference, Examples_ThereIsOneForEachSectionAndNoOther) {
+TEST(Reference, EverySection_HasAnExample) {
     std::set<const config::MapInfo*> maps;
     check_map(config::shot_spec().info(), maps);
     std::set<std::string> sections;
@@ -139,9 +139,9 @@ TEST(Reference, Examples_ThereIsOneForEachSectionAndNoOther) {
     EXPECT_EQ(examples, sections);
 }
 
-TEST(Reference, Examples_AreShotsWithoutErrorsThatUseTheirSection) {
+TEST(Reference, Examples_AreValidShotsThatUseTheirSection) {
     const carom::testing::ScratchFolder folder;
-    std::ofstream(folder.path("logo.png"));  // of the example with a picture
+    std::ofstream(folder.path("logo.png"));  // for the example with a picture
     for (const auto& [section, yaml] : config::reference_examples()) {
         SCOPED_TRACE(section);
         const bool has_camera = yaml.find("cameras:") != std::string::npos;

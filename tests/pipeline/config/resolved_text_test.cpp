@@ -1,4 +1,4 @@
-// The resolved text of a shot loads alone to the same shot.
+// The resolved text of a shot is self-contained and loads to the same shot.
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void expect_resolves(const Shot& shot) {
-    // From another folder, so that nothing relative can be left.
+    // The folder is another one, so that relative paths would not be found.
     const LoadResult again =
         load_shot_text(shot.resolved_text, "/nowhere/at/all/" + shot.name + ".yaml");
     EXPECT_EQ(all_problems(again), "") << shot.resolved_text;

@@ -1,4 +1,4 @@
-// The JSON Schema against the parser: every example and every broken file through both.
+// Compares the JSON Schema with the parser, for every example and every broken file.
 #include "pipeline/config/schema.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::string read(const fs::path& path) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// As an editor reads it: the core schema of YAML 1.2.
+/// Converts YAML to JSON by the core schema of YAML 1.2, like an editor.
 json to_json(const config::Node& node) {
     switch (node.kind) {
         case config::Node::Kind::null:
@@ -82,7 +82,7 @@ class SchemaCheck {
         parser.populateSchema(adapter, schema_);
     }
 
-    /// The complaints; empty: none. No value: the file is no YAML.
+    /// The problems that the schema finds; no value if the file is not valid YAML.
     [[nodiscard]] std::optional<std::string> complaints(const fs::path& file) const {
         config::SourceSet sources;
         config::ProblemList problems(sources);
@@ -114,7 +114,7 @@ class SchemaCheck {
 
 const fs::path kSource = CAROM_SOURCE_DIR;
 
-TEST(Schema, File_IsWhatTheTableOfKeysSays) {
+TEST(Schema, File_MatchesTheTableOfKeys) {
     const std::string made = schema_json();
     if (read(kSource / "configs/carom.schema.json") != made) {
         std::ofstream(std::string(CAROM_BINARY_DIR) + "/carom.schema.json") << made;
@@ -137,16 +137,17 @@ TEST(Schema, AcceptsEveryExampleAndConfig) {
     EXPECT_GT(count, 20);
 }
 
-/// tests/broken/schema.txt says of each broken file what a schema can see of it: "sees" (it finds
-/// fault), "cannot" (the fault lies in what values mean together, in other files or in options), or
+/// tests/broken/schema.txt has for each broken file whether a schema can find its fault: "sees" (it
+/// does), "cannot" (the fault is in the combination of values, in other files or in options), or
 /// "no yaml".
-TEST(Schema, SeesOfEachBrokenFileWhatItCan) {
+TEST(Schema, FindsTheFaultsOfBrokenFilesThatItCan) {
     const SchemaCheck schema;
     std::set<std::string> lines;
     for (const auto& entry : fs::directory_iterator(kSource / "tests/broken")) {
         if (entry.path().extension() == ".yaml") {
             const std::optional<std::string> complaints = schema.complaints(entry.path());
-            if (complaints && !complaints->empty()) {  // never stricter than the parser
+            if (complaints &&
+                !complaints->empty()) {  // the schema is never stricter than the parser
                 EXPECT_TRUE(has_errors(load_shot(entry.path().string()).problems)) << entry.path();
             }
             lines.insert(entry.path().stem().string() + ": " +

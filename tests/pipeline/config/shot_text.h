@@ -1,4 +1,4 @@
-// Every field of a shot as text, so that two can be compared and a difference be seen.
+// Every field of a shot as text, so that two shots can be compared.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace carom::pipeline {
 
-/// Doubles with all their bits. The shot's name, resolved text and assets are left out.
+/// The text has all bits of the doubles. The shot's name, resolved text and assets are left out.
 [[nodiscard]] std::string shot_text(const Shot& shot);
 
 }  // namespace carom::pipeline

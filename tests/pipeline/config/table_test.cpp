@@ -1,4 +1,4 @@
-// Tables and racks, as simulated and as seen.
+// Tests of tables and racks in the simulation and in the scene.
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ TEST(Table, StandardSizes_AreThePublishedOnes) {
     EXPECT_EQ(load_sections("table: {kind: carom}\n").world.table->length, 2.84);
 }
 
-TEST(Table, Measures_CanBeChanged) {
+TEST(Table, Dimensions_CanBeChanged) {
     const Shot shot =
         load_sections("table: {kind: pool, size: 8 ft, height: 80 cm, cushion_height: 37 mm}\n");
     EXPECT_EQ(shot.world.table->height, 0.8);
@@ -31,7 +31,7 @@ TEST(Table, Measures_CanBeChanged) {
     EXPECT_EQ(shot.world.floor_height, -0.8);
 }
 
-TEST(Table, Pockets_AreChangedMeasureByMeasure) {
+TEST(Table, Pockets_AreChangedKeyByKey) {
     const Shot standard = load_sections("table: {kind: pool}\n");
     const Shot shot = load_sections("table: {kind: pool, pockets: {corner: {drop: 20 cm}}}\n");
     EXPECT_EQ(shot.world.table->corner_pocket->drop, 0.2);
@@ -39,7 +39,7 @@ TEST(Table, Pockets_AreChangedMeasureByMeasure) {
     EXPECT_EQ(shot.world.table->side_pocket, standard.world.table->side_pocket);
 }
 
-TEST(Table, Custom_HasItsOwnField) {
+TEST(Table, Custom_HasTheGivenPlayingField) {
     const Shot shot = load_sections(
         "table: {kind: custom, length: 2.0, width: 1.0, pockets: none, cushion_height: 36.5 mm}\n");
     EXPECT_EQ(shot.world.table->kind, TableKind::custom);
@@ -55,7 +55,7 @@ TEST(Table, Cloth_HasNoCushionsAndNoFloor) {
     EXPECT_FALSE(shot.world.floor_height);
 }
 
-TEST(Table, Surfaces_AreSeenWithMaterials) {
+TEST(Table, Surfaces_HaveMaterials) {
     const Shot shot = load_sections("table: {kind: pool}\n");
     std::set<std::string> materials;
     for (const render::ObjectDescription& object : shot.scene.objects) {
@@ -72,7 +72,7 @@ TEST(Table, Surfaces_AreSeenWithMaterials) {
     }
 }
 
-TEST(Rack, Balls_StandAndAreSeen) {
+TEST(Rack, Balls_AreInTheWorldAndTheScene) {
     const Shot shot = load_sections(
         "table: {kind: pool}\nrack: {set: nine_ball, gap: 0.05 mm}\n"
         "balls: {cue: {at: [-0.6, 0]}, nine: {mass: 150 g}, one: {at: [0.1, 0.2]}}\n");
@@ -81,18 +81,18 @@ TEST(Rack, Balls_StandAndAreSeen) {
         if (body.name == "nine") {
             EXPECT_EQ(body.mass, 0.150);
         } else if (body.name == "one") {
-            EXPECT_EQ(body.pose.position, Vec3(0.1, 0.2, 0.028575));  // taken out of the rack
+            EXPECT_EQ(body.pose.position, Vec3(0.1, 0.2, 0.028575));  // moved by its own entry
         }
     }
 }
 
-TEST(Rack, SnookerBalls_HaveTheirSize) {
+TEST(Rack, SnookerBalls_HaveTheirRadius) {
     const Shot shot = load_sections("table: {kind: snooker}\nrack: {set: snooker}\n");
     EXPECT_EQ(shot.world.bodies.size(), 21U);
     EXPECT_EQ(std::get<sim::Sphere>(shot.world.bodies[0].shape).radius, 0.02619375);
 }
 
-TEST(Placement, BallInAPocketsJaws_IsNoWarning) {
+TEST(Placement, BallInAPocketsJaws_HasNoWarning) {
     const Shot shot = load_sections("table: {kind: pool}\nballs: {cue: {at: [1.25, 0.615]}}\n");
     EXPECT_EQ(shot.world.bodies.size(), 1U);
 }
@@ -102,7 +102,7 @@ TEST(Configs, EveryTableAndBallSet_Loads) {
     for (const char* folder : {"tables", "balls", "looks"}) {
         for (const fs::directory_entry& entry : fs::directory_iterator(configs / folder)) {
             if (entry.path().extension() != ".yaml") {
-                continue;  // what a look shows: pictures, meshes
+                continue;  // pictures and meshes of a look
             }
             const Shot shot = load("carom: 1\ninclude: " + entry.path().string() + "\n" + kCamera);
             EXPECT_EQ(shot.cameras.size(), 1U) << entry.path();

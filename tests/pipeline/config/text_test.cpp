@@ -15,14 +15,14 @@ TEST(NearestName, Misspellings_AreFound) {
     EXPECT_EQ(nearest_name("focuss", kKeys), "focus");
 }
 
-TEST(NearestName, AnotherWord_IsNotGuessed) {
+TEST(NearestName, DifferentWord_IsNotSuggested) {
     EXPECT_EQ(nearest_name("colour", kKeys), std::nullopt);
     EXPECT_EQ(nearest_name("x", kKeys), std::nullopt);
     EXPECT_EQ(nearest_name("", kKeys), std::nullopt);
     EXPECT_EQ(nearest_name(std::string(100'000, 'p'), kKeys), std::nullopt);
 }
 
-TEST(NearestName, Equals_TakesTheFirst) {
+TEST(NearestName, EqualDistances_GiveTheFirst) {
     const std::vector<std::string> names{"one", "ore"};
     EXPECT_EQ(nearest_name("oe", names), "one");
 }
@@ -38,7 +38,7 @@ TEST(FindInvalidUtf8, ValidText_HasNone) {
     EXPECT_EQ(find_invalid_utf8("a\xC3\xA9\xE2\x82\xAC\xF0\x9F\x8E\xB1"), std::string::npos);
 }
 
-TEST(FindInvalidUtf8, EveryKindOfFault_IsFoundWhereItIs) {
+TEST(FindInvalidUtf8, EveryKindOfFault_HasItsOffset) {
     EXPECT_EQ(find_invalid_utf8("ab\xFF"), 2U);
     EXPECT_EQ(find_invalid_utf8("ab\xC3"), 2U);                     // ends early
     EXPECT_EQ(find_invalid_utf8("a\xC0\x80"), 1U);                  // overlong
@@ -48,7 +48,7 @@ TEST(FindInvalidUtf8, EveryKindOfFault_IsFoundWhereItIs) {
     EXPECT_EQ(find_invalid_utf8(std::string_view("a\0b", 3)), 1U);  // NUL
 }
 
-TEST(Join, Words_ReadLikeAList) {
+TEST(Join, Words_FormAList) {
     const std::vector<std::string> words{"a", "b", "c"};
     EXPECT_EQ(join(words, "and"), "a, b and c");
     EXPECT_EQ(join(std::span(words).first(1), "and"), "a");

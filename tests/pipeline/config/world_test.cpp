@@ -1,4 +1,4 @@
-// The sections that are simulated: simulation, physics, balls, objects, events.
+// Tests of the sections simulation, physics, balls, objects and events.
 #include <gmock/gmock.h>
 
 #include "sim/shape/mass_properties.h"
@@ -18,7 +18,7 @@ const sim::Body& body(const Shot& shot, const std::string& name) {
     throw std::runtime_error("no body " + name);
 }
 
-TEST(Simulation, Values_ReachTheWorld) {
+TEST(Simulation, Values_AreInTheWorld) {
     const Shot shot = load_sections(
         "simulation: {duration: 9 s, step: 1/480 s, seed: 7,\n"
         "             key_reduction: {position_error: 0.01 mm, orientation_error: 0.1 deg}}\n");
@@ -72,7 +72,7 @@ TEST(Physics, CushionNumbers_BelongToTheModel) {
               (BallCushion{han2005, 0.7, 0.5}));
 }
 
-TEST(Balls, Measures_AreThoseOfTheSet) {
+TEST(Balls, RadiusAndMass_AreThoseOfTheSet) {
     const Shot pool = load_sections("balls: {cue: {at: [0.1, 0.2]}}\n");
     EXPECT_EQ(std::get<sim::Sphere>(body(pool, "cue").shape).radius, 0.028575);
     EXPECT_EQ(body(pool, "cue").mass, 0.170097);
@@ -88,13 +88,13 @@ TEST(Balls, TwoCoordinates_LieOnTheCloth) {
     EXPECT_EQ(body(shot, "b").pose.position, Vec3(1, 3, 0.5));
 }
 
-TEST(Balls, LargerRadius_HasTheSetsDensity) {
+TEST(Balls, LargerRadius_KeepsTheDensityOfTheSet) {
     const Shot shot = load_sections("balls: {a: {at: [1, 2], radius: 57.15 mm}}\n");
     EXPECT_DOUBLE_EQ(body(shot, "a").mass, 8 * 0.170097);
     EXPECT_EQ(body(shot, "a").pose.position.z, 0.05715);
 }
 
-TEST(Balls, Motion_IsTaken) {
+TEST(Balls, Motion_IsRead) {
     const Shot shot = load_sections(
         "balls: {a: {at: [0, 0], velocity: [3.6 km/h, 0], spin: [0, 60 rpm, 0], mass: 6 oz,\n"
         "            rotate: [0, 0, 90 deg]}}\n");
@@ -113,7 +113,7 @@ TEST(Balls, Orientation_IsAFunctionOfSeedAndName) {
     EXPECT_EQ(body(first, "one").pose.orientation, body(again, "one").pose.orientation);
     EXPECT_NE(body(first, "one").pose.orientation, body(other, "one").pose.orientation);
     EXPECT_NE(body(first, "one").pose.orientation, body(first, "two").pose.orientation);
-    // The number looks up, towards the player.
+    // The number faces up, towards the player.
     const Vec3 disc = body(first, "one").pose.orientation.rotateVector(Vec3(1, 0, 0));
     EXPECT_LT(disc.x, 0);
     EXPECT_GT(disc.z, 0);
@@ -145,7 +145,7 @@ TEST(Objects, Physics_MakesBodies) {
     EXPECT_EQ(shot.world.floor_height, -0.8);
 }
 
-TEST(Objects, FlatShapesAndCones_StandAsMeshes) {
+TEST(Objects, FlatShapesAndCones_AreStaticMeshes) {
     const Shot shot = load_sections(
         "objects:\n"
         "  sail: {triangle: [[0, 0, 3], [1, 0, 3], [0, 2, 3]], physics: fixed}\n"
@@ -201,7 +201,7 @@ TEST(Events, Strike_FillsEveryField) {
     EXPECT_DOUBLE_EQ(*std::get<Strike>(shot.world.events[2].action).direction, 1.5707963267948966);
 }
 
-TEST(Events, AimAtScenery_IsAimAtItsPlace) {
+TEST(Events, AimAtScenery_IsAimAtItsPosition) {
     const Shot shot = load_sections(
         "balls: {cue: {at: [0, 0]}}\n"
         "objects: {chalk: {box: [1 cm, 1 cm, 1 cm], at: [0.7, 0.6, 0]}}\n"
@@ -230,7 +230,7 @@ TEST(Events, OtherKinds_FillEveryField) {
     EXPECT_EQ(force.at_point, Vec3(0.01, 0, 0));
     EXPECT_EQ(force.axes, sim::Axes::body);
     EXPECT_EQ(events[0].trigger->kind, sim::Trigger::Kind::contact);
-    EXPECT_EQ(events[0].trigger->a, "a");  // the object comes first, however it was written
+    EXPECT_EQ(events[0].trigger->a, "a");  // the object is first, in any order of the names
     EXPECT_EQ(events[0].trigger->b, "cushion");
     EXPECT_EQ(std::get<sim::Torque>(events[1].action).newton_metres, Vec3(0, 0, 0.1));
     EXPECT_EQ(events[1].trigger->kind, sim::Trigger::Kind::resting);
@@ -249,7 +249,7 @@ TEST(Events, OtherKinds_FillEveryField) {
     EXPECT_EQ(events[4].trigger->to, Vec2(1, -3));
 }
 
-TEST(Objects, Solids_CollideAsTheyAreSeen) {
+TEST(Objects, Solids_HaveTheSameShapeInWorldAndScene) {
     const Shot shot = load_sections(
         "objects:\n"
         "  roller: {cylinder: {radius: 2 cm, height: 10 cm}, at: [0, 0, 1],\n"
@@ -265,7 +265,7 @@ TEST(Objects, Solids_CollideAsTheyAreSeen) {
     EXPECT_EQ(std::get<sim::Capsule>(body(shot, "pill").shape).length, 0.06);
     EXPECT_EQ(body(shot, "pill").mass, 0.1);
     EXPECT_EQ(body(shot, "post").kind, sim::BodyKind::fixed);
-    // A hull's track is that of its centre of mass, and its mesh lies about it.
+    // A hull's track is that of its centre of mass, and its mesh is relative to it.
     EXPECT_NEAR(body(shot, "wedge").mass, 600 * 0.3 * 0.3 * 0.3 / 6, 1e-12);
     EXPECT_LT((body(shot, "wedge").pose.position - Vec3(2 - 0.075, 0.075, 1.075)).length(), 1e-12);
     EXPECT_TRUE(find_problems(shot.world).empty());
@@ -300,7 +300,7 @@ TEST(Objects, Solids_CollideAsTheyAreSeen) {
     }
 }
 
-TEST(Objects, RoundedBox_CollidesAsAHullInsideItWithItsFlatSides) {
+TEST(Objects, RoundedBox_CollidesAsAHullWithTheSameFlatSides) {
     const Shot shot = load_sections(
         "objects:\n"
         "  die: {rounded_box: {size: [4 cm, 2 cm, 3 cm], radius: 5 mm}, at: [0, 0, 1],\n"
@@ -333,7 +333,7 @@ TEST(Objects, RoundedBox_CollidesAsAHullInsideItWithItsFlatSides) {
     EXPECT_NEAR(body(shot, "ball").mass / (1000 * 4.0 / 3 * pi * 1e-6), 1, 0.06);
 }
 
-TEST(Physics, OfWhatKeysMove_FollowsTheirTrack) {
+TEST(Physics, KinematicBodies_FollowTheirTracks) {
     const Shot shot = load_sections(
         "objects:\n"
         "  wedge:\n"
@@ -348,7 +348,7 @@ TEST(Physics, OfWhatKeysMove_FollowsTheirTrack) {
         "0.2]}]}\n");
     const auto& bodies = shot.world.bodies;
     ASSERT_EQ(bodies.size(), 2U);
-    ASSERT_EQ(shot.keyed.size(), 2U) << "they are filmed like others that keys move";
+    ASSERT_EQ(shot.keyed.size(), 2U) << "they are in the scene like other objects that keys move";
     for (const sim::Body& body : bodies) {
         EXPECT_EQ(body.kind, sim::BodyKind::kinematic);
         ASSERT_TRUE(body.path);

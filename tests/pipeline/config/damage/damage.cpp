@@ -16,7 +16,7 @@ bool is_indentation(const std::string& text, std::size_t i) {
     return text[i] == ' ' && text.find_first_not_of(' ', start) > i;
 }
 
-/// A letter behind a number: "57.15 mm", "3 m/s".
+/// Whether a letter follows a number: "57.15 mm", "3 m/s".
 bool is_unit(const std::string& text, std::size_t i) {
     if (std::isalpha(static_cast<unsigned char>(text[i])) == 0 && text[i] != '/') {
         return false;
@@ -29,7 +29,7 @@ bool is_unit(const std::string& text, std::size_t i) {
 
 struct Kind {
     const char* name;
-    std::string characters;  // that are put in
+    std::string characters;  // to insert
     std::function<bool(const std::string&, std::size_t)> holds;
 };
 
@@ -58,7 +58,7 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-/// Of a line with something on it; -1 for others.
+/// The indentation of a line that is not empty; -1 for others.
 int indent_of(const std::string& line) {
     const std::size_t first = line.find_first_not_of(' ');
     return first == std::string::npos || line[first] == '#' ? -1 : static_cast<int>(first);

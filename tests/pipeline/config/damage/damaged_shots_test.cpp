@@ -1,6 +1,6 @@
-// A shot with one damaged character means the same as before, or there is an error or a warning
-// that points to the damage. CAROM_DAMAGED_SHOTS says how many damages are tried,
-// CAROM_FIRST_DAMAGED_SHOT with which shot to begin.
+// A shot with one damaged character means the same as before, or an error or a warning points to
+// the damage. CAROM_DAMAGED_SHOTS is the number of damages, CAROM_FIRST_DAMAGED_SHOT the first
+// shot.
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/pipeline/config/damage/damage.h"
-#include "tests/pipeline/config/damage/meaning.h"
+#include "tests/pipeline/config/damage/difference.h"
 #include "tests/pipeline/config/damage/random_shot.h"
 #include "tests/pipeline/config/damage/survivors.h"
 
@@ -45,18 +45,20 @@ std::string key_of(const std::string& line) {
     return first < colon && colon != std::string::npos ? line.substr(first, colon - first) : "";
 }
 
-/// Whether the message is about a name that the damage took away ("there is no ball 'ball_1'"), or
-/// offers the one that it made ("did you mean 'ball-_1'?"): a name is missed where it is used.
-bool is_about_name(const Problem& problem, const Damage& damage) {
+/// Whether the message refers to a name that the damage removed ("there is no ball 'ball_1'") or
+/// suggests the name that it created ("did you mean 'ball-_1'?"). A missing name is reported where
+/// it is used.
+bool refers_to_name(const Problem& problem, const Damage& damage) {
     const std::string old_key = key_of(damage.old_line);
-    const std::string offered = pipeline::suggestion(problem);
-    const bool is_missed = old_key != key_of(damage.new_line) && !old_key.empty() &&
-                           problem.message.find("'" + old_key + "'") != std::string::npos;
-    return is_missed || (!offered.empty() && damage.new_line.find(offered) != std::string::npos &&
-                         damage.old_line.find(offered) == std::string::npos);
+    const std::string suggested = pipeline::suggestion(problem);
+    const bool is_missing = old_key != key_of(damage.new_line) && !old_key.empty() &&
+                            problem.message.find("'" + old_key + "'") != std::string::npos;
+    return is_missing ||
+           (!suggested.empty() && damage.new_line.find(suggested) != std::string::npos &&
+            damage.old_line.find(suggested) == std::string::npos);
 }
 
-/// Whether the message says that the damaged ball overlaps another: the problem points to the later
+/// Whether the message is that the damaged ball overlaps another. The problem points to the later
 /// one.
 bool names_overlapping(const Problem& problem, const Damage& damage) {
     const auto is_named = [&](const std::string& name) {
@@ -66,12 +68,12 @@ bool names_overlapping(const Problem& problem, const Damage& damage) {
            (is_named(key_of(damage.parent_line)) || is_named(key_of(damage.old_line)));
 }
 
-/// Whether one of the problems points into the damaged construct, or names what stands there.
-bool is_blamed(const LoadResult& result, const Damage& damage) {
+/// Whether one of the problems points into the damaged construct or names something in it.
+bool is_reported(const LoadResult& result, const Damage& damage) {
     for (const Problem& problem : result.problems) {
         const int line = problem.place.line;
         if ((line >= damage.first_line && line <= damage.last_line) ||
-            is_about_name(problem, damage) || names_overlapping(problem, damage)) {
+            refers_to_name(problem, damage) || names_overlapping(problem, damage)) {
             return true;
         }
     }
@@ -94,11 +96,11 @@ std::string listed(const std::vector<Difference>& differences) {
     return text;
 }
 
-/// Without a problem that points to the damage: the shot must mean the same, or survive with a
-/// reason.
-void check_meaning(const LoadResult& whole, const LoadResult& result, const Damage& damage,
+/// Checks a shot without a problem that points to the damage: it must mean the same, or the damage
+/// must be of a known kind of survivor.
+void check_meaning(const LoadResult& intact, const LoadResult& result, const Damage& damage,
                    Tally& tally) {
-    const std::vector<Difference> found = differences(whole, result);
+    const std::vector<Difference> found = differences(intact, result);
     if (found.empty()) {
         ++tally.same;
         return;
@@ -109,21 +111,21 @@ void check_meaning(const LoadResult& whole, const LoadResult& result, const Dama
                         << damage.text;
 }
 
-void check(const LoadResult& whole, const Damage& damage, Tally& tally) {
+void check(const LoadResult& intact, const Damage& damage, Tally& tally) {
     SCOPED_TRACE(damage.what + " in line " + std::to_string(damage.line) + ":\n" + damage.new_line);
     const LoadResult result = load(damage.text);
-    if (is_blamed(result, damage) || (!result.shot && joins_comment(damage))) {
+    if (is_reported(result, damage) || (!result.shot && joins_comment(damage))) {
         Damage exact = damage;
         exact.first_line = exact.last_line = damage.line;
-        ++(is_blamed(result, exact) ? tally.at_line : tally.in_construct);
+        ++(is_reported(result, exact) ? tally.at_line : tally.in_construct);
     } else if (result.shot) {
-        check_meaning(whole, result, damage, tally);
+        check_meaning(intact, result, damage, tally);
     } else {
         ADD_FAILURE() << "no error points to the damage:\n" << reported(result) << damage.text;
     }
 }
 
-TEST(DamagedShots, AreFoundOrMeanTheSame) {
+TEST(DamagedShots, AreReportedOrMeanTheSame) {
     const int first = setting("CAROM_FIRST_DAMAGED_SHOT", 1);
     const int count = setting("CAROM_DAMAGED_SHOTS", 300);
     const int most_failures = setting("CAROM_MOST_FAILURES", 1);
@@ -133,15 +135,15 @@ TEST(DamagedShots, AreFoundOrMeanTheSame) {
         SCOPED_TRACE("CAROM_FIRST_DAMAGED_SHOT=" + std::to_string(first + shot));
         Dice dice(static_cast<std::uint64_t>(first + shot));
         const std::string text = write_yaml(random_shot(dice), dice);
-        const LoadResult whole = load(text);
-        ASSERT_EQ(reported(whole), "") << text;
+        const LoadResult intact = load(text);
+        ASSERT_EQ(reported(intact), "") << text;
         for (int i = 0; i < kDamagesPerShot && failures < most_failures; ++i) {
             const Damage one = damage(text, dice);
             const int before = ::testing::UnitTest::GetInstance()
                                    ->current_test_info()
                                    ->result()
                                    ->total_part_count();
-            check(whole, one, tally);
+            check(intact, one, tally);
             failures += ::testing::UnitTest::GetInstance()
                                     ->current_test_info()
                                     ->result()

@@ -36,7 +36,7 @@ class ShotMaker {
     }
 
   private:
-    /// A number of few digits, as people write it.
+    /// A number with few digits.
     std::string number(double low, double high) {
         const double digits = high - low > 20 ? 1 : 100;
         return Dice::text(std::round(dice_.between(low, high) * digits) / digits);

@@ -10,7 +10,7 @@ namespace {
 
 using pipeline::config::Quantity;
 
-/// One quantity became another that its key takes, too.
+/// A quantity became another valid one.
 bool is_other_quantity(const Difference& difference, const Damage& /*damage*/) {
     const auto before = pipeline::config::parse_quantity(difference.before);
     const auto after = pipeline::config::parse_quantity(difference.after);
@@ -18,13 +18,13 @@ bool is_other_quantity(const Difference& difference, const Damage& /*damage*/) {
            std::holds_alternative<Quantity>(after);
 }
 
-/// A text that only people read has one character more, less or another.
+/// A text without meaning for the program changed.
 bool is_other_text(const Difference& difference, const Damage& /*damage*/) {
     const std::string& path = difference.path;
     return difference.is_scalar && (path == "output.title" || path.ends_with("].name"));
 }
 
-/// Something that nothing refers to has another name.
+/// Something without references to it has another name.
 bool is_other_name(const Difference& difference, const Damage& /*damage*/) {
     const std::string& path = difference.path;
     return difference.is_renamed &&
@@ -56,8 +56,8 @@ std::string parent_of(const std::string& path) {
     return path.substr(0, path.rfind('.'));
 }
 
-/// A key went from a map to that map's parent or the other way: where maps are indented by one
-/// blank, a blank more or less is enough.
+/// A key moved from a map to that map's parent or back. If maps are indented by one space, one
+/// space more or less is enough.
 bool is_other_parent(const std::vector<Difference>& differences, const Damage& damage) {
     if (differences.size() != 2 || !damage.what.starts_with("indentation")) {
         return false;

@@ -1,22 +1,22 @@
-// Damages that no check can find, because what they leave is right, too.
+// The kinds of damage that no check can find, because the damaged shot is valid, too.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "tests/pipeline/config/damage/damage.h"
-#include "tests/pipeline/config/damage/meaning.h"
+#include "tests/pipeline/config/damage/difference.h"
 
 namespace carom::testing {
 
-/// The kinds that survivors() knows; survivors.txt says why each of them is let be.
+/// The known kinds; survivors.txt has the reason for each of them.
 [[nodiscard]] std::vector<std::string> survivor_kinds();
 
-/// Whether the damage joined a line to the comment above it. Then problems are reported where that
-/// line is missed, which may be anywhere.
+/// Whether the damage joined a line to the comment above it. Then problems may be reported anywhere
+/// where that line is missing.
 [[nodiscard]] bool joins_comment(const Damage& damage);
 
-/// The kind of a damage that changed a shot in this way; empty if it should have been found.
+/// The kind of a damage with these differences; empty if a check should have found it.
 [[nodiscard]] std::string survivor_kind(const std::vector<Difference>& differences,
                                         const Damage& damage);
 

@@ -42,7 +42,7 @@ class Writer {
   private:
     std::string scalar(const Yaml& value) {
         if (value.text == "true" || value.text == "false") {
-            return value.text;  // in quotes they would be texts
+            return value.text;  // in quotes it would be a text
         }
         const double fraction = value.text.starts_with('\'') ? 0 : value.is_text ? 0.5 : 0.03;
         if (!dice_.chance(fraction)) {
@@ -52,7 +52,7 @@ class Writer {
         return quote + value.text + quote;
     }
 
-    /// In brackets; over several lines, indented by `indent`, now and then.
+    /// Writes in flow style, sometimes on several lines that are indented by `indent`.
     std::string flow(const Yaml& value, int indent) {
         if (value.kind == Yaml::Kind::scalar) {
             return scalar(value);
@@ -77,7 +77,7 @@ class Writer {
         }
     }
 
-    /// Behind "key:" or "-".
+    /// Writes the value after "key:" or "-".
     void write_value(const Yaml& value, int indent) {
         const bool as_block = indent <= 2 * step_
                                   ? value.holds_map() && dice_.chance(indent == 0 ? 0.95 : 0.6)
@@ -94,7 +94,7 @@ class Writer {
         }
     }
 
-    /// The first line begins with `first`, the others with `indent` blanks.
+    /// The first line begins with `first`, the others with `indent` spaces.
     void write_map(const Yaml& map, int indent, std::string first) {
         for (const auto& [key, value] : map.entries) {
             text_ += first + key + ":";

@@ -1,4 +1,4 @@
-// A YAML document as a tree, and its text in one of the many ways in which people write it.
+// A YAML document as a tree, and its text in a random style.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct Yaml {
 
     Kind kind = Kind::map;
     std::string text;      // scalar
-    bool is_text = false;  // scalar: free text or a name, which people like to put in quotes
+    bool is_text = false;  // scalar: free text or a name, which may be in quotes
     std::vector<Yaml> items;
     std::vector<std::pair<std::string, Yaml>> entries;
 
@@ -33,8 +33,8 @@ struct Yaml {
     [[nodiscard]] bool holds_map() const;
 };
 
-/// The map as a document: in blocks or brackets, indented by one to four blanks, with or without
-/// quotes, comments and empty lines, as the dice fall.
+/// The map as a document in a random style: block or flow, indented by one to four spaces, with or
+/// without quotes, comments and empty lines.
 [[nodiscard]] std::string write_yaml(const Yaml& map, Dice& dice);
 
 }  // namespace carom::testing

@@ -1,4 +1,4 @@
-// What two shots say differently.
+// The differences between two shots.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@ namespace carom::testing {
 
 struct Difference {
     std::string path;    // of keys: "render.samples"
-    std::string before;  // a scalar's text; empty if there is none, or it is none
+    std::string before;  // a scalar's text; empty if there is no scalar
     std::string after;
     bool is_scalar = false;   // a scalar became another scalar
-    bool is_renamed = false;  // a key with the same value became another key: `before` and `after`
+    bool is_renamed = false;  // a key was renamed from `before` to `after`, with the same value
 };
 
-/// Everything in which the trees of two loaded shots differ, numbers compared by value: "9 ft" is
-/// "2.7432 m". Without a difference in the trees, one more where the shots made of them differ.
+/// All differences between the trees of two loaded shots. Numbers are compared by value: "9 ft"
+/// equals "2.7432 m". If the trees are equal, a difference between the shots is also reported.
 [[nodiscard]] std::vector<Difference> differences(const pipeline::LoadResult& before,
                                                   const pipeline::LoadResult& after);
 

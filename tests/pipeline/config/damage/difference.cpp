@@ -1,4 +1,4 @@
-#include "tests/pipeline/config/damage/meaning.h"
+#include "tests/pipeline/config/damage/difference.h"
 
 #include <algorithm>
 
@@ -27,9 +27,9 @@ bool is_same_scalar(const Node& a, const Node& b) {
 
 std::vector<Difference> differences_between(const Node& before, const Node& after);
 
-/// A key with another name at the same place of two maps; false if there is not exactly one.
-bool is_renaming(const Node& before, const Node& after, const std::string& path,
-                 std::vector<Difference>& found) {
+/// Adds the difference of two maps that differ only in the name of one key; false otherwise.
+bool add_renaming(const Node& before, const Node& after, const std::string& path,
+                  std::vector<Difference>& found) {
     const Entry* old_entry = nullptr;
     const Entry* new_entry = nullptr;
     for (std::size_t i = 0; i < std::min(before.entries.size(), after.entries.size()); ++i) {
@@ -62,7 +62,7 @@ void compare(const Node& before, const Node& after, const std::string& path,
     for (std::size_t i = 0; i < before.items.size(); ++i) {
         compare(before.items[i], after.items[i], path + "[" + std::to_string(i) + "]", found);
     }
-    const bool is_renamed = is_renaming(before, after, path, found);
+    const bool is_renamed = add_renaming(before, after, path, found);
     for (const Entry& entry : before.entries) {
         const Entry* other = after.find(entry.key);
         const std::string key = path + (path.empty() ? "" : ".") + entry.key;
