@@ -23,11 +23,10 @@ struct Place {
 
 /// One text: a file, a text in memory or the value of a --set.
 struct SourceText {
-    std::string name;    // as problems print it
-    std::string folder;  // relative paths in the text refer to this folder
-    std::string text;    // valid UTF-8
-    Place
-        included_at{};  // place of the include in another text; empty for the shot and for options
+    std::string name;     // as problems print it
+    std::string folder;   // relative paths in the text refer to this folder
+    std::string text;     // valid UTF-8
+    Place included_at{};  // place of the include in another text; else empty
 };
 
 class SourceSet {

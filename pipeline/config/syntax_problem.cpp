@@ -57,9 +57,8 @@ std::size_t indenting_tab(std::string_view text, std::size_t offset) {
     return first != std::string_view::npos && text[first] == '\t' ? first : std::string_view::npos;
 }
 
-/// The first opening bracket before `offset` on the same line that is part of a plain word ("cue
-/// {at:
-/// ..."), so that it opens no map or list; npos if there is none.
+/// The first opening bracket before `offset` on the same line that is part of a plain word, as in
+/// "cue {at: ...", so that it opens no map or list; npos if there is none.
 std::size_t bracket_without_colon(std::string_view text, std::size_t offset) {
     const std::size_t begin = line_begin(text, offset);
     const std::string_view line = text.substr(begin, offset - begin);
