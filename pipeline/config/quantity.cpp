@@ -30,7 +30,7 @@ std::string unknown_unit(std::string_view name) {
 
 /// The problem of `rest`, the text after the number `number`, if it contains an unusual space or a
 /// decimal comma; empty otherwise.
-std::string find_foreign_notation(std::string_view number, std::string_view rest) {
+std::string find_notation_problem(std::string_view number, std::string_view rest) {
     if (const std::optional<OddSpace> space = find_odd_space(rest)) {
         return "has " + space->name + " after its number; write an ordinary space";
     }
@@ -192,7 +192,7 @@ std::variant<Quantity, std::string> parse_quantity(std::string_view text) {
         return "is not a number";
     }
     const std::string wrong_notation =
-        find_foreign_notation(text.substr(0, length), text.substr(length));
+        find_notation_problem(text.substr(0, length), text.substr(length));
     if (!wrong_notation.empty()) {
         return wrong_notation;
     }
