@@ -1,23 +1,23 @@
-// Programming errors stop the program with the place and both sides of the comparison that does not
-// hold; user errors are `Error` (error.h).
-//   CAROM_ASSERT(condition)     cheap; on in every preset, in what users run as well
-//   CAROM_VALIDATE(condition)   expensive; on in the debug, test, asan and fuzz presets
-// "assertion failed: count < size (4 < 3)": the values are those of a condition that is one
-// comparison; the condition is evaluated once more to print them.
+// Assertions for programming errors; user errors are `Error` (error.h). A failed assertion prints
+// its place in the source and aborts.
+//   CAROM_ASSERT(condition)     cheap; enabled in every preset, also for users
+//   CAROM_VALIDATE(condition)   expensive; enabled in the debug, test, asan and fuzz presets
+// If the condition is a single comparison, both values are printed: "assertion failed: count < size
+// (4 < 3)". For that the condition is evaluated a second time.
 #pragma once
 
 #include <type_traits>
 
 namespace carom::detail {
 
-/// A value in the message of an assertion that failed.
+/// A value in the message of a failed assertion.
 struct Operand {
     enum class Kind { unprintable, boolean, signed_integer, unsigned_integer, real, pointer, text };
 
     Kind kind = Kind::unprintable;
-    unsigned long long bits = 0;  // of a boolean or an integer; bytes of a text
+    unsigned long long bits = 0;  // of a boolean or an integer; length of a text in bytes
     double number = 0;
-    int digits = 0;  // that tell neighbouring numbers of the operand's type apart
+    int digits = 0;  // enough to distinguish neighbouring numbers of the operand's type
     const void* address = nullptr;
 };
 
@@ -49,10 +49,10 @@ struct Comparison {
     const char* sign = nullptr;  // null: not a comparison
     Operand right;
 
-    explicit operator bool() const { return false; }  // an && or || follows, which hides the values
+    explicit operator bool() const { return false; }  // for && and ||, which hide the values
 };
 
-/// What stands left of a comparison, or all of a condition that is not one.
+/// The left side of a comparison, or the whole condition if it is not a comparison.
 template <class T>
 struct LeftSide {
     const T& value;
@@ -89,7 +89,7 @@ struct LeftSide {
     [[gnu::always_inline]] operator Comparison() const { return {}; }
 };
 
-/// `Decomposer() << a < b` is a comparison of a with b: << binds more closely than <.
+/// `Decomposer() << a < b` compares a with b: << has higher precedence than <.
 struct Decomposer {
     template <class T>
     [[gnu::always_inline]] LeftSide<T> operator<<(const T& value) const {

@@ -29,12 +29,12 @@ std::string folder_of(const std::string& path) {
     return slash == std::string::npos ? "." : path.substr(0, slash + 1);
 }
 
-/// A file under a name of its own that is removed again unless it got its final one.
+/// A file with a unique temporary name; it is removed unless it was renamed to its final name.
 class TemporaryFile {
   public:
     explicit TemporaryFile(const std::string& path) : path_(path), target_(replaceable_file(path)) {
-        // Created exclusively, so that threads and processes never share a name; with the rights
-        // that the user's mask gives, which mkstemp does not honour.
+        // Created exclusively, so that threads and processes never share a name. The permissions
+        // follow the user's mask, which mkstemp ignores.
         for (int attempt = 0;; ++attempt) {
             name_ = fmt::format("{}/.carom-{}-{}.part", folder_of(target_), ::getpid(), attempt);
             descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -65,7 +65,7 @@ class TemporaryFile {
         }
     }
 
-    /// The name that the file takes when it is whole.
+    /// The final name of the file.
     [[nodiscard]] const std::string& target() const { return target_; }
 
     void finish() {
@@ -82,14 +82,15 @@ class TemporaryFile {
     }
 
   private:
-    std::string path_;  // as its user calls it
+    std::string path_;  // as given by the caller
     std::string target_;
     std::string name_;
     int descriptor_ = -1;
     bool is_renamed_ = false;
 };
 
-// Makes the new name survive a power cut. The file is whole either way, so failure is not one.
+// Makes the new name survive a power failure. The file is complete in any case, so errors are
+// ignored.
 void flush_folder(const std::string& folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) {
@@ -112,7 +113,7 @@ void write_file_atomically(const std::string& path, std::span<const std::byte> b
 }
 
 std::string replaceable_file(const std::string& path) {
-    constexpr int kMostLinks = 40;  // as Linux
+    constexpr int kMaxLinks = 40;  // as in Linux
     struct stat status {};
     fs::path file = path;
     for (int links = 0; ::lstat(file.c_str(), &status) == 0; ++links) {
@@ -122,11 +123,12 @@ std::string replaceable_file(const std::string& path) {
             }
             break;
         }
-        if (links == kMostLinks) {
+        if (links == kMaxLinks) {
             fail(path, ELOOP);
         }
         std::error_code error;
-        file = file.parent_path() / fs::read_symlink(file, error);  // absolute: without the folder
+        // An absolute link replaces the folder.
+        file = file.parent_path() / fs::read_symlink(file, error);
         if (error) {
             fail(path, error.value());
         }

@@ -1,4 +1,4 @@
-// A file appears under its name only when it is whole.
+// Atomic writing of files: a file gets its name only when it is complete.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,14 @@
 
 namespace carom {
 
-/// Writes `bytes` to a temporary name beside the file that `path` names, flushes it to disk and
-/// renames it to that. A link stays, what it leads to is replaced. Throws Error with the system's
-/// reason; no temporary file is left then.
+/// Writes `bytes` to a temporary file beside `path`, flushes it to disk and renames it to `path`.
+/// If `path` is a link, its target is replaced. Throws Error with the system's reason and leaves no
+/// temporary file.
 void write_file_atomically(const std::string& path, std::span<const std::byte> bytes);
 
-/// The name that a whole file takes for `path`: where links lead, there or not yet. Throws Error if
-/// that is a pipe, a device or a socket, which a file of its name would end, or a circle of links.
+/// The final name of a file for `path`: the target of its links, which need not exist. Throws Error
+/// if that is a pipe, a device or a socket, which must not be replaced by a file, or if the links
+/// form a cycle.
 [[nodiscard]] std::string replaceable_file(const std::string& path);
 
 }  // namespace carom

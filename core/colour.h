@@ -1,4 +1,4 @@
-// Measures of a linear Rec.709 colour.
+// Scalar measures of a linear Rec.709 colour.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace carom {
 
-/// A mean of the channels weighted like brightness (Rec. ITU-R BT.709-6, item 3.2).
+/// The luminance: a weighted mean of the channels (Rec. ITU-R BT.709-6, item 3.2).
 [[nodiscard]] inline float luminance(const Imath::V3f& c) {
     return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;
 }

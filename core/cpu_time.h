@@ -1,4 +1,4 @@
-// How long this process has worked.
+// CPU time of this process and its threads.
 #pragma once
 
 #include <ctime>
@@ -15,12 +15,12 @@ namespace detail {
 
 }  // namespace detail
 
-/// CPU time of all threads together, s.
+/// Total CPU time of all threads, s.
 [[nodiscard]] inline double process_cpu_seconds() {
     return detail::clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
 }
 
-/// CPU time of the thread that asks, s.
+/// CPU time of the calling thread, s.
 [[nodiscard]] inline double thread_cpu_seconds() {
     return detail::clock_seconds(CLOCK_THREAD_CPUTIME_ID);
 }

@@ -1,4 +1,4 @@
-// Problems and warnings as data: what one is about, and the sentence that a person reads.
+// Problems and warnings as data: the subject, and a sentence for the user.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,18 @@ namespace carom {
 
 enum class Severity { error, warning };
 
-/// The part of a description that a diagnostic is about.
+/// The part of a description to which a diagnostic refers.
 struct Subject {
     enum class Kind : std::uint8_t {
         world,     // the simulation as a whole
-        contact,   // how two materials act on each other, by name: "ball_cloth", "ball_ball" ...
-        table,     // its measures
+        contact,   // the contact law of two materials, by name: "ball_cloth", "ball_ball" ...
+        table,     // the measures of the table
         body,      // by name
-        event,     // a force event, by its index
+        event,     // a force event, by index
         settings,  // of the renderer
         material,  // by name
         light,     // by name
-        object,    // that is seen, by name
+        object,    // a rendered object, by name
     };
     Kind kind = Kind::world;
     std::string name{};
@@ -35,12 +35,12 @@ struct Subject {
     bool operator==(const Subject&) const = default;
 };
 
-/// A problem or a warning. Its place in a file is looked up from subject and field, never from the
+/// A problem or a warning. Its place in a file is derived from subject and field, never from the
 /// sentence.
 struct Diagnostic {
     Subject subject;
-    std::string field;     // of the subject, as a shot's file calls it: "tip",
-                           // "pockets.corner.mouth"; empty: the subject as a whole
+    std::string field;     // key in the shot's file: "tip", "pockets.corner.mouth"; empty: the
+                           // subject as a whole
     std::string sentence;  // without its full stop; it names the subject
     Severity severity = Severity::error;
 

@@ -15,7 +15,7 @@ constexpr double kHalfPiHigh = 1.57079632673412561417e+00;
 constexpr double kHalfPiLow = 6.07710050650619224932e-11;
 constexpr double kLargestReduced = 1e6;  // rad; up to here the products are exact
 
-/// Taylor series of sin on [-pi/4, pi/4]; the first term left out is below 2e-17.
+/// Taylor series of sin on [-pi/4, pi/4]; the first omitted term is below 2e-17.
 double sin_small(double x) {
     const double x2 = x * x;
     double sum = 0;
@@ -42,7 +42,7 @@ SinCos sin_cos(double angle) {
     }
     if (std::abs(angle) > kLargestReduced) {
         angle =
-            std::remainder(angle, 2 * std::numbers::pi);  // exact by IEEE 754, but for 2 pi itself
+            std::remainder(angle, 2 * std::numbers::pi);  // exact (IEEE 754) except for 2 pi itself
     }
     const double turns = std::floor(angle * (2 / std::numbers::pi) + 0.5);
     const double x = (angle - turns * kHalfPiHigh) - turns * kHalfPiLow;
@@ -82,7 +82,7 @@ double angle_of(double x, double y) {
     if (x == 0 && y == 0) {
         return 0;
     }
-    // Start from a coarse value, then Newton on sin(angle - estimate) (cubic convergence).
+    // A coarse initial value, then Newton's method on sin(angle - estimate) (cubic convergence).
     const double length = std::sqrt(x * x + y * y);
     const double c = x / length;
     const double s = y / length;

@@ -1,5 +1,5 @@
-// sin, cos and exp from additions and multiplications only. libm's differ in the last bit between
-// processors and library releases, which would change every shot that uses them.
+// Reproducible sin, cos and exp, computed by additions and multiplications only. Those of libm
+// differ in the last bit between processors and releases, which would change the shots.
 #pragma once
 
 namespace carom {
@@ -9,11 +9,12 @@ struct SinCos {
     double cos = 1;
 };
 
-/// For |angle| up to 1e6 rad within 2 units in the last place of 1; beyond, those of an angle that
-/// is at most 1e-16 of itself away; NaN if `angle` is not finite.
+/// Sine and cosine. For |angle| up to 1e6 rad the error is at most 2 units in the last place of 1;
+/// for larger angles the result is that of an angle with a relative error of at most 1e-16. NaN if
+/// `angle` is not finite.
 [[nodiscard]] SinCos sin_cos(double angle);
 
-/// sin / cos.
+/// The tangent, sin / cos.
 [[nodiscard]] inline double tangent(double angle) {
     const SinCos at = sin_cos(angle);
     return at.sin / at.cos;

@@ -1,4 +1,4 @@
-// How failures travel. Functions of carom print nothing and never exit.
+// Exceptions for failures. Functions of carom print nothing and never exit.
 #pragma once
 
 #include <stdexcept>
@@ -6,15 +6,15 @@
 
 namespace carom {
 
-/// Something failed while running (a file, a library, a limit). what() is a whole sentence for the
-/// user, with the path or object it is about; exit code 1.
+/// A failure at run time (a file, a library, a limit). what() is a complete sentence for the user
+/// that names the path or object; exit code 1.
 class Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// The caller's stop token was triggered and the work ended early, leaving nothing half-written;
-/// exit code 130.
+/// The caller's stop token was triggered. The work ended early without incomplete files; exit code
+/// 130.
 class Stopped : public Error {
   public:
     Stopped() : Error("stopped on request") {}

@@ -1,4 +1,4 @@
-// Feeds whole descriptions into a hash, by the lists of their fields (core/fields.h).
+// Hashes descriptions by the lists of their fields (core/fields.h).
 #pragma once
 
 #include <array>
@@ -41,7 +41,7 @@ inline constexpr bool kIsPair = false;
 template <class A, class B>
 inline constexpr bool kIsPair<std::pair<A, B>> = true;
 
-/// A list or map, but no text.
+/// A list or map, but not a text.
 template <class T>
 concept Sequence = std::ranges::sized_range<const T> && !std::convertible_to<T, std::string_view>;
 
@@ -49,9 +49,10 @@ concept Sequence = std::ranges::sized_range<const T> && !std::convertible_to<T, 
 
 class FieldHasher : public Hasher {
   public:
-    /// Optional values begin with whether they are there, variants with the index of their
-    /// alternative, sequences with their length. Enumerators are integers. Of a class that is no
-    /// plain struct, hashed_part(value) counts. All else is as Hasher::add takes it.
+    /// Optional values are preceded by a flag that says whether they are present, variants by the
+    /// index of their alternative, sequences by their length. Enumerators are hashed as integers,
+    /// classes that are not plain structs by hashed_part(value), and all other types by
+    /// Hasher::add.
     template <class T>
     FieldHasher& add_value(const T& value) {
         if constexpr (Described<T>) {
@@ -110,7 +111,7 @@ class FieldHasher : public Hasher {
         }
     }
 
-    // The contents, not the path; each file is read once.
+    // Hashes the contents, not the path; each file is read once.
     void add_file(const std::string& path) {
         add(!path.empty());
         if (path.empty()) {

@@ -1,8 +1,8 @@
-// One list of the fields of a described struct. Hashes, files, JSON and their tests read that list,
-// so that a field is named in one place. A list that forgets a field does not compile.
+// The list of the fields of a described struct. Hashes, files, JSON and their tests use that list,
+// so that each field is named in one place. A list that lacks a field does not compile.
 //
-// A list stands in a *_fields.h beside the struct's header and namespace, in the order in which the
-// fields are hashed:
+// The list is in a *_fields.h beside the struct's header, in the same namespace, in the order in
+// which the fields are hashed:
 //
 //   constexpr auto fields_of(Describes<Sphere>) {
 //       return fields<Sphere>(field("radius", &Sphere::radius));
@@ -20,11 +20,11 @@ namespace carom {
 
 /// How a field enters the hash of its struct (core/field_hasher.h).
 enum class FieldRole {
-    value,             // it counts
-    value_if_given,    // an optional field that counts where it is given; the rest says whether
-    file,              // the path of a file, whose contents count
-    hashed_elsewhere,  // what it means counts, by code that the reason names
-    unhashed,          // it does not count
+    value,             // its value is hashed
+    value_if_given,    // an optional field, hashed if given; other fields say whether it is given
+    file,              // the path of a file whose contents are hashed
+    hashed_elsewhere,  // hashed by the code that the reason names
+    unhashed,          // not hashed
 };
 
 template <FieldRole kFieldRole, class Owner, class Value>
@@ -32,7 +32,7 @@ struct Field {
     static constexpr FieldRole kRole = kFieldRole;
     std::string_view name;
     Value Owner::*member;
-    std::string_view reason{};  // of a role that is neither `value` nor `file`
+    std::string_view reason{};  // for roles other than `value` and `file`
 };
 
 template <class Owner, class Value>
@@ -66,7 +66,7 @@ constexpr Field<FieldRole::unhashed, Owner, Value> unhashed(std::string_view nam
     return {name, member, reason};
 }
 
-/// Tells the overloads of fields_of apart.
+/// Selects the overload of fields_of.
 template <class T>
 struct Describes {};
 
@@ -78,7 +78,7 @@ concept Described = requires {
 
 namespace detail {
 
-/// Initialises any member. It is never really converted.
+/// Initialises any member, in unevaluated expressions only.
 struct Anything {
     template <class T>
     operator T() const noexcept;  // NOLINT(google-explicit-constructor)
@@ -91,7 +91,7 @@ constexpr bool takes_initialisers(std::index_sequence<kIndex...> /*count*/) {
     };
 }
 
-/// Whether the aggregate T has so many members: it takes as many initialisers, and no more.
+/// True if the aggregate T has kCount members: it takes as many initialisers, and not more.
 template <class T, std::size_t kCount>
 constexpr bool has_members() {
     return takes_initialisers<T>(std::make_index_sequence<kCount>{}) &&
@@ -118,13 +118,13 @@ constexpr bool have_different_members(const First& first, const Rest&... rest) {
 
 }  // namespace detail
 
-/// The list of all fields of T, each once.
+/// The list of all fields of T; it has to name each field exactly once.
 template <class T, class... Listed>
 consteval std::tuple<Listed...> fields(Listed... listed) {
     static_assert(detail::has_members<T, sizeof...(Listed)>(),
                   "the list does not name as many fields as the struct has");
     if (!detail::have_different_members(listed...)) {
-        throw "the list names a field twice";  // which no constant expression may do
+        throw "the list names a field twice";  // fails at compile time
     }
     return {listed...};
 }

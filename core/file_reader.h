@@ -1,4 +1,4 @@
-// A file opened for reading. Failures are Errors that name the file and the system's reason.
+// Reads a file. Failures throw an Error that names the file and the system's reason.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +17,10 @@ class FileReader {
     FileReader(FileReader&&) = delete;
     FileReader& operator=(FileReader&&) = delete;
 
-    /// The size of a plain file; nothing for pipes, devices and the like.
+    /// The size of a regular file; empty for pipes, devices and the like.
     [[nodiscard]] std::optional<std::size_t> size() const;
 
-    /// Fills `bytes` as far as the file goes; returns how many were read.
+    /// Fills `bytes` up to the end of the file; returns the number of bytes read.
     [[nodiscard]] std::size_t read(std::span<std::byte> bytes);
 
   private:

@@ -1,5 +1,5 @@
-// Whether values are numbers: asked of what comes from outside, and by debug builds
-// (CAROM_VALIDATE) of what is computed, so that a NaN is found where it is born.
+// Tests for finite values: of input, and in debug builds (CAROM_VALIDATE) of computed values, so
+// that a NaN is found where it arises.
 #pragma once
 
 #include <cmath>

@@ -12,12 +12,12 @@ namespace {
 
 using Bytes = std::optional<std::uint64_t>;
 
-/// The lesser of those that are known.
+/// The smaller of the known values.
 Bytes least(const Bytes& a, const Bytes& b) {
     return a && b ? std::min(*a, *b) : (a ? a : b);
 }
 
-/// The number that a file holds; nothing if there is no file or it holds a word ("max").
+/// The number in a file; empty if the file does not exist or contains a word ("max").
 Bytes number_in(const std::string& path) {
     std::uint64_t number = 0;
     std::ifstream file(path);
@@ -36,8 +36,8 @@ Bytes free_in_system(const std::string& root) {
     return std::nullopt;
 }
 
-/// The path of this process's group in the hierarchy of version 2, from "0::/user.slice/...";
-/// empty if there is none.
+/// The path of this process's control group (version 2), from "0::/user.slice/..."; empty if it has
+/// none.
 std::string control_group(const std::string& root) {
     std::ifstream file(root + "/proc/self/cgroup");
     std::string line;

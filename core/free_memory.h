@@ -1,4 +1,4 @@
-// How much more memory this process may use.
+// The amount of memory that this process may still allocate.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,11 @@
 
 namespace carom {
 
-/// Bytes that this process can still take: the least of what the system has available
-/// (MemAvailable in /proc/meminfo), what the control groups of the process leave (memory.max less
-/// memory.current, version 2, of the group and of each group above it), and what the limit on its
-/// address space leaves (RLIMIT_AS less the size in /proc/self/statm). Nothing where none of the
-/// three can be read. `root` stands before the paths, for tests.
+/// Bytes that this process can still allocate: the least of the system's available memory
+/// (MemAvailable in /proc/meminfo), the remainder in the control groups of the process (version 2:
+/// memory.max less memory.current, of the group and all groups above it) and the remainder of its
+/// address space (RLIMIT_AS less the size in /proc/self/statm). Empty if none of the three can be
+/// read. `root` is a prefix of the paths, for tests.
 [[nodiscard]] std::optional<std::uint64_t> free_memory(const std::string& root = "");
 
 }  // namespace carom

@@ -18,7 +18,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "the byte stream is little endian; swap bytes in feed() on other machines");
 
-// Goes before each value, so that values of different types never feed the same bytes.
+// Precedes each value, so that values of different types never produce the same bytes.
 enum class Tag : std::uint8_t {
     boolean = 1,
     signed_integer,

@@ -17,16 +17,16 @@ struct Hash128 {
     std::uint64_t high = 0;
     std::uint64_t low = 0;
 
-    // The check takes the 0 that a defaulted <=> compares with for a null pointer.
+    // clang-tidy mistakes the 0 with which a defaulted <=> compares for a null pointer.
     auto operator<=>(const Hash128&) const = default;  // NOLINT(modernize-use-nullptr)
 
     /// 32 lower-case hexadecimal digits.
     [[nodiscard]] std::string to_string() const;
 };
 
-/// Feeds values into one hash. Every value is written with its length or a fixed size, little
-/// endian, so that two different sequences of calls never feed the same bytes. -0.0 is hashed as
-/// 0.0; a NaN is a programming error.
+/// Hashes a sequence of values. Every value is encoded with its type and its length or a fixed
+/// size, little endian, so that two different sequences of calls never produce the same bytes. -0.0
+/// is hashed as 0.0; a NaN is a programming error.
 class Hasher {
   public:
     Hasher();
@@ -59,10 +59,10 @@ class Hasher {
     std::unique_ptr<State> state_;
 };
 
-/// XXH3-128 of the bytes alone.
+/// XXH3-128 of the bytes, without type and length.
 [[nodiscard]] Hash128 hash_bytes(std::span<const std::byte> bytes);
 
-/// hash_bytes of a whole file's contents. Throws Error naming the file if it cannot be read.
+/// hash_bytes of the contents of a file. Throws an Error that names the file if it cannot be read.
 [[nodiscard]] Hash128 hash_file(const std::string& path);
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-// Just enough JSON to write one flat object per line (RFC 8259).
+// A minimal JSON writer (RFC 8259) for one flat object per line.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace carom {
 
-/// With quotation marks. Bytes that are not UTF-8 become U+FFFD, so that the line always parses.
+/// `text` as a JSON string with quotation marks. Bytes that are not UTF-8 become U+FFFD, so that
+/// the result is always valid.
 [[nodiscard]] std::string json_string(std::string_view text);
 
 /// "name":value pairs with commas between them.
@@ -23,10 +24,10 @@ class JsonMembers {
     }
     JsonMembers& add(std::string_view name, std::int64_t value);
     JsonMembers& add(std::string_view name, int value) { return add(name, std::int64_t{value}); }
-    /// Shortest text that reads back as the same double; null if not finite.
+    /// Writes the shortest text that reads back as the same double; null if not finite.
     JsonMembers& add(std::string_view name, double value);
 
-    /// [1,2.5]
+    /// Writes a list: [1,2.5]
     JsonMembers& add(std::string_view name, std::initializer_list<double> values);
 
     JsonMembers& add(const JsonMembers& others);

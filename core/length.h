@@ -1,4 +1,4 @@
-// Lengths and directions of vectors, in as few operations as there are.
+// Lengths and directions of vectors with the fewest operations.
 #pragma once
 
 #include <cmath>
@@ -7,12 +7,13 @@
 
 namespace carom {
 
-/// Without the care that Imath's length() takes of vectors whose square is no normal number.
+/// The length. Unlike Imath's length(), it does not treat vectors specially whose square is not a
+/// normal number.
 [[nodiscard]] inline double length(const Vec3& v) {
     return std::sqrt(v.dot(v));
 }
 
-/// The vector of length 1 along `v`, which is not zero.
+/// The unit vector along `v`, which is not zero.
 [[nodiscard]] inline Vec3 unit(const Vec3& v) {
     return v / length(v);
 }

@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-constexpr double kMostScale = 1000;
+constexpr double kMaxScale = 1000;
 
 double read_scale() {
     const char* given = std::getenv("CAROM_LIMITS");
@@ -17,7 +17,7 @@ double read_scale() {
     double scale = 1;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), scale);
     const bool is_read = error == std::errc() && end == text.data() + text.size();
-    return is_read && scale >= 1 && scale <= kMostScale ? scale : 1;
+    return is_read && scale >= 1 && scale <= kMaxScale ? scale : 1;
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
-// Where a body is and how it moves. SI units, world axes right-handed with Z up.
+// The pose and motion of a body in SI units; world axes are right-handed with Z up.
 #pragma once
 
 #include "core/vectors.h"
 
 namespace carom {
 
-/// Where a body is: `position` of its centre of mass in world axes, and the rotation that turns
-/// body axes into world axes (unit quaternion).
+/// The position of a body's centre of mass in world axes, and the rotation from body axes to world
+/// axes (unit quaternion).
 struct Pose {
     Vec3 position{0, 0, 0};
     Quat orientation{};
@@ -14,7 +14,7 @@ struct Pose {
     bool operator==(const Pose&) const = default;
 };
 
-/// A pose and how it changes. Both velocities are in world axes; angular velocity in rad/s.
+/// A pose with its velocity (m/s) and angular velocity (rad/s), both in world axes.
 struct MotionState {
     Vec3 position{0, 0, 0};
     Quat orientation{};

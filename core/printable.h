@@ -1,4 +1,4 @@
-// Text of others as a terminal may show it.
+// Makes untrusted text safe for a terminal.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace carom {
 
-/// `text` with '?' for each control character (ASCII's, and Unicode's U+0080 to U+009F): they could
-/// move the cursor, hide text or speak to the terminal. Tabs stay; a line break does not, so that a
-/// file's name cannot pretend to be a message of its own.
+/// `text` with '?' for each control character (of ASCII, and U+0080 to U+009F of Unicode), which
+/// could move the cursor, hide text or control the terminal. Tabs are kept. Line breaks are
+/// replaced too, so that the name of a file cannot imitate a message.
 [[nodiscard]] std::string printable(std::string_view text);
 
 }  // namespace carom

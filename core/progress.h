@@ -1,4 +1,4 @@
-// How long work reports back and is told to stop.
+// Progress reports and cancellation of long work.
 #pragma once
 
 #include <functional>
@@ -6,12 +6,12 @@
 
 namespace carom {
 
-/// Called with the share done, in [0, 1], never decreasing and ending at 1 unless the work stops
-/// early. May be called from any thread, one call at a time. Empty means nobody listens.
+/// Called with the completed fraction in [0, 1], which never decreases and ends at 1 unless the
+/// work stops early. May be called from any thread, but only one call at a time. May be empty.
 using ProgressCallback = std::function<void(double)>;
 
-/// What every long function takes as its last argument. When `stop` is triggered the function
-/// throws `Stopped` soon.
+/// The last argument of every long function. Soon after `stop` is triggered the function throws
+/// `Stopped`.
 struct WorkContext {
     ProgressCallback progress{};
     std::stop_token stop{};

@@ -1,4 +1,4 @@
-// Small parts of sentences.
+// Small functions for text in messages.
 #pragma once
 
 #include <cstddef>
@@ -15,15 +15,15 @@ namespace carom {
 [[nodiscard]] std::string join(std::span<const std::string> words, std::string_view separator,
                                std::string_view last_separator);
 
-/// Rounded to so many decimals, without zeros at the end: "1.25", "3"; never "-0".
+/// `value` rounded to that many decimals, without trailing zeros: "1.25", "3"; never "-0".
 [[nodiscard]] std::string decimal_text(double value, int decimals);
 
 /// "1.25 s", to the microsecond.
 [[nodiscard]] std::string seconds_text(double seconds);
 
-/// How many insertions, deletions, substitutions and exchanges of neighbours turn `a` into `b`
-/// (Damerau 1964, "A technique for computer detection and correction of spelling errors", in its
-/// optimal string alignment form: no part is edited twice).
+/// The number of insertions, deletions, substitutions and transpositions of neighbours that turn
+/// `a` into `b` (Damerau 1964, "A technique for computer detection and correction of spelling
+/// errors", as optimal string alignment: no part is edited twice).
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-// Characters of UTF-8 text (RFC 3629).
+// Decoding of UTF-8 text (RFC 3629).
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ struct Utf8Character {
     explicit operator bool() const { return bytes > 0; }
 };
 
-/// The first character of `text`. Overlong forms, surrogates and what lies beyond U+10FFFF are not
-/// well-formed; neither is an empty text.
+/// The first character of `text`. Overlong forms, surrogates, values beyond U+10FFFF and an empty
+/// text are not well-formed.
 [[nodiscard]] Utf8Character first_character(std::string_view text);
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-// The few types that every part of carom shares. SI units, right-handed, Z up.
+// The vector types of all parts of carom. SI units, right-handed axes, Z up.
 #pragma once
 
 #include <Imath/ImathMatrix.h>

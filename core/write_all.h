@@ -1,4 +1,4 @@
-// Writing to a descriptor.
+// Complete writes to a file descriptor.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace carom {
 
-/// Writes all of `bytes`, in as many calls as that takes. False with errno set if one fails.
+/// Writes all of `bytes`, in as many calls as needed. Returns false and sets errno if one fails.
 [[nodiscard]] bool write_all(int descriptor, std::span<const std::byte> bytes);
 
 }  // namespace carom

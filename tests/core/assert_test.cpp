@@ -15,14 +15,14 @@ struct Opaque {
 
 enum class Colour : unsigned char { red = 7 };
 
-TEST(AssertDeathTest, ComparisonThatFails_PrintsBothSidesAndThePlace) {
+TEST(AssertDeathTest, FailedComparison_PrintsBothSidesAndThePlace) {
     const int low = 3;
     const int high = 2;
     EXPECT_DEATH(CAROM_CHECK_CONDITION(low < high),
                  "assert_test.cpp:[0-9]+: assertion failed: low < high \\(3 < 2\\)\n");
 }
 
-TEST(AssertDeathTest, Numbers_ArePrintedAsTheirTypeHasThem) {
+TEST(AssertDeathTest, Numbers_ArePrintedWithThePrecisionOfTheirType) {
     const std::vector<int> items(4);
     const float tenth = 0.1f;
     const double third = 1.0 / 3;
@@ -36,12 +36,12 @@ TEST(AssertDeathTest, Numbers_ArePrintedAsTheirTypeHasThem) {
     EXPECT_DEATH(CAROM_CHECK_CONDITION(is_on == true), "\\(false == true\\)\n");
 }
 
-TEST(AssertDeathTest, SumsAndProducts_StandOnOneSide) {
+TEST(AssertDeathTest, Operands_MayBeSumsAndProducts) {
     const int count = 5;
     EXPECT_DEATH(CAROM_CHECK_CONDITION(count + 1 <= 2 * 2), "\\(6 <= 4\\)\n");
 }
 
-TEST(AssertDeathTest, OtherTypes_ArePrintedAsFarAsTheyCanBe) {
+TEST(AssertDeathTest, OtherTypes_ArePrintedIfPossible) {
     const Opaque one{1};
     const Opaque two{2};
     const Colour colour = Colour::red;
@@ -53,7 +53,7 @@ TEST(AssertDeathTest, OtherTypes_ArePrintedAsFarAsTheyCanBe) {
     EXPECT_DEATH(CAROM_CHECK_CONDITION(nothing != nullptr), "\\(null != null\\)\n");
 }
 
-TEST(AssertDeathTest, ConditionsThatAreNoComparison_PrintTheConditionAlone) {
+TEST(AssertDeathTest, ConditionsWithoutComparison_PrintOnlyTheCondition) {
     const bool is_open = false;
     const int count = 3;
     EXPECT_DEATH(CAROM_CHECK_CONDITION(is_open), "assertion failed: is_open\n");

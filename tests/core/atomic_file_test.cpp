@@ -46,14 +46,14 @@ class AtomicFile : public testing::Test {
                         testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
-TEST_F(AtomicFile, NewFile_HasTheBytesAndNothingIsLeftBeside) {
+TEST_F(AtomicFile, NewFile_HasTheBytesAndNoTemporaryFileRemains) {
     const std::string text(3'000'000, 'z');
     write(folder_ / "a.bake", text);
     EXPECT_EQ(read(folder_ / "a.bake"), text);
     EXPECT_THAT(names(), testing::ElementsAre("a.bake"));
 }
 
-TEST_F(AtomicFile, NoBytes_MakeAnEmptyFile) {
+TEST_F(AtomicFile, NoBytes_GiveAnEmptyFile) {
     write(folder_ / "a", "");
     EXPECT_EQ(fs::file_size(folder_ / "a"), 0U);
 }
@@ -89,8 +89,8 @@ TEST_F(AtomicFile, TargetIsAFolder_FailsAndLeavesNothing) {
     EXPECT_THAT(names(), testing::ElementsAre("taken"));
 }
 
-// A link to another disk, say: the name goes on leading there.
-TEST_F(AtomicFile, Link_StaysAndItsFileIsReplaced) {
+// For example a link to another disk, which has to remain a link.
+TEST_F(AtomicFile, Link_IsKeptAndItsTargetIsReplaced) {
     fs::create_directory(folder_ / "far");
     write(folder_ / "far" / "a", "old");
     fs::create_symlink("far/a", folder_ / "relative");
@@ -102,14 +102,14 @@ TEST_F(AtomicFile, Link_StaysAndItsFileIsReplaced) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "far"), {}), 1);
 }
 
-TEST_F(AtomicFile, LinkToNothingYet_MakesTheFile) {
+TEST_F(AtomicFile, LinkToAMissingFile_CreatesTheFile) {
     fs::create_symlink("b", folder_ / "a");
     write(folder_ / "a", "text");
     EXPECT_EQ(read(folder_ / "b"), "text");
     EXPECT_TRUE(fs::is_symlink(folder_ / "a"));
 }
 
-TEST_F(AtomicFile, CircleOfLinks_IsRefused) {
+TEST_F(AtomicFile, CycleOfLinks_IsRefused) {
     fs::create_symlink("b", folder_ / "a");
     fs::create_symlink("a", folder_ / "b");
     EXPECT_THAT([&] { write(folder_ / "a", "text"); },
@@ -118,8 +118,8 @@ TEST_F(AtomicFile, CircleOfLinks_IsRefused) {
     EXPECT_THAT(names(), testing::UnorderedElementsAre("a", "b"));
 }
 
-// As root, a bake written to /dev/null would have taken its place for everybody.
-TEST_F(AtomicFile, PipeOrDevice_IsRefusedAndStays) {
+// As root, a bake written to /dev/null would otherwise replace that device.
+TEST_F(AtomicFile, PipeOrDevice_IsRefusedAndKept) {
     const fs::path pipe = folder_ / "pipe";
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_THAT([&] { write(pipe, "text"); },
@@ -143,7 +143,7 @@ TEST_F(AtomicFile, FolderThatIsAFile_FailsWithTheSystemsReason) {
 }
 
 TEST_F(AtomicFile, UnwritableFolder_FailsAndLeavesNothing) {
-    // A superuser may write anywhere but there.
+    // The superuser may write anywhere except to /proc.
     const std::string path = geteuid() == 0 ? "/proc/carom_test" : (folder_ / "a").string();
     fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
     EXPECT_THROW(write(path, "text"), Error);
@@ -153,7 +153,7 @@ TEST_F(AtomicFile, UnwritableFolder_FailsAndLeavesNothing) {
 
 TEST_F(AtomicFile, FullDisk_FailsAndKeepsTheOldFile) {
     write(folder_ / "a", "old");
-    // A limit on file sizes stands in for a full disk: the write fails half-way.
+    // A limit on file sizes simulates a full disk: the write fails midway.
     rlimit before{};
     ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
     rlimit small = before;

@@ -16,7 +16,7 @@ TEST(SinCos_OverManyTurns, AgreesWithTheLibrary) {
     }
 }
 
-TEST(SinCos_OfVeryLargeAngles, IsThatOfANeighbour) {
+TEST(SinCos_OfVeryLargeAngles, IsThatOfANeighbouringAngle) {
     for (const double angle : {1.1e6, -3e7, 8e9}) {
         const SinCos own = sin_cos(angle);
         EXPECT_NEAR(own.sin, std::sin(angle), 1e-16 * std::abs(angle));

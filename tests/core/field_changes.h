@@ -1,4 +1,4 @@
-// Changes a described value in one place after another, by the lists of its fields.
+// Changes the parts of a described value one after another, by the lists of its fields.
 #pragma once
 
 #include <array>
@@ -19,19 +19,19 @@
 
 namespace carom::test {
 
-/// Every field of every struct in a value, every element of a vector's front, every alternative of
-/// a variant, with and without every optional.
+/// Changes every field of every struct in a value, the first element of every vector, every
+/// alternative of a variant, and every optional with and without a value.
 class FieldChanges {
   public:
-    /// Called while one place is changed. `counts`: whether the lists say that hashes see it.
+    /// Called while one part is changed. `counts`: true if the lists say that the part is hashed.
     using Report = std::function<void(const std::string& place, bool counts)>;
 
-    /// `file`: a file that can stand in a field that names one.
+    /// `file`: an existing file, used as value of fields that name a file.
     explicit FieldChanges(Report report, std::string file = {})
         : report_(std::move(report)), file_(std::move(file)) {}
 
-    /// Each change is undone before the next one. A type without an overload here needs a function
-    /// change_value(T&).
+    /// Changes the parts of `value`; each change is undone before the next one. A type without an
+    /// overload here needs a function change_value(T&).
     template <class T>
     void of(T& value, const std::string& place = "", bool counts = true) {
         if constexpr (Described<T>) {
@@ -129,7 +129,7 @@ class FieldChanges {
         if (value) {
             of(*value, place, counts);
             value.reset();
-            report_(place + " taken away", counts);
+            report_(place + " removed", counts);
         } else {
             of_new(value.emplace(), place, counts);
         }
@@ -148,7 +148,7 @@ class FieldChanges {
         (std::index_sequence_for<T...>{});
     }
 
-    /// Of a part that was not there before.
+    /// Reports a new part and then changes it.
     template <class T>
     void of_new(T& value, const std::string& place, bool counts) {
         report_(place, counts);
@@ -159,8 +159,8 @@ class FieldChanges {
     std::string file_;
 };
 
-/// Expects of every change of `value` that `hash` differs from all others if the change counts, and
-/// that it stays otherwise. Returns how many hashes were seen.
+/// Expects that every change of `value` that counts gives a new `hash` and that all others leave it
+/// unchanged. Returns the number of different hashes.
 template <class T>
 std::size_t expect_changes_count(T& value, const std::function<Hash128()>& hash,
                                  const std::string& file = {}) {

@@ -64,12 +64,12 @@ TEST(Fields, Visit_SeesNamesAndValuesInOrder) {
     EXPECT_EQ(names, (std::vector<std::string_view>{"value", "is_linear"}));
 }
 
-TEST(FieldHasher, WhatCounts_ChangesTheHash) {
+TEST(FieldHasher, HashedFields_ChangeTheHash) {
     const std::string file = testing::TempDir() + "carom_fields_test";
     std::ofstream(file) << "a picture";
     Lamp lamp{"desk", "", "study", {}, 2, Colour{}, {1, 2}};
-    // The lamp, its image, bound twice, unbound twice, the colour's four numbers, the other
-    // alternative twice, another number, a change of the first.
+    // The lamp, its image, `bound` twice, `unbound` twice, four numbers of the colour, the other
+    // alternative twice, an added number and a changed first number.
     EXPECT_EQ(carom::test::expect_changes_count(
                   lamp, [&] { return hash_of(lamp); }, file),
               1U + 1 + 2 + 2 + 4 + 2 + 2);
@@ -80,7 +80,7 @@ TEST(FieldHasher, WhatCounts_ChangesTheHash) {
     std::remove(file.c_str());
 }
 
-TEST(FieldHasher, Feeds_WhatHasherIsFedByHand) {
+TEST(FieldHasher, Hash_EqualsThatOfExplicitCalls) {
     const Lamp lamp{"desk", "", "study", 3, {}, 0.5, {1, 2}};
     Hasher by_hand;
     by_hand.add(false).add(3.0).add(false).add(std::uint64_t{1}).add(0.5);

@@ -12,15 +12,15 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMebi = 1024 * 1024;
 
-/// A system of which these files are all that can be read.
-class PretendedSystem {
+/// A fake system that contains only the files written to it.
+class FakeSystem {
   public:
-    PretendedSystem() { fs::remove_all(root_); }
-    ~PretendedSystem() { fs::remove_all(root_); }
-    PretendedSystem(const PretendedSystem&) = delete;
-    PretendedSystem& operator=(const PretendedSystem&) = delete;
-    PretendedSystem(PretendedSystem&&) = delete;
-    PretendedSystem& operator=(PretendedSystem&&) = delete;
+    FakeSystem() { fs::remove_all(root_); }
+    ~FakeSystem() { fs::remove_all(root_); }
+    FakeSystem(const FakeSystem&) = delete;
+    FakeSystem& operator=(const FakeSystem&) = delete;
+    FakeSystem(FakeSystem&&) = delete;
+    FakeSystem& operator=(FakeSystem&&) = delete;
 
     void write(const std::string& path, const std::string& text) const {
         const fs::path file = root_.string() + path;
@@ -34,24 +34,24 @@ class PretendedSystem {
                      testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
-TEST(FreeMemory_OfThisSystem, IsMoreThanNothing) {
+TEST(FreeMemory_OfThisSystem, IsPositive) {
     ASSERT_TRUE(free_memory().has_value());
     EXPECT_GT(*free_memory(), 0);
 }
 
 TEST(FreeMemory_WhereNothingCanBeRead, IsUnknown) {
-    const PretendedSystem system;
+    const FakeSystem system;
     EXPECT_EQ(free_memory(system.root()), std::nullopt);
 }
 
 TEST(FreeMemory_WithoutControlGroups, IsWhatTheSystemHasAvailable) {
-    const PretendedSystem system;
+    const FakeSystem system;
     system.write("/proc/meminfo", "MemTotal:  9999 kB\nMemFree: 1 kB\nMemAvailable:   2048 kB\n");
     EXPECT_EQ(free_memory(system.root()), 2 * kMebi);
 }
 
-TEST(FreeMemory_InAControlGroup, IsWhatTheGroupAndThoseAboveItLeave) {
-    const PretendedSystem system;
+TEST(FreeMemory_InAControlGroup, IsLimitedByTheGroupAndItsParents) {
+    const FakeSystem system;
     system.write("/proc/meminfo", "MemAvailable: 1048576 kB\n");
     system.write("/proc/self/cgroup", "0::/jobs/step_1\n");
     system.write("/sys/fs/cgroup/jobs/step_1/memory.max", "max\n");
@@ -62,7 +62,7 @@ TEST(FreeMemory_InAControlGroup, IsWhatTheGroupAndThoseAboveItLeave) {
     system.write("/sys/fs/cgroup/jobs/memory.current", "41943040\n");
     EXPECT_EQ(free_memory(system.root()), 60 * kMebi);
 
-    system.write("/sys/fs/cgroup/jobs/step_1/memory.max", "1000\n");  // less than it has taken
+    system.write("/sys/fs/cgroup/jobs/step_1/memory.max", "1000\n");  // less than it uses
     EXPECT_EQ(free_memory(system.root()), 0);
 }
 

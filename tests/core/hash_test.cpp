@@ -55,7 +55,7 @@ TEST(Hash, NegativeZero_CountsAsZero) {
     EXPECT_EQ(hash_of(Vec3(-0.0, 1, 0)), hash_of(Vec3(0, 1, -0.0)));
 }
 
-TEST(Hash, DifferentSequences_NeverFeedTheSameBytes) {
+TEST(Hash, DifferentSequences_HaveDifferentHashes) {
     std::vector<Hash128> hashes{
         Hasher().finish(),
         hash_of(""),

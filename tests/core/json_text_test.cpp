@@ -13,7 +13,7 @@ TEST(JsonString, SpecialLetters_AreEscaped) {
     EXPECT_EQ(json_string(std::string("\x01\x1f\r", 3)), R"("\u0001\u001f\u000d")");
 }
 
-TEST(JsonString, Utf8_StaysAndAnythingElseIsReplaced) {
+TEST(JsonString, Utf8_IsKeptAndOtherBytesAreReplaced) {
     EXPECT_EQ(json_string("mass\xC3\xA9 \xE2\x82\xAC \xF0\x9F\x8E\xB1"),
               "\"mass\xC3\xA9 \xE2\x82\xAC \xF0\x9F\x8E\xB1\"");
     const std::string replacement = "\xEF\xBF\xBD";
@@ -30,11 +30,11 @@ TEST(JsonMembers, Values_AreWrittenByType) {
     EXPECT_EQ(members.object(), R"({"text":"a","whole":3,"real":0.1,"nothing":null})");
 }
 
-TEST(JsonMembers, Numbers_MakeALine) {
+TEST(JsonMembers, ListOfNumbers_IsWritten) {
     EXPECT_EQ(JsonMembers().add("v", {1, 0.5, std::nan("")}).object(), R"({"v":[1,0.5,null]})");
 }
 
-TEST(JsonMembers, AddingOthers_KeepsTheCommasRight) {
+TEST(JsonMembers, AddingOthers_WritesTheRightCommas) {
     JsonMembers none;
     JsonMembers some;
     some.add("a", 1);

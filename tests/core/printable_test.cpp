@@ -13,13 +13,13 @@ TEST(Printable, ControlCharacters_AreQuestionMarks) {
     EXPECT_EQ(printable(std::string_view("a\0b", 3)), "a?b");
 }
 
-TEST(Printable, Letters_StayInAnyScript) {
+TEST(Printable, Letters_AreKeptInAnyScript) {
     EXPECT_EQ(printable("Stoß, 球, \xC2\xA0, \xF0\x9F\x8E\xB1"),
               "Stoß, 球, \xC2\xA0, \xF0\x9F\x8E\xB1");
     EXPECT_EQ(printable("cut off \xC2"), "cut off \xC2");
 }
 
-TEST(Printable, LineBreaks_DoNotStay) {
+TEST(Printable, LineBreaks_AreReplaced) {
     EXPECT_EQ(printable("shot\ncarom: error: a lie\r.yaml\t"), "shot?carom: error: a lie?.yaml\t");
 }
 

@@ -16,14 +16,14 @@ TEST(Join, Words_AreSeparated) {
     EXPECT_EQ(join(Words{"a", "", "{c}"}, ", "), "a, , {c}");
 }
 
-TEST(Join, LastSeparator_StandsBetweenTheLastTwo) {
+TEST(Join, LastSeparator_IsBetweenTheLastTwo) {
     EXPECT_EQ(join(Words{}, ", ", " or "), "");
     EXPECT_EQ(join(Words{"a"}, ", ", " or "), "a");
     EXPECT_EQ(join(Words{"a", "b"}, ", ", " or "), "a or b");
     EXPECT_EQ(join(Words{"a", "b", "c"}, ", ", " or "), "a, b or c");
 }
 
-TEST(DecimalText, ZerosAtTheEnd_AreLeftOut) {
+TEST(DecimalText, TrailingZeros_AreOmitted) {
     EXPECT_EQ(decimal_text(1.25, 6), "1.25");
     EXPECT_EQ(decimal_text(3, 6), "3");
     EXPECT_EQ(decimal_text(100, 0), "100");
@@ -31,7 +31,7 @@ TEST(DecimalText, ZerosAtTheEnd_AreLeftOut) {
     EXPECT_EQ(decimal_text(0.0625, 3), "0.062");  // a tie goes to the even digit
 }
 
-TEST(DecimalText, WhatRoundsToZero_HasNoSign) {
+TEST(DecimalText, NumberThatRoundsToZero_HasNoSign) {
     EXPECT_EQ(decimal_text(-0.0, 3), "0");
     EXPECT_EQ(decimal_text(-0.0004, 3), "0");
     EXPECT_EQ(decimal_text(-0.4, 0), "0");
@@ -57,7 +57,7 @@ TEST(EditDistance, OneOfEachEdit_CountsOne) {
     EXPECT_EQ(edit_distance("cushion", "cuhsion"), 1U);
 }
 
-TEST(EditDistance, ClosedCases) {
+TEST(EditDistance, KnownDistances_AreFound) {
     EXPECT_EQ(edit_distance("", "abc"), 3U);
     EXPECT_EQ(edit_distance("abc", ""), 3U);
     EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);

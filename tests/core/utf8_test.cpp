@@ -27,7 +27,7 @@ TEST(Utf8, FirstAndLastLetterOfEachLength_AreRead) {
     expect_letter("\xF4\x8F\xBF\xBF", 0x10FFFF, 4);
 }
 
-TEST(Utf8, WhatIsNotWellFormed_IsNoCharacter) {
+TEST(Utf8, MalformedText_HasNoFirstCharacter) {
     for (const char* text :
          {"", "\x80", "\xBF", "\xC0\x80", "\xC1\xBF", "\xE0\x9F\xBF", "\xED\xA0\x80",
           "\xED\xBF\xBF", "\xF0\x8F\xBF\xBF", "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\xFF",
