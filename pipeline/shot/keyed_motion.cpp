@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "sim/timeline/hermite.h"
-#include "sim/timeline/turning.h"
+#include "sim/timeline/rotation_segment.h"
 
 namespace carom::pipeline {
 
 namespace {
 
 using sim::Key;
-using sim::Turning;
+using sim::RotationSegment;
 
 /// A motion key with the values of the previous key where it has none of its own.
 struct ResolvedKey {
@@ -74,8 +74,8 @@ struct HalfwayAndEnd {
 
 HalfwayAndEnd integrate_rotation(const Quat& start, const Vec3& from, const Vec3& middle,
                                  const Vec3& to, double half) {
-    const Turning first(from, middle, half);
-    const Turning second(middle, to, half);
+    const RotationSegment first(from, middle, half);
+    const RotationSegment second(middle, to, half);
     HalfwayAndEnd result;
     result.middle = first.advance(start, 0, first.substeps()).normalized();
     result.end = second.advance(result.middle, 0, second.substeps()).normalized();

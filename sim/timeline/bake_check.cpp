@@ -6,8 +6,8 @@
 
 #include "sim/timeline/bake_format.h"
 #include "sim/timeline/event_fields.h"
+#include "sim/timeline/rotation_segment.h"
 #include "sim/timeline/track_fields.h"
-#include "sim/timeline/turning.h"
 
 namespace carom::sim {
 
@@ -15,7 +15,7 @@ namespace {
 
 using Problem = std::optional<std::string>;
 
-// Beyond these, sampling could overflow. A day's free fall stays far below.
+// Beyond these values, sampling could overflow. A day's free fall stays far below them.
 constexpr double kLargestValue = 1e12;  // m, m/s, rad/s, s
 constexpr double kFastestJump = 1e15;   // m/s, from one key to the next
 
@@ -26,7 +26,7 @@ bool is_within(const Vec3& v, double largest) {
     return is_within(v.x, largest) && is_within(v.y, largest) && is_within(v.z, largest);
 }
 
-/// Whether no number among the fields is NaN or larger than this.
+/// True if no number among the fields is NaN or larger than `largest`.
 template <Described T>
 bool has_numbers_within(const T& value, double largest) {
     bool is_good = true;
@@ -55,15 +55,17 @@ Problem keys_problem(const Track& track) {
         }
         if (index > 0 && !((key.position - keys[index - 1].position).length() <=
                            kFastestJump * (key.time - keys[index - 1].time))) {
-            return problem(index, "it lies too far from the key before for the time between them");
+            return problem(index,
+                           "its position is too far from that of the previous key for the time "
+                           "between them");
         }
     }
     return {};
 }
 
 Problem tracks_problem(const std::vector<Track>& tracks) {
-    if (tracks.size() > kMostTracks) {
-        return fmt::format("it has more than {} tracks", kMostTracks);
+    if (tracks.size() > kMaxTracks) {
+        return fmt::format("it has more than {} tracks", kMaxTracks);
     }
     std::set<std::string_view> names;
     std::uint64_t substeps_in_all = 0;
@@ -75,14 +77,14 @@ Problem tracks_problem(const std::vector<Track>& tracks) {
             return fmt::format("the name of a track is longer than {} bytes", kLongestName);
         }
         if (!names.insert(track.name()).second) {
-            return "two tracks are called '" + track.name() + "'";
+            return "two tracks have the name '" + track.name() + "'";
         }
         if (Problem problem = keys_problem(track)) {
             return problem;
         }
-        substeps_in_all += turn_substeps(track.keys());
+        substeps_in_all += rotation_substeps(track.keys());
     }
-    if (substeps_in_all > kMostSubsteps) {
+    if (substeps_in_all > kMaxSubsteps) {
         return "its objects turn more than 1e6 rad about changing axes";
     }
     return {};
@@ -93,7 +95,7 @@ Problem event_problem(const Event& event) {
         return "is of an unknown kind";
     }
     if (event.a.size() > kLongestName || event.b.size() > kLongestName) {
-        return fmt::format("names an object in more than {} bytes", kLongestName);
+        return fmt::format("has a name of more than {} bytes", kLongestName);
     }
     if (!is_finite(event)) {
         return "has a value that is not finite";
@@ -113,7 +115,7 @@ Problem energy_problem(const EnergySample& sample) {
 
 Problem contact_problem(const LastingContact& contact) {
     if (contact.a.size() > kLongestName || contact.b.size() > kLongestName) {
-        return fmt::format("names an object in more than {} bytes", kLongestName);
+        return fmt::format("has a name of more than {} bytes", kLongestName);
     }
     if (!is_finite(contact)) {
         return "has a value that is not finite";
@@ -137,7 +139,7 @@ Problem put_back_problem(const PutBack& put_back) {
     return {};
 }
 
-/// The first problem of an element, or that it is not in order of time. `noun`: "event".
+/// The first problem of an element, or of the order of times. `noun`: "event".
 template <class Value>
 Problem list_problem(const std::vector<Value>& values, const char* noun, double Value::*time,
                      Problem (*problem_of)(const Value&)) {
@@ -146,15 +148,15 @@ Problem list_problem(const std::vector<Value>& values, const char* noun, double 
             return fmt::format("{} {} {}", noun, index, *problem);
         }
         if (index > 0 && values[index].*time < values[index - 1].*time) {
-            return fmt::format("{} {} is earlier than the one before", noun, index);
+            return fmt::format("{} {} is earlier than the previous one", noun, index);
         }
     }
     return {};
 }
 
 Problem warnings_problem(const std::vector<Diagnostic>& warnings) {
-    if (warnings.size() > kMostWarnings) {
-        return fmt::format("it has more than {} warnings", kMostWarnings);
+    if (warnings.size() > kMaxWarnings) {
+        return fmt::format("it has more than {} warnings", kMaxWarnings);
     }
     for (std::size_t index = 0; index < warnings.size(); ++index) {
         const Diagnostic& warning = warnings[index];
@@ -163,22 +165,23 @@ Problem warnings_problem(const std::vector<Diagnostic>& warnings) {
             return name + " is about a subject of an unknown kind";
         }
         if (warning.subject.name.size() > kLongestName || warning.field.size() > kLongestName) {
-            return fmt::format("{} names its subject in more than {} bytes", name, kLongestName);
+            return fmt::format("{} has a subject with a name of more than {} bytes", name,
+                               kLongestName);
         }
         if (warning.sentence.empty() || warning.sentence.size() > kLongestSentence) {
             return fmt::format("{} has no sentence, or one of more than {} bytes", name,
                                kLongestSentence);
         }
         if (warning.severity != Severity::warning) {
-            return name + " is an error";
+            return name + " has the severity of an error";
         }
     }
     return {};
 }
 
 Problem assets_problem(const std::vector<Asset>& assets) {
-    if (assets.size() > kMostAssets) {
-        return fmt::format("it has more than {} assets", kMostAssets);
+    if (assets.size() > kMaxAssets) {
+        return fmt::format("it has more than {} assets", kMaxAssets);
     }
     for (const Asset& asset : assets) {
         if (asset.path.size() > kLongestPath) {

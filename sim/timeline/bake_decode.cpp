@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "sim/timeline/bake_format.h"
 #include "sim/timeline/bake_structs.h"
-#include "sim/timeline/turning.h"
+#include "sim/timeline/rotation_segment.h"
 
 namespace carom::sim {
 
@@ -16,17 +16,17 @@ namespace {
 namespace fb = carom::bake_format;
 
 constexpr flatbuffers::uoffset_t kDeepest = 4;  // Content, Track, Warning or Asset, their strings
-constexpr flatbuffers::uoffset_t kMostTables = kMostTracks + kMostAssets + kMostWarnings + 1;
+constexpr flatbuffers::uoffset_t kMaxTables = kMaxTracks + kMaxAssets + kMaxWarnings + 1;
 
 Hash128 from_format(const fb::Hash& hash) {
     return {hash.high(), hash.low()};
 }
 
-/// In an honest file no two parts share bytes. A forged one might let many tracks share one list of
-/// keys and so grow a thousandfold when read.
-class Budget {
+/// In a valid file no two parts share bytes. In a forged file many tracks might share one list of
+/// keys, which would take a thousand times the memory when read.
+class ByteBudget {
   public:
-    explicit Budget(std::size_t bytes) : left_(bytes) {}
+    explicit ByteBudget(std::size_t bytes) : left_(bytes) {}
 
     void spend(std::size_t count, std::size_t size) {
         if (count > left_ / size) {
@@ -34,13 +34,13 @@ class Budget {
         }
         left_ -= count * size;
     }
-    /// A list of structs. FlatBuffers' verifier does not look at where their doubles stand.
+    /// A list of structs. FlatBuffers' verifier does not check the alignment of their doubles.
     template <class T>
     const flatbuffers::Vector<const T*>& list(const flatbuffers::Vector<const T*>& vector) {
         spend(vector.size(), sizeof(T));
         if (vector.size() > 0 &&
             reinterpret_cast<std::uintptr_t>(vector.Data()) % alignof(T) != 0) {
-            throw Error("a list does not begin at a multiple of eight bytes");
+            throw Error("a list is not aligned to eight bytes");
         }
         return vector;
     }
@@ -53,10 +53,10 @@ class Budget {
     std::size_t left_;
 };
 
-/// The names that structs refer to by their place.
+/// The names that structs refer to by index.
 class Names {
   public:
-    Names(const fb::Content& content, Budget& budget) {
+    Names(const fb::Content& content, ByteBudget& budget) {
         for (const flatbuffers::String* name : *content.names()) {
             names_.push_back(budget.text(*name));
             if (names_.back().size() > kLongestName) {
@@ -66,7 +66,7 @@ class Names {
     }
     [[nodiscard]] const std::string& at(std::uint32_t index, const char* user) const {
         if (index >= names_.size()) {
-            throw Error(user + std::string(" refers to a name that is not there"));
+            throw Error(user + std::string(" refers to a name that does not exist"));
         }
         return names_[index];
     }
@@ -78,7 +78,7 @@ class Names {
 /// Reads the fields of one kind of struct.
 class FieldReader {
   public:
-    /// `user` is what refers to names: "an event".
+    /// `user`: the element that refers to names, for messages: "an event".
     FieldReader(const Names& names, const char* user) : names_(names), user_(user) {}
 
     void read(double stored, double& value) const { value = stored; }
@@ -107,7 +107,7 @@ Value value_of(const Struct& stored, const FieldReader& reader,
 
 template <class Value, class Struct>
 std::vector<Value> read_list(const flatbuffers::Vector<const Struct*>& list,
-                             const FieldReader& reader, Budget& budget) {
+                             const FieldReader& reader, ByteBudget& budget) {
     std::vector<Value> values;
     values.reserve(budget.list(list).size());
     for (const Struct* element : list) {
@@ -117,13 +117,13 @@ std::vector<Value> read_list(const flatbuffers::Vector<const Struct*>& list,
     return values;
 }
 
-std::vector<Track> read_tracks(const fb::Content& content, const Names& names, Budget& budget) {
+std::vector<Track> read_tracks(const fb::Content& content, const Names& names, ByteBudget& budget) {
     std::vector<Track> tracks;
     std::uint64_t substeps_in_all = 0;
     for (const fb::Track* track : *content.tracks()) {
         std::vector<Key> keys = read_list<Key>(*track->keys(), FieldReader(names, "a key"), budget);
-        substeps_in_all += turn_substeps(keys);
-        if (substeps_in_all > kMostSubsteps) {
+        substeps_in_all += rotation_substeps(keys);
+        if (substeps_in_all > kMaxSubsteps) {
             throw Error("its objects turn more than 1e6 rad about changing axes");
         }
         std::string name = budget.text(*track->name());
@@ -135,7 +135,7 @@ std::vector<Track> read_tracks(const fb::Content& content, const Names& names, B
     return tracks;
 }
 
-std::vector<Diagnostic> read_warnings(const fb::Content& content, Budget& budget) {
+std::vector<Diagnostic> read_warnings(const fb::Content& content, ByteBudget& budget) {
     std::vector<Diagnostic> warnings;
     for (const fb::Warning* warning : *content.warnings()) {
         if (warning->subject() > fb::SubjectKind::MAX) {
@@ -150,7 +150,7 @@ std::vector<Diagnostic> read_warnings(const fb::Content& content, Budget& budget
     return warnings;
 }
 
-std::vector<Asset> read_assets(const fb::Content& content, Budget& budget) {
+std::vector<Asset> read_assets(const fb::Content& content, ByteBudget& budget) {
     std::vector<Asset> assets;
     for (const fb::Asset* asset : *content.assets()) {
         assets.push_back({budget.text(*asset->path()), from_format(*asset->content_hash())});
@@ -160,28 +160,29 @@ std::vector<Asset> read_assets(const fb::Content& content, Budget& budget) {
 
 flatbuffers::Verifier verifier_for(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), kDeepest,
-            kMostTables};
+            kMaxTables};
 }
 
-/// The inner buffer, after the envelope around it was found to be whole and unchanged. `bytes` are
-/// aligned to eight.
+/// The inner buffer, after a check that the envelope around it is complete and unchanged. `bytes`
+/// are aligned to eight bytes.
 std::span<const std::byte> open_envelope(std::span<const std::byte> bytes) {
-    // The head alone first: it stands at the beginning, also of a truncated file.
+    // The header is checked first: it is at the beginning, so a truncated file has it too.
     if (!verifier_for(bytes).VerifyBuffer<fb::EnvelopeHead>(nullptr)) {
-        throw Error(bytes.size() < 128 ? "is truncated" : "is damaged: its head cannot be read");
+        throw Error(bytes.size() < 128 ? "is truncated" : "is damaged: its header cannot be read");
     }
     const fb::Head& head = *flatbuffers::GetRoot<fb::EnvelopeHead>(bytes.data())->head();
     if (head.schema_version() != kSchemaVersion) {
         throw Error(fmt::format(
-            "is in version {} of the format and this carom reads version {}; bake the shot again",
+            "has version {} of the format, but this carom reads version {}: bake the shot again",
             head.schema_version(), kSchemaVersion));
     }
     if (bytes.size() < head.file_size()) {
-        throw Error(fmt::format("is truncated: {} of its {} bytes are there", bytes.size(),
-                                head.file_size()));
+        throw Error(
+            fmt::format("is truncated: it has {} of {} bytes", bytes.size(), head.file_size()));
     }
     if (bytes.size() > head.file_size()) {
-        throw Error(fmt::format("is damaged: something follows its {} bytes", head.file_size()));
+        throw Error(fmt::format("is damaged: it has {} bytes instead of {}", bytes.size(),
+                                head.file_size()));
     }
     if (!verifier_for(bytes).VerifyBuffer<fb::Envelope>(nullptr)) {
         throw Error("is damaged: its envelope cannot be read");
@@ -192,12 +193,12 @@ std::span<const std::byte> open_envelope(std::span<const std::byte> bytes) {
         throw Error("is larger than 1 GiB");
     }
     if (hash_bytes(content) != from_format(head.content_hash())) {
-        throw Error("is damaged: its content does not fit its hash");
+        throw Error("is damaged: its content does not match its hash");
     }
-    // Padding and offsets are not under the hash: there is one right way to write them.
+    // The hash does not cover padding and offsets: only one way to write them is accepted.
     const std::vector<std::byte> expected = encode_envelope(content);
     if (!std::equal(bytes.begin(), bytes.end(), expected.begin(), expected.end())) {
-        throw Error("is damaged: its envelope is not as carom writes it");
+        throw Error("is damaged: its envelope differs from the one that carom writes");
     }
     return content;
 }
@@ -217,7 +218,7 @@ Bake decode_content(std::span<const std::byte> content) {
         throw Error("its content cannot be read");
     }
     const fb::Content& root = *flatbuffers::GetRoot<fb::Content>(content.data());
-    Budget budget(content.size());
+    ByteBudget budget(content.size());
     Bake bake;
     bake.physics_hash = from_format(*root.physics_hash());
     bake.timeline.start_time = root.start_time();

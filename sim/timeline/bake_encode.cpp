@@ -17,7 +17,7 @@ fb::Hash to_format(const Hash128& hash) {
     return {hash.high, hash.low};
 }
 
-/// Each name once, numbered in the order of its first use.
+/// A list of distinct names, numbered in the order of their first use.
 class NameTable {
   public:
     std::uint32_t index_of(const std::string& name) {
@@ -35,7 +35,7 @@ class NameTable {
     std::vector<std::string> names_;
 };
 
-// How the fields of structs are written.
+// Conversions of the fields of structs to the types of the file.
 double to_format(double value, NameTable& /*names*/) {
     return value;
 }
@@ -113,7 +113,7 @@ auto write_assets(FlatBufferBuilder& builder, const std::vector<Asset>& assets) 
     return builder.CreateVector(offsets);
 }
 
-// Not less than what the builder will need, which must not pass 2 GiB.
+// An upper bound of the builder's size, which must not exceed 2 GiB.
 std::size_t estimated_size(const Bake& bake) {
     std::size_t size = 4096 + bake.shot_text.size();
     for (const Track& track : bake.timeline.tracks) {
@@ -155,7 +155,7 @@ std::vector<std::byte> encode_content(const Bake& bake) {
     const auto energy_structs = structs_of<fb::EnergySample>(energy, names);
     const auto contact_structs = structs_of<fb::LastingContact>(lasting_contacts, names);
     const auto put_back_structs = structs_of<fb::PutBack>(put_backs, names);
-    // One after another: the order of a call's arguments is the compiler's to choose.
+    // In separate statements, since the evaluation order of a call's arguments is unspecified.
     const auto tracks_offset = write_tracks(builder, tracks, names);
     const auto names_offset = builder.CreateVectorOfStrings(names.names());
     const auto events_offset = builder.CreateVectorOfStructs(event_structs);

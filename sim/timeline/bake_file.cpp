@@ -13,7 +13,7 @@ void write_bake(const Bake& bake, const std::string& path) {
 
 Bake read_bake(const std::string& path) {
     FileReader file(path);
-    // A bake has a size of its own and fits into memory; a pipe or a film is not one.
+    // A bake has a known size and fits into memory, unlike a pipe or a film.
     const std::optional<std::size_t> size = file.size();
     if (!size || *size > kLargestContent + 4096) {
         throw Error("'" + path + "' is not a carom bake");

@@ -1,4 +1,4 @@
-// The bake on disk: FlatBuffers (bake.fbs) with identifier, schema version and content hash.
+// The bake file: FlatBuffers (bake.fbs) with identifier, schema version and content hash.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace carom::sim {
 
-/// A file that the shot refers to (mesh, texture, environment).
+/// A file to which the shot refers (mesh, texture, environment).
 struct Asset {
     std::string path;  // absolute, as resolved when the shot was read
     Hash128 content_hash;
@@ -19,11 +19,11 @@ struct Asset {
     bool operator==(const Asset&) const = default;
 };
 
-/// A timeline and where it came from. `shot_text` and `assets` let `carom render FILE.bake` film it
-/// alone; they are outside the physics hash.
+/// A timeline and its origin. With `shot_text` and `assets`, `carom render FILE.bake` needs no
+/// other file; they are not part of the physics hash.
 struct Bake {
     Timeline timeline;
-    Hash128 physics_hash;   // of the world description it was baked from (sim/physics_hash.h)
+    Hash128 physics_hash;   // of the world description (sim/bake.h)
     std::string shot_text;  // the resolved shot, YAML
     std::vector<Asset> assets;
 
@@ -33,18 +33,18 @@ struct Bake {
 /// The file's bytes; the same bake gives the same bytes.
 [[nodiscard]] std::vector<std::byte> encode_bake(const Bake& bake);
 
-/// Reads what encode_bake wrote. A truncated, damaged or foreign buffer is refused with an Error
-/// that names `origin` and says what is wrong; nothing in the buffer is trusted.
+/// Decodes the bytes of encode_bake. Rejects a truncated, damaged or foreign buffer with an Error
+/// that names `origin` and the problem; nothing in the buffer is trusted.
 [[nodiscard]] Bake decode_bake(std::span<const std::byte> bytes, const std::string& origin);
 
-/// Written to a temporary name beside `path`, flushed to disk, renamed. Throws Error.
+/// Writes to a temporary name beside `path`, flushes to disk and renames. Throws Error.
 void write_bake(const Bake& bake, const std::string& path);
 [[nodiscard]] Bake read_bake(const std::string& path);
 
-/// So many bytes of a file tell whether it is a bake.
+/// Number of bytes at the beginning of a file that identify a bake.
 inline constexpr std::size_t kBakeHeadBytes = 8;
 
-/// Whether the first bytes of a file, kBakeHeadBytes or more, are those of a bake.
+/// True if the first bytes of a file, kBakeHeadBytes or more, are those of a bake.
 [[nodiscard]] bool has_bake_identifier(std::span<const std::byte> head);
 
 }  // namespace carom::sim

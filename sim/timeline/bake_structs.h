@@ -1,6 +1,5 @@
-// Which field of a described struct a struct of the bake file keeps: the one of the same name.
-// Where bake.fbs and the list of fields (core/fields.h) do not name the same fields, nothing
-// compiles.
+// Maps the fields of structs in the bake file to the members of the same name (core/fields.h). If
+// bake.fbs and the list of fields do not have the same names, the program does not compile.
 #pragma once
 
 #include <cstddef>
@@ -14,22 +13,22 @@
 namespace carom::sim {
 
 template <class T, class Struct, std::size_t kIndex>
-consteval std::size_t place_in_list() {
+consteval std::size_t index_in_list() {
     static_assert(kFieldCount<T> == Struct::Traits::fields_number,
                   "bake.fbs does not have as many fields as the list");
     const std::string_view name = Struct::Traits::field_names[kIndex];
-    std::size_t place = 0;
+    std::size_t index = 0;
     std::apply(
-        [&](const auto&... listed) { (void)(((listed.name == name) || (++place, false)) || ...); },
+        [&](const auto&... listed) { (void)(((listed.name == name) || (++index, false)) || ...); },
         kFields<T>);
-    if (place == kFieldCount<T>) {
-        throw "bake.fbs names a field that is not in the list";  // which nothing constant may do
+    if (index == kFieldCount<T>) {
+        throw "bake.fbs names a field that is not in the list";  // fails at compile time
     }
-    return place;
+    return index;
 }
 
-/// The member of T that the struct's field number kIndex keeps.
+/// The member of T that corresponds to the struct's field number kIndex.
 template <class T, class Struct, std::size_t kIndex>
-inline constexpr auto kMember = std::get<place_in_list<T, Struct, kIndex>()>(kFields<T>).member;
+inline constexpr auto kMember = std::get<index_in_list<T, Struct, kIndex>()>(kFields<T>).member;
 
 }  // namespace carom::sim

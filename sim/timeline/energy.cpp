@@ -19,8 +19,8 @@ bool is_force_event(EventKind kind) {
     }
 }
 
-/// Whether a force event acts between two samples. There is one sample right before and one right
-/// after each event's beginning.
+/// True if a force event acts between two samples. One sample is taken immediately before and one
+/// immediately after the beginning of each event.
 bool is_forced(const Timeline& timeline, double from, double to) {
     return std::any_of(timeline.events.begin(), timeline.events.end(), [=](const Event& event) {
         const bool is_instant = from == to && event.time == from;

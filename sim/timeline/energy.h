@@ -1,4 +1,4 @@
-// What the energy over time says about a simulation.
+// A check of a simulation by its energy over time.
 #pragma once
 
 #include "sim/timeline/timeline.h"
@@ -6,8 +6,8 @@
 namespace carom::sim {
 
 /// The largest rise of the total energy above its lowest value since the last force event, as a
-/// share of the largest kinetic energy since then: 0 where energy only goes away. While a force or
-/// torque acts nothing counts.
+/// fraction of the largest kinetic energy since then; 0 if energy only decreases. Samples during a
+/// force or torque do not count.
 [[nodiscard]] double largest_energy_rise(const Timeline& timeline);
 
 }  // namespace carom::sim

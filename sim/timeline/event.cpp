@@ -31,7 +31,7 @@ std::string_view to_string(EventKind kind) {
         case EventKind::strike:
             return "strike";
     }
-    return "unknown";  // not a kind
+    return "unknown";  // not a value of EventKind
 }
 
 }  // namespace carom::sim

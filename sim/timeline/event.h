@@ -1,4 +1,4 @@
-// What happened during a shot: the event log, lasting contacts, balls put back, the energy.
+// The records of a shot: the event log, lasting contacts, balls put back and the energy.
 #pragma once
 
 #include <string>
@@ -9,19 +9,19 @@
 namespace carom::sim {
 
 enum class EventKind {
-    impact,     // a and b touched and exchanged an impulse
+    impact,     // a and b collided and exchanged an impulse
     sliding,    // a began to slide on the cloth
     rolling,    // a began to roll without slip
-    spinning,   // a stands still and spins about the vertical
+    spinning,   // a began to spin about the vertical in place
     resting,    // a came to rest
-    airborne,   // a left what carried it
+    airborne,   // a left its support
     potted,     // a fell into pocket b
     off_table,  // a left the table and is not in a pocket
     force,      // force event: newtons on a from `time` to `end_time`
     torque,     // force event: newton metres on a from `time` to `end_time`
     impulse,    // force event: newton seconds on a
     velocity,   // force event: a's velocity was set
-    strike,     // force event: a was struck by the stick; the vector is the velocity given
+    strike,     // force event: the stick struck a; the vector is the velocity that it gave
 };
 
 /// The name used in files: "impact", "rolling", "off_table" ...
@@ -31,7 +31,7 @@ struct Event {
     EventKind kind = EventKind::impact;
     double time = 0;       // scene time, s
     double end_time = 0;   // s; differs from `time` for force and torque only
-    std::string a;         // name of the object it happened to
+    std::string a;         // name of the object
     std::string b;         // impact: the other object or surface ("cushion", "cloth", "floor" ...);
                            // potted: the pocket
     Vec3 place{0, 0, 0};   // impact: the point of contact; otherwise a's centre
@@ -43,14 +43,14 @@ struct Event {
     bool operator==(const Event&) const = default;
 };
 
-/// Two objects that stay in contact for a while. No simulation records these yet.
+/// A lasting contact of two objects. No simulation records these yet.
 struct LastingContact {
     std::string a;            // name of an object
     std::string b;            // the other object or surface, as in Event
     double from = 0;          // scene time, s
     double to = 0;            // s, not before `from`
     double normal_force = 0;  // N, mean over that time
-    double slip = 0;          // m/s, mean speed of the surfaces along each other
+    double slip = 0;          // m/s, mean slip speed of the surfaces
 
     bool operator==(const LastingContact&) const = default;
 };

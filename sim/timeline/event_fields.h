@@ -1,5 +1,5 @@
-// The fields of events and of what else is recorded (core/fields.h), in the order of the JSON
-// export. In the bake file they have the same names.
+// The fields of events and the other records (core/fields.h), in the order of the JSON export. The
+// bake file uses the same names.
 #pragma once
 
 #include "core/fields.h"

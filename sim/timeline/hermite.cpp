@@ -22,12 +22,12 @@ Coefficients coefficients(const PathSegment& segment) {
     return {h, m0, 3.0 * d - 2.0 * m0 - m1, m0 + m1 - 2.0 * d};
 }
 
-// Where c1 + 2 c2 s + 3 c3 s^2 = 0 in (0, 1); NaN for "nowhere".
+// Roots of c1 + 2 c2 s + 3 c3 s^2; NaN if there are none.
 std::array<double, 2> turning_points(double c1, double c2, double c3) {
-    const double nowhere = std::nan("");
+    const double none = std::nan("");
     const double discriminant = c2 * c2 - 3 * c1 * c3;
     if (discriminant < 0) {
-        return {nowhere, nowhere};
+        return {none, none};
     }
     const double root = std::sqrt(discriminant);
     const double q = -(c2 + (c2 < 0 ? -root : root));
@@ -87,7 +87,7 @@ Bounds bounds_of(const PathSegment& segment, double from, double to) {
             low = std::min(low, p);
             high = std::max(high, p);
         }
-        // What the terms of the sum can lose to rounding.
+        // A bound for the rounding error of the sum.
         const double rounding =
             4e-16 * (std::abs(segment.p0[axis]) + std::abs(segment.p1[axis]) + std::abs(c1[axis]) +
                      std::abs(c2[axis]) + std::abs(c3[axis]));

@@ -5,7 +5,7 @@
 
 namespace carom::sim {
 
-/// Where the curve is at `time` within [start, end]; the ends are returned exactly.
+/// The point of the curve at `time` within [start, end]; the ends are returned exactly.
 [[nodiscard]] Vec3 hermite_position(const PathSegment& segment, double time);
 
 /// Its derivative, m/s; the ends are returned exactly.
@@ -14,7 +14,8 @@ namespace carom::sim {
 /// The part of the curve during [from, to], a subset of [start, end].
 [[nodiscard]] PathSegment cut(const PathSegment& segment, double from, double to);
 
-/// A box around the curve during [from, to], a subset of [start, end]; wider by rounding only.
+/// The bounding box of the curve during [from, to], a subset of [start, end], enlarged only by
+/// rounding.
 [[nodiscard]] Bounds bounds_of(const PathSegment& segment, double from, double to);
 
 }  // namespace carom::sim

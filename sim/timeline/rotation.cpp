@@ -8,7 +8,7 @@ namespace carom::sim {
 
 namespace {
 
-// sin(x)/x and cos(x) for |x| <= 1/4 by their series; the first term left out is under 1e-18.
+// sin(x)/x and cos(x) for |x| <= 1/4 by their series; the first omitted term is under 1e-18.
 double sine_over_x(double x2) {
     return 1 -
            x2 / 6 * (1 - x2 / 20 * (1 - x2 / 42 * (1 - x2 / 72 * (1 - x2 / 110 * (1 - x2 / 156)))));
@@ -36,7 +36,7 @@ Vec3 rotation_vector(const Quat& rotation) {
     const double sign = rotation.r < 0 ? -1 : 1;
     const double sine = rotation.v.length();
     const double cosine = sign * rotation.r;
-    // atan(x) = x - x^3/3: below 1e-5 the rest is under 1e-25.
+    // atan(x) = x - x^3/3: below 1e-5 the remainder is under 1e-25.
     const double scale = sine < 1e-5 * cosine ? (1 - sine * sine / (3 * cosine * cosine)) / cosine
                                               : angle_of(cosine, sine) / sine;
     return (2 * sign * scale) * rotation.v;

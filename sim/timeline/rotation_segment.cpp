@@ -1,4 +1,4 @@
-#include "sim/timeline/turning.h"
+#include "sim/timeline/rotation_segment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kLargestSubstep = 0.5;  // rad
 
-// Taking nearly parallel angular velocities in one step leaves an error of at most the turn about
-// the perpendicular part; under this it is lost in rounding.
+// One step for nearly parallel angular velocities has an error of at most the angle about the
+// perpendicular part; below this value it is less than rounding.
 constexpr double kParallelError = 1e-13;  // rad
 
 }  // namespace
@@ -32,7 +32,7 @@ std::uint32_t count_substeps(const Vec3& before, const Vec3& after, double durat
                          : static_cast<std::uint32_t>(kMost);
 }
 
-std::uint64_t turn_substeps(std::span<const Key> keys) {
+std::uint64_t rotation_substeps(std::span<const Key> keys) {
     std::uint64_t sum = 0;
     for (std::size_t index = 1; index < keys.size(); ++index) {
         const Key& from = keys[index - 1];
@@ -44,7 +44,7 @@ std::uint64_t turn_substeps(std::span<const Key> keys) {
     return sum;
 }
 
-Turning::Turning(const Vec3& before, const Vec3& after, double duration)
+RotationSegment::RotationSegment(const Vec3& before, const Vec3& after, double duration)
     : before_(before),
       after_(after),
       duration_(duration),
@@ -52,11 +52,11 @@ Turning::Turning(const Vec3& before, const Vec3& after, double duration)
     CAROM_ASSERT(duration > 0);
 }
 
-double Turning::beginning_of(std::uint32_t substep) const {
+double RotationSegment::beginning_of(std::uint32_t substep) const {
     return duration_ * substep / substeps_;
 }
 
-std::uint32_t Turning::substep_at(double elapsed) const {
+std::uint32_t RotationSegment::substep_at(double elapsed) const {
     if (substeps_ == 1) {
         return 0;
     }
@@ -64,12 +64,12 @@ std::uint32_t Turning::substep_at(double elapsed) const {
     return static_cast<std::uint32_t>(std::clamp(place, 0.0, substeps_ - 1.0));
 }
 
-Vec3 Turning::angular_velocity(double elapsed) const {
+Vec3 RotationSegment::angular_velocity(double elapsed) const {
     const double s = std::clamp(elapsed / duration_, 0.0, 1.0);
     return before_ + s * (after_ - before_);
 }
 
-Quat Turning::advance(Quat orientation, std::uint32_t first, std::uint32_t last) const {
+Quat RotationSegment::advance(Quat orientation, std::uint32_t first, std::uint32_t last) const {
     for (std::uint32_t substep = first; substep < last; ++substep) {
         const double from = beginning_of(substep);
         const double to = beginning_of(substep + 1);
@@ -79,7 +79,7 @@ Quat Turning::advance(Quat orientation, std::uint32_t first, std::uint32_t last)
     return orientation;
 }
 
-Quat Turning::finish(const Quat& orientation, std::uint32_t substep, double elapsed) const {
+Quat RotationSegment::finish(const Quat& orientation, std::uint32_t substep, double elapsed) const {
     const double from = beginning_of(substep);
     return magnus_step(angular_velocity(from), angular_velocity(elapsed), elapsed - from) *
            orientation;

@@ -1,4 +1,4 @@
-// The turn between two keys: an angular velocity that goes linearly from one value to another.
+// The rotation between two keys, whose angular velocity changes linearly.
 #pragma once
 
 #include <cstdint>
@@ -9,26 +9,26 @@
 
 namespace carom::sim {
 
-/// How many substeps a Turning takes; defined for any values, at most 1e9.
+/// Number of substeps of a RotationSegment; defined for all values, at most 1e9.
 [[nodiscard]] std::uint32_t count_substeps(const Vec3& before, const Vec3& after, double duration);
 
-/// All the substeps between these keys, but for turns that take one.
-[[nodiscard]] std::uint64_t turn_substeps(std::span<const Key> keys);
+/// Total number of substeps between these keys, not counting rotations in a single step.
+[[nodiscard]] std::uint64_t rotation_substeps(std::span<const Key> keys);
 
-/// Above this many substeps a track is refused, and a bake all together: 1e6 rad, about a tenth
-/// of a second's work.
-inline constexpr std::uint64_t kMostSubsteps = 2'000'000;
+/// Limit of substeps for a track, and for all tracks of a bake together: 1e6 rad, which takes about
+/// 0.1 s.
+inline constexpr std::uint64_t kMaxSubsteps = 2'000'000;
 
-/// Integrated in equal substeps of at most 0.5 rad, each a Magnus step (docs/timeline.md). Where
-/// both angular velocities are parallel one step is exact and the only one.
-class Turning {
+/// Integrates the rotation in equal substeps of at most 0.5 rad, each a Magnus step
+/// (docs/timeline.md). If both angular velocities are parallel, a single step is exact.
+class RotationSegment {
   public:
     /// Angular velocities in world axes, rad/s; duration in s, > 0.
-    Turning(const Vec3& before, const Vec3& after, double duration);
+    RotationSegment(const Vec3& before, const Vec3& after, double duration);
 
     [[nodiscard]] std::uint32_t substeps() const { return substeps_; }
 
-    /// The substep that `elapsed` (s since the beginning, clamped to the duration) falls into.
+    /// The substep that contains `elapsed` (s since the beginning, clamped to the duration).
     [[nodiscard]] std::uint32_t substep_at(double elapsed) const;
 
     [[nodiscard]] Vec3 angular_velocity(double elapsed) const;
@@ -36,7 +36,7 @@ class Turning {
     /// The orientation at the beginning of substep `last`, from that at the beginning of `first`.
     [[nodiscard]] Quat advance(Quat orientation, std::uint32_t first, std::uint32_t last) const;
 
-    /// The orientation at `elapsed`, from that at the beginning of the substep it falls into.
+    /// The orientation at `elapsed`, from that at the beginning of its substep.
     [[nodiscard]] Quat finish(const Quat& orientation, std::uint32_t substep, double elapsed) const;
 
   private:

@@ -1,4 +1,4 @@
-// Everything a simulation found out, ready to be filmed, exported or reported.
+// The results of a simulation, for rendering, export and reports.
 #pragma once
 
 #include <string_view>
@@ -12,11 +12,11 @@ namespace carom::sim {
 
 struct Timeline {
     double start_time = 0;             // scene time of the first state, s
-    double end_time = 0;               // and of the last
+    double end_time = 0;               // scene time of the last state, s
     std::vector<Track> tracks;         // one per moving object, in the order of the world
     std::vector<Event> events;         // in order of time
     std::vector<EnergySample> energy;  // in order of time
-    std::vector<LastingContact> lasting_contacts;  // in order of their beginnings
+    std::vector<LastingContact> lasting_contacts;  // in order of their start times
     std::vector<PutBack> put_backs;                // in order of time
     std::vector<Diagnostic> warnings;  // a strike that misses, a miscue, a trigger never met ...
 

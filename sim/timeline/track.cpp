@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "core/finite.h"
 #include "sim/timeline/hermite.h"
-#include "sim/timeline/turning.h"
+#include "sim/timeline/rotation_segment.h"
 
 namespace carom::sim {
 
@@ -25,7 +25,7 @@ bool has_finite_values(const Key& key) {
            is_finite(key.angular_velocity_in) && is_finite(key.angular_velocity_out);
 }
 
-Turning turning_between(const Key& from, const Key& to) {
+RotationSegment rotation_between(const Key& from, const Key& to) {
     return {from.angular_velocity_out, to.angular_velocity_in, to.time - from.time};
 }
 
@@ -56,10 +56,10 @@ void check_keys(const std::string& name, std::span<const Key> keys) {
             refuse("the orientation is not a unit quaternion");
         }
         if (index > 0 && !(keys[index - 1].time < key.time)) {
-            refuse("its time is not after that of the key before");
+            refuse("its time is not later than that of the previous key");
         }
     }
-    if (turn_substeps(keys) > kMostSubsteps) {
+    if (rotation_substeps(keys) > kMaxSubsteps) {
         throw Error("track '" + name + "' turns more than 1e6 rad about changing axes");
     }
 }
@@ -78,13 +78,13 @@ Track::Data Track::prepare(std::string name, std::vector<Key> keys) {
     }
     data.intervals.resize(data.keys.size() - 1);
     for (std::size_t index = 0; index < data.intervals.size(); ++index) {
-        const Turning turning = turning_between(data.keys[index], data.keys[index + 1]);
+        const RotationSegment rotation = rotation_between(data.keys[index], data.keys[index + 1]);
         data.intervals[index].first_checkpoint = data.checkpoints.size();
         Quat orientation = data.keys[index].orientation;
-        for (std::uint32_t substep = 0; substep < turning.substeps();) {
+        for (std::uint32_t substep = 0; substep < rotation.substeps();) {
             data.checkpoints.push_back(orientation);
-            const std::uint32_t next = std::min(substep + kCheckpointSpacing, turning.substeps());
-            orientation = turning.advance(orientation, substep, next);
+            const std::uint32_t next = std::min(substep + kCheckpointSpacing, rotation.substeps());
+            orientation = rotation.advance(orientation, substep, next);
             substep = next;
         }
         data.intervals[index].residual =
@@ -93,7 +93,7 @@ Track::Data Track::prepare(std::string name, std::vector<Key> keys) {
     return data;
 }
 
-// The last key at or before the time, which is not before the first.
+// Index of the last key at or before the time, which is not before the first key.
 std::size_t Track::last_key_at(double scene_time) const {
     const auto after = std::upper_bound(data_->times.begin(), data_->times.end(), scene_time);
     CAROM_ASSERT(after != data_->times.begin());
@@ -110,13 +110,13 @@ Quat Track::orientation_in(std::size_t index, double scene_time) const {
     const Key& from = data_->keys[index];
     const Key& to = data_->keys[index + 1];
     const KeyInterval& interval = data_->intervals[index];
-    const Turning turning = turning_between(from, to);
+    const RotationSegment rotation = rotation_between(from, to);
     const double elapsed = scene_time - from.time;
-    const std::uint32_t substep = turning.substep_at(elapsed);
+    const std::uint32_t substep = rotation.substep_at(elapsed);
     const std::uint32_t checkpoint = substep / kCheckpointSpacing;
-    Quat orientation = turning.advance(data_->checkpoints[interval.first_checkpoint + checkpoint],
-                                       checkpoint * kCheckpointSpacing, substep);
-    orientation = turning.finish(orientation, substep, elapsed);
+    Quat orientation = rotation.advance(data_->checkpoints[interval.first_checkpoint + checkpoint],
+                                        checkpoint * kCheckpointSpacing, substep);
+    orientation = rotation.finish(orientation, substep, elapsed);
     if (interval.residual == Vec3(0)) {
         return orientation;
     }
@@ -141,7 +141,7 @@ MotionState Track::sample(double scene_time) const {
     const PathSegment segment = segment_after(index);
     return {hermite_position(segment, scene_time), orientation_in(index, scene_time),
             hermite_velocity(segment, scene_time),
-            turning_between(key, data_->keys[index + 1]).angular_velocity(scene_time - key.time)};
+            rotation_between(key, data_->keys[index + 1]).angular_velocity(scene_time - key.time)};
 }
 
 std::vector<Track::Piece> Track::pieces(double from, double to) const {

@@ -1,4 +1,4 @@
-// One object's motion: keys, and the curve between them (docs/timeline.md has the formulas).
+// The motion of one object: keys and the curve between them (formulas: docs/timeline.md).
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace carom::sim {
 
-/// The state at one instant. The pose is one; the velocities have a value on arriving and one on
-/// leaving, which differ where something happened in an instant (an impact, a strike).
+/// The state at one instant. It has one pose, but incoming and outgoing velocities, which differ at
+/// an instantaneous change (an impact, a strike).
 struct Key {
     double time = 0;  // scene time, s
     Vec3 position{0, 0, 0};
@@ -42,30 +42,30 @@ struct Bounds {
 };
 
 /// Immutable; copies share their keys, so a copy costs as little as a pointer. Positions follow the
-/// cubic Hermite curve through positions and velocities. Orientation: the angular velocity is
-/// linear between one key's outgoing and the next one's incoming value, the orientation its
-/// fourth-order Magnus integral in substeps of at most 0.5 rad, the residual to the next key spread
-/// linearly, so that turns beyond 180 degrees between keys survive.
+/// cubic Hermite curve through positions and velocities. The angular velocity is linear between one
+/// key's outgoing and the next one's incoming value. The orientation is its fourth-order Magnus
+/// integral in substeps of at most 0.5 rad, with the residual at the next key distributed linearly,
+/// so that turns of more than 180 degrees between keys are kept.
 class Track {
   public:
-    /// Keys in strictly increasing time, all values finite, quaternions of unit length within
-    /// 1e-6, at least one key, no more than 1e6 rad of turning about changing axes in all; throws
-    /// Error otherwise, naming track and key.
+    /// Requires at least one key, strictly increasing times, finite values, unit quaternions within
+    /// 1e-6 and a total of at most 1e6 rad of rotation about changing axes. Otherwise throws an
+    /// Error that names the track and the key.
     Track(std::string name, std::vector<Key> keys);
 
     [[nodiscard]] const std::string& name() const { return data_->name; }
     [[nodiscard]] std::span<const Key> keys() const { return data_->keys; }
 
-    /// Defined for every time: before the first and after the last key the end pose holds, with
-    /// zero velocities. At the very instant of a break the outgoing velocities are returned.
+    /// Defined for every time: before the first and after the last key the object rests in the pose
+    /// of that key. At the instant of a break the outgoing velocities are returned.
     [[nodiscard]] MotionState sample(double scene_time) const;
 
-    /// The smooth pieces that make up [from, to] (from <= to), cut at its ends, in order of time,
-    /// without gaps. Where the object rests or the times lie outside the keys, a constant piece.
-    /// At least one piece, also when from == to.
+    /// The smooth segments of [from, to] (from <= to), cut at its ends, in order of time and
+    /// without gaps. Outside of the keys the segments are constant. At least one segment, even if
+    /// from == to.
     [[nodiscard]] std::vector<PathSegment> segments(double from, double to) const;
 
-    /// A box around every position taken during [from, to].
+    /// A box that contains all positions during [from, to].
     [[nodiscard]] Bounds position_bounds(double from, double to) const;
 
     bool operator==(const Track& other) const {
@@ -74,13 +74,13 @@ class Track {
     }
 
   private:
-    // What sample() needs to know about the turn from one key to the next.
+    // Data of the rotation from one key to the next, for sample().
     struct KeyInterval {
-        Vec3 residual{0, 0, 0};            // rotation vector left over at the next key
+        Vec3 residual{0, 0, 0};            // rotation vector that remains at the next key
         std::size_t first_checkpoint = 0;  // orientation at every 16th substep
     };
 
-    // A whole segment between keys and the part of it that is meant.
+    // A segment between two keys and the required part of it.
     struct Piece {
         PathSegment segment;
         double from = 0;
@@ -90,7 +90,7 @@ class Track {
     struct Data {
         std::string name;
         std::vector<Key> keys;
-        std::vector<double> times;  // of the keys, close together for the search
+        std::vector<double> times;  // of the keys, contiguous for the binary search
         std::vector<KeyInterval> intervals;
         std::vector<Quat> checkpoints;
     };

@@ -1,4 +1,4 @@
-// The fields of keys and of what else describes motion, in the order in which they are hashed
+// The fields of the types that describe motion, in the order in which they are hashed
 // (core/fields.h).
 #pragma once
 
@@ -33,7 +33,7 @@ constexpr auto fields_of(Describes<Key>) {
                        field("angular_velocity_out", &Key::angular_velocity_out));
 }
 
-/// What of a track is hashed. Its name belongs to what it moves.
+/// The part of a track that is hashed. Its name belongs to the object that it moves.
 inline std::span<const Key> hashed_part(const Track& track) {
     return track.keys();
 }

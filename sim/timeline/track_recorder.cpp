@@ -10,7 +10,7 @@
 #include "core/assert.h"
 #include "core/error.h"
 #include "sim/timeline/hermite.h"
-#include "sim/timeline/turning.h"
+#include "sim/timeline/rotation_segment.h"
 
 namespace carom::sim {
 
@@ -41,7 +41,7 @@ PathSegment segment_between(const Key& from, const Key& to) {
     return {from.time, to.time, from.position, to.position, from.velocity_out, to.velocity_in};
 }
 
-/// Whether the keys between the first and the last can be dropped.
+/// Checks whether the keys between the first and the last can be dropped.
 class SpanCheck {
   public:
     SpanCheck(std::span<const Key> keys, const KeyReduction& reduction)
@@ -50,7 +50,7 @@ class SpanCheck {
     [[nodiscard]] bool passes() const { return positions_pass() && orientations_pass(); }
 
   private:
-    // At the keys between, and half-way between them, where the dense path is a curve of its own.
+    // Compares positions at the inner keys and midway between keys, where the dense path is curved.
     [[nodiscard]] bool positions_pass() const {
         const PathSegment span = segment_between(keys_.front(), keys_.back());
         const double bound2 = reduction_.position_error * reduction_.position_error;
@@ -69,22 +69,23 @@ class SpanCheck {
         return true;
     }
 
-    // Walks along the turn twice: once for the residual at its end, once with it spread.
+    // Integrates the rotation twice: first for its residual at the end, then with the residual
+    // distributed.
     [[nodiscard]] bool orientations_pass() const {
         const Key& from = keys_.front();
         const Key& to = keys_.back();
         const double duration = to.time - from.time;
-        const Turning turning(from.angular_velocity_out, to.angular_velocity_in, duration);
+        const RotationSegment rotation(from.angular_velocity_out, to.angular_velocity_in, duration);
         const Vec3 residual = rotation_vector(
-            to.orientation * ~turning.advance(from.orientation, 0, turning.substeps()));
+            to.orientation * ~rotation.advance(from.orientation, 0, rotation.substeps()));
         std::uint32_t substep = 0;
         Quat at_substep = from.orientation;
         for (const Key& key : keys_.subspan(1, keys_.size() - 2)) {
             const double elapsed = key.time - from.time;
-            const std::uint32_t next = turning.substep_at(elapsed);
-            at_substep = turning.advance(at_substep, substep, next);
+            const std::uint32_t next = rotation.substep_at(elapsed);
+            at_substep = rotation.advance(at_substep, substep, next);
             substep = next;
-            const Quat turned = turning.finish(at_substep, substep, elapsed);
+            const Quat turned = rotation.finish(at_substep, substep, elapsed);
             const Quat orientation = rotation_from_vector(elapsed / duration * residual) * turned;
             if (!(angle_between(orientation, key.orientation) <= reduction_.orientation_error)) {
                 return false;
@@ -97,8 +98,8 @@ class SpanCheck {
     const KeyReduction& reduction_;
 };
 
-/// The largest step from `begin` (at most to `end`) that passes, found by doubling and bisection:
-/// O(n log n) states are looked at for n keys.
+/// The largest step from `begin` (at most to `end`) that passes, found by doubling and bisection;
+/// for n keys it evaluates O(n log n) states.
 std::size_t next_key(std::span<const Key> keys, std::size_t begin, std::size_t end,
                      const KeyReduction& reduction) {
     const auto passes = [&](std::size_t step) {
@@ -135,8 +136,8 @@ TrackRecorder::TrackRecorder(std::string name, KeyReduction reduction)
 
 void TrackRecorder::add_key(const Key& key, bool is_kept) {
     if (!dense_.empty() && !(key.time > dense_.back().time)) {
-        throw Error(fmt::format("track '{}': a state at {:f} s comes after one at {:f} s", name_,
-                                key.time, dense_.back().time));
+        throw Error(fmt::format("track '{}': a state at {:f} s was added after one at {:f} s",
+                                name_, key.time, dense_.back().time));
     }
     if (is_kept || dense_.empty()) {
         kept_.push_back(dense_.size());

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "sim/timeline/rotation.h"
-#include "sim/timeline/turning.h"
+#include "sim/timeline/rotation_segment.h"
 
 namespace carom::pipeline {
 namespace {
@@ -161,9 +161,9 @@ double largest_rotation_error(const sim::Track& track) {
     for (std::size_t i = 1; i < track.keys().size(); ++i) {
         const sim::Key& from = track.keys()[i - 1];
         const sim::Key& to = track.keys()[i];
-        const sim::Turning turning(from.angular_velocity_out, to.angular_velocity_in,
+        const sim::RotationSegment rotation(from.angular_velocity_out, to.angular_velocity_in,
                                    to.time - from.time);
-        const Quat end = turning.advance(from.orientation, 0, turning.substeps());
+        const Quat end = rotation.advance(from.orientation, 0, rotation.substeps());
         largest = std::max(largest, sim::angle_between(end, to.orientation));
     }
     return largest;

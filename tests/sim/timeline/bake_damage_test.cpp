@@ -1,4 +1,4 @@
-// What time, disks and transfers do to a file: every truncation and every flipped bit is refused.
+// Damaged files: every truncation and every flipped bit is refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,18 +35,18 @@ TEST(BakeDamage, TruncationAtEveryLength_IsRefused) {
     }
 }
 
-TEST(BakeDamage, Truncation_SaysHowMuchIsThere) {
+TEST(BakeDamage, Truncation_NamesTheSizes) {
     const auto bytes = encode_bake(test::small_bake());
-    EXPECT_EQ(refusal(std::span(bytes).first(1000)), "'shot.bake' is truncated: 1000 of its " +
-                                                         std::to_string(bytes.size()) +
-                                                         " bytes are there");
+    EXPECT_EQ(refusal(std::span(bytes).first(1000)), "'shot.bake' is truncated: it has 1000 of " +
+                                                         std::to_string(bytes.size()) + " bytes");
 }
 
 TEST(BakeDamage, BytesAfterTheEnd_AreRefused) {
     auto bytes = encode_bake(test::small_bake());
-    const std::string size = std::to_string(bytes.size());
-    bytes.resize(bytes.size() + 8);
-    EXPECT_EQ(refusal(bytes), "'shot.bake' is damaged: something follows its " + size + " bytes");
+    const std::size_t size = bytes.size();
+    bytes.resize(size + 8);
+    EXPECT_EQ(refusal(bytes), "'shot.bake' is damaged: it has " + std::to_string(size + 8) +
+                                  " bytes instead of " + std::to_string(size));
 }
 
 void expect_flip_refused(std::vector<std::byte>& bytes, std::size_t place, int bit) {
@@ -54,7 +54,7 @@ void expect_flip_refused(std::vector<std::byte>& bytes, std::size_t place, int b
     bytes[place] ^= mask;
     ASSERT_THAT(refusal(bytes),
                 AnyOf(StartsWith("'shot.bake' is damaged: "), StartsWith("'shot.bake' is trunc"),
-                      StartsWith("'shot.bake' is in version "), HasSubstr("is not a carom bake")))
+                      StartsWith("'shot.bake' has version "), HasSubstr("is not a carom bake")))
         << "byte " << place << ", bit " << bit;
     bytes[place] ^= mask;
 }
@@ -70,7 +70,7 @@ TEST(BakeDamage, EveryFlippedBitOfTheEnvelope_IsRefused) {
 
 TEST(BakeDamage, FlippedBitsAnywhere_AreRefused) {
     auto bytes = encode_bake(test::small_bake());
-    test::Numbers numbers(5);
+    test::RandomNumbers numbers(5);
     for (int trial = 0; trial < 400; ++trial) {
         const auto place = numbers.below(bytes.size());
         const int bit = static_cast<int>(numbers.between(0, 8));
@@ -78,23 +78,23 @@ TEST(BakeDamage, FlippedBitsAnywhere_AreRefused) {
     }
 }
 
-TEST(BakeDamage, FlippedContent_IsToldByItsHash) {
+TEST(BakeDamage, FlippedContent_IsDetectedByItsHash) {
     auto bytes = encode_bake(test::small_bake());
     bytes[bytes.size() / 2] ^= std::byte{1};
-    EXPECT_EQ(refusal(bytes), "'shot.bake' is damaged: its content does not fit its hash");
+    EXPECT_EQ(refusal(bytes), "'shot.bake' is damaged: its content does not match its hash");
 }
 
 TEST(BakeDamage, AnotherVersion_SaysWhatToDo) {
     auto bytes = encode_bake(test::small_bake());
-    // The version is the first value of the head, wherever the head is.
+    // The version is the first value of the header, whose position is not fixed.
     std::size_t found = 0;
     for (std::size_t place = 8; place + 4 < 128; place += 4) {
         auto copy = bytes;
         if (copy[place] == std::byte{2}) {
             copy[place] = std::byte{1};
             if (refusal(copy) ==
-                "'shot.bake' is in version 1 of the format and this carom reads version 2; bake "
-                "the shot again") {
+                "'shot.bake' has version 1 of the format, but this carom reads version 2: bake the "
+                "shot again") {
                 ++found;
             }
         }

@@ -51,7 +51,7 @@ TEST(BakeFile, RoundTrip_IsEqualBitForBit) {
     EXPECT_EQ(encode_bake(again), bytes);
 }
 
-/// One of everything, at a time that can be a second later.
+/// A bake with one element of each kind; all times may be shifted by a second.
 Bake one_of_each() {
     Bake bake;
     Timeline& timeline = bake.timeline;
@@ -146,14 +146,14 @@ TEST(BakeFile, Bytes_BeginWithTheFileIdentifier) {
     EXPECT_EQ(std::string(reinterpret_cast<const char*>(bytes.data()) + 4, 4), "CBAK");
 }
 
-// The same bytes from every compiler and build. A change here is a change of the format: raise
+// Every compiler and build writes the same bytes. A change here is a change of the format: increase
 // kSchemaVersion if old readers would misunderstand it.
 TEST(BakeFile, Bytes_ArePinned) {
     EXPECT_EQ(hash_bytes(encode_bake(test::small_bake())).to_string(),
               "5561699b781e6b11f2459fefb89ba807");
 }
 
-TEST(BakeFile, UnalignedBuffer_IsReadAllTheSame) {
+TEST(BakeFile, UnalignedBuffer_IsRead) {
     const auto bytes = encode_bake(test::small_bake());
     for (std::size_t shift = 1; shift < 8; ++shift) {
         std::vector<std::byte> shifted(shift);
@@ -170,7 +170,7 @@ struct BadBake {
 
 class BakeRefusal : public testing::TestWithParam<BadBake> {};
 
-// What could not be read again is not written.
+// A bake that could not be read again is not written.
 TEST_P(BakeRefusal, BadBake_IsNotWritten) {
     Bake bake = test::small_bake();
     GetParam().spoil(bake);
@@ -196,8 +196,8 @@ INSTANTIATE_TEST_SUITE_P(
                     keys[1].position.x = 1;
                     b.timeline.tracks.emplace_back("jumper", keys);
                 },
-                "track 'jumper', key 1: it lies too far from the key before for the time between "
-                "them"},
+                "track 'jumper', key 1: its position is too far from that of the previous key "
+                "for the time between them"},
         BadBake{"endless", [](Bake& b) { b.timeline.end_time = HUGE_VAL; },
                 "its start or end time is not finite"},
         BadBake{"backwards", [](Bake& b) { b.timeline.end_time = -1; }, "it ends before it starts"},
@@ -205,7 +205,7 @@ INSTANTIATE_TEST_SUITE_P(
                 [](Bake& b) { b.timeline.tracks.emplace_back("", std::vector<Key>(1)); },
                 "a track has no name"},
         BadBake{"twins", [](Bake& b) { b.timeline.tracks.push_back(b.timeline.tracks[0]); },
-                "two tracks are called 'cue'"},
+                "two tracks have the name 'cue'"},
         BadBake{"long_name",
                 [](Bake& b) {
                     b.timeline.tracks.emplace_back(std::string(1025, 'a'), std::vector<Key>(1));
@@ -214,7 +214,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadBake{
             "event_order",
             [](Bake& b) { b.timeline.events[0].time = 1.5, b.timeline.events[0].end_time = 1.5; },
-            "event 1 is earlier than the one before"},
+            "event 1 is earlier than the previous one"},
         BadBake{"event_end", [](Bake& b) { b.timeline.events[0].end_time = 0.25; },
                 "event 0 ends before it begins"},
         BadBake{"event_nan", [](Bake& b) { b.timeline.events[1].normal.y = std::nan(""); },
@@ -223,24 +223,24 @@ INSTANTIATE_TEST_SUITE_P(
                 [](Bake& b) { b.timeline.events[2].kind = static_cast<EventKind>(13); },
                 "event 2 is of an unknown kind"},
         BadBake{"event_name", [](Bake& b) { b.timeline.events[2].b = std::string(1025, 'a'); },
-                "event 2 names an object in more than 1024 bytes"},
+                "event 2 has a name of more than 1024 bytes"},
         BadBake{"energy_order", [](Bake& b) { b.timeline.energy[2].time = 0.25; },
-                "energy sample 2 is earlier than the one before"},
+                "energy sample 2 is earlier than the previous one"},
         BadBake{"energy_nan", [](Bake& b) { b.timeline.energy[0].kinetic = std::nan(""); },
                 "energy sample 0 has a value that is not finite"},
         BadBake{"contact_order", [](Bake& b) { b.timeline.lasting_contacts[1].from = 0; },
-                "lasting contact 1 is earlier than the one before"},
+                "lasting contact 1 is earlier than the previous one"},
         BadBake{"contact_nan", [](Bake& b) { b.timeline.lasting_contacts[0].slip = std::nan(""); },
                 "lasting contact 0 has a value that is not finite"},
         BadBake{"contact_name",
                 [](Bake& b) { b.timeline.lasting_contacts[0].a = std::string(1025, 'a'); },
-                "lasting contact 0 names an object in more than 1024 bytes"},
+                "lasting contact 0 has a name of more than 1024 bytes"},
         BadBake{"put_back_order",
                 [](Bake& b) {
                     b.timeline.put_backs.push_back(b.timeline.put_backs[0]);
                     b.timeline.put_backs[1].time = 1;
                 },
-                "ball put back 1 is earlier than the one before"},
+                "ball put back 1 is earlier than the previous one"},
         BadBake{"put_back_name",
                 [](Bake& b) { b.timeline.put_backs[0].ball = std::string(1025, 'a'); },
                 "ball put back 0 has a name of more than 1024 bytes"},
@@ -250,12 +250,12 @@ INSTANTIATE_TEST_SUITE_P(
             "warning 1 is about a subject of an unknown kind"},
         BadBake{"warning_name",
                 [](Bake& b) { b.timeline.warnings[1].subject.name = std::string(1025, 'a'); },
-                "warning 1 names its subject in more than 1024 bytes"},
+                "warning 1 has a subject with a name of more than 1024 bytes"},
         BadBake{"silent_warning", [](Bake& b) { b.timeline.warnings[0].sentence.clear(); },
                 "warning 0 has no sentence, or one of more than 16384 bytes"},
         BadBake{"error_among_warnings",
                 [](Bake& b) { b.timeline.warnings[2].severity = Severity::error; },
-                "warning 2 is an error"},
+                "warning 2 has the severity of an error"},
         BadBake{"many_warnings",
                 [](Bake& b) { b.timeline.warnings.resize(1025, b.timeline.warnings[0]); },
                 "it has more than 1024 warnings"},
@@ -294,7 +294,7 @@ TEST_F(BakeOnDisk, Folder_IsRefused) {
         testing::ThrowsMessage<Error>("cannot read '" + folder_.string() + "': Is a directory"));
 }
 
-TEST_F(BakeOnDisk, ForeignFile_HasASentenceOfItsOwn) {
+TEST_F(BakeOnDisk, ForeignFile_HasItsOwnMessage) {
     std::ofstream(path("shot.yaml")) << "carom: 1\nballs: {cue: {at: [0, 0]}}\n";
     std::ofstream(path("empty")) << "";
     std::ofstream(path("huge")) << "x";

@@ -1,4 +1,4 @@
-// Files that someone made on purpose: the hash fits, the content lies.
+// Forged files, with a valid hash but invalid content.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -50,8 +50,8 @@ TEST(BakeForgery, KeysOutOfOrder_AreNamed) {
                   auto* track = content.mutable_tracks()->GetMutableObject(0);
                   mutable_at(*track->mutable_keys(), 2).mutate_time(1.25);
               }),
-              "'shot.bake' is damaged: track 'cue', key 2: its time is not after that of the key "
-              "before");
+              "'shot.bake' is damaged: track 'cue', key 2: its time is not later than that of the "
+              "previous key");
 }
 
 TEST(BakeForgery, NotANumber_IsNamed) {
@@ -62,7 +62,7 @@ TEST(BakeForgery, NotANumber_IsNamed) {
               "'shot.bake' is damaged: track 'one', key 0: a value is not finite");
 }
 
-TEST(BakeForgery, EndlessTurn_IsRefusedBeforeItIsIntegrated) {
+TEST(BakeForgery, HugeRotation_IsRefusedBeforeItIsIntegrated) {
     EXPECT_EQ(
         refusal_after([](fb::Content& content) {
             auto* track = content.mutable_tracks()->GetMutableObject(0);
@@ -83,14 +83,14 @@ TEST(BakeForgery, EventNameOutOfRange_IsRefused) {
     EXPECT_EQ(refusal_after([](fb::Content& content) {
                   mutable_at(*content.mutable_events(), 1).mutate_b(4'000'000'000U);
               }),
-              "'shot.bake' is damaged: an event refers to a name that is not there");
+              "'shot.bake' is damaged: an event refers to a name that does not exist");
 }
 
 TEST(BakeForgery, EventsOutOfOrder_AreNamed) {
     EXPECT_EQ(refusal_after([](fb::Content& content) {
                   mutable_at(*content.mutable_events(), 2).mutate_time(1);
               }),
-              "'shot.bake' is damaged: event 2 is earlier than the one before");
+              "'shot.bake' is damaged: event 2 is earlier than the previous one");
 }
 
 TEST(BakeForgery, EnergyNotFinite_IsNamed) {
@@ -105,11 +105,11 @@ TEST(BakeForgery, InfiniteDuration_IsRefused) {
               "'shot.bake' is damaged: its start or end time is not finite");
 }
 
-TEST(BakeForgery, LastingContactWithAForeignName_IsRefused) {
+TEST(BakeForgery, LastingContactWithAnUnknownName_IsRefused) {
     EXPECT_EQ(refusal_after([](fb::Content& content) {
                   mutable_at(*content.mutable_lasting_contacts(), 1).mutate_b(1'000);
               }),
-              "'shot.bake' is damaged: a lasting contact refers to a name that is not there");
+              "'shot.bake' is damaged: a lasting contact refers to a name that does not exist");
 }
 
 TEST(BakeForgery, LastingContactOfNegativeForce_IsNamed) {
@@ -126,18 +126,18 @@ TEST(BakeForgery, LastingContactThatEndsTooEarly_IsNamed) {
               "'shot.bake' is damaged: lasting contact 0 ends before it begins");
 }
 
-TEST(BakeForgery, BallPutBackToNowhere_IsNamed) {
+TEST(BakeForgery, BallPutBackToNaN_IsNamed) {
     EXPECT_EQ(refusal_after([](fb::Content& content) {
                   mutable_at(*content.mutable_put_backs(), 0).mutable_to().mutate_z(std::nan(""));
               }),
               "'shot.bake' is damaged: ball put back 0 has a value that is not finite");
 }
 
-TEST(BakeForgery, BallPutBackWithAForeignName_IsRefused) {
+TEST(BakeForgery, BallPutBackWithAnUnknownName_IsRefused) {
     EXPECT_EQ(refusal_after([](fb::Content& content) {
                   mutable_at(*content.mutable_put_backs(), 0).mutate_ball(4'000'000'000U);
               }),
-              "'shot.bake' is damaged: a ball put back refers to a name that is not there");
+              "'shot.bake' is damaged: a ball put back refers to a name that does not exist");
 }
 
 TEST(BakeForgery, WarningAboutAnUnknownSubject_IsRefused) {
@@ -148,7 +148,7 @@ TEST(BakeForgery, WarningAboutAnUnknownSubject_IsRefused) {
               "'shot.bake' is damaged: a warning is about a subject of an unknown kind");
 }
 
-// Ten thousand tracks that are all the same one would become gigabytes.
+// Ten thousand tracks that share the same bytes would become gigabytes.
 TEST(BakeForgery, SharedParts_AreRefused) {
     FlatBufferBuilder builder;
     const std::vector<fb::Key> keys(1000);
@@ -173,12 +173,12 @@ TEST(BakeForgery, SharedParts_AreRefused) {
     EXPECT_THAT(refusal_of_content(bytes), testing::StartsWith("'shot.bake' is damaged: "));
 }
 
-// What the fuzzer found: inner buffers that once did harm, one file each, named for its fault.
+// Inner buffers, found by the fuzzer, that once caused a fault; each file is named for its fault.
 TEST(BakeForgery, FilesThatTheFuzzerFound_AreRefused) {
     const std::map<std::string, std::string> sentences{
         // A list of structs at a multiple of four: reading its doubles was undefined behaviour.
-        {"misaligned_energy", "a list does not begin at a multiple of eight bytes"},
-        // An angle that overflows: its quarter turns were counted in a whole number.
+        {"misaligned_energy", "a list is not aligned to eight bytes"},
+        // An angle that overflows: the number of its quarter turns did not fit into an integer.
         {"infinite_spin", "a track has no name"},
     };
     const std::string folder = CAROM_SOURCE_DIR "/tests/sim/timeline/forged_bakes/";
@@ -192,8 +192,8 @@ TEST(BakeForgery, FilesThatTheFuzzerFound_AreRefused) {
     }
 }
 
-TEST(BakeForgery, Rubbish_IsRefusedWithoutACrash) {
-    test::Numbers numbers(77);
+TEST(BakeForgery, RandomBytes_AreRefusedWithoutACrash) {
+    test::RandomNumbers numbers(77);
     for (int trial = 0; trial < 2000; ++trial) {
         std::vector<std::byte> rubbish(static_cast<std::size_t>(numbers.between(0, 300)));
         for (std::byte& byte : rubbish) {
@@ -203,10 +203,10 @@ TEST(BakeForgery, Rubbish_IsRefusedWithoutACrash) {
     }
 }
 
-// Any byte of a true content replaced by any other: a bake or an Error, never anything else.
+// Any byte of a valid content is replaced by any other: the result is a bake or an Error.
 TEST(BakeForgery, ReplacedBytes_AreReadOrRefused) {
     const std::vector<std::byte> content = encode_content(test::small_bake());
-    test::Numbers numbers(78);
+    test::RandomNumbers numbers(78);
     int refused = 0;
     for (int trial = 0; trial < 20'000; ++trial) {
         std::vector<std::byte> changed = content;

@@ -6,7 +6,7 @@
 
 namespace carom::sim::test {
 
-/// Something of everything, about three kilobytes.
+/// A bake with all kinds of content, about three kilobytes.
 inline Bake small_bake() {
     Bake bake;
     bake.physics_hash = {0x1234, 0x5678};
@@ -15,7 +15,7 @@ inline Bake small_bake() {
     Timeline& timeline = bake.timeline;
     timeline.start_time = 0;
     timeline.end_time = 2;
-    Numbers numbers(99);
+    RandomNumbers numbers(99);
     timeline.tracks.emplace_back(
         "cue", std::vector<Key>{random_key(numbers, 0, false), random_key(numbers, 1.25, true),
                                 random_key(numbers, 2, false)});

@@ -9,7 +9,7 @@
 namespace carom::sim {
 namespace {
 
-TEST(Event, Kinds_HaveNamesOfTheirOwn) {
+TEST(Event, Kinds_HaveDistinctNames) {
     std::set<std::string_view> names;
     for (int kind = 0; kind <= static_cast<int>(EventKind::strike); ++kind) {
         names.insert(to_string(static_cast<EventKind>(kind)));
@@ -19,7 +19,7 @@ TEST(Event, Kinds_HaveNamesOfTheirOwn) {
     EXPECT_EQ(to_string(EventKind::impact), "impact");
 }
 
-TEST(Timeline, Find_GivesTheTrackOfThatNameOrNothing) {
+TEST(Timeline, Find_ReturnsTheTrackOfThatNameOrNullptr) {
     Timeline timeline;
     timeline.tracks.emplace_back("cue", std::vector<Key>(1));
     timeline.tracks.emplace_back("one", std::vector<Key>(1));

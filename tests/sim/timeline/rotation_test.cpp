@@ -18,7 +18,7 @@ TEST(Rotation, Vector_TurnsRightHanded) {
 }
 
 TEST(Rotation, Exponential_IsOfUnitLengthAndMatchesSineAndCosine) {
-    test::Numbers numbers(1);
+    test::RandomNumbers numbers(1);
     for (int trial = 0; trial < 1000; ++trial) {
         const double angle = trial < 500 ? numbers.between(0, 0.6) : numbers.between(0, 500);
         const Vec3 axis = numbers.vector(1).normalized();
@@ -29,8 +29,8 @@ TEST(Rotation, Exponential_IsOfUnitLengthAndMatchesSineAndCosine) {
     }
 }
 
-TEST(Rotation, Logarithm_UndoesTheExponential) {
-    test::Numbers numbers(2);
+TEST(Rotation, Logarithm_InvertsTheExponential) {
+    test::RandomNumbers numbers(2);
     for (int trial = 0; trial < 1000; ++trial) {
         const double angle = kPi * std::pow(10.0, numbers.between(-12, 0));
         const Vec3 vector = angle * numbers.vector(1).normalized();
@@ -40,14 +40,14 @@ TEST(Rotation, Logarithm_UndoesTheExponential) {
     }
 }
 
-TEST(Rotation, NoTurn_IsTheIdentityExactly) {
+TEST(Rotation, ZeroVector_IsExactlyTheIdentity) {
     EXPECT_EQ(rotation_from_vector({0, 0, 0}), Quat());
     EXPECT_EQ(rotation_vector(Quat()), Vec3(0));
     EXPECT_EQ(angle_between(Quat(), Quat()), 0);
 }
 
-// Reference: 4096 steps of the mid-point rule, whose own error is some 1e-8 of the turn here and
-// whose steps need no commutator.
+// The reference: 4096 steps of the midpoint rule, whose relative error is about 1e-8 here and which
+// needs no commutator.
 Quat integrate_finely(const Vec3& before, const Vec3& after, double duration) {
     constexpr int kSteps = 4096;
     Quat rotation;
@@ -58,8 +58,8 @@ Quat integrate_finely(const Vec3& before, const Vec3& after, double duration) {
     return rotation;
 }
 
-// One step's error is of fifth order in its length. The commutator's sign is the point: with the
-// wrong one the error would be twice that of leaving it out.
+// The error of one step is of fifth order in its length. This tests the sign of the commutator:
+// with the wrong sign the error would be twice that without the commutator.
 TEST(Rotation, MagnusStep_FollowsWorldFrameVelocityToFourthOrder) {
     const Vec3 before(3, 0, 1);
     const Vec3 slope(-15, 20, -10);

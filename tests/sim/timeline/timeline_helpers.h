@@ -1,4 +1,4 @@
-// Small makers and random numbers for the tests of this folder and its users.
+// Functions that build keys and tracks, and random numbers, for the tests of timelines.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace carom::sim::test {
 
-class Numbers {
+class RandomNumbers {
   public:
-    explicit Numbers(std::uint64_t seed) : random_(seed << 32) {}
+    explicit RandomNumbers(std::uint64_t seed) : random_(seed << 32) {}
 
     /// In [0, 1).
     double unit() { return random_.next_unit(); }
@@ -37,14 +37,14 @@ class Numbers {
     SplitMix64 random_;
 };
 
-/// The same velocities on arriving and on leaving.
+/// A key with equal incoming and outgoing velocities.
 inline Key smooth_key(double time, const Vec3& position, const Vec3& velocity,
                       const Quat& orientation = {}, const Vec3& angular_velocity = {0, 0, 0}) {
     return {time, position, orientation, velocity, angular_velocity, velocity, angular_velocity};
 }
 
-inline Key random_key(Numbers& numbers, double time, bool is_break) {
-    // One after another: the order of a call's arguments is the compiler's to choose.
+inline Key random_key(RandomNumbers& numbers, double time, bool is_break) {
+    // In separate statements, since the evaluation order of a call's arguments is unspecified.
     Key key;
     key.time = time;
     key.position = numbers.vector(1);
@@ -58,9 +58,9 @@ inline Key random_key(Numbers& numbers, double time, bool is_break) {
     return key;
 }
 
-/// Keys at uneven times from `start` on, about every third a break.
+/// A track with keys at irregular times from `start` on, about every third of them a break.
 inline Track random_track(std::uint64_t seed, int key_count, double start = 0.25) {
-    Numbers numbers(seed);
+    RandomNumbers numbers(seed);
     std::vector<Key> keys;
     double time = start;
     for (int index = 0; index < key_count; ++index) {

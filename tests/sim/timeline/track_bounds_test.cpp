@@ -1,4 +1,4 @@
-// Stretches and boxes handed to those who intersect the path.
+// Segments and bounding boxes of tracks.
 #include <gtest/gtest.h>
 
 #include "sim/timeline/hermite.h"
@@ -20,9 +20,9 @@ void expect_covers(const std::vector<PathSegment>& segments, double from, double
     }
 }
 
-TEST(TrackStretches, RandomIntervals_AreCoveredWithoutGapsAndAgreeWithSample) {
+TEST(TrackSegments, RandomIntervals_AreCoveredWithoutGapsAndAgreeWithSample) {
     const Track track = test::random_track(11, 25);
-    test::Numbers numbers(11);
+    test::RandomNumbers numbers(11);
     for (int trial = 0; trial < 300; ++trial) {
         const double from = numbers.between(-1, 6);
         const double to = from + numbers.between(0, 2);
@@ -38,7 +38,7 @@ TEST(TrackStretches, RandomIntervals_AreCoveredWithoutGapsAndAgreeWithSample) {
     }
 }
 
-TEST(TrackStretches, CutAtKeys_ReturnsTheirValues) {
+TEST(TrackSegments, CutAtKeys_ReturnsTheirValues) {
     const Track track = test::random_track(12, 6);
     const auto keys = track.keys();
     const auto segments = track.segments(keys[1].time, keys[4].time);
@@ -51,7 +51,7 @@ TEST(TrackStretches, CutAtKeys_ReturnsTheirValues) {
     }
 }
 
-TEST(TrackStretches, OneInstant_IsOnePiece) {
+TEST(TrackSegments, OneInstant_IsOneSegment) {
     const Track track = test::random_track(13, 4);
     const double first = track.keys().front().time;
     const double last = track.keys().back().time;
@@ -67,7 +67,7 @@ TEST(TrackStretches, OneInstant_IsOnePiece) {
     }
 }
 
-TEST(TrackStretches, OutsideTheKeys_AreConstant) {
+TEST(TrackSegments, OutsideTheKeys_AreConstant) {
     const Track track("ball",
                       {smooth_key(1, {1, 0, 0}, {5, 0, 0}), smooth_key(2, {6, 0, 0}, {5, 0, 0})});
     const auto segments = track.segments(0, 3);
@@ -82,7 +82,7 @@ TEST(TrackStretches, OutsideTheKeys_AreConstant) {
 TEST(TrackBounds, RandomIntervals_ContainEverySample) {
     for (std::uint64_t seed = 20; seed < 30; ++seed) {
         const Track track = test::random_track(seed, 15);
-        test::Numbers numbers(seed);
+        test::RandomNumbers numbers(seed);
         for (int trial = 0; trial < 50; ++trial) {
             const double from = numbers.between(-0.5, 4);
             const double to = from + numbers.between(0, 1);
@@ -99,7 +99,7 @@ TEST(TrackBounds, RandomIntervals_ContainEverySample) {
     }
 }
 
-TEST(TrackBounds, ThrownBall_ReachesItsApexAndNoMore) {
+TEST(TrackBounds, ThrownBall_IsBoundedByItsApex) {
     // z = 2 t - 5 t^2: apex 0.2 at t = 0.2.
     const Track track(
         "ball", {smooth_key(0, {0, 0, 0}, {1, 0, 2}), smooth_key(0.4, {0.4, 0, 0}, {1, 0, -2})});

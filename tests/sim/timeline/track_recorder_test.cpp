@@ -37,7 +37,7 @@ void expect_within_bound(const Track& track, const Dense& dense, KeyReduction re
     }
 }
 
-/// A ball on the cloth that slides, rolls and rests, by the closed forms of PHYSICS: slip
+/// A ball on the cloth that slides, rolls and rests, by the closed forms in docs/physics.md: slip
 /// u = v - R w x z, sliding at mu_s g against it, rolling at mu_r g.
 Dense ball_on_cloth(Vec3 v, Vec3 w, double duration) {
     constexpr double kSliding = 0.2;
@@ -54,7 +54,7 @@ Dense ball_on_cloth(Vec3 v, Vec3 w, double duration) {
             acceleration = -kSliding * kGravity * slip.normalized();
             spin_up = -2.5 * kSliding * kGravity / kRadius * slip.normalized().cross(Vec3(0, 0, 1));
         } else if (state.velocity.length() > kRolling * kGravity * kStep) {
-            // From here on rolling: the little slip left is dropped.
+            // It rolls from here on; the small remaining slip is dropped.
             state.angular_velocity = Vec3(0, 0, 1).cross(state.velocity) / kRadius;
             acceleration = -kRolling * kGravity * state.velocity.normalized();
             spin_up = Vec3(0, 0, 1).cross(acceleration) / kRadius;
@@ -75,7 +75,7 @@ Dense ball_on_cloth(Vec3 v, Vec3 w, double duration) {
     return dense;
 }
 
-TEST(TrackRecorder, RestingBall_CostsTwoKeys) {
+TEST(TrackRecorder, RestingBall_NeedsTwoKeys) {
     const MotionState state{{0.3, -0.2, kRadius}, rotation_from_vector({1, 2, 3})};
     Dense dense;
     for (int index = 0; index < 2400; ++index) {
@@ -84,7 +84,7 @@ TEST(TrackRecorder, RestingBall_CostsTwoKeys) {
     EXPECT_EQ(reduce(dense).keys().size(), 2U);
 }
 
-TEST(TrackRecorder, RollingInAStraightLine_CostsTwoKeys) {
+TEST(TrackRecorder, RollingInAStraightLine_NeedsTwoKeys) {
     Dense dense;
     const double acceleration = -0.0981;
     for (int index = 0; index < 1200; ++index) {
@@ -101,7 +101,7 @@ TEST(TrackRecorder, RollingInAStraightLine_CostsTwoKeys) {
     expect_within_bound(track, dense);
 }
 
-TEST(TrackRecorder, Parabola_CostsTwoKeys) {
+TEST(TrackRecorder, Parabola_NeedsTwoKeys) {
     Dense dense;
     for (int index = 0; index < 200; ++index) {
         const double t = index * kStep;
@@ -116,7 +116,7 @@ TEST(TrackRecorder, Parabola_CostsTwoKeys) {
 }
 
 TEST(TrackRecorder, RandomSlidingAndRolling_KeepsTheBoundWithFewKeys) {
-    test::Numbers numbers(31);
+    test::RandomNumbers numbers(31);
     for (int trial = 0; trial < 15; ++trial) {
         const Vec3 v = Vec3{numbers.between(-4, 4), numbers.between(-4, 4), 0};
         const Vec3 w = numbers.vector(150) * Vec3(1, 1, 0);
@@ -151,8 +151,8 @@ TEST(TrackRecorder, SmoothArbitraryMotion_KeepsATightAndALooseBound) {
     EXPECT_LT(fine.keys().size(), dense.size());
 }
 
-// A kink of the path half-way between two states must not vanish between them.
-TEST(TrackRecorder, BetweenTheStates_TheDensePathIsKeptToo) {
+// A bend of the path midway between two states must not vanish.
+TEST(TrackRecorder, BetweenTheStates_TheDensePathIsKept) {
     const Dense dense{{0, {{0, 0, 0}, Quat(), {1, 0, 0}}},
                       {1, {{0, 0, 0}, Quat(), {-1, 0, 0}}},
                       {2, {{0, 0, 0}, Quat(), {1, 0, 0}}}};
@@ -190,7 +190,7 @@ TEST(TrackRecorder, BreakAtTheTimeOfAState_MakesItABreak) {
     EXPECT_EQ(track.keys()[1].velocity_out, Vec3(0, 2, 0));
 }
 
-TEST(TrackRecorder, SeveralBreaksInOneInstant_KeepTheFirstArrivalAndTheLastDeparture) {
+TEST(TrackRecorder, SeveralBreaksInOneInstant_KeepTheFirstIncomingAndTheLastOutgoingVelocity) {
     const auto moving = [](double vx, double wz) {
         return MotionState{{0, 0, 0}, Quat(), {vx, 0, 0}, {0, 0, wz}};
     };
@@ -212,7 +212,7 @@ TEST(TrackRecorder, Misuse_IsNamed) {
     recorder.add(1, here);
     EXPECT_THAT([&] { recorder.add(0.5, here); },
                 testing::ThrowsMessage<Error>(
-                    "track 'cue': a state at 0.500000 s comes after one at 1.000000 s"));
+                    "track 'cue': a state at 0.500000 s was added after one at 1.000000 s"));
     EXPECT_THAT([&] { recorder.add(1, there); },
                 testing::ThrowsMessage<Error>(
                     "track 'cue': two different states at 1.000000 s without a break"));
@@ -224,7 +224,7 @@ TEST(TrackRecorder, Misuse_IsNamed) {
     EXPECT_EQ(recorder.finish().keys().size(), 1U);
 }
 
-TEST(TrackRecorder, Nothing_IsRefused) {
+TEST(TrackRecorder, EmptyTrack_IsRefused) {
     TrackRecorder recorder("cue");
     EXPECT_THAT([&] { (void)recorder.finish(); },
                 testing::ThrowsMessage<Error>("track 'cue' has no keys"));

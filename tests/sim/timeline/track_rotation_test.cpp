@@ -1,4 +1,4 @@
-// Turns of many revolutions between two keys.
+// Rotations of many revolutions between two keys.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,8 +16,8 @@ using test::smooth_key;
 
 constexpr double kPi = std::numbers::pi;
 
-/// What the orientation should be: mid-point steps, so fine that the reference's own error is under
-/// a hundredth of the bounds below.
+/// The reference orientation by midpoint steps that are so fine that its error is less than a
+/// hundredth of the bounds below.
 class FineTurn {
   public:
     FineTurn(const Vec3& before, const Vec3& after, double duration)
@@ -45,7 +45,7 @@ Track turning_track(const Vec3& before, const Vec3& after, double duration, cons
                           smooth_key(duration, {0, 0, 0}, {0, 0, 0}, end, after)});
 }
 
-TEST(TrackTurn, ConstantSpin_SurvivesManyRevolutions) {
+TEST(TrackRotation, ConstantSpin_IsKeptOverManyRevolutions) {
     // 50 revolutions and a quarter, in two seconds.
     const Vec3 spin(0, 0, (50.25 * 2 * kPi) / 2);
     const Quat quarter = rotation_from_vector({0, 0, kPi / 2});
@@ -56,8 +56,8 @@ TEST(TrackTurn, ConstantSpin_SurvivesManyRevolutions) {
     }
 }
 
-TEST(TrackTurn, LinearlyChangingAxis_FollowsFineIntegration) {
-    // A ball sliding: 60 rad/s of side spin turned into roll; some 8 revolutions in 0.8 s.
+TEST(TrackRotation, LinearlyChangingAxis_FollowsFineIntegration) {
+    // A sliding ball: 60 rad/s of side spin become roll; about 8 revolutions in 0.8 s.
     const Vec3 before(20, -60, 10);
     const Vec3 after(-50, 15, 4);
     const double duration = 0.8;
@@ -71,10 +71,10 @@ TEST(TrackTurn, LinearlyChangingAxis_FollowsFineIntegration) {
     }
 }
 
-// The substeps shrink with the duration at a fixed turn rate per step, so the error per radian
-// stays: a bound per radian of turn holds for random pairs.
-TEST(TrackTurn, RandomTurns_StayWithinTheBoundPerRadian) {
-    test::Numbers numbers(7);
+// The angle of a substep is bounded, so the error per radian is, too: a bound per radian holds for
+// random pairs.
+TEST(TrackRotation, RandomTurns_StayWithinTheBoundPerRadian) {
+    test::RandomNumbers numbers(7);
     for (int trial = 0; trial < 12; ++trial) {
         const Vec3 before = numbers.vector(60);
         const Vec3 after = numbers.vector(60);
@@ -92,8 +92,8 @@ TEST(TrackTurn, RandomTurns_StayWithinTheBoundPerRadian) {
     }
 }
 
-TEST(TrackTurn, Residual_IsSpreadLinearly) {
-    // No angular velocity, but the keys differ by 0.4 rad: the turn between them is even.
+TEST(TrackRotation, Residual_IsDistributedLinearly) {
+    // Without angular velocity, but with keys that differ by 0.4 rad, the rotation is uniform.
     const Track track =
         turning_track({0, 0, 0}, {0, 0, 0}, 2, Quat(), rotation_from_vector({0.4, 0, 0}));
     EXPECT_LT(angle_between(track.sample(0.5).orientation, rotation_from_vector({0.1, 0, 0})),
@@ -102,12 +102,12 @@ TEST(TrackTurn, Residual_IsSpreadLinearly) {
               1e-15);
 }
 
-TEST(TrackTurn, AngularVelocity_IsLinearBetweenKeys) {
+TEST(TrackRotation, AngularVelocity_IsLinearBetweenKeys) {
     const Track track = turning_track({4, 0, 0}, {0, 8, 0}, 2, Quat(), Quat());
     EXPECT_NEAR((track.sample(0.5).angular_velocity - Vec3(3, 2, 0)).length(), 0, 1e-15);
 }
 
-TEST(TrackTurn, Orientation_StaysOfUnitLength) {
+TEST(TrackRotation, Orientation_StaysOfUnitLength) {
     const Track track = test::random_track(9, 40);
     for (double time = 0; time < 9; time += 0.013) {
         EXPECT_NEAR(track.sample(time).orientation.length(), 1, 1e-13);

@@ -50,7 +50,7 @@ TEST(Track, BetweenKeys_UniformAccelerationIsExact) {
 
 TEST(Track, BetweenKeys_VelocityIsTheSlopeOfThePath) {
     const Track track = test::random_track(3, 12);
-    test::Numbers numbers(3);
+    test::RandomNumbers numbers(3);
     for (int trial = 0; trial < 200; ++trial) {
         const double time = numbers.between(track.keys().front().time, track.keys().back().time);
         const double step = 1e-6;
@@ -70,7 +70,7 @@ TEST(Track, BetweenKeys_VelocityIsTheSlopeOfThePath) {
 
 TEST(Track, SeekInAnyOrder_GivesTheSameAnswer) {
     const Track track = test::random_track(4, 30);
-    test::Numbers numbers(4);
+    test::RandomNumbers numbers(4);
     std::vector<double> times;
     for (int index = 0; index < 300; ++index) {
         times.push_back(numbers.between(0, 7));
@@ -100,7 +100,7 @@ TEST(Track, Break_KeepsTheCornerAndReturnsTheOutgoingVelocity) {
     }
 }
 
-TEST(Track, OneKey_HoldsForEver) {
+TEST(Track, OneKey_HoldsForever) {
     const Track track("ball", {smooth_key(3, {1, 2, 3}, {0, 0, 0})});
     EXPECT_EQ(track.sample(2).position, Vec3(1, 2, 3));
     EXPECT_EQ(track.sample(3).position, Vec3(1, 2, 3));
@@ -135,9 +135,10 @@ const Key kGood = smooth_key(0, {0, 0, 0}, {0, 0, 0});
 INSTANTIATE_TEST_SUITE_P(
     Keys, TrackRefusal,
     testing::Values(BadKeys{"none", {}, "track 'cue' has no keys"},
-                    BadKeys{"same_time",
-                            {kGood, kGood},
-                            "track 'cue', key 1: its time is not after that of the key before"},
+                    BadKeys{
+                        "same_time",
+                        {kGood, kGood},
+                        "track 'cue', key 1: its time is not later than that of the previous key"},
                     BadKeys{"nan_time",
                             {kGood, smooth_key(kNan, {0, 0, 0}, {0, 0, 0})},
                             "track 'cue', key 1: a value is not finite"},
