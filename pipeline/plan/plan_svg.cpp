@@ -166,7 +166,7 @@ std::string plan_svg(const Shot& shot, const sim::Timeline& timeline, const Plan
                      LabelPlacer({}),
                      SvgText(SvgText::Kind::fragment)};
     if (shot.world.table && shot.world.table->has_cushions) {
-        plan.table = sim::billiards::lay_out(*shot.world.table, ball_radius(shot));
+        plan.table = sim::billiards::make_layout(*shot.world.table, ball_radius(shot));
     }
     const std::vector<CameraRig> rigs = with_fitted_paths(shot.cameras, timeline);
     for (const CameraRig& rig : rigs) {

@@ -17,15 +17,16 @@ constexpr double kApronTop = kRailBottom - 0.001;
 constexpr double kApronDepth = 0.17;  // at most; less on low tables, m
 constexpr double kApronBack = 0.045;  // from the rails' outer edge to the apron's inside, m
 constexpr double kLegInset = 0.118;   // of a leg's axis from the rails' outer edge, m
-constexpr double kLegInside = 0.05;   // how far a leg goes up behind the apron, m
+constexpr double kLegInside = 0.05;   // of a leg, hidden behind the apron, m
 constexpr double kLegRadius = 0.062;  // at its widest, m
-constexpr double kFeetApart = 1.6;    // two more legs are put in where it would be more, m
+constexpr double kMaxLegGap = 1.6;    // between legs along a side; more pairs are added, m
 
 double apron_bottom(const TableMeasures& measures) {
     return kApronTop - std::min(kApronDepth, 0.3 * measures.height);
 }
 
-// A turned leg: share of the height from the floor, and share of the widest radius.
+// A turned leg: height above the floor as a fraction of the leg's, and radius as a fraction of the
+// widest.
 constexpr std::array<std::array<double, 2>, 13> kTurning{{{0.00, 0.62},
                                                           {0.03, 0.66},
                                                           {0.06, 0.60},
@@ -49,7 +50,7 @@ double turning_slope(std::size_t index) {
     return (after[1] - before[1]) / (after[0] - before[0]);
 }
 
-// Radius and its slope against height, by cubic Hermite pieces through the turning's points.
+// Radius and its slope against height, by cubic Hermite curves through the points above.
 std::array<double, 2> turning_at(double height) {
     std::size_t index = 0;
     while (index + 2 < kTurning.size() && kTurning[index + 1][0] <= height) {
@@ -82,9 +83,9 @@ Surface build_leg(const std::string& name, const Vec2& axis, double floor, doubl
             const double angle = 2 * std::numbers::pi * (step % kAround) / kAround;
             const SinCos at = sin_cos(angle);
             const Vec2 radial(at.cos, at.sin);
-            const Vec2 place = axis + kLegRadius * radius * radial;
+            const Vec2 position = axis + kLegRadius * radius * radial;
             row.push_back(
-                {{place.x, place.y, floor + fraction * height},
+                {{position.x, position.y, floor + fraction * height},
                  Vec3(radial.x, radial.y, down).normalized(),
                  {fraction * height, kLegRadius * 2 * std::numbers::pi * step / kAround}});
         }
@@ -107,32 +108,34 @@ Surface build_leg(const std::string& name, const Vec2& axis, double floor, doubl
 Surface build_apron(const TableLayout& layout) {
     SurfaceBuilder builder("apron", SurfacePart::apron);
     const double bottom = apron_bottom(layout.measures);
-    // A band under the rail, a groove, a face that leans in, and the back of the board.
-    const std::array<ProfilePlace, 9> places{{{0.012, kApronTop},
-                                              {0.012, kApronTop - 0.018},
-                                              {0.017, kApronTop - 0.018},
-                                              {0.017, kApronTop - 0.022},
-                                              {0.014, kApronTop - 0.022},
-                                              {0.030, bottom + 0.006},
-                                              {0.034, bottom},
-                                              {kApronBack, bottom},
-                                              {kApronBack, kApronTop}}};
+    // A band under the rail, a groove, a face that leans inwards, and the back of the board.
+    const std::array<ProfilePosition, 9> positions{{{0.012, kApronTop},
+                                                    {0.012, kApronTop - 0.018},
+                                                    {0.017, kApronTop - 0.018},
+                                                    {0.017, kApronTop - 0.022},
+                                                    {0.014, kApronTop - 0.022},
+                                                    {0.030, bottom + 0.006},
+                                                    {0.034, bottom},
+                                                    {kApronBack, bottom},
+                                                    {kApronBack, kApronTop}}};
     const PlanPath path = outer_path(layout);
-    for (std::size_t index = 0; index < places.size(); ++index) {
-        builder.sweep(path, straight_profile(places[index], places[(index + 1) % places.size()]));
+    for (std::size_t index = 0; index < positions.size(); ++index) {
+        builder.sweep(
+            path, straight_profile(positions[index], positions[(index + 1) % positions.size()]));
     }
     return std::move(builder).finish();
 }
 
 std::vector<Surface> build_legs(const TableLayout& layout) {
-    const Vec2 reach = layout.outer - Vec2(kLegInset);
+    const Vec2 leg_extent = layout.outer - Vec2(kLegInset);
     const double bottom = apron_bottom(layout.measures);
-    const int gaps = std::max(1, static_cast<int>(std::floor(2 * reach.x / kFeetApart)));
+    const int gaps = std::max(1, static_cast<int>(std::floor(2 * leg_extent.x / kMaxLegGap)));
     std::vector<Surface> legs;
     for (int row = 0; row < 2; ++row) {
         for (int gap = 0; gap <= gaps; ++gap) {
-            // In pairs at the ends and evenly between.
-            const Vec2 axis(-reach.x + 2 * reach.x * gap / gaps, row == 0 ? -reach.y : reach.y);
+            // One pair of legs at each end, the others evenly spaced between them.
+            const Vec2 axis(-leg_extent.x + 2 * leg_extent.x * gap / gaps,
+                            row == 0 ? -leg_extent.y : leg_extent.y);
             legs.push_back(build_leg(fmt::format("leg_{}", legs.size() + 1), axis,
                                      -layout.measures.height, bottom + kLegInside));
         }

@@ -33,7 +33,7 @@ PlanPath circle_path(const Vec2& centre, double radius) {
 
 Surface build_cloth(const TableLayout& layout) {
     SurfaceBuilder builder("cloth", SurfacePart::cloth);
-    // Its square corners stay inside the rails' rounded ones.
+    // The square corners of the cloth stay inside the rounded corners of the rails.
     const double under_rail = kUnderRail + 0.3 * outer_corner_radius(layout);
     std::vector<Loop> loops{rectangle(layout.outer - Vec2(under_rail), kBedSpacing)};
     for (const PocketLayout& pocket : layout.pockets) {

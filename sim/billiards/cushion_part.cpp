@@ -14,8 +14,8 @@ constexpr double kBottom = -0.001;      // z, under the cloth, m
 constexpr double kNoseRadius = 0.0025;  // of the rounding above the nose, seen from the end, m
 constexpr double kTopSpacing = 0.035;   // m
 
-/// The section of a cushion: an undercut face up to the nose, the foremost line; a rounding above
-/// it; and a top that goes straight back to the rail.
+/// The cross-section of a cushion: an undercut face up to the nose, which is the foremost line; a
+/// rounding above it; and a straight top back to the rail.
 class CushionSection {
   public:
     CushionSection(const TableLayout& layout, const SideFrame& side)
@@ -57,7 +57,7 @@ class CushionSection {
         return profile;
     }
 
-    // From the nose to the top. These heights are those of a cushion's middle.
+    // From the nose to the top, with the heights at the middle of a cushion.
     [[nodiscard]] Profile nose() const {
         constexpr int kSteps = 10;
         Profile profile;
@@ -72,15 +72,16 @@ class CushionSection {
         return profile;
     }
 
-    /// The nose's row at a profile point: over a jaw the rounding is drawn out to the top there.
+    /// The row of vertices at a profile point of the nose; at a jaw the rounding is stretched to
+    /// the height of the top there.
     [[nodiscard]] std::vector<SurfaceVertex> nose_row(const PlanPath& path,
                                                       const ProfilePoint& point) const {
         const double fraction = (point.z - measures_.nose_height) / radius_;
-        return row_along(path, point, [&](const PathPoint& place, SurfaceVertex& vertex) {
+        return row_along(path, point, [&](const PathPoint& path_point, SurfaceVertex& vertex) {
             if (fraction <= 0) {
                 return;
             }
-            const double top = top_at(place.inside(radius_));
+            const double top = top_at(path_point.inside(radius_));
             if (point.normal_open == 0) {
                 vertex.position.z = top;
                 vertex.normal = top_normal();
@@ -104,7 +105,7 @@ class CushionSection {
 
 using Rows = std::vector<std::vector<SurfaceVertex>>;
 
-// The column of vertices at one end of the swept rows, from the bottom to the top.
+// The column of vertices at one end of the swept rows, from bottom to top.
 std::vector<Vec3> end_column(const Rows& undercut, const Rows& nose, bool is_end) {
     std::vector<Vec3> column;
     const auto add = [&](const std::vector<SurfaceVertex>& row) {
@@ -126,7 +127,7 @@ Vec3 in_space(const Vec2& position, double z) {
     return {position.x, position.y, z};
 }
 
-/// Top, back, underside and mitred ends: what closes the swept face to a solid.
+/// Builds the top, back, underside and mitred ends that close the swept face to a solid.
 class CushionClosure {
   public:
     CushionClosure(SurfaceBuilder& builder, const CushionSection& section, const PlanPath& path,
@@ -254,15 +255,16 @@ PlanPath nose_path(const CushionLayout& cushion, double cushion_width) {
 void add_faces(const CushionLayout& cushion, double cushion_width, TableGeometry& geometry) {
     const SideFrame& side = cushion.side;
     const auto add_face = [&](const Vec2& from, const Vec2& to, bool is_jaw) {
-        const Vec2 way = to - from;
-        if (way.length() > 1e-9) {
-            geometry.faces.push_back({from, to, Vec2(-way.y, way.x).normalized(), is_jaw});
+        const Vec2 span = to - from;
+        if (span.length() > 1e-9) {
+            geometry.faces.push_back({from, to, Vec2(-span.y, span.x).normalized(), is_jaw});
         }
     };
     const auto add_jaw = [&](const Jaw& jaw, double tip, double radius, double sign) {
-        // From the rail to the lip for the first jaw of a cushion, the other way for the second.
+        // From the rail to the lip for the first jaw of a cushion, reversed for the second.
         const SinCos turn = sin_cos(jaw.turn);
-        const Vec2 lip = side.at(tip + sign * jaw.lip_reach * turn.cos, jaw.lip_reach * turn.sin);
+        const Vec2 lip = side.at(tip + sign * jaw.lip_tangent_length * turn.cos,
+                                 jaw.lip_tangent_length * turn.sin);
         const Vec2 end = side.at(tip + sign * jaw.end.x, jaw.end.y);
         const Vec2 rail = side.at(tip + sign * jaw.end.x, cushion_width);
         if (sign < 0) {
@@ -272,16 +274,16 @@ void add_faces(const CushionLayout& cushion, double cushion_width, TableGeometry
             add_face(lip, end, true);
             add_face(end, rail, true);
         }
-        geometry.corners.push_back({side.at(tip - sign * jaw.lip_reach, radius), radius});
+        geometry.corners.push_back({side.at(tip - sign * jaw.lip_tangent_length, radius), radius});
     };
     double from = cushion.from;
     double to = cushion.to;
     if (cushion.jaw_from) {
         add_jaw(*cushion.jaw_from, from, cushion.lip_radius_from, -1);
-        from += cushion.jaw_from->lip_reach;
+        from += cushion.jaw_from->lip_tangent_length;
     }
     if (cushion.jaw_to) {
-        to -= cushion.jaw_to->lip_reach;
+        to -= cushion.jaw_to->lip_tangent_length;
     }
     add_face(side.at(from, 0), side.at(to, 0), false);
     if (cushion.jaw_to) {

@@ -11,7 +11,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-constexpr double kSmallestArea = 1e-14;  // m^2, doubled: below it three points are on one line
+constexpr double kSmallestArea = 1e-14;  // doubled, m^2: below it three points are collinear
 
 double signed_area(const Loop& loop) {
     double sum = 0;
@@ -26,7 +26,7 @@ bool do_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
            doubled_area(c, d, a) * doubled_area(c, d, b) < 0;
 }
 
-/// One closed walk round the region; bridges are walked both ways.
+/// The outline of the region as one closed walk, which passes bridges in both directions.
 class Outline {
   public:
     explicit Outline(std::span<const Loop> loops) {
@@ -36,7 +36,7 @@ class Outline {
                 ring.push_back(static_cast<Index>(points_.size()));
                 points_.push_back(point);
             }
-            // Material on the left: the outside counter-clockwise, holes clockwise.
+            // Material is on the left: the outside runs counter-clockwise, holes clockwise.
             if ((signed_area(loops[i]) > 0) != (i == 0)) {
                 std::reverse(ring.begin(), ring.end());
             }
@@ -60,7 +60,7 @@ class Outline {
                 triangles.push_back({walk_[before], walk_[corner], walk_[after]});
                 walk_.erase(walk_.begin() + static_cast<std::ptrdiff_t>(corner));
                 failures = 0;
-                // Go on behind the cut, so that triangles do not all share one point.
+                // Continue after the cut, so that triangles do not all share one point.
                 corner = (corner + 1) % walk_.size();
                 continue;
             }
@@ -85,15 +85,15 @@ class Outline {
         return false;
     }
 
-    // The shortest free bridge from the ring to the walk.
+    // Joins the ring to the walk by the shortest free bridge.
     void join(const std::vector<Index>& ring) {
         std::size_t best_ring = 0;
         std::size_t best_walk = 0;
         double best = HUGE_VAL;
         for (std::size_t r = 0; r < ring.size(); r += 4) {
             for (std::size_t w = 0; w < walk_.size(); ++w) {
-                const Vec2 way = points_[walk_[w]] - points_[ring[r]];
-                const double distance = way.dot(way);
+                const Vec2 span = points_[walk_[w]] - points_[ring[r]];
+                const double distance = span.dot(span);
                 if (distance < best && !is_blocked(points_[ring[r]], points_[walk_[w]])) {
                     best = distance;
                     best_ring = r;

@@ -1,4 +1,4 @@
-// A first triangulation of a polygon with holes, valid but ill-shaped.
+// An initial triangulation of a polygon with holes: valid, but with badly shaped triangles.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@ namespace carom::sim::billiards {
 /// Twice the signed area of the triangle; positive if counter-clockwise.
 [[nodiscard]] double doubled_area(const Vec2& a, const Vec2& b, const Vec2& c);
 
-/// Triangles over the points of all loops, counter-clockwise, by cutting off ears (Meisters,
-/// "Polygons have ears", 1975) after each hole was joined to the outside by a bridge.
+/// Counter-clockwise triangles over the points of all loops, by ear clipping (Meisters, "Polygons
+/// have ears", 1975) after each hole is joined to the outside by a bridge.
 [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> clip_ears(std::span<const Loop> loops);
 
 }  // namespace carom::sim::billiards

@@ -12,16 +12,16 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// How far in front of the line that the ball's own front touches the nose has to stand, to meet
-// the ball higher up.
+// Distance of the nose in front of the line that the ball's foremost point touches: the nose
+// touches the ball above its centre.
 double nose_inset(double nose_height, double ball_radius) {
     const double above = nose_height - ball_radius;
     return ball_radius - std::sqrt(std::max(0.0, ball_radius * ball_radius - above * above));
 }
 
-// As much as WPA wants a pocket's facing to lean back (back draft 12 to 15 degrees; Tournament
-// Table and Equipment Specifications, section 9), and enough for a ball to meet the nose before the
-// face.
+// The back draft that the WPA specifies for a pocket's facing (12 to 15 degrees; Tournament Table
+// and Equipment Specifications, section 9), and at least enough for a ball to touch the nose before
+// the face.
 double undercut(double nose_height, double ball_radius) {
     const double touch = arcsine(std::clamp(nose_height / ball_radius - 1, 0.0, 0.9));
     return std::max(14 * kPi / 180, touch + 0.5 * kPi / 180);
@@ -104,13 +104,13 @@ std::vector<CushionLayout> place_cushions(const TableLayout& layout) {
 Jaw jaw_of(const PocketMeasures& pocket, bool is_corner, double cushion_width) {
     Jaw jaw;
     jaw.turn = kPi - pocket.jaw_angle;
-    // The pocket's axis is at 45 degrees to a corner's cushions and square to a side's.
+    // The axis of a corner pocket is at 45 degrees to its cushions, that of a side pocket at 90.
     const double closing = (is_corner ? kPi / 4 : kPi / 2) - jaw.turn;
     const SinCos turn = sin_cos(jaw.turn);
     const double across = 2 * sin_cos(closing).sin;
     const double whole = cushion_width / turn.sin;
     jaw.length = whole;
-    // Parallel jaws have their throat everywhere.
+    // Between parallel jaws the throat is everywhere, so their length is not limited by it.
     if (std::abs(across) > 2e-9) {
         jaw.length = std::min(whole, (pocket.mouth - pocket.throat) / across);
     }
@@ -118,11 +118,11 @@ Jaw jaw_of(const PocketMeasures& pocket, bool is_corner, double cushion_width) {
         jaw.length = whole;
     }
     jaw.end = {jaw.length * turn.cos, jaw.length == whole ? cushion_width : jaw.length * turn.sin};
-    jaw.lip_reach = pocket.lip_radius * tangent(jaw.turn / 2);
+    jaw.lip_tangent_length = pocket.lip_radius * tangent(jaw.turn / 2);
     return jaw;
 }
 
-TableLayout lay_out(const TableMeasures& measures, double ball_radius) {
+TableLayout make_layout(const TableMeasures& measures, double ball_radius) {
     TableLayout layout;
     layout.measures = measures;
     layout.nose_inset = nose_inset(measures.nose_height, ball_radius);

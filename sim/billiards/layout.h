@@ -1,4 +1,4 @@
-// Where everything on a table is, seen from above. All geometry is made from this one layout.
+// The plan of a table, seen from above, from which all its geometry is built.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace carom::sim::billiards {
 
-/// One side of the table: u runs along it counter-clockwise round the playing field from the
-/// middle of the drawn nose line, d outwards from that line.
+/// The coordinates of one side of the table: u runs along it, counter-clockwise around the playing
+/// field, from the middle of the drawn nose line; d runs outwards from that line.
 struct SideFrame {
     Vec2 origin{0, 0};
     Vec2 along{1, 0};
@@ -22,13 +22,13 @@ struct SideFrame {
     [[nodiscard]] Vec2 at(double u, double d) const { return origin + u * along + d * outward; }
 };
 
-/// How a jaw leaves the nose line, with the pocket towards positive x: the corner of nose and jaw
-/// is (0, 0), y goes outwards.
+/// The shape of a jaw, with the pocket towards positive x: the corner of nose and jaw is (0, 0), y
+/// points outwards.
 struct Jaw {
-    double turn = 0;       // from the nose line to the jaw, rad
-    double length = 0;     // m
-    Vec2 end{0, 0};        // where it ends
-    double lip_reach = 0;  // what the rounding takes off the nose line and the jaw
+    double turn = 0;                // from the nose line to the jaw, rad
+    double length = 0;              // m
+    Vec2 end{0, 0};                 // its end point
+    double lip_tangent_length = 0;  // by which the rounding shortens the nose line and the jaw
 };
 
 struct PocketLayout {
@@ -49,8 +49,8 @@ struct CushionLayout {
 
 struct TableLayout {
     TableMeasures measures;
-    double nose_inset = 0;           // of the drawn nose from the playing field's edge, inwards
-    double undercut = 0;             // by which the face under the nose leans back, rad
+    double nose_inset = 0;           // of the drawn nose from the edge of the playing field
+    double undercut = 0;             // angle by which the face under the nose leans back, rad
     Vec2 nose{0, 0};                 // half extents of the drawn nose lines
     Vec2 rail{0, 0};                 // of the rails' inner edges
     Vec2 outer{0, 0};                // of the rails' outer edges
@@ -59,10 +59,10 @@ struct TableLayout {
     std::vector<CushionLayout> cushions;  // counter-clockwise from the front's left
 };
 
-/// The jaws of a pocket, as far as the throat or the rail goes.
+/// The jaws of a pocket, up to its throat or the rail.
 [[nodiscard]] Jaw jaw_of(const PocketMeasures& pocket, bool is_corner, double cushion_width);
 
-/// For measures with cushions.
-[[nodiscard]] TableLayout lay_out(const TableMeasures& measures, double ball_radius);
+/// The layout of a table with cushions.
+[[nodiscard]] TableLayout make_layout(const TableMeasures& measures, double ball_radius);
 
 }  // namespace carom::sim::billiards

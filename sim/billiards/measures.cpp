@@ -12,7 +12,7 @@ namespace {
 constexpr double kInch = 0.0254;
 constexpr double kDegree = std::numbers::pi / 180;
 
-// The jaws run through the whole cushion, and the hole goes through their ends.
+// Extends the jaws through the whole cushion and puts the edge of the hole through their ends.
 PocketMeasures fit_hole(PocketMeasures pocket, bool is_corner, double cushion_width) {
     const double turn = std::numbers::pi - pocket.jaw_angle;
     const double closing = (is_corner ? std::numbers::pi / 4 : std::numbers::pi / 2) - turn;
@@ -25,8 +25,8 @@ PocketMeasures fit_hole(PocketMeasures pocket, bool is_corner, double cushion_wi
     return pocket;
 }
 
-// World Pool-Billiard Association, Tournament Table and Equipment Specifications. Where it gives a
-// range, its middle.
+// World Pool-Billiard Association, Tournament Table and Equipment Specifications; of a range, the
+// middle.
 TableMeasures pool_table(double length, double width) {
     TableMeasures table;
     table.kind = TableKind::pool;
@@ -53,7 +53,7 @@ TableMeasures pool_table(double length, double width) {
 }
 
 // World Professional Billiards and Snooker Association, Official Rules of the Games of Snooker and
-// English Billiards, section 1. Its pocket templates are not published: those figures are ours,
+// English Billiards, section 1. Its pocket templates are not published; the figures here were
 // chosen to look and play like them, with round jaws.
 TableMeasures snooker_table() {
     TableMeasures table;

@@ -1,4 +1,4 @@
-// The drawn parts of a table, each from the one layout.
+// The parts of a table, each built from the layout.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace carom::sim::billiards {
 
-// Heights and thicknesses that are drawn but not measured by any rule book.
+// Heights and thicknesses that no rule book specifies.
 inline constexpr double kRailBottom = -0.040;     // z of the rails' underside, m
-inline constexpr double kSlateEdge = 0.025;       // how far the cloth turns down into a hole, m
+inline constexpr double kSlateEdge = 0.025;       // depth of the cloth at the edge of a hole, m
 inline constexpr double kLinerThickness = 0.003;  // m
 inline constexpr double kLinerInset = 0.0005;     // of the liner inside the slate's hole, m
 inline constexpr double kLongestStep = 0.05;      // along straight outlines, m
 
-/// The bed's cloth with its holes, under the cushions and rails too.
+/// The cloth of the bed with its holes; it extends under the cushions and rails.
 [[nodiscard]] Surface build_cloth(const TableLayout& layout);
 
 /// A cloth without a table around it.
@@ -23,7 +23,7 @@ inline constexpr double kLongestStep = 0.05;      // along straight outlines, m
 /// The outline of a cushion's nose, at its height: jaw, nose and jaw.
 [[nodiscard]] PlanPath nose_path(const CushionLayout& cushion, double cushion_width);
 
-/// Where balls touch it: appended to the geometry's faces and corners.
+/// Appends the faces and corners that balls touch to those of the geometry.
 void add_faces(const CushionLayout& cushion, double cushion_width, TableGeometry& geometry);
 
 [[nodiscard]] Surface build_cushion(const TableLayout& layout, const CushionLayout& cushion,
@@ -32,8 +32,8 @@ void add_faces(const CushionLayout& cushion, double cushion_width, TableGeometry
 /// Straight rails, corner blocks and the blocks behind the side pockets.
 [[nodiscard]] std::vector<Surface> build_rails(const TableLayout& layout);
 
-/// How far a pocket's cut in a side's rail reaches, as u in the side's frame: where the rail's
-/// inner edge enters (`is_end` false) or leaves the cut.
+/// The u in the side's frame at which the rail's inner edge enters (`is_end` false) or leaves the
+/// cut of a pocket.
 [[nodiscard]] double cut_in_rail(const TableLayout& layout, const PocketLayout& pocket,
                                  const SideFrame& side, bool is_end);
 
@@ -50,7 +50,7 @@ void add_faces(const CushionLayout& cushion, double cushion_width, TableGeometry
 [[nodiscard]] PlanPath outer_path(const TableLayout& layout);
 [[nodiscard]] double outer_corner_radius(const TableLayout& layout);
 
-/// A circle round `centre` whose inside is open, closed.
+/// A closed circle around `centre` whose inside is the open side.
 [[nodiscard]] PlanPath circle_path(const Vec2& centre, double radius);
 
 }  // namespace carom::sim::billiards

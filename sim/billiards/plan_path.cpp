@@ -13,8 +13,8 @@ namespace carom::sim::billiards {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kArcStep = kPi / 48;  // at least: a full circle is drawn with 96 corners
-constexpr double kSagitta = 1e-5;      // m; small arcs get no more corners than this asks for
+constexpr double kArcStep = kPi / 48;  // smallest step: a full circle has 96 corners
+constexpr double kSagitta = 1e-5;      // m; small arcs have only as many corners as this requires
 constexpr double kFlat = std::numeric_limits<double>::infinity();
 
 Vec2 left_of(const Vec2& direction) {
@@ -74,10 +74,10 @@ PathBuilder& PathBuilder::line_to(const Vec2& point) {
 }
 
 void PathBuilder::append_arc(const Vec2& centre, double radius, double begin_angle, double turn) {
-    // A step of a leaves a sagitta of r a^2/8.
+    // A step of angle a has a sagitta of r a^2/8.
     const double arc_step = std::max(kArcStep, std::sqrt(8 * kSagitta / radius));
     const int count = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / arc_step - 1e-9)));
-    // Left of a counter-clockwise arc is its centre.
+    // The centre of a counter-clockwise arc is on its left.
     const double sign = (turn > 0) == (open_side_ == OpenSide::left) ? -1 : 1;
     const auto radial = [&](int step) {
         const double angle = begin_angle + turn * step / count;
@@ -110,17 +110,17 @@ PathBuilder& PathBuilder::round(const Vec2& tip, double radius, const Vec2& next
     const Vec2 after = (next - tip).normalized();
     const double turn = angle_of(before.dot(after), cross(before, after));
     const Vec2 mitre = mitre_of(open_normal(before), open_normal(after));
-    const double reach = radius * tangent(std::abs(turn) / 2);
-    line_to(tip - reach * before);
+    const double tangent_length = radius * tangent(std::abs(turn) / 2);
+    line_to(tip - tangent_length * before);
     const std::size_t first = points_.size() - 1;
-    if (reach > 0) {
+    if (tangent_length > 0) {
         const double side = turn > 0 ? 1 : -1;
-        const Vec2 centre = tip - reach * before + side * radius * left_of(before);
+        const Vec2 centre = tip - tangent_length * before + side * radius * left_of(before);
         const Vec2 a = points_.back().position - centre;
         append_arc(centre, radius, angle_of(a.x, a.y), turn);
-        points_.back().position = tip + reach * after;
+        points_.back().position = tip + tangent_length * after;
     }
-    // Material inside the bend: moving into it shrinks the rounding.
+    // With material inside the bend, an offset into the material shrinks the rounding.
     const bool is_convex = (turn > 0) == (open_side_ == OpenSide::right);
     for (std::size_t index = first; is_convex && index < points_.size(); ++index) {
         points_[index].radius = radius;

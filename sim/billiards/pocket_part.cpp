@@ -11,12 +11,12 @@ namespace carom::sim::billiards {
 namespace {
 
 constexpr double kRimAboveRail = 0.001;  // m
-constexpr double kBelowFloor = 0.002;    // how far the liner goes on under the floor, m
+constexpr double kBelowFloor = 0.002;    // of the liner, below the pocket's floor, m
 constexpr double kWingLength = 0.018;    // m
-constexpr double kWingProud = 0.0004;    // of the rail's inner edge, m
+constexpr double kWingProud = 0.0004;    // by which a wing stands out from the rail's edge, m
 constexpr double kFloorSpacing = 0.02;   // m
 
-// Round the liner's section: down its inside, along its foot, up its outside, over its rim.
+// The liner's cross-section: down its inside, along its foot, up its outside, over its rim.
 std::vector<Profile> wall_profile(double bottom, double top) {
     constexpr int kSteps = 8;
     const double half = 0.5 * kLinerThickness;
@@ -28,13 +28,14 @@ std::vector<Profile> wall_profile(double bottom, double top) {
         const double up = step == kSteps ? 0 : at.sin;
         rim.push_back({half * (1 - open), top - half + half * up, open, up, -half * angle});
     }
-    const ProfilePlace inner{0, bottom};
-    const ProfilePlace outer{kLinerThickness, bottom};
+    const ProfilePosition inner{0, bottom};
+    const ProfilePosition outer{kLinerThickness, bottom};
     return {straight_profile({0, top - half}, inner), straight_profile(inner, outer),
             straight_profile(outer, {kLinerThickness, top - half}), rim};
 }
 
-// Under the end of an undercut jaw one looks at the rail. The liner hides it, as a thin plate.
+// Adds a thin plate to the liner that hides the rail, which is visible under the end of an undercut
+// jaw.
 void add_wing(SurfaceBuilder& builder, const SideFrame& side, double from, double to,
               const TableMeasures& measures) {
     const double front = measures.cushion_width - kWingProud;
@@ -42,10 +43,10 @@ void add_wing(SurfaceBuilder& builder, const SideFrame& side, double from, doubl
                               .start(side.at(std::min(from, to), front))
                               .line_to(side.at(std::max(from, to), front))
                               .finish();
-    const ProfilePlace top{0, 0.9 * measures.nose_height};
-    const ProfilePlace foot{0, -0.5 * kSlateEdge};
-    const ProfilePlace back_foot{kWingProud + kLinerThickness, foot.z};
-    const ProfilePlace back_top{back_foot.inside, top.z};
+    const ProfilePosition top{0, 0.9 * measures.nose_height};
+    const ProfilePosition foot{0, -0.5 * kSlateEdge};
+    const ProfilePosition back_foot{kWingProud + kLinerThickness, foot.z};
+    const ProfilePosition back_top{back_foot.inside, top.z};
     const std::vector<Profile> profiles{
         straight_profile(top, foot), straight_profile(foot, back_foot),
         straight_profile(back_foot, back_top), straight_profile(back_top, top)};
@@ -66,14 +67,14 @@ Surface build_pocket_liner(const TableLayout& layout, const PocketLayout& pocket
     const Vec2 centre = pocket.pocket.centre;
     const double radius = pocket.pocket.radius - kLinerInset;
 
-    // Under the cloth all round.
+    // Below the cloth the liner is a full circle.
     const PlanPath circle = circle_path(centre, radius);
     for (const Profile& profile :
          wall_profile(-pocket.pocket.drop - kBelowFloor, -0.5 * kSlateEdge)) {
         builder.sweep(circle, profile);
     }
 
-    // Above it, only where the pocket is cut into wood.
+    // Above the cloth it exists only where the pocket is cut into wood.
     const SideFrame* first = nullptr;
     const SideFrame* last = nullptr;
     for (std::size_t index = 0; index < 4; ++index) {

@@ -14,9 +14,9 @@ std::string millimetres(double metres) {
     return fmt::format("{:.4g} mm", metres * 1000);
 }
 
-class Problems {
+class ProblemCollector {
   public:
-    /// A measure between two limits; a problem too if it is not a number.
+    /// Requires a measure between two limits; NaN is a problem too.
     void require(const std::string& field, const std::string& name, double value, double low,
                  double high) {
         if (!(value >= low && value <= high)) {
@@ -34,7 +34,8 @@ class Problems {
     std::vector<Diagnostic> list_;
 };
 
-void check_pocket(const PocketMeasures& pocket, const std::string& which, Problems& problems) {
+void check_pocket(const PocketMeasures& pocket, const std::string& which,
+                  ProblemCollector& problems) {
     const std::string key = "pockets." + which + ".";
     const std::string name = which + " pockets' ";
     problems.require(key + "mouth", name + "mouth", pocket.mouth, 0.02, 1);
@@ -50,7 +51,7 @@ void check_pocket(const PocketMeasures& pocket, const std::string& which, Proble
     }
 }
 
-void check_measures(const TableMeasures& measures, Problems& problems) {
+void check_measures(const TableMeasures& measures, ProblemCollector& problems) {
     problems.require("length", "length", measures.length, 0.1, 100);
     problems.require("width", "width", measures.width, 0.1, 100);
     if (!measures.has_cushions) {
@@ -72,9 +73,9 @@ void check_measures(const TableMeasures& measures, Problems& problems) {
     }
 }
 
-// A jaw that runs in the right direction, with room for its rounding.
+// Checks that a jaw runs in the right direction and has room for its rounding.
 void check_jaw(const PocketMeasures& pocket, bool is_corner, double cushion_width,
-               Problems& problems) {
+               ProblemCollector& problems) {
     const std::string which = is_corner ? "corner" : "side";
     const Jaw jaw = jaw_of(pocket, is_corner, cushion_width);
     if (!(jaw.length > 0.001) || (is_corner && jaw.turn > std::numbers::pi / 2)) {
@@ -87,15 +88,15 @@ void check_jaw(const PocketMeasures& pocket, bool is_corner, double cushion_widt
                 " towards the hole");
         return;
     }
-    if (jaw.lip_reach > 0.95 * jaw.length) {
+    if (jaw.lip_tangent_length > 0.95 * jaw.length) {
         problems.add("pockets." + which + ".lip_radius",
                      "the table's " + which + " pockets' lip radius is too large for jaws " +
                          millimetres(jaw.length) + " long");
     }
 }
 
-// The hole has to take in the jaws' ends, and stay in the wood.
-void check_hole(const TableLayout& layout, const PocketLayout& pocket, Problems& problems) {
+// Checks that the hole contains the ends of the jaws and stays inside the wood.
+void check_hole(const TableLayout& layout, const PocketLayout& pocket, ProblemCollector& problems) {
     const TableMeasures& measures = layout.measures;
     const std::string which = pocket.is_corner ? "corner" : "side";
     const Jaw jaw = jaw_of(pocket.measures, pocket.is_corner, measures.cushion_width);
@@ -105,14 +106,14 @@ void check_hole(const TableLayout& layout, const PocketLayout& pocket, Problems&
     const double deep = jaw.length * close.cos;
     const double half = 0.5 * pocket.measures.mouth - jaw.length * close.sin;
     const Vec2 end = pocket.mouth + deep * pocket.axis + half * Vec2(-pocket.axis.y, pocket.axis.x);
-    const double reach = (end - pocket.pocket.centre).length();
-    if (reach > pocket.pocket.radius + 1e-6) {
+    const double distance = (end - pocket.pocket.centre).length();
+    if (distance > pocket.pocket.radius + 1e-6) {
         problems.add(
             "pockets." + which + ".hole_radius",
             "the table's " + which +
                 " pockets' hole does not reach the ends of their jaws: its radius must be at "
                 "least " +
-                millimetres(reach) + " with this shelf");
+                millimetres(distance) + " with this shelf");
     }
     const Vec2 inner_corner(std::copysign(layout.rail.x, pocket.axis.x),
                             std::copysign(layout.rail.y, pocket.axis.y));
@@ -130,10 +131,11 @@ void check_hole(const TableLayout& layout, const PocketLayout& pocket, Problems&
     }
 }
 
-void check_cushions(const TableLayout& layout, Problems& problems) {
+void check_cushions(const TableLayout& layout, ProblemCollector& problems) {
     for (const CushionLayout& cushion : layout.cushions) {
-        const double from = cushion.from + (cushion.jaw_from ? cushion.jaw_from->lip_reach : 0);
-        const double to = cushion.to - (cushion.jaw_to ? cushion.jaw_to->lip_reach : 0);
+        const double from =
+            cushion.from + (cushion.jaw_from ? cushion.jaw_from->lip_tangent_length : 0);
+        const double to = cushion.to - (cushion.jaw_to ? cushion.jaw_to->lip_tangent_length : 0);
         if (to - from < 0.02) {
             problems.add("pockets",
                          "the table is too small for its pockets: no cushion is left between them");
@@ -142,7 +144,7 @@ void check_cushions(const TableLayout& layout, Problems& problems) {
     }
 }
 
-void check_blocks(const TableLayout& layout, Problems& problems) {
+void check_blocks(const TableLayout& layout, ProblemCollector& problems) {
     for (std::size_t a = 0; a < layout.pockets.size(); ++a) {
         for (std::size_t b = a + 1; b < layout.pockets.size(); ++b) {
             const Pocket& first = layout.pockets[a].pocket;
@@ -159,7 +161,7 @@ void check_blocks(const TableLayout& layout, Problems& problems) {
 }  // namespace
 
 std::vector<Diagnostic> find_problems(const TableMeasures& measures) {
-    Problems problems;
+    ProblemCollector problems;
     check_measures(measures, problems);
     if (!problems.none() || !measures.has_cushions) {
         return problems.take();
@@ -173,8 +175,8 @@ std::vector<Diagnostic> find_problems(const TableMeasures& measures) {
     if (!problems.none()) {
         return problems.take();
     }
-    // A ball as high as the nose: drawn nose and playing field's edge then coincide.
-    const TableLayout layout = lay_out(measures, measures.nose_height);
+    // With this ball radius, drawn nose and edge of the playing field coincide.
+    const TableLayout layout = make_layout(measures, measures.nose_height);
     for (const PocketLayout& pocket : layout.pockets) {
         if (pocket.axis.x >= 0 && pocket.axis.y > 0) {
             check_hole(layout, pocket, problems);

@@ -18,18 +18,18 @@ constexpr std::array<const char*, 16> kNames{
     "cue",   "one",  "two", "three",  "four",   "five",     "six",      "seven",
     "eight", "nine", "ten", "eleven", "twelve", "thirteen", "fourteen", "fifteen"};
 
-// Far under the width of an atom: keeps touching balls from overlapping by rounding.
+// Keeps touching balls from overlapping by rounding; far less than the diameter of an atom.
 constexpr double kRounding = 1e-13;
 
-/// Numbers as a function of (seed, index): the output function of SplitMix64, applied twice. In
-/// [0, 1).
+/// A random number in [0, 1) as a function of (seed, index): the output function of SplitMix64,
+/// applied twice.
 double random_number(std::uint64_t seed, std::uint64_t index) {
     return unit_number(split_mix(split_mix(seed + kSplitMixStep) + (index + 1) * kSplitMixStep));
 }
 
-/// Places of a triangular lattice, two mean diameters and gaps apart. Each ball but the first is
-/// moved by up to half the mean gap in a random direction, so that the gap between two neighbours
-/// is anything from none to twice the mean, and never less than none.
+/// Positions of a triangular lattice with the pitch of a ball diameter plus the mean gap. Each ball
+/// except the first is displaced by up to half the mean gap in a random direction, so that the gap
+/// between two neighbours is between zero and twice the mean.
 class Lattice {
   public:
     Lattice(const Vec3& apex, double ball_radius, const RackOptions& options)
@@ -38,8 +38,8 @@ class Lattice {
           gap_(options.gap),
           seed_(options.seed) {}
 
-    /// Row 0 is the apex; rows go towards the foot cushion; `column` counts from the right of
-    /// someone who looks that way.
+    /// Row 0 is the apex, and rows run towards the foot cushion; seen in that direction, `column`
+    /// counts from the right.
     Vec3 place(int row, int column, int row_length) {
         const double across = pitch_ * (column - 0.5 * (row_length - 1));
         const double along = pitch_ * row * (std::numbers::sqrt3 / 2);
@@ -47,7 +47,7 @@ class Lattice {
         if (index == 0) {
             return apex_;
         }
-        // Even over the disk.
+        // Uniform over the disk.
         const double radius = 0.5 * gap_ * std::sqrt(random_number(seed_, 2 * index));
         const double angle = 2 * std::numbers::pi * random_number(seed_, 2 * index + 1);
         const SinCos at = sin_cos(angle);
@@ -62,9 +62,8 @@ class Lattice {
     std::uint64_t count_ = 0;
 };
 
-// Row after row from the apex, each from the right of someone who looks towards the foot cushion.
-// The 1 leads, the 9 stands in the middle, the 2 at the tail (as the 2 does under the WPA's rules
-// for televised nine-ball).
+// Row by row from the apex, each from the right, seen towards the foot cushion. The 1 is at the
+// apex, the 9 in the middle, the 2 at the rear (as in the WPA's rules for televised nine-ball).
 constexpr std::array<int, 5> kDiamondRows{1, 2, 3, 2, 1};
 constexpr std::array<int, 9> kNineBall{1, 3, 4, 5, 9, 6, 7, 8, 2};
 
@@ -90,8 +89,8 @@ std::vector<PlacedBall> numbered(std::span<const int> rows, std::span<const int>
     return balls;
 }
 
-// WPBSA, Official Rules of Snooker, section 1: spots measured on the 12 ft table; on others they
-// keep their proportion. Baulk is at the negative end.
+// WPBSA, Official Rules of Snooker, section 1: the spots of the 12 ft table, scaled on others.
+// Baulk is at the negative end.
 std::vector<PlacedBall> snooker(const TableMeasures& table, double ball_radius,
                                 const RackOptions& options) {
     const double scale = table.length / 3.569;
@@ -100,7 +99,7 @@ std::vector<PlacedBall> snooker(const TableMeasures& table, double ball_radius,
     const double pyramid = 0.25 * table.length;
     const double z = ball_radius;
     std::vector<PlacedBall> balls;
-    // As near behind the pink as can be without touching it.
+    // As close behind the pink as possible without touching it.
     const double behind_pink = 2 * ball_radius + options.gap + kRounding;
     Lattice lattice({pyramid + behind_pink, 0, z}, ball_radius, options);
     for (int row = 0; row < 5; ++row) {

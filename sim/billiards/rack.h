@@ -1,4 +1,4 @@
-// Balls as they stand before the first stroke.
+// The initial positions of the balls in a game.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ struct RackOptions {
     std::uint64_t seed = 0;
 };
 
-/// The object balls of a set-up, apex ball on the foot spot (x = +length/4), balls of radius
-/// `ball_radius`; no two overlap. Positions depend on the seed by the gaps only.
+/// The object balls of a rack, with the apex ball on the foot spot (x = +length/4); no two balls
+/// overlap. The seed affects only the gaps.
 [[nodiscard]] std::vector<PlacedBall> rack(RackKind kind, const TableMeasures& table,
                                            double ball_radius, const RackOptions& options);
 

@@ -20,15 +20,15 @@ double cut_radius(const PocketLayout& pocket) {
     return pocket.pocket.radius - kLinerInset + kLinerThickness;
 }
 
-/// A piece of wood between an inner outline (open towards the playing field) and an outer one,
-/// both counter-clockwise round the table and cut square at their ends.
+/// A piece of wood between an inner outline (open towards the playing field) and an outer one, both
+/// counter-clockwise around the table and cut at right angles at their ends.
 struct WoodPiece {
     std::string name;
     PlanPath inner;
     PlanPath outer;
     Vec2 grain;
-    Vec2 facing_back;   // out of the wood at the first end
-    Vec2 facing_ahead;  // and at the second
+    Vec2 facing_back;   // outward normal at the first end
+    Vec2 facing_ahead;  // outward normal at the second end
 };
 
 Profile reversed(Profile profile) {
@@ -38,14 +38,14 @@ Profile reversed(Profile profile) {
 
 // Both run from the top to the underside.
 std::vector<Profile> inner_profile(double top) {
-    const ProfilePlace wall{0, top - kInnerEdge};
+    const ProfilePosition wall{0, top - kInnerEdge};
     return {reversed(round_profile(wall, {kInnerEdge, top})),
             straight_profile(wall, {0, kRailBottom})};
 }
 
 std::vector<Profile> outer_profile(double top, double edge) {
-    const ProfilePlace wall{0, top - edge};
-    const ProfilePlace foot{0, kRailBottom + kLowerEdge};
+    const ProfilePosition wall{0, top - edge};
+    const ProfilePosition foot{0, kRailBottom + kLowerEdge};
     return {reversed(round_profile(wall, {edge, top})), straight_profile(wall, foot),
             round_profile(foot, {kLowerEdge, kRailBottom})};
 }
@@ -93,7 +93,7 @@ const PocketLayout* find_pocket(const TableLayout& layout, const Vec2& axis) {
     return nullptr;
 }
 
-/// Makes the pieces of one side after another.
+/// Builds the pieces of wood, side by side.
 class Frame {
   public:
     explicit Frame(const TableLayout& layout)
@@ -121,7 +121,7 @@ class Frame {
     }
 
   private:
-    // From the rails' inner corner along both its sides to the seams of the corner's block.
+    // Distance from the rails' inner corner, along both sides, to the seams of the corner block.
     [[nodiscard]] double corner_extent(std::size_t index) const {
         const SideFrame& side = layout_.sides[index];
         const Vec2 axis = (side.outward + layout_.sides[(index + 1) % 4].outward).normalized();

@@ -60,14 +60,14 @@ std::optional<Surface> build_sights(const TableLayout& layout) {
     for (std::size_t index = 0; index < 4; ++index) {
         const SideFrame& side = layout.sides[index];
         const bool is_long = index % 2 == 0;
-        // Eighths of the length, quarters of the width.
+        // At eighths of the length and quarters of the width.
         const int count = is_long ? 4 : 2;
         const double step = is_long ? measures.length / 8 : measures.width / 4;
-        for (int place = 1 - count; place < count; ++place) {
-            if (is_long && place == 0 && measures.side_pocket) {
+        for (int sight = 1 - count; sight < count; ++sight) {
+            if (is_long && sight == 0 && measures.side_pocket) {
                 continue;
             }
-            const Vec2 centre = side.at(place * step, kFromNose);
+            const Vec2 centre = side.at(sight * step, kFromNose);
             add_plate(
                 builder,
                 measures.kind == TableKind::carom ? disc(centre) : diamond(centre, side.outward),

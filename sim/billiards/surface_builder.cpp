@@ -86,7 +86,7 @@ void SurfaceBuilder::add_level(std::span<const Loop> loops, double z, bool faces
 }
 
 void SurfaceBuilder::add_polygon(std::span<const Vec3> corners, const Vec3& normal) {
-    // Axes of the plane: one level, the other across.
+    // Axes of the plane, one of them horizontal.
     const Vec3 up = std::abs(normal.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
     const Vec3 along = up.cross(normal).normalized();
     const Vec3 across = normal.cross(along);
@@ -149,7 +149,7 @@ Loop inside_outline(const PlanPath& path, double distance) {
     return outline;
 }
 
-Profile straight_profile(ProfilePlace from, ProfilePlace to) {
+Profile straight_profile(ProfilePosition from, ProfilePosition to) {
     const double across = to.inside - from.inside;
     const double rise = to.z - from.z;
     const double length = std::sqrt(across * across + rise * rise);
@@ -158,20 +158,20 @@ Profile straight_profile(ProfilePlace from, ProfilePlace to) {
     return {{from.inside, from.z, open, up, 0}, {to.inside, to.z, open, up, length}};
 }
 
-Profile round_profile(ProfilePlace wall, ProfilePlace level) {
+Profile round_profile(ProfilePosition wall, ProfilePosition level) {
     constexpr int kSteps = 8;
     const double across = level.inside - wall.inside;
     const double rise = level.z - wall.z;
     Profile profile;
     for (int step = 0; step <= kSteps; ++step) {
         const double angle = 0.5 * std::numbers::pi * step / kSteps;
-        // Exact at the ends, so that neighbours share their points bit for bit.
+        // The ends are exact, so that neighbours share their points bit for bit.
         const SinCos at = sin_cos(angle);
         const double sine = step == kSteps ? 1 : at.sin;
         const double cosine = step == kSteps ? 0 : at.cos;
         const double inside = step == kSteps ? level.inside : wall.inside + across * (1 - cosine);
         const double z = step == kSteps ? level.z : wall.z + rise * sine;
-        // Gradient of (x/across)^2 + (y/rise)^2, for a wall whose open side is towards it.
+        // The gradient of (x/across)^2 + (y/rise)^2, for a wall whose open side faces it.
         const double open = cosine / across;
         const double up = sine / rise;
         const double size = std::sqrt(open * open + up * up);

@@ -19,7 +19,7 @@ TableGeometry build_table(const TableMeasures& measures, double ball_radius, Tab
         }
         return geometry;
     }
-    const TableLayout layout = lay_out(measures, ball_radius);
+    const TableLayout layout = make_layout(measures, ball_radius);
     if (all) {
         geometry.surfaces.push_back(build_cloth(layout));
     }

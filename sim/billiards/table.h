@@ -1,5 +1,5 @@
-// A billiard table: one set of measures, and the geometry made from it once. The simulation
-// collides with exactly the surfaces that are drawn.
+// A billiard table: its measures and the geometry built from them. The simulation collides with
+// exactly the surfaces that are rendered.
 #pragma once
 
 #include <array>
@@ -16,15 +16,14 @@ namespace carom::sim::billiards {
 
 enum class TableKind { pool, snooker, carom, cloth, custom };
 
-/// One kind of pocket (corner or side). All in metres and radians; see docs/tables.md for a
-/// drawing.
+/// The measures of the corner or side pockets, in metres and radians; drawing: docs/tables.md.
 struct PocketMeasures {
     double mouth = 0;      // between the two cushion noses' ends, as if they were not rounded
     double throat = 0;     // between the jaws where they meet the pocket's hole
     double jaw_angle = 0;  // between the cushion's nose line and the jaw facing (interior, > pi/2)
     double hole_radius = 0;     // of the hole in the slate
-    double shelf = 0;           // from the line of the mouth to the hole's edge
-    double drop = 0;            // depth of the pocket's floor under the cloth
+    double shelf = 0;           // from the line of the mouth to the edge of the hole
+    double drop = 0;            // depth of the pocket's floor below the cloth
     double lip_radius = 0.003;  // rounding, seen from above, between nose and jaw
     bool operator==(const PocketMeasures&) const = default;
 };
@@ -44,17 +43,17 @@ struct TableMeasures {
     bool operator==(const TableMeasures&) const = default;
 };
 
-/// Published sizes: pool "7 ft", "8 ft", "9 ft"; snooker "12 ft"; carom "10 ft"; cloth "" . Empty
-/// if there is none of that name.
+/// Published sizes: pool "7 ft", "8 ft", "9 ft"; snooker "12 ft"; carom "10 ft"; cloth "". Empty
+/// for an unknown name.
 [[nodiscard]] std::optional<TableMeasures> standard_table(TableKind kind, std::string_view size);
 
-/// All that is wrong with the measures, one sentence each.
+/// All problems of the measures, one sentence each.
 [[nodiscard]] std::vector<Diagnostic> find_problems(const TableMeasures& measures);
 
 /// A vertical face that balls on the cloth bounce off: a cushion between two pockets or a jaw.
 struct CushionFace {
-    Vec2 from, to;  // the drawn nose's ends, where the rounded corners begin; playing field on
-                    // the left going from -> to
+    Vec2 from, to;  // the ends of the drawn nose, where the rounded corners begin; the playing
+                    // field is on the left of from -> to
     Vec2 normal;    // unit, into the playing field
     bool is_jaw = false;
 };
@@ -74,7 +73,8 @@ struct Pocket {
 
 enum class SurfacePart { cloth, cushion, rail, pocket_liner, pocket_floor, apron, leg, sight };
 
-/// A drawn (and, but for `sight`, `leg` and `apron`, collided) triangle mesh in world axes.
+/// A rendered triangle mesh in world axes; balls collide with all parts except `sight`, `leg` and
+/// `apron`.
 struct Surface {
     std::string name;  // "cloth", "cushion_1" ...
     SurfacePart part = SurfacePart::cloth;
@@ -93,11 +93,12 @@ struct TableGeometry {
 
 enum class TableParts {
     all,
-    collided,  // without those that nothing collides with (the cloth is a plane with holes)
+    collided,  // only the parts for collisions (the cloth is a plane with holes instead)
 };
 
-/// `ball_radius` matters since cushion faces are where such a ball is touched: the drawn nose lies
-/// R - sqrt(R^2 - (h - R)^2) inside the line where the ball's own front touches.
+/// `ball_radius` determines the position of the drawn nose, which touches such a ball above its
+/// centre: the nose is R - sqrt(R^2 - (h - R)^2) inside the line that the ball's foremost point
+/// touches.
 [[nodiscard]] TableGeometry build_table(const TableMeasures& measures, double ball_radius,
                                         TableParts parts = TableParts::all);
 

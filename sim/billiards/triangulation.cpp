@@ -15,8 +15,8 @@ namespace {
 using Index = std::uint32_t;
 constexpr Index kNone = ~Index{0};
 
-/// Triangles that know their neighbours; no neighbour across the region's outline, which is why
-/// its edges are never flipped.
+/// Triangles with links to their neighbours. Edges of the region's outline have no neighbour, so
+/// they are never flipped.
 class Mesh {
   public:
     Mesh(std::vector<Vec2> points, const std::vector<std::array<Index, 3>>& triangles)
@@ -40,7 +40,7 @@ class Mesh {
     }
 
     // Lawson, "Software for C1 surface interpolation", 1977: flip until every edge is Delaunay.
-    // Each flip raises the smallest angle; the bound is for rounding only.
+    // Each flip increases the smallest angle; the bound on passes is only needed for rounding.
     void make_delaunay() {
         for (int pass = 0; pass < 100; ++pass) {
             const std::size_t before = flip_count_;
@@ -55,7 +55,7 @@ class Mesh {
         }
     }
 
-    /// Adds a point of the inside; left out where it would make a sliver.
+    /// Adds an inner point unless it would create a sliver.
     void insert(const Vec2& point) {
         const Index index = triangle_at(point);
         if (index == kNone) {
@@ -109,11 +109,12 @@ class Mesh {
         const double cc = c.dot(c);
         const double determinant = aa * (b.x * c.y - b.y * c.x) - bb * (a.x * c.y - a.y * c.x) +
                                    cc * (a.x * b.y - a.y * b.x);
-        // Clearly inside, or four points of one circle would be flipped for ever.
+        // Requires a clear margin; otherwise four points of one circle would be flipped forever.
         return determinant > 1e-10 * (aa * bb + bb * cc + cc * aa);
     }
 
-    // Makes the edge opposite to a corner Delaunay, and then those that the flip may have spoilt.
+    // Makes the edge opposite to a corner Delaunay, and then the edges that the flip may have
+    // affected.
     void legalize(Index index, int side) {
         const Index other = triangles_[index].across[side];
         if (other == kNone) {
@@ -149,7 +150,7 @@ class Mesh {
         ++flip_count_;
     }
 
-    /// A side that has the point beyond it, or -1: the triangle holds the point.
+    /// A side with the point beyond it, or -1 if the triangle contains the point.
     [[nodiscard]] int side_before(const Triangle& triangle, const Vec2& point) const {
         for (int side = 0; side < 3; ++side) {
             if (doubled_area(points_[triangle.corners[next(side)]],
@@ -160,8 +161,8 @@ class Mesh {
         return -1;
     }
 
-    /// Walks from the last triangle found towards the point (Lawson 1977), which mostly lies near;
-    /// looks at all where a hole or the outline is in the way.
+    /// Walks towards the point from the last triangle found (Lawson 1977), which usually is near.
+    /// Tests all triangles if a hole or the outline blocks the walk.
     [[nodiscard]] Index triangle_at(const Vec2& point) {
         Index index = last_found_;
         for (std::size_t step = 0; step < triangles_.size() && index != kNone; ++step) {
@@ -203,12 +204,12 @@ class Mesh {
 };
 
 double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-    const Vec2 way = b - a;
-    const double s = std::clamp((p - a).dot(way) / way.dot(way), 0.0, 1.0);
-    return (p - (a + s * way)).length();
+    const Vec2 span = b - a;
+    const double s = std::clamp((p - a).dot(span) / span.dot(span), 0.0, 1.0);
+    return (p - (a + s * span)).length();
 }
 
-// A triangular grid over the outside's box, away from all edges. Points in holes find no triangle.
+// A triangular grid over the bounding box, away from all edges. Points in holes find no triangle.
 std::vector<Vec2> inner_points(std::span<const Loop> loops, double spacing) {
     Vec2 low = loops[0][0];
     Vec2 high = low;
@@ -243,7 +244,7 @@ std::vector<Vec2> inner_points(std::span<const Loop> loops, double spacing) {
     return points;
 }
 
-// Ears are never turned over; what is left of a crossed outline at the end is.
+// Clipped ears always have the right orientation; the last triangle of a crossed outline does not.
 void check_orientation(const std::vector<Vec2>& points,
                        const std::vector<std::array<Index, 3>>& triangles) {
     for (const auto& [a, b, c] : triangles) {

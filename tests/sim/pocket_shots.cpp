@@ -8,14 +8,14 @@
 namespace carom::sim::test {
 namespace {
 
-constexpr double kAway = 0.5;  // m
-constexpr int kLooks = 13;     // to both sides of the middle
+constexpr double kDistance = 0.5;  // m
+constexpr int kOffsets = 13;       // to both sides of the middle
 constexpr double kApart = 0.005;
 
 }  // namespace
 
 billiards::TableLayout PocketTable::layout() const {
-    return billiards::lay_out(*billiards::standard_table(kind, size), radius);
+    return billiards::make_layout(*billiards::standard_table(kind, size), radius);
 }
 
 const std::vector<PocketTable>& pocket_tables() {
@@ -31,17 +31,18 @@ bool drops(const PocketTable& table, const billiards::PocketLayout& pocket,
            const PocketShot& shot) {
     const double c = std::cos(shot.angle);
     const double s = std::sin(shot.angle);
-    const Vec2 way(pocket.axis.x * c - pocket.axis.y * s, pocket.axis.x * s + pocket.axis.y * c);
-    const Vec2 left(-way.y, way.x);
-    const Vec2 start = pocket.mouth - way * kAway + left * shot.offset;
-    const Vec3 velocity(way.x * shot.speed, way.y * shot.speed, 0);
+    const Vec2 direction(pocket.axis.x * c - pocket.axis.y * s,
+                         pocket.axis.x * s + pocket.axis.y * c);
+    const Vec2 left(-direction.y, direction.x);
+    const Vec2 start = pocket.mouth - direction * kDistance + left * shot.offset;
+    const Vec3 velocity(direction.x * shot.speed, direction.y * shot.speed, 0);
     Body body = ball("one", start.x, start.y, velocity, rolling_spin(velocity, table.radius));
     body.shape = Sphere{table.radius};
     body.mass = table.mass;
     body.pose.position.z = table.radius;
     WorldDescription world;
-    // Time to come to rest in the jaws, none to come back from another cushion.
-    world.duration = 1.2 * kAway / shot.speed + 0.6;
+    // Enough time to come to rest in the jaws, but not to return from another cushion.
+    world.duration = 1.2 * kDistance / shot.speed + 0.6;
     world.table = billiards::standard_table(table.kind, table.size);
     world.bodies = {body};
     const Timeline timeline = bake(world);
@@ -59,7 +60,7 @@ Opening find_opening(const PocketTable& table, const billiards::PocketLayout& po
     int first = 0;
     int count = 0;
     int row = 0;
-    for (int i = -kLooks; i <= kLooks; ++i) {
+    for (int i = -kOffsets; i <= kOffsets; ++i) {
         const bool is_in = drops_at(i * kApart);
         if (is_in) {
             dropping.push_back(i);

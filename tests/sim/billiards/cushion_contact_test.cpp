@@ -1,5 +1,5 @@
-// Nothing is drawn where it does not collide: a ball that touches a face by the plan touches the
-// drawn cushion, and does not reach into it.
+// Collisions agree with the rendered surfaces: a ball that touches a face of the plan touches the
+// drawn cushion and does not overlap it.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -9,14 +9,14 @@
 namespace carom::sim::billiards {
 namespace {
 
-class Touch : public testing::TestWithParam<test::NamedTable> {
+class CushionContact : public testing::TestWithParam<test::NamedTable> {
   protected:
     TableMeasures measures_ = *standard_table(GetParam().kind, GetParam().size);
     double radius_ = GetParam().ball_radius;
     TableGeometry geometry_ = build_table(measures_, radius_);
 
-    // How far from the nose's line the centre of a ball on the cloth is when it touches it.
-    [[nodiscard]] double bounding_radius() const {
+    // Horizontal distance of the centre of a ball on the cloth from the nose that it touches.
+    [[nodiscard]] double nose_contact_distance() const {
         const double above = measures_.nose_height - radius_;
         return std::sqrt(radius_ * radius_ - above * above);
     }
@@ -30,11 +30,11 @@ class Touch : public testing::TestWithParam<test::NamedTable> {
     }
 };
 
-TEST_P(Touch, AlongFaces_BallAndDrawnCushionMeet) {
+TEST_P(CushionContact, AlongFaces_BallTouchesTheDrawnCushion) {
     for (const CushionFace& face : geometry_.faces) {
         for (const double fraction : {0.1, 0.5, 0.9}) {
             const Vec2 nose = face.from + fraction * (face.to - face.from);
-            const Vec2 centre = nose + bounding_radius() * face.normal;
+            const Vec2 centre = nose + nose_contact_distance() * face.normal;
             // In a pool table's corner a ball near one jaw's end may touch the other jaw first.
             EXPECT_LE(distance_to_cushions(centre), radius_ + 1e-9);
             if (!face.is_jaw) {
@@ -44,14 +44,14 @@ TEST_P(Touch, AlongFaces_BallAndDrawnCushionMeet) {
     }
 }
 
-TEST_P(Touch, OnTheField_CushionFacesAreTouchedAtTheRadiusFromItsEdge) {
+TEST_P(CushionContact, OnTheField_BallTouchesFacesAtItsRadiusFromTheEdge) {
     const Vec2 centre(0.31, 0.5 * measures_.width - radius_);
     EXPECT_NEAR(distance_to_cushions(centre), radius_, 1e-9);
 }
 
-TEST_P(Touch, RoundCorners_BallAndDrawnCushionMeet) {
+TEST_P(CushionContact, RoundCorners_BallTouchesTheDrawnCushion) {
     for (const CushionCorner& corner : geometry_.corners) {
-        // From the middle of the arc: between the normals of the two faces that it joins.
+        // At the middle of the arc, between the normals of the two faces that it joins.
         Vec2 outward(0, 0);
         for (const CushionFace& face : geometry_.faces) {
             for (const Vec2& end : {face.from, face.to}) {
@@ -61,19 +61,19 @@ TEST_P(Touch, RoundCorners_BallAndDrawnCushionMeet) {
             }
         }
         const Vec2 centre =
-            corner.centre + (corner.radius + bounding_radius()) * outward.normalized();
-        // The drawn polygon lies up to one sagitta, 10 um, inside the arc.
+            corner.centre + (corner.radius + nose_contact_distance()) * outward.normalized();
+        // The drawn polygon is up to one sagitta, 10 um, inside the arc.
         EXPECT_NEAR(distance_to_cushions(centre), radius_, 2.5e-5);
         EXPECT_GE(distance_to_cushions(centre), radius_ - 1e-9);
     }
 }
 
-TEST_P(Touch, BallOnTheCloth_RestsOnTheDrawnCloth) {
+TEST_P(CushionContact, BallOnTheCloth_RestsOnTheDrawnCloth) {
     const Surface& cloth = *test::parts(geometry_, SurfacePart::cloth).front();
     EXPECT_NEAR(test::distance_to_surface({0.217, -0.131, radius_}, cloth), radius_, 1e-15);
 }
 
-INSTANTIATE_TEST_SUITE_P(Tables, Touch, testing::ValuesIn(test::kTables),
+INSTANTIATE_TEST_SUITE_P(Tables, CushionContact, testing::ValuesIn(test::kTables),
                          [](const auto& instance) { return instance.param.name; });
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(StandardTable, PublishedSizes_HaveTheirPlayingFields) {
     EXPECT_FALSE(standard_table(TableKind::cloth, "")->has_cushions);
 }
 
-TEST(StandardTable, OtherNames_AreNone) {
+TEST(StandardTable, OtherNames_AreUnknown) {
     EXPECT_FALSE(standard_table(TableKind::pool, "10 ft"));
     EXPECT_FALSE(standard_table(TableKind::pool, ""));
     EXPECT_FALSE(standard_table(TableKind::snooker, "9 ft"));
@@ -69,7 +69,7 @@ TEST(StandardTable, PoolPockets_LieInTheRangesOfTheWpa) {
 }
 
 // World Rules of Carom Billiard, article 11: 37 mm, a frame of 12.5 cm, its top at 75 to 80 cm.
-TEST(StandardTable, Carom_KeepsToTheRulesOfTheUmb) {
+TEST(StandardTable, Carom_FollowsTheRulesOfTheUmb) {
     const TableMeasures table = *standard_table(TableKind::carom, "10 ft");
     EXPECT_EQ(table.nose_height, 0.037);
     EXPECT_EQ(table.rail_width, 0.125);
@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "the table is too small for its pockets: their holes are too close"}),
     [](const auto& instance) { return instance.param.name; });
 
-TEST(FindProblems, SeveralFaults_AreAllNamed) {
+TEST(FindProblems, SeveralFaults_AreAllReported) {
     TableMeasures table = pool();
     table.length = 0;
     table.side_pocket->mouth = 0;

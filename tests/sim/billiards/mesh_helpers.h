@@ -1,4 +1,4 @@
-// Questions that tests ask of triangle meshes.
+// Measurements of triangle meshes for tests.
 #pragma once
 
 #include <algorithm>
@@ -47,7 +47,7 @@ inline Vec3 area_vector(const Surface& surface, std::size_t triangle) {
     return 0.5 * (corner(surface, triangle, 1) - a).cross(corner(surface, triangle, 2) - a);
 }
 
-/// Enclosed by the triangles if they are closed; positive if they face outwards.
+/// The enclosed volume of a closed surface; positive if its triangles face outwards.
 inline double volume(const Surface& surface) {
     double sum = 0;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
@@ -56,8 +56,8 @@ inline double volume(const Surface& surface) {
     return sum;
 }
 
-/// Edges that do not have exactly one partner in the other direction, vertices within 0.1 um being
-/// one.
+/// Number of edges without exactly one partner in the opposite direction; vertices within 0.1 um
+/// are merged.
 inline int unmatched_edges(const Surface& surface) {
     std::map<std::array<long long, 3>, int> ids;
     std::vector<int> id_of;
@@ -83,9 +83,9 @@ inline int unmatched_edges(const Surface& surface) {
 }
 
 inline double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const Vec3 way = b - a;
-    const double s = std::clamp((p - a).dot(way) / way.dot(way), 0.0, 1.0);
-    return (p - (a + s * way)).length();
+    const Vec3 edge = b - a;
+    const double s = std::clamp((p - a).dot(edge) / edge.dot(edge), 0.0, 1.0);
+    return (p - (a + s * edge)).length();
 }
 
 inline double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -110,7 +110,7 @@ inline double distance_to_surface(const Vec3& p, const Surface& surface) {
     return nearest;
 }
 
-/// What a vertical ray from far above meets first.
+/// The first hit of a vertical ray from far above.
 struct Landing {
     const Surface* surface = nullptr;
     double z = 0;

@@ -14,7 +14,7 @@ void expect_near(const Vec2& a, const Vec2& b, double bound = 1e-12) {
     EXPECT_NEAR((a - b).length(), 0, bound) << a << " and " << b;
 }
 
-TEST(PlanPath, StraightPiece_IsDividedEvenly) {
+TEST(PlanPath, StraightLine_IsDividedEvenly) {
     const PlanPath path = PathBuilder(OpenSide::left, 0.3).start({0, 0}).line_to({1, 0}).finish();
     ASSERT_EQ(path.size(), 5U);
     expect_near(path[1].position, {0.25, 0});
@@ -47,8 +47,8 @@ TEST(PlanPath, Rounding_IsAnArcThatTouchesBothLines) {
     }
 }
 
-// Moved further in than its radius, the rounding is the sharp corner of the moved lines.
-TEST(PlanPath, RoundingMovedPastItsRadius_ShrinksToACorner) {
+// At an offset larger than its radius the rounding is the sharp corner of the offset lines.
+TEST(PlanPath, RoundingOffsetBeyondItsRadius_ShrinksToACorner) {
     const PlanPath path = PathBuilder(OpenSide::left, 10)
                               .start({0, 0})
                               .round({1, 0}, 0.2, {1, -1})
@@ -71,7 +71,7 @@ TEST(PlanPath, ConcaveRounding_GrowsInsteadOfShrinking) {
     }
 }
 
-TEST(PlanPath, Arc_GoesTheWayAsked) {
+TEST(PlanPath, Arc_RunsInTheGivenDirection) {
     const PlanPath far =
         PathBuilder(OpenSide::left, 10).start({1, 0}).arc_to({0, -1}, {0, 0}, true).finish();
     EXPECT_NEAR(far.back().length, 1.5 * kPi, 2e-3);
@@ -82,14 +82,14 @@ TEST(PlanPath, Arc_GoesTheWayAsked) {
     expect_near(near[1].normal_out, near[1].position);
 }
 
-TEST(PlanPath, SlantedCut_KeepsMovedEndsOnIt) {
+TEST(PlanPath, SlantedCut_ContainsOffsetEnds) {
     const PlanPath path =
         PathBuilder(OpenSide::left, 10).start({0, 0}).line_to({1, 0}).finish({1, -1}, {-1, -1});
     expect_near(path.front().inside(0.3), {0.3, -0.3});
     expect_near(path.back().inside(0.3), {0.7, -0.3});
 }
 
-TEST(PlanPath, ClosedOutline_MeetsItself) {
+TEST(PlanPath, ClosedOutline_EndsAtItsStart) {
     const PlanPath path = PathBuilder(OpenSide::right, 0.25)
                               .start({0, 0})
                               .line_to({1, 0})

@@ -85,7 +85,7 @@ TEST(Rack, FifteenBall_HasTheOneInFrontAndTheFifteenInTheMiddle) {
     expect_near(ball(balls, "three").position, {2.54 / 4 + 4 * kRow, 4 * kRadius, kRadius});
 }
 
-TEST(Rack, Numbers_AreThoseOfTheNamesAndEachIsThereOnce) {
+TEST(Rack, Numbers_MatchTheNamesAndOccurOnce) {
     for (const RackKind kind :
          {RackKind::nine_ball, RackKind::eight_ball, RackKind::ten_ball, RackKind::fifteen_ball}) {
         std::set<int> numbers;
@@ -139,7 +139,7 @@ TEST(Rack, ThousandSeeds_NeverOverlapAndKeepTheGapsInTheirRange) {
     }
 }
 
-TEST(Rack, Gaps_SpreadFromNoneToTwiceTheirMean) {
+TEST(Rack, Gaps_AreBetweenZeroAndTwiceTheirMean) {
     constexpr double gap = 1e-4;
     double sum = 0;
     double largest = 0;
@@ -169,7 +169,7 @@ TEST(Rack, Gaps_SpreadFromNoneToTwiceTheirMean) {
     EXPECT_LT(smallest, 0.3 * gap);
 }
 
-TEST(Rack, Seed_ChangesPlacesButNotNames) {
+TEST(Rack, Seed_ChangesPositionsButNotNames) {
     const auto first = pool_rack(RackKind::nine_ball, {3e-5, 1});
     const auto again = pool_rack(RackKind::nine_ball, {3e-5, 1});
     const auto other = pool_rack(RackKind::nine_ball, {3e-5, 2});

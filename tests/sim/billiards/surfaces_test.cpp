@@ -1,4 +1,4 @@
-// The drawn surfaces: sound as meshes, and where the measures say.
+// The surfaces of a table are valid meshes at the positions given by the measures.
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -61,7 +61,7 @@ TEST_P(TableSurfaces, Triangles_AreNotDegenerateAndFaceAlongTheirNormals) {
                 ASSERT_GT(surface.normals[index].dot(area.normalized()), 0.2)
                     << surface.name << " triangle " << t;
             }
-            // Its height: nothing thinner than a few micrometres.
+            // The triangle's height: none is thinner than a few micrometres.
             ASSERT_GT(2 * area.length() / longest, 2e-6) << surface.name << " triangle " << t;
         }
     }
@@ -77,9 +77,9 @@ TEST_P(TableSurfaces, Solids_AreClosedAndFaceOutwards) {
     }
 }
 
-// Sheets: their only open edges are the outer rim and, for the cloth, the edges of its holes,
-// turned down over the slate.
-TEST_P(TableSurfaces, Sheets_AreOpenAtTheirRimsOnly) {
+// The only open edges of sheets are the outer rim and, for the cloth, the edges of its holes, which
+// are turned down over the slate.
+TEST_P(TableSurfaces, Sheets_AreOpenOnlyAtTheirRims) {
     const Surface& bed = cloth();
     double low = 0;
     for (const Vec3& v : bed.vertices) {
@@ -97,24 +97,24 @@ TEST_P(TableSurfaces, Sheets_AreOpenAtTheirRimsOnly) {
     }
 }
 
-TEST_P(TableSurfaces, Cloth_CoversItsRectangleButForTheHoles) {
+TEST_P(TableSurfaces, Cloth_CoversItsRectangleExceptTheHoles) {
     double area = 0;
-    Vec2 reach(0, 0);
+    Vec2 extent(0, 0);
     for (std::size_t t = 0; t < cloth().triangles.size(); ++t) {
         area += test::area_vector(cloth(), t).z;
     }
     for (const Vec3& v : cloth().vertices) {
-        reach = {std::max(reach.x, std::abs(v.x)), std::max(reach.y, std::abs(v.y))};
+        extent = {std::max(extent.x, std::abs(v.x)), std::max(extent.y, std::abs(v.y))};
     }
-    double expected = 4 * reach.x * reach.y;
+    double expected = 4 * extent.x * extent.y;
     for (const Pocket& pocket : geometry_.pockets) {
         // A polygon of 96 corners on the circle.
         expected -= 48 * pocket.radius * pocket.radius * std::sin(kPi / 48);
     }
     EXPECT_NEAR(area, expected, 1e-10);
-    // It goes on under the cushions.
-    EXPECT_GT(reach.x, 0.5 * measures_.length + measures_.cushion_width);
-    EXPECT_GT(reach.y, 0.5 * measures_.width + measures_.cushion_width);
+    // It extends under the cushions.
+    EXPECT_GT(extent.x, 0.5 * measures_.length + measures_.cushion_width);
+    EXPECT_GT(extent.y, 0.5 * measures_.width + measures_.cushion_width);
 }
 
 TEST_P(TableSurfaces, ClothTexture_IsTheWorldsXAndY) {
@@ -126,7 +126,7 @@ TEST_P(TableSurfaces, ClothTexture_IsTheWorldsXAndY) {
 }
 
 // The foremost vertices of the cushions are the nose: at its height, on its line.
-TEST_P(TableSurfaces, Noses_StandAtTheirHeightOnTheirLine) {
+TEST_P(TableSurfaces, Noses_AreAtTheirHeightOnTheirLine) {
     const double above = measures_.nose_height - radius_;
     const double inset = radius_ - std::sqrt(radius_ * radius_ - above * above);
     const double line = 0.5 * measures_.width - inset;
@@ -151,8 +151,8 @@ TEST_P(TableSurfaces, Noses_StandAtTheirHeightOnTheirLine) {
     EXPECT_GT(at_nose, 10);
 }
 
-// Looking straight down: what is seen where.
-TEST_P(TableSurfaces, FromAbove_EveryPlaceShowsItsPart) {
+// The parts that are visible from straight above, by position.
+TEST_P(TableSurfaces, FromAbove_EveryPartIsVisible) {
     const auto part_at = [&](const Vec2& place) {
         return test::drop_at(geometry_, place)->surface->part;
     };
@@ -179,7 +179,7 @@ TEST_P(TableSurfaces, Pockets_AreOpenDownToTheirFloors) {
                 pocket.centre + 0.9 * pocket.radius *
                                     Vec2(std::cos(kPi * i / 6 + 0.1), std::sin(kPi * i / 6 + 0.1));
             const auto landing = test::drop_at(geometry_, place);
-            // Jaws may stand over the hole's rim; wood and cloth may not.
+            // Jaws may extend over the hole's rim; wood and cloth may not.
             if (landing->surface->part == SurfacePart::cushion) {
                 continue;
             }

@@ -1,4 +1,4 @@
-// The table from above: faces, corners and pockets.
+// The plan of a table: faces, corners and pockets.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -47,11 +47,11 @@ TEST_P(TablePlan, CushionFaces_LieTheStatedOffsetInsideTheField) {
         EXPECT_NEAR(half + face.normal.dot(face.to), inset(), 1e-12);
     }
     if (measures_.kind == TableKind::pool) {
-        EXPECT_NEAR(inset(), 0.00106, 5e-6);  // PHYSICS: 1.06 mm in pool
+        EXPECT_NEAR(inset(), 0.00106, 5e-6);  // docs/physics.md: 1.06 mm in pool
     }
 }
 
-TEST_P(TablePlan, CountsOfParts_FitTheKind) {
+TEST_P(TablePlan, CountsOfParts_MatchTheKind) {
     const bool has_pockets = measures_.kind != TableKind::carom;
     EXPECT_EQ(faces(false).size(), has_pockets ? 6U : 4U);
     EXPECT_EQ(faces(true).size(), has_pockets ? 12U : 0U);
@@ -59,9 +59,9 @@ TEST_P(TablePlan, CountsOfParts_FitTheKind) {
     EXPECT_EQ(geometry_.pockets.size(), has_pockets ? 6U : 0U);
 }
 
-// Two of a pocket's jaw lines, met with their cushions' nose lines: the pointed lips that WPA
-// measures the mouth between.
-Vec2 meeting_point(const CushionFace& a, const CushionFace& b) {
+// Intersection of a jaw line with the nose line of its cushion: the pointed lip between which the
+// WPA measures the mouth.
+Vec2 intersection(const CushionFace& a, const CushionFace& b) {
     const Vec2 da = a.to - a.from;
     const Vec2 db = b.to - b.from;
     const double s =
@@ -69,7 +69,7 @@ Vec2 meeting_point(const CushionFace& a, const CushionFace& b) {
     return a.from + s * da;
 }
 
-TEST_P(TablePlan, Mouths_AreAsWideAsTheMeasuresSay) {
+TEST_P(TablePlan, Mouths_HaveTheMeasuredWidth) {
     const auto& all = geometry_.faces;
     int mouths = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -81,8 +81,8 @@ TEST_P(TablePlan, Mouths_AreAsWideAsTheMeasuresSay) {
             continue;
         }
         ++mouths;
-        const Vec2 lip = meeting_point(all[i], jaw_in);
-        const Vec2 other_lip = meeting_point(jaw_out, next);
+        const Vec2 lip = intersection(all[i], jaw_in);
+        const Vec2 other_lip = intersection(jaw_out, next);
         const bool is_side = std::abs(lip.x) < 0.2;
         const PocketMeasures& pocket = is_side ? *measures_.side_pocket : *measures_.corner_pocket;
         EXPECT_NEAR((lip - other_lip).length(), pocket.mouth, 1e-12);
@@ -123,12 +123,12 @@ TEST_P(TablePlan, Shelf_LiesBetweenMouthAndHole) {
         EXPECT_NEAR((pocket.centre - mouth).dot(axis) - pocket.radius, m.shelf, 1e-12);
         EXPECT_EQ(pocket.radius, m.hole_radius);
         EXPECT_EQ(pocket.drop, m.drop);
-        // A ball falls in with room to spare.
+        // A ball fits into the hole with a margin.
         EXPECT_GT(pocket.radius, 1.4 * radius_);
     }
 }
 
-TEST_P(TablePlan, Holes_GoThroughTheEndsOfTheJaws) {
+TEST_P(TablePlan, Holes_PassThroughTheEndsOfTheJaws) {
     int ends = 0;
     for (const Pocket& pocket : geometry_.pockets) {
         for (const CushionFace& face : faces(true)) {
@@ -142,7 +142,7 @@ TEST_P(TablePlan, Holes_GoThroughTheEndsOfTheJaws) {
     EXPECT_EQ(ends, measures_.kind == TableKind::carom ? 0 : 12);
 }
 
-TEST_P(TablePlan, Outline_IsOneWalkRoundTheField) {
+TEST_P(TablePlan, Outline_IsOneLoopAroundTheField) {
     // Each face begins where the last one or the corner between them ends.
     const auto& all = geometry_.faces;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -159,7 +159,7 @@ TEST_P(TablePlan, Outline_IsOneWalkRoundTheField) {
     }
 }
 
-TEST_P(TablePlan, PocketNames_SayWhereTheyAre) {
+TEST_P(TablePlan, PocketNames_MatchTheirPositions) {
     for (const Pocket& pocket : geometry_.pockets) {
         EXPECT_EQ(pocket.name.find("front") != std::string::npos, pocket.centre.y < 0);
         if (!pocket.name.starts_with("side")) {

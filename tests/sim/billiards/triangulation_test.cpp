@@ -52,8 +52,8 @@ double area_of(const Triangulation& region) {
     return sum;
 }
 
-/// Every loop edge is an edge of exactly one triangle, all triangles are counter-clockwise, and
-/// the area is right: together they leave no room for gaps or overlaps.
+/// Expects that every edge of a loop is an edge of exactly one triangle, that all triangles are
+/// counter-clockwise, and that the area is right, which together excludes gaps and overlaps.
 void expect_covers(const std::vector<Loop>& loops, double spacing) {
     const Triangulation region = triangulate(loops, spacing);
     std::multiset<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -84,7 +84,7 @@ TEST(Triangulation, Triangle_IsItself) {
     EXPECT_EQ(triangulate(loops, 10).triangles.size(), 1U);
 }
 
-TEST(Triangulation, Clockwise_IsTurnedRound) {
+TEST(Triangulation, Clockwise_IsReversed) {
     expect_covers({{{0, 0}, {0, 1}, {1, 1}, {1, 0}}}, 10);
 }
 
@@ -102,7 +102,7 @@ TEST(Triangulation, ConcaveOutline_IsCovered) {
     expect_covers({star}, 0.1);
 }
 
-TEST(Triangulation, Holes_AreLeftOut) {
+TEST(Triangulation, Holes_AreOmitted) {
     expect_covers({rectangle(2, 1, 10), circle({0.3, 0.5}, 0.2, 48), circle({1.5, 0.4}, 0.3, 96),
                    circle({0.9, 0.7}, 0.05, 12)},
                   0.1);
@@ -124,7 +124,7 @@ TEST(Triangulation, RandomStarShapes_AreCovered) {
     }
 }
 
-TEST(Triangulation, InnerPoints_KeepTrianglesInShape) {
+TEST(Triangulation, InnerPoints_ImproveTheTriangles) {
     const std::vector<Loop> loops{rectangle(2.54, 1.27, 20)};
     const Triangulation region = triangulate(loops, 0.1);
     double smallest = kPi;
