@@ -7,14 +7,14 @@
 
 namespace carom::sim {
 
-std::optional<Timeline> bake_within(std::uint64_t most_steps, const WorldDescription& world,
+std::optional<Timeline> bake_within(std::uint64_t max_steps, const WorldDescription& world,
                                     const WorkContext& context) {
     const std::vector<Diagnostic> problems = find_problems(world);
     if (!problems.empty()) {
         throw Error(problems.front().sentence);
     }
     Scheduler scheduler(world);
-    if (!scheduler.run(context, most_steps)) {
+    if (!scheduler.run(context, max_steps)) {
         return std::nullopt;
     }
     return scheduler.take_timeline();

@@ -1,4 +1,4 @@
-// The one entry to the simulation.
+// The entry point of the simulation.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,19 @@
 namespace carom::sim {
 
 /// Simulates the whole shot. Deterministic: the same description gives the same timeline, bit for
-/// bit. May run on several threads at once, one world each. Throws Error on a description with
-/// problems, Stopped when stopped.
+/// bit. Several threads may call it concurrently, each with its own world. Throws Error if the
+/// description has problems, Stopped if a stop is requested.
 [[nodiscard]] Timeline bake(const WorldDescription& world, const WorkContext& context = {});
 
-/// The same if it takes no more than `most_steps`; else empty. Counted are touches, and in every
-/// step of ODE the bodies and the pairs of their contacts, which are solved for together. The count
-/// grows about as the time that is needed does, and it is the same on any machine.
-[[nodiscard]] std::optional<Timeline> bake_within(std::uint64_t most_steps,
+/// As `bake`, but returns an empty value if the simulation takes more than `max_steps`. The count
+/// contains the events and, for every step of ODE, its bodies and the pairs of its contacts, which
+/// are solved together. It is roughly proportional to the running time and equal on all machines.
+[[nodiscard]] std::optional<Timeline> bake_within(std::uint64_t max_steps,
                                                   const WorldDescription& world,
                                                   const WorkContext& context = {});
 
-/// Hash of everything in the description that can change the bake, and of the simulation's own
-/// revision number.
+/// Hash of everything in the description that can change the bake and of the simulation's revision
+/// number.
 [[nodiscard]] Hash128 physics_hash(const WorldDescription& world);
 
 }  // namespace carom::sim

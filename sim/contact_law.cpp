@@ -3,9 +3,9 @@
 namespace carom::sim {
 namespace {
 
-/// A ball with what surrounds a table. Nobody has published these; they were chosen so that a ball
-/// falls dead in a lined pocket, rebounds from a wooden rail about as from the slate, and rolls
-/// some metres on a floor.
+/// A ball and the surroundings of a table. No values are published; these were chosen so that a
+/// ball stops dead in a lined pocket, rebounds from a wooden rail about as from the slate, and
+/// rolls some metres on a floor.
 const PairContact* built_in(const std::string& a, const std::string& b) {
     static const std::map<std::pair<std::string, std::string>, PairContact> laws{
         {{"ball", "floor"}, {0.6, 0.3, 0.015}},

@@ -1,4 +1,4 @@
-// Restitution, friction and resistance by pair of physical materials.
+// Restitution, friction and rolling resistance for each pair of physical materials.
 #pragma once
 
 #include <map>
@@ -42,7 +42,7 @@ struct BallCushion {
     bool operator==(const BallCushion&) const = default;
 };
 
-/// A model with the numbers that it was published with.
+/// A model with its published parameters.
 [[nodiscard]] BallCushion usual_cushion(CushionModel model);
 
 /// Any two other materials.
@@ -59,8 +59,8 @@ struct ContactLaw {
     BallCushion ball_cushion;
     PairContact otherwise;  // pairs neither named in `pairs` nor built in
     /// Names in alphabetical order. A ball with "floor", "pocket" (its lining and floor) and "rail"
-    /// has built-in values (contact_law.cpp) that an entry here replaces. A pocket's lining takes
-    /// the share `friction` of a ball's velocity along it and of its spin at a blow.
+    /// has built-in values (contact_law.cpp) that an entry here replaces. In an impact a pocket's
+    /// lining removes the fraction `friction` of a ball's velocity along it and of its spin.
     std::map<std::pair<std::string, std::string>, PairContact> pairs;
     /// Keep the vertical part of ball-ball friction and of cushion impulses for balls on the cloth.
     bool hop = false;

@@ -1,4 +1,4 @@
-// What is done to a body, and when.
+// Actions on bodies, and the times or triggers at which they happen.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace carom::sim {
 
 enum class Axes { world, body };
 
-/// Newtons during `duration`; exact in impulse whatever the step. A duration of 0 is not a force.
+/// A force (N) during `duration`; its total impulse is exact for any step.
 struct Force {
     Vec3 newtons{0, 0, 0};
     double duration = 0;     // s, > 0
@@ -19,21 +19,21 @@ struct Force {
     Axes axes = Axes::world;
 };
 
-/// Newton metres during `duration`.
+/// A torque (N m) during `duration`.
 struct Torque {
     Vec3 newton_metres{0, 0, 0};
     double duration = 0;  // s, > 0
     Axes axes = Axes::world;
 };
 
-/// Newton seconds in an instant.
+/// An instantaneous impulse (N s).
 struct Impulse {
     Vec3 newton_seconds{0, 0, 0};
     Vec3 at_point{0, 0, 0};
     Axes axes = Axes::world;
 };
 
-/// Sets what is given.
+/// Sets the given velocities and keeps the others.
 struct SetVelocity {
     std::optional<Vec3> linear;   // m/s, world axes
     std::optional<Vec3> angular;  // rad/s, world axes
@@ -43,9 +43,9 @@ struct SetVelocity {
 /// `direction` gives the aim, exactly one of `speed` and `ball_speed` the strength.
 struct Strike {
     std::optional<double> speed;        // of the stick, m/s, > 0
-    std::optional<double> ball_speed;   // the ball's own speed after it, m/s, > 0
-    std::optional<std::string> toward;  // the object aimed at (its centre when struck)
-    std::optional<Vec3> toward_point;   // or a point, m
+    std::optional<double> ball_speed;   // of the ball after the strike, m/s, > 0
+    std::optional<std::string> toward;  // the target object (its centre at the time of the strike)
+    std::optional<Vec3> toward_point;   // or a target point, m
     std::optional<double> direction;    // or an angle counter-clockwise from +x, rad
     double elevation = 0;               // of the stick, rad, [0, pi/2)
     Vec2 tip{0, 0};             // offset to the right and up as the shooter sees it, in ball radii
@@ -53,21 +53,22 @@ struct Strike {
     double end_mass_ratio = 1.0 / 30;  // effective end mass / ball mass, > 0 (squirt)
 };
 
-/// When: `time`, or with `trigger` the first time that it happens at or after `time`, plus `after`.
+/// The occurrence that starts an event (see ForceEvent).
 struct Trigger {
     enum class Kind { contact, potted, resting, crossing } kind = Kind::contact;
-    std::string a;  // object; empty with `resting`: all
+    std::string a;  // the object; empty with `resting`: all objects
     std::string b;  // contact only: the other object or surface
-    // Crossing only: `a`'s centre, seen from above, passes between these two points (m), whichever
-    // way it goes.
+    // Crossing only: the centre of `a`, seen from above, passes between these two points (m) in
+    // either direction.
     Vec2 from{0, 0}, to{0, 0};
 };
 
+/// Acts at `time`, or with a trigger when that first happens at or after `time`; then plus `after`.
 struct ForceEvent {
-    std::string object;  // the body it acts on
+    std::string object;  // the body on which it acts
     double time = 0;     // scene time, s, >= 0
     std::optional<Trigger> trigger;
-    double after = 0;  // delay behind the trigger, s, >= 0
+    double after = 0;  // delay, s, >= 0
     std::variant<Force, Torque, Impulse, SetVelocity, Strike> action;
 };
 

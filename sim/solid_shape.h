@@ -1,4 +1,4 @@
-// Convex bodies of the world as the simulation handles them.
+// The convex bodies of the world in the form that the simulation uses.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace carom::sim {
 
 struct SolidShape {
     std::shared_ptr<const ConvexShape> shape;  // along its principal axes
-    Quat principal{};                          // turns those into the body's own axes
+    Quat principal{};                          // turns the principal axes into the body's own
     Vec3 inertia{1, 1, 1};                     // principal moments for a mass of 1 kg, m^2
 };
 

@@ -14,21 +14,21 @@
 namespace carom::sim {
 namespace {
 
-/// Level surfaces take balls this far in them or above them (m) as standing on them.
-constexpr double kRoundOff = 1e-6;
-/// Drawn surfaces are polygons: this much inside one (m) is not meant.
-constexpr double kPolygon = 1e-4;
+/// A ball this far (m) inside or above a level surface counts as standing on it.
+constexpr double kRounding = 1e-6;
+/// Round surfaces are approximated by polygons, so overlaps up to this (m) are not reported.
+constexpr double kPolygonError = 1e-4;
 
 struct Ball {
     Vec3 centre;
     double radius = 0;
-    Vec2 level;  // the centre from above
+    Vec2 from_above;  // x and y of the centre
 };
 
-/// The farthest reach found so far.
-class Deepest {
+/// Keeps the deepest overlap found so far.
+class DeepestOverlap {
   public:
-    void offer(double depth, double tolerance, const std::string& other) {
+    void consider(double depth, double tolerance, const std::string& other) {
         if (depth > tolerance && depth > depth_) {
             depth_ = depth;
             other_ = other;
@@ -46,70 +46,72 @@ class Deepest {
     std::string other_;
 };
 
-bool is_over_pocket(const Vec2& place, const billiards::TableGeometry& table, double margin = 0) {
+bool is_over_pocket(const Vec2& position, const billiards::TableGeometry& table,
+                    double margin = 0) {
     return std::any_of(table.pockets.begin(), table.pockets.end(), [&](const auto& pocket) {
-        const Vec2 d = place - pocket.centre;
-        const double reach = pocket.radius + margin;
-        return d.dot(d) < reach * reach;
+        const Vec2 d = position - pocket.centre;
+        const double distance = pocket.radius + margin;
+        return d.dot(d) < distance * distance;
     });
 }
 
-/// How far the ball is behind the line of a nose, which is at height `nose_height`.
-void offer_noses(const Ball& ball, const billiards::TableGeometry& table,
-                 const billiards::TableMeasures& measures, Deepest& deepest) {
+/// Overlaps with the noses of the cushions, which are at height `nose_height`.
+void check_noses(const Ball& ball, const billiards::TableGeometry& table,
+                 const billiards::TableMeasures& measures, DeepestOverlap& deepest) {
     const double rise = measures.nose_height - ball.centre.z;
     if (std::abs(rise) >= ball.radius) {
         return;
     }
-    const double reach = std::sqrt(ball.radius * ball.radius - rise * rise);
+    const double contact_distance = std::sqrt(ball.radius * ball.radius - rise * rise);
     for (const billiards::CushionFace& face : table.faces) {
-        const Vec2 offset = ball.level - face.from;
+        const Vec2 offset = ball.from_above - face.from;
         const Vec2 along = face.to - face.from;
-        const double place = offset.dot(along) / along.dot(along);
+        const double fraction = offset.dot(along) / along.dot(along);
         const double distance = offset.dot(face.normal);
-        if (place >= 0 && place <= 1 && distance > -measures.cushion_width) {
-            deepest.offer(reach - distance, kRoundOff, "a cushion");
+        if (fraction >= 0 && fraction <= 1 && distance > -measures.cushion_width) {
+            deepest.consider(contact_distance - distance, kRounding, "a cushion");
         }
     }
     for (const billiards::CushionCorner& corner : table.corners) {
-        const Vec2 d = ball.level - corner.centre;
-        deepest.offer(reach + corner.radius - std::sqrt(d.dot(d)), kRoundOff, "a cushion");
+        const Vec2 d = ball.from_above - corner.centre;
+        deepest.consider(contact_distance + corner.radius - std::sqrt(d.dot(d)), kRounding,
+                         "a cushion");
     }
 }
 
-/// Cushions and rails are solid from the cloth up to the rail's top.
-void offer_frame(const Ball& ball, const billiards::TableGeometry& table,
-                 const billiards::TableMeasures& measures, Deepest& deepest) {
+/// Overlaps with the cushions and rails as solids from the cloth up to the rail's top.
+void check_cushions_and_rails(const Ball& ball, const billiards::TableGeometry& table,
+                              const billiards::TableMeasures& measures, DeepestOverlap& deepest) {
     const Vec2 field(0.5 * measures.length, 0.5 * measures.width);
-    const Vec2 beyond(std::abs(ball.level.x) - field.x, std::abs(ball.level.y) - field.y);
+    const Vec2 beyond(std::abs(ball.from_above.x) - field.x, std::abs(ball.from_above.y) - field.y);
     const double farthest = std::max(beyond.x, beyond.y);
     if (farthest < 0 || farthest > measures.cushion_width + measures.rail_width) {
         return;
     }
-    // Where a ball can hang in a pocket's jaws, these say whether it fits.
-    if (ball.centre.z < 0 || is_over_pocket(ball.level, table, ball.radius)) {
+    // A ball may hang in a pocket's jaws; check_noses and check_mesh decide whether it fits.
+    if (ball.centre.z < 0 || is_over_pocket(ball.from_above, table, ball.radius)) {
         return;
     }
-    deepest.offer(measures.rail_height + ball.radius - ball.centre.z, kPolygon,
-                  farthest < measures.cushion_width ? "a cushion" : "a rail");
+    deepest.consider(measures.rail_height + ball.radius - ball.centre.z, kPolygonError,
+                     farthest < measures.cushion_width ? "a cushion" : "a rail");
 }
 
-void offer_cloth(const Ball& ball, const billiards::TableGeometry* table,
-                 const billiards::TableMeasures& measures, Deepest& deepest) {
+void check_cloth(const Ball& ball, const billiards::TableGeometry* table,
+                 const billiards::TableMeasures& measures, DeepestOverlap& deepest) {
     if (ball.centre.z < -ball.radius) {
         return;  // under the table
     }
     const bool is_over =
         table == nullptr ||
-        (std::abs(ball.level.x) <= 0.5 * measures.length + measures.cushion_width &&
-         std::abs(ball.level.y) <= 0.5 * measures.width + measures.cushion_width &&
-         !is_over_pocket(ball.level, *table));
+        (std::abs(ball.from_above.x) <= 0.5 * measures.length + measures.cushion_width &&
+         std::abs(ball.from_above.y) <= 0.5 * measures.width + measures.cushion_width &&
+         !is_over_pocket(ball.from_above, *table));
     if (is_over) {
-        deepest.offer(ball.radius - ball.centre.z, kRoundOff, "the cloth");
+        deepest.consider(ball.radius - ball.centre.z, kRounding, "the cloth");
     }
 }
 
-std::vector<Aabb> boxes_around_balls(const WorldDescription& world) {
+std::vector<Aabb> ball_bounds(const WorldDescription& world) {
     std::vector<Aabb> boxes;
     for (const Body& body : world.bodies) {
         const auto* sphere = std::get_if<Sphere>(&body.shape);
@@ -134,7 +136,7 @@ bool is_near_any(const billiards::Surface& surface, const std::vector<Aabb>& bal
                        [&](const Aabb& ball) { return ball.overlaps(bounds); });
 }
 
-/// Cushion tops, rails and pockets near balls, as far as their surfaces go.
+/// The surfaces of cushion tops, rails and pockets near balls.
 StaticMesh table_mesh(const billiards::TableGeometry& table, const std::vector<Aabb>& balls,
                       std::vector<std::string>& names) {
     StaticMesh mesh;
@@ -178,14 +180,14 @@ StaticMesh scenery_mesh(const WorldDescription& world, std::vector<std::string>&
     return mesh;
 }
 
-void offer_mesh(const Ball& ball, const StaticMesh& mesh, const std::vector<std::string>& names,
-                Deepest& deepest) {
+void check_mesh(const Ball& ball, const StaticMesh& mesh, const std::vector<std::string>& names,
+                DeepestOverlap& deepest) {
     for (const SurfaceContact& contact : mesh.contacts(ball.centre, ball.radius, 0)) {
-        deepest.offer(contact.depth, kPolygon, names[contact.surface]);
+        deepest.consider(contact.depth, kPolygonError, names[contact.surface]);
     }
 }
 
-void offer_solids(const Ball& ball, const WorldDescription& world, Deepest& deepest) {
+void check_solids(const Ball& ball, const WorldDescription& world, DeepestOverlap& deepest) {
     for (const Body& body : world.bodies) {
         const std::optional<SolidShape> solid = solid_shape(body.shape);
         if (!solid) {
@@ -194,23 +196,22 @@ void offer_solids(const Ball& ball, const WorldDescription& world, Deepest& deep
         const Pose pose{body.pose.position, body.pose.orientation * solid->principal};
         const SurfaceContact contact =
             convex_contact(*solid->shape, pose, ball.centre, ball.radius);
-        deepest.offer(contact.depth, kRoundOff, "'" + body.name + "'");
+        deepest.consider(contact.depth, kRounding, "'" + body.name + "'");
     }
 }
 
 }  // namespace
 
 std::string StartOverlap::sentence() const {
-    return fmt::format("reaches {:.2f} mm into {}", std::max(depth * 1e3, 0.01), other);
+    return fmt::format("overlaps {} by {:.2f} mm", other, std::max(depth * 1e3, 0.01));
 }
 
 std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,
                                               const billiards::TableGeometry* table) {
     std::vector<std::string> table_names;
     std::vector<std::string> scenery_names;
-    const StaticMesh drawn = table != nullptr
-                                 ? table_mesh(*table, boxes_around_balls(world), table_names)
-                                 : StaticMesh();
+    const StaticMesh surfaces =
+        table != nullptr ? table_mesh(*table, ball_bounds(world), table_names) : StaticMesh();
     const StaticMesh scenery = scenery_mesh(world, scenery_names);
     std::vector<StartOverlap> overlaps;
     for (const Body& body : world.bodies) {
@@ -220,20 +221,21 @@ std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,
         }
         const Vec3& centre = body.pose.position;
         const Ball ball{centre, sphere->radius, {centre.x, centre.y}};
-        Deepest deepest;
+        DeepestOverlap deepest;
         if (world.table) {
-            offer_cloth(ball, table, *world.table, deepest);
+            check_cloth(ball, table, *world.table, deepest);
         }
         if (table != nullptr) {
-            offer_noses(ball, *table, *world.table, deepest);
-            offer_frame(ball, *table, *world.table, deepest);
-            offer_mesh(ball, drawn, table_names, deepest);
+            check_noses(ball, *table, *world.table, deepest);
+            check_cushions_and_rails(ball, *table, *world.table, deepest);
+            check_mesh(ball, surfaces, table_names, deepest);
         }
         if (world.floor_height) {
-            deepest.offer(ball.radius - (centre.z - *world.floor_height), kRoundOff, "the floor");
+            deepest.consider(ball.radius - (centre.z - *world.floor_height), kRounding,
+                             "the floor");
         }
-        offer_solids(ball, world, deepest);
-        offer_mesh(ball, scenery, scenery_names, deepest);
+        check_solids(ball, world, deepest);
+        check_mesh(ball, scenery, scenery_names, deepest);
         if (auto overlap = deepest.of(body.name)) {
             overlaps.push_back(std::move(*overlap));
         }

@@ -1,4 +1,4 @@
-// Balls that start inside of what does not move.
+// Balls that overlap other bodies or the table at the start.
 #pragma once
 
 #include <string>
@@ -12,16 +12,17 @@ namespace carom::sim {
 struct StartOverlap {
     std::string ball;
     std::string other;  // "the cloth", "a cushion", "a rail", "a pocket", "the floor" or "'ramp'"
-    double depth = 0;   // how far the ball reaches into it, m
+    double depth = 0;   // m
 
-    /// "reaches 3.20 mm into a cushion"
+    /// "overlaps a cushion by 3.20 mm"
     [[nodiscard]] std::string sentence() const;
 };
 
-/// The moving balls of a world without other problems that overlap something at the start by more
-/// than round-off, each with what it reaches into farthest: neither a touch nor a way out could be
-/// found for them. `table`: the world's geometry (all parts or those collided with); nullptr if it
-/// has none or no cushions. Balls in each other are `find_problems`'.
+/// The moving balls that overlap something at the start by more than rounding, each with its
+/// deepest overlap: neither an impact time nor a separation could be found for them. The world must
+/// have no other problems. `table`: the world's table geometry (all parts, or those used for
+/// collisions); nullptr if there is no table or it has no cushions. `find_problems` reports balls
+/// that overlap each other.
 [[nodiscard]] std::vector<StartOverlap> find_start_overlaps(const WorldDescription& world,
                                                             const billiards::TableGeometry* table);
 

@@ -13,37 +13,37 @@
 namespace carom::sim {
 namespace {
 
-/// Collects problems. The sentences about one subject all begin with the same words.
+/// Collects problems. All sentences about one subject begin with the same prefix.
 class ProblemCollector {
   public:
     explicit ProblemCollector(std::vector<Diagnostic>& list) : list_(list) {}
 
     void about_contact(const std::string& name) {
         subject_ = {Subject::Kind::contact, name};
-        beginning_ = name + ": ";
+        prefix_ = name + ": ";
     }
     void about_other_contact(const std::string& key, const std::string& names) {
         subject_ = {Subject::Kind::contact, key};
-        beginning_ = "contact of " + names + ": ";
+        prefix_ = "contact of " + names + ": ";
     }
     void about_body(const std::string& name) {
         subject_ = Subject::body(name);
-        beginning_ = "body '" + name + "': ";
+        prefix_ = "body '" + name + "': ";
     }
     void about_event(std::size_t index, const std::string& object) {
         subject_ = Subject::event(index);
-        beginning_ = fmt::format("event {} on '{}': ", index + 1, object);
+        prefix_ = fmt::format("event {} on '{}': ", index + 1, object);
     }
     void require(bool holds, const std::string& field, const std::string& sentence) {
         if (!holds) {
-            list_.push_back({subject_, field, beginning_ + sentence});
+            list_.push_back({subject_, field, prefix_ + sentence});
         }
     }
 
   private:
     std::vector<Diagnostic>& list_;
     Subject subject_;
-    std::string beginning_;  // of every sentence about the subject
+    std::string prefix_;  // of every sentence about the subject
 };
 
 std::string millimetres(double metres) {
@@ -108,12 +108,12 @@ void check_hull(const ConvexHull& shape, ProblemCollector& collector) {
         return;
     }
     const Vec3 centre = mass_properties(*hull).centre;
-    double reach = 0;
+    double radius = 0;
     for (const Vec3& vertex : hull->vertices) {
-        reach = std::max(reach, std::sqrt(vertex.dot(vertex)));
+        radius = std::max(radius, std::sqrt(vertex.dot(vertex)));
     }
-    collector.require(std::sqrt(centre.dot(centre)) <= 1e-6 * reach, "points",
-                      "the points of a convex hull have to be given about its centre of mass");
+    collector.require(std::sqrt(centre.dot(centre)) <= 1e-6 * radius, "points",
+                      "the points of a convex hull have to be relative to its centre of mass");
 }
 
 void check_shape(const Body& body, ProblemCollector& collector) {
@@ -132,20 +132,20 @@ void check_shape(const Body& body, ProblemCollector& collector) {
     } else if (const auto* hull = std::get_if<ConvexHull>(&body.shape)) {
         check_hull(*hull, collector);
     } else if (const auto* mesh = std::get_if<TriangleMesh>(&body.shape)) {
-        collector.require(body.kind == BodyKind::fixed, "", "a mesh has to be fixed");
-        bool vertices_fit = true;
+        collector.require(body.kind == BodyKind::fixed, "", "only a fixed body can be a mesh");
+        bool vertices_are_finite = true;
         for (const Vec3& vertex : mesh->vertices) {
-            vertices_fit = vertices_fit && is_finite(vertex);
+            vertices_are_finite = vertices_are_finite && is_finite(vertex);
         }
-        collector.require(vertices_fit, "mesh", "every vertex has to be finite");
-        bool indices_fit = true;
+        collector.require(vertices_are_finite, "mesh", "every vertex has to be finite");
+        bool indices_are_valid = true;
         for (const auto& triangle : mesh->triangles) {
             for (const std::uint32_t index : triangle) {
-                indices_fit = indices_fit && index < mesh->vertices.size();
+                indices_are_valid = indices_are_valid && index < mesh->vertices.size();
             }
         }
-        collector.require(indices_fit, "mesh",
-                          "a triangle names a vertex that the mesh does not have");
+        collector.require(indices_are_valid, "mesh",
+                          "a triangle refers to a vertex that the mesh does not have");
     }
 }
 
@@ -157,7 +157,7 @@ void check_body(const Body& body, ProblemCollector& collector) {
         collector.require(is_positive(body.mass), "mass", "mass has to be greater than 0");
     }
     collector.require((body.kind == BodyKind::kinematic) == (body.path && body.path->track),
-                      "motion", "a path is for a kinematic body, which needs one");
+                      "motion", "a kinematic body needs a path, and no other body can have one");
     const Quat& q = body.pose.orientation;
     const double norm = std::sqrt(q.r * q.r + q.v.dot(q.v));
     collector.require(std::abs(norm - 1) < 1e-6, "rotate",
@@ -195,8 +195,7 @@ class EventChecker {
 
     void check(const ForceEvent& event, std::size_t index) {
         collector_.about_event(index, event.object);
-        collector_.require(is_dynamic(event.object), "",
-                           "there is no body of that name that can move");
+        collector_.require(is_dynamic(event.object), "", "no movable body has this name");
         collector_.require(is_not_negative(event.time), "at", "its time has to be 0 or more");
         collector_.require(is_not_negative(event.after), "after", "the delay has to be 0 or more");
         if (event.trigger) {
@@ -235,11 +234,11 @@ class EventChecker {
                                "its trigger names '" + trigger.b + "', which does not exist");
         }
         if (trigger.kind == Trigger::Kind::crossing) {
-            const Vec2 way = trigger.to - trigger.from;
-            const double length2 = way.dot(way);
+            const Vec2 line = trigger.to - trigger.from;
+            const double length2 = line.dot(line);
             collector_.require(
                 !is_fixed(trigger.a), "when",
-                "it waits for '" + trigger.a + "' to cross a line, which never moves");
+                "it waits for '" + trigger.a + "' to cross a line, but that body is fixed");
             collector_.require(std::isfinite(length2) && length2 > 0, "when",
                                "the line of its trigger needs two different ends");
         }
@@ -290,7 +289,8 @@ class EventChecker {
                            "toward", "the aim has to be finite");
         collector_.require(strike.elevation >= 0 && strike.elevation < 1.5707963267948966,
                            "elevation", "elevation has to be in [0, 90) degrees");
-        collector_.require(strike.tip.dot(strike.tip) < 1, "tip", "the tip misses the ball");
+        collector_.require(strike.tip.dot(strike.tip) < 1, "tip",
+                           "the tip misses the ball: its offset has to be less than 1 ball radius");
         collector_.require(is_positive(strike.stick_mass), "stick_mass",
                            "stick_mass has to be greater than 0");
         collector_.require(is_positive(strike.end_mass_ratio), "end_mass_ratio",
@@ -320,8 +320,10 @@ void check_table(const WorldDescription& world, ProblemCollector& collector,
             continue;
         }
         collector.about_body(body.name);
-        collector.require(world.table->nose_height < 2 * sphere->radius, "radius",
-                          "the ball would roll under the cushion, whose nose is higher than it");
+        collector.require(
+            world.table->nose_height < 2 * sphere->radius, "radius",
+            fmt::format("the cushion nose ({}) is higher than the ball (diameter {})",
+                        millimetres(world.table->nose_height), millimetres(2 * sphere->radius)));
     }
 }
 
@@ -338,13 +340,13 @@ std::vector<Diagnostic> find_problems(const WorldDescription& world) {
     collector.require(is_positive(world.key_reduction.position_error) &&
                           is_positive(world.key_reduction.orientation_error),
                       "key_reduction",
-                      "the errors that key reduction allows have to be greater than 0");
+                      "the error limits of key reduction have to be greater than 0");
     check_contact_law(world.contact_law, collector);
     check_table(world, collector, problems);
     std::set<std::string> names;
     for (const Body& body : world.bodies) {
         check_body(body, collector);
-        collector.require(names.insert(body.name).second, "", "there are two bodies of that name");
+        collector.require(names.insert(body.name).second, "", "another body has the same name");
     }
     check_overlaps(world, collector);
     EventChecker checker(world, collector);

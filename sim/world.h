@@ -1,4 +1,4 @@
-// What is simulated: bodies, the table, the contact law, and what is done to the bodies.
+// The description of a simulated world: bodies, table, contact law and force events.
 #pragma once
 
 #include <array>
@@ -27,25 +27,25 @@ struct Box {
     Vec3 size{1, 1, 1};  // full edge lengths along the body's axes, m, > 0
 };
 
-/// A cylinder about the body's z axis with a half ball on each end.
+/// A cylinder about the body's z axis with a hemisphere on each end.
 struct Capsule {
     double radius = 0.02;  // m, > 0
-    double length = 0.1;   // between the centres of its ends, m, > 0
+    double length = 0.1;   // between the centres of its hemispheres, m, > 0
 };
 
-/// About the body's z axis.
+/// A cylinder about the body's z axis.
 struct Cylinder {
     double radius = 0.02;  // m, > 0
     double height = 0.1;   // m, > 0
 };
 
-/// The hull of points in body axes, m. The centre of mass of the hull (of even density) is the
-/// origin: see mass_properties() for where it lies.
+/// The convex hull of points in body axes, m. The origin has to be the centre of mass of the hull
+/// (of uniform density), which mass_properties() computes.
 struct ConvexHull {
     std::vector<Vec3> points;  // at least four, not in a plane
 };
 
-/// A closed or open surface. Allowed for static bodies only.
+/// A closed or open surface. Allowed for fixed bodies only.
 struct TriangleMesh {
     std::vector<Vec3> vertices;                           // body axes, m
     std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise seen from outside
@@ -55,44 +55,44 @@ using BodyShape = std::variant<Sphere, Box, TriangleMesh, Capsule, Cylinder, Con
 
 enum class BodyKind {
     dynamic,    // moves by the laws of physics
-    fixed,      // never moves, others collide with it
+    fixed,      // never moves; others collide with it
     kinematic,  // moved by keys: it pushes others and is not pushed
 };
 
-/// The way of a kinematic body.
+/// The path of a kinematic body.
 struct KeyedPath {
     std::shared_ptr<const Track> track;
-    Vec3 centre{0, 0, 0};  // of the shape, in the axes that the track moves, m
+    Vec3 centre{0, 0, 0};  // of the shape, in the axes of the track, m
 };
 
 struct Body {
     std::string name;  // unique in the world; names the track
     BodyShape shape;
     BodyKind kind = BodyKind::dynamic;
-    double mass = 0.170097;          // kg, > 0; of dynamic bodies
+    double mass = 0.170097;          // kg, > 0; for dynamic bodies
     std::string material = "ball";   // physical material: "ball", or any name the contact law knows
-    Pose pose;                       // of a kinematic body: where its path has it at 0 s
-    Vec3 velocity{0, 0, 0};          // m/s, world axes; of dynamic bodies
-    Vec3 angular_velocity{0, 0, 0};  // rad/s, world axes; of dynamic bodies
-    std::optional<KeyedPath> path;   // of kinematic bodies
+    Pose pose;                       // of a kinematic body: the pose of its path at 0 s
+    Vec3 velocity{0, 0, 0};          // m/s, world axes; for dynamic bodies
+    Vec3 angular_velocity{0, 0, 0};  // rad/s, world axes; for dynamic bodies
+    std::optional<KeyedPath> path;   // for kinematic bodies
 };
 
 struct WorldDescription {
     Vec3 gravity{0, 0, -9.81};  // m/s^2
     double duration = 10;       // s, in (0, 3600]
-    double step = 1.0 / 240;    // longest step between touches, s, in [1e-5, 0.1]
+    double step = 1.0 / 240;    // upper bound for the step of ODE, s, in [1e-5, 0.1]
     std::uint64_t seed = 0;     // for racks' random gaps
     KeyReduction key_reduction;
     ContactLaw contact_law;
     std::optional<billiards::TableMeasures> table;  // the cloth is the plane z = 0
-    std::optional<double>
-        floor_height;  // an infinite floor at this z, m; none: things fall for ever
+    /// Height z of an infinite floor, m; without one, bodies fall forever.
+    std::optional<double> floor_height;
     std::vector<Body> bodies;
     std::vector<ForceEvent> events;
 };
 
-/// Everything that is wrong with a description; empty if it can be simulated. `bake` throws Error
-/// with the first sentence of these.
+/// All problems of a description; empty if it can be simulated. `bake` throws Error with the first
+/// problem's sentence.
 [[nodiscard]] std::vector<Diagnostic> find_problems(const WorldDescription& world);
 
 }  // namespace carom::sim

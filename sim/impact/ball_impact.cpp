@@ -18,7 +18,7 @@ ode::ImpactBody impact_body(const BallBody& ball) {
     return body;
 }
 
-void take(BallBody& ball, const ode::Velocities& velocities) {
+void set_velocities(BallBody& ball, const ode::Velocities& velocities) {
     ball.state.velocity = velocities.linear;
     ball.state.angular_velocity = velocities.angular;
 }
@@ -32,8 +32,8 @@ ImpulsePair ball_ball_impact(ode::ImpactSolver& solver, BallBody& a, BallBody& b
         const ode::ImpactContact contact{a.state.position - normal * a.radius, normal, restitution,
                                          friction};
         const ode::ImpactResult result = solver.solve(impact_body(a), impact_body(b), contact);
-        take(a, result.first);
-        take(b, result.second);
+        set_velocities(a, result.first);
+        set_velocities(b, result.second);
         impulse = {result.normal_impulse, result.tangential_impulse};
     }
     const double separation = (a.state.velocity - b.state.velocity).dot(normal);
@@ -53,7 +53,7 @@ ImpulsePair ball_static_impact(ode::ImpactSolver& solver, BallBody& ball, const 
         const ode::ImpactContact contact{ball.state.position - normal * ball.radius, normal,
                                          restitution, friction};
         const ode::ImpactResult result = solver.solve_static(impact_body(ball), contact);
-        take(ball, result.first);
+        set_velocities(ball, result.first);
         impulse = {result.normal_impulse, result.tangential_impulse};
     }
     const double separation = ball.state.velocity.dot(normal);
@@ -74,10 +74,11 @@ ImpulsePair lining_impact(BallBody& ball, const Vec3& normal, double restitution
     const double kept = 1 - std::clamp(absorption, 0.0, 1.0);
     const Vec3 fall(0, 0, state.velocity.z);
     const Vec3 along = state.velocity + normal * approach - fall;
-    const double parting = std::max(restitution * approach, kLeastSeparation);
-    state.velocity = normal * parting + along * kept + fall;
+    const double separation = std::max(restitution * approach, kLeastSeparation);
+    state.velocity = normal * separation + along * kept + fall;
     state.angular_velocity *= kept;
-    return {ball.mass * (approach + parting), ball.mass * (1 - kept) * std::sqrt(along.dot(along))};
+    return {ball.mass * (approach + separation),
+            ball.mass * (1 - kept) * std::sqrt(along.dot(along))};
 }
 
 double ball_friction(const BallBall& law, double slip_speed) {

@@ -8,7 +8,7 @@
 namespace carom::sim {
 namespace {
 
-/// Restitution along the horizontal normal; spin and the velocity along the cushion stay.
+/// Restitution along the horizontal normal; spin and the velocity along the cushion do not change.
 ImpulsePair mirror(BallBody& ball, const Vec3& inward, double restitution) {
     const double approach = -ball.state.velocity.dot(inward);
     const double change = (1 + restitution) * std::max(approach, 0.0);
@@ -18,10 +18,10 @@ ImpulsePair mirror(BallBody& ball, const Vec3& inward, double restitution) {
 
 /// Han, I.: Dynamics in Carom and Three Cushion Billiards, Journal of Mechanical Science and
 /// Technology 19(4), 976-984, 2005, section 2.3. The nose touches above the centre, so the contact
-/// normal n is raised by asin(h/R - 1). Impulse along it J_n = m (1 + e) c, c the approach speed
-/// along n; across it the impulse that stops the slip s, |s| / A with A = 7/(2m), or Coulomb's
-/// mu J_n if that is less. Written as vectors here: it is the impact of a sphere with a fixed
-/// point.
+/// normal n is raised by asin(h/R - 1). The normal impulse is J_n = m (1 + e) c, c the approach
+/// speed along n; the tangential impulse is the one that stops the slip s, |s| / A with A = 7/(2m),
+/// or Coulomb's mu J_n if that is less. Written with vectors, it is the impact of a sphere with a
+/// fixed point.
 ImpulsePair han2005(BallBody& ball, const Vec3& normal, const BallCushion& law) {
     MotionState& state = ball.state;
     const double approach = -state.velocity.dot(normal);

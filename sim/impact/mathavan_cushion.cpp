@@ -8,20 +8,20 @@ namespace carom::sim {
 namespace {
 
 const Vec3 kUp(0, 0, 1);
-/// Steps of at most this share of the approach speed, and of the slip that is left: the direction
-/// of a slip turns the faster the smaller it is.
-constexpr double kLongestStep = 1.0 / 64;
-constexpr double kLongestStiffStep = 1.0 / 256;
-constexpr double kShareOfSlip = 0.15;
-/// Slip below this share of the ball's speed counts as none.
+/// Largest steps as a fraction of the approach speed, and of the remaining slip, whose direction
+/// turns faster the smaller it is.
+constexpr double kMaxStep = 1.0 / 64;
+constexpr double kMaxStiffStep = 1.0 / 256;
+constexpr double kMaxSlipFraction = 0.15;
+/// Slip below this fraction of the ball's speed counts as none.
 constexpr double kNoSlip = 1e-10;
-/// A ball that friction wedges under the nose would be pressed there for ever.
-constexpr double kMostImpulse = 20;  // times the approach; a free ball takes 2 to 4
+/// Limit for a ball wedged under the nose by friction, which would be pressed there forever.
+constexpr double kMaxImpulse = 20;  // times the approach; a free ball takes 2 to 4
 
-constexpr int kMostSteps = 20000;  // some hundreds are usual
+constexpr int kMaxSteps = 20000;  // some hundreds are usual
 
-/// Everything is divided by the ball's mass; spin is R w. So impulses and spin are velocities, and
-/// an impulse j at the unit direction d from the centre changes the spin by 5/2 d x j.
+/// All quantities are divided by the ball's mass; spin is R w. So impulses and spin are velocities,
+/// and an impulse j at the unit direction d from the centre changes the spin by 5/2 d x j.
 struct Motion {
     Vec3 velocity;
     Vec3 spin;
@@ -40,24 +40,24 @@ Vec3 across(const Vec3& v, const Vec3& normal) {
     return v - normal * v.dot(normal);
 }
 
-Vec3 shortened(const Vec3& v, double limit) {
+Vec3 limited(const Vec3& v, double limit) {
     const double size = length(v);
     return size > limit ? v * (limit / size) : v;
 }
 
-/// Velocity of the surface at the contact whose normal (towards the centre) is given, along it.
+/// Tangential velocity of the ball's surface at the contact with this normal (towards the centre).
 Vec3 slip(const Motion& motion, const Vec3& normal) {
     return across(motion.velocity - motion.spin.cross(normal), normal);
 }
 
-/// Forces, per unit of normal force at the nose.
+/// Forces per unit of normal force at the nose.
 struct Forces {
     Vec3 nose{0, 0, 0};   // friction
     Vec3 cloth{0, 0, 0};  // friction
     double support = 0;   // normal force of the cloth
 };
 
-/// How much the slip at a contact of a solid sphere changes by a unit of impulse there.
+/// Change of the slip at a contact of a solid sphere per unit of impulse there.
 constexpr double kResponse = 3.5;
 
 class CushionContact {
@@ -68,18 +68,18 @@ class CushionContact {
           cloth_friction_(cloth_friction),
           no_slip_(no_slip) {}
 
-    /// A step of at most `approach` times the shares above.
-    [[nodiscard]] Motion after_next(const Motion& motion, double approach, double& step) {
+    /// The motion after the next step, whose size is at most `approach` times the fractions above.
+    [[nodiscard]] Motion advance(const Motion& motion, double approach, double& step) {
         const Forces now = forces(motion, 0);
-        step = next_step(motion, rate(motion, now), kLongestStep * approach);
+        step = next_step(motion, rate(motion, now), kMaxStep * approach);
         if (is_stiff(motion, now, step)) {
-            step = std::min(step, kLongestStiffStep * approach);
+            step = std::min(step, kMaxStiffStep * approach);
         }
         return after(motion, step);
     }
 
-    /// The classic Runge-Kutta method; the implicit midpoint rule where a slip turns faster than it
-    /// grows or shrinks, as after sticking.
+    /// The motion after `step`, by the classic Runge-Kutta method; by the implicit midpoint rule
+    /// where a slip turns faster than it grows or shrinks, as after sticking.
     [[nodiscard]] Motion after(const Motion& motion, double step) {
         const Forces now = forces(motion, 0);
         if (is_stiff(motion, now, step)) {
@@ -100,10 +100,10 @@ class CushionContact {
             const double now = length(slip(motion, normal));
             const double speed = length(slip(change, normal));
             if (now > no_slip_ && speed > 0) {
-                longest = std::min(longest, kShareOfSlip * now / speed);
+                longest = std::min(longest, kMaxSlipFraction * now / speed);
             }
         }
-        // A ball that was lifted comes down on the cloth again.
+        // The step ends where a lifted ball lands on the cloth again.
         if (motion.velocity.z > no_slip_ && change.velocity.z < 0) {
             longest = std::min(longest, -motion.velocity.z / change.velocity.z);
         }
@@ -126,15 +126,15 @@ class CushionContact {
                 motion.velocity.dot(normal_), f.nose};
     }
 
-    /// The cloth takes what presses the ball down.
+    /// The normal force of the cloth balances the downward force at the nose.
     [[nodiscard]] double support(const Motion& motion, const Vec3& nose_friction) const {
         const double down = -(normal_.z + nose_friction.z);
         return motion.velocity.z <= no_slip_ ? std::max(down, 0.0) : 0.0;
     }
 
-    /// Friction against the slip `ahead` of now. Where there is slip now and nothing ahead it is
-    /// known. Else what stops the slip, or is the largest against it, is found in turns, each
-    /// contact answering to the other.
+    /// Friction against the slip after an impulse of `ahead`. For a contact that slips now and
+    /// `ahead` 0, it is known. Otherwise the friction that stops the slip, or the largest possible
+    /// one, is found by alternating iteration between the two contacts.
     [[nodiscard]] Forces forces(const Motion& motion, double ahead) {
         const Vec3 nose_slip = slip(motion, normal_);
         const Vec3 cloth_slip = slip(motion, kUp);
@@ -143,23 +143,23 @@ class CushionContact {
         const bool is_nose_known = ahead == 0 && nose_speed > no_slip_;
         const bool is_cloth_known = ahead == 0 && cloth_speed > no_slip_;
         const double fraction = ahead > 0 ? 1 / ahead : 0;
-        Forces& f = forces_;  // those found last are close
+        Forces& f = forces_;  // the last solution is a good start
         if (is_nose_known) {
             f.nose = nose_slip * (-friction_ / nose_speed);
         }
-        for (int turn = 0; turn < 100; ++turn) {
+        for (int i = 0; i < 100; ++i) {
             const Forces last = f;
             if (!is_nose_known) {
-                const Vec3 coming = nose_slip * fraction + slip(rate(motion, f), normal_);
-                f.nose = shortened(f.nose - coming / kResponse, friction_);
+                const Vec3 slip_rate = nose_slip * fraction + slip(rate(motion, f), normal_);
+                f.nose = limited(f.nose - slip_rate / kResponse, friction_);
             }
             f.support = support(motion, f.nose);
             const double limit = cloth_friction_ * f.support;
             if (is_cloth_known) {
                 f.cloth = cloth_slip * (-limit / cloth_speed);
             } else {
-                const Vec3 coming = cloth_slip * fraction + slip(rate(motion, f), kUp);
-                f.cloth = shortened(f.cloth - coming / kResponse, limit);
+                const Vec3 slip_rate = cloth_slip * fraction + slip(rate(motion, f), kUp);
+                f.cloth = limited(f.cloth - slip_rate / kResponse, limit);
             }
             const double change = length(f.nose - last.nose) + length(f.cloth - last.cloth);
             if ((is_nose_known && is_cloth_known) || change < 1e-14) {
@@ -176,9 +176,9 @@ class CushionContact {
     Forces forces_;
 };
 
-/// The part of `step` after which `is_over` turns true, by halving; it is true after all of it.
+/// The part of `step` after which `is_over` turns true, by bisection; it is true after all of it.
 template <typename Condition>
-double first_over(CushionContact& contact, const Motion& motion, double step, Condition is_over) {
+double bisect_end(CushionContact& contact, const Motion& motion, double step, Condition is_over) {
     double low = 0;
     double high = step;
     for (int i = 0; i < 60 && high - low > 1e-16 * step; ++i) {
@@ -188,15 +188,16 @@ double first_over(CushionContact& contact, const Motion& motion, double step, Co
     return high;
 }
 
-/// Goes on from `motion` until `is_over`; returns the normal impulse that it took.
+/// Integrates `motion` until `is_over`; returns the normal impulse up to then.
 template <typename Condition>
-double press(CushionContact& contact, Motion& motion, double approach, Condition is_over) {
+double integrate_until(CushionContact& contact, Motion& motion, double approach,
+                       Condition is_over) {
     double impulse = 0;
-    for (int i = 0; i < kMostSteps && !is_over(motion) && impulse < kMostImpulse * approach; ++i) {
+    for (int i = 0; i < kMaxSteps && !is_over(motion) && impulse < kMaxImpulse * approach; ++i) {
         double step = 0;
-        Motion next = contact.after_next(motion, approach, step);
+        Motion next = contact.advance(motion, approach, step);
         if (is_over(next)) {
-            step = first_over(contact, motion, step, is_over);
+            step = bisect_end(contact, motion, step, is_over);
             next = contact.after(motion, step);
         }
         motion = next;
@@ -217,14 +218,14 @@ ImpulsePair mathavan_impact(BallBody& ball, const Vec3& normal, double restituti
     Motion motion{state.velocity, state.angular_velocity * ball.radius, 0};
     const double speed = length(motion.velocity) + length(motion.spin);
     CushionContact contact(normal, friction, cloth_friction, kNoSlip * speed);
-    double impulse = press(contact, motion, approach,
-                           [&](const Motion& m) { return m.velocity.dot(normal) >= 0; });
-    // Compression's work is negative; restitution gives e^2 of it back.
+    double impulse = integrate_until(contact, motion, approach,
+                                     [&](const Motion& m) { return m.velocity.dot(normal) >= 0; });
+    // The work of compression is negative; restitution returns the fraction e^2 of it.
     const double final_work = (1 - restitution * restitution) * motion.work;
-    impulse +=
-        press(contact, motion, approach, [&](const Motion& m) { return m.work >= final_work; });
+    impulse += integrate_until(contact, motion, approach,
+                               [&](const Motion& m) { return m.work >= final_work; });
     state.velocity = motion.velocity;
-    // Wedged under the nose: what still presses it there is taken away.
+    // Wedged under the nose: the remaining approach velocity is removed.
     const Vec3 level(normal.x, normal.y, 0);
     if (state.velocity.dot(normal) < 0) {
         state.velocity -= level * (std::min(state.velocity.dot(level), 0.0) / level.dot(level));

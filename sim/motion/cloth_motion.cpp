@@ -9,8 +9,8 @@ namespace carom::sim {
 namespace {
 
 const Vec3 kUp(0, 0, 1);
-// Below these a ball counts as not slipping, not rolling, not spinning: round-off of a shot at
-// 15 m/s is far smaller, and what is cut off moves a ball by less than a nanometre.
+// Below these values a ball counts as not slipping, not rolling, not spinning. Rounding errors of a
+// shot at 15 m/s are far smaller, and the neglected motion is less than a nanometre.
 constexpr double kSlipEpsilon = 1e-9;   // m/s
 constexpr double kSpeedEpsilon = 1e-9;  // m/s
 constexpr double kSpinEpsilon = 1e-9;   // rad/s
@@ -26,7 +26,7 @@ void add_spin_decay(MotionSegment& segment, double radius, double gravity, doubl
     segment.end = std::min(segment.end, segment.start + std::abs(spin) / rate);
 }
 
-/// Coulomb friction against the slip u, whose direction stays: dv/dt = -mu g u/|u|,
+/// Coulomb friction against the slip u, whose direction is constant: dv/dt = -mu g u/|u|,
 /// dw/dt = 5/2 (mu g / R) z x u/|u|; u vanishes after 2 |u| / (7 mu g).
 void slide(MotionSegment& segment, const Vec3& slip, double radius, double gravity,
            double friction) {

@@ -6,7 +6,7 @@
 
 namespace carom::sim {
 
-/// What carries the ball.
+/// Friction coefficients of the surface that supports the ball.
 struct SupportLaw {
     double sliding_friction = 0.2;      // mu_s
     double rolling_friction = 0.01;     // mu_r
@@ -16,13 +16,13 @@ struct SupportLaw {
 /// Velocity of the ball's lowest point: u = v + w x (-R z).
 [[nodiscard]] Vec3 slip_velocity(const MotionState& state, double radius);
 
-/// The segment that begins at `time` from `state`: which law holds, with which accelerations, until
-/// when. `gravity` > 0, m/s^2. Vertical velocity is taken as zero. States that round-off keeps from
-/// rolling or resting exactly are put right.
+/// The segment that begins at `time` from `state`: its law of motion, its accelerations and its
+/// end. `gravity` > 0, m/s^2. The vertical velocity is taken as zero. States that differ from
+/// rolling or resting only by rounding are corrected.
 [[nodiscard]] MotionSegment cloth_segment(double time, const MotionState& state, double radius,
                                           double gravity, const SupportLaw& law);
 
-/// A ball that touches nothing.
+/// The segment of a ball in flight.
 [[nodiscard]] MotionSegment flight_segment(double time, const MotionState& state,
                                            const Vec3& gravity);
 

@@ -8,7 +8,7 @@
 namespace carom::sim {
 namespace {
 
-constexpr double kLongestTurn = 0.05;  // rad
+constexpr double kMaxTurn = 0.05;  // rad
 
 Vec3 rotated(const Quat& q, const Vec3& v) {
     const Vec3 t = q.v.cross(v) * 2;
@@ -19,7 +19,7 @@ Vec3 divided(const Vec3& a, const Vec3& b) {
     return {a.x / b.x, a.y / b.y, a.z / b.z};
 }
 
-/// The body angular velocity half-way: m = (p0 + p1) / 2 solves m = p0 + h/2 m x w, w = m / I.
+/// Body angular velocity at the midpoint: m = (p0 + p1) / 2 solves m = p0 + h/2 m x w, w = m / I.
 Vec3 midpoint_velocity(const Vec3& momentum, const Vec3& inertia, double h) {
     Vec3 middle = momentum;
     for (int i = 0; i < 50; ++i) {
@@ -33,7 +33,7 @@ Vec3 midpoint_velocity(const Vec3& momentum, const Vec3& inertia, double h) {
     return divided(middle, inertia);
 }
 
-/// The Cayley map of h w as a quaternion: (1, h w / 2), made unit.
+/// The Cayley map of h w as a quaternion: (1, h w / 2), normalised.
 Quat cayley(const Vec3& omega, double h) {
     const Vec3 v = omega * (0.5 * h);
     const double norm = std::sqrt(1 + v.dot(v));
@@ -52,10 +52,10 @@ Rotation rotate_freely(const Rotation& from, const Vec3& inertia, double duratio
                 from.angular_velocity};
     }
     const auto count =
-        static_cast<int>(std::min(1e5, std::max(1.0, std::ceil(speed * duration / kLongestTurn))));
+        static_cast<int>(std::min(1e5, std::max(1.0, std::ceil(speed * duration / kMaxTurn))));
     const double h = duration / count;
     Quat q = from.orientation;
-    // The angular momentum in space does not change; that in the body follows from it.
+    // The angular momentum in world axes is constant; that in body axes follows from it.
     const Vec3 body_omega = rotated(Quat(q.r, -q.v), from.angular_velocity);
     const Vec3 momentum = rotated(
         q, Vec3(body_omega.x * inertia.x, body_omega.y * inertia.y, body_omega.z * inertia.z));

@@ -1,4 +1,4 @@
-// A rigid body that turns without any torque.
+// Torque-free rotation of a rigid body.
 #pragma once
 
 #include "core/pose.h"
@@ -17,7 +17,7 @@ struct Rotation {
 /// `inertia`: principal moments, kg m^2.
 [[nodiscard]] Rotation rotate_freely(const Rotation& from, const Vec3& inertia, double duration);
 
-/// Where a body is `duration` later that nothing pulls at.
+/// The state of a body `duration` later, without forces or torques.
 [[nodiscard]] MotionState drift(const MotionState& from, const Vec3& inertia, double duration);
 
 }  // namespace carom::sim

@@ -13,13 +13,13 @@ enum class MotionKind {
     sliding,   // on a level surface, slipping
     rolling,   // on a level surface, without slip
     spinning,  // on a level surface, turning about the vertical only
-    resting,   // still
-    flying,    // touching nothing
-    stepped,   // in touch with more than a level surface: carried by ODE
+    resting,   // at rest
+    flying,    // without contact
+    stepped,   // in contact with more than a level surface: stepped by ODE
 };
 
-/// Holds from `start` to `end`; `end` is when the law of motion changes by itself (sliding ends,
-/// the ball stops), kNever if it does not.
+/// Valid from `start` to `end`, when the law of motion changes without an impact (sliding ends, the
+/// ball stops); `end` is kNever if it does not change.
 struct MotionSegment {
     MotionKind kind = MotionKind::resting;
     double start = 0;  // scene time, s
@@ -31,7 +31,7 @@ struct MotionSegment {
     [[nodiscard]] Vec3 position_at(double time) const;
     [[nodiscard]] Vec3 velocity_at(double time) const;
     [[nodiscard]] Vec3 angular_velocity_at(double time) const;
-    /// All of it, with the orientation (which costs most).
+    /// The complete state, including the orientation, which costs most.
     [[nodiscard]] MotionState state_at(double time) const;
 };
 

@@ -1,4 +1,4 @@
-// When things on closed-form segments touch: roots of the squared distance, to machine precision.
+// Times of impact on closed-form segments: roots of the squared distance, to machine precision.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@
 
 namespace carom::sim {
 
-/// Closer than this counts as touching (m): a thousand times the round-off of a located impact.
+/// Gaps below this (m) count as closed: a thousand times the rounding error of a located impact.
 inline constexpr double kContactDistance = 1e-12;
 
-/// The first time in [now, until] at which the gap closes, `now` itself where it is closed and
-/// closing. Pairs that touch and separate are not touching again until they have come apart.
-/// All functions here answer by these rules; times are scene times.
+// All functions return the first time in [now, until] at which a gap closes, or `now` if the gap is
+// closed and still closing. A pair that touches and separates has to come apart before it can touch
+// again. Times are scene times.
 
-/// Two balls whose centres touch at `distance` from each other.
+/// The centres of two balls come within `distance` of each other.
 [[nodiscard]] std::optional<double> ball_impact_time(const MotionSegment& a, const MotionSegment& b,
                                                      double distance, double now, double until);
 
@@ -23,7 +23,7 @@ inline constexpr double kContactDistance = 1e-12;
 [[nodiscard]] std::optional<double> point_impact_time(const MotionSegment& ball, const Vec3& point,
                                                       double distance, double now, double until);
 
-/// The centre comes within `distance` of the endless line through `point` along unit `direction`.
+/// The centre comes within `distance` of the infinite line through `point` along unit `direction`.
 [[nodiscard]] std::optional<double> line_impact_time(const MotionSegment& ball, const Vec3& point,
                                                      const Vec3& direction, double distance,
                                                      double now, double until);
@@ -34,7 +34,7 @@ inline constexpr double kContactDistance = 1e-12;
                                                       const Vec3& normal, double distance,
                                                       double now, double until);
 
-/// The centre gets further than `distance` from the line (a wall around it).
+/// The centre gets farther than `distance` from the line (a wall around it).
 [[nodiscard]] std::optional<double> line_departure(const MotionSegment& ball, const Vec3& point,
                                                    const Vec3& direction, double distance,
                                                    double now, double until);

@@ -77,7 +77,7 @@ std::size_t linear_or_quadratic(const Quartic& c, std::size_t n, double low, dou
     return count;
 }
 
-/// Nodes that cut [low, high] into pieces on which the polynomial is monotone, ends included.
+/// Nodes that divide [low, high] into intervals on which the polynomial is monotone, ends included.
 std::size_t monotone_nodes(const Quartic& slope, double low, double high,
                            std::array<double, 6>& nodes) {
     std::array<double, 4> inner{};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <mutex>
 
+#include <fmt/core.h>
+
 #include "core/assert.h"
 #include "core/error.h"
 #include "sim/ode/handles.h"
@@ -20,7 +22,7 @@ struct TriangleDataDeleter {
 };
 using TriangleData = std::unique_ptr<dxTriMeshData, TriangleDataDeleter>;
 
-/// Guards ODE's triangle code. It is the only mutable thing of this file that threads share.
+/// Guards ODE's triangle code, the only mutable state of this file that threads share.
 std::mutex& triangle_lock() {
     static std::mutex lock;
     return lock;
@@ -56,7 +58,7 @@ void collide_boxes(const Vec3& size_a, const Pose& a, const Vec3& size_b, const 
     collide(first.get(), second.get(), 4, contacts);
 }
 
-// Destroyed from the last to the first: the geom before the data that it shows.
+// Members are destroyed in reverse order: the geom before its data.
 struct TriangleSurface::State {
     std::vector<double> vertices;
     std::vector<dTriIndex> indices;
@@ -80,7 +82,8 @@ TriangleSurface::TriangleSurface(const std::vector<Vec3>& vertices,
                                 static_cast<int>(state_->indices.size()), 3 * sizeof(dTriIndex));
     if (dGeomTriMeshDataPreprocess2(state_->data.get(), 1U << dTRIDATAPREPROCESS_BUILD_FACE_ANGLES,
                                     nullptr) == 0) {
-        throw Error("ODE could not prepare a triangle surface");
+        throw Error(fmt::format("ODE could not prepare a surface of {} triangles for collisions",
+                                triangles.size()));
     }
     state_->geom.reset(dCreateTriMesh(nullptr, state_->data.get(), nullptr, nullptr, nullptr));
 }

@@ -16,16 +16,16 @@ struct BoxContact {
     double depth = 0;
 };
 
-/// Gaps up to this (m) between boxes count as contacts, of negative depth: a stack keeps all four
-/// corners of every face in touch.
+/// Gaps up to this (m) between boxes count as contacts of negative depth, so that a stack keeps all
+/// four corners of every face in contact.
 inline constexpr double kBoxMargin = 1e-4;
 
 /// Up to four contacts of two boxes.
 void collide_boxes(const Vec3& size_a, const Pose& a, const Vec3& size_b, const Pose& b,
                    std::vector<BoxContact>& contacts);
 
-/// A triangle surface that boxes can be tested against. ODE's triangle code keeps process-wide
-/// state in Debian's build, so that every call goes through one lock.
+/// A triangle surface for collisions with boxes. ODE's triangle code keeps process-wide state in
+/// Debian's build, so all calls share one lock.
 class TriangleSurface {
   public:
     TriangleSurface(const std::vector<Vec3>& vertices,

@@ -1,4 +1,4 @@
-// Owners for ODE's handles. Private to sim/ode.
+// RAII owners of ODE's handles. Private to sim/ode.
 #pragma once
 
 #include <memory>
@@ -22,14 +22,14 @@ struct JointGroupDeleter {
     void operator()(dJointGroupID group) const { dJointGroupDestroy(group); }
 };
 
-/// A world that destroys its bodies and joints with it. Left alone, all worlds of a process share
-/// one built-in threading implementation, which crashes when two threads step at once
-/// (dWorldSetStepThreadingImplementation in ode/objects.h); so each has its own.
+/// A world that destroys its bodies and joints with it. By default all worlds of a process share
+/// one built-in threading implementation, which crashes when two threads step concurrently
+/// (dWorldSetStepThreadingImplementation in ode/objects.h); so each world has its own.
 class World {
   public:
     World() : threading_(dThreadingAllocateSelfThreadedImplementation()), world_(dWorldCreate()) {
         if (threading_ == nullptr || world_ == nullptr) {
-            throw Error("ODE could not make a world");
+            throw Error("ODE could not create a world: it is probably out of memory");
         }
         dWorldSetStepThreadingImplementation(
             world_.get(), dThreadingImplementationGetFunctions(threading_.get()), threading_.get());
@@ -38,12 +38,12 @@ class World {
     [[nodiscard]] dWorldID get() const { return world_.get(); }
 
   private:
-    // The world goes first, since it uses the other.
+    // The world is destroyed first, since it uses the threading implementation.
     std::unique_ptr<dxThreadingImplementation, ThreadingDeleter> threading_;
     std::unique_ptr<dxWorld, WorldDeleter> world_;
 };
 
-/// To be declared after its world: it is destroyed first.
+/// Declare it after its world, so that it is destroyed first.
 using JointGroup = std::unique_ptr<dxJointGroup, JointGroupDeleter>;
 
 inline Vec3 to_vec3(const dReal* v) {

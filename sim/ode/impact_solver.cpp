@@ -8,7 +8,7 @@
 namespace carom::sim::ode {
 namespace {
 
-// Impulses do not depend on it; a power of two keeps the products with it exact.
+// Impulses do not depend on the step; a power of two keeps the products with it exact.
 constexpr double kStep = 1.0 / 1024;
 
 Vec3 velocity_at(const ImpactBody& body, const Vec3& point) {
@@ -34,7 +34,7 @@ Velocities velocities_of(dBodyID body) {
     return {to_vec3(dBodyGetLinearVel(body)), to_vec3(dBodyGetAngularVel(body))};
 }
 
-/// The slip's direction, or any direction across the normal where nothing slips.
+/// The direction of the slip, or any tangential direction if there is no slip.
 Vec3 friction_direction(const Vec3& relative_velocity, const Vec3& normal) {
     const Vec3 slip = relative_velocity - normal * relative_velocity.dot(normal);
     const double speed = std::sqrt(slip.dot(slip));
@@ -70,7 +70,7 @@ void measure_impulse(const ImpactBody& first, const Vec3& normal, ImpactResult& 
 
 }  // namespace
 
-// Destroyed from the last to the first: the joints before their world.
+// Members are destroyed in reverse order: the joints before their world.
 struct ImpactSolver::State {
     World world;
     JointGroup contacts{dJointGroupCreate(0)};
@@ -121,11 +121,11 @@ ImpactResult ImpactSolver::solve_static(const ImpactBody& first, const ImpactCon
     return result;
 }
 
-ImpactResult ImpactSolver::solve_moved(const ImpactBody& first, const Vec3& velocity,
-                                       const ImpactContact& contact) {
-    ImpactBody seen = first;
-    seen.velocities.linear -= velocity;
-    ImpactResult result = solve_static(seen, contact);
+ImpactResult ImpactSolver::solve_kinematic(const ImpactBody& first, const Vec3& velocity,
+                                           const ImpactContact& contact) {
+    ImpactBody relative = first;
+    relative.velocities.linear -= velocity;
+    ImpactResult result = solve_static(relative, contact);
     result.first.linear += velocity;
     return result;
 }

@@ -1,4 +1,4 @@
-// One isolated impact, solved by ODE: two bodies, one contact, nothing else in the world.
+// An isolated impact, solved by ODE: two bodies with one contact and nothing else in the world.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ struct Velocities {
     Vec3 angular{0, 0, 0};  // rad/s, world axes
 };
 
-/// What an impact needs to know of a body.
+/// The properties and state of a body in an impact.
 struct ImpactBody {
     double mass = 1;        // kg
     Vec3 inertia{1, 1, 1};  // principal moments, kg m^2
@@ -33,9 +33,9 @@ struct ImpactResult {
     double tangential_impulse = 0;  // N s
 };
 
-/// Solves impacts in a small ODE world of its own, as PHYSICS describes it: exact normal, depth 0,
-/// no gravity, no softness, friction direction along the slip, friction limited by the normal
-/// impulse. One per thread.
+/// Solves impacts in a small ODE world of its own (docs/physics.md): exact normal, depth 0, no
+/// gravity, no softness, friction direction along the slip, friction limited by the normal impulse.
+/// One per thread.
 class ImpactSolver {
   public:
     ImpactSolver();
@@ -43,16 +43,16 @@ class ImpactSolver {
     ImpactSolver(const ImpactSolver&) = delete;
     ImpactSolver& operator=(const ImpactSolver&) = delete;
 
-    /// The two velocities behind the impact. The bodies must be approaching at the contact.
+    /// The velocities after the impact. The bodies have to approach each other at the contact.
     [[nodiscard]] ImpactResult solve(const ImpactBody& first, const ImpactBody& second,
                                      const ImpactContact& contact);
 
-    /// The same against something that does not move; `second` of the result stays zero.
+    /// Impact with a static obstacle; `second` of the result is zero.
     [[nodiscard]] ImpactResult solve_static(const ImpactBody& first, const ImpactContact& contact);
 
-    /// The same against something that moves on unmoved, at `velocity` (m/s) where they touch.
-    [[nodiscard]] ImpactResult solve_moved(const ImpactBody& first, const Vec3& velocity,
-                                           const ImpactContact& contact);
+    /// Impact with a kinematic body, which moves at `velocity` (m/s) at the contact and keeps it.
+    [[nodiscard]] ImpactResult solve_kinematic(const ImpactBody& first, const Vec3& velocity,
+                                               const ImpactContact& contact);
 
   private:
     struct State;

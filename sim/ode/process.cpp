@@ -34,7 +34,8 @@ __attribute__((format(printf, 2, 0))) void on_message(int, const char* format,
     }
 }
 
-// ODE ends the process when these return, so they throw; the world being stepped is then given up.
+// ODE ends the process when these handlers return, so they throw; the world being stepped is then
+// discarded.
 [[noreturn]] __attribute__((format(printf, 2, 0))) void on_error(int number, const char* format,
                                                                  std::va_list arguments) {
     throw Error(fmt::format("ODE failed ({}): {}", number, formatted(format, arguments)));
@@ -47,7 +48,7 @@ void start_once() {
         dSetErrorHandler(&on_error);
         dSetDebugHandler(&on_error);
         if (dInitODE2(0) == 0) {
-            throw Error("ODE could not be started");
+            throw Error("ODE could not be initialised (dInitODE2 failed)");
         }
     });
 }
@@ -57,7 +58,7 @@ void start_once() {
 ThreadGuard::ThreadGuard() : outer_(current_guard) {
     start_once();
     if (dAllocateODEDataForThread(dAllocateMaskAll) == 0) {
-        throw Error("ODE could not set up its data for this thread");
+        throw Error("ODE could not allocate its data for this thread");
     }
     current_guard = this;
 }
@@ -80,7 +81,7 @@ MessageCapture::~MessageCapture() {
     current_capture = outer_;
 }
 
-void MessageCapture::pass_on() {
+void MessageCapture::forward() {
     if (current_guard == nullptr) {
         return;
     }

@@ -1,4 +1,4 @@
-// ODE's process-wide and thread-wide state, and where its messages go.
+// ODE's process-wide and per-thread state, and the capture of its messages.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace carom::sim::ode {
 
-/// Keep one alive in every thread that calls ODE. The first one of the process starts ODE (it is
-/// never shut down: other threads may still hold worlds); each one readies its own thread.
-/// ODE's message handlers are process-wide: they hand every message to the guard of the thread
-/// that caused it. Throws Error if ODE cannot start.
+/// Keep one alive in every thread that calls ODE. The first one of the process initialises ODE (it
+/// is never shut down, since other threads may still hold worlds); each one prepares its own
+/// thread. ODE's message handlers are process-wide: they pass every message to the guard of the
+/// thread that caused it. Throws Error if ODE cannot be initialised.
 class ThreadGuard {
   public:
     ThreadGuard();
@@ -18,7 +18,7 @@ class ThreadGuard {
     ThreadGuard(const ThreadGuard&) = delete;
     ThreadGuard& operator=(const ThreadGuard&) = delete;
 
-    /// What ODE said in this thread since this guard was made (without repetitions).
+    /// ODE's messages in this thread since this guard was created, without repetitions.
     [[nodiscard]] const std::vector<std::string>& messages() const { return messages_; }
     void add_message(std::string text);
 
@@ -27,7 +27,7 @@ class ThreadGuard {
     std::vector<std::string> messages_;
 };
 
-/// While one is alive, what ODE says in this thread goes here instead.
+/// While one is alive, it receives ODE's messages in this thread instead of the guard.
 class MessageCapture {
   public:
     MessageCapture();
@@ -37,8 +37,8 @@ class MessageCapture {
 
     [[nodiscard]] const std::vector<std::string>& messages() const { return messages_; }
     void add_message(std::string text) { messages_.push_back(std::move(text)); }
-    /// Hands everything on to the thread's guard.
-    void pass_on();
+    /// Passes all messages to the thread's guard.
+    void forward();
 
   private:
     MessageCapture* outer_;

@@ -14,24 +14,25 @@
 namespace carom::sim::ode {
 namespace {
 
-// How fast lasting contacts come out of each other: at this rate (1/s) times the depth, at no more
-// than the given share per step and speed.
+// Penetration of lasting contacts is reduced at this rate (1/s) times the depth, up to the given
+// fraction per step and speed.
 constexpr double kErrorRate = 200;
 constexpr double kErrorReduction = 0.2;
-// Depths up to this (m) stay: what strikes is found that late, and coming out would add energy.
+// Depths up to this (m) are not corrected: impacts are detected that late, and a correction would
+// add energy.
 constexpr double kSlop = 5e-6;
 constexpr double kCorrectingSpeed = 0.1;  // m/s
-// ODE's constraint force mixing, as a share of the inverse mass that a contact meets: shares the
-// load among more contacts than are needed, and friction likewise. Left to round-off it turns
-// bodies aside.
+// ODE's constraint force mixing, as a fraction of the inverse mass at a contact: it distributes the
+// load, and the friction, among redundant contacts. Without it rounding decides, which turns
+// bodies.
 constexpr double kSoftness = 1e-3;
-// Where ODE gives a step up all the same, it is tried again, each time ten times softer.
-constexpr int kMostAttempts = 4;
-// Every contact parts at about this speed (m/s), each at another one. Bodies that fall together
-// have no acceleration against each other; where that is exactly zero ODE's pivoting (Dantzig's, as
+// If ODE fails to solve a step, it is tried again, each time ten times softer.
+constexpr int kMaxAttempts = 4;
+// Every contact separates at about this speed (m/s), each at a different one. Bodies that fall
+// together have no relative acceleration; where that is exactly zero, ODE's pivoting (Dantzig's, as
 // in Baraff, Fast contact force computation for nonpenetrating rigid bodies, 1994) finds a step of
-// length zero and gives up. What it moves a body by is lost in the margins.
-constexpr double kParting = 1e-7;
+// length zero and fails. The resulting motion is negligible against the margins.
+constexpr double kSeparationSpeed = 1e-7;
 constexpr double kGoldenRatio = 0.6180339887498949;
 
 void load(dBodyID body, const MotionState& state) {
@@ -60,10 +61,10 @@ Vec3 across(const Vec3& v, const Vec3& normal) {
     return v - normal * v.dot(normal);
 }
 
-/// Slower slip than this (m/s) is round-off's and has no direction.
+/// Slip slower than this (m/s) is due to rounding and has no direction.
 constexpr double kLeastSlip = 1e-6;
 
-/// Along `slip`, so that the pyramid is exact along it.
+/// The direction of `slip`, so that the friction pyramid is exact along it.
 Vec3 friction_direction(const Vec3& slip, const Vec3& normal) {
     const double speed = length(slip);
     if (speed > kLeastSlip) {
@@ -84,12 +85,12 @@ struct Attempt {
         }
         return softness;
     }
-    [[nodiscard]] double parting(std::size_t contact) const {
-        const double place = kGoldenRatio * static_cast<double>(contact + 1) * (number + 1);
-        return kParting * (1 + place - std::floor(place));
+    [[nodiscard]] double separation_speed(std::size_t contact) const {
+        const double multiple = kGoldenRatio * static_cast<double>(contact + 1) * (number + 1);
+        return kSeparationSpeed * (1 + multiple - std::floor(multiple));
     }
-    /// The last one leaves friction out, which ODE has never been seen to fail at.
-    [[nodiscard]] bool has_friction() const { return number < kMostAttempts - 1; }
+    /// The last attempt omits friction: ODE has never been seen to fail without it.
+    [[nodiscard]] bool has_friction() const { return number < kMaxAttempts - 1; }
 };
 
 }  // namespace
@@ -101,8 +102,8 @@ struct StepWorld::State {
     std::vector<BodyInertia> masses;
     std::vector<char> is_moving;
     std::vector<dJointFeedback> feedback;
-    std::vector<Vec3> directions;  // of each contact's friction
-    std::vector<int> slots;        // of each moving body among them
+    std::vector<Vec3> directions;  // of friction, per contact
+    std::vector<int> slots;        // per body: its index among the moving ones
 
     [[nodiscard]] dBodyID moving_body(int number) const {
         if (number < 0) {
@@ -115,7 +116,7 @@ struct StepWorld::State {
     [[nodiscard]] bool is_kinematic(int number) const {
         return masses[static_cast<std::size_t>(number)].is_kinematic;
     }
-    [[nodiscard]] double pull_on(int number) const { return is_kinematic(number) ? 0 : 1; }
+    [[nodiscard]] double gravity_factor(int number) const { return is_kinematic(number) ? 0 : 1; }
 
     void rebuild();
     void create(const BodyInertia& from);
@@ -125,10 +126,10 @@ struct StepWorld::State {
                              std::span<const int> moving, std::span<const MotionState> states,
                              std::span<const StepContact> contacts);
     void add_contact(const StepContact& from, std::size_t number, const Attempt& attempt,
-                     double duration, const Vec3& pull);
-    [[nodiscard]] bool turn_directions(std::span<const MotionState> states,
-                                       std::span<const StepContact> contacts,
-                                       const std::vector<Velocities>& after);
+                     double duration, const Vec3& velocity_by_gravity);
+    [[nodiscard]] bool update_friction_directions(std::span<const MotionState> states,
+                                                  std::span<const StepContact> contacts,
+                                                  const std::vector<Velocities>& after);
     void solve_with_directions(double duration, const Vec3& gravity, std::span<const int> moving,
                                std::span<const MotionState> states,
                                std::span<const StepContact> contacts,
@@ -136,12 +137,13 @@ struct StepWorld::State {
     void solve_all(double duration, const Vec3& gravity, std::span<const int> moving,
                    std::span<const MotionState> states, std::span<const StepContact> contacts,
                    std::vector<Velocities>& after, std::vector<StepImpulse>& impulses);
-    [[nodiscard]] StepImpulse impulse_of(const StepContact& contact, const dJointFeedback& felt,
+    [[nodiscard]] StepImpulse impulse_of(const StepContact& contact,
+                                         const dJointFeedback& feedback_of_contact,
                                          double duration) const;
 };
 
-/// A new world with the same bodies: after ODE has given up in the middle of a step nothing of the
-/// old one can be trusted.
+/// Creates a new world with the same bodies: after ODE has failed in the middle of a step, the old
+/// one cannot be trusted.
 void StepWorld::State::rebuild() {
     group.reset();
     world = std::make_unique<World>();
@@ -180,15 +182,18 @@ int StepWorld::add(const BodyInertia& body) {
 }
 
 void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
-                                   const Attempt& attempt, double duration, const Vec3& pull) {
+                                   const Attempt& attempt, double duration,
+                                   const Vec3& velocity_by_gravity) {
     dBodyID first = moving_body(from.first);
     dBodyID second = moving_body(from.second);
     Vec3 relative(0, 0, 0);
     if (first != nullptr) {
-        relative += velocity_at(first, from.point) + pull * pull_on(from.first);
+        relative +=
+            velocity_at(first, from.point) + velocity_by_gravity * gravity_factor(from.first);
     }
     if (second != nullptr) {
-        relative -= velocity_at(second, from.point) + pull * pull_on(from.second);
+        relative -=
+            velocity_at(second, from.point) + velocity_by_gravity * gravity_factor(from.second);
     }
     const Vec3 slip = across(relative, from.normal);
     if (number >= directions.size()) {
@@ -210,11 +215,11 @@ void StepWorld::State::add_contact(const StepContact& from, std::size_t number,
     }
     surface.soft_cfm = attempt.softness() * inverse_mass * duration;
     surface.slip1 = surface.slip2 = surface.soft_cfm;
-    // A gap half-way may close by the middle of the next step, but no further. (Closed within this
-    // one it would open again half a step on, and so forth.)
-    surface.motionN = std::min(from.depth, 0.0) / duration + attempt.parting(number);
-    // A ball that slips has no rolling resistance yet.
-    const bool is_rolling = length(slip) < 4 * from.friction * length(pull) + 1e-6;
+    // A gap at the midpoint may close by the middle of the next step, but no further. (If it closed
+    // within this step, it would open again half a step later, and so on.)
+    surface.motionN = std::min(from.depth, 0.0) / duration + attempt.separation_speed(number);
+    // A slipping ball has no rolling resistance yet.
+    const bool is_rolling = length(slip) < 4 * from.friction * length(velocity_by_gravity) + 1e-6;
     if (attempt.has_friction() &&
         (from.spinning_lever > 0 || (from.rolling_lever > 0 && is_rolling))) {
         surface.mode |= dContactRolling | dContactAxisDep;
@@ -265,16 +270,18 @@ bool StepWorld::State::solve(const Attempt& attempt, double duration, const Vec3
         rebuild();
         capture.add_message(error.what());
     }
-    if (!capture.messages().empty() && attempt.number + 1 == kMostAttempts) {
-        capture.pass_on();
+    if (!capture.messages().empty() && attempt.number + 1 == kMaxAttempts) {
+        capture.forward();
     }
     return capture.messages().empty();
 }
 
-StepImpulse StepWorld::State::impulse_of(const StepContact& contact, const dJointFeedback& felt,
+StepImpulse StepWorld::State::impulse_of(const StepContact& contact,
+                                         const dJointFeedback& feedback_of_contact,
                                          double duration) const {
     const bool is_on_first = moving_body(contact.first) != nullptr;
-    const Vec3 force = is_on_first ? to_vec3(felt.f1) : -to_vec3(felt.f2);
+    const Vec3 force =
+        is_on_first ? to_vec3(feedback_of_contact.f1) : -to_vec3(feedback_of_contact.f2);
     const double along = force.dot(contact.normal);
     return {along * duration, length(force - contact.normal * along) * duration};
 }
@@ -284,7 +291,7 @@ void StepWorld::State::solve_with_directions(double duration, const Vec3& gravit
                                              std::span<const MotionState> states,
                                              std::span<const StepContact> contacts,
                                              std::vector<Velocities>& after) {
-    for (Attempt attempt; attempt.number < kMostAttempts; ++attempt.number) {
+    for (Attempt attempt; attempt.number < kMaxAttempts; ++attempt.number) {
         dJointGroupEmpty(group.get());
         if (solve(attempt, duration, gravity, moving, states, contacts)) {
             break;
@@ -298,13 +305,13 @@ void StepWorld::State::solve_with_directions(double duration, const Vec3& gravit
     }
 }
 
-/// Where a contact begins to slip, or slips another way, its friction has to follow: a pyramid that
-/// stands askew pushes bodies aside. True if any direction was changed.
-bool StepWorld::State::turn_directions(std::span<const MotionState> states,
-                                       std::span<const StepContact> contacts,
-                                       const std::vector<Velocities>& after) {
-    constexpr double kSlip = 1e-5;    // m/s
-    constexpr double kAstray = 0.02;  // sine of the angle
+/// Where a contact begins to slip or changes the direction of its slip, the friction direction has
+/// to follow: a misaligned friction pyramid pushes bodies sideways. True if any direction changed.
+bool StepWorld::State::update_friction_directions(std::span<const MotionState> states,
+                                                  std::span<const StepContact> contacts,
+                                                  const std::vector<Velocities>& after) {
+    constexpr double kSlip = 1e-5;          // m/s
+    constexpr double kMaxDeviation = 0.02;  // sine of the angle
     bool is_changed = false;
     for (std::size_t i = 0; i < directions.size(); ++i) {
         const StepContact& contact = contacts[i];
@@ -321,7 +328,7 @@ bool StepWorld::State::turn_directions(std::span<const MotionState> states,
         }
         const Vec3 slip = across(relative, contact.normal);
         if (contact.friction == 0 || length(slip) < kSlip ||
-            length(slip.cross(directions[i])) < kAstray * length(slip)) {
+            length(slip.cross(directions[i])) < kMaxDeviation * length(slip)) {
             continue;
         }
         directions[i] = slip / length(slip);
@@ -337,7 +344,7 @@ void StepWorld::State::solve_all(double duration, const Vec3& gravity, std::span
                                  std::vector<StepImpulse>& impulses) {
     directions.clear();
     solve_with_directions(duration, gravity, moving, states, contacts, after);
-    if (turn_directions(states, contacts, after)) {
+    if (update_friction_directions(states, contacts, after)) {
         solve_with_directions(duration, gravity, moving, states, contacts, after);
     }
     dJointGroupEmpty(group.get());
@@ -348,14 +355,14 @@ void StepWorld::State::solve_all(double duration, const Vec3& gravity, std::span
 }
 
 void StepWorld::step(double duration, const Vec3& gravity, std::span<const int> moving,
-                     std::span<const MotionState> middles, std::span<const StepContact> contacts,
+                     std::span<const MotionState> midpoints, std::span<const StepContact> contacts,
                      std::vector<StepMotion>& motions, std::vector<StepImpulse>& impulses) {
     std::vector<Velocities> after;
-    state_->solve_all(duration, gravity, moving, middles, contacts, after, impulses);
+    state_->solve_all(duration, gravity, moving, midpoints, contacts, after, impulses);
     motions.resize(moving.size());
     for (std::size_t i = 0; i < moving.size(); ++i) {
         StepMotion& motion = motions[i];
-        motion.after = middles[i];
+        motion.after = midpoints[i];
         motion.after.velocity = after[i].linear;
         motion.after.angular_velocity = after[i].angular;
         const Vec3& inertia = state_->masses[static_cast<std::size_t>(moving[i])].inertia;
@@ -363,12 +370,12 @@ void StepWorld::step(double duration, const Vec3& gravity, std::span<const int> 
     }
 }
 
-void StepWorld::strike(std::span<const int> moving, std::span<const MotionState> states,
-                       std::span<const StepContact> contacts, std::vector<Velocities>& after,
-                       std::vector<StepImpulse>& impulses) {
-    // Impulses do not depend on it but through ODE's softness.
-    constexpr double kBlow = 1.0 / 1024;  // s
-    state_->solve_all(kBlow, Vec3(0, 0, 0), moving, states, contacts, after, impulses);
+void StepWorld::solve_impact(std::span<const int> moving, std::span<const MotionState> states,
+                             std::span<const StepContact> contacts, std::vector<Velocities>& after,
+                             std::vector<StepImpulse>& impulses) {
+    // Impulses depend on the duration only through ODE's softness.
+    constexpr double kDuration = 1.0 / 1024;  // s
+    state_->solve_all(kDuration, Vec3(0, 0, 0), moving, states, contacts, after, impulses);
 }
 
 }  // namespace carom::sim::ode

@@ -1,4 +1,4 @@
-// Bodies in lasting contact, stepped by ODE.
+// Steps bodies in lasting contact with ODE.
 #pragma once
 
 #include <memory>
@@ -13,14 +13,14 @@ namespace carom::sim::ode {
 /// One point of contact during one step.
 struct StepContact {
     int first = 0;
-    int second = -1;  // another body; -1: something that does not move
+    int second = -1;  // another body; -1: the static environment
     Vec3 point{0, 0, 0};
     Vec3 normal{0, 0, 1};  // unit, from the second towards the first
     double depth = 0;      // m; negative: a gap that may close during the step
     double restitution = 0;
     double friction = 0;
-    double rolling_lever = 0;   // m: rolling moment / normal force
-    double spinning_lever = 0;  // m: moment about the normal / normal force
+    double rolling_lever = 0;   // rolling moment / normal force, m
+    double spinning_lever = 0;  // moment about the normal / normal force, m
 };
 
 struct StepImpulse {
@@ -28,19 +28,20 @@ struct StepImpulse {
     double tangential = 0;  // N s
 };
 
-/// What a step did to a body: its velocities changed half-way, then it moved freely to `end`.
+/// The motion of a body in a step: its velocities change at the midpoint, then it moves freely to
+/// `end`.
 struct StepMotion {
-    MotionState after;  // half-way, behind the change
+    MotionState after;  // at the midpoint, after the change
     MotionState end;
 };
 
 struct BodyInertia {
     double mass = 1;
     Vec3 inertia{1, 1, 1};
-    bool is_kinematic = false;  // keeps its velocities whatever it meets
+    bool is_kinematic = false;  // keeps its velocities in all contacts
 };
 
-/// Approaches below this speed (m/s) do not bounce in lasting contact: stacks would never rest.
+/// Below this approach speed (m/s) a contact does not bounce; otherwise stacks would never rest.
 inline constexpr double kBounceSpeed = 0.02;
 
 class StepWorld {
@@ -50,25 +51,25 @@ class StepWorld {
     StepWorld(const StepWorld&) = delete;
     StepWorld& operator=(const StepWorld&) = delete;
 
-    /// Returns the body's number, counted from 0.
+    /// Returns the index of the body, counted from 0.
     int add(const BodyInertia& body);
 
-    /// Steps the bodies numbered in `moving` over `duration`. `middles` (same order): where they
-    /// get to in half of it without any force; the contacts are those found there. Velocities are
-    /// solved for by dWorldStep with all contacts at once, then each body goes on freely for the
-    /// other half (Moreau's midpoint scheme: Jean, The non-smooth contact dynamics method, Comput.
-    /// Methods Appl. Mech. Eng. 177, 1999, section 4.1): of second order as long as contacts last,
-    /// exact for what touches nothing. Contacts may name bodies that are not moving; those stand
-    /// like walls.
+    /// Steps the bodies with the indices `moving` over `duration`. `midpoints` (same order): their
+    /// states after half of it without forces; the contacts are those found there. dWorldStep
+    /// solves for the velocities with all contacts together, then each body moves freely for the
+    /// second half (Moreau's midpoint scheme: Jean, The non-smooth contact dynamics method, Comput.
+    /// Methods Appl. Mech. Eng. 177, 1999, section 4.1). The scheme is of second order while
+    /// contacts last, and exact for bodies without contacts. Contacts may refer to bodies that are
+    /// not moving, which act like walls.
     void step(double duration, const Vec3& gravity, std::span<const int> moving,
-              std::span<const MotionState> middles, std::span<const StepContact> contacts,
+              std::span<const MotionState> midpoints, std::span<const StepContact> contacts,
               std::vector<StepMotion>& motions, std::vector<StepImpulse>& impulses);
 
-    /// The velocities behind a blow: contacts with their restitution, nothing else acts and nothing
-    /// moves.
-    void strike(std::span<const int> moving, std::span<const MotionState> states,
-                std::span<const StepContact> contacts, std::vector<Velocities>& after,
-                std::vector<StepImpulse>& impulses);
+    /// The velocities after an impact with these contacts and their restitution. No other force
+    /// acts, and the poses do not change.
+    void solve_impact(std::span<const int> moving, std::span<const MotionState> states,
+                      std::span<const StepContact> contacts, std::vector<Velocities>& after,
+                      std::vector<StepImpulse>& impulses);
 
   private:
     struct State;

@@ -5,8 +5,8 @@
 namespace carom::sim {
 namespace {
 
-/// A ball that ODE carries turns on the spot if its surface is faster than this (m/s).
-constexpr double kLeastTurning = 0.01;
+/// A ball stepped by ODE counts as spinning in place if its surface is faster than this (m/s).
+constexpr double kLeastSurfaceSpeed = 0.01;
 
 GroundLaw ground_law(const PairContact& pair) {
     return {{pair.friction, pair.rolling_friction, 0}, pair.restitution, pair.friction};
@@ -38,14 +38,14 @@ Ball make_ball(const Body& body, double radius, const StaticEnvironment& environ
 
 }  // namespace
 
-bool Ball::has_left() const {
+bool Ball::has_moved_since_rest() const {
     if (!is_stepped()) {
         return !is_still();
     }
-    const Vec3 way = segment.state.position - rested_at;
+    const Vec3 displacement = segment.state.position - rested_at;
     const Vec3& spin = segment.state.angular_velocity;
-    return way.dot(way) > kLeastMove * kLeastMove ||
-           spin.dot(spin) * radius * radius > kLeastTurning * kLeastTurning;
+    return displacement.dot(displacement) > kLeastDisplacement * kLeastDisplacement ||
+           spin.dot(spin) * radius * radius > kLeastSurfaceSpeed * kLeastSurfaceSpeed;
 }
 
 double ground_height(Ground ground, const StaticEnvironment& environment) {

@@ -1,4 +1,4 @@
-// The balls of a world while it is simulated.
+// State and properties of the balls during a simulation.
 #pragma once
 
 #include <cstdint>
@@ -12,38 +12,38 @@
 
 namespace carom::sim {
 
-/// How a ball and a level surface get on.
+/// Friction and restitution between a ball and a horizontal surface.
 struct GroundLaw {
     SupportLaw motion;
     double restitution = 0;
     double friction = 0;
 };
 
-/// What ODE carries has moved when a point of it is this far (m) from where it last rested: more
-/// than a body sinks in or closes a gap when it is put down.
-inline constexpr double kLeastMove = 2e-4;
+/// A body stepped by ODE counts as moved when a point of it is this far (m) from where it last
+/// rested: more than a body that is put down sinks or closes a gap.
+inline constexpr double kLeastDisplacement = 2e-4;
 
 struct Ball {
     std::string name;
     MaterialId material = MaterialId::other;
-    std::size_t track = 0;  // its place among the moving bodies
+    std::size_t track = 0;  // index among the moving bodies
     double mass = 0;
     double radius = 0;
     GroundLaw cloth_law, floor_law;
 
     MotionSegment segment;
-    Ground ground = Ground::none;  // what carries it in closed form
-    bool is_lying = false;         // at rest where ODE left it, on something else than a ground
+    Ground ground = Ground::none;  // the surface on which it moves in closed form
+    bool is_lying = false;         // at rest where ODE left it, not on a Ground
     bool is_potted = false;
     bool is_off_table = false;
-    std::optional<std::size_t> flight_event;  // of the log: its last flight began
+    std::optional<std::size_t> flight_event;  // logged event with which its last flight began
     Vec3 rested_at{0, 0, 0};                  // its centre when it last rested, or at the start
-    std::uint32_t version = 0;                // counts its segments: older predictions are void
+    std::uint32_t version = 0;                // counts its segments: older predictions are invalid
 
     [[nodiscard]] bool is_still() const { return segment.kind == MotionKind::resting; }
     [[nodiscard]] bool is_stepped() const { return segment.kind == MotionKind::stepped; }
-    /// It moves, and if ODE carries it, it has moved visibly since it last rested.
-    [[nodiscard]] bool has_left() const;
+    /// True if the ball moves and, if ODE steps it, has moved visibly since it last rested.
+    [[nodiscard]] bool has_moved_since_rest() const;
     [[nodiscard]] BallBody body_at(double time) const {
         return {mass, radius, segment.state_at(time)};
     }
@@ -52,15 +52,15 @@ struct Ball {
     }
 };
 
-/// The height of a level surface.
+/// Height of a level surface, m.
 [[nodiscard]] double ground_height(Ground ground, const StaticEnvironment& environment);
 [[nodiscard]] const char* ground_name(Ground ground);
 
-/// The moving spheres of the world, in its order.
+/// The moving spheres of the world, in the order of its bodies.
 [[nodiscard]] std::vector<Ball> make_balls(const WorldDescription& world,
                                            const StaticEnvironment& environment);
 
-/// The segment that `ball` begins at `time` from `state`, carried by `ball.ground` or flying.
+/// The segment that `ball` begins at `time` from `state`, on `ball.ground` or in flight.
 [[nodiscard]] MotionSegment next_segment(const Ball& ball, double time, const MotionState& state,
                                          const StaticEnvironment& environment);
 

@@ -28,7 +28,7 @@ EventKind event_of(MotionKind kind) {
     return EventKind::airborne;
 }
 
-/// Which level surface a ball placed at `state` stands on.
+/// The level surface on which a ball rests or moves at the start.
 Ground ground_at_start(const Ball& ball, const StaticEnvironment& environment) {
     constexpr double kClose = 1e-6;  // m
     const MotionState& state = ball.segment.state;
@@ -48,9 +48,9 @@ Ground ground_at_start(const Ball& ball, const StaticEnvironment& environment) {
 }  // namespace
 
 Balls::Balls(const WorldDescription& world, const StaticEnvironment& environment,
-             Recording& recording)
+             Recorder& recorder)
     : environment_(environment),
-      recording_(recording),
+      recorder_(recorder),
       balls_(make_balls(world, environment)),
       is_changed_(balls_.size(), 0) {}
 
@@ -58,24 +58,25 @@ void Balls::start(double time) {
     for (Ball& ball : balls_) {
         ball.ground = ground_at_start(ball, environment_);
         set_segment(ball, next_segment(ball, time, ball.segment.state, environment_));
-        recording_.keep(ball.track, time, ball.segment.state);
+        recorder_.add_key(ball.track, time, ball.segment.state);
     }
 }
 
-void Balls::change(std::uint32_t index, double time, const MotionState& before, MotionState after) {
+void Balls::change_state(std::uint32_t index, double time, const MotionState& before,
+                         MotionState after) {
     Ball& ball = balls_[index];
-    settle(ball, time, after);
-    begin(ball, time, after);
-    recording_.add_break(ball.track, time, before, ball.segment.state);
+    resolve_ground_impact(ball, time, after);
+    begin_segment(ball, time, after);
+    recorder_.add_break(ball.track, time, before, ball.segment.state);
 }
 
-void Balls::change_stepped(std::uint32_t index, double time, const MotionState& before,
-                           const MotionState& after) {
-    carry(index, time, after);
-    recording_.add_break(balls_[index].track, time, before, after);
+void Balls::change_stepped_state(std::uint32_t index, double time, const MotionState& before,
+                                 const MotionState& after) {
+    set_stepped_state(index, time, after);
+    recorder_.add_break(balls_[index].track, time, before, after);
 }
 
-void Balls::settle(Ball& ball, double time, MotionState& state) {
+void Balls::resolve_ground_impact(Ball& ball, double time, MotionState& state) {
     if (ball.ground == Ground::none) {
         return;
     }
@@ -90,8 +91,8 @@ void Balls::settle(Ball& ball, double time, MotionState& state) {
         const ImpulsePair impulse =
             ball_static_impact(solver_, body, kUp, law.restitution, law.friction);
         state = body.state;
-        recording_.log_impact(time, ball.name, ground_name(ball.ground),
-                              state.position - kUp * ball.radius, kUp, impulse);
+        recorder_.log_impact(time, ball.name, ground_name(ball.ground),
+                             state.position - kUp * ball.radius, kUp, impulse);
     }
     if (state.velocity.z > kLandingSpeed) {
         ball.ground = Ground::none;
@@ -100,15 +101,15 @@ void Balls::settle(Ball& ball, double time, MotionState& state) {
     }
 }
 
-void Balls::begin(Ball& ball, double time, const MotionState& state) {
+void Balls::begin_segment(Ball& ball, double time, const MotionState& state) {
     const MotionKind kind = ball.segment.kind;
     set_segment(ball, next_segment(ball, time, state, environment_));
     ball.is_lying = false;
     if (ball.segment.kind == MotionKind::flying && kind != MotionKind::flying) {
-        ball.flight_event = recording_.events().size();
+        ball.flight_event = recorder_.events().size();
     }
     if (ball.segment.kind != kind) {
-        recording_.log(event_of(ball.segment.kind), time, ball.name, ball.segment.state.position);
+        recorder_.log(event_of(ball.segment.kind), time, ball.name, ball.segment.state.position);
     }
 }
 
@@ -125,10 +126,10 @@ void Balls::set_segment(Ball& ball, const MotionSegment& segment) {
     if (ball.is_stepped()) {
         ++stepped_count_;
     }
-    note_change(ball);
+    mark_changed(ball);
 }
 
-void Balls::note_change(Ball& ball) {
+void Balls::mark_changed(Ball& ball) {
     ++ball.version;
     const auto index = static_cast<std::uint32_t>(&ball - balls_.data());
     if (is_changed_[index] == 0) {
@@ -137,9 +138,9 @@ void Balls::note_change(Ball& ball) {
     is_changed_[index] = 1;
 }
 
-void Balls::void_predictions() {
+void Balls::invalidate_predictions() {
     for (Ball& ball : balls_) {
-        note_change(ball);
+        mark_changed(ball);
     }
 }
 
@@ -153,30 +154,30 @@ std::vector<std::uint32_t> Balls::take_changed() {
     return taken;
 }
 
-void Balls::go_on(std::uint32_t index, double time) {
+void Balls::begin_next_segment(std::uint32_t index, double time) {
     Ball& ball = balls_[index];
-    begin(ball, time, ball.segment.state_at(time));
-    recording_.keep(ball.track, time, ball.segment.state);
+    begin_segment(ball, time, ball.segment.state_at(time));
+    recorder_.add_key(ball.track, time, ball.segment.state);
 }
 
-void Balls::fall(std::uint32_t index, double time) {
+void Balls::leave_ground(std::uint32_t index, double time) {
     balls_[index].ground = Ground::none;
-    go_on(index, time);
+    begin_next_segment(index, time);
 }
 
 void Balls::retract_flight(const Ball& ball, double time) {
     if (ball.segment.kind == MotionKind::flying && ball.flight_event &&
-        time - recording_.events()[*ball.flight_event].time < kLeastFlight) {
-        recording_.retract(*ball.flight_event);
+        time - recorder_.events()[*ball.flight_event].time < kLeastFlight) {
+        recorder_.retract(*ball.flight_event);
     }
 }
 
 void Balls::activate(std::uint32_t index, double time) {
     retract_flight(balls_[index], time);
-    carry(index, time, balls_[index].segment.state_at(time));
+    set_stepped_state(index, time, balls_[index].segment.state_at(time));
 }
 
-void Balls::carry(std::uint32_t index, double time, const MotionState& state) {
+void Balls::set_stepped_state(std::uint32_t index, double time, const MotionState& state) {
     Ball& ball = balls_[index];
     ball.ground = Ground::none;
     ball.is_lying = false;
@@ -190,11 +191,11 @@ void Balls::carry(std::uint32_t index, double time, const MotionState& state) {
 void Balls::deactivate(std::uint32_t index, double time, const MotionState& state, Ground ground) {
     Ball& ball = balls_[index];
     ball.ground = ground;
-    begin(ball, time, state);
-    recording_.keep(ball.track, time, ball.segment.state);
+    begin_segment(ball, time, state);
+    recorder_.add_key(ball.track, time, ball.segment.state);
 }
 
-void Balls::note_sunk(std::uint32_t index, double time, const Vec3& centre) {
+void Balls::log_below_cloth(std::uint32_t index, double time, const Vec3& centre) {
     Ball& ball = balls_[index];
     if (!environment_.has_cushions || ball.is_potted || ball.is_off_table) {
         return;
@@ -202,42 +203,42 @@ void Balls::note_sunk(std::uint32_t index, double time, const Vec3& centre) {
     const int pocket = environment_.pocket_below(centre);
     if (pocket >= 0) {
         ball.is_potted = true;
-        recording_.log(EventKind::potted, time, ball.name, centre,
-                       environment_.table.pockets[static_cast<std::size_t>(pocket)].name);
+        recorder_.log(EventKind::potted, time, ball.name, centre,
+                      environment_.table.pockets[static_cast<std::size_t>(pocket)].name);
     } else {
         ball.is_off_table = true;
-        recording_.log(EventKind::off_table, time, ball.name, centre);
+        recorder_.log(EventKind::off_table, time, ball.name, centre);
     }
 }
 
-void Balls::warn_of_jammed() const {
+void Balls::warn_of_balls_in_pocket_mouths() const {
     for (const Ball& ball : balls_) {
         const int pocket = environment_.pocket_below(ball.segment.state.position);
         if (!ball.is_still() || ball.is_potted || ball.is_off_table || pocket < 0) {
             continue;
         }
-        recording_.warn({Subject::body(ball.name), "",
-                         "'" + ball.name + "' is not potted: it rests in the mouth of pocket '" +
-                             environment_.table.pockets[static_cast<std::size_t>(pocket)].name +
-                             "' on the balls that fell in before"});
+        recorder_.warn({Subject::body(ball.name), "",
+                        "'" + ball.name + "' is not potted: it rests in the mouth of the pocket '" +
+                            environment_.table.pockets[static_cast<std::size_t>(pocket)].name +
+                            "', on balls that fell in before"});
     }
 }
 
 void Balls::put_to_rest(std::uint32_t index, double time, MotionState state) {
     Ball& ball = balls_[index];
     state.velocity = state.angular_velocity = {0, 0, 0};
-    carry(index, time, state);
+    set_stepped_state(index, time, state);
     MotionSegment still = ball.segment;
     still.kind = MotionKind::resting;
     set_segment(ball, still);
     ball.is_lying = true;
-    recording_.keep(ball.track, time, state);
-    recording_.log(EventKind::resting, time, ball.name, state.position);
+    recorder_.add_key(ball.track, time, state);
+    recorder_.log(EventKind::resting, time, ball.name, state.position);
 }
 
 void Balls::finish(double time) {
     for (const Ball& ball : balls_) {
-        recording_.keep(ball.track, time, ball.segment.state_at(time));
+        recorder_.add_key(ball.track, time, ball.segment.state_at(time));
     }
 }
 

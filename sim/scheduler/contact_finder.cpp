@@ -10,7 +10,7 @@
 namespace carom::sim {
 namespace {
 
-/// Gaps up to this (m) count as contact, lest a ball that lies still keeps losing touch.
+/// Gaps up to this (m) count as contact, so that a ball at rest does not keep losing contact.
 constexpr double kMargin = 1e-5;
 
 SurfaceContact from_ode(const ode::BoxContact& contact) {
@@ -28,7 +28,7 @@ std::vector<FoundContact> ContactFinder::find(const std::vector<StepBody>& bodie
     const int count = static_cast<int>(bodies.size());
     for (int i = 0; i < count; ++i) {
         const StepBody& body = bodies[static_cast<std::size_t>(i)];
-        if (!body.is_in) {
+        if (!body.is_in_ode) {
             continue;
         }
         if (body.is_awake && !body.is_kinematic()) {
@@ -40,8 +40,8 @@ std::vector<FoundContact> ContactFinder::find(const std::vector<StepBody>& bodie
         }
         for (int j = i + 1; j < count; ++j) {
             const StepBody& other = bodies[static_cast<std::size_t>(j)];
-            const bool is_met = !body.is_kinematic() || !other.is_kinematic();
-            if (other.is_in && is_met && (body.is_awake || other.is_awake)) {
+            const bool can_move = !body.is_kinematic() || !other.is_kinematic();
+            if (other.is_in_ode && can_move && (body.is_awake || other.is_awake)) {
                 find_between(i, body, j, other, found);
             }
         }
@@ -136,7 +136,7 @@ void ContactFinder::find_for_ball(int number, const StepBody& ball,
 
 void ContactFinder::find_for_solid(int number, const StepBody& body,
                                    std::vector<FoundContact>& found) const {
-    find_level(number, body, found);
+    find_on_ground(number, body, found);
     Aabb bounds = body.bounds();
     bounds.grow(ode::kBoxMargin);
     for (const FixedSolid& solid : environment_.solids) {
@@ -150,7 +150,7 @@ void ContactFinder::find_for_solid(int number, const StepBody& body,
         }
     }
     if (body.is_box()) {
-        find_obstacles(number, body, bounds, found);
+        find_box_meshes(number, body, bounds, found);
     } else {
         find_meshes(number, body, bounds, found);
     }
@@ -166,8 +166,8 @@ void ContactFinder::find_for_solid(int number, const StepBody& body,
     }
 }
 
-void ContactFinder::find_obstacles(int number, const StepBody& box, const Aabb& bounds,
-                                   std::vector<FoundContact>& found) const {
+void ContactFinder::find_box_meshes(int number, const StepBody& box, const Aabb& bounds,
+                                    std::vector<FoundContact>& found) const {
     std::vector<ode::BoxContact> contacts;
     for (const BoxObstacle& obstacle : environment_.box_obstacles) {
         if (!bounds.overlaps(obstacle.bounds)) {
@@ -187,7 +187,7 @@ void ContactFinder::find_meshes(int number, const StepBody& body, const Aabb& bo
     for (const StaticMesh* mesh : {&environment_.table_mesh, &environment_.scenery_mesh}) {
         for (const SurfaceContact& contact :
              mesh_contacts(body.placed(), *mesh, bounds, ode::kBoxMargin)) {
-            // Solids with flat sides are met as solids.
+            // Solids with flat sides are tested as solids, not as meshes.
             const bool is_solid = std::any_of(
                 environment_.solids.begin(), environment_.solids.end(),
                 [&](const FixedSolid& solid) {
@@ -201,8 +201,8 @@ void ContactFinder::find_meshes(int number, const StepBody& body, const Aabb& bo
     }
 }
 
-void ContactFinder::find_level(int number, const StepBody& body,
-                               std::vector<FoundContact>& found) const {
+void ContactFinder::find_on_ground(int number, const StepBody& body,
+                                   std::vector<FoundContact>& found) const {
     const Vec3 up(0, 0, 1);
     const Quat& turn = body.state.orientation;
     std::vector<Vec3> points;
@@ -219,8 +219,8 @@ void ContactFinder::find_level(int number, const StepBody& body,
             on_floor.push_back({corner, up, *environment_.floor_height - corner.z});
         }
     }
-    thin_out(on_cloth);
-    thin_out(on_floor);
+    reduce_contacts(on_cloth);
+    reduce_contacts(on_floor);
     for (const ConvexContact& contact : on_cloth) {
         add(number, body, kCloth, MaterialId::cloth, from_convex(contact), found);
     }
@@ -229,7 +229,7 @@ void ContactFinder::find_level(int number, const StepBody& body,
     }
 }
 
-/// Boxes by ODE, all others by our own.
+/// ODE finds the contacts of two boxes, convex_contacts() those of all other pairs.
 std::vector<SurfaceContact> ContactFinder::solid_contacts(const PlacedShape& a,
                                                           const PlacedShape& b) {
     std::vector<SurfaceContact> result;
@@ -253,8 +253,9 @@ std::vector<SurfaceContact> ContactFinder::solid_contacts(const PlacedShape& a,
 void ContactFinder::find_between(int a, const StepBody& first, int b, const StepBody& second,
                                  std::vector<FoundContact>& found) const {
     const Vec3 d = first.state.position - second.state.position;
-    const double reach = first.bounding_radius() + second.bounding_radius() + ode::kBoxMargin;
-    if (d.dot(d) > reach * reach) {
+    const double least_distance =
+        first.bounding_radius() + second.bounding_radius() + ode::kBoxMargin;
+    if (d.dot(d) > least_distance * least_distance) {
         return;
     }
     if (first.is_ball && second.is_ball) {

@@ -1,4 +1,4 @@
-// Who touches whom among the bodies that ODE carries, and what does not move.
+// Finds the contacts of the bodies in ODE, with each other and with the static environment.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@
 
 namespace carom::sim {
 
-/// What does not move, as the second of a contact: negative numbers.
+/// Negative numbers that stand for the static environment as the second body of a contact.
 inline constexpr int kCloth = -1;
 inline constexpr int kFloor = -2;
 inline constexpr int kFirstSurface = -10;     // - index into StaticEnvironment::surfaces
 inline constexpr int kFirstFixed = -1000000;  // - index of a fixed sphere
 
 struct FoundContact {
-    ode::StepContact contact;  // `second` is -1 for all that does not move
+    ode::StepContact contact;  // `second` is -1 for the static environment
     int other = kCloth;        // the second body, or one of the numbers above
 
     [[nodiscard]] std::pair<int, int> pair() const { return {contact.first, other}; }
@@ -31,17 +31,17 @@ class ContactFinder {
     /// All contacts of awake bodies, in a fixed order.
     [[nodiscard]] std::vector<FoundContact> find(const std::vector<StepBody>& bodies) const;
 
-    /// The name and material of what a contact's `other` stands for when it does not move.
+    /// Name and material of the part of the static environment that a contact's `other` stands for.
     [[nodiscard]] SurfaceInfo info(int other) const;
 
   private:
     void find_for_ball(int number, const StepBody& ball, std::vector<FoundContact>& found) const;
     void find_for_solid(int number, const StepBody& body, std::vector<FoundContact>& found) const;
-    void find_obstacles(int number, const StepBody& box, const Aabb& bounds,
-                        std::vector<FoundContact>& found) const;
+    void find_box_meshes(int number, const StepBody& box, const Aabb& bounds,
+                         std::vector<FoundContact>& found) const;
     void find_meshes(int number, const StepBody& body, const Aabb& bounds,
                      std::vector<FoundContact>& found) const;
-    void find_level(int number, const StepBody& body, std::vector<FoundContact>& found) const;
+    void find_on_ground(int number, const StepBody& body, std::vector<FoundContact>& found) const;
     [[nodiscard]] static std::vector<SurfaceContact> solid_contacts(const PlacedShape& a,
                                                                     const PlacedShape& b);
     void find_between(int a, const StepBody& first, int b, const StepBody& second,

@@ -6,8 +6,7 @@
 namespace carom::sim {
 namespace {
 
-// A ball that rolls without slip decelerates by mu_r g if the moment that holds it back is
-// 7/5 mu_r R N.
+// A ball that rolls without slip decelerates at mu_r g if the resisting moment is 7/5 mu_r R N.
 constexpr double kRollingLever = 1.4;
 
 ContactNumbers numbers_of(const PairContact& pair) {

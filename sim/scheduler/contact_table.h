@@ -1,4 +1,4 @@
-// The contact law of a world, looked up by numbers that stand for the materials' names.
+// The contact law of a world, looked up by material numbers instead of names.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace carom::sim {
 
-/// Those that have laws of their own in every world. Other materials that ContactLaw::pairs names
-/// have the numbers above these.
+/// The materials that every world knows. Other materials named in ContactLaw::pairs get the numbers
+/// above these.
 enum class MaterialId : std::uint32_t {
-    other,  // every material that the law does not name
+    other,  // any material that the law does not name
     ball,
     cloth,
     cushion,
@@ -23,7 +23,7 @@ enum class MaterialId : std::uint32_t {
     rail,
 };
 
-/// What a pair of materials in contact has in common.
+/// Coefficients of a pair of materials in contact.
 struct ContactNumbers {
     double restitution = 0;
     double friction = 0;
@@ -37,8 +37,8 @@ class ContactTable {
 
     [[nodiscard]] MaterialId id_of(const std::string& material) const;
 
-    /// For two materials in either order. A ball with the cloth, a ball or a cushion follows the
-    /// billiard laws, all others follow the law of their pair.
+    /// The coefficients of two materials, in either order. A ball follows the billiard laws on the
+    /// cloth, a ball or a cushion; all other pairs follow the law of the pair.
     [[nodiscard]] const ContactNumbers& between(MaterialId a, MaterialId b) const;
 
   private:
@@ -49,7 +49,7 @@ class ContactTable {
     ContactNumbers otherwise_;
 };
 
-/// Whether a ball that touches this material there touches a pocket's lining (ball_impact.h).
+/// Whether a surface of this material and normal is a pocket's lining (ball_impact.h).
 [[nodiscard]] bool is_lining(MaterialId material, const Vec3& normal);
 
 }  // namespace carom::sim

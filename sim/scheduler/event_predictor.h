@@ -1,4 +1,4 @@
-// Which touches lie ahead of a ball.
+// Predicts the next events of the balls.
 #pragma once
 
 #include <cstdint>
@@ -12,71 +12,72 @@
 
 namespace carom::sim {
 
-/// From when to when touches are looked for.
+/// The interval in which events are predicted; scene times, s.
 struct SearchHorizon {
     double now = 0;
-    double end = 0;       // of the simulation
-    double step_end = 0;  // of what ODE is trying; `end` if it tries nothing
+    double end = 0;       // end of the simulation
+    double step_end = 0;  // end of the step that ODE is trying; `end` if there is none
 };
 
-/// Predictions are made when a ball begins a segment, as far as that segment goes, and hold until
-/// either ball's version changes. Balls are compared with those in the neighbouring cells of a
-/// grid, and again with the new neighbours when they cross into another cell: so each pair is
-/// looked at before it can touch, and most pairs never are.
+/// Predictions are made when a ball begins a segment, up to the end of that segment, and are valid
+/// until the version of either ball changes. A ball is tested against those in the neighbouring
+/// cells of a grid, and against the new neighbours when it enters another cell: so each pair is
+/// tested before it can touch, and most pairs never are.
 class EventPredictor {
   public:
     EventPredictor(const StaticEnvironment& environment, const std::vector<Ball>& balls,
                    const std::vector<StepBody>& bodies);
 
-    /// Everything ahead of the balls in `changed`, which have begun new segments.
-    void find(const std::vector<std::uint32_t>& changed, const SearchHorizon& horizon,
-              PredictedEventQueue& queue);
+    /// Predicts all events of the balls in `changed`, which have begun new segments.
+    void predict(const std::vector<std::uint32_t>& changed, const SearchHorizon& horizon,
+                 PredictedEventQueue& queue);
 
-    /// A ball passes into another cell.
-    void cross(const PredictedEvent& crossing, const SearchHorizon& horizon,
-               PredictedEventQueue& queue);
+    /// A ball enters another cell: predicts its impacts with the balls of the new neighbourhood.
+    void enter_cell(const PredictedEvent& crossing, const SearchHorizon& horizon,
+                    PredictedEventQueue& queue);
 
-    /// What does not move, from where the last look ended; nothing if there has been a later look.
-    void search_again(const PredictedEvent& look, const SearchHorizon& horizon,
+    /// Continues the search for obstacles where the last one ended, unless a later one has begun.
+    void search_again(const PredictedEvent& search, const SearchHorizon& horizon,
                       PredictedEventQueue& queue);
 
-    /// Boxes are about to move, or have come to rest: what was predicted of them is void.
-    void find_boxes_for_all(const SearchHorizon& horizon, PredictedEventQueue& queue);
+    /// Predicts all impacts with boxes again, since boxes are about to move or have come to rest.
+    void predict_all_box_impacts(const SearchHorizon& horizon, PredictedEventQueue& queue);
 
-    [[nodiscard]] std::uint32_t box_round() const { return box_round_; }
+    [[nodiscard]] std::uint32_t box_version() const { return box_version_; }
 
   private:
-    void find_one(std::uint32_t index, const SearchHorizon& horizon, PredictedEventQueue& queue);
-    void find_crossing(std::uint32_t index, double now, double until,
-                       PredictedEventQueue& queue) const;
-    void find_pair(std::uint32_t index, std::uint32_t other, double now, double until,
-                   PredictedEventQueue& queue) const;
-    void find_unmoving(std::uint32_t index, const SearchHorizon& horizon,
-                       PredictedEventQueue& queue);
-    void find_boxes(std::uint32_t index, double now, double until,
-                    PredictedEventQueue& queue) const;
-    void find_scenery(std::uint32_t index, double now, double until,
-                      PredictedEventQueue& queue) const;
-    void find_fixed_spheres(std::uint32_t index, double now, double until,
-                            PredictedEventQueue& queue) const;
-    void find_on_cloth(std::uint32_t index, double now, double until,
-                       PredictedEventQueue& queue) const;
-    void find_in_air(std::uint32_t index, double now, double until,
-                     PredictedEventQueue& queue) const;
+    void predict_ball(std::uint32_t index, const SearchHorizon& horizon,
+                      PredictedEventQueue& queue);
+    void predict_cell_crossing(std::uint32_t index, double now, double until,
+                               PredictedEventQueue& queue) const;
+    void predict_ball_impact(std::uint32_t index, std::uint32_t other, double now, double until,
+                             PredictedEventQueue& queue) const;
+    void search_obstacles(std::uint32_t index, const SearchHorizon& horizon,
+                          PredictedEventQueue& queue);
+    void predict_box_impacts(std::uint32_t index, double now, double until,
+                             PredictedEventQueue& queue) const;
+    void predict_scenery_impacts(std::uint32_t index, double now, double until,
+                                 PredictedEventQueue& queue) const;
+    void predict_fixed_sphere_impacts(std::uint32_t index, double now, double until,
+                                      PredictedEventQueue& queue) const;
+    void predict_cloth_events(std::uint32_t index, double now, double until,
+                              PredictedEventQueue& queue) const;
+    void predict_flight_events(std::uint32_t index, double now, double until,
+                               PredictedEventQueue& queue) const;
 
     const StaticEnvironment& environment_;
     const std::vector<Ball>& balls_;
     const std::vector<StepBody>& bodies_;
     CellGrid grid_;
-    std::vector<std::uint32_t> near_;        // of the ball being looked at
-    std::vector<double> next_look_;          // per ball: when `search_again` is due
-    std::vector<std::uint32_t> last_found_;  // per ball: in which call of `find` it was a `changed`
-    std::uint32_t find_count_ = 0;
-    std::uint32_t box_round_ = 0;
+    std::vector<std::uint32_t> neighbours_;      // of the ball being handled
+    std::vector<double> next_search_;            // per ball: when `search_again` is due
+    std::vector<std::uint32_t> last_predicted_;  // per ball: the last call of `predict` for it
+    std::uint32_t predict_count_ = 0;
+    std::uint32_t box_version_ = 0;
 };
 
-/// How far from the nose's line (horizontally) the centre of a ball at height `z` is when it
-/// touches; 0 if it passes above or below.
-[[nodiscard]] double nose_reach(double radius, double z, double nose_height);
+/// Horizontal distance of a ball's centre at height `z` from the line of the nose when they touch;
+/// 0 if the ball passes above or below.
+[[nodiscard]] double nose_contact_distance(double radius, double z, double nose_height);
 
 }  // namespace carom::sim

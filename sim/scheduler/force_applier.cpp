@@ -1,4 +1,4 @@
-#include "sim/scheduler/actions.h"
+#include "sim/scheduler/force_applier.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,134 +21,135 @@ std::string seconds(double time) {
 
 }  // namespace
 
-Actions::Actions(const WorldDescription& world, Balls& balls, SteppedBodies& stepped,
-                 Recording& recording)
-    : world_(world), balls_(balls), stepped_(stepped), recording_(recording) {
+ForceApplier::ForceApplier(const WorldDescription& world, Balls& balls, SteppedBodies& stepped,
+                           Recorder& recorder)
+    : world_(world), balls_(balls), stepped_(stepped), recorder_(recorder) {
     for (std::uint32_t i = 0; i < stepped.all().size(); ++i) {
-        index_.emplace(*stepped.all()[i].name, i);
+        index_by_name_.emplace(*stepped.all()[i].name, i);
     }
 }
 
-void Actions::apply(const DueAction& due) {
+void ForceApplier::apply(const DueAction& due) {
     const ForceEvent& event = world_.events[due.event];
-    const auto found = index_.find(event.object);
-    if (found == index_.end()) {
+    const auto found = index_by_name_.find(event.object);
+    if (found == index_by_name_.end()) {
         return;
     }
     const std::uint32_t body = found->second;
     if (due.kick >= 0) {
-        kick(due, body);
+        apply_kick(due, body);
     } else {
-        std::visit([&](const auto& action) { begin(action, due, body); }, event.action);
+        std::visit([&](const auto& action) { apply(action, due, body); }, event.action);
     }
 }
 
-MotionState Actions::state_of(std::uint32_t body, double time) const {
+MotionState ForceApplier::state_of(std::uint32_t body, double time) const {
     const StepBody& entry = stepped_.all()[body];
     return entry.is_ball ? balls_.all()[body].segment.state_at(time) : entry.state;
 }
 
-Quat Actions::axes_of(std::uint32_t body, double time) const {
-    return stepped_.all()[body].seen(state_of(body, time)).orientation;
+Quat ForceApplier::orientation_of(std::uint32_t body, double time) const {
+    return stepped_.all()[body].with_own_axes(state_of(body, time)).orientation;
 }
 
-const std::string& Actions::name_of(std::uint32_t body) const {
+const std::string& ForceApplier::name_of(std::uint32_t body) const {
     return *stepped_.all()[body].name;
 }
 
-void Actions::change(std::uint32_t body, double time, const MotionState& before,
-                     const MotionState& after) {
+void ForceApplier::set_state(std::uint32_t body, double time, const MotionState& before,
+                             const MotionState& after) {
     if (stepped_.all()[body].is_ball) {
         const Ball& ball = balls_.all()[body];
         if (ball.is_lying) {
             stepped_.wake_near(before.position, ball.radius, time);
         }
         if (ball.is_lying || ball.is_stepped()) {
-            balls_.change_stepped(body, time, before, after);
+            balls_.change_stepped_state(body, time, before, after);
         } else {
-            balls_.change(body, time, before, after);
+            balls_.change_state(body, time, before, after);
         }
     } else {
-        stepped_.change_box(body, time, after.velocity, after.angular_velocity);
+        stepped_.change_box_velocity(body, time, after.velocity, after.angular_velocity);
     }
 }
 
-void Actions::begin(const Force& force, const DueAction& due, std::uint32_t body) {
+void ForceApplier::apply(const Force& force, const DueAction& due, std::uint32_t body) {
     const MotionState state = state_of(body, due.time);
-    recording_.log_action(EventKind::force, due.time, due.time + force.duration, name_of(body),
-                          state.position,
-                          in_world(force.axes, axes_of(body, due.time), force.newtons));
+    recorder_.log_action(EventKind::force, due.time, due.time + force.duration, name_of(body),
+                         state.position,
+                         in_world(force.axes, orientation_of(body, due.time), force.newtons));
 }
 
-void Actions::begin(const Torque& torque, const DueAction& due, std::uint32_t body) {
+void ForceApplier::apply(const Torque& torque, const DueAction& due, std::uint32_t body) {
     const MotionState state = state_of(body, due.time);
-    recording_.log_action(EventKind::torque, due.time, due.time + torque.duration, name_of(body),
-                          state.position,
-                          in_world(torque.axes, axes_of(body, due.time), torque.newton_metres));
+    recorder_.log_action(
+        EventKind::torque, due.time, due.time + torque.duration, name_of(body), state.position,
+        in_world(torque.axes, orientation_of(body, due.time), torque.newton_metres));
 }
 
-void Actions::begin(const Impulse& impulse, const DueAction& due, std::uint32_t body) {
+void ForceApplier::apply(const Impulse& impulse, const DueAction& due, std::uint32_t body) {
     const MotionState state = state_of(body, due.time);
-    const Vec3 p = in_world(impulse.axes, axes_of(body, due.time), impulse.newton_seconds);
-    const Vec3 arm = in_world(impulse.axes, axes_of(body, due.time), impulse.at_point);
-    recording_.log_action(EventKind::impulse, due.time, due.time, name_of(body), state.position, p);
-    push(body, due.time, p, arm.cross(p));
+    const Vec3 p = in_world(impulse.axes, orientation_of(body, due.time), impulse.newton_seconds);
+    const Vec3 arm = in_world(impulse.axes, orientation_of(body, due.time), impulse.at_point);
+    recorder_.log_action(EventKind::impulse, due.time, due.time, name_of(body), state.position, p);
+    apply_impulse(body, due.time, p, arm.cross(p));
 }
 
-void Actions::begin(const SetVelocity& velocity, const DueAction& due, std::uint32_t body) {
+void ForceApplier::apply(const SetVelocity& velocity, const DueAction& due, std::uint32_t body) {
     const MotionState before = state_of(body, due.time);
     MotionState after = before;
     after.velocity = velocity.linear.value_or(before.velocity);
     after.angular_velocity = velocity.angular.value_or(before.angular_velocity);
-    recording_.log_action(EventKind::velocity, due.time, due.time, name_of(body), before.position,
-                          after.velocity);
-    change(body, due.time, before, after);
+    recorder_.log_action(EventKind::velocity, due.time, due.time, name_of(body), before.position,
+                         after.velocity);
+    set_state(body, due.time, before, after);
 }
 
-void Actions::begin(const Strike& strike, const DueAction& due, std::uint32_t body) {
+void ForceApplier::apply(const Strike& strike, const DueAction& due, std::uint32_t body) {
     const Ball& struck = balls_[body];
     const MotionState before = struck.segment.state_at(due.time);
-    const Vec3 aim = aim_of(strike, before.position, due.time);
+    const Vec3 aim = aim_direction(strike, before.position, due.time);
     if (aim == Vec3(0, 0, 0)) {
-        recording_.warn(
+        recorder_.warn(
             {Subject::event(due.event), "toward",
              "strike on '" + struck.name + "' at " + seconds(due.time) +
-                 ": the target is straight above or below the ball; nothing is struck"});
+                 ": the target is straight above or below the ball; the strike is skipped"});
         return;
     }
     if (strike.tip.dot(strike.tip) > kMiscueOffset * kMiscueOffset) {
-        recording_.warn({Subject::event(due.event), "tip",
-                         "strike on '" + struck.name + "' at " + seconds(due.time) +
-                             ": a tip more than half a radius off centre would miscue"});
+        recorder_.warn({Subject::event(due.event), "tip",
+                        "strike on '" + struck.name + "' at " + seconds(due.time) +
+                            ": a tip more than half a radius off centre would miscue"});
     }
-    const StrikeResult given = strike_ball(strike, aim, struck.mass, struck.radius);
+    const StrikeResult result = strike_ball(strike, aim, struck.mass, struck.radius);
     MotionState after = before;
-    after.velocity += given.velocity;
-    after.angular_velocity += given.angular_velocity;
-    recording_.log_action(EventKind::strike, due.time, due.time, struck.name, before.position,
-                          given.velocity);
+    after.velocity += result.velocity;
+    after.angular_velocity += result.angular_velocity;
+    recorder_.log_action(EventKind::strike, due.time, due.time, struck.name, before.position,
+                         result.velocity);
     if (strike.toward) {
-        aimed_.push_back({struck.name, *strike.toward, due.time, due.event});
+        aimed_strikes_.push_back({struck.name, *strike.toward, due.time, due.event});
     }
-    change(body, due.time, before, after);
+    set_state(body, due.time, before, after);
 }
 
-void Actions::kick(const DueAction& due, std::uint32_t body) {
+void ForceApplier::apply_kick(const DueAction& due, std::uint32_t body) {
     const ForceEvent& event = world_.events[due.event];
-    const Quat orientation = axes_of(body, due.time);
+    const Quat orientation = orientation_of(body, due.time);
     if (const auto* force = std::get_if<Force>(&event.action)) {
         const double fraction = force->duration / kick_count(force->duration);
         const Vec3 p = in_world(force->axes, orientation, force->newtons) * fraction;
-        push(body, due.time, p, in_world(force->axes, orientation, force->at_point).cross(p));
+        apply_impulse(body, due.time, p,
+                      in_world(force->axes, orientation, force->at_point).cross(p));
     } else if (const auto* torque = std::get_if<Torque>(&event.action)) {
         const double fraction = torque->duration / kick_count(torque->duration);
-        push(body, due.time, Vec3(0, 0, 0),
-             in_world(torque->axes, orientation, torque->newton_metres) * fraction);
+        apply_impulse(body, due.time, Vec3(0, 0, 0),
+                      in_world(torque->axes, orientation, torque->newton_metres) * fraction);
     }
 }
 
-void Actions::push(std::uint32_t body, double time, const Vec3& impulse,
-                   const Vec3& angular_impulse) {
+void ForceApplier::apply_impulse(std::uint32_t body, double time, const Vec3& impulse,
+                                 const Vec3& angular_impulse) {
     const StepBody& pushed = stepped_.all()[body];
     const MotionState before = state_of(body, time);
     MotionState after = before;
@@ -157,24 +158,24 @@ void Actions::push(std::uint32_t body, double time, const Vec3& impulse,
     after.angular_velocity +=
         to_world(before.orientation, Vec3(turned.x / pushed.inertia.x, turned.y / pushed.inertia.y,
                                           turned.z / pushed.inertia.z));
-    change(body, time, before, after);
+    set_state(body, time, before, after);
 }
 
-Vec3 Actions::aim_of(const Strike& strike, const Vec3& from, double time) const {
+Vec3 ForceApplier::aim_direction(const Strike& strike, const Vec3& from, double time) const {
     if (strike.direction) {
         const SinCos direction = sin_cos(*strike.direction);
         return {direction.cos, direction.sin, 0};
     }
-    const Vec3 target = strike.toward ? place_of(*strike.toward, time)
+    const Vec3 target = strike.toward ? position_of(*strike.toward, time)
                                       : strike.toward_point.value_or(Vec3(0, 0, 0));
     const Vec3 d(target.x - from.x, target.y - from.y, 0);
     const double distance = std::sqrt(d.dot(d));
     return distance > 1e-9 ? d / distance : Vec3(0, 0, 0);
 }
 
-Vec3 Actions::place_of(const std::string& name, double time) const {
-    const auto found = index_.find(name);
-    if (found != index_.end()) {
+Vec3 ForceApplier::position_of(const std::string& name, double time) const {
+    const auto found = index_by_name_.find(name);
+    if (found != index_by_name_.end()) {
         return state_of(found->second, time).position;
     }
     for (const Body& body : world_.bodies) {
@@ -185,20 +186,19 @@ Vec3 Actions::place_of(const std::string& name, double time) const {
     return {0, 0, 0};
 }
 
-std::vector<Diagnostic> Actions::missed_strikes() const {
+std::vector<Diagnostic> ForceApplier::missed_strikes() const {
     std::vector<Diagnostic> warnings;
-    for (const Aimed& aimed : aimed_) {
-        const auto& events = recording_.events();
+    for (const AimedStrike& strike : aimed_strikes_) {
+        const auto& events = recorder_.events();
         const bool hit = std::any_of(events.begin(), events.end(), [&](const Event& event) {
-            return event.kind == EventKind::impact && event.time >= aimed.time &&
-                   ((event.a == aimed.ball && event.b == aimed.target) ||
-                    (event.a == aimed.target && event.b == aimed.ball));
+            return event.kind == EventKind::impact && event.time >= strike.time &&
+                   ((event.a == strike.ball && event.b == strike.target) ||
+                    (event.a == strike.target && event.b == strike.ball));
         });
         if (!hit) {
-            warnings.push_back({Subject::event(aimed.event), "toward",
-                                "strike on '" + aimed.ball + "' at " + seconds(aimed.time) +
-                                    ": it never touched '" + aimed.target +
-                                    "', which it was aimed at"});
+            warnings.push_back({Subject::event(strike.event), "toward",
+                                "strike on '" + strike.ball + "' at " + seconds(strike.time) +
+                                    ": the ball never hit its target '" + strike.target + "'"});
         }
     }
     return warnings;

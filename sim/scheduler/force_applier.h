@@ -1,4 +1,4 @@
-// What force events do to bodies.
+// Applies the actions of force events to bodies.
 #pragma once
 
 #include <map>
@@ -11,33 +11,34 @@
 
 namespace carom::sim {
 
-class Actions {
+class ForceApplier {
   public:
-    Actions(const WorldDescription& world, Balls& balls, SteppedBodies& stepped,
-            Recording& recording);
+    ForceApplier(const WorldDescription& world, Balls& balls, SteppedBodies& stepped,
+                 Recorder& recorder);
 
     void apply(const DueAction& action);
 
-    /// A warning of each strike that never reached what it was aimed at.
+    /// One warning for each strike whose ball never hit its target.
     [[nodiscard]] std::vector<Diagnostic> missed_strikes() const;
 
   private:
-    void begin(const Force& force, const DueAction& due, std::uint32_t body);
-    void begin(const Torque& torque, const DueAction& due, std::uint32_t body);
-    void begin(const Impulse& impulse, const DueAction& due, std::uint32_t body);
-    void begin(const SetVelocity& velocity, const DueAction& due, std::uint32_t body);
-    void begin(const Strike& strike, const DueAction& due, std::uint32_t body);
-    void kick(const DueAction& due, std::uint32_t body);
-    void push(std::uint32_t body, double time, const Vec3& impulse, const Vec3& angular_impulse);
-    void change(std::uint32_t body, double time, const MotionState& before,
-                const MotionState& after);
+    void apply(const Force& force, const DueAction& due, std::uint32_t body);
+    void apply(const Torque& torque, const DueAction& due, std::uint32_t body);
+    void apply(const Impulse& impulse, const DueAction& due, std::uint32_t body);
+    void apply(const SetVelocity& velocity, const DueAction& due, std::uint32_t body);
+    void apply(const Strike& strike, const DueAction& due, std::uint32_t body);
+    void apply_kick(const DueAction& due, std::uint32_t body);
+    void apply_impulse(std::uint32_t body, double time, const Vec3& impulse,
+                       const Vec3& angular_impulse);
+    void set_state(std::uint32_t body, double time, const MotionState& before,
+                   const MotionState& after);
     [[nodiscard]] MotionState state_of(std::uint32_t body, double time) const;
-    [[nodiscard]] Quat axes_of(std::uint32_t body, double time) const;
+    [[nodiscard]] Quat orientation_of(std::uint32_t body, double time) const;
     [[nodiscard]] const std::string& name_of(std::uint32_t body) const;
-    [[nodiscard]] Vec3 aim_of(const Strike& strike, const Vec3& from, double time) const;
-    [[nodiscard]] Vec3 place_of(const std::string& name, double time) const;
+    [[nodiscard]] Vec3 aim_direction(const Strike& strike, const Vec3& from, double time) const;
+    [[nodiscard]] Vec3 position_of(const std::string& name, double time) const;
 
-    struct Aimed {
+    struct AimedStrike {
         std::string ball, target;
         double time = 0;
         std::size_t event = 0;
@@ -46,9 +47,9 @@ class Actions {
     const WorldDescription& world_;
     Balls& balls_;
     SteppedBodies& stepped_;
-    Recording& recording_;
-    std::map<std::string, std::uint32_t> index_;  // numbers in SteppedBodies
-    std::vector<Aimed> aimed_;
+    Recorder& recorder_;
+    std::map<std::string, std::uint32_t> index_by_name_;  // indices in SteppedBodies
+    std::vector<AimedStrike> aimed_strikes_;
 };
 
 }  // namespace carom::sim

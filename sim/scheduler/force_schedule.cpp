@@ -27,14 +27,14 @@ bool fires(const Trigger& trigger, const Event& event) {
                     (event.a == trigger.b && event.b == trigger.a));
         case Trigger::Kind::potted:
             return event.kind == EventKind::potted && event.a == trigger.a;
-        case Trigger::Kind::resting:   // RestWatch sees to it
-        case Trigger::Kind::crossing:  // told by notice_crossing
+        case Trigger::Kind::resting:   // see RestTriggers
+        case Trigger::Kind::crossing:  // see trigger_crossing
             return false;
     }
     return false;
 }
 
-std::string described(const Trigger& trigger) {
+std::string reason_text(const Trigger& trigger) {
     switch (trigger.kind) {
         case Trigger::Kind::contact:
             return "'" + trigger.a + "' never touched '" + trigger.b + "'";
@@ -42,7 +42,7 @@ std::string described(const Trigger& trigger) {
             return "'" + trigger.a + "' was never potted";
         case Trigger::Kind::crossing:
             return "'" + trigger.a + "' never crossed the line";
-        case Trigger::Kind::resting:  // RestWatch knows the reason
+        case Trigger::Kind::resting:  // RestTriggers knows the reason
             break;
     }
     return {};
@@ -55,7 +55,7 @@ int kick_count(double duration) {
 }
 
 ForceSchedule::ForceSchedule(const std::vector<ForceEvent>& events)
-    : events_(events), rests_(events) {
+    : events_(events), rest_triggers_(events) {
     for (std::size_t i = 0; i < events.size(); ++i) {
         if (!events[i].trigger) {
             due_.insert({events[i].time + events[i].after, i, -1});
@@ -91,7 +91,7 @@ std::vector<DueAction> ForceSchedule::take_due(double now) {
         due_.erase(due_.begin());
         if (action.kick < 0) {
             add_kicks(action);
-            rests_.note_action(action.event);
+            rest_triggers_.note_action(action.event);
         } else if (--kicks_left_[action.event] == 0) {
             kicks_left_.erase(action.event);
         }
@@ -112,7 +112,7 @@ void ForceSchedule::add_kicks(const DueAction& begin) {
     }
 }
 
-void ForceSchedule::notice(const Event& event) {
+void ForceSchedule::check_triggers(const Event& event) {
     for (auto it = waiting_.begin(); it != waiting_.end();) {
         const ForceEvent& force = events_[*it];
         if (event.time >= force.time && fires(*force.trigger, event)) {
@@ -124,26 +124,26 @@ void ForceSchedule::notice(const Event& event) {
     }
 }
 
-void ForceSchedule::notice_crossing(std::size_t event, double time) {
+void ForceSchedule::trigger_crossing(std::size_t event, double time) {
     if (waiting_.erase(event) > 0) {
         due_.insert({time + events_[event].after, event, -1});
     }
 }
 
-void ForceSchedule::notice_rest(double now, const MotionQuery& query) {
-    for (const std::size_t event : rests_.take_rested(now, query)) {
+void ForceSchedule::check_rest_triggers(double now, const MotionQuery& query) {
+    for (const std::size_t event : rest_triggers_.take_rested(now, query)) {
         waiting_.erase(event);
         due_.insert({now + events_[event].after, event, -1});
     }
 }
 
-bool ForceSchedule::is_pushing(const std::string& name) const {
+bool ForceSchedule::has_kicks_left(const std::string& name) const {
     return std::any_of(kicks_left_.begin(), kicks_left_.end(), [&](const auto& acting) {
         return name.empty() || events_[acting.first].object == name;
     });
 }
 
-std::vector<Diagnostic> ForceSchedule::unmet_triggers() const {
+std::vector<Diagnostic> ForceSchedule::triggers_never_met() const {
     std::vector<Diagnostic> warnings;
     for (const std::size_t i : waiting_) {
         const Trigger& trigger = *events_[i].trigger;
@@ -151,7 +151,7 @@ std::vector<Diagnostic> ForceSchedule::unmet_triggers() const {
         warnings.push_back(
             {Subject::event(i), "when",
              fmt::format("event {} on '{}' never happened: {}", i + 1, events_[i].object,
-                         is_rest ? rests_.reason(i) : described(trigger))});
+                         is_rest ? rest_triggers_.reason(i) : reason_text(trigger))});
     }
     return warnings;
 }

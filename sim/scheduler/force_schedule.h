@@ -1,4 +1,4 @@
-// When force events act.
+// The times at which force events act.
 #pragma once
 
 #include <cstddef>
@@ -10,20 +10,20 @@
 
 #include "core/diagnostic.h"
 #include "sim/force_event.h"
-#include "sim/scheduler/rest_watch.h"
+#include "sim/scheduler/rest_triggers.h"
 #include "sim/timeline/event.h"
 
 namespace carom::sim {
 
-/// A force acts as a train of impulses, this far apart at most (s): each one exact, the motion
-/// between them in closed form.
+/// A force acts as a train of impulses at most this far apart (s): each impulse is exact, and the
+/// motion between them has a closed form.
 inline constexpr double kKickInterval = 1.0 / 2000;
 
-/// One thing to do: the whole event, or one impulse of a force or torque.
+/// One scheduled action: the beginning of an event, or one impulse of a force or torque.
 struct DueAction {
     double time = 0;
     std::size_t event = 0;  // index into the world's events
-    int kick = -1;          // -1: the event begins; else which impulse of its train
+    int kick = -1;          // -1: the event begins; else the number of the impulse in its train
 
     [[nodiscard]] friend bool operator<(const DueAction& a, const DueAction& b) {
         return std::tie(a.time, a.event, a.kick) < std::tie(b.time, b.event, b.kick);
@@ -34,39 +34,39 @@ class ForceSchedule {
   public:
     explicit ForceSchedule(const std::vector<ForceEvent>& events);
 
-    /// When something has to be done or watched next; infinity if nothing is left.
+    /// When the next action is due or the next trigger becomes active; infinity if none is left.
     [[nodiscard]] double next_time() const;
 
     [[nodiscard]] bool is_due(double now) const;
 
-    /// What is due at `now`, in order; it is taken off the schedule.
+    /// Removes the actions due at `now` from the schedule and returns them in order.
     [[nodiscard]] std::vector<DueAction> take_due(double now);
 
-    /// Lets triggers see what was logged.
-    void notice(const Event& event);
-    void notice_crossing(std::size_t event, double time);
+    /// Schedules the events whose triggers the logged `event` fires.
+    void check_triggers(const Event& event);
+    void trigger_crossing(std::size_t event, double time);
 
-    /// Lets triggers see who moves and who rests.
-    void notice_rest(double now, const MotionQuery& query);
-    [[nodiscard]] bool waits_for_rest() const { return !rests_.is_empty(); }
-    /// A force or torque acts on the object, and more of it is to come. Empty name: on any object.
-    [[nodiscard]] bool is_pushing(const std::string& name) const;
+    /// Schedules the events whose objects have come to rest.
+    void check_rest_triggers(double now, const MotionQuery& query);
+    [[nodiscard]] bool waits_for_rest() const { return !rest_triggers_.is_empty(); }
+    /// True if a force or torque on the object has impulses left. Empty name: on any object.
+    [[nodiscard]] bool has_kicks_left(const std::string& name) const;
 
-    /// Triggers that never happened: a warning of each event that waits for one.
-    [[nodiscard]] std::vector<Diagnostic> unmet_triggers() const;
+    /// One warning for each event whose trigger never fired.
+    [[nodiscard]] std::vector<Diagnostic> triggers_never_met() const;
 
   private:
     void add_kicks(const DueAction& begin);
 
     const std::vector<ForceEvent>& events_;
     std::set<DueAction> due_;
-    std::set<std::size_t> waiting_;  // for their triggers
-    RestWatch rests_;
-    std::map<std::size_t, int> kicks_left_;  // of the forces and torques that act now
+    std::set<std::size_t> waiting_;  // events that wait for their triggers
+    RestTriggers rest_triggers_;
+    std::map<std::size_t, int> kicks_left_;  // of the forces and torques that act now, by event
     std::set<std::pair<double, std::size_t>> watch_from_;
 };
 
-/// How many impulses a force of `duration` is made of.
+/// Number of impulses that make up a force of `duration`.
 [[nodiscard]] int kick_count(double duration);
 
 }  // namespace carom::sim

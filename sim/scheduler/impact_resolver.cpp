@@ -10,7 +10,7 @@
 namespace carom::sim {
 namespace {
 
-/// Restitution and friction of two balls that meet.
+/// Restitution and friction of two balls that collide.
 ContactNumbers pair_law(const StaticEnvironment& environment, const Ball& a, const Ball& b,
                         double slip_speed) {
     ContactNumbers law = environment.contacts.between(a.material, b.material);
@@ -30,9 +30,9 @@ Vec2 nearest_on(const billiards::CushionCorner& corner, const Vec2& point) {
     return corner.centre + d * (corner.radius / std::sqrt(d.dot(d)));
 }
 
-/// A ball in the air, or against something that is not upright, that parts this slowly stays in
-/// touch: ODE carries it on.
-bool stays_in_touch(const Ball& ball, double separation, const Vec3& normal) {
+/// A ball that separates so slowly, in the air or from a surface that is not vertical, stays in
+/// contact: it is activated in ODE.
+bool stays_in_contact(const Ball& ball, double separation, const Vec3& normal) {
     return separation < kLandingSpeed && (ball.ground == Ground::none || std::abs(normal.z) > 1e-6);
 }
 
@@ -43,13 +43,15 @@ void ImpactResolver::resolve(const PredictedEvent& event) {
     const Vec2 level(centre.x, centre.y);
     switch (event.kind) {
         case PredictedEventKind::ball:
-            return meet_ball(event);
+            return resolve_ball_impact(event);
         case PredictedEventKind::box:
-            return meet_box(event);
+            return resolve_box_impact(event);
         case PredictedEventKind::cushion_face:
-            return meet_cushion(event, nearest_on(environment_.table.faces[event.second], level));
+            return resolve_cushion_impact(
+                event, nearest_on(environment_.table.faces[event.second], level));
         case PredictedEventKind::cushion_corner:
-            return meet_cushion(event, nearest_on(environment_.table.corners[event.second], level));
+            return resolve_cushion_impact(
+                event, nearest_on(environment_.table.corners[event.second], level));
         case PredictedEventKind::pocket_edge:
             return enter_pocket(event);
         case PredictedEventKind::rim:
@@ -57,23 +59,23 @@ void ImpactResolver::resolve(const PredictedEvent& event) {
         case PredictedEventKind::scenery_feature:
         case PredictedEventKind::fixed_sphere:
         case PredictedEventKind::fixed_solid:
-            return meet_surface(event);
+            return resolve_surface_impact(event);
         case PredictedEventKind::ground:
             return land(event);
         case PredictedEventKind::slate_underside:
-            return meet_slate_from_below(event);
+            return resolve_slate_impact(event);
         case PredictedEventKind::below_cloth:
-            return sink(event);
+            return cross_below_cloth(event);
         case PredictedEventKind::segment_end:
-            return balls_.go_on(event.first, event.time);
+            return balls_.begin_next_segment(event.first, event.time);
         case PredictedEventKind::line:
         case PredictedEventKind::cell_crossing:
-        case PredictedEventKind::search_again:  // the scheduler's
+        case PredictedEventKind::search_again:  // handled by the scheduler
             break;
     }
 }
 
-void ImpactResolver::meet_ball(const PredictedEvent& event) {
+void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
     Ball& a = balls_[event.first];
     Ball& b = balls_[event.second];
     BallBody body_a = a.body_at(event.time);
@@ -86,36 +88,36 @@ void ImpactResolver::meet_ball(const PredictedEvent& event) {
     const ContactNumbers law = pair_law(environment_, a, b, std::sqrt(slip.dot(slip)));
     const ImpulsePair impulse =
         ball_ball_impact(balls_.solver(), body_a, body_b, normal, law.restitution, law.friction);
-    // The reference models leave out what would make balls on the cloth hop.
+    // The reference models omit the vertical impulse, which would make balls on the cloth hop.
     if (!environment_.law.hop && a.ground != Ground::none && b.ground != Ground::none) {
         body_a.state.velocity.z = 0;
         body_b.state.velocity.z = 0;
     }
-    if (approach > kQuietSpeed) {
-        recording_.log_impact(event.time, a.name, b.name, before_a.position - normal * a.radius,
-                              normal, impulse);
+    if (approach > kLeastLoggedSpeed) {
+        recorder_.log_impact(event.time, a.name, b.name, before_a.position - normal * a.radius,
+                             normal, impulse);
     }
     const double separation = (body_a.state.velocity - body_b.state.velocity).dot(normal);
-    const bool stay =
-        stays_in_touch(a, separation, normal) || stays_in_touch(b, separation, normal);
-    leave_lying(event.first, event.time);
-    leave_lying(event.second, event.time);
-    balls_.change(event.first, event.time, before_a, body_a.state);
-    balls_.change(event.second, event.time, before_b, body_b.state);
-    if (stay) {
+    const bool stays =
+        stays_in_contact(a, separation, normal) || stays_in_contact(b, separation, normal);
+    wake_neighbours(event.first, event.time);
+    wake_neighbours(event.second, event.time);
+    balls_.change_state(event.first, event.time, before_a, body_a.state);
+    balls_.change_state(event.second, event.time, before_b, body_b.state);
+    if (stays) {
         balls_.activate(event.first, event.time);
         balls_.activate(event.second, event.time);
     }
 }
 
-void ImpactResolver::leave_lying(std::uint32_t index, double time) {
+void ImpactResolver::wake_neighbours(std::uint32_t index, double time) {
     const Ball& ball = balls_[index];
     if (ball.is_lying) {
         stepped_.wake_near(ball.segment.state.position, ball.radius, time);
     }
 }
 
-void ImpactResolver::meet_box(const PredictedEvent& event) {
+void ImpactResolver::resolve_box_impact(const PredictedEvent& event) {
     const Ball& ball = balls_[event.first];
     const StepBody& box = stepped_.all()[event.second];
     BallBody body = ball.body_at(event.time);
@@ -142,26 +144,27 @@ void ImpactResolver::meet_box(const PredictedEvent& event) {
     const ode::ImpactContact impact{contact.point, contact.normal, law.restitution, law.friction};
     ode::ImpactResult result;
     if (box.is_kinematic()) {
-        result = balls_.solver().solve_moved(ball_part, box.velocity_at(contact.point), impact);
+        result = balls_.solver().solve_kinematic(ball_part, box.velocity_at(contact.point), impact);
         result.second = box_before;
     } else {
         result = balls_.solver().solve(ball_part, box_part, impact);
     }
-    if (approach > kQuietSpeed) {
-        recording_.log_impact(event.time, ball.name, *box.name, contact.point, contact.normal,
-                              {result.normal_impulse, result.tangential_impulse});
+    if (approach > kLeastLoggedSpeed) {
+        recorder_.log_impact(event.time, ball.name, *box.name, contact.point, contact.normal,
+                             {result.normal_impulse, result.tangential_impulse});
     }
     body.state.velocity = result.first.linear;
     body.state.angular_velocity = result.first.angular;
-    const bool stay = separation(result.first.linear, result.second) < kLandingSpeed;
-    stepped_.change_box(event.second, event.time, result.second.linear, result.second.angular);
-    balls_.change(event.first, event.time, before, body.state);
-    if (stay) {
+    const bool stays = separation(result.first.linear, result.second) < kLandingSpeed;
+    stepped_.change_box_velocity(event.second, event.time, result.second.linear,
+                                 result.second.angular);
+    balls_.change_state(event.first, event.time, before, body.state);
+    if (stays) {
         balls_.activate(event.first, event.time);
     }
 }
 
-void ImpactResolver::meet_surface(const PredictedEvent& event) {
+void ImpactResolver::resolve_surface_impact(const PredictedEvent& event) {
     const Ball& ball = balls_[event.first];
     const Vec3 centre = ball.segment.position_at(event.time);
     if (event.kind == PredictedEventKind::rim) {
@@ -182,8 +185,8 @@ void ImpactResolver::meet_surface(const PredictedEvent& event) {
     }
 }
 
-/// It is as hard as the rails' wood.
-void ImpactResolver::meet_slate_from_below(const PredictedEvent& event) {
+/// The slate is taken to be as hard as the rails' wood.
+void ImpactResolver::resolve_slate_impact(const PredictedEvent& event) {
     const Ball& ball = balls_[event.first];
     const Vec3 down(0, 0, -1);
     const Vec3 top = ball.segment.position_at(event.time) - down * ball.radius;
@@ -205,18 +208,19 @@ void ImpactResolver::bounce(const PredictedEvent& event, const SurfaceContact& c
     if (!environment_.law.hop && ball.ground != Ground::none && std::abs(contact.normal.z) < 1e-6) {
         body.state.velocity.z = 0;
     }
-    if (approach > kQuietSpeed) {
-        recording_.log_impact(event.time, ball.name, info.name, contact.point, contact.normal,
-                              impulse);
+    if (approach > kLeastLoggedSpeed) {
+        recorder_.log_impact(event.time, ball.name, info.name, contact.point, contact.normal,
+                             impulse);
     }
-    const bool stay = stays_in_touch(ball, body.state.velocity.dot(contact.normal), contact.normal);
-    balls_.change(event.first, event.time, before, body.state);
-    if (stay) {
+    const bool stays =
+        stays_in_contact(ball, body.state.velocity.dot(contact.normal), contact.normal);
+    balls_.change_state(event.first, event.time, before, body.state);
+    if (stays) {
         balls_.activate(event.first, event.time);
     }
 }
 
-void ImpactResolver::meet_cushion(const PredictedEvent& event, const Vec2& nearest) {
+void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const Vec2& nearest) {
     const Ball& ball = balls_[event.first];
     BallBody body = ball.body_at(event.time);
     const MotionState before = body.state;
@@ -239,14 +243,14 @@ void ImpactResolver::meet_cushion(const PredictedEvent& event, const Vec2& neare
     if (separation < kLeastSeparation) {
         body.state.velocity += inward * (kLeastSeparation - separation);
     }
-    if (approach > kQuietSpeed) {
-        recording_.log_impact(event.time, ball.name, "cushion", nose, normal, impulse);
+    if (approach > kLeastLoggedSpeed) {
+        recorder_.log_impact(event.time, ball.name, "cushion", nose, normal, impulse);
     }
-    balls_.change(event.first, event.time, before, body.state);
+    balls_.change_state(event.first, event.time, before, body.state);
 }
 
-/// A ball that comes over the edge faster than sqrt(g R) leaves it at once: the edge would have to
-/// pull it down. A slower one turns over the edge first.
+/// A ball that passes the edge faster than sqrt(g R) leaves it immediately: the edge would have to
+/// pull it down. A slower ball first rolls over the edge.
 void ImpactResolver::enter_pocket(const PredictedEvent& event) {
     const Ball& ball = balls_[event.first];
     const Vec3 centre = ball.segment.position_at(event.time);
@@ -254,17 +258,17 @@ void ImpactResolver::enter_pocket(const PredictedEvent& event) {
     const Vec3 inward = unit(Vec3(pocket.centre.x - centre.x, pocket.centre.y - centre.y, 0));
     const double speed = ball.segment.velocity_at(event.time).dot(inward);
     if (speed * speed > environment_.downward_gravity * ball.radius) {
-        balls_.fall(event.first, event.time);
+        balls_.leave_ground(event.first, event.time);
     } else {
-        recording_.keep(ball.track, event.time, ball.segment.state_at(event.time));
+        recorder_.add_key(ball.track, event.time, ball.segment.state_at(event.time));
         balls_.activate(event.first, event.time);
     }
 }
 
-void ImpactResolver::sink(const PredictedEvent& event) {
+void ImpactResolver::cross_below_cloth(const PredictedEvent& event) {
     const Ball& ball = balls_[event.first];
-    balls_.note_sunk(event.first, event.time, ball.segment.position_at(event.time));
-    balls_.go_on(event.first, event.time);
+    balls_.log_below_cloth(event.first, event.time, ball.segment.position_at(event.time));
+    balls_.begin_next_segment(event.first, event.time);
 }
 
 void ImpactResolver::land(const PredictedEvent& event) {
@@ -279,7 +283,7 @@ void ImpactResolver::land(const PredictedEvent& event) {
         return;
     }
     ball.ground = ground;
-    balls_.change(event.first, event.time, before, before);
+    balls_.change_state(event.first, event.time, before, before);
 }
 
 }  // namespace carom::sim

@@ -1,4 +1,4 @@
-// What happens when a predicted touch comes true.
+// Applies the effects of predicted events to the balls.
 #pragma once
 
 #include <string>
@@ -12,29 +12,29 @@ namespace carom::sim {
 class ImpactResolver {
   public:
     ImpactResolver(const StaticEnvironment& environment, Balls& balls, SteppedBodies& stepped,
-                   Recording& recording)
-        : environment_(environment), balls_(balls), stepped_(stepped), recording_(recording) {}
+                   Recorder& recorder)
+        : environment_(environment), balls_(balls), stepped_(stepped), recorder_(recorder) {}
 
-    /// Changes the balls that the touch is about; their versions tell that they changed.
+    /// Changes the balls of the event; their versions count up.
     void resolve(const PredictedEvent& event);
 
   private:
-    void meet_ball(const PredictedEvent& event);
-    void meet_box(const PredictedEvent& event);
-    void meet_cushion(const PredictedEvent& event, const Vec2& nearest);
-    void meet_surface(const PredictedEvent& event);
-    void meet_slate_from_below(const PredictedEvent& event);
+    void resolve_ball_impact(const PredictedEvent& event);
+    void resolve_box_impact(const PredictedEvent& event);
+    void resolve_cushion_impact(const PredictedEvent& event, const Vec2& nearest);
+    void resolve_surface_impact(const PredictedEvent& event);
+    void resolve_slate_impact(const PredictedEvent& event);
     void enter_pocket(const PredictedEvent& event);
-    void sink(const PredictedEvent& event);
+    void cross_below_cloth(const PredictedEvent& event);
     void land(const PredictedEvent& event);
-    void leave_lying(std::uint32_t index, double time);
+    void wake_neighbours(std::uint32_t index, double time);
     void bounce(const PredictedEvent& event, const SurfaceContact& contact,
                 const SurfaceInfo& info);
 
     const StaticEnvironment& environment_;
     Balls& balls_;
     SteppedBodies& stepped_;
-    Recording& recording_;
+    Recorder& recorder_;
 };
 
 }  // namespace carom::sim

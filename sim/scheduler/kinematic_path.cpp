@@ -36,7 +36,7 @@ bool KinematicPath::is_moving_from(double time) const {
            from.angular_velocity_out != zero || next->angular_velocity_in != zero;
 }
 
-double KinematicPath::next_key(double time) const {
+double KinematicPath::next_key_time(double time) const {
     const auto keys = track_->keys();
     const auto next = std::upper_bound(keys.begin(), keys.end(), time, is_after);
     return next == keys.end() ? std::numeric_limits<double>::infinity() : next->time;

@@ -1,4 +1,4 @@
-// The way of a body that keys move: it pushes others and is not pushed.
+// The path of a body that is moved by keys: it pushes others and is not pushed.
 #pragma once
 
 #include <memory>
@@ -14,15 +14,15 @@ class KinematicPath {
     KinematicPath(const KeyedPath& path, const Quat& principal)
         : track_(path.track), centre_(path.centre), principal_(principal) {}
 
-    /// Place and velocities of the shape, along its principal axes. At a corner of the path: the
-    /// velocities with which it leaves.
+    /// Pose (along the principal axes) and velocities of the shape. At a corner of the path, the
+    /// velocities after it.
     [[nodiscard]] MotionState at(double time) const;
 
     /// Whether it moves between `time` and its next key.
     [[nodiscard]] bool is_moving_from(double time) const;
 
-    /// Time of the first key after `time`, s; infinite behind the last.
-    [[nodiscard]] double next_key(double time) const;
+    /// Time of the first key after `time`, s; infinity after the last key.
+    [[nodiscard]] double next_key_time(double time) const;
 
   private:
     std::shared_ptr<const Track> track_;

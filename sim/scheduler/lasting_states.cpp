@@ -23,7 +23,7 @@ bool is_state(EventKind kind) {
     }
 }
 
-/// One force or torque, and when its impulses come.
+/// The impulse times of one force or torque.
 class ImpulseTrain {
   public:
     explicit ImpulseTrain(const Event& event)
@@ -31,18 +31,18 @@ class ImpulseTrain {
           duration_(event.end_time - event.time),
           count_(kick_count(duration_)) {}
 
-    /// A state may begin between the first impulse and one interval behind the last one.
-    [[nodiscard]] bool holds(double time) const {
+    /// A state may begin between the first impulse and one interval after the last one.
+    [[nodiscard]] bool covers(double time) const {
         return time >= start_ && time < start_ + duration_ + interval();
     }
-    /// A state from `begin` to `end` is over before the next impulse comes.
+    /// True if a state from `begin` to `end` is over before the next impulse.
     [[nodiscard]] bool has_passed(double begin, double end) const {
         const double number = std::floor((begin - start_) / interval() + 0.5 + kSameImpulse);
         return end < start_ + (number + 0.5 - kSameImpulse) * interval();
     }
 
   private:
-    /// Times that differ by less than this part of an interval are the same.
+    /// Times that differ by less than this fraction of an interval are equal.
     static constexpr double kSameImpulse = 1e-6;
 
     [[nodiscard]] double interval() const { return duration_ / count_; }
@@ -70,14 +70,14 @@ const ImpulseTrain* train_at(const Trains& trains, const Event& event) {
         return nullptr;
     }
     const auto train = std::find_if(found->second.begin(), found->second.end(),
-                                    [&](const ImpulseTrain& t) { return t.holds(event.time); });
+                                    [&](const ImpulseTrain& t) { return t.covers(event.time); });
     return train == found->second.end() ? nullptr : &*train;
 }
 
-/// Marks the states of one ball that do not last.
+/// Marks the states that do not last.
 void mark_passing(const std::vector<Event>& events, const Trains& trains,
                   std::vector<char>& is_dropped) {
-    std::map<std::string, std::size_t> next;  // the state that each ball has next
+    std::map<std::string, std::size_t> next;  // index of the next state of each ball
     for (std::size_t i = events.size(); i-- > 0;) {
         if (!is_state(events[i].kind)) {
             continue;
@@ -90,7 +90,7 @@ void mark_passing(const std::vector<Event>& events, const Trains& trains,
     }
 }
 
-/// Marks the states during a force that only repeat the one that is kept before them.
+/// Marks the states during a force that only repeat the previous remaining state.
 void mark_repeated(const std::vector<Event>& events, const Trains& trains,
                    std::vector<char>& is_dropped) {
     std::map<std::string, EventKind> state;

@@ -1,4 +1,4 @@
-// What a force makes of a ball's law of motion, without the traces of its single impulses.
+// Removes the states of motion that only a single impulse of a force causes.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace carom::sim {
 
-/// A force or torque acts as a train of impulses. Behind each one a ball may slide for a moment,
-/// roll again, or even come to rest. Only the state that is left when the next impulse comes is the
-/// ball's under the force: of what was logged about the law of motion (sliding, rolling, spinning,
-/// resting, airborne) during a force, this removes what does not last until the next impulse, and
-/// what then only repeats the state before it. `events` are in the order of time.
+/// A force or torque acts as a train of impulses. After each impulse a ball may slide for a moment,
+/// roll again, or even come to rest. Only the state that lasts until the next impulse is the ball's
+/// state under the force. Of the states of motion (sliding, rolling, spinning, resting, airborne)
+/// logged during a force, this removes those that do not last until the next impulse, and then
+/// those that only repeat the previous state. `events` are in order of time.
 void keep_lasting_states(std::vector<Event>& events);
 
 }  // namespace carom::sim

@@ -1,4 +1,4 @@
-#include "sim/scheduler/line_watch.h"
+#include "sim/scheduler/line_triggers.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 namespace carom::sim {
 namespace {
 
-/// Closer to the line than this (m) a body is on neither side: round-off, many times over.
+/// A body closer to the line than this (m), many times the rounding error, is on neither side.
 constexpr double kOnLine = 1e-11;
 
 int sign(double value) {
@@ -22,7 +22,8 @@ Vec2 level(const Vec3& v) {
 
 }  // namespace
 
-LineWatch::LineWatch(const std::vector<ForceEvent>& events, const std::vector<StepBody>& bodies) {
+LineTriggers::LineTriggers(const std::vector<ForceEvent>& events,
+                           const std::vector<StepBody>& bodies) {
     for (std::size_t i = 0; i < events.size(); ++i) {
         const std::optional<Trigger>& trigger = events[i].trigger;
         if (!trigger || trigger->kind != Trigger::Kind::crossing) {
@@ -37,9 +38,9 @@ LineWatch::LineWatch(const std::vector<ForceEvent>& events, const std::vector<St
         line.event = i;
         line.body = static_cast<std::uint32_t>(body - bodies.begin());
         line.from = trigger->from;
-        const Vec2 way = trigger->to - trigger->from;
-        line.length = std::sqrt(way.dot(way));
-        line.along = way / line.length;
+        const Vec2 span = trigger->to - trigger->from;
+        line.length = std::sqrt(span.dot(span));
+        line.along = span / line.length;
         line.across = {-line.along.y, line.along.x};
         line.since = events[i].time;
         lines_.push_back(line);
@@ -47,55 +48,56 @@ LineWatch::LineWatch(const std::vector<ForceEvent>& events, const std::vector<St
     waiting_ = lines_.size();
 }
 
-void LineWatch::find(std::uint32_t number, const Ball& ball, double now, double until,
-                     PredictedEventQueue& queue) {
+void LineTriggers::predict_crossings(std::uint32_t number, const Ball& ball, double now,
+                                     double until, PredictedEventQueue& queue) {
     if (ball.is_still()) {
         return;
     }
-    const PredictedEvent found{0, PredictedEventKind::line, number, 0, ball.version, 0};
-    find(found, ball.segment, now, std::min(until, ball.segment.end), queue);
+    const PredictedEvent event{0, PredictedEventKind::line, number, 0, ball.version, 0};
+    predict_crossings(event, ball.segment, now, std::min(until, ball.segment.end), queue);
 }
 
-void LineWatch::find(std::uint32_t number, const StepBody& body, double now, double until,
-                     std::uint32_t round, PredictedEventQueue& queue) {
+void LineTriggers::predict_crossings(std::uint32_t number, const StepBody& body, double now,
+                                     double until, std::uint32_t round,
+                                     PredictedEventQueue& queue) {
     MotionSegment path;
     path.start = body.motion.start;
     path.state = body.motion.state;
-    find({0, PredictedEventKind::line, number, 0, 0, round}, path, now, until, queue);
+    predict_crossings({0, PredictedEventKind::line, number, 0, 0, round}, path, now, until, queue);
 }
 
-void LineWatch::find(const PredictedEvent& found, const MotionSegment& path, double now,
-                     double until, PredictedEventQueue& queue) {
+void LineTriggers::predict_crossings(const PredictedEvent& event, const MotionSegment& path,
+                                     double now, double until, PredictedEventQueue& queue) {
     for (std::uint32_t i = 0; i < lines_.size(); ++i) {
         Line& line = lines_[i];
-        if (!line.is_waiting || line.body != found.first || line.since > until) {
+        if (!line.is_waiting || line.body != event.first || line.since > until) {
             continue;
         }
         const auto time = first_crossing(line, path, std::max(now, line.since), until);
         if (!time) {
             continue;
         }
-        PredictedEvent event = found;
-        event.time = *time;
-        event.second = i;
-        queue.push(event);
+        PredictedEvent crossing = event;
+        crossing.time = *time;
+        crossing.second = i;
+        queue.push(crossing);
     }
 }
 
-/// Roots of the distance to the line, a polynomial of second degree. What the last segment left
-/// within round-off of the line is carried over by `side`.
-std::optional<double> LineWatch::first_crossing(Line& line, const MotionSegment& path, double now,
-                                                double until) {
+/// Finds the roots of the distance to the line, a quadratic polynomial. `side` remembers the side
+/// of a body that the last segment left within rounding error of the line.
+std::optional<double> LineTriggers::first_crossing(Line& line, const MotionSegment& path,
+                                                   double now, double until) {
     const Vec2 offset = level(path.position_at(now)) - line.from;
     Quartic distance{offset.dot(line.across), level(path.velocity_at(now)).dot(line.across),
                      0.5 * level(path.acceleration).dot(line.across), 0, 0};
     const auto is_within = [&](double time) {
-        const double place = (level(path.position_at(time)) - line.from).dot(line.along);
-        return place >= 0 && place <= line.length;
+        const double position = (level(path.position_at(time)) - line.from).dot(line.along);
+        return position >= 0 && position <= line.length;
     };
     if (std::abs(distance[0]) < kOnLine) {
-        const int going = sign(distance[1] != 0 ? distance[1] : distance[2]);
-        if (line.side != 0 && going == -line.side && is_within(now)) {
+        const int direction = sign(distance[1] != 0 ? distance[1] : distance[2]);
+        if (line.side != 0 && direction == -line.side && is_within(now)) {
             return now;
         }
         distance = {distance[1], distance[2], 0, 0, 0};  // the root at `now` is divided out
@@ -114,7 +116,7 @@ std::optional<double> LineWatch::first_crossing(Line& line, const MotionSegment&
     return std::nullopt;
 }
 
-std::optional<std::size_t> LineWatch::take(std::uint32_t index) {
+std::optional<std::size_t> LineTriggers::trigger(std::uint32_t index) {
     Line& line = lines_[index];
     if (!line.is_waiting) {
         return std::nullopt;

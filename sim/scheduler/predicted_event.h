@@ -1,4 +1,4 @@
-// Predicted touches, the earliest first.
+// Predicted events and their queue, earliest first.
 #pragma once
 
 #include <cstdint>
@@ -9,26 +9,26 @@
 namespace carom::sim {
 
 enum class PredictedEventKind : std::uint8_t {
-    ball,             // ball `first` meets ball `second`
-    box,              // meets box `second` (a number in SteppedBodies)
-    cushion_face,     // meets, on the cloth, face `second` of the table
-    cushion_corner,   // ... corner `second`
+    ball,             // ball `first` hits ball `second`
+    box,              // it hits box `second` (an index in SteppedBodies)
+    cushion_face,     // on the cloth, it hits face `second` of the table
+    cushion_corner,   // on the cloth, it hits corner `second` of the table
     pocket_edge,      // on the cloth, its centre passes over the edge of pocket `second`
-    rim,              // in the air, it meets the edge of pocket `second`
-    table_feature,    // in the air, it meets a feature of the table's mesh
-    scenery_feature,  // it meets a feature of a fixed body's mesh
-    fixed_sphere,     // it meets fixed sphere `second`
-    fixed_solid,      // it meets fixed capsule or cylinder `second` of StaticEnvironment::solids
-    ground,           // it comes down on Ground `second`
-    slate_underside,  // coming up from the floor, it meets the slate from below
+    rim,              // in the air, it hits the edge of pocket `second`
+    table_feature,    // in the air, it hits a feature of the table's mesh
+    scenery_feature,  // it hits a feature of a fixed body's mesh
+    fixed_sphere,     // it hits fixed sphere `second`
+    fixed_solid,      // it hits fixed capsule or cylinder `second` of StaticEnvironment::solids
+    ground,           // it lands on Ground `second`
+    slate_underside,  // rising under the table, it hits the slate from below
     below_cloth,      // its centre sinks below the cloth
     segment_end,      // its law of motion changes
-    line,             // body `first` (a number in SteppedBodies) crosses line `second` of LineWatch
-    cell_crossing,    // it passes into the next cell of the grid, on CellGrid::Side `second`
-    search_again,     // what does not move has been looked for only so far
+    line,             // body `first` (an index in SteppedBodies) crosses line `second`
+    cell_crossing,    // it enters the next cell of the grid, through CellGrid::Side `second`
+    search_again,     // the search for obstacles has ended here and has to continue
 };
 
-/// `first` is a ball, but for `line`; predictions hold as long as the versions are those of the
+/// `first` is a ball, except for `line`. A prediction is valid while its versions are those of the
 /// balls.
 struct PredictedEvent {
     double time = 0;
@@ -36,9 +36,10 @@ struct PredictedEvent {
     std::uint32_t first = 0;
     std::uint32_t second = 0;
     std::uint32_t first_version = 0;
-    std::uint32_t second_version = 0;  // `ball`: of the second; `box` and `line`: of the round
+    // `ball`: of ball `second`; `box`: EventPredictor::box_version; `line`: the window's number.
+    std::uint32_t second_version = 0;
 
-    /// A total order, so that simultaneous touches always come in the same one.
+    /// A total order, so that simultaneous events always have the same order.
     [[nodiscard]] friend bool operator<(const PredictedEvent& a, const PredictedEvent& b) {
         return std::tie(a.time, a.kind, a.first, a.second, a.first_version, a.second_version) <
                std::tie(b.time, b.kind, b.first, b.second, b.first_version, b.second_version);

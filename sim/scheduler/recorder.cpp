@@ -1,4 +1,4 @@
-#include "sim/scheduler/recording.h"
+#include "sim/scheduler/recorder.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,17 +7,18 @@
 
 namespace carom::sim {
 
-Recording::Recording(const WorldDescription& world) {
+Recorder::Recorder(const WorldDescription& world) {
     for (const Body& body : world.bodies) {
         if (body.kind == BodyKind::dynamic) {
-            recorders_.emplace_back(body.name, world.key_reduction);
+            track_recorders_.emplace_back(body.name, world.key_reduction);
         }
     }
-    last_.resize(recorders_.size());
+    last_keys_.resize(track_recorders_.size());
 }
 
-MotionState Recording::aligned(std::size_t track, double time, const MotionState& state) {
-    Written& last = last_[track];
+MotionState Recorder::with_pose_of_last_key(std::size_t track, double time,
+                                            const MotionState& state) {
+    LastKey& last = last_keys_[track];
     if (last.time != time) {
         last = {time, {state.position, state.orientation}};
         return state;
@@ -28,22 +29,22 @@ MotionState Recording::aligned(std::size_t track, double time, const MotionState
     return result;
 }
 
-void Recording::keep(std::size_t track, double time, const MotionState& state) {
+void Recorder::add_key(std::size_t track, double time, const MotionState& state) {
     add_break(track, time, state, state);
 }
 
-void Recording::add(std::size_t track, double time, const MotionState& state) {
-    recorders_[track].add(time, aligned(track, time, state));
+void Recorder::add_sample(std::size_t track, double time, const MotionState& state) {
+    track_recorders_[track].add(time, with_pose_of_last_key(track, time, state));
 }
 
-void Recording::add_break(std::size_t track, double time, const MotionState& before,
-                          const MotionState& after) {
-    const MotionState from = aligned(track, time, before);
-    recorders_[track].add_break(time, from, aligned(track, time, after));
+void Recorder::add_break(std::size_t track, double time, const MotionState& before,
+                         const MotionState& after) {
+    const MotionState from = with_pose_of_last_key(track, time, before);
+    track_recorders_[track].add_break(time, from, with_pose_of_last_key(track, time, after));
 }
 
-void Recording::log_impact(double time, const std::string& a, const std::string& b,
-                           const Vec3& place, const Vec3& normal, const ImpulsePair& impulse) {
+void Recorder::log_impact(double time, const std::string& a, const std::string& b,
+                          const Vec3& place, const Vec3& normal, const ImpulsePair& impulse) {
     Event event;
     event.kind = EventKind::impact;
     event.time = event.end_time = time;
@@ -56,8 +57,8 @@ void Recording::log_impact(double time, const std::string& a, const std::string&
     events_.push_back(std::move(event));
 }
 
-void Recording::log(EventKind kind, double time, const std::string& a, const Vec3& place,
-                    const std::string& b) {
+void Recorder::log(EventKind kind, double time, const std::string& a, const Vec3& place,
+                   const std::string& b) {
     Event event;
     event.kind = kind;
     event.time = event.end_time = time;
@@ -67,8 +68,8 @@ void Recording::log(EventKind kind, double time, const std::string& a, const Vec
     events_.push_back(std::move(event));
 }
 
-void Recording::log_action(EventKind kind, double time, double end_time, const std::string& a,
-                           const Vec3& place, const Vec3& vector) {
+void Recorder::log_action(EventKind kind, double time, double end_time, const std::string& a,
+                          const Vec3& place, const Vec3& vector) {
     Event event;
     event.kind = kind;
     event.time = time;
@@ -79,26 +80,26 @@ void Recording::log_action(EventKind kind, double time, double end_time, const s
     events_.push_back(std::move(event));
 }
 
-void Recording::add_energy(const EnergySample& sample) {
+void Recorder::add_energy(const EnergySample& sample) {
     if (!energy_.empty() && energy_.back() == sample) {
         return;
     }
     energy_.push_back(sample);
 }
 
-void Recording::warn(Diagnostic warning) {
-    constexpr std::size_t kMostWarnings = 100;
-    if (warnings_.size() >= kMostWarnings) {
+void Recorder::warn(Diagnostic warning) {
+    constexpr std::size_t kMaxWarnings = 100;
+    if (warnings_.size() >= kMaxWarnings) {
         return;
     }
     warning.severity = Severity::warning;
     warnings_.push_back(std::move(warning));
 }
 
-Timeline Recording::take_timeline(double end_time) {
+Timeline Recorder::take_timeline(double end_time) {
     Timeline timeline;
     timeline.end_time = end_time;
-    for (TrackRecorder& recorder : recorders_) {
+    for (TrackRecorder& recorder : track_recorders_) {
         timeline.tracks.push_back(recorder.finish());
     }
     for (std::size_t i = 0; i < events_.size(); ++i) {

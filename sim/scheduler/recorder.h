@@ -1,4 +1,4 @@
-// What a simulation writes down: tracks, events, energy, warnings.
+// Records the results of a simulation: tracks, events, energy and warnings.
 #pragma once
 
 #include <set>
@@ -11,25 +11,25 @@
 
 namespace carom::sim {
 
-class Recording {
+class Recorder {
   public:
-    explicit Recording(const WorldDescription& world);
+    explicit Recorder(const WorldDescription& world);
 
-    /// The state of moving body `track` at one instant, kept as a key.
-    void keep(std::size_t track, double time, const MotionState& state);
-    /// A state on a smooth segment, dropped if its neighbours give it.
-    void add(std::size_t track, double time, const MotionState& state);
+    /// Adds a key to the track of moving body `track`.
+    void add_key(std::size_t track, double time, const MotionState& state);
+    /// Adds a state on a smooth segment; it is dropped if its neighbours already determine it.
+    void add_sample(std::size_t track, double time, const MotionState& state);
     void add_break(std::size_t track, double time, const MotionState& before,
                    const MotionState& after);
 
-    /// `place`: the point of contact; `normal` from b towards a.
+    /// `place`: the point of contact; `normal`: from b towards a.
     void log_impact(double time, const std::string& a, const std::string& b, const Vec3& place,
                     const Vec3& normal, const ImpulsePair& impulse);
     void log(EventKind kind, double time, const std::string& a, const Vec3& place,
              const std::string& b = {});
     void log_action(EventKind kind, double time, double end_time, const std::string& a,
                     const Vec3& place, const Vec3& vector);
-    /// The event turned out not to have happened: the timeline will be without it.
+    /// Leaves a logged event out of the timeline: it turned out not to have happened.
     void retract(std::size_t event) { retracted_.insert(event); }
     void add_energy(const EnergySample& sample);
     void warn(Diagnostic warning);
@@ -38,16 +38,17 @@ class Recording {
     [[nodiscard]] Timeline take_timeline(double end_time);
 
   private:
-    /// A ball that is put back on its ground moves by a few micrometres at most; a key that is
-    /// already written at that instant keeps its pose.
-    [[nodiscard]] MotionState aligned(std::size_t track, double time, const MotionState& state);
+    /// A ball that is put back on its surface moves by a few micrometres at most. If a key has
+    /// already been written at that instant, the state takes over its pose.
+    [[nodiscard]] MotionState with_pose_of_last_key(std::size_t track, double time,
+                                                    const MotionState& state);
 
-    struct Written {
+    struct LastKey {
         double time = -1;
         Pose pose;
     };
-    std::vector<TrackRecorder> recorders_;
-    std::vector<Written> last_;
+    std::vector<TrackRecorder> track_recorders_;
+    std::vector<LastKey> last_keys_;
     std::vector<Event> events_;
     std::set<std::size_t> retracted_;
     std::vector<EnergySample> energy_;

@@ -1,10 +1,10 @@
-#include "sim/scheduler/rest_watch.h"
+#include "sim/scheduler/rest_triggers.h"
 
 #include <fmt/core.h>
 
 namespace carom::sim {
 
-RestWatch::RestWatch(const std::vector<ForceEvent>& events) : events_(events) {
+RestTriggers::RestTriggers(const std::vector<ForceEvent>& events) : events_(events) {
     std::map<std::string, std::size_t> last;  // event that waits for this name
     for (std::size_t i = 0; i < events.size(); ++i) {
         const std::optional<Trigger>& trigger = events[i].trigger;
@@ -22,7 +22,7 @@ RestWatch::RestWatch(const std::vector<ForceEvent>& events) : events_(events) {
     }
 }
 
-void RestWatch::note_action(std::size_t event) {
+void RestTriggers::note_action(std::size_t event) {
     for (auto& [waiting, wait] : waiting_) {
         if (wait.predecessor == event) {
             wait.has_begun = true;
@@ -30,7 +30,7 @@ void RestWatch::note_action(std::size_t event) {
     }
 }
 
-std::vector<std::size_t> RestWatch::take_rested(double now, const MotionQuery& query) {
+std::vector<std::size_t> RestTriggers::take_rested(double now, const MotionQuery& query) {
     std::vector<std::size_t> rested;
     for (auto it = waiting_.begin(); it != waiting_.end();) {
         const auto& [event, wait] = *it;
@@ -49,13 +49,13 @@ std::vector<std::size_t> RestWatch::take_rested(double now, const MotionQuery& q
     return rested;
 }
 
-std::string RestWatch::reason(std::size_t event) const {
+std::string RestTriggers::reason(std::size_t event) const {
     const Wait& wait = waiting_.at(event);
     const std::string& name = events_[event].trigger->a;
     const std::string before =
         wait.predecessor ? fmt::format("event {}", *wait.predecessor + 1) : "";
     if (!wait.has_begun) {
-        return "it comes after " + before + ", which waits for the same rest and did not happen";
+        return "it comes after " + before + ", which waits for the same rest and never happened";
     }
     const std::string since = before.empty() ? "" : " after " + before;
     if (name.empty()) {

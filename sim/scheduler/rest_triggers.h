@@ -1,4 +1,4 @@
-// Force events that wait until something comes to rest.
+// Triggers that fire when a body comes to rest.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +12,27 @@
 
 namespace carom::sim {
 
-/// How the objects of the world move now. An empty name asks for all of them.
+/// How the objects of the world move at present. An empty name stands for all objects.
 struct MotionQuery {
-    /// Something that is named has left the place where it last rested.
+    /// True if at least one of the objects has left the place where it last rested.
     std::function<bool(const std::string&)> is_moving;
-    /// Everything that is named rests. A body that has only just been put down does neither.
+    /// True if all of the objects rest. A body that has just been put down neither moves nor rests.
     std::function<bool(const std::string&)> is_resting;
 };
 
-/// An event happens when what it waits for rests after having moved. Events that wait for the same
-/// thing take turns in the order of the list: each one needs a motion that begins when the one
-/// before it acts, or later.
-class RestWatch {
+/// An event happens when the object that it waits for rests after having moved. Events that wait
+/// for the same object happen in the order of the list: each one needs a motion that begins when
+/// the previous one acts, or later.
+class RestTriggers {
   public:
-    explicit RestWatch(const std::vector<ForceEvent>& events);
+    explicit RestTriggers(const std::vector<ForceEvent>& events);
 
     [[nodiscard]] bool is_empty() const { return waiting_.empty(); }
 
-    /// Event `event` acts now: the next one that waits for the same thing begins to watch.
+    /// Event `event` acts now: the next one that waits for the same object begins its wait.
     void note_action(std::size_t event);
 
-    /// The events whose wait ends at `now`, in their order. They no longer wait.
+    /// Removes and returns the events whose wait ends at `now`, in the order of the list.
     [[nodiscard]] std::vector<std::size_t> take_rested(double now, const MotionQuery& query);
 
     /// Why event `event`, which still waits, has not happened: "'cue' never moved, ...".
@@ -40,7 +40,7 @@ class RestWatch {
 
   private:
     struct Wait {
-        std::optional<std::size_t> predecessor;  // waits for the same thing, earlier in the list
+        std::optional<std::size_t> predecessor;  // the previous event that waits for this object
         bool has_begun = true;                   // false: the predecessor has not acted yet
         bool has_moved = false;                  // since it began
     };

@@ -12,17 +12,18 @@ namespace carom::sim {
 namespace {
 
 constexpr double kEnergyInterval = 1.0 / 60;  // s
-/// ODE steps what lies in touch at a quarter of the world's step, or of this (s) if that is less.
+/// ODE steps bodies in contact at a quarter of the world's step, or of this (s) if that is less.
 constexpr double kLongestCoarseStep = 1.0 / 240;
-/// More touches than this per ball in one window mean that balls are caught in a corner that the
-/// laws do not resolve. A break has some ten, a spinning ball pressed to a cushion some hundreds.
-constexpr std::size_t kMostEventsPerBall = 2000;
+/// More impacts than this per ball in one window mean that balls are caught in a corner that the
+/// impact laws do not resolve. A break has about ten, a spinning ball pressed against a cushion
+/// some hundreds.
+constexpr std::size_t kMaxEventsPerBall = 2000;
 
 std::string cap_warning(std::size_t most, const PredictedEvent& event, const Ball& ball) {
     const Vec3 p = ball.segment.position_at(event.time);
     return fmt::format(
-        "more than {} touches at {:.6f} s near '{}' at ({:.4f}, {:.4f}, {:.4f}): "
-        "touches are ignored for up to 1/60 s",
+        "more than {} impacts at {:.6f} s near '{}' at ({:.4f}, {:.4f}, {:.4f}): "
+        "impacts are ignored for up to 1/60 s",
         most, event.time, ball.name, p.x, p.y, p.z);
 }
 
@@ -31,16 +32,16 @@ std::string cap_warning(std::size_t most, const PredictedEvent& event, const Bal
 Scheduler::Scheduler(const WorldDescription& world)
     : world_(world),
       environment_(world),
-      recording_(world),
-      balls_(world, environment_, recording_),
-      stepped_(world, environment_, balls_, recording_),
-      finder_(environment_, balls_.all(), stepped_.all()),
-      resolver_(environment_, balls_, stepped_, recording_),
+      recorder_(world),
+      balls_(world, environment_, recorder_),
+      stepped_(world, environment_, balls_, recorder_),
+      predictor_(environment_, balls_.all(), stepped_.all()),
+      resolver_(environment_, balls_, stepped_, recorder_),
       schedule_(world.events),
-      actions_(world, balls_, stepped_, recording_),
-      lines_(world.events, stepped_.all()) {}
+      force_applier_(world, balls_, stepped_, recorder_),
+      line_triggers_(world.events, stepped_.all()) {}
 
-bool Scheduler::run(const WorkContext& context, std::uint64_t most_steps) {
+bool Scheduler::run(const WorkContext& context, std::uint64_t max_steps) {
     const auto overlaps =
         find_start_overlaps(world_, environment_.has_cushions ? &environment_.table : nullptr);
     if (!overlaps.empty()) {
@@ -53,7 +54,7 @@ bool Scheduler::run(const WorkContext& context, std::uint64_t most_steps) {
         if (context.stop.stop_requested()) {
             throw Stopped();
         }
-        if (steps_ > most_steps) {
+        if (steps_ > max_steps) {
             return false;
         }
         run_window();
@@ -63,7 +64,7 @@ bool Scheduler::run(const WorkContext& context, std::uint64_t most_steps) {
             context.progress(std::min(fraction, 1.0));
         }
     }
-    conclude();
+    finish();
     if (context.progress && reported < 1) {
         context.progress(1.0);
     }
@@ -71,22 +72,22 @@ bool Scheduler::run(const WorkContext& context, std::uint64_t most_steps) {
 }
 
 void Scheduler::run_window() {
-    ++round_;
-    begin_count();
-    measure_energy();
-    stepped_.follow_paths(now_);
-    act();
+    ++window_number_;
+    reset_event_count();
+    sample_energy();
+    stepped_.move_kinematic_bodies(now_);
+    apply_due_actions();
     if (stepped_.is_active()) {
         const double fine = std::min(world_.step, kLongestCoarseStep) / 4;
-        // Equal parts, lest the last one be round-off.
+        // Equal parts, so that the last one is not mere rounding error.
         const double parts = std::ceil((window_end_ - now_) / fine * (1 - 1e-9));
         window_end_ = stepped_.try_step(now_, now_ + (window_end_ - now_) / std::max(parts, 1.0));
     }
     predict();
-    find_boxes();
-    find_lines_of_boxes();
-    const std::optional<PredictedEvent> last = meet_all();
-    if (stepped_.is_trying()) {
+    predict_box_impacts();
+    predict_box_line_crossings();
+    const std::optional<PredictedEvent> last = process_events();
+    if (stepped_.has_trial_step()) {
         steps_ += stepped_.step_size();
         stepped_.commit(window_end_);
     }
@@ -94,12 +95,12 @@ void Scheduler::run_window() {
     if (last) {
         resolver_.resolve(*last);
     }
-    notice_events();
+    check_triggers();
 }
 
-/// Meets touch after touch up to the window's end. Where a ball meets something that ODE carries,
-/// the window ends: that touch is returned, to be resolved when ODE has come so far.
-std::optional<PredictedEvent> Scheduler::meet_all() {
+/// Processes the events up to the window's end in order. Where a ball hits a body that ODE steps,
+/// the window ends: that event is returned, to be resolved when ODE has stepped up to it.
+std::optional<PredictedEvent> Scheduler::process_events() {
     while (!queue_.empty() && queue_.top().time <= window_end_) {
         const PredictedEvent event = queue_.top();
         queue_.pop();
@@ -109,7 +110,7 @@ std::optional<PredictedEvent> Scheduler::meet_all() {
         ++steps_;
         if (event.kind == PredictedEventKind::cell_crossing ||
             event.kind == PredictedEventKind::search_again) {
-            search_on(event);
+            extend_search(event);
             continue;
         }
         if (event.kind == PredictedEventKind::line) {
@@ -120,7 +121,7 @@ std::optional<PredictedEvent> Scheduler::meet_all() {
             window_end_ = event.time;
             return event;
         }
-        meet(event);
+        process(event);
     }
     return std::nullopt;
 }
@@ -134,7 +135,7 @@ bool Scheduler::needs_step(const PredictedEvent& event) const {
 }
 
 double Scheduler::window_end_from(double now) const {
-    double end = std::min(world_.duration, stepped_.next_key(now));
+    double end = std::min(world_.duration, stepped_.next_key_time(now));
     if (next_energy_time_ > now) {
         end = std::min(end, next_energy_time_);
     }
@@ -142,102 +143,103 @@ double Scheduler::window_end_from(double now) const {
     return next_action > now ? std::min(end, next_action) : end;
 }
 
-void Scheduler::act() {
+void Scheduler::apply_due_actions() {
     for (;;) {
-        notice_rest();
+        check_rest_triggers();
         const std::vector<DueAction> due = schedule_.take_due(now_);
         if (due.empty()) {
             break;
         }
-        const bool begins =
+        const bool begins_event =
             std::any_of(due.begin(), due.end(), [](const DueAction& a) { return a.kick < 0; });
-        if (begins) {
+        if (begins_event) {
             add_energy();
         }
         for (DueAction action : due) {
             action.time = now_;
-            actions_.apply(action);
+            force_applier_.apply(action);
         }
-        if (begins) {
+        if (begins_event) {
             add_energy();
         }
-        notice_events();
+        check_triggers();
     }
     window_end_ = window_end_from(now_);
 }
 
 SearchHorizon Scheduler::horizon() const {
-    return {now_, world_.duration, stepped_.is_trying() ? window_end_ : world_.duration};
+    return {now_, world_.duration, stepped_.has_trial_step() ? window_end_ : world_.duration};
 }
 
 void Scheduler::predict() {
     const std::vector<std::uint32_t> changed = balls_.take_changed();
-    finder_.find(changed, horizon(), queue_);
-    if (!lines_.is_empty()) {
-        find_lines(changed);
+    predictor_.predict(changed, horizon(), queue_);
+    if (!line_triggers_.is_empty()) {
+        predict_line_crossings(changed);
     }
 }
 
-void Scheduler::find_lines(const std::vector<std::uint32_t>& changed) {
-    const SearchHorizon ahead = horizon();
+void Scheduler::predict_line_crossings(const std::vector<std::uint32_t>& changed) {
+    const SearchHorizon limits = horizon();
     for (const std::uint32_t index : changed) {
         const Ball& ball = balls_.all()[index];
-        lines_.find(index, ball, now_, ball.is_stepped() ? ahead.step_end : ahead.end, queue_);
+        line_triggers_.predict_crossings(index, ball, now_,
+                                         ball.is_stepped() ? limits.step_end : limits.end, queue_);
     }
 }
 
-/// The same for what is not a ball; it moves only while ODE steps it.
-void Scheduler::find_lines_of_boxes() {
-    if (lines_.is_empty() || !stepped_.is_trying()) {
+/// Bodies other than balls move only while ODE steps them.
+void Scheduler::predict_box_line_crossings() {
+    if (line_triggers_.is_empty() || !stepped_.has_trial_step()) {
         return;
     }
     for (std::size_t i = balls_.all().size(); i < stepped_.all().size(); ++i) {
-        lines_.find(static_cast<std::uint32_t>(i), stepped_.all()[i], now_, window_end_, round_,
-                    queue_);
+        line_triggers_.predict_crossings(static_cast<std::uint32_t>(i), stepped_.all()[i], now_,
+                                         window_end_, window_number_, queue_);
     }
 }
 
 void Scheduler::cross_line(const PredictedEvent& event) {
     now_ = std::max(now_, event.time);
-    if (const auto triggered = lines_.take(event.second)) {
-        schedule_.notice_crossing(*triggered, event.time);
+    if (const auto triggered = line_triggers_.trigger(event.second)) {
+        schedule_.trigger_crossing(*triggered, event.time);
     }
     window_end_ = std::max(now_, std::min(window_end_, schedule_.next_time()));
 }
 
-void Scheduler::search_on(const PredictedEvent& event) {
+void Scheduler::extend_search(const PredictedEvent& event) {
     now_ = std::max(now_, event.time);
     if (event.kind == PredictedEventKind::cell_crossing) {
-        finder_.cross(event, horizon(), queue_);
+        predictor_.enter_cell(event, horizon(), queue_);
     } else {
-        finder_.search_again(event, horizon(), queue_);
+        predictor_.search_again(event, horizon(), queue_);
     }
 }
 
-/// Where boxes are known to be holds for as long as ODE's step; at rest, for ever.
-void Scheduler::find_boxes() {
+/// The known motion of boxes is valid for ODE's current step; at rest it is valid indefinitely.
+void Scheduler::predict_box_impacts() {
     const bool has_boxes = stepped_.all().size() > balls_.all().size();
-    if (has_boxes && (stepped_.is_trying() || was_stepping_)) {
-        finder_.find_boxes_for_all(horizon(), queue_);
+    if (has_boxes && (stepped_.has_trial_step() || was_stepping_)) {
+        predictor_.predict_all_box_impacts(horizon(), queue_);
     }
-    was_stepping_ = stepped_.is_trying();
+    was_stepping_ = stepped_.has_trial_step();
 }
 
-/// Counts touches anew for every window. Touches that have been ignored may be long past: all balls
-/// look ahead again.
-void Scheduler::begin_count() {
+/// Events are counted per window. Impacts that were ignored may be long past, so everything is
+/// predicted again.
+void Scheduler::reset_event_count() {
     events_in_window_ = 0;
     if (!is_capped_) {
         return;
     }
     is_capped_ = false;
-    balls_.void_predictions();
+    balls_.invalidate_predictions();
 }
 
 bool Scheduler::is_valid(const PredictedEvent& event) const {
     const std::vector<Ball>& balls = balls_.all();
-    if (event.first >= balls.size()) {  // what is not a ball, crossing a line
-        return event.second_version == round_;
+    if (event.first >= balls.size()) {  // a body other than a ball crosses a line
+        return event.second_version == window_number_;
     }
     if (balls[event.first].version != event.first_version) {
         return false;
@@ -245,15 +247,16 @@ bool Scheduler::is_valid(const PredictedEvent& event) const {
     if (event.kind == PredictedEventKind::ball) {
         return balls[event.second].version == event.second_version;
     }
-    return event.kind != PredictedEventKind::box || event.second_version == finder_.box_round();
+    return event.kind != PredictedEventKind::box ||
+           event.second_version == predictor_.box_version();
 }
 
-void Scheduler::meet(const PredictedEvent& event) {
-    const bool is_law_change = event.kind == PredictedEventKind::segment_end;
-    const std::size_t most = kMostEventsPerBall * std::max<std::size_t>(balls_.all().size(), 10);
-    if (++events_in_window_ > most && !is_law_change) {
+void Scheduler::process(const PredictedEvent& event) {
+    const bool is_segment_end = event.kind == PredictedEventKind::segment_end;
+    const std::size_t most = kMaxEventsPerBall * std::max<std::size_t>(balls_.all().size(), 10);
+    if (++events_in_window_ > most && !is_segment_end) {
         if (!is_capped_) {
-            recording_.warn({{}, "", cap_warning(most, event, balls_.all()[event.first])});
+            recorder_.warn({{}, "", cap_warning(most, event, balls_.all()[event.first])});
         }
         is_capped_ = true;
         return;
@@ -262,35 +265,36 @@ void Scheduler::meet(const PredictedEvent& event) {
     const bool was_stepping = stepped_.is_active();
     resolver_.resolve(event);
     predict();
-    notice_events();
-    // What ODE has just been given it steps from here on, in a window of its own.
-    const bool is_handed = balls_.all()[event.first].is_stepped() || !was_stepping;
-    if (stepped_.is_active() && is_handed) {
+    check_triggers();
+    // A ball that was just activated is stepped by ODE from here on, in a new window.
+    const bool was_activated = balls_.all()[event.first].is_stepped() || !was_stepping;
+    if (stepped_.is_active() && was_activated) {
         window_end_ = now_;
     }
 }
 
-void Scheduler::notice_events() {
-    const std::vector<Event>& events = recording_.events();
-    for (; noticed_events_ < events.size(); ++noticed_events_) {
-        schedule_.notice(events[noticed_events_]);
+void Scheduler::check_triggers() {
+    const std::vector<Event>& events = recorder_.events();
+    for (; checked_events_ < events.size(); ++checked_events_) {
+        schedule_.check_triggers(events[checked_events_]);
     }
-    notice_rest();
-    // A trigger may have called for something before this window's end.
+    check_rest_triggers();
+    // A trigger may have scheduled an action before this window's end.
     window_end_ = std::max(now_, std::min(window_end_, schedule_.next_time()));
 }
 
-/// What is due at this instant comes first: it may set things in motion.
-void Scheduler::notice_rest() {
+/// Actions due at this instant come first: they may set bodies in motion.
+void Scheduler::check_rest_triggers() {
     if (!schedule_.waits_for_rest() || schedule_.is_due(now_)) {
         return;
     }
-    schedule_.notice_rest(now_, {[this](const std::string& name) { return is_moving(name); },
-                                 [this](const std::string& name) { return is_resting(name); }});
+    schedule_.check_rest_triggers(now_,
+                                  {[this](const std::string& name) { return is_moving(name); },
+                                   [this](const std::string& name) { return is_resting(name); }});
 }
 
 bool Scheduler::is_resting(const std::string& name) const {
-    if (schedule_.is_pushing(name)) {
+    if (schedule_.has_kicks_left(name)) {
         return false;
     }
     if (name.empty()) {
@@ -309,15 +313,15 @@ bool Scheduler::is_moving(const std::string& name) const {
     const std::vector<StepBody>& bodies = stepped_.all();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const bool is_named = name.empty() || *bodies[i].name == name;
-        if (is_named &&
-            (i < balls_.all().size() ? balls_.all()[i].has_left() : bodies[i].has_left())) {
+        if (is_named && (i < balls_.all().size() ? balls_.all()[i].has_moved_since_rest()
+                                                 : bodies[i].has_moved_since_rest())) {
             return true;
         }
     }
     return false;
 }
 
-void Scheduler::measure_energy() {
+void Scheduler::sample_energy() {
     if (now_ < next_energy_time_) {
         return;
     }
@@ -330,23 +334,23 @@ void Scheduler::add_energy() {
     sample.time = now_;
     balls_.add_energy(now_, sample);
     stepped_.add_energy(sample);
-    recording_.add_energy(sample);
+    recorder_.add_energy(sample);
 }
 
-void Scheduler::conclude() {
-    act();
+void Scheduler::finish() {
+    apply_due_actions();
     add_energy();
     balls_.finish(now_);
     stepped_.finish(now_);
-    for (Diagnostic& missed : actions_.missed_strikes()) {
-        recording_.warn(std::move(missed));
+    for (Diagnostic& missed : force_applier_.missed_strikes()) {
+        recorder_.warn(std::move(missed));
     }
-    for (Diagnostic& unmet : schedule_.unmet_triggers()) {
-        recording_.warn(std::move(unmet));
+    for (Diagnostic& unmet : schedule_.triggers_never_met()) {
+        recorder_.warn(std::move(unmet));
     }
-    balls_.warn_of_jammed();
+    balls_.warn_of_balls_in_pocket_mouths();
     for (const std::string& sentence : guard_.messages()) {
-        recording_.warn({{}, "", sentence});
+        recorder_.warn({{}, "", sentence});
     }
 }
 

@@ -11,11 +11,12 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Holes are drawn with 96 corners on their circle. Balls fall over the circle inside that polygon
-// (cos(pi / 96), a fortieth of a millimetre less), lest they meet the drawn edge first.
+// Holes are drawn as polygons with 96 corners on their circle. Balls fall over the circle inside
+// that polygon (cos(pi / 96), a fortieth of a millimetre less), so that they do not hit the drawn
+// edge first.
 constexpr double kInsideOfPolygon = 0.99946;
 
-/// The radius that the table's cushions are drawn for: that of the first ball.
+/// The ball radius for which the table's cushions are drawn: that of the first ball.
 double table_ball_radius(const WorldDescription& world) {
     for (const Body& body : world.bodies) {
         const auto* sphere = std::get_if<Sphere>(&body.shape);
@@ -26,7 +27,8 @@ double table_ball_radius(const WorldDescription& world) {
     return Sphere{}.radius;
 }
 
-/// What balls in the air collide with; the cloth itself is a plane with holes.
+/// Material of a surface that balls in the air can hit; empty for others. The cloth itself is a
+/// plane with holes.
 std::optional<std::string> material_of(billiards::SurfacePart part) {
     switch (part) {
         case billiards::SurfacePart::cushion:
@@ -62,7 +64,7 @@ Triangles box_triangles(const Vec3& size) {
     return box;
 }
 
-/// What balls meet as triangles: boxes and hulls.
+/// The triangles that balls can hit, of boxes and hulls.
 Triangles flat_sides(const BodyShape& shape) {
     if (const auto* box = std::get_if<Box>(&shape)) {
         return box_triangles(box->size);

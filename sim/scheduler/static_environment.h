@@ -1,4 +1,4 @@
-// Everything that does not move.
+// The static environment: the table, the floor and all fixed bodies.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,13 @@
 
 namespace carom::sim {
 
-/// A level surface that balls slide and roll on in closed form.
+/// A level surface on which balls slide and roll in closed form.
 enum class Ground { none, cloth, floor };
 
-/// Height of the slate's underside (m), as deep as the cloth is drawn around a pocket's edge.
+/// Height of the slate's underside (m); the cloth is drawn down to it around a pocket's edge.
 inline constexpr double kSlateUnderside = -0.025;
 
-/// What a triangle surface is called in the event log and which physical material it has.
+/// Name of a triangle surface in the event log, and its physical material.
 struct SurfaceInfo {
     std::string name;
     MaterialId material = MaterialId::other;
@@ -42,10 +42,10 @@ struct FixedSolid {
     std::shared_ptr<const ConvexShape> shape;
     Pose pose;  // of the shape's axes
     Aabb bounds;
-    bool has_mesh = false;  // flat sides: balls meet them as triangles of the scenery
+    bool has_mesh = false;  // flat sides: for balls they are triangles of the scenery's mesh
 };
 
-/// A fixed mesh as moving boxes see it.
+/// A fixed mesh in the form in which boxes collide with it.
 struct BoxObstacle {
     SurfaceInfo info;
     std::uint32_t number = 0;  // its index in StaticEnvironment::surfaces
@@ -57,11 +57,10 @@ struct StaticEnvironment {
     explicit StaticEnvironment(const WorldDescription& world);
 
     Vec3 gravity;
-    /// Gravity pulls straight down at this rate; 0 if it does not, and nothing rolls in closed
-    /// form.
+    /// Gravity (m/s^2) if it pulls straight down. Otherwise 0, and no ball rolls in closed form.
     double downward_gravity = 0;
     ContactLaw law;
-    ContactTable contacts;  // the same for pairs of materials
+    ContactTable contacts;  // the law of each pair of materials
     bool has_cloth = false;
     bool has_cushions = false;
     Vec2 cloth_half_extent{0, 0};  // the cloth lies under |x|, |y| up to these
@@ -70,18 +69,18 @@ struct StaticEnvironment {
     std::vector<Rim> rims;  // of the pockets' holes, in their order
     std::optional<double> floor_height;
 
-    // Triangle surfaces for balls: of the table (a ball on the cloth has no need of them) and of
+    // Triangle surfaces for balls: those of the table (not used for balls on the cloth) and of
     // other fixed bodies. Their `surface` numbers are indices into `surfaces`.
     StaticMesh table_mesh;
     StaticMesh scenery_mesh;
     std::vector<SurfaceInfo> surfaces;
     std::vector<FixedSphere> spheres;
     std::vector<FixedSolid> solids;
-    // Meshes for moving boxes; empty if there are none.
+    // Meshes for moving boxes; empty if no box moves.
     std::vector<BoxObstacle> box_obstacles;
 
     [[nodiscard]] bool is_over_cloth(const Vec3& centre) const;
-    /// The pocket whose hole lies below `centre`, or -1.
+    /// Index of the pocket whose hole lies below `centre`, or -1.
     [[nodiscard]] int pocket_below(const Vec3& centre) const;
 
   private:

@@ -17,7 +17,7 @@ StepBody ball_body(const Ball& ball) {
     return body;
 }
 
-/// A ball that keys move is like any other solid that they do.
+/// The solid of a kinematic ball, which is treated like any other kinematic solid.
 SolidShape round_solid(const Sphere& sphere) {
     return {std::make_shared<const ConvexShape>(ConvexShape::capsule(sphere.radius, 0)), Quat(),
             Vec3(1, 1, 1)};
@@ -37,7 +37,7 @@ StepBody solid_body(const StepSolid& solid, const ContactTable& contacts) {
     body.track = solid.track;
     body.shape = solid.solid.shape.get();
     body.principal = solid.solid.principal;
-    body.is_in = true;
+    body.is_in_ode = true;
     if (solid.path) {
         body.path = &*solid.path;
         body.state = body.path->at(0);
@@ -58,7 +58,7 @@ double StepBody::bounding_radius() const {
     return is_ball ? radius : shape->bounding_radius();
 }
 
-MotionState StepBody::seen(const MotionState& internal) const {
+MotionState StepBody::with_own_axes(const MotionState& internal) const {
     MotionState result = internal;
     if (principal != Quat()) {
         result.orientation = internal.orientation * Quat(principal.r, -principal.v);
@@ -73,17 +73,17 @@ Aabb StepBody::bounds() const {
     return bounds_of(placed());
 }
 
-double StepBody::farthest_speed() const {
+double StepBody::max_point_speed() const {
     return length(state.velocity) + bounding_radius() * length(state.angular_velocity);
 }
 
-bool StepBody::has_left() const {
+bool StepBody::has_moved_since_rest() const {
     if (!is_awake || is_kinematic()) {
         return is_awake;
     }
     const Quat turn = state.orientation * rested_at.orientation.inverse();
     const double moved = length(state.position - rested_at.position);
-    return moved + 2 * bounding_radius() * length(turn.v) > kLeastMove;
+    return moved + 2 * bounding_radius() * length(turn.v) > kLeastDisplacement;
 }
 
 Vec3 StepBody::velocity_at(const Vec3& point) const {
@@ -91,11 +91,11 @@ Vec3 StepBody::velocity_at(const Vec3& point) const {
 }
 
 double StepBody::kinetic_energy_in(const MotionState& frame) const {
-    StepBody seen = *this;
-    seen.state.velocity -=
+    StepBody relative = *this;
+    relative.state.velocity -=
         frame.velocity + frame.angular_velocity.cross(state.position - frame.position);
-    seen.state.angular_velocity -= frame.angular_velocity;
-    return seen.kinetic_energy();
+    relative.state.angular_velocity -= frame.angular_velocity;
+    return relative.kinetic_energy();
 }
 
 double StepBody::kinetic_energy() const {

@@ -19,9 +19,9 @@ double approach_speed(const std::vector<StepBody>& bodies, const FoundContact& f
 }
 
 void StepBounces::resolve(const std::vector<FoundContact>& contacts, double time) {
-    constexpr int kMostBounces = 1000;
+    constexpr int kMaxBounces = 1000;
     forget_jams(contacts);
-    for (int i = 0; i < kMostBounces; ++i) {
+    for (int i = 0; i < kMaxBounces; ++i) {
         const FoundContact* fastest = nullptr;
         double speed = ode::kBounceSpeed;
         for (const FoundContact& found : contacts) {
@@ -49,34 +49,36 @@ void StepBounces::resolve(const std::vector<FoundContact>& contacts, double time
 }
 
 void StepBounces::forget_jams(const std::vector<FoundContact>& contacts) {
-    counts_.clear();
+    kinematic_impact_counts_.clear();
     std::erase_if(jams_, [&](const std::pair<int, int>& jam) {
         return std::none_of(contacts.begin(), contacts.end(),
                             [&](const FoundContact& found) { return found.pair() == jam; });
     });
 }
 
-/// Between two free bodies blows die away. What keys move strikes on for ever.
+/// Repeated impacts between two free bodies die away, but a kinematic body never slows down.
 void StepBounces::count_impact(const FoundContact& found, double time) {
-    constexpr int kMostBlows = 50;
+    constexpr int kMaxImpacts = 50;
     if (found.other < 0) {
         return;
     }
     const StepBody& first = bodies_[static_cast<std::size_t>(found.contact.first)];
     const StepBody& second = bodies_[static_cast<std::size_t>(found.other)];
-    if (!(first.is_kinematic() || second.is_kinematic()) || ++counts_[found.pair()] < kMostBlows) {
+    if (!(first.is_kinematic() || second.is_kinematic()) ||
+        ++kinematic_impact_counts_[found.pair()] < kMaxImpacts) {
         return;
     }
     jams_.insert(found.pair());
     const StepBody& moved = first.is_kinematic() ? first : second;
     const StepBody& caught = first.is_kinematic() ? second : first;
-    if (!warned_.insert(found.pair()).second) {
+    if (!warned_pairs_.insert(found.pair()).second) {
         return;
     }
-    recording_.warn(
+    recorder_.warn(
         {Subject::body(*moved.name), "motion",
-         fmt::format("at {:.3f} s '{}' is jammed by '{}', which keys move: there is no room for it",
-                     time, *caught.name, *moved.name)});
+         fmt::format("at {:.3f} s the path of '{}' leaves no room for '{}', which gets stuck: "
+                     "change the path or move '{}'",
+                     time, *moved.name, *caught.name, *caught.name)});
 }
 
 void StepBounces::bounce_ball(const FoundContact& found, double time) {
@@ -87,8 +89,8 @@ void StepBounces::bounce_ball(const FoundContact& found, double time) {
                                     contact.friction};
     ode::ImpactResult result;
     if (other != nullptr && other->is_kinematic()) {
-        result = balls_.solver().solve_moved(ball.impact_body(), other->velocity_at(contact.point),
-                                             impact);
+        result = balls_.solver().solve_kinematic(ball.impact_body(),
+                                                 other->velocity_at(contact.point), impact);
     } else if (other != nullptr) {
         result = balls_.solver().solve(ball.impact_body(), other->impact_body(), impact);
     } else if (is_lining(finder_.info(found.other).material, contact.normal)) {
@@ -101,17 +103,18 @@ void StepBounces::bounce_ball(const FoundContact& found, double time) {
     } else {
         result = balls_.solver().solve_static(ball.impact_body(), impact);
     }
-    take(ball, result.first, time);
+    set_velocities(ball, result.first, time);
     if (other != nullptr) {
-        take(*other, result.second, time);
+        set_velocities(*other, result.second, time);
     }
-    recording_.log_impact(
+    recorder_.log_impact(
         time, *ball.name, other != nullptr ? *other->name : finder_.info(found.other).name,
         contact.point, contact.normal, {result.normal_impulse, result.tangential_impulse});
 }
 
-/// All contacts of the pair at once, those with a gap below the margin, too: a face comes down as a
-/// face. No surface is flat to less than that, and round-off would turn bodies aside at one corner.
+/// All contacts of the pair are solved together, including those with a gap below the margin, so
+/// that a face lands as a face. No surface is flatter than that, and rounding would let one corner
+/// hit first and turn the body.
 void StepBounces::bounce_pair(const std::vector<FoundContact>& contacts,
                               const FoundContact& fastest, double time) {
     std::vector<int> moving{fastest.contact.first};
@@ -126,15 +129,15 @@ void StepBounces::bounce_pair(const std::vector<FoundContact>& contacts,
         }
     }
     std::vector<ode::Velocities> after;
-    const ImpulsePair impulse = strike(moving, struck, after);
+    const ImpulsePair impulse = solve_impact(moving, struck, after);
     for (std::size_t i = 0; i < moving.size(); ++i) {
-        take(bodies_[static_cast<std::size_t>(moving[i])], after[i], time);
+        set_velocities(bodies_[static_cast<std::size_t>(moving[i])], after[i], time);
     }
-    note(fastest, impulse);
+    add_to_log(fastest, impulse);
 }
 
-/// What keys move does work. Seen from there it does none.
-MotionState StepBounces::frame_of(const std::vector<int>& moving) const {
+/// The state of the kinematic body of a pair, if any: it does no work in its own frame.
+MotionState StepBounces::kinematic_frame(const std::vector<int>& moving) const {
     for (const int number : moving) {
         const StepBody& body = bodies_[static_cast<std::size_t>(number)];
         if (body.is_kinematic()) {
@@ -144,14 +147,14 @@ MotionState StepBounces::frame_of(const std::vector<int>& moving) const {
     return {};
 }
 
-/// Restitution with friction can add energy where a blow goes past the centre (Kane and Levinson,
-/// Dynamics: Theory and Applications, 1985, section 5.8); without restitution never. So a blow
-/// that would is one without.
-ImpulsePair StepBounces::strike(const std::vector<int>& moving,
-                                std::vector<ode::StepContact>& contacts,
-                                std::vector<ode::Velocities>& after) {
+/// Restitution with friction can add energy in an eccentric impact (Kane and Levinson, Dynamics:
+/// Theory and Applications, 1985, section 5.8); without restitution it never does. An impact that
+/// would add energy is therefore solved without restitution.
+ImpulsePair StepBounces::solve_impact(const std::vector<int>& moving,
+                                      std::vector<ode::StepContact>& contacts,
+                                      std::vector<ode::Velocities>& after) {
     std::vector<MotionState> states;
-    const MotionState frame = frame_of(moving);
+    const MotionState frame = kinematic_frame(moving);
     double energy = 0;
     for (const int number : moving) {
         const StepBody& body = bodies_[static_cast<std::size_t>(number)];
@@ -159,7 +162,7 @@ ImpulsePair StepBounces::strike(const std::vector<int>& moving,
         energy += body.kinetic_energy_in(frame);
     }
     std::vector<ode::StepImpulse> impulses;
-    world_.strike(moving, states, contacts, after, impulses);
+    world_.solve_impact(moving, states, contacts, after, impulses);
     double left = 0;
     for (std::size_t i = 0; i < moving.size(); ++i) {
         StepBody body = bodies_[static_cast<std::size_t>(moving[i])];
@@ -171,7 +174,7 @@ ImpulsePair StepBounces::strike(const std::vector<int>& moving,
         for (ode::StepContact& contact : contacts) {
             contact.restitution = 0;
         }
-        world_.strike(moving, states, contacts, after, impulses);
+        world_.solve_impact(moving, states, contacts, after, impulses);
     }
     ImpulsePair sum;
     for (const ode::StepImpulse& impulse : impulses) {
@@ -181,7 +184,7 @@ ImpulsePair StepBounces::strike(const std::vector<int>& moving,
     return sum;
 }
 
-void StepBounces::note(const FoundContact& found, const ImpulsePair& impulse) {
+void StepBounces::add_to_log(const FoundContact& found, const ImpulsePair& impulse) {
     const auto same = std::find_if(
         impacts_.begin(), impacts_.end(),
         [&](const LoggedImpact& impact) { return impact.contact.pair() == found.pair(); });
@@ -200,13 +203,13 @@ void StepBounces::log_impacts(double time) {
                                : finder_.info(number).name;
         };
         const ode::StepContact& contact = impact.contact.contact;
-        recording_.log_impact(time, name(contact.first), name(impact.contact.other), contact.point,
-                              contact.normal, impact.impulse);
+        recorder_.log_impact(time, name(contact.first), name(impact.contact.other), contact.point,
+                             contact.normal, impact.impulse);
     }
     impacts_.clear();
 }
 
-void StepBounces::take(StepBody& body, const ode::Velocities& velocities, double time) {
+void StepBounces::set_velocities(StepBody& body, const ode::Velocities& velocities, double time) {
     if (body.is_kinematic()) {
         return;
     }
@@ -216,7 +219,8 @@ void StepBounces::take(StepBody& body, const ode::Velocities& velocities, double
     const MotionState before = body.state;
     body.state.velocity = velocities.linear;
     body.state.angular_velocity = velocities.angular;
-    recording_.add_break(body.track, time, body.seen(before), body.seen(body.state));
+    recorder_.add_break(body.track, time, body.with_own_axes(before),
+                        body.with_own_axes(body.state));
 }
 
 }  // namespace carom::sim

@@ -1,4 +1,4 @@
-// Blows at the start of a step, one pair after the other.
+// Impacts at the start of a step, resolved pair by pair.
 #pragma once
 
 #include <map>
@@ -9,36 +9,37 @@
 #include "sim/ode/step_world.h"
 #include "sim/scheduler/balls.h"
 #include "sim/scheduler/contact_finder.h"
-#include "sim/scheduler/recording.h"
+#include "sim/scheduler/recorder.h"
 #include "sim/scheduler/step_body.h"
 #include "sim/scheduler/step_sleep.h"
 
 namespace carom::sim {
 
-/// How fast the two bodies of a contact approach there, m/s.
+/// Speed at which the two bodies of a contact approach each other there, m/s.
 [[nodiscard]] double approach_speed(const std::vector<StepBody>& bodies, const FoundContact& found);
 
-/// Gaps up to this (m) count as closed when something strikes.
+/// Gaps up to this (m) count as closed in an impact.
 inline constexpr double kClosedGap = 2e-6;
 
 class StepBounces {
   public:
     StepBounces(std::vector<StepBody>& bodies, StepSleep& sleep, const ContactFinder& finder,
-                ode::StepWorld& world, Balls& balls, Recording& recording)
+                ode::StepWorld& world, Balls& balls, Recorder& recorder)
         : bodies_(bodies),
           sleep_(sleep),
           finder_(finder),
           world_(world),
           balls_(balls),
-          recording_(recording) {}
+          recorder_(recorder) {}
 
-    /// What comes against something bounces pair by pair, the fastest first, until nothing
-    /// approaches: restitution in one solve for all contacts would add energy. What remains is for
-    /// ODE's step. `contacts`: all of the bodies where they are.
+    /// Resolves impacts pair by pair, the fastest first, until no pair approaches fast enough to
+    /// bounce: restitution in one solve for all contacts would add energy. ODE's step handles the
+    /// remaining contacts. `contacts`: all contacts of the bodies in their present state.
     void resolve(const std::vector<FoundContact>& contacts, double time);
 
-    /// Whether something is caught between a kinematic body and what does not give way: they do
-    /// not bounce, and ODE pushes as well as it can, until they part.
+    /// True if one body of the contact is caught between a kinematic body and an obstacle that does
+    /// not give way. Such pairs do not bounce; ODE pushes them as well as it can until they
+    /// separate.
     [[nodiscard]] bool is_jammed(const FoundContact& found) const {
         return jams_.contains(found.pair());
     }
@@ -47,17 +48,18 @@ class StepBounces {
     void bounce_ball(const FoundContact& found, double time);
     void bounce_pair(const std::vector<FoundContact>& contacts, const FoundContact& fastest,
                      double time);
-    [[nodiscard]] MotionState frame_of(const std::vector<int>& moving) const;
-    ImpulsePair strike(const std::vector<int>& moving, std::vector<ode::StepContact>& contacts,
-                       std::vector<ode::Velocities>& after);
-    void take(StepBody& body, const ode::Velocities& velocities, double time);
-    void note(const FoundContact& found, const ImpulsePair& impulse);
+    [[nodiscard]] MotionState kinematic_frame(const std::vector<int>& moving) const;
+    ImpulsePair solve_impact(const std::vector<int>& moving,
+                             std::vector<ode::StepContact>& contacts,
+                             std::vector<ode::Velocities>& after);
+    void set_velocities(StepBody& body, const ode::Velocities& velocities, double time);
+    void add_to_log(const FoundContact& found, const ImpulsePair& impulse);
     void log_impacts(double time);
     void forget_jams(const std::vector<FoundContact>& contacts);
     void count_impact(const FoundContact& found, double time);
 
-    /// What a pair of boxes gave each other in one instant, in one entry of the log however often
-    /// they struck.
+    /// The sum of the impulses between a pair of boxes in one instant, which is one entry of the
+    /// log.
     struct LoggedImpact {
         FoundContact contact;
         ImpulsePair impulse;
@@ -68,11 +70,11 @@ class StepBounces {
     const ContactFinder& finder_;
     ode::StepWorld& world_;
     Balls& balls_;
-    Recording& recording_;
+    Recorder& recorder_;
     std::vector<LoggedImpact> impacts_;
-    std::map<std::pair<int, int>, int> counts_;  // blows of this instant, from kinematic bodies
+    std::map<std::pair<int, int>, int> kinematic_impact_counts_;  // in this instant, per pair
     std::set<std::pair<int, int>> jams_;
-    std::set<std::pair<int, int>> warned_;
+    std::set<std::pair<int, int>> warned_pairs_;
 };
 
 }  // namespace carom::sim

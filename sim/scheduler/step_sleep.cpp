@@ -7,36 +7,36 @@
 namespace carom::sim {
 namespace {
 
-/// A body moving less than this (m/s, its farthest point) for that long (s) falls asleep.
+/// A body whose points move more slowly than this (m/s) for that long (s) falls asleep.
 constexpr double kSleepSpeed = 0.01;
 constexpr double kBallSleepDelay = 0.1;
 constexpr double kBoxSleepDelay = 0.12;
-/// What leans on something without having stable support, and does not slide for that long (s), is
+/// A body that leans on something without stable support, and does not slide for this long (s), is
 /// held by friction.
 constexpr double kLeaningSleepDelay = 0.5;
-/// What has become faster than it was by more than this (m/s) in the meantime is about to move.
+/// A body whose speed has risen by more than this (m/s) in the meantime is about to move.
 constexpr double kRisingSpeed = 5e-4;
-/// A sleeper wakes when something comes against it faster than this (m/s).
+/// A sleeping body wakes when another one moves against it faster than this (m/s).
 constexpr double kWakeSpeed = 0.01;
 
 }  // namespace
 
 void StepSleep::wake(StepBody& body, double time) {
     body.is_awake = true;
-    body.begin_rest(time);
+    body.restart_rest_timer(time);
     body.free_steps = 0;
-    recording_.keep(body.track, time, body.seen(body.state));
+    recorder_.add_key(body.track, time, body.with_own_axes(body.state));
     if (body.is_ball) {
         balls_.activate(static_cast<std::uint32_t>(&body - bodies_.data()), time);
     }
 }
 
-void StepSleep::wake_near(const Vec3& place, double reach, double time) {
+void StepSleep::wake_near(const Vec3& position, double distance, double time) {
     constexpr double kNear = 1e-3;  // m
     for (StepBody& body : bodies_) {
-        const bool sleeps = body.is_in && !body.is_awake && !body.is_kinematic();
+        const bool sleeps = body.is_in_ode && !body.is_awake && !body.is_kinematic();
         if (!sleeps ||
-            length(body.state.position - place) > reach + body.bounding_radius() + kNear) {
+            length(body.state.position - position) > distance + body.bounding_radius() + kNear) {
             continue;
         }
         wake(body, time);
@@ -57,7 +57,7 @@ bool StepSleep::wake_by_contact(const std::vector<FoundContact>& contacts, doubl
         }
         const Vec3 relative =
             a.velocity_at(found.contact.point) - b.velocity_at(found.contact.point);
-        // However slow it is, what keys move gives no way.
+        // A kinematic body does not give way, however slow it is.
         const bool is_moved = (a.is_awake ? a : b).is_kinematic();
         if (length(relative) < kWakeSpeed && !is_moved) {
             continue;
@@ -68,9 +68,10 @@ bool StepSleep::wake_by_contact(const std::vector<FoundContact>& contacts, doubl
     return is_changed;
 }
 
-bool StepSleep::is_slow(const StepBody& body, int number, const SolvedContacts& solved) const {
+bool StepSleep::is_slow_in_contact(const StepBody& body, int number,
+                                   const SolvedContacts& solved) const {
     bool has_contact = false;
-    bool is_slow = body.farthest_speed() < kSleepSpeed;
+    bool is_slow = body.max_point_speed() < kSleepSpeed;
     for (const FoundContact& found : solved.contacts) {
         if (found.contact.first != number && found.other != number) {
             continue;
@@ -82,13 +83,14 @@ bool StepSleep::is_slow(const StepBody& body, int number, const SolvedContacts& 
         }
         const StepBody& other = bodies_[static_cast<std::size_t>(partner)];
         const bool is_moved = other.is_kinematic() && other.is_awake;
-        is_slow = is_slow && !is_moved && other.farthest_speed() < kSleepSpeed;
+        is_slow = is_slow && !is_moved && other.max_point_speed() < kSleepSpeed;
     }
     return is_slow && has_contact;
 }
 
-/// The body and all that it touches have stable support.
-bool StepSleep::is_held_up(const StepBody& body, int number, const SolvedContacts& solved) const {
+/// True if the body and all bodies that it touches have stable support.
+bool StepSleep::is_supported_with_neighbours(const StepBody& body, int number,
+                                             const SolvedContacts& solved) const {
     if (!is_stably_supported(body, number, solved, gravity_)) {
         return false;
     }
@@ -107,11 +109,11 @@ bool StepSleep::is_held_up(const StepBody& body, int number, const SolvedContact
         });
 }
 
-bool StepSleep::is_tired(StepBody& body, const SolvedContacts& solved, double time) const {
+bool StepSleep::can_fall_asleep(StepBody& body, const SolvedContacts& solved, double time) const {
     const int number = static_cast<int>(&body - bodies_.data());
-    const double speed = body.farthest_speed();
-    if (!is_slow(body, number, solved)) {
-        body.begin_rest(time);
+    const double speed = body.max_point_speed();
+    if (!is_slow_in_contact(body, number, solved)) {
+        body.restart_rest_timer(time);
     }
     body.least_speed = std::min(body.least_speed, speed);
     const double rested = time - body.slow_since;
@@ -119,7 +121,7 @@ bool StepSleep::is_tired(StepBody& body, const SolvedContacts& solved, double ti
         return false;
     }
     const bool is_rising = speed > body.least_speed + kRisingSpeed;
-    const bool is_held = is_held_up(body, number, solved) ||
+    const bool is_held = is_supported_with_neighbours(body, number, solved) ||
                          (rested > kLeaningSleepDelay && leans(number, solved, gravity_));
     return (!is_rising && is_held) || rested > time_to_tip(body, gravity_);
 }

@@ -10,15 +10,16 @@
 namespace carom::sim {
 namespace {
 
-/// What strikes or meets may overlap by this much (m) at a step's end; else the step is shortened
-/// to when it does by between a quarter of this and this.
+/// Impacting bodies and new contacts may overlap by this much (m) at a step's end. Otherwise the
+/// step is shortened so that they overlap by between a quarter of this and this.
 constexpr double kContactDepth = 4e-6;
-/// Lasting contacts may get deeper by this much (m) in the first half of a step, those of rims,
-/// which wander fastest, by less; else the step is halved, up to so many times.
-constexpr double kSinking = 3e-6;
-constexpr double kRimSinking = 1e-6;
-constexpr int kMostHalvings = 5;
-/// No step is made shorter than this (s) for what strikes.
+/// Lasting contacts may get deeper by this much (m) in the first half of a step; those of cylinder
+/// rims, whose contact points move fastest, by less. Otherwise the step is halved, up to so many
+/// times.
+constexpr double kMaxSinking = 3e-6;
+constexpr double kMaxRimSinking = 1e-6;
+constexpr int kMaxHalvings = 5;
+/// No step is made shorter than this (s) because of an impact.
 constexpr double kShortestStep = 1e-5;
 
 }  // namespace
@@ -27,25 +28,25 @@ void StepTrial::attempt(double start, double end) {
     start_ = start;
     end_ = end;
     placed_ = bodies_;
-    choose_moving();
-    go_half_way();
-    for (int i = 0; i < kMostHalvings && sinking() > 1; ++i) {
+    collect_moving();
+    advance_to_midpoint();
+    for (int i = 0; i < kMaxHalvings && relative_sinking() > 1; ++i) {
         end_ = start + 0.5 * (end_ - start);
-        go_half_way();
+        advance_to_midpoint();
     }
     solve();
     const double whole = end_ - start;
     const double fraction = fraction_until_contact();
     if (fraction < 1) {
         end_ = start + std::max(fraction * whole, std::min(kShortestStep, whole));
-        go_half_way();
+        advance_to_midpoint();
         solve();
     }
 }
 
-/// How deep lasting contacts get in the first half of the step, as a share of what they may: what
-/// rolls on a rim or a corner turns away from the contact that it had before.
-double StepTrial::sinking() const {
+/// The depth by which lasting contacts sink in the first half of the step, as a fraction of the
+/// limit: a body that rolls on a rim or a corner turns away from its previous contact.
+double StepTrial::relative_sinking() const {
     const auto has_rim = [this](int number) {
         if (number < 0) {
             return false;
@@ -60,7 +61,7 @@ double StepTrial::sinking() const {
         }
         const double sunk = approach_speed(placed_, found) * 0.5 * (end_ - start_);
         const bool is_rim = has_rim(found.contact.first) || has_rim(found.other);
-        most = std::max(most, sunk / (is_rim ? kRimSinking : kSinking));
+        most = std::max(most, sunk / (is_rim ? kMaxRimSinking : kMaxSinking));
     }
     return most;
 }
@@ -68,34 +69,34 @@ double StepTrial::sinking() const {
 bool StepTrial::shorten(double end) {
     if (end < end_ && end > start_) {
         end_ = end;
-        go_half_way();
+        advance_to_midpoint();
         solve();
     }
     return end > start_;
 }
 
-void StepTrial::choose_moving() {
+void StepTrial::collect_moving() {
     moving_.clear();
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        if (bodies_[i].is_in && bodies_[i].is_awake) {
+        if (bodies_[i].is_in_ode && bodies_[i].is_awake) {
             moving_.push_back(static_cast<int>(i));
         }
     }
 }
 
-void StepTrial::go_half_way() {
-    middles_.clear();
+void StepTrial::advance_to_midpoint() {
+    midpoint_states_.clear();
     for (const int number : moving_) {
         StepBody& body = placed_[static_cast<std::size_t>(number)];
         const double half = 0.5 * (end_ - start_);
         body.state = body.is_kinematic() ? body.path->at(start_ + half)
                                          : drift(bodies_[static_cast<std::size_t>(number)].state,
                                                  body.inertia, half);
-        middles_.push_back(body.state);
+        midpoint_states_.push_back(body.state);
     }
     contacts_ = finder_.find(placed_);
     drop_impacts();
-    drop_unmoved();
+    drop_immovable_pairs();
     step_contacts_.clear();
     for (FoundContact& found : contacts_) {
         found.contact.restitution = 0;
@@ -104,7 +105,8 @@ void StepTrial::go_half_way() {
 }
 
 void StepTrial::solve() {
-    world_.step(end_ - start_, gravity_, moving_, middles_, step_contacts_, motions_, impulses_);
+    world_.step(end_ - start_, gravity_, moving_, midpoint_states_, step_contacts_, motions_,
+                impulses_);
     for (std::size_t slot = 0; slot < moving_.size(); ++slot) {
         const StepBody& body = bodies_[static_cast<std::size_t>(moving_[slot])];
         if (body.is_kinematic()) {
@@ -113,8 +115,9 @@ void StepTrial::solve() {
     }
 }
 
-/// Half-way: what was apart at the start and comes fast is no lasting contact. It strikes. Contacts
-/// of a pair that come about as fast are of one mind, lest round-off turns bodies aside.
+/// At the midpoint: a contact that was open at the start and closes fast is an impact, not a
+/// lasting contact. Contacts of a pair that close at similar speeds are classified together, so
+/// that rounding cannot split them and turn the bodies.
 void StepTrial::drop_impacts() {
     std::map<std::pair<int, int>, double> fastest;
     std::vector<double> speeds;
@@ -135,8 +138,8 @@ void StepTrial::drop_impacts() {
     contacts_.resize(kept);
 }
 
-/// Between a kinematic body and what sleeps there is nothing to be solved for.
-void StepTrial::drop_unmoved() {
+/// A contact between bodies that cannot move, kinematic or asleep, needs no solving.
+void StepTrial::drop_immovable_pairs() {
     const auto can_move = [this](int number) {
         if (number < 0) {
             return false;
@@ -149,8 +152,8 @@ void StepTrial::drop_unmoved() {
     });
 }
 
-/// Where the body of that slot is `time` after the step's start.
-MotionState StepTrial::place_after(std::size_t slot, double time) const {
+/// State of the body of that slot, `time` after the step's start.
+MotionState StepTrial::state_after(std::size_t slot, double time) const {
     const StepBody& body = bodies_[static_cast<std::size_t>(moving_[slot])];
     const double half = 0.5 * (end_ - start_);
     if (body.is_kinematic()) {
@@ -160,21 +163,21 @@ MotionState StepTrial::place_after(std::size_t slot, double time) const {
                        : drift(motions_[slot].after, body.inertia, time - half);
 }
 
-void StepTrial::place_at(double fraction) {
+void StepTrial::move_to(double fraction) {
     const double time = fraction * (end_ - start_);
     for (std::size_t slot = 0; slot < moving_.size(); ++slot) {
-        placed_[static_cast<std::size_t>(moving_[slot])].state = place_after(slot, time);
+        placed_[static_cast<std::size_t>(moving_[slot])].state = state_after(slot, time);
     }
 }
 
-/// Which share of the step passes before something strikes or bodies meet that were apart.
+/// The fraction of the step that passes before the first impact or new contact.
 double StepTrial::fraction_until_contact() {
     std::set<std::pair<int, int>> known;
     for (const FoundContact& found : contacts_) {
         known.insert(found.pair());
     }
     const auto deepest_at = [&](double fraction) {
-        place_at(fraction);
+        move_to(fraction);
         double deepest = 0;
         for (const FoundContact& found : finder_.find(placed_)) {
             if (found.contact.depth > deepest && !bounces_.is_jammed(found) &&

@@ -1,4 +1,4 @@
-// One step of ODE, tried and shortened before it is made true.
+// A trial step of ODE, which may be shortened before it is committed.
 #pragma once
 
 #include <vector>
@@ -11,39 +11,39 @@
 
 namespace carom::sim {
 
-/// Holds what a step starts from and what it does. The bodies themselves are not changed.
+/// Holds the start and the result of a trial step. The bodies themselves are not changed.
 class StepTrial {
   public:
     StepTrial(ode::StepWorld& world, const ContactFinder& finder, const StepBounces& bounces,
               const Vec3& gravity, const std::vector<StepBody>& bodies)
         : world_(world), finder_(finder), bounces_(bounces), gravity_(gravity), bodies_(bodies) {}
 
-    /// Tries a step of all awake bodies from `start` to `end`. Where something strikes, or bodies
-    /// meet that were apart, it is shortened to that time.
+    /// Tries a step of all awake bodies from `start` to `end`. It is shortened to the first impact
+    /// or new contact.
     void attempt(double start, double end);
 
-    /// Repeats the step up to an earlier end; true unless nothing of it is left.
+    /// Repeats the step up to an earlier end; false if no time is left in it.
     bool shorten(double end);
 
     [[nodiscard]] double start() const { return start_; }
     [[nodiscard]] double end() const { return end_; }
-    /// What touches half-way and stays in touch.
+    /// The lasting contacts, found at the midpoint of the step.
     [[nodiscard]] const std::vector<FoundContact>& contacts() const { return contacts_; }
     [[nodiscard]] SolvedContacts solved() const { return {contacts_, impulses_, end_ - start_}; }
-    /// The numbers of the moving bodies, and in the same order what the step does to them.
+    /// Indices of the moving bodies, and in the same order their motions during the step.
     [[nodiscard]] const std::vector<int>& moving() const { return moving_; }
     [[nodiscard]] const std::vector<ode::StepMotion>& motions() const { return motions_; }
 
   private:
-    void choose_moving();
-    void go_half_way();
+    void collect_moving();
+    void advance_to_midpoint();
     void solve();
     void drop_impacts();
-    void drop_unmoved();
-    [[nodiscard]] MotionState place_after(std::size_t slot, double time) const;
-    [[nodiscard]] double sinking() const;
+    void drop_immovable_pairs();
+    [[nodiscard]] MotionState state_after(std::size_t slot, double time) const;
+    [[nodiscard]] double relative_sinking() const;
     [[nodiscard]] double fraction_until_contact();
-    void place_at(double fraction);
+    void move_to(double fraction);
 
     ode::StepWorld& world_;
     const ContactFinder& finder_;
@@ -52,9 +52,9 @@ class StepTrial {
     const std::vector<StepBody>& bodies_;
     double start_ = 0;
     double end_ = 0;
-    std::vector<StepBody> placed_;  // the bodies somewhere on their way through the step
+    std::vector<StepBody> placed_;  // the bodies at some instant of the step
     std::vector<int> moving_;
-    std::vector<MotionState> middles_;
+    std::vector<MotionState> midpoint_states_;
     std::vector<FoundContact> contacts_;
     std::vector<ode::StepContact> step_contacts_;
     std::vector<ode::StepMotion> motions_;

@@ -6,21 +6,21 @@
 namespace carom::sim {
 namespace {
 
-/// A ball that has touched nothing but level ground for so many steps is given back.
+/// A ball that has touched nothing except level surfaces for so many steps is deactivated.
 constexpr int kFreeSteps = 3;
 
 }  // namespace
 
 SteppedBodies::SteppedBodies(const WorldDescription& world, const StaticEnvironment& environment,
-                             Balls& balls, Recording& recording)
+                             Balls& balls, Recorder& recorder)
     : environment_(environment),
       balls_(balls),
-      recording_(recording),
+      recorder_(recorder),
       finder_(environment),
       solids_(make_step_solids(world)),
       bodies_(make_step_bodies(balls.all(), solids_, environment.contacts)),
-      sleep_(bodies_, balls, recording, environment.gravity),
-      bounces_(bodies_, sleep_, finder_, world_, balls, recording),
+      sleep_(bodies_, balls, recorder, environment.gravity),
+      bounces_(bodies_, sleep_, finder_, world_, balls, recorder),
       trial_(world_, finder_, bounces_, environment.gravity, bodies_) {
     for (const StepBody& body : bodies_) {
         world_.add({body.mass, body.inertia, body.is_kinematic()});
@@ -33,14 +33,14 @@ void SteppedBodies::start(double time) {
             continue;
         }
         body.motion = {body.shape, time, body.state};
-        body.begin_rest(time);
+        body.restart_rest_timer(time);
         if (!body.is_kinematic()) {
-            recording_.keep(body.track, time, body.seen(body.state));
+            recorder_.add_key(body.track, time, body.with_own_axes(body.state));
         }
     }
 }
 
-void SteppedBodies::follow_paths(double time) {
+void SteppedBodies::move_kinematic_bodies(double time) {
     for (StepBody& body : bodies_) {
         if (!body.is_kinematic()) {
             continue;
@@ -54,11 +54,11 @@ void SteppedBodies::follow_paths(double time) {
     }
 }
 
-double SteppedBodies::next_key(double time) const {
+double SteppedBodies::next_key_time(double time) const {
     double next = std::numeric_limits<double>::infinity();
     for (const StepBody& body : bodies_) {
         if (body.is_kinematic()) {
-            next = std::min(next, body.path->next_key(time));
+            next = std::min(next, body.path->next_key_time(time));
         }
     }
     return next;
@@ -74,14 +74,14 @@ void SteppedBodies::adopt_balls(double time) {
     for (std::uint32_t i = 0; i < balls_.all().size(); ++i) {
         const Ball& ball = balls_.all()[i];
         StepBody& body = bodies_[i];
-        const bool is_new = ball.is_stepped() && !(body.is_in && body.is_awake);
-        body.is_in = ball.is_stepped() || ball.is_lying;
+        const bool is_new = ball.is_stepped() && !(body.is_in_ode && body.is_awake);
+        body.is_in_ode = ball.is_stepped() || ball.is_lying;
         body.is_awake = ball.is_stepped();
-        if (body.is_in) {
+        if (body.is_in_ode) {
             body.state = ball.segment.state_at(time);
         }
         if (is_new) {
-            body.begin_rest(time);
+            body.restart_rest_timer(time);
             body.free_steps = 0;
         }
     }
@@ -89,18 +89,18 @@ void SteppedBodies::adopt_balls(double time) {
 
 double SteppedBodies::try_step(double now, double until) {
     adopt_balls(now);
-    is_trying_ = true;
+    has_trial_step_ = true;
     std::vector<FoundContact> contacts = finder_.find(bodies_);
     if (sleep_.wake_by_contact(contacts, now)) {
         contacts = finder_.find(bodies_);
     }
     bounces_.resolve(contacts, now);
     trial_.attempt(now, until);
-    show_paths();
+    publish_trial_paths();
     return trial_.end();
 }
 
-void SteppedBodies::show_paths() {
+void SteppedBodies::publish_trial_paths() {
     const double duration = trial_.end() - trial_.start();
     for (std::size_t slot = 0; slot < trial_.moving().size(); ++slot) {
         const auto number = static_cast<std::uint32_t>(trial_.moving()[slot]);
@@ -112,7 +112,7 @@ void SteppedBodies::show_paths() {
                                     ? trial_.motions()[slot].after.angular_velocity
                                     : (body.state.angular_velocity + end.angular_velocity) * 0.5;
         if (body.is_ball) {
-            balls_.show_step(number, trial_.start(), path);
+            balls_.set_trial_path(number, trial_.start(), path);
         } else {
             body.motion = {body.shape, trial_.start(), path};
         }
@@ -120,9 +120,9 @@ void SteppedBodies::show_paths() {
 }
 
 void SteppedBodies::commit(double end) {
-    is_trying_ = false;
+    has_trial_step_ = false;
     if (!trial_.shorten(end)) {
-        return stay(end);
+        return cancel_step(end);
     }
     for (std::size_t slot = 0; slot < trial_.moving().size(); ++slot) {
         bodies_[static_cast<std::size_t>(trial_.moving()[slot])].state = trial_.motions()[slot].end;
@@ -130,47 +130,47 @@ void SteppedBodies::commit(double end) {
     for (const int number : trial_.moving()) {
         StepBody& body = bodies_[static_cast<std::size_t>(number)];
         if (body.is_ball) {
-            settle_ball(body, end);
+            finish_ball_step(body, end);
         } else if (!body.is_kinematic()) {
-            settle_box(body, end);
+            finish_box_step(body, end);
         }
     }
 }
 
-/// Nothing of the step is left: everything stays where it is.
-void SteppedBodies::stay(double time) {
+/// No time is left in the step: all bodies stay where they are.
+void SteppedBodies::cancel_step(double time) {
     for (const int moving : trial_.moving()) {
         const auto number = static_cast<std::uint32_t>(moving);
         StepBody& body = bodies_[number];
         if (body.is_ball) {
-            balls_.carry(number, time, body.state);
+            balls_.set_stepped_state(number, time, body.state);
         } else {
             body.motion = {body.shape, time, body.state};
         }
     }
 }
 
-void SteppedBodies::settle_box(StepBody& body, double end) {
-    if (sleep_.is_tired(body, trial_.solved(), end)) {
+void SteppedBodies::finish_box_step(StepBody& body, double end) {
+    if (sleep_.can_fall_asleep(body, trial_.solved(), end)) {
         body.is_awake = false;
         body.rested_at = {body.state.position, body.state.orientation};
-        recording_.add(body.track, end, body.seen(body.state));
+        recorder_.add_sample(body.track, end, body.with_own_axes(body.state));
         body.state.velocity = body.state.angular_velocity = {0, 0, 0};
-        recording_.keep(body.track, end, body.seen(body.state));
-        recording_.log(EventKind::resting, end, *body.name, body.state.position);
+        recorder_.add_key(body.track, end, body.with_own_axes(body.state));
+        recorder_.log(EventKind::resting, end, *body.name, body.state.position);
     } else {
-        recording_.add(body.track, end, body.seen(body.state));
+        recorder_.add_sample(body.track, end, body.with_own_axes(body.state));
     }
     body.motion = {body.shape, end, body.state};
 }
 
-/// The level surface that a ball touches; `touches_other`: something else, too.
+/// The level surface that a ball touches; sets `touches_other` if it touches anything else.
 Ground SteppedBodies::ground_under(const StepBody& ball, bool& touches_other) const {
-    const int me = static_cast<int>(&ball - bodies_.data());
+    const int number = static_cast<int>(&ball - bodies_.data());
     Ground ground = Ground::none;
     touches_other = false;
     for (const FoundContact& found : trial_.contacts()) {
-        if (found.contact.first != me && found.other != me) {
+        if (found.contact.first != number && found.other != number) {
             continue;
         }
         const bool is_cloth =
@@ -184,9 +184,9 @@ Ground SteppedBodies::ground_under(const StepBody& ball, bool& touches_other) co
     return ground;
 }
 
-void SteppedBodies::settle_ball(StepBody& body, double end) {
+void SteppedBodies::finish_ball_step(StepBody& body, double end) {
     const auto number = static_cast<std::uint32_t>(&body - bodies_.data());
-    const bool is_tired = sleep_.is_tired(body, trial_.solved(), end);
+    const bool can_fall_asleep = sleep_.can_fall_asleep(body, trial_.solved(), end);
     bool touches_other = false;
     const Ground ground = ground_under(body, touches_other);
     MotionState& state = body.state;
@@ -200,23 +200,23 @@ void SteppedBodies::settle_ball(StepBody& body, double end) {
     body.free_steps = touches_other ? 0 : body.free_steps + 1;
     const bool is_free = body.free_steps >= kFreeSteps;
     if (state.position.z < 0) {
-        balls_.note_sunk(number, end, state.position);
+        balls_.log_below_cloth(number, end, state.position);
     }
     if (is_free && stays_down && environment_.downward_gravity > 0) {
         balls_.deactivate(number, end, state, ground);
     } else if (is_free && ground == Ground::none) {
         balls_.deactivate(number, end, state, Ground::none);
-    } else if (is_tired) {
-        recording_.add(body.track, end, state);
+    } else if (can_fall_asleep) {
+        recorder_.add_sample(body.track, end, state);
         balls_.put_to_rest(number, end, state);
     } else {
-        recording_.add(body.track, end, state);
-        balls_.carry(number, end, state);
+        recorder_.add_sample(body.track, end, state);
+        balls_.set_stepped_state(number, end, state);
     }
 }
 
-void SteppedBodies::change_box(std::uint32_t number, double time, const Vec3& velocity,
-                               const Vec3& angular_velocity) {
+void SteppedBodies::change_box_velocity(std::uint32_t number, double time, const Vec3& velocity,
+                                        const Vec3& angular_velocity) {
     StepBody& body = bodies_[number];
     if (body.is_kinematic()) {
         return;
@@ -224,12 +224,13 @@ void SteppedBodies::change_box(std::uint32_t number, double time, const Vec3& ve
     const MotionState before = body.state;
     body.state.velocity = velocity;
     body.state.angular_velocity = angular_velocity;
-    recording_.add_break(body.track, time, body.seen(before), body.seen(body.state));
+    recorder_.add_break(body.track, time, body.with_own_axes(before),
+                        body.with_own_axes(body.state));
     body.motion = {body.shape, time, body.state};
     if (!body.is_awake) {
         sleep_.wake(body, time);
     }
-    body.begin_rest(time);
+    body.restart_rest_timer(time);
 }
 
 void SteppedBodies::add_energy(EnergySample& sample) const {
@@ -250,7 +251,7 @@ bool SteppedBodies::all_rest() const {
 void SteppedBodies::finish(double time) {
     for (const StepBody& body : bodies_) {
         if (!body.is_ball && !body.is_kinematic()) {
-            recording_.keep(body.track, time, body.seen(body.state));
+            recorder_.add_key(body.track, time, body.with_own_axes(body.state));
         }
     }
 }

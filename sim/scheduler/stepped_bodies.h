@@ -1,4 +1,4 @@
-// What ODE carries: boxes, and balls in touch with more than level ground.
+// The bodies that ODE steps: all solids, and balls in contact with more than a level surface.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 #include "sim/scheduler/balls.h"
 #include "sim/scheduler/contact_finder.h"
-#include "sim/scheduler/recording.h"
+#include "sim/scheduler/recorder.h"
 #include "sim/scheduler/static_environment.h"
 #include "sim/scheduler/step_body.h"
 #include "sim/scheduler/step_bounces.h"
@@ -15,44 +15,44 @@
 
 namespace carom::sim {
 
-/// Every window with something awake: `try_step`, then ball by ball the closed forms look whether
-/// they meet what ODE carries, then `commit` up to the first such meeting.
+/// In every window with an awake body: `try_step`; then the event predictor searches for impacts of
+/// balls in closed form with the stepped bodies; then `commit`, up to the first such impact.
 class SteppedBodies {
   public:
     SteppedBodies(const WorldDescription& world, const StaticEnvironment& environment, Balls& balls,
-                  Recording& recording);
+                  Recorder& recorder);
 
     void start(double time);
 
-    /// Kinematic bodies are where their paths have them.
-    void follow_paths(double time);
-    /// When the first of them comes to a key after `time`; else infinite.
-    [[nodiscard]] double next_key(double time) const;
+    /// Moves kinematic bodies to the positions of their paths at `time`.
+    void move_kinematic_bodies(double time);
+    /// Time of the first key of any kinematic body after `time`; infinity if there is none.
+    [[nodiscard]] double next_key_time(double time) const;
 
     [[nodiscard]] bool is_active() const;
-    [[nodiscard]] bool is_trying() const { return is_trying_; }
+    [[nodiscard]] bool has_trial_step() const { return has_trial_step_; }
     [[nodiscard]] const std::vector<StepBody>& all() const { return bodies_; }
 
-    /// Moves what is awake from `now` to `until` on trial and shows the paths. Where bodies meet
-    /// that were apart, earlier: the time that is returned is the step's end.
+    /// Tries a step of the awake bodies from `now` to `until` and publishes their paths. Returns
+    /// the end of the step, which is earlier if an impact or a new contact shortens it.
     double try_step(double now, double until);
 
-    /// How many bodies the trial moves, and how many pairs there are among their contacts, which
-    /// are all solved for at once: what a step costs grows with these.
+    /// Cost of the trial step: the number of moving bodies plus the number of pairs of contacts,
+    /// which are all solved together.
     [[nodiscard]] std::size_t step_size() const {
         return trial_.moving().size() + trial_.contacts().size() * trial_.contacts().size();
     }
 
-    /// Makes the trial true up to `end`, no later than the trial's own.
+    /// Applies the trial step up to `end`, which is not later than its own end.
     void commit(double end);
 
-    /// A box's velocities changed in an instant; those of a kinematic one do not.
-    void change_box(std::uint32_t body, double time, const Vec3& velocity,
-                    const Vec3& angular_velocity);
+    /// Sets the velocities of a solid; has no effect on a kinematic one.
+    void change_box_velocity(std::uint32_t body, double time, const Vec3& velocity,
+                             const Vec3& angular_velocity);
 
-    /// Something happened near `place`: bodies that sleep within `reach` of it wake.
-    void wake_near(const Vec3& place, double reach, double time) {
-        sleep_.wake_near(place, reach, time);
+    /// Wakes the sleeping bodies within `distance` of `position`, and their neighbours.
+    void wake_near(const Vec3& position, double distance, double time) {
+        sleep_.wake_near(position, distance, time);
     }
 
     [[nodiscard]] MotionState box_state(std::uint32_t body) const { return bodies_[body].state; }
@@ -62,23 +62,23 @@ class SteppedBodies {
 
   private:
     void adopt_balls(double time);
-    void show_paths();
-    void stay(double time);
-    void settle_box(StepBody& body, double end);
-    void settle_ball(StepBody& body, double end);
+    void publish_trial_paths();
+    void cancel_step(double time);
+    void finish_box_step(StepBody& body, double end);
+    void finish_ball_step(StepBody& body, double end);
     [[nodiscard]] Ground ground_under(const StepBody& ball, bool& touches_other) const;
 
     const StaticEnvironment& environment_;
     Balls& balls_;
-    Recording& recording_;
+    Recorder& recorder_;
     ContactFinder finder_;
-    std::vector<StepSolid> solids_;  // which the bodies refer to
-    std::vector<StepBody> bodies_;   // first the balls in their order, then the boxes
+    std::vector<StepSolid> solids_;  // referenced by the bodies
+    std::vector<StepBody> bodies_;   // first the balls in their order, then the solids
     ode::StepWorld world_;
     StepSleep sleep_;
     StepBounces bounces_;
     StepTrial trial_;
-    bool is_trying_ = false;
+    bool has_trial_step_ = false;
 };
 
 }  // namespace carom::sim

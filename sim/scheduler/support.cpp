@@ -9,27 +9,27 @@
 namespace carom::sim {
 namespace {
 
-/// A contact pushes a body up, or sideways, if its normal sinks by less than this sine; else
-/// something lies on the body there.
+/// A contact pushes a body up or sideways if its normal descends by less than this sine; otherwise
+/// it is a load on the body.
 constexpr double kLoadSlope = 0.05;
-/// A weight this far (m) beside the only point or line below it is straight above it: for what may
-/// roll there, and for what balances there. Of the latter no more than rounding is forgiven: it
-/// stands as exactly as it was put.
+/// A centre of mass this far (m) beside the only supporting point or line counts as straight above
+/// it, for bodies that may roll there and for bodies balanced there. The latter value allows only
+/// for rounding.
 constexpr double kBesideRolling = 1e-6;
 constexpr double kBesideBalanced = 1e-12;
-/// A contact is level whose normal rises by more than this sine.
+/// A contact is level if its normal rises by more than this sine.
 constexpr double kLevelNormal = 0.99;
-/// The axis of what lies on its side rises by less than this sine.
+/// A capsule or cylinder lies on its side if its axis rises by less than this sine.
 constexpr double kLevelAxis = 0.01;
 
 double cross(const Vec2& a, const Vec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// Seen along `up`.
-class GroundPlan {
+/// Projection along `up`.
+class HorizontalProjection {
   public:
-    explicit GroundPlan(const Vec3& up) {
+    explicit HorizontalProjection(const Vec3& up) {
         const Vec3 other = std::abs(up.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
         right_ = up.cross(other);
         right_ /= length(right_);
@@ -41,9 +41,9 @@ class GroundPlan {
     Vec3 right_, forward_;
 };
 
-/// Corners of the convex hull counter-clockwise (Andrew, Another efficient algorithm for convex
-/// hulls in two dimensions, Inf. Process. Lett. 9, 1979). One or two corners where all points lie
-/// in a point or a line.
+/// Corners of the convex hull, counter-clockwise (Andrew, Another efficient algorithm for convex
+/// hulls in two dimensions, Inf. Process. Lett. 9, 1979). One or two corners if all points coincide
+/// or lie on a line.
 std::vector<Vec2> hull_of(std::vector<Vec2> points) {
     if (points.size() < 2) {
         return points;
@@ -93,7 +93,7 @@ bool is_inside(const Vec2& p, const std::vector<Vec2>& hull) {
     return hull.size() >= 3;
 }
 
-/// It may roll without rising or sinking.
+/// True if the body may roll without rising or sinking.
 bool is_round_below(const StepBody& body, const Vec3& up) {
     if (body.is_ball) {
         return true;
@@ -114,8 +114,8 @@ bool is_stably_supported(const StepBody& body, int number, const SolvedContacts&
         return true;
     }
     const Vec3 up = gravity * (-1 / strength);
-    const GroundPlan plan(up);
-    const Vec2 centre = plan(body.state.position);
+    const HorizontalProjection project(up);
+    const Vec2 centre = project(body.state.position);
     double weight = body.mass * strength * solved.duration;  // all as impulses during the step
     Vec2 moment = centre * weight;
     double lever = 0;
@@ -126,7 +126,7 @@ bool is_stably_supported(const StepBody& body, int number, const SolvedContacts&
         if (contact.first != number && solved.contacts[i].other != number) {
             continue;
         }
-        points.push_back(plan(contact.point));
+        points.push_back(project(contact.point));
         const double rise = contact.normal.dot(up) * (contact.first == number ? 1 : -1);
         if (rise > -kLoadSlope) {
             is_carried = true;
@@ -134,7 +134,7 @@ bool is_stably_supported(const StepBody& body, int number, const SolvedContacts&
         } else {
             const double load = -rise * std::max(solved.impulses[i].normal, 0.0);
             weight += load;
-            moment += plan(contact.point) * load;
+            moment += project(contact.point) * load;
         }
     }
     if (!is_carried) {
@@ -166,7 +166,7 @@ bool leans(int number, const SolvedContacts& solved, const Vec3& gravity) {
 
 double time_to_tip(const StepBody& body, const Vec3& gravity) {
     constexpr double kGrowth = 34.5;  // e^34.5 = 10^15
-    // The length of a rod of this reach is 2 reach.
+    // The length of a rod is twice its bounding radius.
     return kGrowth * std::sqrt(4 * body.bounding_radius() / (3 * length(gravity)));
 }
 

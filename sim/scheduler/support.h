@@ -1,4 +1,4 @@
-// Whether what a body rests on holds it up, or whether it is only balanced for a moment.
+// Whether the support of a body is stable or the body is only balanced for a moment.
 #pragma once
 
 #include <vector>
@@ -8,34 +8,34 @@
 
 namespace carom::sim {
 
-/// The contacts of one step, and what was solved for them.
+/// The contacts of one step and the impulses that were solved for them.
 struct SolvedContacts {
     const std::vector<FoundContact>& contacts;
     const std::vector<ode::StepImpulse>& impulses;  // in the same order
     double duration = 0;                            // of the step, s
 };
 
-/// Something carries the body and, seen along gravity, its centre of mass lies inside the convex
-/// hull of its points of contact, or the point does where its weight and what lies on it act
-/// together: a plank may stick out far if something heavy holds its other end. What lies on it
-/// holds it, too: it would have to be lifted. (Such bodies may still be about to tip together; that
-/// shows in their rising speed, which StepSleep looks at.) A ball, and a capsule or cylinder on its
-/// side, may also rest on one point or line straight below: there it is in neutral equilibrium, and
-/// rolling resistance may hold it a little beside. What is balanced there exactly, as far as
-/// numbers can tell, stands, too. `number`: of the body. True without gravity.
+/// True if something supports the body and, seen along gravity, the convex hull of its contact
+/// points contains its centre of mass, or the point at which its weight and the loads on it act
+/// together: a plank may stick out far if something heavy holds its other end. Loads hold the body
+/// too, since it would have to lift them. (Such bodies may still be about to tip together; their
+/// rising speed shows that, which StepSleep checks.) A ball, or a capsule or cylinder on its side,
+/// may also rest on one point or line straight below: it is then in neutral equilibrium, and
+/// rolling resistance may hold it slightly beside that point. A body that is balanced there
+/// exactly, within rounding, also stands. `number`: index of the body. Always true without gravity.
 [[nodiscard]] bool is_stably_supported(const StepBody& body, int number,
                                        const SolvedContacts& solved, const Vec3& gravity);
 
-/// Whether the body leans on something: a contact that carries it pushes aside as well as up. Then
-/// friction may hold it with its centre of mass beside its support (Bretl and Lall, Testing static
-/// equilibrium for legged robots, IEEE Trans. Robotics 24, 2008), which `is_stably_supported` does
-/// not see; but what friction does not hold slides at once, where what is balanced on level ground
-/// departs from rest ever so slowly at first.
+/// True if the body leans on something: a contact that supports it pushes sideways as well as up.
+/// Then friction may hold it with its centre of mass beside its support (Bretl and Lall, Testing
+/// static equilibrium for legged robots, IEEE Trans. Robotics 24, 2008), a case that
+/// `is_stably_supported` does not cover. A leaning body that friction does not hold slides
+/// immediately, whereas a body balanced on level ground leaves rest very slowly at first.
 [[nodiscard]] bool leans(int number, const SolvedContacts& solved, const Vec3& gravity);
 
-/// How long (s) a body that is only balanced takes to fall, however well it is balanced: rounding
-/// errors grow by a factor of 10^15 in this time. A slender rod on its end tips at the rate
-/// sqrt(3 g / (2 L)), L its length, and everything else of that size more slowly by a small factor.
+/// Upper bound for the time (s) that a balanced body takes to fall: rounding errors grow by a
+/// factor of 10^15 in this time. A slender rod of length L on its end tips at the rate sqrt(3 g /
+/// (2 L)); all other bodies of that size tip more slowly by a small factor.
 [[nodiscard]] double time_to_tip(const StepBody& body, const Vec3& gravity);
 
 }  // namespace carom::sim

@@ -10,17 +10,17 @@
 namespace carom::sim {
 namespace {
 
-/// Cores lie this much inside (m), but no more than a share of the solid's size.
+/// Depth of a core below the surface (m), and its limit as a fraction of the solid's size.
 constexpr double kSkin = 1e-3;
-constexpr double kMostSkin = 0.05;
-/// Where a cylinder's cap counts as facing, not its side: cosine of the angle to the axis.
-constexpr double kCapFaces = 0.7;
+constexpr double kMaxSkinFraction = 0.05;
+/// A cylinder's cap, not its side, faces directions with at least this cosine to the axis.
+constexpr double kCapFacingCosine = 0.7;
 
 double sign(double x) {
     return x < 0 ? -1 : 1;
 }
 
-/// Unit, across z; some such direction where `v` has none.
+/// Unit horizontal part of `v`; an arbitrary horizontal direction if `v` has none.
 Vec3 level_direction(const Vec3& v) {
     const double r = std::sqrt(v.x * v.x + v.y * v.y);
     return r > 1e-12 * length(v) ? Vec3(v.x / r, v.y / r, 0) : Vec3(1, 0, 0);
@@ -37,8 +37,8 @@ Polyhedron box_solid(const Vec3& h) {
     return box;
 }
 
-/// The sixteen corners of a regular polygon on the unit circle, exact enough for a cap's outline
-/// and the same everywhere.
+/// The sixteen corners of a regular polygon on the unit circle, which is accurate enough for a
+/// cap's outline and gives the same values on every platform.
 const std::array<Vec2, 16>& circle() {
     static const std::array<Vec2, 16> corners = [] {
         const double a = std::sqrt(0.5);
@@ -64,9 +64,9 @@ ConvexShape ConvexShape::box(const Vec3& half_size) {
     ConvexShape shape(Kind::box);
     shape.half_size_ = half_size;
     shape.solid_ = box_solid(half_size);
-    shape.reach_ = length(half_size);
+    shape.bounding_radius_ = length(half_size);
     const double least = std::min({half_size.x, half_size.y, half_size.z});
-    shape.core_skin_ = std::min(kSkin, kMostSkin * least);
+    shape.core_skin_ = std::min(kSkin, kMaxSkinFraction * least);
     return shape;
 }
 
@@ -74,7 +74,7 @@ ConvexShape ConvexShape::capsule(double radius, double half_length) {
     ConvexShape shape(Kind::capsule);
     shape.radius_ = radius;
     shape.half_size_.z = half_length;
-    shape.reach_ = radius + half_length;
+    shape.bounding_radius_ = radius + half_length;
     return shape;
 }
 
@@ -82,8 +82,8 @@ ConvexShape ConvexShape::cylinder(double radius, double half_height) {
     ConvexShape shape(Kind::cylinder);
     shape.radius_ = radius;
     shape.half_size_.z = half_height;
-    shape.reach_ = std::sqrt(radius * radius + half_height * half_height);
-    shape.core_skin_ = std::min(kSkin, kMostSkin * std::min(radius, half_height));
+    shape.bounding_radius_ = std::sqrt(radius * radius + half_height * half_height);
+    shape.core_skin_ = std::min(kSkin, kMaxSkinFraction * std::min(radius, half_height));
     return shape;
 }
 
@@ -95,10 +95,10 @@ ConvexShape ConvexShape::hull(Polyhedron solid) {
             std::min(nearest_side, face.normal.dot(solid.vertices[face.corners.front()]));
     }
     for (const Vec3& v : solid.vertices) {
-        shape.reach_ = std::max(shape.reach_, length(v));
+        shape.bounding_radius_ = std::max(shape.bounding_radius_, length(v));
     }
     if (nearest_side > 0) {
-        shape.core_skin_ = std::min(kSkin, kMostSkin * nearest_side);
+        shape.core_skin_ = std::min(kSkin, kMaxSkinFraction * nearest_side);
         shape.core_shrinkage_ = shape.core_skin_ / nearest_side;
     }
     shape.solid_ = std::move(solid);
@@ -155,14 +155,14 @@ const PolyhedronFace& ConvexShape::facing_side(const Vec3& d) const {
     return *best;
 }
 
-/// A cap as a polygon, its first corner the one farthest along `direction`.
-FacingFeature ConvexShape::round_cap(const Vec3& direction) const {
+/// A cap as a polygon, beginning with the corner farthest along `direction`.
+FacingFeature ConvexShape::cap_polygon(const Vec3& direction) const {
     const Vec3 u = level_direction(direction);
     const double up = sign(direction.z);
     FacingFeature feature;
     feature.normal = {0, 0, up};
     for (const Vec2& c : circle()) {
-        // Counter-clockwise seen from outside: the other way round on the lower cap.
+        // Counter-clockwise seen from outside, so the order is reversed on the lower cap.
         const double s = c.y * up;
         feature.points.emplace_back(radius_ * (u.x * c.x - u.y * s),
                                     radius_ * (u.y * c.x + u.x * s), up * half_size_.z);
@@ -183,8 +183,8 @@ FacingFeature ConvexShape::facing(const Vec3& direction) const {
         return feature;
     }
     if (kind_ == Kind::cylinder) {
-        if (std::abs(d.z) > kCapFaces) {
-            return round_cap(d);
+        if (std::abs(d.z) > kCapFacingCosine) {
+            return cap_polygon(d);
         }
         const Vec3 side = level_direction(d) * radius_;
         feature.points = {side - Vec3(0, 0, half_size_.z), side + Vec3(0, 0, half_size_.z)};

@@ -1,4 +1,5 @@
-// A convex solid about its centre of mass, and what of it faces a direction. All in body axes.
+// A convex solid about its centre of mass, with its support points and facing features in body
+// axes.
 #pragma once
 
 #include <optional>
@@ -9,9 +10,9 @@
 
 namespace carom::sim {
 
-/// What of a solid comes first along a direction: a flat side (three or more points,
-/// counter-clockwise seen from outside, with its normal), an edge or a line of a curved side (two),
-/// or a point.
+/// The feature of a solid that faces a direction: a flat side (three or more points,
+/// counter-clockwise seen from outside, with its normal), an edge or a line of a curved side (two
+/// points), or a point.
 struct FacingFeature {
     std::vector<Vec3> points;
     Vec3 normal{0, 0, 1};  // of a flat side, unit
@@ -23,11 +24,12 @@ class ConvexShape {
     enum class Kind { box, capsule, cylinder, hull };
 
     static ConvexShape box(const Vec3& half_size);
-    /// The axis of both is z; `half_length`: from the centre to that of a round end, 0 for a ball.
+    /// Capsule and cylinder have the axis z. `half_length`: from the capsule's centre to that of a
+    /// round end; 0 for a ball.
     static ConvexShape capsule(double radius, double half_length);
     static ConvexShape cylinder(double radius, double half_height);
-    /// Around the origin, which lies inside; or flat, with the origin on both its sides: a triangle
-    /// of a surface.
+    /// A hull that contains the origin; or a flat one, with both sides through the origin: a
+    /// triangle of a surface.
     static ConvexShape hull(Polyhedron solid);
 
     [[nodiscard]] Kind kind() const { return kind_; }
@@ -37,47 +39,48 @@ class ConvexShape {
     [[nodiscard]] double half_length() const { return half_size_.z; }   // of capsule and cylinder
     [[nodiscard]] const Polyhedron& solid() const { return solid_; }    // of a hull
 
-    /// Radius of a sphere around the origin that holds all of it.
-    [[nodiscard]] double bounding_radius() const { return reach_; }
+    /// Radius of a sphere around the origin that contains the shape.
+    [[nodiscard]] double bounding_radius() const { return bounding_radius_; }
 
     /// The farthest point along `direction` (not zero, of any length).
     [[nodiscard]] Vec3 support(const Vec3& direction) const;
-    /// The same of a core: of a capsule its axis; of other shapes with `depth` 0 all of it, with 1
-    /// what lies at least a millimetre (of small ones less) inside.
+    /// The farthest point of the core. The core of a capsule is its axis; that of other shapes is
+    /// the whole shape for `depth` 0, and for `depth` 1 the part at least a millimetre (less for
+    /// small shapes) below the surface.
     [[nodiscard]] Vec3 core_support(const Vec3& direction, double depth) const;
 
-    /// By how much the shape reaches beyond its core of depth 0.
+    /// Distance of the surface from the core of depth 0.
     [[nodiscard]] double core_gap() const { return kind_ == Kind::capsule ? radius_ : 0; }
 
     [[nodiscard]] FacingFeature facing(const Vec3& direction) const;
     /// The outward normal of the flat side nearest to `direction`; empty if the shape has none.
     [[nodiscard]] std::optional<Vec3> facing_normal(const Vec3& direction) const;
 
-    /// All points that may rest on a plane below `down` (a unit direction): corners, or the lowest
-    /// points of round edges and ends and others around them.
+    /// All points that may rest on a plane below (`down` is a unit direction): corners, or points
+    /// of round edges and ends including the lowest ones.
     void resting_points(const Vec3& down, std::vector<Vec3>& points) const;
 
   private:
     explicit ConvexShape(Kind kind) : kind_(kind) {}
     [[nodiscard]] const PolyhedronFace& facing_side(const Vec3& direction) const;
-    [[nodiscard]] FacingFeature round_cap(const Vec3& direction) const;
+    [[nodiscard]] FacingFeature cap_polygon(const Vec3& direction) const;
 
     Kind kind_;
     Vec3 half_size_{0, 0, 0};  // round shapes: z only
     double radius_ = 0;
-    Polyhedron solid_;  // of boxes, too
-    double reach_ = 0;
+    Polyhedron solid_;  // for boxes and hulls
+    double bounding_radius_ = 0;
     double core_skin_ = 0;
-    double core_shrinkage_ = 0;  // of hulls: by which share towards the origin
+    double core_shrinkage_ = 0;  // for hulls: shrinkage towards the origin, as a fraction
 };
 
-/// What of a solid is nearest to a point.
-struct Nearest {
+/// The point of a solid's surface that is nearest to a point.
+struct NearestPoint {
     Vec3 point{0, 0, 0};
-    Vec3 normal{0, 0, 1};  // unit, from there to the point; inside: outwards
+    Vec3 normal{0, 0, 1};  // unit, outwards
     double distance = 0;   // negative inside
 };
 
-[[nodiscard]] Nearest nearest(const ConvexShape& shape, const Vec3& point);
+[[nodiscard]] NearestPoint nearest_point(const ConvexShape& shape, const Vec3& point);
 
 }  // namespace carom::sim

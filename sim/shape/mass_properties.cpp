@@ -26,8 +26,8 @@ void add_second_moment(Matrix& sum, double volume, const Vec3& a, const Vec3& b,
 /// Loan, Matrix Computations, section 8.5).
 void diagonalise(Matrix& m, Matrix& axes) {
     axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    constexpr int kMostSweeps = 30;
-    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    constexpr int kMaxSweeps = 30;
+    for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
         for (std::size_t p = 0; p < 2; ++p) {
             for (std::size_t q = p + 1; q < 3; ++q) {
                 if (std::abs(m[p][q]) <= 1e-15 * (std::abs(m[p][p]) + std::abs(m[q][q]))) {
@@ -147,7 +147,7 @@ Vec3 cylinder_inertia(double radius, double height) {
 }
 
 Vec3 capsule_inertia(double radius, double length) {
-    // A cylinder and two half spheres, each with its share of the mass.
+    // A cylinder and two hemispheres, each with its fraction of the mass.
     const double cylinder = length / (length + 4.0 / 3.0 * radius);
     const double ends = 1 - cylinder;
     const double along = radius * radius * (0.5 * cylinder + 0.4 * ends);

@@ -1,4 +1,4 @@
-// Volume, centre of mass and moments of inertia of solids of even density.
+// Volume, centre of mass and moments of inertia of solids of uniform density.
 #pragma once
 
 #include "core/vectors.h"
@@ -14,7 +14,7 @@ struct MassProperties {
 };
 
 /// Mirtich, Fast and accurate computation of polyhedral mass properties, J. Graphics Tools 1(2),
-/// 1996, gives the integrals; here they are summed over tetrahedra from one point to each face.
+/// 1996, gives the integrals; here they are summed over tetrahedra from one point to all faces.
 [[nodiscard]] MassProperties mass_properties(const Polyhedron& solid);
 
 /// Moments for a mass of 1 kg about the centre; the axis is z.

@@ -7,13 +7,13 @@
 namespace carom::sim {
 namespace {
 
-Nearest from_outside(const Vec3& point, const Vec3& on_solid) {
+NearestPoint from_outside(const Vec3& point, const Vec3& on_solid) {
     const Vec3 d = point - on_solid;
     const double distance = length(d);
     return {on_solid, d / distance, distance};
 }
 
-Nearest nearest_on_capsule(const ConvexShape& shape, const Vec3& p) {
+NearestPoint nearest_on_capsule(const ConvexShape& shape, const Vec3& p) {
     const Vec3 axis_point(0, 0, std::clamp(p.z, -shape.half_length(), shape.half_length()));
     const Vec3 d = p - axis_point;
     const double distance = length(d);
@@ -21,7 +21,7 @@ Nearest nearest_on_capsule(const ConvexShape& shape, const Vec3& p) {
     return {axis_point + normal * shape.radius(), normal, distance - shape.radius()};
 }
 
-Nearest nearest_on_cylinder(const ConvexShape& shape, const Vec3& p) {
+NearestPoint nearest_on_cylinder(const ConvexShape& shape, const Vec3& p) {
     const double r = std::sqrt(p.x * p.x + p.y * p.y);
     const Vec3 outwards = r > 1e-12 ? Vec3(p.x / r, p.y / r, 0) : Vec3(1, 0, 0);
     const double beside = r - shape.radius();
@@ -63,7 +63,7 @@ Vec3 nearest_on_face(const Polyhedron& solid, const PolyhedronFace& face, const 
     return is_above ? p - face.normal * face.normal.dot(p - best) : best;
 }
 
-Nearest nearest_on_solid(const Polyhedron& solid, const Vec3& p) {
+NearestPoint nearest_on_solid(const Polyhedron& solid, const Vec3& p) {
     const auto height_over = [&](const PolyhedronFace& face) {
         return face.normal.dot(p - solid.vertices[face.corners.front()]);
     };
@@ -91,8 +91,8 @@ Nearest nearest_on_solid(const Polyhedron& solid, const Vec3& p) {
     return from_outside(p, best);
 }
 
-/// For a point inside: out through the nearest side.
-Nearest nearest_on_box(const Vec3& half_size, const Vec3& p) {
+/// For a point inside, the nearest point lies on the nearest side.
+NearestPoint nearest_on_box(const Vec3& half_size, const Vec3& p) {
     Vec3 on_box = p;
     for (int axis = 0; axis < 3; ++axis) {
         on_box[axis] = std::clamp(p[axis], -half_size[axis], half_size[axis]);
@@ -117,7 +117,7 @@ Nearest nearest_on_box(const Vec3& half_size, const Vec3& p) {
 
 }  // namespace
 
-Nearest nearest(const ConvexShape& shape, const Vec3& point) {
+NearestPoint nearest_point(const ConvexShape& shape, const Vec3& point) {
     switch (shape.kind()) {
         case ConvexShape::Kind::box:
             return nearest_on_box(shape.half_size(), point);

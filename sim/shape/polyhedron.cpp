@@ -21,9 +21,10 @@ struct Facet {
     [[nodiscard]] double height(const Vec3& p) const { return normal.dot(p) - offset; }
 };
 
-/// Incremental: every point that sees facets replaces them by a cone from itself to their outline
-/// (Preparata and Hong, Convex hulls of finite sets of points in two and three dimensions, Comm.
-/// ACM 20, 1977, in the form without conflict lists: quadratic, for hulls of a few hundred points).
+/// Incremental convex hull: each point that sees facets replaces them by a cone from itself to
+/// their outline (Preparata and Hong, Convex hulls of finite sets of points in two and three
+/// dimensions, Comm. ACM 20, 1977). Without conflict lists it is quadratic, which is fine for a few
+/// hundred points.
 class HullBuilder {
   public:
     explicit HullBuilder(std::span<const Vec3> points) : points_(points) {
@@ -143,14 +144,14 @@ void HullBuilder::include(std::uint32_t point) {
     }
 }
 
-/// The corners of one plane's facets in order around it.
+/// The corners of the facets in one plane, in order around their outline.
 std::vector<std::uint32_t> ordered(std::vector<std::uint32_t> corners, std::span<const Vec3> points,
                                    const Vec3& normal, double flatness) {
     Vec3 centre(0, 0, 0);
     for (const std::uint32_t i : corners) {
         centre += points[i] / static_cast<double>(corners.size());
     }
-    // From corner to corner: the next one is that with all others to the left.
+    // The next corner is the one with all others to its left.
     std::vector<std::uint32_t> loop{corners.front()};
     for (const std::uint32_t i : corners) {
         if (length(points[i] - centre) > length(points[loop.front()] - centre)) {

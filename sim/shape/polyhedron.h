@@ -10,7 +10,7 @@
 
 namespace carom::sim {
 
-/// A flat side: its corners counter-clockwise seen from outside.
+/// A flat side; its corners are counter-clockwise seen from outside.
 struct PolyhedronFace {
     std::vector<std::uint32_t> corners;
     Vec3 normal{0, 0, 1};  // unit, outwards
@@ -21,9 +21,9 @@ struct Polyhedron {
     std::vector<PolyhedronFace> faces;
 };
 
-/// The hull of `points`; empty where they are fewer than four or lie in a plane (within 1e-6 of
-/// their extent). Points inside are left out, triangles in one plane (within 1e-7 of the extent)
-/// are one face.
+/// The hull of `points`; empty if they are fewer than four or lie in a plane (within 1e-6 of their
+/// extent). Inner points are omitted; triangles in one plane (within 1e-7 of the extent) are merged
+/// into one face.
 [[nodiscard]] std::optional<Polyhedron> convex_hull(std::span<const Vec3> points);
 
 }  // namespace carom::sim

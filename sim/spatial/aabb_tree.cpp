@@ -83,12 +83,13 @@ void AabbTree::query(const Aabb& box, std::vector<std::uint32_t>& found) const {
     walk([&](const Aabb& candidate) { return candidate.overlaps(box); }, found);
 }
 
-void AabbTree::query(const Vec3& point, double reach, std::vector<std::uint32_t>& found) const {
-    walk([&](const Aabb& box) { return box.squared_distance(point) <= reach * reach; }, found);
+void AabbTree::query(const Vec3& point, double distance, std::vector<std::uint32_t>& found) const {
+    walk([&](const Aabb& box) { return box.squared_distance(point) <= distance * distance; },
+         found);
 }
 
-template <class Meets>
-void AabbTree::walk(const Meets& meets, std::vector<std::uint32_t>& found) const {
+template <class Predicate>
+void AabbTree::walk(const Predicate& is_hit, std::vector<std::uint32_t>& found) const {
     found.clear();
     if (nodes_.empty()) {
         return;
@@ -98,7 +99,7 @@ void AabbTree::walk(const Meets& meets, std::vector<std::uint32_t>& found) const
     stack[depth++] = 0;
     while (depth > 0) {
         const Node& node = nodes_[stack[--depth]];
-        if (!meets(node.box)) {
+        if (!is_hit(node.box)) {
             continue;
         }
         if (node.count == 0) {
@@ -107,7 +108,7 @@ void AabbTree::walk(const Meets& meets, std::vector<std::uint32_t>& found) const
             continue;
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            if (meets(boxes_[order_[i]])) {
+            if (is_hit(boxes_[order_[i]])) {
                 found.push_back(order_[i]);
             }
         }

@@ -1,4 +1,4 @@
-// A tree of axis-aligned boxes over things that do not move.
+// A tree of axis-aligned bounding boxes of static objects.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct Aabb {
     void extend(const Vec3& point);
     void extend(const Aabb& box);
     void grow(double margin);
-    /// 0 inside.
+    /// Squared distance of a point from the box; 0 inside.
     [[nodiscard]] double squared_distance(const Vec3& point) const;
     [[nodiscard]] bool overlaps(const Aabb& other) const {
         return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
@@ -28,19 +28,19 @@ class AabbTree {
     AabbTree() = default;
     explicit AabbTree(std::vector<Aabb> boxes);
 
-    /// The indices of all boxes that overlap `box`, ascending; `found` is emptied first.
+    /// Replaces `found` by the indices of all boxes that overlap `box`, ascending.
     void query(const Aabb& box, std::vector<std::uint32_t>& found) const;
-    /// The same for boxes that come within `reach` of a point.
-    void query(const Vec3& point, double reach, std::vector<std::uint32_t>& found) const;
+    /// Replaces `found` by the indices of all boxes within `distance` of a point, ascending.
+    void query(const Vec3& point, double distance, std::vector<std::uint32_t>& found) const;
 
   private:
     struct Node {
         Aabb box;
-        std::uint32_t first = 0;  // inner: the left child, whose neighbour is the right one
-        std::uint32_t count = 0;  // leaf: how many of order_ from `first`; inner: 0
+        std::uint32_t first = 0;  // inner node: the left child, followed by the right one
+        std::uint32_t count = 0;  // leaf: number of entries of order_ from `first`; inner node: 0
     };
-    template <class Meets>
-    void walk(const Meets& meets, std::vector<std::uint32_t>& found) const;
+    template <class Predicate>
+    void walk(const Predicate& is_hit, std::vector<std::uint32_t>& found) const;
     void split(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
 
     std::vector<Aabb> boxes_;

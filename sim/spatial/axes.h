@@ -1,4 +1,4 @@
-// Between body axes and world axes.
+// Conversion of vectors between body axes and world axes.
 #pragma once
 
 #include "core/vectors.h"

@@ -10,7 +10,7 @@ namespace carom::sim {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-// Beyond this many cells from the origin all is one cell: what is thrown so far away crosses none.
+// Beyond this many cells from the origin everything is one cell, so distant balls cross no cells.
 constexpr std::int32_t kOutermost = 1 << 16;
 
 /// The first t >= 0 at which c0 + c1 t + c2 t^2 rises through zero; kNever if it does not.
@@ -28,7 +28,7 @@ double rise_time(double c0, double c1, double c2) {
     if (!(discriminant > 0)) {
         return kNever;
     }
-    // Of the two roots the one with a positive slope, without cancellation.
+    // The root with a positive slope, in the form without cancellation.
     const double root = std::sqrt(discriminant);
     const double t = c1 > 0 ? -2 * c0 / (root + c1) : (root - c1) / (2 * c2);
     if (t > 0) {
@@ -54,7 +54,7 @@ CellGrid::CellGrid(double width, std::size_t count)
 
 std::int32_t CellGrid::coordinate(double value) const {
     const double cell = std::floor(value / width_);
-    // Written so that what is not a number ends up in a cell, too.
+    // Written so that NaN ends up in a cell too.
     if (!(cell > -kOutermost)) {
         return -kOutermost;
     }
@@ -62,7 +62,7 @@ std::int32_t CellGrid::coordinate(double value) const {
 }
 
 std::size_t CellGrid::bucket_of(Cell cell) const {
-    // Any mixing does: multiplication by odd constants, high bits folded down.
+    // A simple hash suffices: multiplication by odd constants, with high bits folded down.
     const auto x = static_cast<std::uint32_t>(cell.x);
     const auto y = static_cast<std::uint32_t>(cell.y);
     std::uint32_t mixed = x * 0x9E3779B1U + y * 0x85EBCA77U;

@@ -1,4 +1,4 @@
-// Which balls are near each other, seen from above.
+// A uniform grid that finds balls near each other, seen from above.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace carom::sim {
 
-/// A square of the plane z = 0, counted from the origin.
+/// A square cell of the plane z = 0, counted from the origin.
 struct Cell {
     std::int32_t x = 0;
     std::int32_t y = 0;
@@ -18,9 +18,10 @@ struct Cell {
     [[nodiscard]] friend bool operator==(const Cell&, const Cell&) = default;
 };
 
-/// Items (numbers below `count`), each in one cell of an endless grid. Two whose places are less
-/// than the cells' width apart are in the same cell or in neighbouring ones, as long as each one is
-/// moved by `cross` when `next_crossing` says so. A cell's edges are kept to within kCellMargin.
+/// Items (numbers below `count`), each in one cell of an infinite grid. Two items closer to each
+/// other than the cell width are in the same cell or in neighbouring ones, provided that each one
+/// is moved by `cross` at the time of `next_crossing`. Items may be outside of their cells by up to
+/// kCellMargin.
 class CellGrid {
   public:
     enum class Side : std::uint8_t { left, right, front, back };
@@ -31,18 +32,19 @@ class CellGrid {
 
     CellGrid(double width, std::size_t count);
 
-    /// Puts the item where it is, if that is not in the cell that it is known to be in.
+    /// Moves the item to the cell of `position` unless it already is in that cell.
     void place(std::uint32_t item, const Vec3& position);
 
-    /// When the item, moving along `path`, passes into another cell in [now, until].
+    /// The first crossing into another cell in [now, until] of the item that moves along `path`.
     [[nodiscard]] std::optional<Crossing> next_crossing(std::uint32_t item,
                                                         const MotionSegment& path, double now,
                                                         double until) const;
     void cross(std::uint32_t item, Side to);
 
-    /// The other items in its cell and the eight around it; `found` is emptied first.
+    /// Replaces `found` by the other items in its cell and the eight cells around it.
     void find_near(std::uint32_t item, std::vector<std::uint32_t>& found) const;
-    /// Only those in the three cells that have become neighbours when it crossed `to` that side.
+    /// Replaces `found` by the items in the three cells that became neighbours when it crossed to
+    /// the side `to`.
     void find_ahead(std::uint32_t item, Side to, std::vector<std::uint32_t>& found) const;
 
     [[nodiscard]] Cell cell_of(std::uint32_t item) const { return cells_[item]; }
@@ -55,7 +57,7 @@ class CellGrid {
     void unlink(std::uint32_t item);
 
     double width_;
-    // Cells are hashed into buckets, each one a list linked through its items.
+    // Cells are hashed into buckets, each of which is a list linked through its items.
     std::vector<Cell> cells_;
     std::vector<std::uint32_t> next_, previous_;
     std::vector<std::uint32_t> buckets_;

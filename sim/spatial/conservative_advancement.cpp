@@ -1,4 +1,4 @@
-#include "sim/spatial/advance.h"
+#include "sim/spatial/conservative_advancement.h"
 
 #include <algorithm>
 
@@ -7,10 +7,10 @@ namespace {
 
 using Gap = std::function<double(double)>;
 
-// A pair in touch is looked at again this much later (s), to see whether it closes or opens.
-constexpr double kGlimpse = 1e-7;
-// Gaps are known to about this (m).
-constexpr double kNoise = 1e-14;
+// A touching pair is evaluated again this much later (s), to see whether it closes or opens.
+constexpr double kProbeInterval = 1e-7;
+// Accuracy of the gaps (m).
+constexpr double kGapError = 1e-14;
 constexpr double kShortest = 1e-6;  // s
 
 struct Instant {
@@ -18,7 +18,7 @@ struct Instant {
     double gap = 0;
 };
 
-/// The end of the gap between an open and a closed instant, by bisection.
+/// The time at which the gap closes between an open and a closed instant, by bisection.
 double closing_between(const Gap& gap_at, Instant open, Instant closed) {
     for (int i = 0; i < 60; ++i) {
         const double middle = open.time + 0.5 * (closed.time - open.time);
@@ -45,7 +45,7 @@ std::optional<double> search(const Gap& gap_at, double speed, const Instant& fro
     if (const auto found = search(gap_at, speed, from, middle)) {
         return found;
     }
-    // Only an instant that is open can be followed by a closing.
+    // The gap can close only after an instant at which it is open.
     return middle.gap > 0 ? search(gap_at, speed, middle, to) : std::nullopt;
 }
 
@@ -56,18 +56,18 @@ std::optional<double> first_closing(const Gap& gap_at, double speed, double now,
         return std::nullopt;
     }
     Instant from{now, gap_at(now)};
-    if (from.gap <= kAdvanceDistance) {
-        if (gap_at(now + kGlimpse) < from.gap - kNoise) {
+    if (from.gap <= kTouchingGap) {
+        if (gap_at(now + kProbeInterval) < from.gap - kGapError) {
             return now;
         }
-        // Opening: what overlap there is has to go before a new touch.
-        double step = kGlimpse;
+        // Opening: an existing overlap has to vanish before a new impact.
+        double step = kProbeInterval;
         while (from.gap <= 0) {
             const Instant next{from.time + step, gap_at(from.time + step)};
             if (next.time >= until) {
                 return std::nullopt;
             }
-            if (next.gap < from.gap - kNoise) {
+            if (next.gap < from.gap - kGapError) {
                 return next.time;
             }
             from = next;

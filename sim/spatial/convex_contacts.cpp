@@ -12,7 +12,7 @@
 namespace carom::sim {
 namespace {
 
-/// Tries directions for one that keeps the two farther apart than those before.
+/// Searches for the direction along which the gap between two shapes is largest.
 class Separation {
   public:
     Separation(const PlacedShape& a, const PlacedShape& b) : a_(a), b_(b) {}
@@ -24,7 +24,7 @@ class Separation {
         }
         const Vec3 normal = direction / size;
         const double gap = gap_along(a_, b_, normal);
-        // A flat side seen a second time, or as good as another by round-off, changes nothing.
+        // A side that is tried again, or equals another up to rounding, changes nothing.
         if (gap > gap_ + 1e-13) {
             gap_ = gap;
             normal_ = normal;
@@ -41,9 +41,9 @@ class Separation {
             consider(to_world(of.pose.orientation, face.normal) * sign);
         }
     }
-    /// The flat sides that face the direction found most: their gap is never more than the
-    /// distance, so the larger of all is the better one.
-    void straighten() {
+    /// Tries the flat sides that face the present direction most. The gap along any direction is at
+    /// most the distance, so the largest gap is the best.
+    void snap_to_sides() {
         const Vec3 found = normal_;
         const double gap = gap_;
         if (const auto side = a_.shape->facing_normal(to_body(a_.pose.orientation, -found)))
@@ -52,16 +52,17 @@ class Separation {
             consider(to_world(b_.pose.orientation, *side));
         is_flat_ = gap_ > gap;
     }
-    /// Whether a flat side gave the normal.
+    /// True if the normal is that of a flat side.
     [[nodiscard]] bool is_flat() const { return is_flat_; }
 
-    /// By small turns, as long as they help: on round sides the closest points are found by and by.
-    void polish() {
+    /// Improves the direction by small turns: on round sides the closest points are only
+    /// approximate.
+    void refine() {
         constexpr double kWidest = 4e-3;  // rad
         constexpr double kFinest = 1e-6;
-        constexpr int kMostTurns = 100;
+        constexpr int kMaxTurns = 100;
         int turns = 0;
-        for (double step = kWidest; step > kFinest && turns < kMostTurns; ++turns) {
+        for (double step = kWidest; step > kFinest && turns < kMaxTurns; ++turns) {
             const double before = gap_;
             const Vec3 axis = std::abs(normal_.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
             const Vec3 u = normal_.cross(axis) / length(normal_.cross(axis));
@@ -96,15 +97,15 @@ FacingFeature facing_in_world(const PlacedShape& of, const Vec3& direction) {
     return feature;
 }
 
-/// What of `points` (a point, a line or a polygon) lies over the flat side (Sutherland and Hodgman,
-/// Reentrant polygon clipping, Comm. ACM 17, 1974).
+/// Clips `points` (a point, a line or a polygon) to the prism over the flat side (Sutherland and
+/// Hodgman, Reentrant polygon clipping, Comm. ACM 17, 1974).
 std::vector<Vec3> clip(std::vector<Vec3> points, const FacingFeature& side) {
     const std::size_t corners = side.points.size();
     for (std::size_t e = 0; e < corners && !points.empty(); ++e) {
         const Vec3& from = side.points[e];
         const Vec3 inwards = side.normal.cross(side.points[(e + 1) % corners] - from);
         const auto height = [&](const Vec3& p) { return inwards.dot(p - from); };
-        const double rim = 1e-9 * length(inwards);  // m: corner over corner stays
+        const double rim = 1e-9 * length(inwards);  // 1e-9 m: keeps a corner over a corner
         const std::size_t count = points.size();
         const std::size_t lines = count > 2 ? count : count - 1;
         std::vector<Vec3> kept;
@@ -131,7 +132,7 @@ std::vector<Vec3> clip(std::vector<Vec3> points, const FacingFeature& side) {
     return points;
 }
 
-/// Two lines that run about side by side touch where both are.
+/// Adds the ends of the common section of two nearly parallel lines.
 bool add_parallel(const FacingFeature& a, const FacingFeature& b, const Vec3& normal, double margin,
                   std::vector<ConvexContact>& contacts) {
     constexpr double kParallel = 0.02;  // sine of the angle
@@ -149,9 +150,9 @@ bool add_parallel(const FacingFeature& a, const FacingFeature& b, const Vec3& no
     if (low > high || b0 == b1) {
         return false;
     }
-    for (const double place : {low, high}) {
-        const Vec3 on_a = a.points[0] + unit * place;
-        const Vec3 on_b = b.points[0] + along_b * ((place - b0) / (b1 - b0));
+    for (const double position : {low, high}) {
+        const Vec3 on_a = a.points[0] + unit * position;
+        const Vec3 on_b = b.points[0] + along_b * ((position - b0) / (b1 - b0));
         const double gap = normal.dot(on_a - on_b);
         if (gap <= margin) {
             contacts.push_back({(on_a + on_b) * 0.5, normal, -gap});
@@ -160,7 +161,7 @@ bool add_parallel(const FacingFeature& a, const FacingFeature& b, const Vec3& no
     return !contacts.empty();
 }
 
-/// Points of `other` over the flat side; `sign`: +1 if the side is b's.
+/// Adds the points of `other` over the flat side; `sign`: +1 if the side belongs to b.
 void add_over_side(const FacingFeature& side, const FacingFeature& other, const Vec3& normal,
                    double margin, double sign, std::vector<ConvexContact>& contacts) {
     for (const Vec3& p : clip(other.points, side)) {
@@ -171,10 +172,10 @@ void add_over_side(const FacingFeature& side, const FacingFeature& other, const 
     }
 }
 
-/// As they are while they are apart; of cores as little inside as possible where they overlap.
+/// The closest points of the shapes; if they overlap, of cores that are as shallow as possible.
 std::optional<ClosestPoints> closest_points(const PlacedShape& a, const PlacedShape& b,
                                             double far) {
-    constexpr double kClear = 1e-9;  // m: nearer, and the direction is round-off's
+    constexpr double kClear = 1e-9;  // m: for less, rounding determines the direction
     for (const double depth : {0.0, 0.1, 1.0}) {
         std::optional<ClosestPoints> closest = closest_core_points(a, b, depth, far + depth);
         if (closest && length(closest->on_a - closest->on_b) > kClear) {
@@ -189,13 +190,13 @@ Separation separation_of(const PlacedShape& a, const PlacedShape& b,
     Separation separation(a, b);
     if (closest) {
         separation.consider(closest->on_a - closest->on_b);
-        separation.straighten();
+        separation.snap_to_sides();
         if (!separation.is_flat() && separation.gap() <= margin) {
-            separation.polish();
+            separation.refine();
         }
         return separation;
     }
-    // Cores overlap: deeper than anything that is stepped gets. The way out is through a side.
+    // The cores overlap, deeper than bodies in a step ever do: separate them through a side.
     separation.consider(a.pose.position - b.pose.position);
     separation.consider_sides(a, -1);
     separation.consider_sides(b, 1);
@@ -204,9 +205,9 @@ Separation separation_of(const PlacedShape& a, const PlacedShape& b,
 
 }  // namespace
 
-/// The deepest (of those as deep the farthest from the middle), the farthest from that, and the
-/// farthest from their line on either side; points along a line are two.
-void thin_out(std::vector<ConvexContact>& contacts) {
+/// Keeps the deepest contact (among equals the farthest from the middle), the farthest from that,
+/// and the farthest from their line on either side. Of points along a line two remain.
+void reduce_contacts(std::vector<ConvexContact>& contacts) {
     if (contacts.size() <= 2) {
         return;
     }
@@ -265,11 +266,11 @@ void convex_contacts(const PlacedShape& a, const PlacedShape& b, double margin,
     const double facing_b = on_b.is_flat() ? normal.dot(on_b.normal) : 0;
     if (facing_b >= kFacing && facing_b >= facing_a - 1e-9) {
         add_over_side(on_b, on_a, normal, margin, 1, contacts);
-        return thin_out(contacts);
+        return reduce_contacts(contacts);
     }
     if (facing_a >= kFacing) {
         add_over_side(on_a, on_b, normal, margin, -1, contacts);
-        return thin_out(contacts);
+        return reduce_contacts(contacts);
     }
     if (on_a.points.size() == 2 && on_b.points.size() == 2 &&
         add_parallel(on_a, on_b, normal, margin, contacts)) {

@@ -1,4 +1,4 @@
-// The contacts of two convex solids: enough points for faces to rest on faces.
+// Contact points of two convex solids, enough of them for faces to rest on faces.
 #pragma once
 
 #include <vector>
@@ -13,13 +13,13 @@ struct ConvexContact {
     double depth = 0;      // m; negative: a gap
 };
 
-/// Up to four contacts with gaps up to `margin`, all with the same normal; `contacts` is emptied
-/// first. The normal is that of the closest points of the cores, or a flat side's where one faces
-/// it; the points are what is left of one side clipped to the other (as for two boxes in ODE).
+/// Replaces `contacts` by up to four contacts with gaps up to `margin`, all with the same normal.
+/// The normal is that of the closest points of the cores, or that of a flat side that faces it. The
+/// points are those of one side clipped to the other, as for two boxes in ODE.
 void convex_contacts(const PlacedShape& a, const PlacedShape& b, double margin,
                      std::vector<ConvexContact>& contacts);
 
-/// Leaves up to four points that span most of what all do.
-void thin_out(std::vector<ConvexContact>& contacts);
+/// Reduces the contacts to up to four that span most of their area.
+void reduce_contacts(std::vector<ConvexContact>& contacts);
 
 }  // namespace carom::sim

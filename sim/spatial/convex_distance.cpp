@@ -9,7 +9,7 @@
 namespace carom::sim {
 namespace {
 
-/// A point of the difference a - b, and where it comes from.
+/// A point of the Minkowski difference a - b, with the points of a and b that define it.
 struct Vertex {
     Vec3 difference{0, 0, 0};
     Vec3 on_a{0, 0, 0};
@@ -31,7 +31,7 @@ struct Simplex {
     }
 };
 
-/// Those vertices whose bits are set.
+/// The vertices whose bits are set.
 Simplex subset(const Simplex& from, unsigned bits) {
     Simplex result;
     for (std::size_t i = 0; i < from.count; ++i) {
@@ -42,9 +42,9 @@ Simplex subset(const Simplex& from, unsigned bits) {
     return result;
 }
 
-/// The weights of the point nearest to the origin on the line or plane through the vertices; false
-/// if it lies outside of them or they are degenerate.
-bool weigh(Simplex& s) {
+/// Computes the weights of the point nearest to the origin on the line or plane through the
+/// vertices; false if that point lies outside of the vertices or they are degenerate.
+bool compute_weights(Simplex& s) {
     const Vec3& p = s.vertices[0].difference;
     if (s.count == 1) {
         s.vertices[0].weight = 1;
@@ -77,7 +77,7 @@ bool weigh(Simplex& s) {
 }
 
 /// True if the origin lies inside the tetrahedron.
-bool holds_origin(const Simplex& s) {
+bool contains_origin(const Simplex& s) {
     const auto side = [&](std::size_t i, std::size_t j, std::size_t k, const Vec3& x) {
         const Vec3& p = s.vertices[i].difference;
         const Vec3 n = (s.vertices[j].difference - p).cross(s.vertices[k].difference - p);
@@ -91,12 +91,12 @@ bool holds_origin(const Simplex& s) {
     return same(0, 1, 2, 3) && same(0, 1, 3, 2) && same(0, 2, 3, 1) && same(1, 2, 3, 0);
 }
 
-/// Leaves those vertices that the nearest point needs. False if the origin is inside.
+/// Keeps only the vertices that the nearest point needs. False if the origin is inside.
 bool reduce(Simplex& s) {
-    if (s.count == 4 && holds_origin(s)) {
+    if (s.count == 4 && contains_origin(s)) {
         return false;
     }
-    // Corners, edges, triangles, each as the bits of its vertices.
+    // Corners, edges and triangles, each as the bits of its vertices.
     constexpr std::array<unsigned, 14> kParts{1, 2, 4, 8, 3, 5, 9, 6, 10, 12, 7, 11, 13, 14};
     Simplex best;
     double least = 1e300;
@@ -105,7 +105,7 @@ bool reduce(Simplex& s) {
             continue;
         }
         Simplex candidate = subset(s, part);
-        if (!weigh(candidate)) {
+        if (!compute_weights(candidate)) {
             continue;
         }
         const Vec3 nearest = candidate.nearest();
@@ -132,26 +132,26 @@ Vec3 PlacedShape::core_support(const Vec3& world_direction, double depth) const 
 
 std::optional<ClosestPoints> closest_core_points(const PlacedShape& a, const PlacedShape& b,
                                                  double depth, double far) {
-    constexpr int kMostRounds = 100;
-    constexpr double kSettled = 1e-13;  // relative, of the squared distance
-    constexpr double kNothing = 1e-18;  // m^2
+    constexpr int kMaxIterations = 100;
+    constexpr double kConverged = 1e-13;      // relative, of the squared distance
+    constexpr double kZeroDistance2 = 1e-18;  // m^2
     Vec3 nearest = a.pose.position - b.pose.position;
-    if (nearest.dot(nearest) < kNothing) {
+    if (nearest.dot(nearest) < kZeroDistance2) {
         nearest = {0, 0, 1};
     }
     Simplex simplex;
-    for (int i = 0; i < kMostRounds; ++i) {
+    for (int i = 0; i < kMaxIterations; ++i) {
         Vertex next;
         next.on_a = a.core_support(-nearest, depth);
         next.on_b = b.core_support(nearest, depth);
         next.difference = next.on_a - next.on_b;
         const double square = nearest.dot(nearest);
-        // What is beyond this plane on one side and before it on the other is no nearer.
+        // A plane with this normal separates the cores by at least `least` / |nearest|.
         const double least = nearest.dot(next.difference);
         if (simplex.count > 0 && least > 0 && least * least > far * far * square) {
             break;
         }
-        if (simplex.count > 0 && square - nearest.dot(next.difference) <= kSettled * square) {
+        if (simplex.count > 0 && square - nearest.dot(next.difference) <= kConverged * square) {
             break;
         }
         const Simplex before = simplex;
@@ -160,10 +160,10 @@ std::optional<ClosestPoints> closest_core_points(const PlacedShape& a, const Pla
             return std::nullopt;
         }
         const Vec3 closer = simplex.nearest();
-        if (closer.dot(closer) < kNothing) {
+        if (closer.dot(closer) < kZeroDistance2) {
             return std::nullopt;
         }
-        // Round-off has the last word.
+        // Rounding prevents further progress.
         if (before.count > 0 && closer.dot(closer) >= square) {
             simplex = before;
             break;

@@ -1,4 +1,4 @@
-// How far apart two convex solids are.
+// Distance between two convex solids.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace carom::sim {
 
-/// A solid somewhere in the world.
+/// A shape with its pose in the world.
 struct PlacedShape {
     const ConvexShape* shape = nullptr;
     Pose pose;
@@ -22,15 +22,16 @@ struct ClosestPoints {
     Vec3 on_b{0, 0, 0};
 };
 
-/// The closest points of the two cores of that depth (ConvexShape::core_support), world axes; empty
-/// where those overlap. Where the cores are farther apart than `far` (m), any points that are.
+/// The closest points of the two cores of that depth (ConvexShape::core_support), in world axes;
+/// empty if the cores overlap. If they are farther apart than `far` (m), any two points that far
+/// apart.
 /// Gilbert, Johnson and Keerthi, A fast procedure for computing the distance between complex
 /// objects in three-dimensional space, IEEE J. Robotics and Automation 4(2), 1988.
 [[nodiscard]] std::optional<ClosestPoints> closest_core_points(const PlacedShape& a,
                                                                const PlacedShape& b, double depth,
                                                                double far);
 
-/// The gap between the two along unit `normal` (from b towards a): never more than their distance.
+/// The gap between two shapes along unit `normal` (from b towards a); at most their distance.
 [[nodiscard]] double gap_along(const PlacedShape& a, const PlacedShape& b, const Vec3& normal);
 
 }  // namespace carom::sim

@@ -4,7 +4,7 @@
 
 #include "core/length.h"
 #include "sim/numeric/rotation.h"
-#include "sim/spatial/advance.h"
+#include "sim/spatial/conservative_advancement.h"
 
 namespace carom::sim {
 
@@ -16,7 +16,8 @@ Pose ConvexMotion::pose_at(double time) const {
 
 SurfaceContact convex_contact(const ConvexShape& shape, const Pose& pose, const Vec3& centre,
                               double radius) {
-    const Nearest found = nearest(shape, to_body(pose.orientation, centre - pose.position));
+    const NearestPoint found =
+        nearest_point(shape, to_body(pose.orientation, centre - pose.position));
     SurfaceContact contact;
     contact.point = pose.position + to_world(pose.orientation, found.point);
     contact.normal = to_world(pose.orientation, found.normal);
@@ -30,14 +31,14 @@ std::optional<double> convex_impact_time(const MotionSegment& ball, double radiu
     if (!(span >= 0)) {
         return std::nullopt;
     }
-    const double reach = solid.shape->bounding_radius();
+    const double bounding_radius = solid.shape->bounding_radius();
     const double ball_speed =
         std::max(length(ball.velocity_at(now)), length(ball.velocity_at(until)));
     const double solid_speed =
-        length(solid.state.velocity) + reach * length(solid.state.angular_velocity);
+        length(solid.state.velocity) + bounding_radius * length(solid.state.angular_velocity);
     const double speed = ball_speed + solid_speed;
     const Vec3 apart = ball.position_at(now) - solid.pose_at(now).position;
-    if (length(apart) > reach + radius + speed * span) {
+    if (length(apart) > bounding_radius + radius + speed * span) {
         return std::nullopt;
     }
     const auto gap_at = [&](double time) {

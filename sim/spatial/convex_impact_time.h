@@ -1,4 +1,4 @@
-// Balls against convex solids, still or moving.
+// Contacts and impact times of balls with convex solids, at rest or moving.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace carom::sim {
 
-/// A solid's motion over a short time: straight, turning at a constant rate.
+/// Motion of a solid during a short time, with constant velocity and angular velocity.
 struct ConvexMotion {
     const ConvexShape* shape = nullptr;
     double start = 0;   // scene time, s
@@ -19,11 +19,11 @@ struct ConvexMotion {
     [[nodiscard]] Pose pose_at(double time) const;
 };
 
-/// Contact of a ball with a solid; works for a centre inside, too.
+/// Contact of a ball with a solid; the ball's centre may be inside the solid.
 [[nodiscard]] SurfaceContact convex_contact(const ConvexShape& shape, const Pose& pose,
                                             const Vec3& centre, double radius);
 
-/// When the ball touches the solid in [now, until], by the rules of time_of_impact.h.
+/// The time in [now, until] at which the ball hits the solid, by the rules of time_of_impact.h.
 [[nodiscard]] std::optional<double> convex_impact_time(const MotionSegment& ball, double radius,
                                                        const ConvexMotion& solid, double now,
                                                        double until);

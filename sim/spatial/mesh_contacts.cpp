@@ -9,15 +9,14 @@
 namespace carom::sim {
 namespace {
 
-/// What one plane of one surface gives.
+/// The contacts with one plane of one surface.
 struct Group {
     std::uint32_t surface = 0;
     std::vector<ConvexContact> contacts;
 };
 
-/// The triangle as a solid without thickness, its corners about its middle.
-PlacedShape place_triangle(const StaticMesh::Triangle& triangle,
-                           std::optional<ConvexShape>& store) {
+/// The triangle as a solid without thickness, with its centre as origin.
+PlacedShape flat_solid(const StaticMesh::Triangle& triangle, std::optional<ConvexShape>& store) {
     const Vec3 middle = (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
     Polyhedron flat;
     for (const Vec3& corner : triangle.corners) {
@@ -33,8 +32,10 @@ bool is_on_side(const ConvexContact& contact, const StaticMesh::Triangle& triang
     return std::abs(contact.normal.dot(triangle.normal)) > kSame;
 }
 
-/// True if a flat side's contact holds the solid at this place already.
-bool is_held(const ConvexContact& edge, const std::vector<Group>& sides, double margin) {
+/// True if the contact lies in the plane of a flat side's contact, which already supports the
+/// solid.
+bool is_on_contact_plane(const ConvexContact& edge, const std::vector<Group>& sides,
+                         double margin) {
     return std::any_of(sides.begin(), sides.end(), [&](const Group& side) {
         const ConvexContact& on_side = side.contacts.front();
         return std::abs(on_side.normal.dot(edge.point - on_side.point)) < 4 * margin;
@@ -63,13 +64,13 @@ std::vector<SurfaceContact> mesh_contacts(const PlacedShape& solid, const Static
     std::vector<ConvexContact> contacts;
     std::optional<ConvexShape> store;
     for (const StaticMesh::Triangle& triangle : mesh.triangles_near(bounds)) {
-        // Most triangles near it lie in planes that it does not reach.
+        // Most nearby triangles lie in planes that the solid does not touch.
         const double side = triangle.normal.dot(solid.pose.position - triangle.corners[0]);
         const Vec3 normal = side >= 0 ? triangle.normal : -triangle.normal;
         if (normal.dot(solid.support(-normal) - triangle.corners[0]) > margin) {
             continue;
         }
-        convex_contacts(solid, place_triangle(triangle, store), margin, contacts);
+        convex_contacts(solid, flat_solid(triangle, store), margin, contacts);
         if (!contacts.empty()) {
             add_to(is_on_side(contacts.front(), triangle) ? sides : edges, triangle.surface,
                    contacts);
@@ -77,7 +78,7 @@ std::vector<SurfaceContact> mesh_contacts(const PlacedShape& solid, const Static
     }
     for (Group& edge : edges) {
         std::erase_if(edge.contacts, [&](const ConvexContact& contact) {
-            return is_held(contact, sides, margin);
+            return is_on_contact_plane(contact, sides, margin);
         });
         if (!edge.contacts.empty()) {
             sides.push_back(std::move(edge));
@@ -85,7 +86,7 @@ std::vector<SurfaceContact> mesh_contacts(const PlacedShape& solid, const Static
     }
     std::vector<SurfaceContact> result;
     for (Group& group : sides) {
-        thin_out(group.contacts);
+        reduce_contacts(group.contacts);
         for (const ConvexContact& contact : group.contacts) {
             result.push_back({contact.point, contact.normal, contact.depth, group.surface});
         }

@@ -1,4 +1,4 @@
-// The contacts of a convex solid with triangle surfaces.
+// Contacts of a convex solid with triangle surfaces.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,10 @@
 
 namespace carom::sim {
 
-/// Up to four contacts of each plane that it touches, with gaps up to `margin`, normals towards the
-/// solid. Contacts with edges count only where no flat side's contact is in their place: the
-/// inner edges of a surface hold nobody up. `bounds`: of the solid, grown by the margin.
+/// Up to four contacts with each plane that the solid touches, with gaps up to `margin` and normals
+/// towards the solid. Contacts with edges count only outside of the planes of contacts with flat
+/// sides, because the inner edges of a surface support nothing. `bounds`: of the solid, grown by
+/// the margin.
 [[nodiscard]] std::vector<SurfaceContact> mesh_contacts(const PlacedShape& solid,
                                                         const StaticMesh& mesh, const Aabb& bounds,
                                                         double margin);

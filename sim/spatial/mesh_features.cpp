@@ -11,31 +11,31 @@
 namespace carom::sim {
 namespace {
 
-// Vertices this close (m) are one.
+// Vertices this close (m) are merged.
 constexpr double kWeld = 1e-7;
-// A neighbouring triangle whose far corner is out of the plane by less than this share of its
-// distance lies in it.
+// A neighbouring triangle lies in the same plane if its far corner is out of the plane by less than
+// this fraction of its distance.
 constexpr double kFlat = 1e-6;
 
-/// Gives equal places one number.
+/// Assigns one number to equal positions.
 class Welder {
   public:
     explicit Welder(std::size_t count) {
         numbers_.reserve(count);
-        places_.reserve(count);
+        positions_.reserve(count);
     }
     std::uint32_t number_of(const Vec3& p) {
         const Cell cell{std::llround(p.x / kWeld), std::llround(p.y / kWeld),
                         std::llround(p.z / kWeld)};
         const auto [found, is_new] =
-            numbers_.try_emplace(cell, static_cast<std::uint32_t>(places_.size()));
+            numbers_.try_emplace(cell, static_cast<std::uint32_t>(positions_.size()));
         if (is_new) {
-            places_.push_back(p);
+            positions_.push_back(p);
         }
         return found->second;
     }
-    [[nodiscard]] const Vec3& place(std::uint32_t number) const { return places_[number]; }
-    [[nodiscard]] std::size_t size() const { return places_.size(); }
+    [[nodiscard]] const Vec3& position(std::uint32_t number) const { return positions_[number]; }
+    [[nodiscard]] std::size_t size() const { return positions_.size(); }
 
   private:
     using Cell = std::array<std::int64_t, 3>;
@@ -49,10 +49,10 @@ class Welder {
         }
     };
     std::unordered_map<Cell, std::uint32_t, CellHash> numbers_;  // never iterated
-    std::vector<Vec3> places_;
+    std::vector<Vec3> positions_;
 };
 
-/// One triangle's use of an edge; sorted, the uses of one edge are neighbours.
+/// The use of an edge by one triangle; after sorting, the uses of an edge are adjacent.
 struct EdgeUse {
     std::uint32_t from = 0, to = 0;  // from < to
     std::uint32_t face = 0;
@@ -79,7 +79,7 @@ class Builder {
         }
         MeshFeature face;
         face.kind = MeshFeature::Kind::face;
-        face.points = {welder_.place(t[0]), welder_.place(t[1]), welder_.place(t[2])};
+        face.points = {welder_.position(t[0]), welder_.position(t[1]), welder_.position(t[2])};
         face.direction = normal / area;
         const auto number = static_cast<std::uint32_t>(features_.size());
         for (std::size_t i = 0; i < 3; ++i) {
@@ -109,7 +109,7 @@ class Builder {
             }
             MeshFeature feature;
             feature.kind = MeshFeature::Kind::corner;
-            feature.points[0] = welder_.place(i);
+            feature.points[0] = welder_.position(i);
             features_.push_back(feature);
         }
         return std::move(features_);
@@ -117,25 +117,25 @@ class Builder {
 
   private:
     [[nodiscard]] bool is_flat(const EdgeUse& a, const EdgeUse& b) const {
-        const Vec3 to_far = welder_.place(b.opposite) - welder_.place(b.from);
+        const Vec3 to_far = welder_.position(b.opposite) - welder_.position(b.from);
         const Vec3& normal = features_[a.face].direction;
         return std::abs(normal.dot(to_far)) < kFlat * length(to_far) &&
                std::abs(normal.dot(features_[b.face].direction)) > 0.5 && !is_folded(a, b);
     }
 
-    /// Both triangles on the same side of their edge, one upon the other.
+    /// True if both triangles lie on the same side of their edge, one on top of the other.
     [[nodiscard]] bool is_folded(const EdgeUse& a, const EdgeUse& b) const {
-        const Vec3& from = welder_.place(a.from);
-        const Vec3 along = welder_.place(a.to) - from;
-        const Vec3 side_a = along.cross(welder_.place(a.opposite) - from);
-        const Vec3 side_b = along.cross(welder_.place(b.opposite) - from);
+        const Vec3& from = welder_.position(a.from);
+        const Vec3 along = welder_.position(a.to) - from;
+        const Vec3 side_a = along.cross(welder_.position(a.opposite) - from);
+        const Vec3 side_b = along.cross(welder_.position(b.opposite) - from);
         return side_a.dot(side_b) > 0;
     }
 
     void add_edge(const EdgeUse& use) {
         MeshFeature feature;
         feature.kind = MeshFeature::Kind::edge;
-        feature.points = {welder_.place(use.from), welder_.place(use.to), Vec3(0, 0, 0)};
+        feature.points = {welder_.position(use.from), welder_.position(use.to), Vec3(0, 0, 0)};
         const Vec3 along = feature.points[1] - feature.points[0];
         feature.direction = along / length(along);
         features_.push_back(feature);
@@ -148,8 +148,8 @@ class Builder {
     std::vector<char> is_corner_;
 };
 
-/// Ericson, Real-Time Collision Detection, 2005, section 5.1.5: the nearest point by the Voronoi
-/// region of the triangle that `p` lies in.
+/// The nearest point by the Voronoi region of the triangle that contains `p` (Ericson, Real-Time
+/// Collision Detection, 2005, section 5.1.5).
 Vec3 nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
     const Vec3 ab = b - a;
     const Vec3 ac = c - a;
@@ -205,8 +205,8 @@ Vec3 nearest_point(const MeshFeature& feature, const Vec3& point) {
             return nearest_on_triangle(p[0], p[1], p[2], point);
         case MeshFeature::Kind::edge: {
             const Vec3 along = p[1] - p[0];
-            const double place = (point - p[0]).dot(along) / along.dot(along);
-            return p[0] + along * std::clamp(place, 0.0, 1.0);
+            const double fraction = (point - p[0]).dot(along) / along.dot(along);
+            return p[0] + along * std::clamp(fraction, 0.0, 1.0);
         }
         case MeshFeature::Kind::corner:
             break;

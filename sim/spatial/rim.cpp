@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/length.h"
-#include "sim/spatial/advance.h"
+#include "sim/spatial/conservative_advancement.h"
 
 namespace carom::sim {
 
@@ -20,8 +20,8 @@ SurfaceContact Rim::contact(const Vec3& ball_centre, double ball_radius) const {
     return contact;
 }
 
-std::optional<double> Rim::touch(const MotionSegment& ball, double ball_radius, double now,
-                                 double until) const {
+std::optional<double> Rim::impact_time(const MotionSegment& ball, double ball_radius, double now,
+                                       double until) const {
     const double speed = std::max(length(ball.velocity_at(now)), length(ball.velocity_at(until)));
     const Vec3 apart = ball.position_at(now) - centre;
     if (length(apart) > radius + ball_radius + speed * (until - now)) {

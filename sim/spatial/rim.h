@@ -1,4 +1,4 @@
-// The edge of a round hole in the cloth.
+// The edge of a circular hole in the cloth.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@ namespace carom::sim {
 
 struct Rim {
     Vec3 centre{0, 0, 0};
-    double radius = 0;  // of the level circle
+    double radius = 0;  // of the horizontal circle, m
 
     [[nodiscard]] SurfaceContact contact(const Vec3& ball_centre, double ball_radius) const;
-    [[nodiscard]] std::optional<double> touch(const MotionSegment& ball, double ball_radius,
-                                              double now, double until) const;
+    [[nodiscard]] std::optional<double> impact_time(const MotionSegment& ball, double ball_radius,
+                                                    double now, double until) const;
 };
 
 }  // namespace carom::sim

@@ -21,7 +21,7 @@ Aabb bounds_of(const MeshFeature& feature) {
     return box;
 }
 
-/// True if the foot of the perpendicular from `p` lies in the triangle, its edges included.
+/// True if the foot of the perpendicular from `p` lies in the triangle or on its edges.
 bool is_above(const MeshFeature& face, const Vec3& p) {
     constexpr double kRim = 1e-9;  // m
     for (std::size_t i = 0; i < 3; ++i) {
@@ -48,9 +48,9 @@ std::optional<double> edge_impact_time(const MeshFeature& edge, const MotionSegm
     if (!time) {
         return time;
     }
-    const double place = edge.direction.dot(ball.position_at(*time) - edge.points[0]);
-    const double whole = edge.direction.dot(edge.points[1] - edge.points[0]);
-    return place >= 0 && place <= whole ? time : std::nullopt;
+    const double along = edge.direction.dot(ball.position_at(*time) - edge.points[0]);
+    const double edge_length = edge.direction.dot(edge.points[1] - edge.points[0]);
+    return along >= 0 && along <= edge_length ? time : std::nullopt;
 }
 
 std::optional<double> feature_impact_time(const MeshFeature& feature, const MotionSegment& ball,
@@ -98,11 +98,11 @@ void StaticMesh::add(std::vector<Vec3> vertices, std::vector<MeshTriangle> trian
     parts_.push_back(std::move(part));
 }
 
-void StaticMesh::make_ready(Part& part) {
-    if (part.is_ready) {
+void StaticMesh::prepare(Part& part) {
+    if (part.is_prepared) {
         return;
     }
-    part.is_ready = true;
+    part.is_prepared = true;
     part.features = mesh_features(part.vertices, part.triangles);
     std::vector<Aabb> boxes;
     boxes.reserve(part.features.size());
@@ -130,7 +130,7 @@ std::optional<StaticMesh::FeatureImpact> StaticMesh::first_impact(const MotionSe
         if (!part.bounds.overlaps(bounds)) {
             continue;
         }
-        make_ready(part);
+        prepare(part);
         part.tree.query(bounds, near);
         for (const std::uint32_t index : near) {
             const auto time = feature_impact_time(part.features[index], ball, radius, now,
@@ -153,15 +153,15 @@ SurfaceContact StaticMesh::contact(std::uint32_t feature, const Vec3& centre, do
 
 std::vector<SurfaceContact> StaticMesh::contacts(const Vec3& centre, double radius,
                                                  double margin) const {
-    const double reach = (radius + margin) * (1 + 1e-12);
+    const double distance = (radius + margin) * (1 + 1e-12);
     std::vector<std::uint32_t> near;
     std::vector<SurfaceContact> found;
     for (Part& part : parts_) {
-        if (part.bounds.squared_distance(centre) > reach * reach) {
+        if (part.bounds.squared_distance(centre) > distance * distance) {
             continue;
         }
-        make_ready(part);
-        part.tree.query(centre, reach, near);
+        prepare(part);
+        part.tree.query(centre, distance, near);
         for (const std::uint32_t index : near) {
             SurfaceContact candidate = contact_with(part.features[index], centre, radius);
             candidate.surface = part.surface;
@@ -191,7 +191,7 @@ std::vector<StaticMesh::Triangle> StaticMesh::triangles_near(const Aabb& bounds)
         if (!part.bounds.overlaps(bounds)) {
             continue;
         }
-        make_ready(part);
+        prepare(part);
         part.tree.query(bounds, near);
         for (const std::uint32_t index : near) {
             const MeshFeature& feature = part.features[index];
@@ -212,9 +212,9 @@ Aabb swept_bounds(const MotionSegment& ball, double from, double to) {
         if (ball.acceleration[axis] == 0) {
             continue;
         }
-        const double turning = from - v[axis] / ball.acceleration[axis];
-        if (turning > from && turning < to) {
-            box.extend(ball.position_at(turning));
+        const double turning_time = from - v[axis] / ball.acceleration[axis];
+        if (turning_time > from && turning_time < to) {
+            box.extend(ball.position_at(turning_time));
         }
     }
     return box;

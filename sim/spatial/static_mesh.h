@@ -1,4 +1,4 @@
-// Triangle surfaces that do not move, and a ball's way to them.
+// Static triangle surfaces and the impacts and contacts of balls with them.
 #pragma once
 
 #include <array>
@@ -12,19 +12,19 @@
 
 namespace carom::sim {
 
-/// Where a ball touches a surface, or nearly does.
+/// A point at which a ball touches a surface, or nearly does.
 struct SurfaceContact {
     Vec3 point{0, 0, 0};
     Vec3 normal{0, 0, 1};  // unit, towards the ball's centre
-    double depth = 0;      // how far the ball reaches behind it, m; negative: a gap
+    double depth = 0;      // penetration, m; negative: a gap
     std::uint32_t surface = 0;
 };
 
-/// Many surfaces. Each one is taken apart when a ball first comes near it: a table has tens of
-/// thousands of triangles, of which a shot meets few. Not for several threads at once.
+/// A set of surfaces. Each one is decomposed into features when a body first comes near it: a table
+/// has tens of thousands of triangles, of which a shot uses few. Not thread-safe.
 class StaticMesh {
   public:
-    /// `surface`: the caller's number for it, given back in contacts.
+    /// `surface`: the caller's number of the surface, which contacts return.
     void add(std::vector<Vec3> vertices, std::vector<MeshTriangle> triangles,
              std::uint32_t surface);
 
@@ -33,7 +33,7 @@ class StaticMesh {
         std::uint32_t feature = 0;
     };
 
-    /// The first touch in [now, until] of a ball on that segment, by the rules of
+    /// The first impact in [now, until] of a ball on that segment, by the rules of
     /// time_of_impact.h.
     [[nodiscard]] std::optional<FeatureImpact> first_impact(const MotionSegment& ball,
                                                             double radius, double now,
@@ -42,12 +42,12 @@ class StaticMesh {
     [[nodiscard]] SurfaceContact contact(std::uint32_t feature, const Vec3& centre,
                                          double radius) const;
 
-    /// All contacts of a ball at rest there with gaps up to `margin`, the deepest first; those
-    /// with nearly the same normal are one.
+    /// The contacts of a ball at rest with gaps up to `margin`, the deepest first. Of contacts with
+    /// nearly the same normal only one is kept.
     [[nodiscard]] std::vector<SurfaceContact> contacts(const Vec3& centre, double radius,
                                                        double margin) const;
 
-    /// A triangle, its corners counter-clockwise seen against `normal`.
+    /// A triangle; its corners are counter-clockwise seen against `normal`.
     struct Triangle {
         std::array<Vec3, 3> corners;
         Vec3 normal{0, 0, 1};
@@ -65,18 +65,18 @@ class StaticMesh {
         std::uint32_t surface = 0;
         std::uint32_t first_feature = 0;  // features are counted through all parts
         Aabb bounds;
-        bool is_ready = false;
+        bool is_prepared = false;
         std::vector<MeshFeature> features;
         AabbTree tree;
     };
-    static void make_ready(Part& part);
+    static void prepare(Part& part);
     [[nodiscard]] const Part& part_of(std::uint32_t feature) const;
 
     mutable std::vector<Part> parts_;
     std::uint32_t next_feature_ = 0;
 };
 
-/// The box that a ball's centre stays in during [from, to].
+/// The bounding box of a ball's centre during [from, to].
 [[nodiscard]] Aabb swept_bounds(const MotionSegment& ball, double from, double to);
 
 }  // namespace carom::sim

@@ -8,9 +8,9 @@ namespace carom::sim {
 namespace {
 
 /// Alciatore, TP A-30: v = 2 V0 / (1 + m/M + 5/2 (a^2 + b^2) / R^2); a and b are the offsets to the
-/// right and up across the stick. (The proof writes b for the height above the centre and c for the
-/// depth of the contact in the level frame of a stick raised by theta; b cos(theta) - c sin(theta)
-/// there is our b.)
+/// right and up across the stick. (The proof uses b for the height above the centre and c for the
+/// depth of the contact in the horizontal frame of a stick raised by theta; its
+/// b cos(theta) - c sin(theta) is our b.)
 double ball_speed(const Strike& strike, double mass) {
     if (strike.ball_speed) {
         return *strike.ball_speed;

@@ -1,4 +1,4 @@
-// What a cue stick gives a ball.
+// The effect of a cue stick on a ball.
 #pragma once
 
 #include "sim/force_event.h"
@@ -9,13 +9,13 @@ namespace carom::sim {
 inline constexpr double kMiscueOffset = 0.5;
 
 struct StrikeResult {
-    Vec3 velocity{0, 0, 0};          // given to the ball, world axes, m/s
+    Vec3 velocity{0, 0, 0};          // added to the ball's, world axes, m/s
     Vec3 angular_velocity{0, 0, 0};  // world axes, rad/s
 };
 
-/// Velocity and spin given to a ball of `mass` and `radius` by a stick that moves horizontally
-/// along `aim` (unit, horizontal) but for its elevation. The ball goes off along the stick, turned
-/// by the squirt; its spin is about axes that belong to the aim.
+/// Velocity and spin that a stick gives to a ball of `mass` and `radius`. Apart from its elevation,
+/// the stick moves along `aim` (unit, horizontal). The ball leaves along the stick, deflected by
+/// the squirt; its spin is not deflected.
 [[nodiscard]] StrikeResult strike_ball(const Strike& strike, const Vec3& aim, double mass,
                                        double radius);
 
