@@ -1,4 +1,4 @@
-// Balls in the air: exact parabolas, bounces, landings.
+// Balls in the air: exact parabolas, bounces and landings.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -54,8 +54,9 @@ TEST(JumpShot_OverABall, ClearsItAndLandsWhereTheParabolaSays) {
     world.events = {strike_towards("cue", "two", 4, 0, {0, 0}, elevation)};
     const Timeline timeline = bake(world);
     EXPECT_EQ(find_event(timeline, EventKind::impact, "cue", "one"), nullptr);
-    // The stick's blow, then the slate's: e of the descent comes back, and friction takes its share
-    // (at most mu (1 + e) of the descent, at most 2/7 of the slip).
+    // The strike, then the impact with the slate, which returns the fraction e of the descent;
+    // friction reduces the forward speed (by at most mu (1 + e) of the descent and 2/7 of the
+    // slip).
     const double given = 2 * 4 / (1 + kMass / 0.567);
     const double descent = given * std::sin(elevation);
     const double level = given * std::cos(elevation);
@@ -71,13 +72,13 @@ TEST(JumpShot_OverABall, ClearsItAndLandsWhereTheParabolaSays) {
     EXPECT_EQ(slate[0]->time, 0);
     EXPECT_NEAR(slate[1]->time, 2 * rise / kGravity, 1e-12);
     EXPECT_NEAR(slate[1]->place.x, forward * 2 * rise / kGravity, 1e-11);
-    // It ends rolling on the cloth, exactly on it.
+    // It ends exactly on the cloth.
     const MotionState end = state_at(timeline, "cue", 3);
     EXPECT_EQ(end.position.z, kRadius);
     EXPECT_EQ(end.velocity.z, 0);
 }
 
-TEST(JumpShot_Landing, LeavesNoSeam) {
+TEST(JumpShot_Landing, HasNoDiscontinuity) {
     WorldDescription world = cloth_world(3);
     world.bodies = {ball("cue", 0, 0), ball("two", 9, 0)};
     world.events = {strike_towards("cue", "two", 3, 0, {0.1, -0.2}, 0.5)};
@@ -100,7 +101,7 @@ TEST(BallInAir_OnAnotherBall, BouncesOffIt) {
     const Event* impact = find_event(timeline, EventKind::impact, "cue", "one");
     ASSERT_NE(impact, nullptr);
     EXPECT_GT(impact->normal.z, 0.9);
-    // Both end on the cloth, apart.
+    // Both balls end on the cloth and do not overlap.
     const Vec3 a = state_at(timeline, "cue", 2).position;
     const Vec3 b = state_at(timeline, "one", 2).position;
     EXPECT_NEAR(a.z, kRadius, 1e-9);
@@ -126,7 +127,7 @@ TEST(Ball_DrivenOffTheTable, LandsOnTheFloor) {
     EXPECT_NEAR(state_at(timeline, "cue", 4).position.z, kRadius - world.table->height, 1e-9);
 }
 
-TEST(Hop_WhenKept, LiftsTheBallOffAfterACushion) {
+TEST(Hop_WhenEnabled, LiftsTheBallOffAfterACushion) {
     WorldDescription world = walled_world(2);
     const Vec3 velocity(4, 0, 0);
     world.bodies = {ball("cue", 0.5, 0, velocity, {0, -100, 0})};
@@ -138,14 +139,14 @@ TEST(Hop_WhenKept, LiftsTheBallOffAfterACushion) {
     EXPECT_EQ(state_at(timeline, "cue", 2).position.z, kRadius);
 }
 
-TEST(TiltedGravity_BallOnCloth, RunsDownhill) {
+TEST(TiltedGravity_BallOnCloth, RollsDownhill) {
     WorldDescription world = cloth_world(1);
     const double angle = 0.05;
     world.gravity = {kGravity * std::sin(angle), 0, -kGravity * std::cos(angle)};
     world.contact_law.ball_cloth.rolling_friction = 0;
     world.bodies = {ball("cue", 0, 0)};
     const MotionState end = state_at(bake(world), "cue", 1);
-    // A ball that rolls accelerates by 5/7 g sin.
+    // A rolling ball accelerates at 5/7 g sin.
     EXPECT_NEAR(end.velocity.x, 5.0 / 7 * kGravity * std::sin(angle), 2e-3);
     EXPECT_NEAR(end.position.z, kRadius, 2e-5);
 }

@@ -1,4 +1,4 @@
-// What is only balanced falls; what rests in stable support falls asleep.
+// Bodies that are only balanced fall; bodies with stable support fall asleep.
 #include <cmath>
 #include <string>
 
@@ -11,13 +11,13 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979324 / 180;
 
-Body solid(const std::string& name, const BodyShape& shape, const Vec3& place) {
+Body solid(const std::string& name, const BodyShape& shape, const Vec3& position) {
     Body body;
     body.name = name;
     body.shape = shape;
     body.mass = 0.05;
     body.material = "wood";
-    body.pose.position = place;
+    body.pose.position = position;
     return body;
 }
 
@@ -35,7 +35,7 @@ Body leaning_domino(const std::string& name, double angle, double thickness, dou
     return body;
 }
 
-/// How far a body's z axis is from upright, degrees.
+/// Angle between a body's z axis and the vertical, degrees.
 double lean(const MotionState& state) {
     const Quat& q = state.orientation;
     const double z = 1 - 2 * (q.v.x * q.v.x + q.v.y * q.v.y);
@@ -46,7 +46,7 @@ bool sleeps(const Timeline& timeline, const std::string& name) {
     return find_event(timeline, EventKind::resting, name) != nullptr;
 }
 
-/// It tips where its centre is above the edge: at atan(8 / 50) = 9.0903 degrees.
+/// It tips over if its centre is beyond the edge: above atan(8 / 50) = 9.0903 degrees.
 TEST(Domino_LeaningByAnyAngle, FallsBackOrOver) {
     for (const double angle :
          {5.0, 8.9, 9.0, 9.05, 9.08, 9.089, 9.0902, 9.0904, 9.092, 9.1, 9.15, 9.25, 9.3, 12.0}) {
@@ -63,13 +63,13 @@ TEST(Domino_LeaningByAnyAngle, FallsBackOrOver) {
     }
 }
 
-TEST(BalancedDomino_WithAWeightBeside, FallsNoDifferently) {
+TEST(BalancedDomino_WithABallBesideIt, FallsAsWithoutTheBall) {
     WorldDescription world = cloth_world(4);
     world.bodies = {leaning_domino("domino", 9.15 * kDegree, 0.008, 0.05), ball("ball", -0.2, 0)};
     EXPECT_NEAR(lean(state_at(bake(world), "domino", 4)), 90, 0.05);
 }
 
-TEST(StackOfBoxes, StillFallsAsleepAtOnce) {
+TEST(StackOfBoxes, StillFallsAsleepImmediately) {
     WorldDescription world = cloth_world(1);
     for (int i = 0; i < 6; ++i) {
         world.bodies.push_back(solid("box" + std::to_string(i), Box{{0.06, 0.06, 0.06}},
@@ -83,13 +83,13 @@ TEST(StackOfBoxes, StillFallsAsleepAtOnce) {
     }
 }
 
-/// The upper plank's centre is beyond the lower one's edge: both tip together, slowly at first.
+/// The common centre of plank and load is beyond the edge: both tip together, slowly at first.
 TEST(Plank_WithALoadThatTipsIt, Tips) {
     WorldDescription world = cloth_world(6);
     Body block = solid("block", Box{{0.1, 0.1, 0.1}}, {0, 0, 0.05});
     block.kind = BodyKind::fixed;
-    // The plank alone is held up: its centre is 20 mm inside of the block's edge. With the load on
-    // its free end the weight acts 0.08 mm outside of it.
+    // The plank alone is supported: its centre is 20 mm inside the block's edge. With the load on
+    // its free end the weight acts 0.08 mm outside of the edge.
     Body plank = solid("plank", Box{{0.2, 0.05, 0.01}}, {0.03, 0, 0.105});
     Body load = solid("load", Box{{0.02, 0.02, 0.02}}, {0.12, 0, 0.12});
     load.mass = plank.mass * (0.02 + 0.0001) / 0.07;
@@ -111,7 +111,7 @@ TEST(Plank_HeldByALoadBehind, Sleeps) {
     EXPECT_LT(lean(state_at(timeline, "plank", 1)), 0.01);
 }
 
-TEST(RoundSolid_OnItsSide, StillFallsAsleepAtOnce) {
+TEST(RoundSolid_OnItsSide, StillFallsAsleepImmediately) {
     for (const bool is_capsule : {false, true}) {
         WorldDescription world = cloth_world(1);
         const BodyShape shape =
@@ -134,7 +134,7 @@ TEST(CapsuleOnItsEnd_HardlyTilted, FallsOver) {
     EXPECT_NEAR(lean(state_at(bake(world), "pin", 6)), 90, 1);
 }
 
-TEST(BallBetweenBoxes_OnTheCloth, StillFallsAsleepAtOnce) {
+TEST(BallBetweenBoxes_OnTheCloth, StillFallsAsleepImmediately) {
     WorldDescription world = cloth_world(1);
     world.bodies = {ball("ball", 0, 0),
                     solid("left", Box{{0.06, 0.06, 0.06}}, {-kRadius - 0.03, 0, 0.03}),

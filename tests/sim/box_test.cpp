@@ -10,13 +10,13 @@
 namespace carom::sim::test {
 namespace {
 
-Body box(const std::string& name, const Vec3& size, const Vec3& place, double density = 700) {
+Body box(const std::string& name, const Vec3& size, const Vec3& position, double density = 700) {
     Body body;
     body.name = name;
     body.shape = Box{size};
     body.mass = density * size.x * size.y * size.z;
     body.material = "wood";
-    body.pose.position = place;
+    body.pose.position = position;
     return body;
 }
 
@@ -47,7 +47,7 @@ TEST(Box_OnASlopeBelowTheFrictionAngle, StaysWhereItIs) {
     }
 }
 
-TEST(Box_OnASlopeAboveTheFrictionAngle, SlidesAsCoulombSays) {
+TEST(Box_OnASlopeAboveTheFrictionAngle, SlidesByCoulombsLaw) {
     for (const double degrees : {22.5, 25.0, 30.0}) {
         const WorldDescription world = slope_world(degrees);
         const double angle = degrees * 3.14159265358979324 / 180;
@@ -124,7 +124,7 @@ TEST(Box_Dropped, ComesToRestOnAFace) {
 
 constexpr int kDominoes = 30;
 
-/// A row along x, pushed at its beginning.
+/// A row of dominoes along x, the first of which is pushed.
 WorldDescription domino_world(double step) {
     WorldDescription world = cloth_world(1.6);
     world.step = step;
@@ -141,25 +141,25 @@ WorldDescription domino_world(double step) {
     return world;
 }
 
-/// When each domino strikes the next one for the first time.
-std::vector<double> touch_times(const Timeline& timeline) {
+/// Times at which each domino first hits the next one.
+std::vector<double> impact_times(const Timeline& timeline) {
     std::vector<double> times;
     for (int i = 0; i + 1 < kDominoes; ++i) {
-        const Event* touch = find_event(timeline, EventKind::impact, "d" + std::to_string(i),
-                                        "d" + std::to_string(i + 1));
-        if (touch == nullptr) {
+        const Event* impact = find_event(timeline, EventKind::impact, "d" + std::to_string(i),
+                                         "d" + std::to_string(i + 1));
+        if (impact == nullptr) {
             break;
         }
-        times.push_back(touch->time);
+        times.push_back(impact->time);
     }
     return times;
 }
 
-TEST(Dominoes_PushedAtOneEnd, FallInAnEvenWaveWhateverTheStep) {
+TEST(Dominoes_PushedAtOneEnd, FallInAUniformWaveForAnyStep) {
     const Timeline coarse = bake(domino_world(1.0 / 240));
     const Timeline fine = bake(domino_world(1.0 / 480));
-    const std::vector<double> times = touch_times(coarse);
-    const std::vector<double> fine_times = touch_times(fine);
+    const std::vector<double> times = impact_times(coarse);
+    const std::vector<double> fine_times = impact_times(fine);
     ASSERT_EQ(times.size(), kDominoes - 1);
     ASSERT_EQ(fine_times.size(), kDominoes - 1);
     double shortest = 1;
@@ -171,7 +171,7 @@ TEST(Dominoes_PushedAtOneEnd, FallInAnEvenWaveWhateverTheStep) {
         EXPECT_NEAR((fine_times[i] - fine_times[i - 1]) / interval, 1, 0.02) << i;
     }
     EXPECT_LT(longest / shortest, 1.05);
-    // Every one of them lies down, and none turns aside.
+    // All dominoes lie flat, and none has moved sideways.
     for (int i = 0; i < kDominoes; ++i) {
         const MotionState end = state_at(coarse, "d" + std::to_string(i), 1.6);
         EXPECT_LT(end.position.z, 0.016) << i;
@@ -244,7 +244,7 @@ TEST(Ball_OnAFixedRamp, JumpsOffItsEnd) {
 
 TEST(Ball_AgainstAFixedMesh, TouchesItsFaces) {
     WorldDescription world = cloth_world(1);
-    // A wedge whose face stands at 45 degrees to the ball's way.
+    // A wedge whose face is at 45 degrees to the ball's path.
     Body wedge;
     wedge.name = "wedge";
     wedge.kind = BodyKind::fixed;

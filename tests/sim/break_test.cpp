@@ -1,4 +1,4 @@
-// A whole nine-ball break.
+// A complete nine-ball break.
 #include <atomic>
 #include <cmath>
 #include <thread>
@@ -67,9 +67,9 @@ WorldDescription crowded_shot() {
     return world;
 }
 
-// ODE's worlds share a threading implementation unless told otherwise: then this test differs from
-// run to run, or crashes.
-TEST(Break_BakedOnSeveralThreadsAtOnce, IsAlwaysTheSame) {
+// By default ODE's worlds share a threading implementation. Then the results would differ from run
+// to run, or this test would crash.
+TEST(Break_BakedConcurrently, IsAlwaysTheSame) {
     const WorldDescription world = crowded_shot();
     const Timeline alone = bake(world);
     std::atomic<int> different = 0;
@@ -86,7 +86,7 @@ TEST(Break_BakedOnSeveralThreadsAtOnce, IsAlwaysTheSame) {
     EXPECT_EQ(different, 0);
 }
 
-TEST(Break_Balls, NeverOverlapNorLeaveTheTableUnseen) {
+TEST(Break_Balls, NeverOverlap) {
     const WorldDescription world = break_shot();
     const Timeline result = bake(world);
     EXPECT_TRUE(result.warnings.empty());

@@ -80,7 +80,7 @@ TEST(CellGrid_PathThatTurnsBack, CrossesTheSameEdgeTwice) {
     EXPECT_EQ(back->to, CellGrid::Side::left);
 }
 
-TEST(CellGrid_FarFromTheOrigin, PathsCrossNoMore) {
+TEST(CellGrid_FarFromTheOrigin, PathsCrossNoCells) {
     CellGrid grid(0.1, 2);
     const MotionSegment path = moving({1e7, 1e7, 0}, {1000, 0, 0});
     grid.place(0, path.state.position);
@@ -89,13 +89,13 @@ TEST(CellGrid_FarFromTheOrigin, PathsCrossNoMore) {
     EXPECT_EQ(near(grid, 0), Items({1}));
 }
 
-// Whatever two items do, from the moment on at which they are a cell's width apart they know of
-// each other: one of them has found the other on crossing, or at the start.
+// Two items that are a cell's width apart or closer have found each other before: at the start, or
+// when one of them crossed into another cell.
 TEST(CellGrid_RandomPaths, FindEachOtherBeforeTheyMeet) {
     std::mt19937 random(5);
     const auto uniform = [&random] { return static_cast<double>(random()) * 0x1p-31 - 1; };
     int meetings = 0;
-    for (int round = 0; round < 300; ++round) {
+    for (int trial = 0; trial < 300; ++trial) {
         CellGrid grid(0.12, 2);
         std::array<MotionSegment, 2> paths;
         for (std::uint32_t i = 0; i < 2; ++i) {
@@ -127,7 +127,7 @@ TEST(CellGrid_RandomPaths, FindEachOtherBeforeTheyMeet) {
                 continue;
             }
             ++meetings;
-            ASSERT_LE(known_since, t) << round;
+            ASSERT_LE(known_since, t) << trial;
             break;
         }
     }

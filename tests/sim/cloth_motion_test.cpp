@@ -1,4 +1,5 @@
-// Closed forms of one ball on the cloth: Marlow, The Physics of Pocket Billiards, 1995, chapter 2.
+// Closed-form motion of one ball on the cloth (Marlow, The Physics of Pocket Billiards, 1995,
+// chapter 2).
 #include "sim/motion/cloth_motion.h"
 
 #include <cmath>
@@ -46,7 +47,7 @@ TEST(ClothMotion_Masse, FollowsAParabolaToItsRollingVelocity) {
     const MotionState start = moving({2, 0.5, 0}, {60, -30, 20});
     const MotionSegment slide = cloth_segment(0, start, kRadius, kGravity, kLaw);
     const MotionState end = slide.state_at(slide.end);
-    // u' = -7/2 mu g, and the velocity changes by 2/7 of the slip that is gone.
+    // u' = -7/2 mu g, and the velocity changes by 2/7 of the slip that has vanished.
     const Vec3 slip = slip_velocity(start, kRadius);
     const Vec3 expected = start.velocity - slip * (2.0 / 7);
     EXPECT_NEAR((end.velocity - expected).length(), 0, 1e-13);
@@ -79,7 +80,7 @@ TEST(ClothMotion_NoVelocity, Rests) {
     EXPECT_EQ(rest.end, kNever);
 }
 
-TEST(ClothMotion_WithoutFriction, SlidesForEver) {
+TEST(ClothMotion_WithoutFriction, SlidesForever) {
     const MotionSegment slide =
         cloth_segment(0, moving({1, 0, 0}, {0, 0, 0}), kRadius, kGravity, {0, 0, 0});
     EXPECT_EQ(slide.kind, MotionKind::sliding);

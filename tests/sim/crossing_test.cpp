@@ -1,4 +1,4 @@
-// Triggers that wait for a line to be crossed.
+// Triggers that fire when a body crosses a line.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace carom::sim::test {
 namespace {
 
-/// Pushes `marker` at the moment when `object` crosses the line.
+/// Pushes `marker` when `object` crosses the line.
 ForceEvent when_crossing(const std::string& object, const Vec2& from, const Vec2& to,
                          double time = 0, double after = 0) {
     ForceEvent event;
@@ -32,7 +32,7 @@ WorldDescription world_of(const Body& body, double duration, const ForceEvent& e
     return world;
 }
 
-/// When the marker was pushed; -1 if it never was.
+/// Time at which the marker was pushed; -1 if it never was.
 double push_time(const WorldDescription& world) {
     const Timeline timeline = bake(world);
     const Event* impulse = find_event(timeline, EventKind::impulse, "marker");
@@ -52,13 +52,13 @@ TEST(Crossing_ByARollingBall, IsWhenItsCentreIsOnTheLine) {
         EXPECT_NEAR(push_time(world_of(rolling(0, 0, {2, 0, 0}), 2, event)), expected + after,
                     1e-13);
     }
-    // The other way round, and from the other side.
+    // With the ends of the line exchanged, and from the other side.
     EXPECT_NEAR(push_time(world_of(rolling(2, 0, {-2, 0, 0}), 2,
                                    when_crossing("cue", {1, 0.5}, {1, -0.5}))),
                 expected, 1e-13);
 }
 
-TEST(Crossing_BesideTheSegment, IsNone) {
+TEST(Crossing_BesideTheSegment, DoesNotCount) {
     const ForceEvent event = when_crossing("cue", {1, 0.1}, {1, 0.5});
     const WorldDescription world = world_of(rolling(0, 0, {2, 0, 0}), 2, event);
     const Timeline result = bake(world);
@@ -69,7 +69,7 @@ TEST(Crossing_BesideTheSegment, IsNone) {
 }
 
 TEST(Crossing_BeforeItsTime, DoesNotCount) {
-    // Over the line at 0.1 s, and back over it after the cushion.
+    // The ball crosses the line at 0.1 s, and again after the cushion.
     WorldDescription world = walled_world(4);
     world.contact_law.ball_cushion = {CushionModel::mirror, 1, 0};
     world.contact_law.ball_cloth = {0, 0, 0, 0.5};
@@ -81,8 +81,8 @@ TEST(Crossing_BeforeItsTime, DoesNotCount) {
     EXPECT_NEAR(push_time(world), (turn - 0.5) + (turn - 0.6), 1e-12);
 }
 
-TEST(Crossing_FromOnTheLine, IsNotLeavingIt) {
-    // Leaves the line that it starts on, comes back to it by draw.
+TEST(Crossing_ByABallThatStartsOnTheLine, IsNotItsDeparture) {
+    // The ball leaves the line on which it starts and returns to it by draw.
     WorldDescription world = world_of(ball("cue", 0, 0, {1, 0, 0}, {0, -150, 0}), 3,
                                       when_crossing("cue", {0, -1}, {0, 1}));
     const Timeline timeline = bake(world);
@@ -103,7 +103,8 @@ TEST(Crossing_InTheAir, IsSeenFromAbove) {
 }
 
 TEST(Crossing_AtAnImpact, IsFoundOnce) {
-    // The balls meet when the cue ball's centre is on the line (but for round-off), and it goes on.
+    // The balls collide when the cue ball's centre is on the line (up to rounding); then it
+    // continues.
     WorldDescription world =
         world_of(rolling(0, 0, {2, 0, 0}), 2, when_crossing("cue", {0.5, -1}, {0.5, 1}));
     world.bodies.push_back(ball("one", 0.5 + 2 * kRadius, 0));
@@ -114,7 +115,7 @@ TEST(Crossing_AtAnImpact, IsFoundOnce) {
                 find_event(timeline, EventKind::impact, "cue", "one")->time, 1e-9);
 }
 
-TEST(Crossing_BySomethingThatOdeCarries, IsOnItsPath) {
+TEST(Crossing_ByABodyInOde, IsOnItsPath) {
     // A box slides; v = 1 - mu g t, x = t - mu g t^2 / 2 reaches 0.1.
     WorldDescription world = cloth_world(1);
     Body box = ball("box", 0, 0, {1, 0, 0});
@@ -140,7 +141,8 @@ TEST(Crossing_ByABallOnTheEdgeOfAPocket, IsOnItsPath) {
     const Vec2 start = pocket.centre - outward * (pocket.radius + 0.02);
     world.bodies = {rolling(start.x, start.y, Vec3(outward.x, outward.y, 0) * 0.1),
                     ball("marker", 0, 0)};
-    // Across its way, a centimetre over the edge: ODE carries it there.
+    // The line is perpendicular to the path, a centimetre beyond the edge, where ODE steps the
+    // ball.
     const Vec2 place = pocket.centre - outward * (pocket.radius - 0.01);
     const Vec2 across(-outward.y, outward.x);
     world.events = {when_crossing("cue", place - across * 0.05, place + across * 0.05)};
@@ -168,13 +170,13 @@ TEST(Trigger_Potted, FiresAfterTheBallHasFallen) {
         ASSERT_NE(impulse, nullptr);
         EXPECT_NEAR(impulse->time, potted->time + after, 1e-12);
     }
-    // A time later than the potting: it happens no more.
+    // The event's time is after the potting, so it never happens.
     world.events[0].time = 1;
     EXPECT_EQ(bake(world).warnings.at(0).sentence,
               "event 1 on 'marker' never happened: 'one' was never potted");
 }
 
-TEST(Crossing_WithAFaultyLine, IsAProblem) {
+TEST(Crossing_WithAnInvalidLine, IsAProblem) {
     const WorldDescription world =
         world_of(rolling(0, 0, {1, 0, 0}), 1, when_crossing("cue", {1, 1}, {1, 1}));
     EXPECT_EQ(problem_sentences(world).at(0),
@@ -183,7 +185,7 @@ TEST(Crossing_WithAFaultyLine, IsAProblem) {
         world_of(rolling(0, 0, {1, 0, 0}), 1, when_crossing("cue", {1, 0}, {1, 1}));
     still.bodies[0].kind = BodyKind::fixed;
     EXPECT_EQ(problem_sentences(still).at(0),
-              "event 1 on 'marker': it waits for 'cue' to cross a line, which never moves");
+              "event 1 on 'marker': it waits for 'cue' to cross a line, but that body is fixed");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Many balls: nobody is overlooked, and what does not take part changes nothing.
+// Many balls: no impact is missed, and balls that take no part change nothing.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace carom::sim::test {
 namespace {
 
-/// `rows` x 2 `rows` balls on a table with cushions and without pockets, going different ways.
+/// `rows` x 2 `rows` balls on a table without pockets, moving in different directions.
 WorldDescription crowd(int rows, double duration) {
     WorldDescription world = walled_world(duration);
     world.table->kind = billiards::TableKind::custom;
@@ -41,7 +41,7 @@ TEST(Crowd_OfBalls, NeverOverlapsNorLeavesTheTable) {
     }
 }
 
-// Where ODE carries nothing, the step is nobody's business.
+// Without bodies in ODE the step has no effect.
 TEST(Crowd_WithAnyStep, IsTheSame) {
     WorldDescription world = crowd(4, 1.5);
     const Timeline coarse = bake(world);
@@ -49,8 +49,8 @@ TEST(Crowd_WithAnyStep, IsTheSame) {
     EXPECT_EQ(bake(world), coarse);
 }
 
-// A huge ball far away makes the grid's cells wider: balls meet others at other times, and the
-// same happens (but for round-off, which impacts multiply).
+// A huge ball far away makes the grid's cells wider. Then pairs are tested at other times, but the
+// motion is the same (up to rounding, which impacts amplify).
 TEST(Crowd_InWiderCells, MovesTheSame) {
     WorldDescription world = crowd(3, 0.5);
     const Timeline narrow = bake(world);
@@ -78,7 +78,7 @@ TEST(Crowd_OfRestingBallsWithOneMoving, IsHitInTurn) {
     }
     world.bodies[0].velocity = {2, 0, 0};
     const Timeline timeline = bake(world);
-    // Newton's cradle with gaps: the velocity is passed on, the gaps take their time.
+    // Newton's cradle with gaps: each ball passes its velocity on after it has closed the next gap.
     ASSERT_EQ(count_events(timeline, EventKind::impact), 39);
     EXPECT_NEAR(state_at(timeline, "ball39", 4).velocity.x, 2, 1e-12);
     double expected = 0;

@@ -1,4 +1,4 @@
-// Cushions through the whole bake.
+// Cushion impacts in complete bakes.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ LevelState mirrored(const LevelState& s, const Vec2& inward, double restitution)
     return after;
 }
 
-/// Han 2005, equations 13 to 17: x into the cushion, y along it; the vertical part is left out.
+/// Han 2005, equations 13 to 17: x into the cushion, y along it; the vertical part is omitted.
 LevelState han(const LevelState& s, const Vec2& inward, double e, double mu) {
     const Vec2 x = -inward;
     const Vec2 y(-x.y, x.x);
@@ -47,8 +47,8 @@ struct CushionShot {
     double speed, degrees, roll, side;
 };
 
-/// Bakes the shot on a table of 2.54 x 1.27 m and returns how far it is from `table`'s path at
-/// most.
+/// Bakes the shot on a table of 2.54 x 1.27 m and returns its largest distance from the path on
+/// `table`.
 double worst_distance(const CushionShot& shot, const BallCushion& law, const LevelTable& table) {
     WorldDescription world = walled_world(20);
     world.contact_law.ball_cushion = law;
@@ -140,7 +140,7 @@ TEST(Cushion_Mirror, ReflectsThePath) {
         const Event* impact = find_event(timeline, EventKind::impact, "cue", "cushion");
         ASSERT_NE(impact, nullptr);
         const Key key = key_at(timeline, "cue", impact->time);
-        // The ball touches when its front is at the playing field's edge.
+        // The ball touches the cushion when its foremost point is at the edge of the playing field.
         if (std::abs(impact->normal.y) > 0.5) {
             EXPECT_NEAR(key.position.y, 1.27 / 2 - kRadius, 1e-12);
             EXPECT_NEAR(key.velocity_out.y, -0.8 * velocity.y, 1e-12);
@@ -152,7 +152,7 @@ TEST(Cushion_Mirror, ReflectsThePath) {
     }
 }
 
-TEST(Cushion_Han, HeadOnRollingBall_KeepsTheFormulasShare) {
+TEST(Cushion_Han, HeadOnRollingBall_ReboundsByTheFormula) {
     WorldDescription world = walled_world(1);
     const Vec3 velocity(2, 0, 0);
     world.contact_law.ball_cloth.rolling_friction = 0;
@@ -183,14 +183,14 @@ TEST(Cushion_RunningEnglish, WidensTheRebound) {
         const Key key = key_at(timeline, "cue", impact->time);
         slopes.push_back(key.velocity_out.x / -key.velocity_out.y);
     }
-    // A ball that goes right along the far cushion runs along it with counter-clockwise spin.
+    // For a ball that moves right along the far cushion, counter-clockwise spin is running english.
     EXPECT_LT(slopes[0], slopes[1]);
     EXPECT_LT(slopes[1], slopes[2]);
 }
 
-TEST(Cushion_BallPressedByItsSpin, SlidesAlongWithoutStalling) {
+TEST(Cushion_BallPressedByItsSpin, SlidesAlongTheCushionWithoutStalling) {
     WorldDescription world = walled_world(3);
-    // Strong follow into the cushion from a hair away.
+    // Strong follow into the cushion from a very small distance.
     world.bodies = {ball("cue", 0, 0.6, {0.3, 0.1, 0}, {-150, 0, 0})};
     const Timeline result = bake(world);
     EXPECT_TRUE(result.warnings.empty());

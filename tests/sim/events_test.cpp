@@ -32,7 +32,7 @@ TEST(Impulse_ThroughTheCentre, GivesItsVelocity) {
     EXPECT_EQ(logged->time, 0.25);
 }
 
-TEST(Impulse_AtSevenFifthsOfTheRadius, RollsAtOnce) {
+TEST(Impulse_AtSevenFifthsOfTheRadius, RollsImmediately) {
     WorldDescription world = cloth_world(1);
     world.bodies = {ball("cue", 0, 0)};
     world.events = {event_on("cue", 0, Impulse{{0.2, 0, 0}, {0, 0, 0.4 * kRadius}, Axes::world})};
@@ -52,7 +52,7 @@ TEST(Force_OverAnyDuration, GivesItsImpulseExactly) {
         EXPECT_NEAR((state_at(timeline, "cue", 1).velocity - expected).length(), 0, 1e-12);
         const Event* logged = find_event(timeline, EventKind::force, "cue");
         EXPECT_NEAR(logged->end_time - logged->time, duration, 1e-15);
-        // And the place of a uniform acceleration.
+        // The position is that of a uniform acceleration.
         const double t = 0.9 - duration;
         EXPECT_NEAR(state_at(timeline, "cue", 1).position.x, expected.x * (duration / 2 + t), 1e-9);
     }
@@ -78,7 +78,7 @@ std::vector<EventKind> kinds_of(const Timeline& timeline, const std::string& obj
     return kinds;
 }
 
-/// Behind each of the four hundred impulses the ball slides for a moment and rolls again.
+/// After each of the four hundred impulses the ball slides for a moment and then rolls again.
 TEST(Force_OnARollingBall, LeavesItRollingInTheLog) {
     WorldDescription world = cloth_world(3);
     world.bodies = {ball("cue", 0, 0), ball("one", 0, 1, {1, 0, 0})};
@@ -187,14 +187,14 @@ TEST(Strike_ThatNeverArrives, IsWarnedOf) {
     world.bodies = {ball("cue", 0, 0), ball("one", 2, 0)};
     world.events = {strike_towards("cue", "one", 0.2)};
     const Timeline result = bake(world);
-    EXPECT_EQ(result.warnings,
-              (std::vector<Diagnostic>{
-                  {Subject::event(0), "toward",
-                   "strike on 'cue' at 0.000 s: it never touched 'one', which it was aimed at",
-                   Severity::warning}}));
+    EXPECT_EQ(
+        result.warnings,
+        (std::vector<Diagnostic>{{Subject::event(0), "toward",
+                                  "strike on 'cue' at 0.000 s: the ball never hit its target 'one'",
+                                  Severity::warning}}));
 }
 
-TEST(Trigger_Contact, FiresAfterTheFirstTouch) {
+TEST(Trigger_Contact, FiresAfterTheFirstImpact) {
     WorldDescription world = cloth_world(2);
     world.bodies = {ball("cue", -0.3, 0, {1.5, 0, 0}), ball("one", 0, 0), ball("two", 0, 1)};
     ForceEvent event = event_on("two", 0, Impulse{{0.1, 0, 0}, {0, 0, 0}, Axes::world});
@@ -246,14 +246,14 @@ TEST(Bake_StoppedBeforeItBegins, ThrowsStopped) {
     EXPECT_THROW((void)bake(world, context), Stopped);
 }
 
-TEST(BakeWithin_ANumberOfSteps, GivesTheSameBakeOrNone) {
+TEST(BakeWithin_AStepLimit, GivesTheSameBakeOrNone) {
     WorldDescription world = nine_ball_world(2);
     world.events = {strike_towards("cue", "one", 6)};
     std::uint64_t most = 1;
     while (!bake_within(most, world)) {
         most *= 2;
     }
-    EXPECT_GT(most, 100U);  // touches alone
+    EXPECT_GT(most, 100U);  // only impacts
     EXPECT_EQ(bake_within(most, world)->events, bake(world).events);
     EXPECT_FALSE(bake_within(most / 2, world));
     EXPECT_FALSE(bake_within(0, world));

@@ -1,4 +1,4 @@
-// Bodies that keys move: they push others by the laws of impact and friction, and go their way.
+// Kinematic bodies: they push others by the laws of impact and friction, and follow their paths.
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -16,32 +16,32 @@ Quat about(const Vec3& axis, double angle) {
     return {std::cos(angle / 2), axis * std::sin(angle / 2)};
 }
 
-Key still(double time, const Vec3& place, const Quat& orientation = {}) {
+Key still(double time, const Vec3& position, const Quat& orientation = {}) {
     Key key;
     key.time = time;
-    key.position = place;
+    key.position = position;
     key.orientation = orientation;
     return key;
 }
 
-/// From place to place at constant speed.
+/// Keys of straight motion at constant speed from station to station.
 std::vector<Key> straight(const std::vector<std::pair<double, Vec3>>& stations) {
     std::vector<Key> keys;
-    for (const auto& [time, place] : stations) {
-        keys.push_back(still(time, place));
+    for (const auto& [time, position] : stations) {
+        keys.push_back(still(time, position));
         if (keys.size() < 2) {
             continue;
         }
         Key& from = keys[keys.size() - 2];
-        from.velocity_out = (place - from.position) / (time - from.time);
+        from.velocity_out = (position - from.position) / (time - from.time);
         keys.back().velocity_in = from.velocity_out;
     }
     return keys;
 }
 
-/// About an axis through the body's origin at a constant rate.
-std::vector<Key> turning(const Vec3& place, const Vec3& axis, double angle, double duration) {
-    std::vector<Key> keys{still(0, place), still(duration, place, about(axis, angle))};
+/// Keys of a rotation about an axis through the body's origin at a constant rate.
+std::vector<Key> turning(const Vec3& position, const Vec3& axis, double angle, double duration) {
+    std::vector<Key> keys{still(0, position), still(duration, position, about(axis, angle))};
     keys[0].angular_velocity_out = keys[1].angular_velocity_in = axis * (angle / duration);
     return keys;
 }
@@ -59,17 +59,17 @@ Body pusher(const BodyShape& shape, std::vector<Key> keys, const Vec3& centre = 
     return body;
 }
 
-Body crate(const Vec3& size, const Vec3& place) {
+Body crate(const Vec3& size, const Vec3& position) {
     Body body;
     body.name = "crate";
     body.shape = Box{size};
     body.mass = 0.5;
     body.material = "wood";
-    body.pose.position = place;
+    body.pose.position = position;
     return body;
 }
 
-/// Nothing but what is put into it.
+/// An empty world without gravity.
 WorldDescription space(double duration) {
     WorldDescription world;
     world.gravity = {0, 0, 0};
@@ -99,7 +99,7 @@ TEST(KinematicSolid_StrikingABall, GivesItTheSpeedOfAHeavyBody) {
         EXPECT_NEAR(after.velocity.x, 1.2 * 1.6, 1e-6) << shape.index();
         EXPECT_NEAR(after.velocity.y, 0, 1e-6) << shape.index();
         EXPECT_NEAR(impact->normal_impulse, kMass * 1.2 * 1.6, 1e-6) << shape.index();
-        EXPECT_EQ(timeline.tracks.size(), 1U) << "its own way is no finding of the simulation";
+        EXPECT_EQ(timeline.tracks.size(), 1U) << "the path of the pusher is input, not a result";
     }
 }
 
@@ -112,9 +112,9 @@ TEST(KinematicSolid_StrikingABox, GivesItTheSpeedOfAHeavyBody) {
     EXPECT_LT(after.angular_velocity.length(), 1e-3);
 }
 
-TEST(KinematicBat_Swung, StrikesWithTheSpeedOfItsPlace) {
+TEST(KinematicBat_Swung, StrikesWithTheSpeedOfItsContactPoint) {
     WorldDescription world = space(1);
-    // A bat of 1 m about the origin, which meets the ball at a quarter turn, 0.8 m out.
+    // A bat of 1 m turns about the origin and hits the ball after a quarter turn, 0.8 m out.
     world.bodies = {ball("ball", 0, 0), pusher(Box{{1, 0.02, 0.2}},
                                                turning({0, 0, 0}, {0, 0, 1}, kPi, 1), {0.5, 0, 0})};
     world.bodies[0].pose.position = {-(0.01 + kRadius), 0.8, 0};
@@ -125,7 +125,7 @@ TEST(KinematicBat_Swung, StrikesWithTheSpeedOfItsPlace) {
     EXPECT_NEAR(state_at(timeline, "ball", 0.7).velocity.x, -kPi * 0.8 * 1.6, 1e-3);
 }
 
-TEST(KinematicBody_PushingACrate, LetsItGoWhereItStops) {
+TEST(KinematicBody_PushingACrate, ReleasesItWhereItStops) {
     WorldDescription world = cloth_world(3);
     world.contact_law.otherwise = {0, 0.4, 0};
     world.bodies = {
@@ -134,7 +134,7 @@ TEST(KinematicBody_PushingACrate, LetsItGoWhereItStops) {
                straight({{0, {-0.3, 0, 0.05}}, {1, {0.7, 0, 0.05}}, {3, {0.7, 0, 0.05}}}))};
     const Timeline timeline = bake(world);
     EXPECT_NEAR(state_at(timeline, "crate", 0.9).position.x, 0.7, 2e-4)
-        << "in touch with the pusher";
+        << "in contact with the pusher";
     EXPECT_NEAR(state_at(timeline, "crate", 0.9).velocity.x, 1, 1e-3);
     EXPECT_NEAR(state_at(timeline, "crate", 3).position.x, 0.8 + 1 / (2 * 0.4 * kGravity), 2e-3);
 }
@@ -144,14 +144,14 @@ TEST(KinematicConveyor_UnderACrate, TakesItAlongByFriction) {
     world.contact_law.otherwise = {0, 0.25, 0};
     world.bodies = {crate({0.1, 0.1, 0.1}, {0, 0, 0.25}),
                     pusher(Box{{6, 0.5, 0.1}}, straight({{0, {0, 0, 0.15}}, {1.5, {3, 0, 0.15}}}))};
-    // It slips back by u^2 / (2 mu g) until it is as fast.
+    // It slips back by u^2 / (2 mu g) until it has the same speed.
     const MotionState end = state_at(bake(world), "crate", 1.4);
     EXPECT_NEAR(end.velocity.x, 2, 1e-3);
     EXPECT_NEAR(end.position.x, 2 * 1.4 - 4 / (2 * 0.25 * kGravity), 3e-3);
     EXPECT_NEAR(end.position.z, 0.25, 1e-4);
 }
 
-TEST(KinematicLift_UnderBallAndCrate, CarriesThemUpAndLetsThemRest) {
+TEST(KinematicLift_UnderBallAndCrate, LiftsThemAndLetsThemRest) {
     WorldDescription world = cloth_world(3);
     world.contact_law.otherwise = {0.2, 0.4, 0.01};
     std::vector<Key> keys{still(1, {0, 0, 0.05}), still(2, {0, 0, 0.55})};  // a smooth lift
@@ -181,7 +181,7 @@ TEST(KinematicRamp_Tilted, LetsTheBallRollDown) {
     EXPECT_NEAR(gain, 5.0 / 7 * kGravity * std::sin(angle) * 0.8, 3e-3);
 }
 
-TEST(KinematicBody_CreepingUponASleeper, WakesIt) {
+TEST(KinematicBody_CreepingAgainstASleepingBody, WakesIt) {
     WorldDescription world = cloth_world(6);
     world.contact_law.otherwise = {0, 0.4, 0};
     std::vector<Key> keys = straight({{0, {-0.11, 0, 0.05}}, {6, {-0.08, 0, 0.05}}});  // 5 mm/s
@@ -204,7 +204,7 @@ TEST(KinematicPaddle_OnABilliardTable, StrikesABallThatRests) {
     EXPECT_NE(find_event(timeline, EventKind::impact, "cue", "object"), nullptr);
 }
 
-TEST(KinematicPress_AgainstAWall, EndsAndIsTold) {
+TEST(KinematicPress_AgainstAWall, EndsWithAWarning) {
     WorldDescription world = walled_world(1);
     world.bodies = {
         ball("ball", 1.2, 0),
@@ -213,8 +213,8 @@ TEST(KinematicPress_AgainstAWall, EndsAndIsTold) {
     EXPECT_EQ(result.warnings,
               (std::vector<Diagnostic>{
                   {Subject::body("pusher"), "motion",
-                   "at 0.543 s 'ball' is jammed by 'pusher', which keys move: there is no room for "
-                   "it",
+                   "at 0.543 s the path of 'pusher' leaves no room for 'ball', which gets stuck: "
+                   "change the path or move 'ball'",
                    Severity::warning}}));
     EXPECT_LT(count_events(result, EventKind::impact), 1000);
     const MotionState end = state_at(result, "ball", 1);
@@ -222,7 +222,7 @@ TEST(KinematicPress_AgainstAWall, EndsAndIsTold) {
     EXPECT_LT(std::abs(end.position.x), 3);
 }
 
-TEST(KinematicBody_InTriggers, IsMetCrossesAndRests) {
+TEST(KinematicBody_InTriggers, IsHitCrossesAndRests) {
     WorldDescription world = cloth_world(3);
     world.contact_law.otherwise = {0.5, 0.1, 0};
     world.bodies = {ball("a", 0, 0), ball("b", 0, 0.5), ball("c", 0, 1), ball("d", 0, 1.5),
@@ -252,7 +252,7 @@ TEST(KinematicBody_InTriggers, IsMetCrossesAndRests) {
     EXPECT_NEAR(time_of("d"), 1.5, 1e-12);
 }
 
-TEST(KinematicBody_WithAnotherWay, GivesAnotherHash) {
+TEST(KinematicBody_WithAnotherPath, GivesAnotherHash) {
     WorldDescription world = space(1);
     world.bodies = {pusher(Box{{1, 1, 1}}, straight({{0, {0, 0, 0}}, {1, {1, 0, 0}}}))};
     WorldDescription other = world;
@@ -265,9 +265,9 @@ TEST(KinematicBody_WithoutAPath, IsAProblem) {
     WorldDescription world = space(1);
     world.bodies = {pusher(Box{{1, 1, 1}}, straight({{0, {0, 0, 0}}, {1, {1, 0, 0}}}))};
     world.bodies[0].path.reset();
-    EXPECT_EQ(
-        problem_sentences(world),
-        std::vector<std::string>{"body 'pusher': a path is for a kinematic body, which needs one"});
+    EXPECT_EQ(problem_sentences(world),
+              std::vector<std::string>{
+                  "body 'pusher': a kinematic body needs a path, and no other body can have one"});
 }
 
 }  // namespace

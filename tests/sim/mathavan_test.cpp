@@ -1,5 +1,5 @@
-// The cushion model of Mathavan, Jackson and Parkin 2010 against their own scheme, in their frame
-// and with impulse steps more than ten times as fine as theirs, and against their measurements.
+// Compares the cushion model of Mathavan, Jackson and Parkin 2010 with their own scheme, in their
+// frame and with impulse steps more than ten times as fine as theirs, and with their measurements.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -22,14 +22,14 @@ const Equipment kPool{0.170097, 0.028575, 1.27 * 0.028575, 0.98, 0.14, 0.2};
 const Equipment kSnooker{0.140, 0.02619375, 0.028, 0.98, 0.14, 0.2};
 const Equipment kCarom{0.210, 0.03075, 0.037, 0.9, 0.3, 0.25};
 
-/// A ball that comes with `speed` at `angle` to the cushion (90 degrees: straight at it), `roll`
-/// times the spin of rolling and `side` times speed / R about the vertical.
+/// A ball that approaches with `speed` at `angle` to the cushion (90 degrees: perpendicular), with
+/// `roll` times the spin of rolling and `side` times speed / R about the vertical.
 struct Shot {
     double speed, angle, roll, side;
 };
 
-/// Velocities in the paper's frame: x along the cushion, y into it, z up. Where friction at the
-/// nose lifts the ball (the paper's numbers never do) z is not 0.
+/// Velocities in the paper's frame: x along the cushion, y into it, z up. If friction at the nose
+/// lifts the ball (never with the paper's parameters), z is not 0.
 struct PaperState {
     double x, y, z, wx, wy, wz;
 };
@@ -42,8 +42,8 @@ PaperState start_of(const Shot& shot, double radius) {
             -rolling * s,   rolling * c,    shot.side * shot.speed / radius};
 }
 
-/// Equations 12 to 17, with explicit steps of `steps` to the approach's impulse: friction from the
-/// slip at the beginning of a step, none where there is no slip.
+/// Equations 12 to 17 with explicit steps, `steps` for the impulse of the approach: friction from
+/// the slip at the beginning of a step, and none without slip.
 PaperState paper_scheme(const Equipment& e, const Shot& shot, int steps) {
     PaperState q = start_of(shot, e.radius);
     const double sine = e.nose_height / e.radius - 1;
@@ -59,7 +59,8 @@ PaperState paper_scheme(const Equipment& e, const Shot& shot, int steps) {
         const double slip = std::sqrt(slip_x * slip_x + slip_y * slip_y);
         const double fx = slip > 0 ? -e.friction * slip_x / slip : 0;
         const double fy = slip > 0 ? -e.friction * slip_y / slip : 0;
-        // y' of the nose's tangent plane leans: its part along y is -sine, along z cosine.
+        // The direction y' in the nose's tangent plane has the components -sine along y, cosine
+        // along z.
         const double press = q.z > 0 ? 0 : std::max(0.0, sine - fy * cosine);
         const double cloth_x = q.x - q.wy * r;
         const double cloth_y = q.y + q.wx * r;
@@ -141,7 +142,7 @@ TEST(Mathavan_Sweep, AgreesWithThePapersSchemeInFineSteps) {
         worst = std::max(worst, d);
         worst_coarse = std::max(worst_coarse, coarse);
     });
-    // The scheme's steps are of first order: what is left of the difference is the scheme's.
+    // The scheme is of first order; it causes the remaining difference.
     EXPECT_LT(worst, worst_coarse / 10);
 }
 
@@ -162,15 +163,15 @@ TEST(Mathavan_Sweep, NeverGainsEnergy) {
     });
 }
 
-/// Even in (0, 1), the same in every run.
+/// Uniform in (0, 1), the same in every run.
 double random_fraction(std::uint32_t& seed) {
     seed = seed * 1664525U + 1013904223U;
     return (seed >> 8U) / 16777216.0;
 }
 
-// Noses from below the centre to near the top, frictions that no cushion has: it ends, gains
-// nothing and leaves the ball parting from the nose.
-TEST(Mathavan_AnyNumbers, EndsWithoutGainingEnergy) {
+// With noses from below the centre to near the top, and frictions that no cushion has, the impact
+// ends without a gain of energy, and the ball leaves the nose.
+TEST(Mathavan_ArbitraryParameters, EndsWithoutGainingEnergy) {
     std::uint32_t seed = 7;
     for (int i = 0; i < 2500; ++i) {
         const double sine = -0.5 + 1.4 * random_fraction(seed);
@@ -197,8 +198,8 @@ TEST(Mathavan_AnyNumbers, EndsWithoutGainingEnergy) {
     }
 }
 
-// Fig. 7(a): rebound speed of balls that roll straight at the cushion of a snooker table, from the
-// diamonds of the figure as digitised elsewhere (in cm/s). The paper fits those below 1.5 m/s.
+// Fig. 7(a): rebound speeds (cm/s) of balls that roll perpendicularly into the cushion of a snooker
+// table, digitised from the diamonds of the figure. The paper fits those below 1.5 m/s.
 TEST(Mathavan_RollingBall, ReboundsAsMeasured) {
     const double measured[][2] = {{26.300, 23.440},   {35.498, 32.351},  {41.804, 38.307},
                                   {65.078, 58.309},   {70.413, 66.510},  {84.492, 79.089},

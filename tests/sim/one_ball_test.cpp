@@ -1,4 +1,4 @@
-// One ball through the whole bake, against the closed forms.
+// Complete bakes of one ball, compared with the closed forms.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace carom::sim::test {
 namespace {
 
-TEST(OneBall_StunShot, EndsWhereTheFormulasSay) {
+TEST(OneBall_StunShot, EndsByTheFormulas) {
     for (const double speed : {0.3, 2.0, 6.0}) {
         WorldDescription world = cloth_world(60);
         world.bodies = {ball("cue", 0.1, -0.2, {speed, 0, 0})};
@@ -82,7 +82,7 @@ TEST(OneBall_StepLength, DoesNotMatter) {
     }
 }
 
-TEST(OneBall_KeysOfAStunShot, AreThoseOfItsStretchesOnly) {
+TEST(OneBall_KeysOfAStunShot, AreOnlyThoseOfItsSegments) {
     WorldDescription world = cloth_world(60);
     world.bodies = {ball("cue", 0, 0, {2, 0, 0})};
     // Start, rolling, resting, end.

@@ -61,7 +61,7 @@ WorldDescription world_of_everything() {
     return world;
 }
 
-// What was baked before is found again as long as these stay.
+// Stored bakes are found again as long as these hashes do not change.
 TEST(PhysicsHash, Hashes_ArePinned) {
     EXPECT_EQ(physics_hash({}).to_string(), "a23d1f443242dcc1727016d3591dbdcf");
     EXPECT_EQ(physics_hash(world_of_everything()).to_string(), "bf7214e27b80388b4ce182cfa52351e3");

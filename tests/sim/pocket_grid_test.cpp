@@ -1,4 +1,4 @@
-// Which balls drop: over speeds, angles and offsets.
+// Which balls drop into a pocket, over speeds, angles and offsets.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace carom::sim::test {
 namespace {
 
 constexpr double kDegree = 3.14159265358979324 / 180;
-/// Jaws rattle: what drops or not within this (m) of an edge is left to them.
+/// Balls rattle in the jaws: within this (m) of an edge, dropping or not is not tested.
 constexpr double kRattle = 2e-3;
 
 const billiards::PocketLayout& pocket_of(const billiards::TableLayout& layout, bool is_corner) {
@@ -25,7 +25,7 @@ const billiards::PocketLayout& pocket_of(const billiards::TableLayout& layout, b
                          [&](const auto& pocket) { return pocket.is_corner == is_corner; });
 }
 
-/// Ball by ball dropped over the middle of every pocket, from rest at two heights.
+/// A ball is dropped over the middle of every pocket, from rest at two heights.
 TEST(PocketOfEveryTable_BallDroppedIn, FallsAndIsLoggedAsPotted) {
     for (const PocketTable& table : pocket_tables()) {
         WorldDescription world;
@@ -69,10 +69,10 @@ TEST(PocketOfEveryTable_BallRolledInSlowly, Drops) {
 
 class PocketGrid : public testing::TestWithParam<std::pair<int, bool>> {};
 
-// A slow ball at the middle drops. Farther from the middle nothing drops where a nearer ball
-// missed, and what the jaws throw out is not saved by being faster; fast into the jaws, it rattles
-// out.
-TEST_P(PocketGrid, OpeningOverOffsetAndSpeed_IsMonotone) {
+// A slow ball at the middle drops. Farther from the middle no ball drops if a nearer one missed,
+// and no ball drops that is faster than one that the jaws throw out; fast balls rattle out of the
+// jaws.
+TEST_P(PocketGrid, OpeningOverOffsetAndSpeed_IsMonotonic) {
     const PocketTable& table = pocket_tables()[static_cast<std::size_t>(GetParam().first)];
     const bool is_corner = GetParam().second;
     const billiards::TableLayout layout = table.layout();
@@ -103,8 +103,8 @@ INSTANTIATE_TEST_SUITE_P(Pool, PocketGrid,
 INSTANTIATE_TEST_SUITE_P(Snooker, PocketGrid,
                          testing::Values(std::pair{3, true}, std::pair{3, false}));
 
-/// The whole grid as the table of docs/tables.md: `CAROM_POCKET_TABLE` names the file to write.
-TEST(PocketTable_Asked, IsWritten) {
+/// Writes the grid as the table of docs/tables.md to the file that `CAROM_POCKET_TABLE` names.
+TEST(PocketTable_WhenRequested, IsWritten) {
     const char* path = std::getenv("CAROM_POCKET_TABLE");
     if (path == nullptr) {
         GTEST_SKIP() << "CAROM_POCKET_TABLE is not set";

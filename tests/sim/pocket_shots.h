@@ -1,4 +1,4 @@
-// One ball sent at a pocket: at which speeds, angles and offsets it drops.
+// Shots of one ball at a pocket, over speeds, angles and offsets.
 #pragma once
 
 #include <string>
@@ -21,16 +21,16 @@ struct PocketTable {
 
 struct PocketShot {
     double speed = 1;   // m/s, rolling
-    double angle = 0;   // rad, between the way and the pocket's axis, counter-clockwise
-    double offset = 0;  // m, by which the way passes the middle of the mouth, to the left
+    double angle = 0;   // rad, from the pocket's axis to the path, counter-clockwise
+    double offset = 0;  // m, of the path from the middle of the mouth, to the left
 };
 
-/// Whether a ball that rolls from half a metre away drops into that pocket.
+/// True if a ball that rolls from half a metre away drops into that pocket.
 [[nodiscard]] bool drops(const PocketTable& table, const billiards::PocketLayout& pocket,
                          const PocketShot& shot);
 
-/// The offsets between which it drops, to within 0.1 mm: the longest row of such out to 65 mm to
-/// both sides. `beyond`: the widest gap (m) found outside through which balls drop all the same.
+/// The offsets between which balls drop, to within 0.1 mm: the longest continuous range within 65
+/// mm to both sides. `beyond`: the widest other range (m) in which balls drop.
 struct Opening {
     double low = 0, high = 0;
     double beyond = 0;

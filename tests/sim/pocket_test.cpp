@@ -1,4 +1,4 @@
-// Balls that fall.
+// Balls that fall into pockets.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(Pocket_StraightShot, PotsInEveryPocketOfEveryTable) {
                 ASSERT_NE(potted, nullptr) << table.size << " " << pocket.name << " " << speed;
                 EXPECT_EQ(potted->b, pocket.name);
                 EXPECT_TRUE(result.warnings.empty());
-                // It lies still on the pocket's floor.
+                // It rests on the pocket's floor.
                 const MotionState end = state_at(result, "one", 3);
                 EXPECT_EQ(end.velocity, Vec3(0, 0, 0)) << pocket.name << " " << speed;
                 EXPECT_NEAR(end.position.z, table.radius - pocket.drop, 1e-4);
@@ -64,7 +64,7 @@ TEST(Pocket_StraightShot, PotsInEveryPocketOfEveryTable) {
     }
 }
 
-TEST(Pocket_BallPlacedOverTheHole, FallsAtOnce) {
+TEST(Pocket_BallPlacedOverTheHole, FallsImmediately) {
     const std::vector<billiards::Pocket> pockets = pockets_of(kTables[0]);
     for (const billiards::Pocket& pocket : pockets) {
         WorldDescription world = shot_at(kTables[0], pocket, 0, 0);
@@ -75,7 +75,7 @@ TEST(Pocket_BallPlacedOverTheHole, FallsAtOnce) {
     }
 }
 
-TEST(Pocket_SlowBallAtTheEdge, TurnsOverItWithoutAJump) {
+TEST(Pocket_SlowBallAtTheEdge, RollsOverItWithoutAJump) {
     const billiards::Pocket pocket = pockets_of(kTables[0])[0];
     const WorldDescription world = shot_at(kTables[0], pocket, pocket.radius + 0.02, 0.1);
     const Timeline timeline = bake(world);
@@ -86,7 +86,7 @@ TEST(Pocket_SlowBallAtTheEdge, TurnsOverItWithoutAJump) {
         const Vec3 p = track.sample(t).position;
         EXPECT_LT((p - last).length(), 2.2e-3) << t;  // free fall into the pocket: 1.6 m/s
         last = p;
-        // Until it is clear of the edge the ball does not reach into the slate.
+        // Until it is clear of the edge the ball does not overlap the slate.
         const Vec2 from_axis = Vec2(p.x, p.y) - pocket.centre;
         const double to_rim =
             std::sqrt(std::pow(pocket.radius - from_axis.length(), 2) + p.z * p.z);
@@ -96,7 +96,7 @@ TEST(Pocket_SlowBallAtTheEdge, TurnsOverItWithoutAJump) {
     }
 }
 
-TEST(Pocket_TwoBallsInOne, LieBesideOrUponEachOther) {
+TEST(Pocket_TwoBallsInOne, LieBesideOrOnEachOther) {
     const billiards::Pocket pocket = pockets_of(kTables[0])[0];
     WorldDescription world = shot_at(kTables[0], pocket, 0.3, 1.5);
     Body second = world.bodies[0];
@@ -127,7 +127,7 @@ TEST(Pocket_CleanShot, DropsAtAnySpeed) {
     }
 }
 
-TEST(Pocket_FastIntoTheJaws, RattlesOutWhereSlowDrops) {
+TEST(Pocket_FastIntoTheJaws, RattlesOutWhereASlowBallDrops) {
     const billiards::Pocket pocket = pockets_of(kTables[0])[0];
     std::vector<bool> is_potted;
     for (const double speed : {0.8, 6.0}) {
@@ -151,7 +151,7 @@ TEST(Ball_RollingAlongTheCushion, PassesTheSidePocketOrFallsIn) {
     EXPECT_GT(state_at(result, "one", 0.4).position.x, -0.2);
 }
 
-/// A pocket holds a few balls. Those above them are not potted, and that is said.
+/// A pocket holds a few balls. Those above them are not potted, and a warning says so.
 TEST(Pocket_ThatIsFull, IsWarnedOf) {
     const Table& table = kTables[0];
     WorldDescription world;
@@ -170,8 +170,8 @@ TEST(Pocket_ThatIsFull, IsWarnedOf) {
         if (!is_potted && (Vec2(end.x, end.y) - pocket.centre).length() < pocket.radius) {
             expected.push_back({Subject::body(body.name), "",
                                 "'" + body.name +
-                                    "' is not potted: it rests in the mouth of pocket '" +
-                                    pocket.name + "' on the balls that fell in before",
+                                    "' is not potted: it rests in the mouth of the pocket '" +
+                                    pocket.name + "', on balls that fell in before",
                                 Severity::warning});
         }
     }

@@ -31,7 +31,7 @@ TEST(FirstDescent_FromAbove, SkipsTheAscent) {
     const auto t = first_descent(with_roots(1, 2, -1, -2), 0, 5);
     ASSERT_TRUE(t);
     EXPECT_NEAR(*t, 1, 1e-14);
-    // Started inside (1, 2) it has to come up first and never comes down again.
+    // From inside (1, 2) it rises first and never falls again.
     EXPECT_FALSE(first_descent(with_roots(1, 2, -1, -2), 1.5, 5));
 }
 

@@ -1,4 +1,4 @@
-// Every set-up on its table: it stands, and is broken.
+// Every rack on its table: the balls rest until the break.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ struct Game {
     const char* size;
     double radius, mass;
     const char* target;
-    int moved;  // at least so many balls beside the cue ball
+    int moved;  // at least this many balls move, apart from the cue ball
 };
 
 const std::vector<Game> kGames{
@@ -76,8 +76,8 @@ TEST(Rack_OfEveryKind, StandsStillUntilItIsBroken) {
     }
 }
 
-// The gaps are of the size of a hair, and change everything.
-TEST(Rack_OfAnotherSeed, IsBrokenOtherwise) {
+// The gaps are as small as a hair, but change the whole break.
+TEST(Rack_OfAnotherSeed, BreaksDifferently) {
     for (const Game& game : kGames) {
         if (game.rack == RackKind::carom) {
             continue;  // no gaps

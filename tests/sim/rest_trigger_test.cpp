@@ -1,4 +1,4 @@
-// Events that wait until something comes to rest: it has to have moved before.
+// Events that wait until an object comes to rest, which has to have moved before.
 #include <string>
 #include <vector>
 
@@ -22,7 +22,7 @@ ForceEvent kick_at(const std::string& object, double time, double speed = 0.5) {
     return event;
 }
 
-/// Waits for `name` to come to rest; empty: for all.
+/// An event that waits for `name` to come to rest; empty: for all objects.
 ForceEvent kick_when_rested(const std::string& object, const std::string& name,
                             double not_before = 0) {
     ForceEvent event = kick_at(object, not_before);
@@ -40,17 +40,17 @@ std::vector<double> times(const Timeline& timeline, EventKind kind, const std::s
     return times;
 }
 
-Body box(const std::string& name, const Vec3& place) {
+Body box(const std::string& name, const Vec3& position) {
     Body body;
     body.name = name;
     body.shape = Box{{0.06, 0.06, 0.06}};
     body.mass = 0.1;
     body.material = "wood";
-    body.pose.position = place;
+    body.pose.position = position;
     return body;
 }
 
-TEST(Resting_OnATableThatLiesStill, WaitsForTheFirstStroke) {
+TEST(Resting_OnATableAtRest, WaitsForTheFirstStroke) {
     for (const std::string name : {"", "cue"}) {
         WorldDescription world = cloth_world(20);
         world.bodies = {ball("cue", 0, 0), ball("one", 0, 1)};
@@ -63,7 +63,7 @@ TEST(Resting_OnATableThatLiesStill, WaitsForTheFirstStroke) {
     }
 }
 
-TEST(Resting_InAChain, GivesEachEventARestOfItsOwn) {
+TEST(Resting_InAChain, GivesEachEventItsOwnRest) {
     WorldDescription world = cloth_world(30);
     world.bodies = {ball("cue", 0, 0), ball("one", 0, 1)};
     world.events = {kick_at("cue", 0.5), kick_when_rested("one", ""), kick_when_rested("cue", "")};
@@ -77,7 +77,7 @@ TEST(Resting_InAChain, GivesEachEventARestOfItsOwn) {
     EXPECT_EQ(times(timeline, EventKind::impulse, "cue"), (std::vector<double>{0.5, one_rests[0]}));
 }
 
-TEST(Resting_OfDifferentThings, DoesNotMakeAChain) {
+TEST(Resting_OfDifferentObjects, DoesNotMakeAChain) {
     WorldDescription world = cloth_world(20);
     world.bodies = {ball("cue", 0, 0), ball("one", 0, 1), ball("two", 0, 2)};
     world.events = {kick_at("cue", 0.5), kick_when_rested("one", ""),
@@ -88,14 +88,14 @@ TEST(Resting_OfDifferentThings, DoesNotMakeAChain) {
     EXPECT_EQ(times(timeline, EventKind::impulse, "two"), std::vector<double>{rest});
 }
 
-TEST(Resting_WithATimeBehindTheRest, HappensAtThatTime) {
+TEST(Resting_WithATimeAfterTheRest, HappensAtThatTime) {
     WorldDescription world = cloth_world(20);
     world.bodies = {ball("cue", 0, 0), ball("one", 0, 1)};
     world.events = {kick_at("cue", 0.5), kick_when_rested("one", "", 12.25)};
     EXPECT_EQ(times(bake(world), EventKind::impulse, "one"), std::vector<double>{12.25});
 }
 
-TEST(Resting_AtTheInstantOfAnotherEvent, ComesBehindIt) {
+TEST(Resting_AtTheInstantOfAnotherEvent, ComesAfterIt) {
     WorldDescription world = cloth_world(30);
     world.bodies = {ball("cue", 0, 0), ball("one", 0, 1), ball("two", 0, 2)};
     world.events = {kick_at("cue", 0.5), kick_when_rested("one", "", 12), kick_at("two", 12)};
@@ -125,7 +125,7 @@ TEST(Resting_WhereNothingMoves, IsWarnedOf) {
                   "event 2 on 'cue' never happened: 'cue' never moved, so it never came to rest",
                   "event 3 on 'cue' never happened: 'brick' never moved, so it never came to rest",
                   "event 4 on 'cue' never happened: it comes after event 1, which waits for the "
-                  "same rest and did not happen"}));
+                  "same rest and never happened"}));
     for (std::size_t i = 0; i < result.warnings.size(); ++i) {
         EXPECT_EQ(result.warnings[i].subject, Subject::event(i));
         EXPECT_EQ(result.warnings[i].field, "when");
@@ -154,7 +154,7 @@ TEST(Resting_AfterAnEventThatMovesNothing, IsWarnedOf) {
                                         "event 2, so it never came to rest"}));
 }
 
-/// What is put down settles by less than it takes to count as motion; what falls moves.
+/// A body that is put down settles by less than counts as motion; a falling body moves.
 TEST(Resting_OfASolid, NeedsAVisibleMotion) {
     for (const double gap : {0.0, 5e-5, 0.01}) {
         WorldDescription world = cloth_world(3);
@@ -177,7 +177,7 @@ TEST(Resting_OfASolidThatWasPushed, HappensWhenItSleeps) {
 }
 
 /// The ball comes to rest between the single impulses of a force that is weaker than its rolling
-/// resistance: it is still being pushed.
+/// resistance, but it is still being pushed.
 TEST(Resting_UnderAForce, WaitsForItsEnd) {
     WorldDescription world = cloth_world(3);
     world.bodies = {ball("cue", 0, 0), ball("one", 0, 1)};

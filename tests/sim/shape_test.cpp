@@ -1,4 +1,4 @@
-// Solids: hulls, masses, nearest points, contacts.
+// Solids: hulls, mass properties, nearest points and contacts.
 #include <cmath>
 #include <vector>
 
@@ -48,7 +48,7 @@ TEST(ConvexHull_OfPointsInAPlane, IsEmpty) {
     EXPECT_FALSE(convex_hull(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
 }
 
-TEST(ConvexHull_OfPointsOnASphere, HoldsThemAll) {
+TEST(ConvexHull_OfPointsOnASphere, ContainsThemAll) {
     std::vector<Vec3> points;
     for (int i = 0; i < 120; ++i) {
         const double z = -1 + (2 * i + 1) / 120.0;
@@ -79,7 +79,7 @@ TEST(MassProperties_OfATurnedBox, AreThoseOfABox) {
     EXPECT_NEAR(found.volume, 8 * half.x * half.y * half.z, 1e-15);
     EXPECT_LT((found.centre - Vec3(1, 2, 3)).length(), 1e-12);
     const Vec3 expected = box_inertia(half * 2);
-    // Which principal axis is which is open: each has to be one of the box's.
+    // The order of the principal axes is not specified: each has to be one of the box's.
     for (int i = 0; i < 3; ++i) {
         Vec3 axis(0, 0, 0);
         axis[i] = 1;
@@ -102,7 +102,7 @@ TEST(MassProperties_OfARegularTetrahedron, AreTheClosedForms) {
     EXPECT_LT((found.inertia - Vec3(a * a / 20)).length(), 1e-15);
 }
 
-TEST(MassProperties_OfAFineCylinderAndCapsule, ComeToTheClosedForms) {
+TEST(MassProperties_OfAFineCylinderAndCapsule, ConvergeToTheClosedForms) {
     const double r = 0.03;
     const double length = 0.1;
     std::vector<Vec3> cylinder;
@@ -130,18 +130,18 @@ TEST(MassProperties_OfAFineCylinderAndCapsule, ComeToTheClosedForms) {
     EXPECT_NEAR(std::min({p.inertia.x, p.inertia.y, p.inertia.z}) / expected.z, 1, 1e-2);
 }
 
-TEST(Nearest_OnEveryShape, IsWhereGeometrySays) {
+TEST(NearestPoint_OnEveryShape, IsThatOfGeometry) {
     const ConvexShape capsule = ConvexShape::capsule(0.1, 0.2);
-    EXPECT_NEAR(nearest(capsule, {0.3, 0, 0.1}).distance, 0.2, 1e-15);
-    EXPECT_NEAR(nearest(capsule, {0, 0.3, 0.6}).distance, 0.4, 1e-15);  // 3-4-5
+    EXPECT_NEAR(nearest_point(capsule, {0.3, 0, 0.1}).distance, 0.2, 1e-15);
+    EXPECT_NEAR(nearest_point(capsule, {0, 0.3, 0.6}).distance, 0.4, 1e-15);  // 3-4-5
     const ConvexShape cylinder = ConvexShape::cylinder(0.1, 0.2);
-    EXPECT_NEAR(nearest(cylinder, {0.4, 0, 0.6}).distance, 0.5, 1e-15);
-    EXPECT_NEAR(nearest(cylinder, {0.05, 0, 0.5}).distance, 0.3, 1e-15);
-    EXPECT_NEAR(nearest(cylinder, {0.09, 0, 0.1}).distance, -0.01, 1e-15);
+    EXPECT_NEAR(nearest_point(cylinder, {0.4, 0, 0.6}).distance, 0.5, 1e-15);
+    EXPECT_NEAR(nearest_point(cylinder, {0.05, 0, 0.5}).distance, 0.3, 1e-15);
+    EXPECT_NEAR(nearest_point(cylinder, {0.09, 0, 0.1}).distance, -0.01, 1e-15);
     const ConvexShape hull = ConvexShape::hull(convex_hull(box_corners({1, 2, 3})).value());
-    EXPECT_NEAR(nearest(hull, {4, 2, 7}).distance, 5, 1e-12);
-    EXPECT_NEAR(nearest(hull, {0.5, 1.9, 0}).distance, -0.1, 1e-12);
-    EXPECT_NEAR(nearest(hull, {2, 0.3, 0.4}).distance, 1, 1e-12);
+    EXPECT_NEAR(nearest_point(hull, {4, 2, 7}).distance, 5, 1e-12);
+    EXPECT_NEAR(nearest_point(hull, {0.5, 1.9, 0}).distance, -0.1, 1e-12);
+    EXPECT_NEAR(nearest_point(hull, {2, 0.3, 0.4}).distance, 1, 1e-12);
 }
 
 struct ContactCase {
@@ -174,7 +174,7 @@ TEST(ConvexContacts_OfASolidOnABox, AreEnoughToRestOn) {
                 EXPECT_LT((contact.normal - Vec3(0, 0, 1)).length(), 1e-12) << c.name;
                 EXPECT_NEAR(contact.point.z, 0.1 + gap / 2, 1e-12) << c.name;
             }
-            // Seen from the other body: the same points, the other way round.
+            // For the exchanged bodies the points are the same, with reversed normals.
             std::vector<ConvexContact> swapped;
             convex_contacts({&table, {}}, above, 1e-4, swapped);
             ASSERT_EQ(swapped.size(), c.contacts) << c.name;
@@ -191,14 +191,14 @@ TEST(ConvexContacts_OfRoundSolids, AreTheClosestPoints) {
     std::vector<ConvexContact> contacts;
     for (const ConvexShape* lower : {&capsule, &cylinder}) {
         for (const ConvexShape* upper : {&capsule, &cylinder}) {
-            // Crossed: one point between the axes.
+            // Crossed solids touch at one point between the axes.
             convex_contacts({upper, {{0.01, 0.02, 0.04}, along_y}}, {lower, {{0, 0, 0}, along_x}},
                             1e-4, contacts);
             ASSERT_EQ(contacts.size(), 1U);
             EXPECT_NEAR(contacts[0].depth, 0, 1e-9);
             EXPECT_LT((contacts[0].point - Vec3(0.01, 0, 0.02)).length(), 1e-6);
             EXPECT_LT((contacts[0].normal - Vec3(0, 0, 1)).length(), 1e-6);
-            // Side by side: where both are.
+            // Parallel solids touch along their common section.
             convex_contacts({upper, {{0.05, 0, 0.04}, along_x}}, {lower, {{0, 0, 0}, along_x}},
                             1e-4, contacts);
             ASSERT_EQ(contacts.size(), 2U);

@@ -1,4 +1,4 @@
-// Worlds and shots in a line each.
+// Short functions that build worlds and shots for tests.
 #pragma once
 
 #include <string>
@@ -35,17 +35,17 @@ inline constexpr double kGravity = 9.81;
 
 [[nodiscard]] MotionState state_at(const Timeline& timeline, const std::string& name, double time);
 
-/// The first event of that kind about `a` (and `b`, unless empty); nullptr if there is none.
+/// The first event of that kind for `a` (and `b`, unless empty); nullptr if none exists.
 [[nodiscard]] const Event* find_event(const Timeline& timeline, EventKind kind,
                                       const std::string& a, const std::string& b = {});
 
 [[nodiscard]] std::vector<std::string> sentences_of(const std::vector<Diagnostic>& diagnostics);
-/// What `find_problems` says, sentence by sentence.
+/// The sentences of the problems that `find_problems` returns.
 [[nodiscard]] std::vector<std::string> problem_sentences(const WorldDescription& world);
 
 [[nodiscard]] int count_events(const Timeline& timeline, EventKind kind);
 
-/// The key at which something happened to the object at `time`.
+/// The key of the object at `time`.
 [[nodiscard]] Key key_at(const Timeline& timeline, const std::string& name, double time);
 
 }  // namespace carom::sim::test

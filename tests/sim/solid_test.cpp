@@ -1,4 +1,4 @@
-// Capsules, cylinders and hulls: rolling, standing, sliding, free, against balls and surfaces.
+// Capsules, cylinders and hulls: rolling, standing, sliding, in flight, and hit by balls.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -13,13 +13,14 @@ namespace {
 
 constexpr double kPi = 3.14159265358979324;
 
-Body solid(const std::string& name, const BodyShape& shape, const Vec3& place, double mass = 0.2) {
+Body solid(const std::string& name, const BodyShape& shape, const Vec3& position,
+           double mass = 0.2) {
     Body body;
     body.name = name;
     body.shape = shape;
     body.mass = mass;
     body.material = "wood";
-    body.pose.position = place;
+    body.pose.position = position;
     return body;
 }
 
@@ -37,7 +38,7 @@ ConvexHull cube_hull(const Vec3& size) {
     return hull;
 }
 
-/// A regular tetrahedron of edge `a` about its centre, its base level.
+/// A regular tetrahedron of edge `a` about its centre, with a horizontal base.
 ConvexHull tetrahedron(double a) {
     const double r = a / std::sqrt(3.0);
     const double height = a * std::sqrt(2.0 / 3.0);
@@ -49,7 +50,7 @@ ConvexHull tetrahedron(double a) {
     return hull;
 }
 
-/// A world with a slope, down towards +x, of a box or of a mesh.
+/// A world with a slope, a box or a mesh, that descends towards +x.
 WorldDescription slope_world(double angle, bool is_mesh) {
     WorldDescription world = cloth_world(1);
     world.contact_law.otherwise = {0.3, 0.4, 0};
@@ -86,15 +87,15 @@ TEST(CylinderAndCapsule_OnASlope, RollAtTheRateOfTheirInertia) {
             const double a = kGravity * std::sin(angle) / (1 + moment / (r * r));
             const Timeline timeline = bake(world);
             const MotionState end = state_at(timeline, "roller", 0.8);
-            const double way = (end.position - roller.pose.position).length();
-            EXPECT_NEAR(way / (0.5 * a * 0.8 * 0.8), 1, 2e-3) << is_mesh << is_capsule;
+            const double distance = (end.position - roller.pose.position).length();
+            EXPECT_NEAR(distance / (0.5 * a * 0.8 * 0.8), 1, 2e-3) << is_mesh << is_capsule;
             EXPECT_NEAR(end.angular_velocity.y, a * 0.8 / r, 2e-3 * a / r);
             EXPECT_LT(std::abs(end.position.y), 1e-5) << is_mesh << is_capsule;
         }
     }
 }
 
-TEST(Hull_OnASlope, StaysOrSlidesAsABoxDoes) {
+TEST(Hull_OnASlope, StaysOrSlidesLikeABox) {
     for (const double degrees : {15.0, 21.5, 22.5, 30.0}) {  // tan(21.8 degrees) = 0.4
         for (const bool is_mesh : {false, true}) {
             const double angle = degrees * kPi / 180;
@@ -104,8 +105,8 @@ TEST(Hull_OnASlope, StaysOrSlidesAsABoxDoes) {
             world.bodies.push_back(slider);
             const Vec3 end = state_at(bake(world), "slider", 0.6).position;
             const double a = std::max(0.0, kGravity * (std::sin(angle) - 0.4 * std::cos(angle)));
-            const double way = 0.5 * a * 0.6 * 0.6;
-            EXPECT_NEAR((end - slider.pose.position).length(), way, 5e-3 * way + 1e-5)
+            const double distance = 0.5 * a * 0.6 * 0.6;
+            EXPECT_NEAR((end - slider.pose.position).length(), distance, 5e-3 * distance + 1e-5)
                 << degrees << is_mesh;
         }
     }
@@ -153,7 +154,7 @@ TEST(Solids_Dropped, ComeToRestWithoutGainingEnergy) {
         last = sample.total();
     }
     for (const Body& body : world.bodies) {
-        // A round one may roll on; nothing sinks.
+        // A round solid may roll on, but none sinks.
         for (const Key& key : result.find(body.name)->keys()) {
             EXPECT_GT(key.position.z, 0.0149) << body.name << " at " << key.time;
         }
@@ -164,7 +165,7 @@ TEST(Hull_TumblingFreely, KeepsEnergyAndAngularMomentum) {
     WorldDescription world;
     world.gravity = {0, 0, 0};
     world.duration = 10;
-    // A box seen along other axes: the principal ones have to be found.
+    // A box in rotated axes: the principal axes have to be found.
     const Quat skew = about(Vec3(1, 2, 3) / std::sqrt(14.0), 0.8);
     ConvexHull points = cube_hull({0.1, 0.08, 0.02});
     for (Vec3& p : points.points) {
@@ -190,7 +191,7 @@ TEST(Hull_TumblingFreely, KeepsEnergyAndAngularMomentum) {
     }
 }
 
-TEST(Ball_HeadOnAgainstASolid, GivesWhatRestitutionSays) {
+TEST(Ball_HeadOnAgainstASolid, ReboundsByRestitution) {
     const double e = 0.8;
     const std::vector<BodyShape> shapes{Capsule{0.03, 0.1}, Cylinder{0.03, 0.1},
                                         cube_hull({0.06, 0.1, 0.06})};
@@ -258,7 +259,7 @@ TEST(Solid_PushedWhenStruck, FollowsItsEventsInItsOwnAxes) {
     kick.action = Impulse{{0, 0.01, 0}, {0, 0, 0}, Axes::body};
     world.events = {push, kick};
     const Timeline timeline = bake(world);
-    // The hull's own axes are the world's at the start, whatever its principal ones are.
+    // At the start the hull's own axes are those of the world, unlike its principal axes.
     EXPECT_LT((state_at(timeline, "target", 0.05).velocity - Vec3(0, 0.05, 0)).length(), 1e-9);
     const Event* impact = find_event(timeline, EventKind::impact, "cue", "target");
     ASSERT_NE(impact, nullptr);
@@ -266,7 +267,7 @@ TEST(Solid_PushedWhenStruck, FollowsItsEventsInItsOwnAxes) {
     EXPECT_NEAR(state_at(timeline, "far", impact->time + 0.11).velocity.z, 2, 1e-9);
 }
 
-TEST(World_WithBadSolids, SaysWhatIsWrong) {
+TEST(World_WithBadSolids, NamesTheProblems) {
     WorldDescription world;
     world.bodies = {
         solid("a", Capsule{0, 1}, {0, 0, 0}), solid("b", Cylinder{1, -1}, {0, 0, 0}),
@@ -277,7 +278,7 @@ TEST(World_WithBadSolids, SaysWhatIsWrong) {
                   "body 'a': radius and length of a capsule have to be greater than 0",
                   "body 'b': radius and height of a cylinder have to be greater than 0",
                   "body 'c': a convex hull needs at least four points that do not lie in a plane",
-                  "body 'd': the points of a convex hull have to be given about its centre of "
+                  "body 'd': the points of a convex hull have to be relative to its centre of "
                   "mass"}));
 }
 

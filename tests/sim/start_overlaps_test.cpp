@@ -32,9 +32,9 @@ class Standing {
     [[nodiscard]] const billiards::TableGeometry& geometry() const { return geometry_; }
     [[nodiscard]] double radius() const { return radius_; }
 
-    /// What a ball there reaches into; empty if nothing.
-    std::vector<StartOverlap> at(const Vec2& place, double height) {
-        Body body = ball("cue", place.x, place.y);
+    /// The overlap of a ball at that position; empty if there is none.
+    std::vector<StartOverlap> at(const Vec2& position, double height) {
+        Body body = ball("cue", position.x, position.y);
         body.shape = Sphere{radius_};
         body.pose.position.z = height;
         world_.bodies = {body};
@@ -48,16 +48,16 @@ class Standing {
     billiards::TableGeometry geometry_;
 };
 
-TEST(StartOverlaps_FrozenToACushion, AreNoneAndAMillimetreFurtherIsOne) {
+TEST(StartOverlaps_OfABallFrozenToACushion, AreNoneButExistAMillimetreFurther) {
     for (const Table& table : kTables) {
         Standing standing(table);
         const double rise = standing.world().table->nose_height - table.radius;
-        const double reach = std::sqrt(table.radius * table.radius - rise * rise);
+        const double distance = std::sqrt(table.radius * table.radius - rise * rise);
         for (const billiards::CushionFace& face : standing.geometry().faces) {
             const Vec2 middle = (face.from + face.to) * 0.5;
-            const auto frozen = standing.at(middle + face.normal * reach, table.radius);
+            const auto frozen = standing.at(middle + face.normal * distance, table.radius);
             EXPECT_TRUE(frozen.empty()) << table.size << " " << frozen[0].sentence();
-            const auto inside = standing.at(middle + face.normal * (reach - 1e-3), table.radius);
+            const auto inside = standing.at(middle + face.normal * (distance - 1e-3), table.radius);
             ASSERT_EQ(inside.size(), 1U) << table.size;
             EXPECT_EQ(inside[0].other, "a cushion");
             EXPECT_NEAR(inside[0].depth, 1e-3, face.is_jaw ? 1e-2 : 1e-6);
@@ -65,14 +65,14 @@ TEST(StartOverlaps_FrozenToACushion, AreNoneAndAMillimetreFurtherIsOne) {
     }
 }
 
-TEST(StartOverlaps_HangingInAPocketsJaws, AreNone) {
+TEST(StartOverlaps_OfABallHangingInAPocketsJaws, AreNone) {
     for (const Table& table : kTables) {
         Standing standing(table);
         for (const billiards::Pocket& pocket : standing.geometry().pockets) {
             const Vec2 inward = -pocket.centre.normalized();
             for (const double away : {0.0, 0.5, 1.0}) {
-                const Vec2 place = pocket.centre + inward * (away * pocket.radius);
-                const auto found = standing.at(place, table.radius);
+                const Vec2 position = pocket.centre + inward * (away * pocket.radius);
+                const auto found = standing.at(position, table.radius);
                 EXPECT_TRUE(found.empty())
                     << table.size << " " << pocket.name << " " << away << found[0].sentence();
             }
@@ -89,9 +89,9 @@ TEST(StartOverlaps_EverywhereOnTheField, AreNone) {
                         0.5 * standing.world().table->width - table.radius);
         for (int i = 0; i <= 12; ++i) {
             for (int j = 0; j <= 12; ++j) {
-                const Vec2 place(half.x * (i / 6.0 - 1), half.y * (j / 6.0 - 1));
-                const auto found = standing.at(place, table.radius);
-                EXPECT_TRUE(found.empty()) << table.size << place << found[0].sentence();
+                const Vec2 position(half.x * (i / 6.0 - 1), half.y * (j / 6.0 - 1));
+                const auto found = standing.at(position, table.radius);
+                EXPECT_TRUE(found.empty()) << table.size << position << found[0].sentence();
             }
         }
     }
@@ -104,7 +104,7 @@ TEST(StartOverlaps_OfABallInTheSlate, AreRefusedByTheBake) {
         (void)bake(standing.world());
         FAIL();
     } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "body 'cue' reaches 2.00 mm into the cloth at the start");
+        EXPECT_STREQ(error.what(), "body 'cue' overlaps the cloth by 2.00 mm at the start");
     }
 }
 

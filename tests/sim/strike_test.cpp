@@ -31,7 +31,7 @@ TEST(Strike_CentreHit, GivesTheSpeedOfAHeadOnImpact) {
 
 TEST(Strike_AboveTheCentre, GivesFollow) {
     const StrikeResult result = struck(at_tip(0, 0.4));
-    // A ball that rolls along +y turns about -x; 0.4 R makes it roll at once.
+    // A ball that rolls along +y turns about -x; a tip at 0.4 R makes it roll immediately.
     EXPECT_NEAR(result.angular_velocity.x, -result.velocity.y / kRadius, 1e-10);
     EXPECT_NEAR(result.velocity.y, 4 / (1 + kMass / 0.567 + 2.5 * 0.16), 1e-13);
 }
@@ -76,7 +76,8 @@ void sweep(Visit visit) {
     }
 }
 
-// TP A-30 in its own variables: b is the height above the centre, c the depth, in the level frame.
+// TP A-30 in its own variables: b is the height above the centre, c the depth, in the horizontal
+// frame.
 TEST(Strike_Sweep, AgreesWithTheLevelFrameFormula) {
     sweep([](double right, double raised, double theta, double speed, double stick) {
         Strike strike = at_tip(right, raised, theta);
@@ -102,8 +103,8 @@ TEST(Strike_Sweep, AgreesWithTheLevelFrameFormula) {
     });
 }
 
-// TP A-31: counter-clockwise atan2(2.5 a sqrt(1 - a^2), 1 + m/m_end + 2.5 (1 - a^2)), whatever the
-// rest of the blow.
+// TP A-31: counter-clockwise atan2(2.5 a sqrt(1 - a^2), 1 + m/m_end + 2.5 (1 - a^2)), for any other
+// parameters of the strike.
 TEST(Strike_Sweep, SquirtsByTheFormula) {
     for (const double end_mass : {1.0 / 60, 1.0 / 30, 0.1}) {
         sweep([=](double a, double up, double theta, double speed, double) {
@@ -118,8 +119,8 @@ TEST(Strike_Sweep, SquirtsByTheFormula) {
     }
 }
 
-// The stick cannot give more than it has: its energy goes to the ball and what it keeps.
-TEST(Strike_Sweep, KeepsTheEnergyOfStickAndBall) {
+// The energy of the stick before equals that of ball and stick afterwards.
+TEST(Strike_Sweep, ConservesTheEnergyOfStickAndBall) {
     sweep([](double a, double up, double theta, double speed, double stick) {
         Strike strike = at_tip(a, up, theta);
         strike.speed = speed;

@@ -16,7 +16,7 @@ MotionSegment moving(const Vec3& position, const Vec3& velocity,
     return segment;
 }
 
-TEST(BallImpactTime_HeadOn, IsWhenTheGapIsUsedUp) {
+TEST(BallImpactTime_HeadOn, IsWhenTheGapCloses) {
     const auto t =
         ball_impact_time(moving({0, 0, 0}, {2, 0, 0}), moving({1, 0, 0}, {-1, 0, 0}), 0.1, 0, 5);
     EXPECT_NEAR(t.value(), 0.3, 1e-15);
@@ -35,7 +35,7 @@ TEST(BallImpactTime_TooShortAWindow, IsEmpty) {
         ball_impact_time(moving({0, 0, 0}, {2, 0, 0}), moving({1, 0, 0}, {0, 0, 0}), 0.1, 0, 0.4));
 }
 
-TEST(BallImpactTime_TouchingAndSeparating, IsNotATouch) {
+TEST(BallImpactTime_TouchingAndSeparating, IsNoImpact) {
     EXPECT_FALSE(
         ball_impact_time(moving({0, 0, 0}, {-1, 0, 0}), moving({0.1, 0, 0}, {0, 0, 0}), 0.1, 0, 5));
 }
@@ -46,20 +46,20 @@ TEST(BallImpactTime_TouchingAndApproaching, IsNow) {
     EXPECT_EQ(ball_impact_time(a, moving({0.1, 0, 0}, {0, 0, 0}), 0.1, 0.25, 5).value(), 0.25);
 }
 
-TEST(BallImpactTime_SeparatingButDrawnBack, ComesBackLater) {
+TEST(BallImpactTime_SeparatingButAcceleratedBack, IsTheLaterImpact) {
     // Leaves at 1 m/s, accelerated back at 2 m/s^2: touches again after 1 s.
     const auto t = ball_impact_time(moving({0, 0, 0}, {-1, 0, 0}, {2, 0, 0}),
                                     moving({0.1, 0, 0}, {0, 0, 0}), 0.1, 0, 5);
     EXPECT_NEAR(t.value(), 1, 1e-14);
 }
 
-TEST(BallImpactTime_GrazingPass, IsFoundOrNotByAHair) {
+TEST(BallImpactTime_GrazingPass, IsFoundByATinyMargin) {
     const MotionSegment still = moving({1, 0, 0}, {0, 0, 0});
     EXPECT_TRUE(ball_impact_time(moving({0, 0.1 - 1e-9, 0}, {1, 0, 0}), still, 0.1, 0, 5));
     EXPECT_FALSE(ball_impact_time(moving({0, 0.1 + 1e-9, 0}, {1, 0, 0}), still, 0.1, 0, 5));
 }
 
-TEST(PlaneImpactTime_FreeFall, IsAfterTheTimeOfTheParabola) {
+TEST(PlaneImpactTime_FreeFall, IsTheTimeOfTheParabola) {
     const auto t = plane_impact_time(moving({0, 0, 1}, {0, 0, 0}, {0, 0, -9.81}), {0, 0, 0},
                                      {0, 0, 1}, 0.1, 0, 5);
     EXPECT_NEAR(t.value(), std::sqrt(2 * 0.9 / 9.81), 1e-15);

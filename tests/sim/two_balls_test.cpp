@@ -1,4 +1,4 @@
-// Two balls, against the impulse formula and the classic rules of thumb.
+// Two balls, compared with the impulse formula and the classic rules of thumb.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kPi = 3.14159265358979324;
 
-/// A cue ball that comes along +x and meets the object ball at the given cut angle; it slides or
-/// rolls as `spin` says. At the instant of the impact it has `speed`.
+/// A cue ball that moves along +x and hits the object ball at the given cut angle, sliding or
+/// rolling. At the impact it has `speed`.
 struct CutShot {
     double cut = 0;  // rad
     double speed = 2;
@@ -101,7 +101,7 @@ TEST(TwoBalls_StunShotWithFriction, ThrowsTheObjectBall) {
 }
 
 TEST(TwoBalls_HeadOnRolling, FollowThrough) {
-    // The cue ball keeps its spin: it rolls on at 2/7 of its speed, the object ball at 5/7.
+    // The cue ball keeps its spin: it then rolls at 2/7 of its speed, the object ball at 5/7.
     const Timeline timeline = play({0, 2, true, 1, 0}, 6);
     const double time = find_event(timeline, EventKind::impact, "cue", "one")->time;
     EXPECT_NEAR(state_at(timeline, "cue", time + 2).velocity.x, 2 * 2.0 / 7, 1e-9);

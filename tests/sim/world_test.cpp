@@ -1,4 +1,4 @@
-// What is wrong with a world.
+// Problems of a world.
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -45,21 +45,22 @@ TEST(FindProblems_EachFault, IsNamed) {
     EXPECT_EQ(first_problem([](World& w) { w.bodies[0].mass = 0; }),
               "body 'cue': mass has to be greater than 0");
     EXPECT_EQ(first_problem([](World& w) { w.bodies[1].name = "cue"; }),
-              "body 'cue': there are two bodies of that name");
+              "body 'cue': another body has the same name");
     EXPECT_EQ(first_problem([](World& w) { w.bodies[1].pose.position.x = 0.05; }),
               "body 'one': it overlaps 'cue' by 7.15 mm at the start");
     EXPECT_EQ(first_problem([](World& w) { w.contact_law.ball_ball.restitution = 1.2; }),
               "ball_ball: restitution has to be in [0, 1]");
     EXPECT_EQ(first_problem([](World& w) { w.events[0].object = "qew"; }),
-              "event 1 on 'qew': there is no body of that name that can move");
+              "event 1 on 'qew': no movable body has this name");
     EXPECT_EQ(first_problem([](World& w) { std::get<Strike>(w.events[0].action).direction = 1; }),
               "event 1 on 'cue': a strike needs exactly one of toward and direction");
     EXPECT_EQ(first_problem([](World& w) { std::get<Strike>(w.events[0].action).toward = "two"; }),
               "event 1 on 'cue': it aims at 'two', which does not exist");
-    EXPECT_EQ(first_problem([](World& w) {
-                  std::get<Strike>(w.events[0].action).tip = {1, 0.2};
-              }),
-              "event 1 on 'cue': the tip misses the ball");
+    EXPECT_EQ(
+        first_problem([](World& w) {
+            std::get<Strike>(w.events[0].action).tip = {1, 0.2};
+        }),
+        "event 1 on 'cue': the tip misses the ball: its offset has to be less than 1 ball radius");
 }
 
 TEST(Bake_WorldWithProblems, ThrowsTheFirst) {

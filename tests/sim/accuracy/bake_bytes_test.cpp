@@ -1,7 +1,7 @@
 // The same world gives the same bytes in every build: g++ or clang, -O0 or -O2, with or without
-// sanitizers. The values were recorded with g++ 12 -O2. A change of the simulation that is meant to
-// change bakes changes them: raise kSimulationRevision (sim/physics_hash.cpp) and record anew what
-// the failing test prints. A change of the file's format changes the second hash of a shot alone.
+// sanitizers. The values were recorded with g++ 12 -O2. After an intended change of the simulation,
+// increase kSimulationRevision (sim/physics_hash.cpp) and record the values that the failing test
+// prints. A change of the file format changes only the second hash of a shot.
 #include <bit>
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace carom::sim::test {
 namespace {
 
-/// Feeds the bits of the numbers, so that -0 is not 0.
+/// Hashes the bits of the numbers, so that -0 differs from 0.
 class BitHasher {
   public:
     void add(double value) { hasher_.add(std::bit_cast<std::uint64_t>(value)); }
@@ -60,7 +60,7 @@ class BitHasher {
     Hasher hasher_;
 };
 
-/// Of the tracks, events and energies alone, whatever the bake file looks like.
+/// A hash of tracks, events and energies that does not depend on the file format.
 std::string motion_hash(const Timeline& timeline) {
     BitHasher hasher;
     hasher.add(timeline.start_time);

@@ -1,4 +1,4 @@
-// The total mechanical energy over whole shots.
+// The total mechanical energy during complete shots.
 #include "sim/timeline/energy.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ Timeline with_energy(const std::vector<EnergySample>& samples) {
     return timeline;
 }
 
-TEST(LargestEnergyRise, IsMeasuredAgainstTheLowestSoFar) {
+TEST(LargestEnergyRise, IsMeasuredFromTheLowestEnergyBefore) {
     EXPECT_EQ(largest_energy_rise(with_energy({{0, 4, 1}, {1, 3, 1}, {2, 2, 1}})), 0);
     EXPECT_DOUBLE_EQ(
         largest_energy_rise(with_energy({{0, 4, 0}, {1, 2, 0}, {2, 2.5, 0}, {3, 3, 0}})), 0.25);
@@ -54,7 +54,7 @@ TEST(Energy_WithLosses, NeverRises) {
     }
 }
 
-TEST(Energy_WithoutLosses, IsKeptOverAWholeBreak) {
+TEST(Energy_WithoutLosses, IsConservedInABreak) {
     for (const double speed : {1.5, 6.0, 12.0}) {
         WorldDescription world = walled_world(6);
         world.bodies = nine_ball_world(3).bodies;

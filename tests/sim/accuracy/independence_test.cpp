@@ -1,5 +1,5 @@
-// The same shot with other steps, turned and mirrored. A break is chaotic: every impact multiplies
-// what separates two histories, so each ball is compared up to its third impact.
+// The same shot with other steps, rotated and mirrored. A break is chaotic: every impact amplifies
+// the difference of two motions, so each ball is compared only up to its third impact.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979324;
 
-/// When each ball has its third impact with a ball or a cushion; the end for those that have fewer.
+/// Time of the third impact of each ball with a ball or a cushion; the end if it has fewer.
 std::map<std::string, double> third_impacts(const Timeline& timeline) {
     std::map<std::string, int> counts;
     std::map<std::string, double> times;
@@ -49,7 +49,7 @@ double worst_distance(const Timeline& a, const Timeline& b,
     return worst;
 }
 
-/// Some balls in the way of two moving ones, with side, follow and a massé.
+/// Some balls in the path of two moving ones, with side, follow and a massé.
 std::vector<Body> crowd() {
     return {ball("cue", -0.8, 0.05, {5.1, 0.37, 0}, {-20, 90, -35}),
             ball("one", 0.1, 0.12),
@@ -134,8 +134,8 @@ TEST(Independence_OfTheDirection, HoldsOnATableForHalfATurn) {
     }
 }
 
-// A mirror keeps velocities and turns spins, which are axial, the other way. The cue ball is
-// struck, with the tip on the other side.
+// A reflection mirrors velocities and reverses spins, which are axial vectors. The cue ball is
+// struck with the tip on the other side.
 TEST(Independence_OfTheHand, HoldsOnATable) {
     for (const bool is_across : {false, true}) {
         const auto image = [is_across](const Vec3& p) {

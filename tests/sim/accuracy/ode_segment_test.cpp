@@ -1,10 +1,9 @@
-// Lone balls on the cloth go by their closed forms; here ODE carries the same segments, as it
-// carries everything else, and has to arrive where they do. Without the cares below ODE is off by
-// decimetres over a shot:
-// - the contact with the cloth is made by hand, at depth 0, its first friction direction along the
-//   slip, with rolling friction only while the ball rolls;
+// Single balls on the cloth follow closed forms. Here ODE integrates the same segments and has to
+// arrive at the same states. Without the following measures ODE's error is decimetres over a shot:
+// - the contact with the cloth is created explicitly, at depth 0, with its first friction direction
+//   along the slip and rolling friction only while the ball rolls;
 // - steps end where the law of motion changes;
-// - ODE's step is semi-implicit Euler, so a place goes on with the mean of both velocities;
+// - ODE's step is semi-implicit Euler, so positions advance with the mean of both velocities;
 // - an orientation turns by h (w0 + w1) / 2 + h^2/12 w1 x w0 (fourth-order Magnus).
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,7 @@ namespace {
 
 const SupportLaw kLaw{0.2, 0.01, 0.0127};
 
-/// One ball on the cloth in a world of ODE's.
+/// One ball on the cloth in a world of ODE.
 class OdeBall {
   public:
     explicit OdeBall(const MotionState& state) : state_(state) {
@@ -95,7 +94,7 @@ struct Errors {
     int segments = 0;
 };
 
-/// Carries the ball for `duration` along the closed forms and by ODE in steps of at most `h`.
+/// Moves the ball for `duration` by the closed forms, and by ODE in steps of at most `h`.
 Errors compare(MotionState state, double h, double duration) {
     OdeBall ode(state);
     Errors worst;
@@ -127,17 +126,17 @@ Errors compare(MotionState state, double h, double duration) {
     return worst;
 }
 
-TEST(ClosedForm_OfEveryLaw, IsWhereOdeArrives) {
+TEST(ClosedForm_OfEveryLaw, AgreesWithOde) {
     struct Start {
         Vec3 velocity, spin;
     };
     const Start starts[] = {
         {{2, 0, 0}, {0, 0, 0}},           // stun
         {{1.5, 1, 0}, {-20, 40, 30}},     // follow with side
-        {{2, -0.5, 0}, {30, -120, -50}},  // draw: slides, comes back
+        {{2, -0.5, 0}, {30, -120, -50}},  // draw: slides and returns
         {{1.5, 0.4, 0}, {60, -70, 90}},   // masse
         {{0.3, 0.2, 0}, rolling_spin({0.3, 0.2, 0})},
-        {{0, 0, 0}, {0, 0, 25}},  // spins on the spot
+        {{0, 0, 0}, {0, 0, 25}},  // spins in place
     };
     for (const Start& start : starts) {
         MotionState state;

@@ -1,4 +1,4 @@
-// One ball through the whole bake: worst case over speeds, spins and directions.
+// Complete bakes of one ball: the worst case over speeds, spins and directions.
 #include <algorithm>
 #include <cmath>
 
@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kPi = 3.14159265358979324;
 
-/// Spin in units of speed / R: about the axis of rolling (follow > 0, draw < 0), about the vertical
-/// and, as an elevated stick gives it, about the direction of travel.
+/// Spin in units of speed / R: about the axis of rolling (follow > 0, draw < 0), about the
+/// vertical, and about the direction of travel, as from an elevated stick.
 struct Start {
     const char* name;
     double follow, side, masse;
@@ -56,7 +56,7 @@ TEST(OneBall_Sweep, EndOfSlidingIsWithinAHundredthOfAMillisecond) {
     });
 }
 
-TEST(OneBall_Sweep, EndsWhereTheClosedFormSaysAfterUpToSixtyMetres) {
+TEST(OneBall_Sweep, EndsAtTheClosedFormAfterUpToSixtyMetres) {
     LevelTable endless;
     endless.half = {1e6, 1e6};
     double longest = 0;
@@ -78,8 +78,8 @@ TEST(OneBall_Sweep, EndsWhereTheClosedFormSaysAfterUpToSixtyMetres) {
     EXPECT_GT(longest, 60);
 }
 
-// Against the rotation integrated in steps of 0.1 ms.
-TEST(OneBall_RollingTenSeconds_WithSide, IsTurnedAsTheFineIntegrationSays) {
+// The reference is the rotation integrated in steps of 0.1 ms.
+TEST(OneBall_RollingTenSeconds_WithSide, IsTurnedAsByFineIntegration) {
     for (const double speed : {1.0, 3.0, 8.0}) {
         for (const double side : {-60.0, 0.0, 90.0}) {
             const Vec3 velocity(0.6 * speed, -0.8 * speed, 0);

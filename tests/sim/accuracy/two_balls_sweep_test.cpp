@@ -1,4 +1,4 @@
-// Two balls through the whole bake: worst case over cuts, speeds, spins and laws of friction.
+// Complete bakes of two balls: the worst case over cuts, speeds, spins and friction laws.
 #include <algorithm>
 #include <cmath>
 
@@ -25,8 +25,9 @@ double law_of_friction(const BallBall& law, double slip) {
                : 0.009951 + 0.108 * std::exp(-1.088 * slip);  // Alciatore, TP A-14
 }
 
-/// Velocities and spins after a cue ball with these met a resting one: restitution along n, Coulomb
-/// friction across it, at most what stops the slip (m s / 7). The vertical part is left out.
+/// Velocities and spins after the impact of a cue ball with a resting ball: restitution along n,
+/// tangential Coulomb friction, at most the impulse that stops the slip (m s / 7). The vertical
+/// part is omitted.
 struct Outcome {
     Vec3 cue, object, cue_spin, object_spin;
 };
@@ -81,7 +82,7 @@ double angle_between(const Vec3& a, const Vec3& b) {
     return std::abs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y));
 }
 
-/// Directions within 0.01 degree where there is a speed to speak of, speeds within 1e-4.
+/// Expects directions within 0.01 degree, unless the speed is tiny, and speeds within 1e-4.
 void expect_same(const Vec3& actual, const Vec3& expected, double speed, const char* what) {
     EXPECT_NEAR(actual.length() / speed, expected.length() / speed, 1e-8) << what;
     if (expected.length() > 1e-3 * speed) {
@@ -109,7 +110,7 @@ void sweep(Visit visit) {
     }
 }
 
-TEST(TwoBalls_Sweep, LeaveAsTheFormulasSay) {
+TEST(TwoBalls_Sweep, SeparateByTheFormulas) {
     sweep([](const CutShot& shot) {
         const Played played = play(shot, 0.15);
         const Outcome expected =
@@ -122,13 +123,13 @@ TEST(TwoBalls_Sweep, LeaveAsTheFormulasSay) {
         EXPECT_NEAR((played.cue.angular_velocity_out - expected.cue_spin).length() / unit, 0, 1e-7);
         EXPECT_NEAR((played.object.angular_velocity_out - expected.object_spin).length() / unit, 0,
                     1e-7);
-        // The impact was found where the balls touch.
+        // At the time of the impact the balls touch exactly.
         EXPECT_NEAR((played.cue.position - played.object.position).length(), 2 * kRadius, 1e-11);
     });
 }
 
-// Both roll off with v - 2/7 of the slip that they left the impact with (Marlow 1995, chapter 2).
-TEST(TwoBalls_Sweep, RollOffAsTheFormulasSay) {
+// Both balls finally roll with v - 2/7 of their slip after the impact (Marlow 1995, chapter 2).
+TEST(TwoBalls_Sweep, RollOffByTheFormulas) {
     const Vec3 down(0, 0, -kRadius);
     sweep([&](const CutShot& shot) {
         if (shot.speed != 2.5) {
@@ -144,7 +145,7 @@ TEST(TwoBalls_Sweep, RollOffAsTheFormulasSay) {
                     return state_at(played.timeline, name, event.time).velocity;
                 }
             }
-            return Vec3(0, 0, 0);  // came to rest, or rolls already
+            return Vec3(0, 0, 0);  // it came to rest, or already rolls
         };
         const Vec3 cue = after.cue - (after.cue + after.cue_spin.cross(down)) * (2.0 / 7);
         const Vec3 object =
@@ -159,8 +160,8 @@ TEST(TwoBalls_Sweep, RollOffAsTheFormulasSay) {
 }
 
 // Alciatore, TP A-14: tan(throw) = min(mu(v) v cos / v_rel, 1/7) (v sin - R w_z) / (v cos), with
-// v_rel = sqrt((v sin - R w_z)^2 + (R w_x cos)^2). Elastic, as the proof assumes; w_z > 0 is
-// counter-clockwise there for a cut the other way, hence the sign.
+// v_rel = sqrt((v sin - R w_z)^2 + (R w_x cos)^2). Elastic, as the proof assumes. The proof has the
+// cut on the other side, hence the sign of w_z.
 TEST(TwoBalls_Throw, IsAlciatoresFormula) {
     for (int degrees = 4; degrees <= 80; degrees += 4) {
         for (const double speed : {0.5, 1.5, 5.0}) {

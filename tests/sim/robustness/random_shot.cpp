@@ -71,7 +71,7 @@ class ShotMaker {
             add_solids();
         }
         if (dice_.one_in(3)) {
-            set_going();
+            set_in_motion();
         }
         const int count = 1 + dice_.below(4);
         for (int i = 0; i < count; ++i) {
@@ -150,8 +150,8 @@ class ShotMaker {
         return std::all_of(world_.bodies.begin(), world_.bodies.end(), [&](const Body& other) {
             const Vec3 d = other.pose.position - place;
             const bool is_ball = std::holds_alternative<Sphere>(other.shape);
-            const double reach = game_.radius + (is_ball ? game_.radius : kLargestSolid);
-            return d.dot(d) >= reach * reach;
+            const double least_distance = game_.radius + (is_ball ? game_.radius : kLargestSolid);
+            return d.dot(d) >= least_distance * least_distance;
         });
     }
 
@@ -160,7 +160,7 @@ class ShotMaker {
                         0.5 * world_.table->width - 1.001 * game_.radius);
         for (int attempt = 0; attempt < 50; ++attempt) {
             Vec3 place = dice_.vector(half.x, half.y, 0);
-            // Against a cushion now and then, or in the air.
+            // Sometimes at a cushion, or in the air.
             if (dice_.one_in(10)) {
                 place.x = place.x < 0 ? -half.x : half.x;
             }
@@ -173,7 +173,7 @@ class ShotMaker {
         }
     }
 
-    /// A box, or something else that fits into one of that size and is as high.
+    /// A box, or another solid that fits into a box of that size and has its height.
     BodyShape solid(const Vec3& size) {
         const double radius = 0.5 * std::min({size.x, size.y, 0.9 * size.z});
         switch (dice_.below(6)) {
@@ -210,11 +210,11 @@ class ShotMaker {
             body.material = "wood";
             Vec3 place = dice_.vector(0.3 * world_.table->length, 0.3 * world_.table->width, 0);
             place.z = 0.5 * size.z + (dice_.one_in(2) ? 0 : dice_.between(0.05, 0.3));
-            const double reach = 0.5 * size.length() + 0.05;
+            const double radius = 0.5 * size.length() + 0.05;
             const bool fits =
                 std::all_of(world_.bodies.begin(), world_.bodies.end(), [&](const Body& other) {
                     const Vec3 d = other.pose.position - place;
-                    return d.length() > reach + 0.12;
+                    return d.length() > radius + 0.12;
                 });
             body.pose.position = place;
             if (fits) {
@@ -224,7 +224,7 @@ class ShotMaker {
     }
 
     /// Some balls move from the start.
-    void set_going() {
+    void set_in_motion() {
         for (Body& body : world_.bodies) {
             if (!std::holds_alternative<Sphere>(body.shape) || !dice_.one_in(3)) {
                 continue;
@@ -249,9 +249,9 @@ class ShotMaker {
     Strike strike(const std::string& object) {
         Strike strike;
         strike.speed = dice_.one_in(4) ? dice_.between(8, 15) : dice_.between(0.1, 8);
-        const double reach = dice_.between(0, 0.65);
-        const double around = dice_.between(-3.2, 3.2);
-        strike.tip = {reach * std::cos(around), reach * std::sin(around)};
+        const double offset = dice_.between(0, 0.65);
+        const double angle = dice_.between(-3.2, 3.2);
+        strike.tip = {offset * std::cos(angle), offset * std::sin(angle)};
         strike.elevation = dice_.one_in(2) ? dice_.between(0, 1.4) : 0.05;
         const std::string target = any_ball();
         if (target != object && !dice_.one_in(3)) {

@@ -1,4 +1,4 @@
-// Shots that nobody would play.
+// Random shots.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace carom::sim::test {
 
-/// The shot of that number: a random table with random balls, racked or strewn about, at speeds up
-/// to 15 m/s, boxes and other solids now and then, and force events of every kind. It has no
+/// The shot of that number: a random table with random balls, racked or scattered, at speeds up to
+/// 15 m/s, sometimes with boxes and other solids, and with force events of every kind. It has no
 /// problems.
 [[nodiscard]] WorldDescription random_shot(std::uint64_t number);
 

@@ -1,4 +1,4 @@
-// Random shots end, and break no law on the way.
+// Random shots end and violate no law of physics.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -13,13 +13,14 @@
 namespace carom::sim::test {
 namespace {
 
-/// `CAROM_RANDOM_SHOTS`: how many (a few hundred unless told); `CAROM_FIRST_SHOT`: from which on.
+/// `CAROM_RANDOM_SHOTS`: the number of shots (default: a few hundred); `CAROM_FIRST_SHOT`: the
+/// first.
 std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
     const char* value = std::getenv(variable);
     return value != nullptr ? std::strtoull(value, nullptr, 10) : otherwise;
 }
 
-TEST(RandomShots_OfEveryKind, EndAndBreakNoLaw) {
+TEST(RandomShots_OfEveryKind, EndWithoutFaults) {
     const std::uint64_t first = number_from("CAROM_FIRST_SHOT", 0);
     const std::uint64_t count = number_from("CAROM_RANDOM_SHOTS", 150);
     for (std::uint64_t number = first; number < first + count; ++number) {
@@ -36,8 +37,8 @@ TEST(RandomShots_OfEveryKind, EndAndBreakNoLaw) {
     }
 }
 
-// Between two fixed balls with hardly a gap, losing nothing: ten million touches a second.
-TEST(Touches_WithoutEnd, AreCappedAndToldOf) {
+// An elastic ball between two fixed balls with a tiny gap has ten million impacts per second.
+TEST(Impacts_WithoutEnd, AreLimitedWithAWarning) {
     WorldDescription world;
     world.duration = 0.04;
     world.gravity = {0, 0, 0};
@@ -54,19 +55,19 @@ TEST(Touches_WithoutEnd, AreCappedAndToldOf) {
     world.bodies[1].velocity = {1, 0, 0};
     world.contact_law.otherwise = {1, 0, 0};
     const Timeline result = bake(world);
-    // Once in each window of 1/60 s.
+    // One warning in each window of 1/60 s.
     ASSERT_EQ(result.warnings.size(), 3U);
     for (const Diagnostic& warning : result.warnings) {
         EXPECT_EQ(warning.subject, Subject{});
-        EXPECT_NE(warning.sentence.find("more than 20000 touches at 0.0"), std::string::npos)
+        EXPECT_NE(warning.sentence.find("more than 20000 impacts at 0.0"), std::string::npos)
             << warning.sentence;
     }
     const std::string& first = result.warnings[0].sentence;
-    EXPECT_NE(first.find("touches at 0.002"), std::string::npos) << first;
+    EXPECT_NE(first.find("impacts at 0.002"), std::string::npos) << first;
     EXPECT_NE(first.find("near 'cue' at (0.0000, 0.0000, 0.2500)"), std::string::npos) << first;
     EXPECT_THAT(find_faults(world, result),
-                testing::Contains(testing::StartsWith("warning: more than 20000 touches")).Times(3))
-        << "the loop's cap is a fault";
+                testing::Contains(testing::StartsWith("warning: more than 20000 impacts")).Times(3))
+        << "the limit of impacts is a fault";
 }
 
 }  // namespace

@@ -20,8 +20,9 @@ std::string text(const char* format, Values... values) {
     return buffer.data();
 }
 
-/// What shots may be warned of: events that miss, miscue or never happen, and balls that others
-/// keep from being potted. Not the simulation itself, nor what keys move and jam.
+/// True for warnings that a valid shot may have: events that miss, miscue or never happen, and
+/// balls that others keep from being potted; not for those about the simulation or kinematic
+/// bodies.
 bool is_harmless(const Diagnostic& warning) {
     return warning.subject.kind == Subject::Kind::event ||
            (warning.subject.kind == Subject::Kind::body && warning.field.empty());
@@ -35,7 +36,7 @@ void check_warnings(const Timeline& timeline, std::vector<std::string>& faults) 
     }
 }
 
-/// From what the solids are to where a ball may be.
+/// The solid parts of a world, for tests of where a ball may be.
 class Solids {
   public:
     Solids(const billiards::TableMeasures& table, double radius)
@@ -43,8 +44,8 @@ class Solids {
           radius_(radius),
           geometry_(billiards::build_table(table, radius, billiards::TableParts::collided)) {}
 
-    /// How far (m) a ball is where it cannot be; 0 where it can. `has_left`: the table, over its
-    /// rails; from the floor it may get under the table.
+    /// Depth (m) of a ball inside a solid; 0 outside. `has_left`: the ball has left the table over
+    /// its rails; from the floor it may get under the table.
     [[nodiscard]] double depth(const Vec3& p, bool has_left) const {
         const Vec2 level(p.x, p.y);
         const Vec2 field(0.5 * table_.length, 0.5 * table_.width);
@@ -54,7 +55,7 @@ class Solids {
         if (to_pocket < 0 || beyond > outer || (has_left && p.z < 0)) {
             return 0;
         }
-        // Above the nose's height it may be over the cushion; in a pocket's mouth, beside it.
+        // Above the nose's height a ball may be over the cushion; in a pocket's mouth, beside it.
         const bool is_in_mouth = to_pocket < 3 * radius_;
         if (beyond > 0 && !is_in_mouth) {
             return std::max(table_.nose_height + radius_ * 0.7 - p.z, 0.0);
@@ -68,7 +69,7 @@ class Solids {
         if (std::abs(rise) >= radius_) {
             return 0;
         }
-        const double reach = std::sqrt(radius_ * radius_ - rise * rise);
+        const double contact_distance = std::sqrt(radius_ * radius_ - rise * rise);
         const Vec2 level(p.x, p.y);
         double deepest = 0;
         for (const billiards::CushionFace& face : geometry_.faces) {
@@ -77,11 +78,12 @@ class Solids {
             const double distance = (level - face.from).dot(face.normal);
             const bool is_over_it = distance < 0 && rise < 0;
             if (place >= 0 && place <= 1 && distance > -radius_ && !is_over_it) {
-                deepest = std::max(deepest, reach - distance);
+                deepest = std::max(deepest, contact_distance - distance);
             }
         }
         for (const billiards::CushionCorner& corner : geometry_.corners) {
-            deepest = std::max(deepest, reach + corner.radius - (level - corner.centre).length());
+            deepest = std::max(deepest,
+                               contact_distance + corner.radius - (level - corner.centre).length());
         }
         return deepest;
     }
@@ -98,7 +100,7 @@ class Solids {
     billiards::TableGeometry geometry_;
 };
 
-/// When it left the table for good; later than any time if it did not.
+/// The time at which the ball finally left the table; infinity if it did not.
 double off_table_time(const Timeline& timeline, const std::string& ball) {
     for (const Event& event : timeline.events) {
         if (event.kind == EventKind::off_table && event.a == ball) {
@@ -113,7 +115,7 @@ void check_places(const WorldDescription& world, const Timeline& timeline,
     if (!world.table || !world.table->has_cushions) {
         return;
     }
-    constexpr double kAllowed = 2e-4;  // m: ODE's contacts give way a little
+    constexpr double kAllowed = 2e-4;  // m: ODE's contacts yield slightly
     std::map<double, Solids> by_radius;
     for (const Body& body : world.bodies) {
         const auto* sphere = std::get_if<Sphere>(&body.shape);
@@ -124,7 +126,7 @@ void check_places(const WorldDescription& world, const Timeline& timeline,
             by_radius.try_emplace(sphere->radius, *world.table, sphere->radius).first->second;
         const Track& track = *timeline.find(body.name);
         const double left = off_table_time(timeline, body.name);
-        // Nothing crosses the rails between two looks.
+        // No ball crosses the rails between two samples.
         for (double time = 0; time < world.duration; time += 1.0 / 240) {
             const Vec3 p = track.sample(time).position;
             const double depth = solids.depth(p, time >= left);
@@ -137,14 +139,14 @@ void check_places(const WorldDescription& world, const Timeline& timeline,
     }
 }
 
-/// Two balls in one place.
+/// Reports pairs of overlapping balls.
 void check_pairs(const WorldDescription& world, const Timeline& timeline,
                  std::vector<std::string>& faults) {
     constexpr double kAllowed = 2e-4;  // m
     struct Placed {
         const Body* body;
         double radius;
-        const Track* track;  // nullptr of a ball that is fixed
+        const Track* track;  // nullptr for a fixed ball
         Vec3 place;
     };
     std::vector<Placed> balls;
@@ -179,7 +181,7 @@ void check_energy(const WorldDescription& world, const Timeline& timeline,
     const bool has_solids =
         std::any_of(world.bodies.begin(), world.bodies.end(),
                     [](const Body& b) { return !std::holds_alternative<Sphere>(b.shape); });
-    // Balls in pockets and on rails: ODE's contacts with meshes take part.
+    // With balls in pockets or on rails, ODE's contacts with meshes are involved.
     const bool has_left =
         std::any_of(timeline.events.begin(), timeline.events.end(), [](const Event& event) {
             return event.kind == EventKind::potted || event.kind == EventKind::airborne;
@@ -190,10 +192,10 @@ void check_energy(const WorldDescription& world, const Timeline& timeline,
     for (const EnergySample& sample : timeline.energy) {
         most = std::max(most, sample.kinetic);
     }
-    // Every impact parts at 0.05 mm/s at least, which is up to 1e-10 J for a pair: much for a shot
-    // that never has a millijoule.
-    constexpr double kParting = 1e-9;  // J
-    if (!(rise <= allowed) && !(rise * most <= kParting)) {
+    // Every impact separates at 0.05 mm/s at least, which is up to 1e-10 J for a pair: much for a
+    // shot whose energy is less than a millijoule.
+    constexpr double kSeparationEnergy = 1e-9;  // J
+    if (!(rise <= allowed) && !(rise * most <= kSeparationEnergy)) {
         faults.push_back(text("energy rises by %.3g of the kinetic energy%s", rise,
                               has_solids ? ", with solids" : ""));
     }

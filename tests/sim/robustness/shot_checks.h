@@ -1,4 +1,4 @@
-// What has to hold for any shot.
+// Checks for any shot.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace carom::sim::test {
 
-/// Everything that is wrong with a bake of `world`, one sentence each: warnings of the loop's cap
-/// or of ODE, values that are not finite, balls inside of what is solid, energy from nowhere.
+/// All faults of a bake of `world`, one sentence each: warnings about the limit of impacts or from
+/// ODE, values that are not finite, balls inside of solids, and gains of energy.
 [[nodiscard]] std::vector<std::string> find_faults(const WorldDescription& world,
                                                    const Timeline& timeline);
 
