@@ -20,11 +20,11 @@ double nose_inset(double nose_height, double ball_radius) {
 }
 
 // The back draft that the WPA specifies for a pocket's facing (12 to 15 degrees; Tournament Table
-// and Equipment Specifications, section 9), and at least enough for a ball to touch the nose before
-// the face.
+// and Equipment Specifications, section 9), and at least enough for a ball to touch the
+// nose before the face.
 double undercut(double nose_height, double ball_radius) {
-    const double touch = arcsine(std::clamp(nose_height / ball_radius - 1, 0.0, 0.9));
-    return std::max(14 * kPi / 180, touch + 0.5 * kPi / 180);
+    const double contact_angle = arcsine(std::clamp(nose_height / ball_radius - 1, 0.0, 0.9));
+    return std::max(14 * kPi / 180, contact_angle + 0.5 * kPi / 180);
 }
 
 std::array<SideFrame, 4> side_frames(const Vec2& nose) {

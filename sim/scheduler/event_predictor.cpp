@@ -179,14 +179,14 @@ void EventPredictor::search_obstacles(std::uint32_t index, const SearchHorizon& 
         return;
     }
     const bool is_flying = ball.ground == Ground::none && !ball.is_still();
-    const bool has_boxes = bodies_.size() > balls_.size();
-    if (!is_flying && !has_boxes && environment_.scenery_mesh.empty() &&
+    const bool has_solids = bodies_.size() > balls_.size();
+    if (!is_flying && !has_solids && environment_.scenery_mesh.empty() &&
         environment_.solids.empty()) {
         return;
     }
     const double segment_end = std::min(horizon.end, ball.segment.end);
     const double until = std::min(segment_end, horizon.now + search_duration(ball, horizon.now));
-    predict_box_impacts(index, horizon.now, std::min(until, horizon.step_end), queue);
+    predict_solid_impacts(index, horizon.now, std::min(until, horizon.step_end), queue);
     if (ball.is_still()) {
         return;
     }
@@ -207,9 +207,9 @@ void EventPredictor::search_again(const PredictedEvent& search, const SearchHori
     }
 }
 
-void EventPredictor::predict_all_box_impacts(const SearchHorizon& horizon,
-                                             PredictedEventQueue& queue) {
-    ++box_version_;
+void EventPredictor::predict_all_solid_impacts(const SearchHorizon& horizon,
+                                               PredictedEventQueue& queue) {
+    ++solid_version_;
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
         const Ball& ball = balls_[i];
         if (ball.is_stepped() || ball.is_lying) {
@@ -217,19 +217,19 @@ void EventPredictor::predict_all_box_impacts(const SearchHorizon& horizon,
         }
         // Without a next search the prediction extends to the end of the segment.
         const double until = std::min({horizon.step_end, ball.segment.end, next_search_[i]});
-        predict_box_impacts(i, horizon.now, until, queue);
+        predict_solid_impacts(i, horizon.now, until, queue);
     }
 }
 
-void EventPredictor::predict_box_impacts(std::uint32_t index, double now, double until,
-                                         PredictedEventQueue& queue) const {
+void EventPredictor::predict_solid_impacts(std::uint32_t index, double now, double until,
+                                           PredictedEventQueue& queue) const {
     const Ball& ball = balls_[index];
     for (std::size_t i = balls_.size(); i < bodies_.size(); ++i) {
-        const StepBody& box = bodies_[i];
-        if (!ball.is_still() || box.is_awake) {
-            push(queue, ball, index, PredictedEventKind::box, i,
-                 convex_impact_time(ball.segment, ball.radius, box.motion, now, until),
-                 box_version_);
+        const StepBody& solid = bodies_[i];
+        if (!ball.is_still() || solid.is_awake) {
+            push(queue, ball, index, PredictedEventKind::solid, i,
+                 convex_impact_time(ball.segment, ball.radius, solid.motion, now, until),
+                 solid_version_);
         }
     }
 }

@@ -40,10 +40,11 @@ class EventPredictor {
     void search_again(const PredictedEvent& search, const SearchHorizon& horizon,
                       PredictedEventQueue& queue);
 
-    /// Predicts all impacts with boxes again, since boxes are about to move or have come to rest.
-    void predict_all_box_impacts(const SearchHorizon& horizon, PredictedEventQueue& queue);
+    /// Predicts all impacts with moving solids again, since they are about to move or have come to
+    /// rest.
+    void predict_all_solid_impacts(const SearchHorizon& horizon, PredictedEventQueue& queue);
 
-    [[nodiscard]] std::uint32_t box_version() const { return box_version_; }
+    [[nodiscard]] std::uint32_t solid_version() const { return solid_version_; }
 
   private:
     void predict_ball(std::uint32_t index, const SearchHorizon& horizon,
@@ -54,8 +55,8 @@ class EventPredictor {
                              PredictedEventQueue& queue) const;
     void search_obstacles(std::uint32_t index, const SearchHorizon& horizon,
                           PredictedEventQueue& queue);
-    void predict_box_impacts(std::uint32_t index, double now, double until,
-                             PredictedEventQueue& queue) const;
+    void predict_solid_impacts(std::uint32_t index, double now, double until,
+                               PredictedEventQueue& queue) const;
     void predict_scenery_impacts(std::uint32_t index, double now, double until,
                                  PredictedEventQueue& queue) const;
     void predict_fixed_sphere_impacts(std::uint32_t index, double now, double until,
@@ -73,7 +74,7 @@ class EventPredictor {
     std::vector<double> next_search_;            // per ball: when `search_again` is due
     std::vector<std::uint32_t> last_predicted_;  // per ball: the last call of `predict` for it
     std::uint32_t predict_count_ = 0;
-    std::uint32_t box_version_ = 0;
+    std::uint32_t solid_version_ = 0;
 };
 
 /// Horizontal distance of a ball's centre at height `z` from the line of the nose when they touch;

@@ -69,7 +69,7 @@ void ForceApplier::set_state(std::uint32_t body, double time, const MotionState&
             balls_.change_state(body, time, before, after);
         }
     } else {
-        stepped_.change_box_velocity(body, time, after.velocity, after.angular_velocity);
+        stepped_.change_solid_velocity(body, time, after.velocity, after.angular_velocity);
     }
 }
 
@@ -198,7 +198,8 @@ std::vector<Diagnostic> ForceApplier::missed_strikes() const {
         if (!hit) {
             warnings.push_back({Subject::event(strike.event), "toward",
                                 "strike on '" + strike.ball + "' at " + seconds(strike.time) +
-                                    ": the ball never hit its target '" + strike.target + "'"});
+                                    ": it never touched '" + strike.target +
+                                    "', which it was aimed at"});
         }
     }
     return warnings;

@@ -44,8 +44,8 @@ void ImpactResolver::resolve(const PredictedEvent& event) {
     switch (event.kind) {
         case PredictedEventKind::ball:
             return resolve_ball_impact(event);
-        case PredictedEventKind::box:
-            return resolve_box_impact(event);
+        case PredictedEventKind::solid:
+            return resolve_solid_impact(event);
         case PredictedEventKind::cushion_face:
             return resolve_cushion_impact(
                 event, nearest_on(environment_.table.faces[event.second], level));
@@ -117,47 +117,49 @@ void ImpactResolver::wake_neighbours(std::uint32_t index, double time) {
     }
 }
 
-void ImpactResolver::resolve_box_impact(const PredictedEvent& event) {
+void ImpactResolver::resolve_solid_impact(const PredictedEvent& event) {
     const Ball& ball = balls_[event.first];
-    const StepBody& box = stepped_.all()[event.second];
+    const StepBody& solid = stepped_.all()[event.second];
     BallBody body = ball.body_at(event.time);
     const MotionState before = body.state;
-    const Pose box_pose{box.state.position, box.state.orientation};
+    const Pose solid_pose{solid.state.position, solid.state.orientation};
     const SurfaceContact contact =
-        convex_contact(*box.shape, box_pose, before.position, ball.radius);
-    const auto separation = [&](const Vec3& ball_velocity, const ode::Velocities& box_velocities) {
-        const Vec3 arm = contact.point - box_pose.position;
-        return (ball_velocity - box_velocities.linear - box_velocities.angular.cross(arm))
+        convex_contact(*solid.shape, solid_pose, before.position, ball.radius);
+    const auto separation = [&](const Vec3& ball_velocity,
+                                const ode::Velocities& solid_velocities) {
+        const Vec3 arm = contact.point - solid_pose.position;
+        return (ball_velocity - solid_velocities.linear - solid_velocities.angular.cross(arm))
             .dot(contact.normal);
     };
-    const ode::Velocities box_before{box.state.velocity, box.state.angular_velocity};
-    const double approach = -separation(before.velocity, box_before);
+    const ode::Velocities solid_before{solid.state.velocity, solid.state.angular_velocity};
+    const double approach = -separation(before.velocity, solid_before);
     if (approach <= 0) {
         return balls_.activate(event.first, event.time);
     }
-    const ContactNumbers& law = environment_.contacts.between(ball.material, box.material);
+    const ContactNumbers& law = environment_.contacts.between(ball.material, solid.material);
     const ode::ImpactBody ball_part{ball.mass,
                                     Vec3(0.4 * ball.mass * ball.radius * ball.radius),
                                     {before.position, Quat()},
                                     {before.velocity, before.angular_velocity}};
-    const ode::ImpactBody box_part{box.mass, box.inertia, box_pose, box_before};
+    const ode::ImpactBody solid_part{solid.mass, solid.inertia, solid_pose, solid_before};
     const ode::ImpactContact impact{contact.point, contact.normal, law.restitution, law.friction};
     ode::ImpactResult result;
-    if (box.is_kinematic()) {
-        result = balls_.solver().solve_kinematic(ball_part, box.velocity_at(contact.point), impact);
-        result.second = box_before;
+    if (solid.is_kinematic()) {
+        result =
+            balls_.solver().solve_kinematic(ball_part, solid.velocity_at(contact.point), impact);
+        result.second = solid_before;
     } else {
-        result = balls_.solver().solve(ball_part, box_part, impact);
+        result = balls_.solver().solve(ball_part, solid_part, impact);
     }
     if (approach > kLeastLoggedSpeed) {
-        recorder_.log_impact(event.time, ball.name, *box.name, contact.point, contact.normal,
+        recorder_.log_impact(event.time, ball.name, *solid.name, contact.point, contact.normal,
                              {result.normal_impulse, result.tangential_impulse});
     }
     body.state.velocity = result.first.linear;
     body.state.angular_velocity = result.first.angular;
     const bool stays = separation(result.first.linear, result.second) < kLandingSpeed;
-    stepped_.change_box_velocity(event.second, event.time, result.second.linear,
-                                 result.second.angular);
+    stepped_.change_solid_velocity(event.second, event.time, result.second.linear,
+                                   result.second.angular);
     balls_.change_state(event.first, event.time, before, body.state);
     if (stays) {
         balls_.activate(event.first, event.time);

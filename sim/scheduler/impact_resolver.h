@@ -20,7 +20,7 @@ class ImpactResolver {
 
   private:
     void resolve_ball_impact(const PredictedEvent& event);
-    void resolve_box_impact(const PredictedEvent& event);
+    void resolve_solid_impact(const PredictedEvent& event);
     void resolve_cushion_impact(const PredictedEvent& event, const Vec2& nearest);
     void resolve_surface_impact(const PredictedEvent& event);
     void resolve_slate_impact(const PredictedEvent& event);

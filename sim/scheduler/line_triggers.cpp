@@ -58,12 +58,13 @@ void LineTriggers::predict_crossings(std::uint32_t number, const Ball& ball, dou
 }
 
 void LineTriggers::predict_crossings(std::uint32_t number, const StepBody& body, double now,
-                                     double until, std::uint32_t round,
+                                     double until, std::uint32_t window_number,
                                      PredictedEventQueue& queue) {
     MotionSegment path;
     path.start = body.motion.start;
     path.state = body.motion.state;
-    predict_crossings({0, PredictedEventKind::line, number, 0, 0, round}, path, now, until, queue);
+    predict_crossings({0, PredictedEventKind::line, number, 0, 0, window_number}, path, now, until,
+                      queue);
 }
 
 void LineTriggers::predict_crossings(const PredictedEvent& event, const MotionSegment& path,

@@ -27,7 +27,7 @@ class LineTriggers {
     void predict_crossings(std::uint32_t number, const Ball& ball, double now, double until,
                            PredictedEventQueue& queue);
     void predict_crossings(std::uint32_t number, const StepBody& body, double now, double until,
-                           std::uint32_t round, PredictedEventQueue& queue);
+                           std::uint32_t window_number, PredictedEventQueue& queue);
 
     /// The line has been crossed and waits no longer. Returns the index of the world's event that
     /// it triggers; empty if the line was crossed before.

@@ -10,7 +10,7 @@ namespace carom::sim {
 
 enum class PredictedEventKind : std::uint8_t {
     ball,             // ball `first` hits ball `second`
-    box,              // it hits box `second` (an index in SteppedBodies)
+    solid,            // it hits moving solid `second` (an index in SteppedBodies)
     cushion_face,     // on the cloth, it hits face `second` of the table
     cushion_corner,   // on the cloth, it hits corner `second` of the table
     pocket_edge,      // on the cloth, its centre passes over the edge of pocket `second`
@@ -36,7 +36,8 @@ struct PredictedEvent {
     std::uint32_t first = 0;
     std::uint32_t second = 0;
     std::uint32_t first_version = 0;
-    // `ball`: of ball `second`; `box`: EventPredictor::box_version; `line`: the window's number.
+    // `ball`: of ball `second`; `solid`: EventPredictor::solid_version; `line`: the window's
+    // number.
     std::uint32_t second_version = 0;
 
     /// A total order, so that simultaneous events always have the same order.

@@ -84,8 +84,8 @@ void Scheduler::run_window() {
         window_end_ = stepped_.try_step(now_, now_ + (window_end_ - now_) / std::max(parts, 1.0));
     }
     predict();
-    predict_box_impacts();
-    predict_box_line_crossings();
+    predict_solid_impacts();
+    predict_solid_line_crossings();
     const std::optional<PredictedEvent> last = process_events();
     if (stepped_.has_trial_step()) {
         steps_ += stepped_.step_size();
@@ -127,7 +127,7 @@ std::optional<PredictedEvent> Scheduler::process_events() {
 }
 
 bool Scheduler::needs_step(const PredictedEvent& event) const {
-    if (event.kind == PredictedEventKind::box) {
+    if (event.kind == PredictedEventKind::solid) {
         return true;
     }
     return event.kind == PredictedEventKind::ball &&
@@ -189,7 +189,7 @@ void Scheduler::predict_line_crossings(const std::vector<std::uint32_t>& changed
 }
 
 /// Bodies other than balls move only while ODE steps them.
-void Scheduler::predict_box_line_crossings() {
+void Scheduler::predict_solid_line_crossings() {
     if (line_triggers_.is_empty() || !stepped_.has_trial_step()) {
         return;
     }
@@ -216,11 +216,11 @@ void Scheduler::extend_search(const PredictedEvent& event) {
     }
 }
 
-/// The known motion of boxes is valid for ODE's current step; at rest it is valid indefinitely.
-void Scheduler::predict_box_impacts() {
-    const bool has_boxes = stepped_.all().size() > balls_.all().size();
-    if (has_boxes && (stepped_.has_trial_step() || was_stepping_)) {
-        predictor_.predict_all_box_impacts(horizon(), queue_);
+/// The known motion of solids is valid for ODE's current step; at rest it is valid indefinitely.
+void Scheduler::predict_solid_impacts() {
+    const bool has_solids = stepped_.all().size() > balls_.all().size();
+    if (has_solids && (stepped_.has_trial_step() || was_stepping_)) {
+        predictor_.predict_all_solid_impacts(horizon(), queue_);
     }
     was_stepping_ = stepped_.has_trial_step();
 }
@@ -247,8 +247,8 @@ bool Scheduler::is_valid(const PredictedEvent& event) const {
     if (event.kind == PredictedEventKind::ball) {
         return balls[event.second].version == event.second_version;
     }
-    return event.kind != PredictedEventKind::box ||
-           event.second_version == predictor_.box_version();
+    return event.kind != PredictedEventKind::solid ||
+           event.second_version == predictor_.solid_version();
 }
 
 void Scheduler::process(const PredictedEvent& event) {

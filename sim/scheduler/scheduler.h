@@ -40,9 +40,9 @@ class Scheduler {
     void process(const PredictedEvent& event);
     void extend_search(const PredictedEvent& event);
     void predict();
-    void predict_box_impacts();
+    void predict_solid_impacts();
     void predict_line_crossings(const std::vector<std::uint32_t>& changed);
-    void predict_box_line_crossings();
+    void predict_solid_line_crossings();
     void cross_line(const PredictedEvent& event);
     void reset_event_count();
     [[nodiscard]] SearchHorizon horizon() const;

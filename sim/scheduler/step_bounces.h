@@ -58,7 +58,7 @@ class StepBounces {
     void forget_jams(const std::vector<FoundContact>& contacts);
     void count_impact(const FoundContact& found, double time);
 
-    /// The sum of the impulses between a pair of boxes in one instant, which is one entry of the
+    /// The sum of the impulses between a pair of solids in one instant, which is one entry of the
     /// log.
     struct LoggedImpact {
         FoundContact contact;

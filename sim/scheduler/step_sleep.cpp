@@ -10,7 +10,7 @@ namespace {
 /// A body whose points move more slowly than this (m/s) for that long (s) falls asleep.
 constexpr double kSleepSpeed = 0.01;
 constexpr double kBallSleepDelay = 0.1;
-constexpr double kBoxSleepDelay = 0.12;
+constexpr double kSolidSleepDelay = 0.12;
 /// A body that leans on something without stable support, and does not slide for this long (s), is
 /// held by friction.
 constexpr double kLeaningSleepDelay = 0.5;
@@ -117,7 +117,7 @@ bool StepSleep::can_fall_asleep(StepBody& body, const SolvedContacts& solved, do
     }
     body.least_speed = std::min(body.least_speed, speed);
     const double rested = time - body.slow_since;
-    if (rested <= (body.is_ball ? kBallSleepDelay : kBoxSleepDelay)) {
+    if (rested <= (body.is_ball ? kBallSleepDelay : kSolidSleepDelay)) {
         return false;
     }
     const bool is_rising = speed > body.least_speed + kRisingSpeed;

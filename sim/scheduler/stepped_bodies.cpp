@@ -65,9 +65,9 @@ double SteppedBodies::next_key_time(double time) const {
 }
 
 bool SteppedBodies::is_active() const {
-    const auto first_box = bodies_.begin() + static_cast<std::ptrdiff_t>(balls_.all().size());
+    const auto first_solid = bodies_.begin() + static_cast<std::ptrdiff_t>(balls_.all().size());
     return balls_.stepped_count() > 0 ||
-           std::any_of(first_box, bodies_.end(), [](const StepBody& b) { return b.is_awake; });
+           std::any_of(first_solid, bodies_.end(), [](const StepBody& b) { return b.is_awake; });
 }
 
 void SteppedBodies::adopt_balls(double time) {
@@ -132,7 +132,7 @@ void SteppedBodies::commit(double end) {
         if (body.is_ball) {
             finish_ball_step(body, end);
         } else if (!body.is_kinematic()) {
-            finish_box_step(body, end);
+            finish_solid_step(body, end);
         }
     }
 }
@@ -150,7 +150,7 @@ void SteppedBodies::cancel_step(double time) {
     }
 }
 
-void SteppedBodies::finish_box_step(StepBody& body, double end) {
+void SteppedBodies::finish_solid_step(StepBody& body, double end) {
     if (sleep_.can_fall_asleep(body, trial_.solved(), end)) {
         body.is_awake = false;
         body.rested_at = {body.state.position, body.state.orientation};
@@ -215,8 +215,8 @@ void SteppedBodies::finish_ball_step(StepBody& body, double end) {
     }
 }
 
-void SteppedBodies::change_box_velocity(std::uint32_t number, double time, const Vec3& velocity,
-                                        const Vec3& angular_velocity) {
+void SteppedBodies::change_solid_velocity(std::uint32_t number, double time, const Vec3& velocity,
+                                          const Vec3& angular_velocity) {
     StepBody& body = bodies_[number];
     if (body.is_kinematic()) {
         return;

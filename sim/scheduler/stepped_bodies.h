@@ -47,15 +47,14 @@ class SteppedBodies {
     void commit(double end);
 
     /// Sets the velocities of a solid; has no effect on a kinematic one.
-    void change_box_velocity(std::uint32_t body, double time, const Vec3& velocity,
-                             const Vec3& angular_velocity);
+    void change_solid_velocity(std::uint32_t body, double time, const Vec3& velocity,
+                               const Vec3& angular_velocity);
 
     /// Wakes the sleeping bodies within `distance` of `position`, and their neighbours.
     void wake_near(const Vec3& position, double distance, double time) {
         sleep_.wake_near(position, distance, time);
     }
 
-    [[nodiscard]] MotionState box_state(std::uint32_t body) const { return bodies_[body].state; }
     void add_energy(EnergySample& sample) const;
     [[nodiscard]] bool all_rest() const;
     void finish(double time);
@@ -64,7 +63,7 @@ class SteppedBodies {
     void adopt_balls(double time);
     void publish_trial_paths();
     void cancel_step(double time);
-    void finish_box_step(StepBody& body, double end);
+    void finish_solid_step(StepBody& body, double end);
     void finish_ball_step(StepBody& body, double end);
     [[nodiscard]] Ground ground_under(const StepBody& ball, bool& touches_other) const;
 

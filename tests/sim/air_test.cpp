@@ -57,9 +57,9 @@ TEST(JumpShot_OverABall, ClearsItAndLandsWhereTheParabolaSays) {
     // The strike, then the impact with the slate, which returns the fraction e of the descent;
     // friction reduces the forward speed (by at most mu (1 + e) of the descent and 2/7 of the
     // slip).
-    const double given = 2 * 4 / (1 + kMass / 0.567);
-    const double descent = given * std::sin(elevation);
-    const double level = given * std::cos(elevation);
+    const double launch_speed = 2 * 4 / (1 + kMass / 0.567);
+    const double descent = launch_speed * std::sin(elevation);
+    const double level = launch_speed * std::cos(elevation);
     const double rise = 0.5 * descent;
     const double forward = level - std::min(0.2 * 1.5 * descent, 2.0 / 7 * level);
     std::vector<const Event*> slate;

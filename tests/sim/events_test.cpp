@@ -190,7 +190,7 @@ TEST(Strike_ThatNeverArrives, IsWarnedOf) {
     EXPECT_EQ(
         result.warnings,
         (std::vector<Diagnostic>{{Subject::event(0), "toward",
-                                  "strike on 'cue' at 0.000 s: the ball never hit its target 'one'",
+                                  "strike on 'cue' at 0.000 s: it never touched 'one', which it was aimed at",
                                   Severity::warning}}));
 }
 

@@ -1,4 +1,4 @@
-// Impulses against their published formulas.
+// Compares impulses with their published formulas.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ TEST_F(Impact, BallBall_UnequalMasses_ObeyRestitution) {
     EXPECT_NEAR(a.mass * a.state.velocity.x + b.mass * b.state.velocity.x, 2 * kMass, 1e-14);
 }
 
-TEST_F(Impact, BallBall_BarelyApproaching_SeparatesAllTheSame) {
+TEST_F(Impact, BallBall_BarelyApproaching_StillSeparates) {
     BallBody a = ball({0, 0, 0}, {1e-14, 0, 0});
     BallBody b = ball({2 * kRadius, 0, 0}, {0, 0, 0});
     ball_ball_impact(solver_, a, b, {-1, 0, 0}, 0.9, 0.1);
@@ -88,7 +88,7 @@ TEST_F(Impact, BallOnSlate_WithSpin_BouncesWithFriction) {
     BallBody a = ball({0, 0, kRadius}, {1, 0, -2}, {0, 0, 0});
     const ImpulsePair impulse = ball_static_impact(solver_, a, {0, 0, 1}, 0.5, 0.2);
     EXPECT_NEAR(a.state.velocity.z, 1, 1e-12);
-    // Sticking would take 2/7 of the slip; Coulomb's limit 0.2 * 3 m/s is larger.
+    // Sticking would remove 2/7 of the slip; Coulomb's limit 0.2 * 3 m/s is larger.
     EXPECT_NEAR(a.state.velocity.x, 5.0 / 7, 1e-12);
     EXPECT_NEAR(impulse.normal, 3 * kMass, 1e-12);
     EXPECT_NEAR(impulse.tangential, 2.0 / 7 * kMass, 1e-12);
@@ -147,7 +147,7 @@ TEST(CushionImpact_Han2005, AgreesWithThePapersEquations) {
     }
 }
 
-TEST(CushionImpact_Mirror, ReversesTheNormalVelocityOnly) {
+TEST(CushionImpact_Mirror, ReversesOnlyTheNormalVelocity) {
     ContactLaw law;
     law.ball_cushion = {CushionModel::mirror, 0.7, 0};
     BallBody b = ball({0, 0, kRadius}, {2, -1, 0}, {3, 4, 5});

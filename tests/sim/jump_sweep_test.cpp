@@ -1,4 +1,4 @@
-// Jump shots over a ball, and bounces, for many strengths and angles.
+// Jump shots over a ball, and bounces, for many speeds and angles.
 #include <algorithm>
 #include <cmath>
 
@@ -10,23 +10,23 @@ namespace carom::sim::test {
 namespace {
 
 struct Jump {
-    double forward = 0;  // m/s, after the slate has returned the ball
+    double forward = 0;  // m/s, after the bounce from the slate
     double rise = 0;
 };
 
 /// A central hit: the stick gives 2 V / (1 + m/M) along itself (Alciatore, TP A-30), the slate
-/// returns e of the descent, and friction takes mu (1 + e) of it from the way forward, 2/7 of the
-/// slip at most.
+/// returns the fraction e of the descent, and friction reduces the forward speed by mu (1 + e) of
+/// the descent, but by at most 2/7 of the slip.
 Jump jump_of(double speed, double elevation, const BallCloth& cloth) {
-    const double given = 2 * speed / (1 + kMass / 0.567);
-    const double descent = given * std::sin(elevation);
-    const double level = given * std::cos(elevation);
-    const double rubbed =
+    const double launch_speed = 2 * speed / (1 + kMass / 0.567);
+    const double descent = launch_speed * std::sin(elevation);
+    const double level = launch_speed * std::cos(elevation);
+    const double friction_loss =
         std::min(cloth.sliding_friction * (1 + cloth.restitution) * descent, 2.0 / 7 * level);
-    return {level - rubbed, cloth.restitution * descent};
+    return {level - friction_loss, cloth.restitution * descent};
 }
 
-/// How near (m) the centre comes to that of a ball standing `away` ahead, until it lands.
+/// Least distance (m) of the centre from that of a ball at the distance `away`, until it lands.
 double clearance(const Jump& jump, double away) {
     const double flight = 2 * jump.rise / kGravity;
     double nearest = 1e9;
@@ -39,7 +39,7 @@ double clearance(const Jump& jump, double away) {
     return nearest;
 }
 
-TEST(JumpShot_Sweep, ClearsTheBallWhereTheParabolaDoesAndLandsWhereItSays) {
+TEST(JumpShot_Sweep, ClearsTheBallAndLandsAsTheParabolaDoes) {
     int cleared = 0;
     int stopped = 0;
     for (const double restitution : {0.4, 0.6}) {
@@ -53,7 +53,7 @@ TEST(JumpShot_Sweep, ClearsTheBallWhereTheParabolaDoesAndLandsWhereItSays) {
                     const double flight = 2 * jump.rise / kGravity;
                     const double landing = jump.forward * flight;
                     const double gap = clearance(jump, away) - 2 * kRadius;
-                    // Neither grazing nor landing on it.
+                    // Shots that graze the ball or land on it are skipped.
                     if (std::abs(gap) < 1e-4 || landing < away) {
                         continue;
                     }
@@ -96,7 +96,7 @@ TEST(Bounces_Sweep, FollowTheSquareOfRestitution) {
             for (int bounce = 0; bounce < 5; ++bounce) {
                 expected *= e * e;
                 const double rise = std::sqrt(2 * expected / kGravity);
-                // Slower than 10 mm/s it stays down; and the bake ends.
+                // Below 10 mm/s the ball no longer bounces, so the bake ends.
                 if (rise * kGravity < 0.02 || impact + rise > 2) {
                     break;
                 }
@@ -130,8 +130,8 @@ TEST(Balls_DrivenOffTheTable, LandOnTheFloor) {
     }
 }
 
-// Found by random shots: a ball that bounces from the floor came up through the cloth.
-TEST(Ball_ComingUpUnderTheTable, IsStoppedByTheSlate) {
+// Random shots found a ball that bounced from the floor and rose through the cloth.
+TEST(Ball_RisingUnderTheTable, IsStoppedByTheSlate) {
     WorldDescription world;
     world.duration = 2;
     world.table = billiards::standard_table(billiards::TableKind::pool, "9 ft");

@@ -108,7 +108,7 @@ TEST(KinematicSolid_StrikingABox, GivesItTheSpeedOfAHeavyBody) {
     world.bodies = {crate({0.1, 0.1, 0.1}, {0, 0, 0}),
                     pusher(Box{{0.1, 0.3, 0.3}}, straight({{0, {-0.5, 0, 0}}, {1, {1.5, 0, 0}}}))};
     const MotionState after = state_at(bake(world), "crate", 0.9);
-    EXPECT_NEAR(after.velocity.x, 2 * 1.6, 1e-3);  // ODE gives way a little
+    EXPECT_NEAR(after.velocity.x, 2 * 1.6, 1e-3);  // ODE's contacts yield slightly
     EXPECT_LT(after.angular_velocity.length(), 1e-3);
 }
 

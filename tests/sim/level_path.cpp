@@ -90,8 +90,8 @@ std::vector<LevelState> level_path(const LevelTable& table, LevelState state, do
                                    double length) {
     std::vector<LevelState> path{state};
     double left = interval;
-    double gone = 0;
-    while (gone < length && path.size() < 100000) {
+    double travelled = 0;
+    while (travelled < length && path.size() < 100000) {
         const Motion motion = motion_of(table, state);
         if (motion.acceleration == Vec2(0, 0) && state.velocity.length() < 1e-11) {
             break;
@@ -99,7 +99,7 @@ std::vector<LevelState> level_path(const LevelTable& table, LevelState state, do
         const WallImpact impact = next_impact(table, state, motion);
         const double step = std::min({left, motion.end, impact.time});
         const LevelState next = after(state, motion, step);
-        gone += (next.position - state.position).length();
+        travelled += (next.position - state.position).length();
         state = next;
         if (step == motion.end && std::abs(state.spin.z) < 1e-9) {
             state.spin.z = 0;

@@ -47,7 +47,7 @@ TEST_F(CheckCommandRun, StrikeThatMisses_IsWarnedOfAtItsAim) {
     write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 0.1}");
     EXPECT_EQ(
         said(),
-        R"(s.yaml:6:36: warning: strike on 'cue' at 0.100 s: the ball never hit its target 'one'
+        R"(s.yaml:6:36: warning: strike on 'cue' at 0.100 s: it never touched 'one', which it was aimed at
     6 |   - strike: {ball: cue, at: 0.1 s, toward: one, speed: 0.1}
       |                                    ^~~~~~
 carom: 's.yaml' has no errors, but 1 warning

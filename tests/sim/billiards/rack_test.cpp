@@ -100,7 +100,7 @@ TEST(Rack, Numbers_MatchTheNamesAndOccurOnce) {
 }
 
 // WPBSA, section 1: baulk line 737 mm from the bottom cushion, D of 292 mm, black 324 mm from the
-// top cushion, pink half-way between centre and top cushion.
+// top cushion, pink midway between centre and top cushion.
 TEST(Rack, Snooker_HasItsSpotsAndFifteenReds) {
     const TableMeasures table = *standard_table(TableKind::snooker, "12 ft");
     const double radius = 0.02619375;
