@@ -16,7 +16,8 @@ inline constexpr double kLandingSpeed = 0.01;
 /// Impacts slower than this (m/s) are not logged: a ball that its spin presses against something
 /// makes thousands.
 inline constexpr double kLeastLoggedSpeed = 4 * kLeastSeparation;
-/// A flight that ends at ODE sooner than this (s) is not logged; a hop of 0.1 mm takes as long.
+/// A flight that ends in ODE after less than this (s) is removed from the log: a hop of 0.1 mm
+/// takes as long.
 inline constexpr double kLeastFlight = 0.01;
 
 class Balls {

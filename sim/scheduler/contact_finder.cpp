@@ -23,8 +23,8 @@ SurfaceContact from_convex(const ConvexContact& contact) {
 
 }  // namespace
 
-std::vector<FoundContact> ContactFinder::find(const std::vector<StepBody>& bodies) const {
-    std::vector<FoundContact> found;
+std::vector<BodyContact> ContactFinder::find(const std::vector<StepBody>& bodies) const {
+    std::vector<BodyContact> found;
     const int count = static_cast<int>(bodies.size());
     for (int i = 0; i < count; ++i) {
         const StepBody& body = bodies[static_cast<std::size_t>(i)];
@@ -63,9 +63,9 @@ SurfaceInfo ContactFinder::info(int other) const {
 }
 
 void ContactFinder::add(int number, const StepBody& body, int other, MaterialId other_material,
-                        const SurfaceContact& contact, std::vector<FoundContact>& found) const {
+                        const SurfaceContact& contact, std::vector<BodyContact>& found) const {
     const ContactNumbers& numbers = environment_.contacts.between(body.material, other_material);
-    FoundContact result;
+    BodyContact result;
     result.other = other;
     result.contact = {number,
                       std::max(other, -1),
@@ -80,7 +80,7 @@ void ContactFinder::add(int number, const StepBody& body, int other, MaterialId 
 }
 
 void ContactFinder::find_for_ball(int number, const StepBody& ball,
-                                  std::vector<FoundContact>& found) const {
+                                  std::vector<BodyContact>& found) const {
     const Vec3& centre = ball.state.position;
     if (environment_.has_cloth && centre.z > -ball.radius) {
         const int pocket = environment_.pocket_below(centre);
@@ -135,7 +135,7 @@ void ContactFinder::find_for_ball(int number, const StepBody& ball,
 }
 
 void ContactFinder::find_for_solid(int number, const StepBody& body,
-                                   std::vector<FoundContact>& found) const {
+                                   std::vector<BodyContact>& found) const {
     find_on_ground(number, body, found);
     Aabb bounds = body.bounds();
     bounds.grow(ode::kBoxMargin);
@@ -167,7 +167,7 @@ void ContactFinder::find_for_solid(int number, const StepBody& body,
 }
 
 void ContactFinder::find_box_meshes(int number, const StepBody& box, const Aabb& bounds,
-                                    std::vector<FoundContact>& found) const {
+                                    std::vector<BodyContact>& found) const {
     std::vector<ode::BoxContact> contacts;
     for (const BoxObstacle& obstacle : environment_.box_obstacles) {
         if (!bounds.overlaps(obstacle.bounds)) {
@@ -183,7 +183,7 @@ void ContactFinder::find_box_meshes(int number, const StepBody& box, const Aabb&
 }
 
 void ContactFinder::find_meshes(int number, const StepBody& body, const Aabb& bounds,
-                                std::vector<FoundContact>& found) const {
+                                std::vector<BodyContact>& found) const {
     for (const StaticMesh* mesh : {&environment_.table_mesh, &environment_.scenery_mesh}) {
         for (const SurfaceContact& contact :
              mesh_contacts(body.placed(), *mesh, bounds, ode::kBoxMargin)) {
@@ -202,7 +202,7 @@ void ContactFinder::find_meshes(int number, const StepBody& body, const Aabb& bo
 }
 
 void ContactFinder::find_on_ground(int number, const StepBody& body,
-                                   std::vector<FoundContact>& found) const {
+                                   std::vector<BodyContact>& found) const {
     const Vec3 up(0, 0, 1);
     const Quat& turn = body.state.orientation;
     std::vector<Vec3> points;
@@ -251,7 +251,7 @@ std::vector<SurfaceContact> ContactFinder::solid_contacts(const PlacedShape& a,
 }
 
 void ContactFinder::find_between(int a, const StepBody& first, int b, const StepBody& second,
-                                 std::vector<FoundContact>& found) const {
+                                 std::vector<BodyContact>& found) const {
     const Vec3 d = first.state.position - second.state.position;
     const double least_distance =
         first.bounding_radius() + second.bounding_radius() + ode::kBoxMargin;

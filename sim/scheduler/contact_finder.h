@@ -17,7 +17,8 @@ inline constexpr int kFloor = -2;
 inline constexpr int kFirstSurface = -10;     // - index into StaticEnvironment::surfaces
 inline constexpr int kFirstFixed = -1000000;  // - index of a fixed sphere
 
-struct FoundContact {
+/// A contact of a body in ODE with another one or with the static environment.
+struct BodyContact {
     ode::StepContact contact;  // `second` is -1 for the static environment
     int other = kCloth;        // the second body, or one of the numbers above
 
@@ -29,25 +30,25 @@ class ContactFinder {
     explicit ContactFinder(const StaticEnvironment& environment) : environment_(environment) {}
 
     /// All contacts of awake bodies, in a fixed order.
-    [[nodiscard]] std::vector<FoundContact> find(const std::vector<StepBody>& bodies) const;
+    [[nodiscard]] std::vector<BodyContact> find(const std::vector<StepBody>& bodies) const;
 
     /// Name and material of the part of the static environment that a contact's `other` stands for.
     [[nodiscard]] SurfaceInfo info(int other) const;
 
   private:
-    void find_for_ball(int number, const StepBody& ball, std::vector<FoundContact>& found) const;
-    void find_for_solid(int number, const StepBody& body, std::vector<FoundContact>& found) const;
+    void find_for_ball(int number, const StepBody& ball, std::vector<BodyContact>& found) const;
+    void find_for_solid(int number, const StepBody& body, std::vector<BodyContact>& found) const;
     void find_box_meshes(int number, const StepBody& box, const Aabb& bounds,
-                         std::vector<FoundContact>& found) const;
+                         std::vector<BodyContact>& found) const;
     void find_meshes(int number, const StepBody& body, const Aabb& bounds,
-                     std::vector<FoundContact>& found) const;
-    void find_on_ground(int number, const StepBody& body, std::vector<FoundContact>& found) const;
+                     std::vector<BodyContact>& found) const;
+    void find_on_ground(int number, const StepBody& body, std::vector<BodyContact>& found) const;
     [[nodiscard]] static std::vector<SurfaceContact> solid_contacts(const PlacedShape& a,
                                                                     const PlacedShape& b);
     void find_between(int a, const StepBody& first, int b, const StepBody& second,
-                      std::vector<FoundContact>& found) const;
+                      std::vector<BodyContact>& found) const;
     void add(int number, const StepBody& body, int other, MaterialId other_material,
-             const SurfaceContact& contact, std::vector<FoundContact>& found) const;
+             const SurfaceContact& contact, std::vector<BodyContact>& found) const;
 
     const StaticEnvironment& environment_;
 };

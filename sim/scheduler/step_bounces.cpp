@@ -9,7 +9,7 @@
 
 namespace carom::sim {
 
-double approach_speed(const std::vector<StepBody>& bodies, const FoundContact& found) {
+double approach_speed(const std::vector<StepBody>& bodies, const BodyContact& found) {
     const ode::StepContact& contact = found.contact;
     Vec3 relative = bodies[static_cast<std::size_t>(contact.first)].velocity_at(contact.point);
     if (found.other >= 0) {
@@ -18,13 +18,13 @@ double approach_speed(const std::vector<StepBody>& bodies, const FoundContact& f
     return -relative.dot(contact.normal);
 }
 
-void StepBounces::resolve(const std::vector<FoundContact>& contacts, double time) {
+void StepBounces::resolve(const std::vector<BodyContact>& contacts, double time) {
     constexpr int kMaxBounces = 1000;
     forget_jams(contacts);
     for (int i = 0; i < kMaxBounces; ++i) {
-        const FoundContact* fastest = nullptr;
+        const BodyContact* fastest = nullptr;
         double speed = ode::kBounceSpeed;
-        for (const FoundContact& found : contacts) {
+        for (const BodyContact& found : contacts) {
             const bool is_ball = bodies_[static_cast<std::size_t>(found.contact.first)].is_ball;
             if ((!is_ball && found.contact.depth < -kClosedGap) || is_jammed(found)) {
                 continue;
@@ -48,16 +48,16 @@ void StepBounces::resolve(const std::vector<FoundContact>& contacts, double time
     log_impacts(time);
 }
 
-void StepBounces::forget_jams(const std::vector<FoundContact>& contacts) {
+void StepBounces::forget_jams(const std::vector<BodyContact>& contacts) {
     kinematic_impact_counts_.clear();
     std::erase_if(jams_, [&](const std::pair<int, int>& jam) {
         return std::none_of(contacts.begin(), contacts.end(),
-                            [&](const FoundContact& found) { return found.pair() == jam; });
+                            [&](const BodyContact& found) { return found.pair() == jam; });
     });
 }
 
 /// Repeated impacts between two free bodies die away, but a kinematic body never slows down.
-void StepBounces::count_impact(const FoundContact& found, double time) {
+void StepBounces::count_impact(const BodyContact& found, double time) {
     constexpr int kMaxImpacts = 50;
     if (found.other < 0) {
         return;
@@ -81,7 +81,7 @@ void StepBounces::count_impact(const FoundContact& found, double time) {
                      time, *moved.name, *caught.name, *caught.name)});
 }
 
-void StepBounces::bounce_ball(const FoundContact& found, double time) {
+void StepBounces::bounce_ball(const BodyContact& found, double time) {
     const ode::StepContact& contact = found.contact;
     StepBody& ball = bodies_[static_cast<std::size_t>(contact.first)];
     StepBody* other = found.other >= 0 ? &bodies_[static_cast<std::size_t>(found.other)] : nullptr;
@@ -115,14 +115,14 @@ void StepBounces::bounce_ball(const FoundContact& found, double time) {
 /// All contacts of the pair are solved together, including those with a gap below the margin, so
 /// that a face lands as a face. No surface is flatter than that, and rounding would let one corner
 /// hit first and turn the body.
-void StepBounces::bounce_pair(const std::vector<FoundContact>& contacts,
-                              const FoundContact& fastest, double time) {
+void StepBounces::bounce_pair(const std::vector<BodyContact>& contacts, const BodyContact& fastest,
+                              double time) {
     std::vector<int> moving{fastest.contact.first};
     if (fastest.other >= 0) {
         moving.push_back(fastest.other);
     }
     std::vector<ode::StepContact> struck;
-    for (const FoundContact& found : contacts) {
+    for (const BodyContact& found : contacts) {
         if (found.pair() == fastest.pair()) {
             struck.push_back(found.contact);
             struck.back().depth = 0;
@@ -184,7 +184,7 @@ ImpulsePair StepBounces::solve_impact(const std::vector<int>& moving,
     return sum;
 }
 
-void StepBounces::add_to_log(const FoundContact& found, const ImpulsePair& impulse) {
+void StepBounces::add_to_log(const BodyContact& found, const ImpulsePair& impulse) {
     const auto same = std::find_if(
         impacts_.begin(), impacts_.end(),
         [&](const LoggedImpact& impact) { return impact.contact.pair() == found.pair(); });

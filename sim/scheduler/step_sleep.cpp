@@ -44,9 +44,9 @@ void StepSleep::wake_near(const Vec3& position, double distance, double time) {
     }
 }
 
-bool StepSleep::wake_by_contact(const std::vector<FoundContact>& contacts, double time) {
+bool StepSleep::wake_by_contact(const std::vector<BodyContact>& contacts, double time) {
     bool is_changed = false;
-    for (const FoundContact& found : contacts) {
+    for (const BodyContact& found : contacts) {
         if (found.other < 0) {
             continue;
         }
@@ -72,7 +72,7 @@ bool StepSleep::is_slow_in_contact(const StepBody& body, int number,
                                    const SolvedContacts& solved) const {
     bool has_contact = false;
     bool is_slow = body.max_point_speed() < kSleepSpeed;
-    for (const FoundContact& found : solved.contacts) {
+    for (const BodyContact& found : solved.contacts) {
         if (found.contact.first != number && found.other != number) {
             continue;
         }
@@ -95,7 +95,7 @@ bool StepSleep::is_supported_with_neighbours(const StepBody& body, int number,
         return false;
     }
     return std::all_of(
-        solved.contacts.begin(), solved.contacts.end(), [&](const FoundContact& found) {
+        solved.contacts.begin(), solved.contacts.end(), [&](const BodyContact& found) {
             if (found.contact.first != number && found.other != number) {
                 return true;
             }

@@ -23,7 +23,7 @@ class StepSleep {
     void wake_near(const Vec3& position, double distance, double time);
 
     /// Wakes sleeping bodies that a waking one approaches in contact; true if there were any.
-    bool wake_by_contact(const std::vector<FoundContact>& contacts, double time);
+    bool wake_by_contact(const std::vector<BodyContact>& contacts, double time);
 
     /// True if a body has hardly moved, in contact with something, for long enough at `time`. A
     /// body that is only balanced, or touches one that is, has to stay for as long as it would take

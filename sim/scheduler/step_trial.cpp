@@ -55,7 +55,7 @@ double StepTrial::relative_sinking() const {
         return !body.is_ball && body.shape->kind() == ConvexShape::Kind::cylinder;
     };
     double most = 0;
-    for (const FoundContact& found : contacts_) {
+    for (const BodyContact& found : contacts_) {
         if (found.contact.depth <= 0 || bounces_.is_jammed(found)) {
             continue;
         }
@@ -98,7 +98,7 @@ void StepTrial::advance_to_midpoint() {
     drop_impacts();
     drop_immovable_pairs();
     step_contacts_.clear();
-    for (FoundContact& found : contacts_) {
+    for (BodyContact& found : contacts_) {
         found.contact.restitution = 0;
         step_contacts_.push_back(found.contact);
     }
@@ -121,7 +121,7 @@ void StepTrial::solve() {
 void StepTrial::drop_impacts() {
     std::map<std::pair<int, int>, double> fastest;
     std::vector<double> speeds;
-    for (const FoundContact& found : contacts_) {
+    for (const BodyContact& found : contacts_) {
         const double approach = bounces_.is_jammed(found) ? 0 : approach_speed(placed_, found);
         const double gap_at_start = 0.5 * (end_ - start_) * approach - found.contact.depth;
         speeds.push_back(gap_at_start > kClosedGap ? approach : 0);
@@ -147,7 +147,7 @@ void StepTrial::drop_immovable_pairs() {
         const StepBody& body = placed_[static_cast<std::size_t>(number)];
         return body.is_awake && !body.is_kinematic();
     };
-    std::erase_if(contacts_, [&](const FoundContact& found) {
+    std::erase_if(contacts_, [&](const BodyContact& found) {
         return !can_move(found.contact.first) && !can_move(found.other);
     });
 }
@@ -173,13 +173,13 @@ void StepTrial::move_to(double fraction) {
 /// The fraction of the step that passes before the first impact or new contact.
 double StepTrial::fraction_until_contact() {
     std::set<std::pair<int, int>> known;
-    for (const FoundContact& found : contacts_) {
+    for (const BodyContact& found : contacts_) {
         known.insert(found.pair());
     }
     const auto deepest_at = [&](double fraction) {
         move_to(fraction);
         double deepest = 0;
-        for (const FoundContact& found : finder_.find(placed_)) {
+        for (const BodyContact& found : finder_.find(placed_)) {
             if (found.contact.depth > deepest && !bounces_.is_jammed(found) &&
                 (!known.contains(found.pair()) ||
                  approach_speed(placed_, found) > ode::kBounceSpeed)) {

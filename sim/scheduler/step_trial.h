@@ -28,7 +28,7 @@ class StepTrial {
     [[nodiscard]] double start() const { return start_; }
     [[nodiscard]] double end() const { return end_; }
     /// The lasting contacts, found at the midpoint of the step.
-    [[nodiscard]] const std::vector<FoundContact>& contacts() const { return contacts_; }
+    [[nodiscard]] const std::vector<BodyContact>& contacts() const { return contacts_; }
     [[nodiscard]] SolvedContacts solved() const { return {contacts_, impulses_, end_ - start_}; }
     /// Indices of the moving bodies, and in the same order their motions during the step.
     [[nodiscard]] const std::vector<int>& moving() const { return moving_; }
@@ -55,7 +55,7 @@ class StepTrial {
     std::vector<StepBody> placed_;  // the bodies at some instant of the step
     std::vector<int> moving_;
     std::vector<MotionState> midpoint_states_;
-    std::vector<FoundContact> contacts_;
+    std::vector<BodyContact> contacts_;
     std::vector<ode::StepContact> step_contacts_;
     std::vector<ode::StepMotion> motions_;
     std::vector<ode::StepImpulse> impulses_;

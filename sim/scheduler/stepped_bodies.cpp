@@ -90,7 +90,7 @@ void SteppedBodies::adopt_balls(double time) {
 double SteppedBodies::try_step(double now, double until) {
     adopt_balls(now);
     has_trial_step_ = true;
-    std::vector<FoundContact> contacts = finder_.find(bodies_);
+    std::vector<BodyContact> contacts = finder_.find(bodies_);
     if (sleep_.wake_by_contact(contacts, now)) {
         contacts = finder_.find(bodies_);
     }
@@ -169,7 +169,7 @@ Ground SteppedBodies::ground_under(const StepBody& ball, bool& touches_other) co
     const int number = static_cast<int>(&ball - bodies_.data());
     Ground ground = Ground::none;
     touches_other = false;
-    for (const FoundContact& found : trial_.contacts()) {
+    for (const BodyContact& found : trial_.contacts()) {
         if (found.contact.first != number && found.other != number) {
             continue;
         }

@@ -10,7 +10,7 @@ namespace carom::sim {
 
 /// The contacts of one step and the impulses that were solved for them.
 struct SolvedContacts {
-    const std::vector<FoundContact>& contacts;
+    const std::vector<BodyContact>& contacts;
     const std::vector<ode::StepImpulse>& impulses;  // in the same order
     double duration = 0;                            // of the step, s
 };
