@@ -187,11 +187,11 @@ TEST(Strike_ThatNeverArrives, IsWarnedOf) {
     world.bodies = {ball("cue", 0, 0), ball("one", 2, 0)};
     world.events = {strike_towards("cue", "one", 0.2)};
     const Timeline result = bake(world);
-    EXPECT_EQ(
-        result.warnings,
-        (std::vector<Diagnostic>{{Subject::event(0), "toward",
-                                  "strike on 'cue' at 0.000 s: it never touched 'one', which it was aimed at",
-                                  Severity::warning}}));
+    EXPECT_EQ(result.warnings,
+              (std::vector<Diagnostic>{
+                  {Subject::event(0), "toward",
+                   "strike on 'cue' at 0.000 s: it never touched 'one', which it was aimed at",
+                   Severity::warning}}));
 }
 
 TEST(Trigger_Contact, FiresAfterTheFirstImpact) {
