@@ -100,7 +100,7 @@ class Solids {
     billiards::TableGeometry geometry_;
 };
 
-/// The time at which the ball finally left the table; infinity if it did not.
+/// The time at which the ball finally left the table; 1e9 if it did not.
 double off_table_time(const Timeline& timeline, const std::string& ball) {
     for (const Event& event : timeline.events) {
         if (event.kind == EventKind::off_table && event.a == ball) {
