@@ -41,7 +41,7 @@ class Balls {
     void change_stepped_state(std::uint32_t index, double time, const MotionState& before,
                               const MotionState& after);
 
-    /// Begins the next segment from the state at the end of the present one.
+    /// Begins the next segment from the ball's state at `time`.
     void begin_next_segment(std::uint32_t index, double time);
 
     /// The ball leaves its level surface without an impact.
@@ -49,7 +49,7 @@ class Balls {
 
     /// From now on ODE steps the ball. Takes effect with the next window.
     void activate(std::uint32_t index, double time);
-    /// Sets the state of a ball that remains active in ODE.
+    /// Sets the state of a ball that ODE steps.
     void set_stepped_state(std::uint32_t index, double time, const MotionState& state);
     /// The ball moves in closed form again, on `ground` or in the air.
     void deactivate(std::uint32_t index, double time, const MotionState& state, Ground ground);
