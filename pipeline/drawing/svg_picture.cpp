@@ -28,7 +28,7 @@ using Context = std::unique_ptr<cairo_t, Unreference>;
 
 /// The message, and `error` is freed.
 std::string message_of(GError* error) {
-    std::string text = error != nullptr ? error->message : "unknown fault";
+    std::string text = error != nullptr ? error->message : "unknown error";
     g_clear_error(&error);
     return text;
 }
@@ -62,7 +62,8 @@ double proportion_of(RsvgHandle* handle) {
     if (width.length > 0 && height.length > 0 && width.unit == height.unit) {
         return height.length / width.length;
     }
-    throw Error("cannot draw: the document does not say how large it is");
+    throw Error(
+        "cannot draw: the SVG document has no size (neither a viewBox nor width and height)");
 }
 
 }  // namespace
@@ -77,9 +78,10 @@ std::vector<std::byte> svg_to_png(std::span<const std::byte> svg, int width) {
     const double height = width * proportion_of(handle.get());
     if (width < 1 || width > kMostPixels || !(height >= 1 && height <= kMostPixels)) {
         throw Error(fmt::format(
-            "cannot draw a picture of less than 1 or more than {} pixels in a row", kMostPixels));
+            "cannot draw a picture of {} x {:.0f} pixels: each side must be from 1 to {}", width,
+            height, kMostPixels));
     }
-    // Whole rows only: one that is covered in part would be a hairline.
+    // The height is rounded down: a partly covered last row would look like a hairline.
     const Surface surface(
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, static_cast<int>(height)));
     check(cairo_surface_status(surface.get()));

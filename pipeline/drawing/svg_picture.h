@@ -1,4 +1,4 @@
-// An SVG document as a PNG picture.
+// Renders an SVG document to a PNG picture.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace carom::pipeline {
 
-/// The bytes of a PNG file, `width` pixels wide (1 to 16384) and as high as the document's own
-/// proportions make it. Throws Error: it is no SVG, or would be too high.
+/// The bytes of a PNG file, `width` pixels wide (1 to 16384) and high enough to keep the document's
+/// proportions. Throws Error if the document is not SVG or the picture would be too high.
 [[nodiscard]] std::vector<std::byte> svg_to_png(std::span<const std::byte> svg, int width);
 
 }  // namespace carom::pipeline

@@ -71,7 +71,7 @@ class SceneBuilder {
             part.keys.add(timeline_.start_time, object.world_from_object.translation(), Quat());
             body_from_object[3][0] = body_from_object[3][1] = body_from_object[3][2] = 0;
         } else if (const sim::Track* track = timeline_.find(object.track)) {
-            part.keys = straight_keys(*track, kMostExportKeys);
+            part.keys = linear_keys(*track, kMostExportKeys);
         } else {
             throw Error("object '" + object.name + "' is not in the timeline");
         }

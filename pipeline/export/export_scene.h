@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "pipeline/export/straight_keys.h"
+#include "pipeline/export/linear_keys.h"
 #include "pipeline/shot/shot.h"
 #include "render/camera/camera_state.h"
 #include "render/geometry/triangle_mesh.h"
@@ -38,7 +38,7 @@ struct ExportPart {
     std::string name;
     render::TriangleMesh mesh;  // normals of unit length, or none
     std::vector<ExportPatch> patches;
-    StraightKeys keys;  // one: it stands still there
+    LinearKeys keys;  // one: it stands still there
 };
 
 struct ExportCameraKey {

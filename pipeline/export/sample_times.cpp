@@ -10,7 +10,7 @@ namespace carom::pipeline {
 namespace {
 
 constexpr double kMostSamples = 1e7;    // about 2 GB of text
-constexpr double kShareOfAStep = 1e-9;  // so that the end is included despite rounding
+constexpr double kStepTolerance = 1e-9;  // so that the end is included despite rounding
 
 }  // namespace
 
@@ -19,7 +19,7 @@ std::vector<double> sample_times(const sim::Timeline& timeline, double rate) {
         throw Error("the rate of an export must be above 0 and at most 1e6 samples/s");
     }
     const double steps = (timeline.end_time - timeline.start_time) * rate;
-    const double samples = std::floor(steps + kShareOfAStep) + 1;
+    const double samples = std::floor(steps + kStepTolerance) + 1;
     if (samples * static_cast<double>(timeline.tracks.size()) > kMostSamples) {
         throw Error("the table would have more than ten million rows; take a lower rate");
     }

@@ -137,7 +137,7 @@ class GlbWriter {
                              {{"aspectRatio", scene_.aspect},
                               {"yfov", camera.keys.front().state.vertical_fov},
                               {"znear", kNearest}}}});
-        StraightKeys keys;
+        LinearKeys keys;
         for (const ExportCameraKey& key : camera.by_scene_time()) {
             keys.add(key.scene_time, key.state.position, camera_axes(key.state).orientation());
         }
@@ -171,7 +171,7 @@ class GlbWriter {
         extensions_.insert("KHR_lights_punctual");
         Quat turn;
         turn.setRotation(Vec3(0, 0, -1), direction.normalized());  // it shines along its -z
-        StraightKeys keys;
+        LinearKeys keys;
         keys.add(scene_.start_time, position, turn);
         add_node({{"name", name},
                   {"extensions", {{"KHR_lights_punctual", {{"light", lights_.size() - 1}}}}}},
@@ -181,7 +181,7 @@ class GlbWriter {
     /// Whether what the node holds was turned to Y up itself, or has axes that glTF lays down.
     enum class Axes { turned, of_gltf };
 
-    void add_node(Json node, const StraightKeys& keys, Axes axes = Axes::turned) {
+    void add_node(Json node, const LinearKeys& keys, Axes axes = Axes::turned) {
         const auto turn_of = [&](const Quat& q) {
             return floats(axes == Axes::turned ? y_up(q) : kYUp * q);
         };

@@ -103,7 +103,7 @@ class UsdaWriter {
         text_.line("}");
     }
 
-    void write_keys(const StraightKeys& keys) {
+    void write_keys(const LinearKeys& keys) {
         attribute("double3 xformOp:translate", keys.times,
                   [&](std::size_t i) { return usda_tuple(keys.positions[i]); });
         attribute("quatf xformOp:orient", keys.times,
@@ -112,7 +112,7 @@ class UsdaWriter {
     }
 
     void write_place(const Vec3& position, const Quat& orientation) {
-        StraightKeys keys;
+        LinearKeys keys;
         keys.add(scene_.start_time, position, orientation);
         write_keys(keys);
     }
@@ -195,7 +195,7 @@ class UsdaWriter {
     /// Of a lens with the rig's sensor: what changes over the scene's time.
     void write_camera(const ExportCamera& camera) {
         const std::vector<ExportCameraKey> keys = camera.by_scene_time();
-        StraightKeys way;
+        LinearKeys way;
         for (const ExportCameraKey& key : keys) {
             way.add(key.scene_time, key.state.position, camera_axes(key.state).orientation());
         }

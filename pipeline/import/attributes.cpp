@@ -92,8 +92,8 @@ Attributes& Attributes::also(std::string spelling) {
     return *this;
 }
 
-Attributes& Attributes::needed() {
-    table_.back().is_needed = true;
+Attributes& Attributes::required() {
+    table_.back().is_required = true;
     return *this;
 }
 
@@ -133,7 +133,7 @@ void Attributes::read(const std::vector<Item>& items, const config::Place& place
         at += 2;
     }
     for (const Attribute& attribute : table_) {
-        if (attribute.is_needed && attribute.count == 0) {
+        if (attribute.is_required && attribute.count == 0) {
             problems_->error(place, owner_ + " needs " + quote(attribute.spellings.front()));
         }
     }

@@ -8,7 +8,7 @@
 
 #include "pipeline/config/problem_list.h"
 #include "pipeline/import/scene_model.h"
-#include "pipeline/import/scene_words.h"
+#include "pipeline/import/tokenizer.h"
 
 namespace carom::pipeline::scene_text {
 
@@ -39,7 +39,7 @@ class Attributes {
     /// Another spelling of the attribute named last.
     Attributes& also(std::string spelling);
     /// The attribute named last must be there.
-    Attributes& needed();
+    Attributes& required();
 
     /// Reads all of `items`; what is wrong becomes problems, `place` is the element's own.
     void read(const std::vector<Item>& items, const config::Place& place);
@@ -50,7 +50,7 @@ class Attributes {
         std::vector<std::string> spellings;
         Kind kind = Kind::real;
         bool repeats = false;
-        bool is_needed = false;
+        bool is_required = false;
         Limits limits{};
         std::function<void(double)> store_real{};
         std::function<void(const Vec3&)> store_vector{};

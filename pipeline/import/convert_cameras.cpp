@@ -57,7 +57,7 @@ std::vector<Rig> timed(Conversion& conversion) {
 }
 
 /// The film has neither gaps nor a late start: cameras move up. An overlap is an error.
-void close_ranks(std::vector<Rig>& rigs, Conversion& conversion) {
+void close_gaps(std::vector<Rig>& rigs, Conversion& conversion) {
     double end = 0;
     double shift = 0;
     for (std::size_t i = 0; i < rigs.size(); ++i) {
@@ -191,7 +191,7 @@ void write_lens(std::ostringstream& out, const Rig& rig, Conversion& conversion)
 
 std::string cameras_section(Conversion& conversion, double& duration) {
     std::vector<Rig> rigs = timed(conversion);
-    close_ranks(rigs, conversion);
+    close_gaps(rigs, conversion);
     std::ostringstream out;
     out << "cameras:\n";
     Names names;

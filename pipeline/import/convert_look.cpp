@@ -114,7 +114,7 @@ std::string diffuse_picture(const Material& material, Conversion& conversion) {
 constexpr const char* kFalloff = ", falloff: none";
 
 /// At right angles to the unit vector.
-Vec3 beside(const Vec3& v, const Vec3& axis) {
+Vec3 perpendicular_to(const Vec3& v, const Vec3& axis) {
     return v - axis * axis.dot(v);
 }
 
@@ -123,7 +123,7 @@ std::string rectangle_light(const Light& light, const Vec3& towards, Conversion&
     const Axes& axes = conversion.axes;
     const double width = light.x->length();
     const Vec3 u = *light.x / std::max(width, 1e-300);
-    const Vec3 across = beside(*light.y, u);
+    const Vec3 across = perpendicular_to(*light.y, u);
     const double breadth = across.length();
     if (!(width > 0) || !(breadth > 1e-9 * std::max(width, light.y->length()))) {
         conversion.problems.error(light.name.place, "the edges x and y of light_rect " +

@@ -19,7 +19,7 @@ std::string owner(const Object& object) {
 }
 
 /// What is at right angles to the unit vector `axis`.
-Vec3 beside(const Vec3& v, const Vec3& axis) {
+Vec3 perpendicular_to(const Vec3& v, const Vec3& axis) {
     return v - axis * axis.dot(v);
 }
 
@@ -38,7 +38,7 @@ std::optional<Frame> rectangle_frame(const Object& object, Conversion& conversio
     Frame frame;
     frame.width = edge.length();
     frame.x = edge / std::max(frame.width, 1e-300);
-    const Vec3 across = beside(*object.vertices[2] - start, frame.x);
+    const Vec3 across = perpendicular_to(*object.vertices[2] - start, frame.x);
     frame.breadth = across.length();
     const double size = std::max(frame.width, (*object.vertices[2] - start).length());
     if (!(frame.width > 1e-9 * size) || !(frame.breadth > 1e-9 * size)) {
@@ -69,7 +69,7 @@ std::optional<BoxFrame> box_frame(const Object& object, Conversion& conversion) 
 }
 
 /// Spheres that reach into a fixed box would have no way out: they move to its surface.
-void move_out(Object& sphere, const std::vector<std::pair<std::string, BoxFrame>>& boxes,
+void push_out(Object& sphere, const std::vector<std::pair<std::string, BoxFrame>>& boxes,
               const std::vector<double>& heights, Conversion& conversion) {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const auto& [name, box] = boxes[i];
@@ -99,7 +99,7 @@ std::string rotation(const Object& object, const Axes& axes, Conversion& convers
         return {};
     }
     const Vec3 z = object.pole.value_or(axes.author_up()).normalized();
-    const Vec3 x = beside(object.equator.value_or(Vec3(1, 0, 0)), z);
+    const Vec3 x = perpendicular_to(object.equator.value_or(Vec3(1, 0, 0)), z);
     if (x.length() < 1e-9 || z.length() < 0.5) {
         conversion.note(owner(object) + ": v_e and v_n do not span a plane; it is not turned");
         return {};
@@ -128,7 +128,7 @@ std::string shape(const Object& object, Conversion& conversion) {
         case ShapeKind::plane: {
             const Vec3 normal = object.normal->normalized();
             const Vec3 helper = std::abs(normal.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
-            const Vec3 x = beside(helper, normal).normalized();
+            const Vec3 x = perpendicular_to(helper, normal).normalized();
             return joined({"plane: infinite", at(*object.position), turned(x, normal.cross(x))});
         }
         case ShapeKind::sphere:
@@ -225,7 +225,7 @@ std::string objects_and_events(Conversion& conversion, double last_time) {
     bool anything_moves = false;
     for (Object& object : scene.objects) {
         if (object.kind == ShapeKind::sphere && object.uses_physics) {
-            move_out(object, boxes, heights, conversion);
+            push_out(object, boxes, heights, conversion);
             anything_moves = true;
         }
         const std::string name = names.claim(object.name.text);

@@ -10,7 +10,7 @@
 #include "pipeline/config/text.h"
 #include "pipeline/import/conversion.h"
 #include "pipeline/import/read_scene.h"
-#include "pipeline/import/scene_words.h"
+#include "pipeline/import/tokenizer.h"
 
 namespace carom::pipeline {
 
@@ -72,7 +72,7 @@ ImportResult import_scene(const std::string& text, const std::string& name,
     config::SourceSet sources;
     config::ProblemList problems(sources);
     const int source = sources.add({name, scene_folder, as_utf8(text)});
-    const std::vector<scene_text::Item> words = scene_text::split_words(sources, source, problems);
+    const std::vector<scene_text::Item> words = scene_text::tokenize(sources, source, problems);
     Conversion conversion{scene_text::read_scene(words, problems),
                           options,
                           scene_text::Axes(options),

@@ -43,7 +43,7 @@ Quat orientation_of(const TrackRow& row) {
 }
 
 /// The whole turn whose remainder is `remainder`, of those the nearest to `expected`.
-Vec3 with_rounds(const Vec3& remainder, const Vec3& expected) {
+Vec3 with_full_turns(const Vec3& remainder, const Vec3& expected) {
     const double angle = remainder.length();
     const Vec3 axis = angle > 1e-9                           ? remainder / angle
                       : expected.length() > std::numbers::pi ? expected.normalized()
@@ -57,7 +57,7 @@ Vec3 with_rounds(const Vec3& remainder, const Vec3& expected) {
 Vec3 turn_between(const TrackRow& from, const TrackRow& to, config::ProblemList& problems) {
     const Vec3 remainder = sim::rotation_vector(orientation_of(to) * ~orientation_of(from));
     if (from.spin && to.spin) {
-        return with_rounds(remainder, (to.time - from.time) * (*from.spin + *to.spin) / 2);
+        return with_full_turns(remainder, (to.time - from.time) * (*from.spin + *to.spin) / 2);
     }
     if (!from.angles) {
         return remainder;

@@ -6,16 +6,16 @@ namespace carom::pipeline::scene_text {
 void SceneReader::phong_info(const Name& name, const Item& block) {
     PhongInfo p;
     p.name = name;
-    constexpr Limits kShare{0, 1e9};
+    constexpr Limits kNonNegative{0, 1e9};
     attributes("phong_info", name)
         .vector("ambient", p.ambient)
         .vector("diffuse", p.diffuse)
         .vector("specular", p.specular)
-        .real("shininess", p.shininess, kShare)
-        .real("reflectance", p.reflectance, kShare)
-        .real("diffuse_reflection", p.diffuse_reflection, kShare)
-        .real("refraction", p.refraction, kShare)
-        .real("diffuse_refraction", p.diffuse_refraction, kShare)
+        .real("shininess", p.shininess, kNonNegative)
+        .real("reflectance", p.reflectance, kNonNegative)
+        .real("diffuse_reflection", p.diffuse_reflection, kNonNegative)
+        .real("refraction", p.refraction, kNonNegative)
+        .real("diffuse_refraction", p.diffuse_refraction, kNonNegative)
         .real("refraction_index", p.refraction_index, {0, 1e9, false, true})
         .read(block.group, name.place);
     claim("phong_info", name, model_.phong_infos.size());
@@ -24,7 +24,7 @@ void SceneReader::phong_info(const Name& name, const Item& block) {
 
 void SceneReader::texture(const Name& name, const Item& block) {
     Texture t{name, {}};
-    attributes("texture", name).word("filename", t.filename).needed().read(block.group, name.place);
+    attributes("texture", name).word("filename", t.filename).required().read(block.group, name.place);
     claim("texture", name, model_.textures.size());
     model_.textures.push_back(std::move(t));
 }
@@ -33,7 +33,7 @@ void SceneReader::material_phong(const Name& name, const Item& block) {
     std::optional<Name> phong;
     attributes("material_phong", name)
         .word("phong_info", phong)
-        .needed()
+        .required()
         .read(block.group, name.place);
     Material m;
     m.name = name;
@@ -49,9 +49,9 @@ void SceneReader::material_texture(const Name& name, const Item& block) {
     m.name = name;
     attributes("material_texture", name)
         .word("phong_info", phong)
-        .needed()
+        .required()
         .word("texture", texture)
-        .needed()
+        .required()
         .real("scale_U", m.scale_u, {0, 1e9, false, true, true})
         .real("scale_V", m.scale_v, {0, 1e9, false, true, true})
         .read(block.group, name.place);
@@ -70,7 +70,7 @@ void SceneReader::light_point(const Name& name, const Item& block) {
     Light l{name, LightKind::point, {}, {}, {}, {}, {}};
     attributes("light_point", name)
         .vector("position", l.position)
-        .needed()
+        .required()
         .vector("color", l.colour)
         .also("colour")
         .read(block.group, name.place);
@@ -81,11 +81,11 @@ void SceneReader::light_rect(const Name& name, const Item& block) {
     Light l{name, LightKind::rectangle, {}, {}, {}, {}, {}};
     attributes("light_rect", name)
         .vector("position", l.position)
-        .needed()
+        .required()
         .vector("x", l.x)
-        .needed()
+        .required()
         .vector("y", l.y)
-        .needed()
+        .required()
         .vector("color", l.colour)
         .also("colour")
         .read(block.group, name.place);
@@ -96,9 +96,9 @@ void SceneReader::light_bulb(const Name& name, const Item& block) {
     Light l{name, LightKind::bulb, {}, {}, {}, {}, {}};
     attributes("light_bulb", name)
         .vector("position", l.position)
-        .needed()
+        .required()
         .real("radius", l.radius, {0, 1e9, false, true})
-        .needed()
+        .required()
         .vector("color", l.colour)
         .also("colour")
         .read(block.group, name.place);

@@ -24,9 +24,9 @@ ForceEvent SceneReader::force_event(const std::string& owner, const Item& block)
     Real time;
     Attributes(owner + " in add_force_event", problems_)
         .vector("force", force)
-        .needed()
+        .required()
         .real("time", time, {0, kLongest})
-        .needed()
+        .required()
         .read(block.group, block.place);
     return {force.value_or(Vec3(0, 0, 0)), time.value_or(0)};
 }
@@ -38,9 +38,9 @@ void SceneReader::plane(const Name& name, const Item& block) {
     std::optional<Name> material;
     attributes("plane", name)
         .vector("normal", o.normal)
-        .needed()
+        .required()
         .vector("position", o.position)
-        .needed()
+        .required()
         .word("material", material)
         .read(block.group, name.place);
     if (o.normal && o.normal->length() < 1e-9) {
@@ -57,9 +57,9 @@ void SceneReader::sphere(const Name& name, const Item& block) {
     Real physics;
     attributes("sphere", name)
         .vector("position", o.position)
-        .needed()
+        .required()
         .real("radius", o.radius, kSize)
-        .needed()
+        .required()
         .word("material", material)
         .real("use_physics", physics, kSwitch)
         .vector("v_e", o.equator)
@@ -78,11 +78,11 @@ void SceneReader::triangle(const Name& name, const Item& block) {
     std::optional<Name> material;
     attributes("triangle", name)
         .vector("vertex0", o.vertices[0])
-        .needed()
+        .required()
         .vector("vertex1", o.vertices[1])
-        .needed()
+        .required()
         .vector("vertex2", o.vertices[2])
-        .needed()
+        .required()
         .word("material", material)
         .read(block.group, name.place);
     add_object(std::move(o), material, {});
@@ -96,13 +96,13 @@ void SceneReader::rectangle(const Name& name, const Item& block) {
     attributes("rectangle", name)
         .vector("vertex0", o.vertices[0])
         .also("position0")
-        .needed()
+        .required()
         .vector("vertex1", o.vertices[1])
         .also("position1")
-        .needed()
+        .required()
         .vector("vertex2", o.vertices[2])
         .also("position2")
-        .needed()
+        .required()
         .word("material", material)
         .read(block.group, name.place);
     add_object(std::move(o), material, {});
@@ -116,15 +116,15 @@ void SceneReader::box(const Name& name, const Item& block) {
     Real physics;
     attributes("box", name)
         .vector("vertex0", o.vertices[0])
-        .needed()
+        .required()
         .vector("vertex1", o.vertices[1])
         .also("position1")
-        .needed()
+        .required()
         .vector("vertex2", o.vertices[2])
-        .needed()
+        .required()
         .real("height", o.height, kSize)
         .also("heigth")
-        .needed()
+        .required()
         .word("material", material)
         .real("use_physics", physics, kSwitch)
         .read(block.group, name.place);

@@ -163,9 +163,9 @@ void SceneReader::camera(const Name& name, const Item& block) {
         .real("FOV_start", c.fov_start, kDistance)
         .real("FOV_end", c.fov_end, kDistance)
         .points("add_position", c.positions)
-        .needed()
+        .required()
         .points("add_target", c.targets)
-        .needed()
+        .required()
         .vector("sky_start", c.sky_start)
         .vector("sky_end", c.sky_end)
         .read(block.group, name.place);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pipeline/import/scene_model.h"
-#include "pipeline/import/scene_words.h"
+#include "pipeline/import/tokenizer.h"
 
 namespace carom::pipeline::scene_text {
 

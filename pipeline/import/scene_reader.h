@@ -9,7 +9,7 @@
 
 #include "pipeline/import/attributes.h"
 #include "pipeline/import/scene_model.h"
-#include "pipeline/import/scene_words.h"
+#include "pipeline/import/tokenizer.h"
 
 namespace carom::pipeline::scene_text {
 

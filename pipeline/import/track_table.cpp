@@ -29,7 +29,7 @@ constexpr double kShortest = 1e-6;  // s, between two keys
 /// Columns that come together.
 struct Group {
     std::vector<std::string> names;
-    bool is_needed = false;
+    bool is_required = false;
 };
 
 const std::array<Group, 6>& groups() {
@@ -125,7 +125,7 @@ class TableReader {
                 missing.push_back("'" + name + "'");
             }
         }
-        if (!missing.empty() && (group.is_needed || missing.size() < group.names.size())) {
+        if (!missing.empty() && (group.is_required || missing.size() < group.names.size())) {
             problems_.error(header, std::string(missing.size() > 1 ? "columns " : "column ") +
                                         config::join(missing, "and") + " missing");
         }

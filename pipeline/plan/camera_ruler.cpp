@@ -9,7 +9,7 @@
 #include "pipeline/camera/exposure.h"
 #include "pipeline/camera/rig_state.h"
 #include "pipeline/camera/time_map.h"
-#include "pipeline/plan/figure_text.h"
+#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/time_axis.h"
 
 namespace carom::pipeline {
@@ -48,9 +48,9 @@ struct Place {
     Vec2 ahead{0, 0};  // where it looks, as long as that is level: 1 or less
 };
 
-class RulerOfRig {
+class RulerPainter {
   public:
-    RulerOfRig(PlanDrawing& plan, const PlanRig& rig) : plan_(plan), rig_(rig) {}
+    RulerPainter(PlanDrawing& plan, const PlanRig& rig) : plan_(plan), rig_(rig) {}
 
     void draw(const CameraRuler& ruler) {
         std::string ticks;
@@ -171,7 +171,7 @@ void draw_ruler(PlanDrawing& plan, const PlanRig& rig, const CameraRuler& ruler)
         return;
     }
     try {
-        RulerOfRig(plan, rig).draw(ruler);
+        RulerPainter(plan, rig).draw(ruler);
     } catch (const Error&) {
         // A frame of the camera makes no picture; 'carom check' says why.
     }

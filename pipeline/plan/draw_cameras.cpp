@@ -52,7 +52,7 @@ void draw_cone(PlanDrawing& plan, const PlanRig& rig, const render::CameraState&
 }
 
 /// A dot at the beginning, an arrow's head at the end, where it moves at all.
-void draw_way(PlanDrawing& plan, const PlanRig& rig) {
+void draw_camera_path(PlanDrawing& plan, const PlanRig& rig) {
     std::vector<Vec2> way;
     for (const render::CameraState& state : rig.states) {
         way.push_back(plan.sheet.at(state.position));
@@ -86,7 +86,7 @@ void draw_cameras(PlanDrawing& plan) {
         plan.svg.text("title", "camera " + rig.rig->name);
         draw_cone(plan, rig, rig.states.front());
         draw_cone(plan, rig, rig.states.back());
-        draw_way(plan, rig);
+        draw_camera_path(plan, rig);
         if (ruler) {
             draw_ruler(plan, rig, *ruler);
         }

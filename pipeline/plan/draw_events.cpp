@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "pipeline/plan/figure_text.h"
+#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/plan_drawing.h"
 #include "pipeline/plan/shot_lookup.h"
 
@@ -129,7 +129,7 @@ std::string without_number_text(const NumberedEvents& events) {
     }
     std::string text = fmt::format("{}{}", count, count == 1 ? " impact" : " impacts");
     if (events.left_out == 0) {
-        text += " below " + speed_text(kLeastNumberedSpeed);
+        text += " below " + speed_text(kMinNumberedSpeed);
     } else {
         text += ", the gentlest,";
     }

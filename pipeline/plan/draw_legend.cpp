@@ -5,7 +5,7 @@
 
 #include "pipeline/plan/camera_ruler.h"
 #include "pipeline/plan/colour_ramp.h"
-#include "pipeline/plan/figure_text.h"
+#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/plan_drawing.h"
 
 namespace carom::pipeline {

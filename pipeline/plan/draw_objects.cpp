@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "pipeline/plan/figure_text.h"
+#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/footprint.h"
 #include "pipeline/plan/plan_drawing.h"
 

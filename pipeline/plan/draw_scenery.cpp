@@ -32,7 +32,7 @@ bool is_shown(const PlanDrawing& plan, const Extent& extent) {
     return !covers_all && extent.high.z > kBeneath;
 }
 
-void draw_still(PlanDrawing& plan, const render::ObjectDescription& object) {
+void draw_static_object(PlanDrawing& plan, const render::ObjectDescription& object) {
     const std::vector<Vec3> points = outline_points(object);
     const Extent extent(points);
     if (points.empty() || !is_shown(plan, extent)) {
@@ -58,7 +58,7 @@ void draw_scenery(PlanDrawing& plan) {
     plan.svg.open("g", {{"id", "scenery"}});
     for (const render::ObjectDescription& object : plan.shot.scene.objects) {
         if (object.track.empty() && !object.name.starts_with("table/")) {
-            draw_still(plan, object);
+            draw_static_object(plan, object);
         }
     }
     plan.svg.close();

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "pipeline/camera/time_map.h"
-#include "pipeline/plan/figure_text.h"
+#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/plan_drawing.h"
 #include "pipeline/plan/time_axis.h"
 
@@ -26,7 +26,7 @@ std::string fraction_text(double speed) {
 }
 
 /// "1/8×", "backwards 1×", "frozen", "1/8× to 1×"
-std::string pace_text(const PlanRig& rig) {
+std::string speed_range_text(const PlanRig& rig) {
     if (std::abs(rig.slowest) < 1e-9 && std::abs(rig.fastest) < 1e-9) {
         return "frozen";
     }
@@ -100,7 +100,7 @@ void draw_shown(PlanDrawing& plan, const TimeAxis& axis, const PlanRig& rig, dou
     const std::string stretch = shown.is_frozen() ? "at " + first
                                 : is_backwards    ? last + " to " + first
                                                   : first + " to " + last;
-    draw_bar_text(plan.svg, rig.rig->name + ": " + stretch + ", " + pace_text(rig),
+    draw_bar_text(plan.svg, rig.rig->name + ": " + stretch + ", " + speed_range_text(rig),
                   from + (is_backwards ? 2 : 0), to, y);
 }
 

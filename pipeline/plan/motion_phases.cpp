@@ -10,14 +10,14 @@ namespace carom::pipeline {
 namespace {
 
 constexpr double kRate = 240;        // looks per second
-constexpr int kMostLooks = 2400;     // between two keys
+constexpr int kMaxSamples = 2400;     // between two keys
 constexpr double kAirHeight = 1e-3;  // m
 constexpr double kSlip = 0.01;       // m/s, of the point that touches the cloth
 constexpr double kStill = 1e-3;      // m/s
 
 Motion motion_of(const MotionState& state, std::optional<double> radius) {
     if (state.velocity.length() < kStill) {
-        return Motion::still;
+        return Motion::at_rest;
     }
     if (!radius) {
         return Motion::moving;
@@ -31,7 +31,7 @@ Motion motion_of(const MotionState& state, std::optional<double> radius) {
     return slip.length() > kSlip ? Motion::sliding : Motion::rolling;
 }
 
-Vec2 from_above(const Vec3& place) {
+Vec2 top_view(const Vec3& place) {
     return {place.x, place.y};
 }
 
@@ -44,22 +44,22 @@ std::vector<MotionPhase> motion_phases(const sim::Track& track, std::optional<do
     for (std::size_t i = 0; i + 1 < keys.size() && keys[i].time < end; ++i) {
         const double from = keys[i].time;
         const double duration = std::min(keys[i + 1].time, end) - from;
-        const int looks = std::clamp(static_cast<int>(std::ceil(duration * kRate)), 1, kMostLooks);
+        const int looks = std::clamp(static_cast<int>(std::ceil(duration * kRate)), 1, kMaxSamples);
         for (int look = 0; look < looks; ++look) {
             const double begin = from + duration * look / looks;
             const double middle = from + duration * (look + 0.5) / looks;
             const double close = from + duration * (look + 1) / looks;
             const Motion motion = motion_of(track.sample(middle), radius);
-            if (motion == Motion::still) {
+            if (motion == Motion::at_rest) {
                 continue;
             }
-            const bool goes_on = !phases.empty() && phases.back().motion == motion &&
+            const bool continues = !phases.empty() && phases.back().motion == motion &&
                                  phases.back().to >= begin - 1e-9;
-            if (!goes_on) {
+            if (!continues) {
                 phases.push_back(
-                    {motion, begin, begin, {from_above(track.sample(begin).position)}});
+                    {motion, begin, begin, {top_view(track.sample(begin).position)}});
             }
-            phases.back().points.push_back(from_above(track.sample(close).position));
+            phases.back().points.push_back(top_view(track.sample(close).position));
             phases.back().to = close;
         }
     }

@@ -17,7 +17,7 @@ enum class Motion {
 };
 
 struct MotionPhase {
-    Motion motion = Motion::still;
+    Motion motion = Motion::at_rest;
     double from = 0, to = 0;   // scene time, s
     std::vector<Vec2> points;  // seen from above, at least two, m
 };

@@ -5,8 +5,8 @@
 
 #include <fmt/core.h>
 
-#include "pipeline/plan/event_words.h"
-#include "pipeline/plan/figure_text.h"
+#include "pipeline/plan/event_text.h"
+#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/shot_lookup.h"
 #include "pipeline/report/shot_report.h"
 
@@ -30,7 +30,7 @@ bool is_ball(const sim::Body* body) {
 /// One event or several that are told as one.
 struct Group {
     ReportedEvent first;
-    EventWords words;
+    EventText words;
     double weight = 0;  // what is lightest is left out
     double end = 0;     // of the last one, s
     int count = 1;
@@ -62,20 +62,20 @@ class Grouping {
             case EventKind::impact:
                 return add_impact(row);
             case EventKind::strike:
-                return add_alone(row, strike_words(row, strike_of(shot_, timeline_, row.event)));
+                return add_alone(row, strike_text(row, strike_of(shot_, timeline_, row.event)));
             case EventKind::force:
             case EventKind::torque:
             case EventKind::impulse:
             case EventKind::velocity:
             case EventKind::potted:
             case EventKind::off_table:
-                return add_alone(row, lone_words(row.event));
+                return add_alone(row, single_object_text(row.event));
             default:
                 return;
         }
     }
 
-    void add_alone(const ReportedEvent& row, EventWords words) {
+    void add_alone(const ReportedEvent& row, EventText words) {
         Group group;
         group.first = row;
         group.words = std::move(words);
@@ -106,7 +106,7 @@ class Grouping {
             group->last = group->last == event.a ? event.b : event.a;
             return;
         }
-        if (among_balls && speed < kLeastNumberedSpeed) {
+        if (among_balls && speed < kMinNumberedSpeed) {
             ++gentle_;
             return;
         }
@@ -116,7 +116,7 @@ class Grouping {
         group.end = event.time;
         group.is_row = is_row;
         group.who = {event.a, event.b};
-        group.words = impact_words(row);
+        group.words = impact_text(row);
         group.last = hit_object(row);
         groups_.push_back(std::move(group));
     }
@@ -142,12 +142,12 @@ class Grouping {
                 break;
             }
             const bool is_impact = group->first.event.kind == EventKind::impact;
-            const bool fractions = group->who.contains(event.a) ||
+            const bool has_common_object = group->who.contains(event.a) ||
                                    (group->who.contains(event.b) && find_body(shot_, event.b));
             if (is_impact && is_row && group->is_row) {
                 return &*group;
             }
-            if (is_impact && !is_row && !group->is_row && fractions && pause < longest_pause) {
+            if (is_impact && !is_row && !group->is_row && has_common_object && pause < longest_pause) {
                 return &*group;
             }
             if (group->first.event.kind == EventKind::strike && event.b == "cloth" &&

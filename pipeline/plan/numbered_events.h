@@ -18,12 +18,12 @@ struct NumberedEvent {
 };
 
 /// Balls that meet more gently have no number of their own, m/s.
-inline constexpr double kLeastNumberedSpeed = 0.05;
+inline constexpr double kMinNumberedSpeed = 0.05;
 
 struct NumberedEvents {
     std::vector<NumberedEvent> events;  // in order of time
     int left_out = 0;                   // lighter ones, beyond `most`
-    int gentle = 0;                     // impacts of balls slower than kLeastNumberedSpeed
+    int gentle = 0;                     // impacts of balls slower than kMinNumberedSpeed
 };
 
 /// Strikes and other force events, touches of balls, objects and cushions, landings, pottings,

@@ -8,7 +8,7 @@
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/camera/rig_state.h"
 #include "pipeline/camera/time_map.h"
-#include "pipeline/plan/figure_text.h"
+#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/footprint.h"
 #include "pipeline/plan/plan_drawing.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "pipeline/plan/colour_ramp.h"
-#include "pipeline/plan/figure_text.h"
+#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/plan_drawing.h"
 #include "pipeline/plan/simplify_line.h"
 #include "pipeline/plan/time_axis.h"

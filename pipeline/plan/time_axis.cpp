@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "pipeline/plan/figure_text.h"
+#include "pipeline/plan/quantity_text.h"
 
 namespace carom::pipeline {
 

@@ -15,7 +15,7 @@ std::string& last_message() {
     return message;
 }
 
-// Called by libav on whichever thread has something to say; touches that thread's text alone.
+// libav calls this on the thread that logs the message; it changes only the text of that thread.
 void keep_message(void* object, int level, const char* format, std::va_list arguments) {
     if (level > AV_LOG_ERROR) {
         return;

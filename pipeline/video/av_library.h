@@ -1,4 +1,4 @@
-// libav's objects as owned values, and its error codes as Errors.
+// Owning pointers for libav's objects, and Errors for its error codes.
 #pragma once
 
 extern "C" {
@@ -16,7 +16,7 @@ struct AvDeleter {
     void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
     void operator()(AVFrame* frame) const { av_frame_free(&frame); }
     void operator()(AVPacket* packet) const { av_packet_free(&packet); }
-    /// Closes the file too, if one is open.
+    /// Also closes the file, if one is open.
     void operator()(AVFormatContext* context) const {
         if (context != nullptr) {
             avio_closep(&context->pb);
@@ -28,19 +28,19 @@ struct AvDeleter {
 template <class T>
 using AvPtr = std::unique_ptr<T, AvDeleter>;
 
-/// Libav logs through one function per process. From the first call on, it prints nothing: the last
-/// message of each thread, of level error or worse, is kept for the Error that follows.
+/// libav has one log function per process. After the first call of capture_av_log it prints
+/// nothing: the last message of each thread of level error or worse is kept for the next Error.
 void capture_av_log();
 
-/// If `code` is a libav error: throws Error "cannot write 'PATH': STEP failed: TEXT", with the last
-/// message that libav logged on this thread, if there was one. Returns `code` otherwise.
+/// If `code` is a libav error, throws Error "cannot write 'PATH': STEP failed: TEXT", with the last
+/// message that libav logged on this thread, if any. Otherwise returns `code`.
 int check_av(int code, const char* step, const std::string& path);
 
-/// The same for functions that return no object when memory is short.
+/// The same check for functions that return nullptr when memory is short.
 template <class T>
 T* check_allocated(T* object, const std::string& path) {
     if (object == nullptr) {
-        check_av(AVERROR(ENOMEM), "making room", path);
+        check_av(AVERROR(ENOMEM), "allocating memory", path);
     }
     return object;
 }

@@ -9,7 +9,8 @@ namespace carom::pipeline {
 
 namespace {
 
-// The qualities are alike to the eye: a PSNR of some 45 dB on examples/nine_ball_break.yaml.
+// The default qualities look alike: each gives a PSNR of about 45 dB on
+// examples/nine_ball_break.yaml.
 constexpr std::array kCodecs{
     CodecInfo{Codec::h264, "h264", ".mp4", "libx264", 8, true, 18, 51, true, true, true},
     CodecInfo{Codec::hevc, "hevc", ".mp4", "libx265", 8, true, 20, 51, true, true, true},

@@ -1,4 +1,4 @@
-// What each codec can do, as its encoder is used here.
+// Properties of each codec, as its encoder is used here.
 #pragma once
 
 #include <span>
@@ -11,16 +11,16 @@ namespace carom::pipeline {
 
 struct CodecInfo {
     Codec codec{};
-    std::string_view name;       // as shots spell it
-    std::string_view extension;  // of its files unless told otherwise: ".mp4"
-    std::string_view encoder;    // libavcodec's name of it
-    int bits = 8;                // per channel unless told otherwise
+    std::string_view name;       // as written in shots
+    std::string_view extension;  // the default extension of its files: ".mp4"
+    std::string_view encoder;    // the encoder's name in libavcodec
+    int bits = 8;                // per channel, by default
     bool has_choice_of_bits = false;
-    double crf = 0;        // unless told otherwise
-    double worst_crf = 0;  // 0: the codec's quality is fixed, and so is its bit rate
+    double crf = 0;        // the default
+    double worst_crf = 0;  // 0: the codec's quality is fixed, so it takes no bit rate either
     bool halves_width = false;
-    bool halves_height = false;  // of the colour planes
-    bool has_levels = false;     // that end at pictures of 35.6 million pixels
+    bool halves_height = false;  // both: of the colour planes
+    bool has_levels = false;     // whose maximum is 35.6 million pixels per picture
 };
 
 [[nodiscard]] std::span<const CodecInfo> codecs();
@@ -29,8 +29,8 @@ struct CodecInfo {
 /// "h264", "ffv1".
 [[nodiscard]] std::string to_string(Codec codec);
 
-/// The codec that the settings name, else the one that files of the path's extension usually hold:
-/// vp9 for .webm, h264 for all others; hevc for hdr10.
+/// The codec that the settings name. If they name none: hevc for hdr10, otherwise the usual codec
+/// of the path's extension, which is vp9 for .webm and h264 for all others.
 [[nodiscard]] Codec codec_for(const OutputSettings& output, const std::string& path);
 
 /// Bits per channel of a film in this codec.

@@ -1,4 +1,4 @@
-// Which containers there are, and what each of them may hold.
+// The containers that can be written, and the codecs that each of them may hold.
 #pragma once
 
 #include <initializer_list>
@@ -12,8 +12,8 @@ namespace carom::pipeline {
 
 struct Container {
     std::string_view extension;  // ".mp4"
-    std::string_view muxer;      // libavformat's name of it
-    unsigned codecs = 0;         // a bit for each
+    std::string_view muxer;      // the container's name in libavformat
+    unsigned codecs = 0;         // one bit per codec
 
     [[nodiscard]] constexpr bool holds(Codec codec) const {
         return (codecs >> static_cast<unsigned>(codec) & 1U) != 0;

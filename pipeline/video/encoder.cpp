@@ -10,7 +10,8 @@ namespace carom::pipeline {
 
 namespace {
 
-// Pictures that x265 delays decoding by, with its pyramid of B frames, which every preset has.
+// The number of frames by which x265 delays decoding, because every preset has a pyramid of B
+// frames.
 constexpr std::int64_t kX265Delay = 2;
 
 const AVCodec* find_encoder(Codec codec, const std::string& path) {

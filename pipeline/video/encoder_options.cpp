@@ -14,14 +14,15 @@ namespace carom::pipeline {
 
 namespace {
 
-// A key frame at least every two seconds, for scrubbing; costs a still picture about 3 % of size.
+// A key frame at least every two seconds, for scrubbing. For a static picture this adds about 3 %
+// to the size.
 constexpr double kSecondsBetweenKeyFrames = 2;
 
-// FFV1 splits pictures into slices that are coded by themselves. Fixed, so that the bytes do not
-// follow the number of threads.
+// FFV1 splits pictures into slices that are coded independently. Their number is fixed, so that the
+// bytes do not depend on the number of threads.
 constexpr int kFfv1Slices = 4;
 
-constexpr int kProresHq = 3;  // prores_ks's number of the profile 422 HQ
+constexpr int kProresHq = 3;  // the number of profile 422 HQ in prores_ks
 
 void set_option(AVCodecContext& context, const char* name, const std::string& value,
                 const std::string& path) {
@@ -41,24 +42,24 @@ void set_common(AVCodecContext& context, const VideoFormat& format, const Output
     context.time_base = av_inv_q(rate);
     context.framerate = rate;
     context.thread_count = output.threads;
-    context.flags |= AV_CODEC_FLAG_BITEXACT;  // no version of ours in the stream
+    context.flags |= AV_CODEC_FLAG_BITEXACT;  // no version of libav in the stream
     const double gop = kSecondsBetweenKeyFrames * format.fps.to_double();
     context.gop_size = static_cast<int>(std::clamp(std::round(gop), 1.0, 1000.0));
 }
 
-/// The transfer characteristic is tagged as BT.709's, though the signal was encoded with sRGB's
-/// curve: video players give the code values of a BT.709 film to the screen as they are, so that
-/// the film looks as its frames do in an image viewer, whereas the tag iec61966-2-1 makes some of
-/// them convert to another curve and some hosts refuse the file.
+/// The transfer characteristic is tagged as BT.709, although the signal was encoded with the sRGB
+/// curve. Video players send the code values of a BT.709 film to the screen unchanged, so the film
+/// looks the same as its frames in an image viewer. With the tag iec61966-2-1 some players convert
+/// to another curve, and some video sites refuse the file.
 void set_colour(AVCodecContext& context, const OutputSettings& output) {
     context.color_primaries = output.hdr10 ? AVCOL_PRI_BT2020 : AVCOL_PRI_BT709;
     context.color_trc = output.hdr10 ? AVCOL_TRC_SMPTE2084 : AVCOL_TRC_BT709;
     context.colorspace = output.hdr10 ? AVCOL_SPC_BT2020_NCL : AVCOL_SPC_BT709;
     context.color_range = AVCOL_RANGE_MPEG;
-    context.chroma_sample_location = AVCHROMA_LOC_LEFT;  // as yuv_conversion.h places it
+    context.chroma_sample_location = AVCHROMA_LOC_LEFT;  // the siting of yuv_conversion.h
 }
 
-/// Quality, or size. `crf` is an option of the encoder's own.
+/// Sets the quality or the bit rate. `crf` is a private option of the encoder.
 void set_quality(AVCodecContext& context, Codec codec, const OutputSettings& output,
                  const std::string& path) {
     if (output.bit_rate) {
@@ -72,20 +73,21 @@ void set_h264(AVCodecContext& context, const OutputSettings& output, const std::
     const bool ten_bits = bits_of(output, Codec::h264) == 10;
     context.pix_fmt = ten_bits ? AV_PIX_FMT_YUV420P10 : AV_PIX_FMT_YUV420P;
     set_option(context, "preset", output.preset, path);
-    // These profiles cannot be lossless: x264 wants High 4:4:4 Predictive for crf 0.
+    // These profiles cannot be lossless: x264 needs High 4:4:4 Predictive for crf 0.
     if (output.bit_rate || output.crf.value_or(info(Codec::h264).crf) > 0) {
         set_option(context, "profile", ten_bits ? "high10" : "high", path);
     }
-    // With its AVX-512 code x264 0.164 decides by memory that nobody wrote (at 192 x 108 and
-    // 960 x 540 among others): the same frames give other bytes from run to run. Its AVX2 code does
-    // not, and gives every machine the same film.
+    // The AVX-512 code of x264 0.164 reads uninitialised memory (at 192 x 108 and 960 x 540, among
+    // others), so that the same frames give different bytes from run to run. Its AVX2 code does
+    // not, and gives the same film on every machine.
     if (__builtin_cpu_supports("avx2") != 0) {
         set_option(context, "x264-params", "asm=avx2", path);
     }
 }
 
-/// x265 counts its threads in two ways: those of the pool do not change the bytes, frames that are
-/// coded at the same time do. It would print, and name its version and settings in the stream.
+/// x265 has two settings for threads: the size of its pool does not change the bytes, the number of
+/// frames that are coded at the same time does. By default it also prints messages and writes its
+/// version and settings into the stream; both are switched off.
 void set_hevc(AVCodecContext& context, const VideoFormat& format, const OutputSettings& output,
               const std::string& path) {
     const bool ten_bits = bits_of(output, Codec::hevc) == 10;
@@ -95,7 +97,7 @@ void set_hevc(AVCodecContext& context, const VideoFormat& format, const OutputSe
     std::string parameters = fmt::format("log-level=none:info=0:pools={}:frame-threads={}",
                                          output.threads, std::min(output.threads, 16));
     if (std::min(context.width, context.height) < 64) {
-        parameters += ":ctu=16:max-tu-size=16";  // a picture must hold one block
+        parameters += ":ctu=16:max-tu-size=16";  // the picture must be at least one block large
     }
     if (output.hdr10) {
         parameters += ":" + x265_hdr10(*output.hdr10, light_levels(format, *output.hdr10));
@@ -123,17 +125,17 @@ void set_prores(AVCodecContext& context, const std::string& path) {
     context.pix_fmt = AV_PIX_FMT_YUV422P10;
     context.gop_size = 1;
     set_option(context, "profile", kProresHq, path);
-    set_option(context, "vendor", "apl0", path);  // some editors take no other
+    set_option(context, "vendor", "apl0", path);  // some editors accept no other value
 }
 
-/// The 16-bit RGB that the view transform made, without loss: an archive or an intermediate.
+/// Lossless 16-bit RGB as the view transform made it, for archives and intermediate files.
 void set_ffv1(AVCodecContext& context, const std::string& path) {
     context.pix_fmt = AV_PIX_FMT_GBRP16;
     context.color_trc = AVCOL_TRC_IEC61966_2_1;
     context.colorspace = AVCOL_SPC_RGB;
     context.color_range = AVCOL_RANGE_JPEG;
     context.chroma_sample_location = AVCHROMA_LOC_UNSPECIFIED;
-    context.gop_size = 1;  // every frame stands alone
+    context.gop_size = 1;  // every frame is a key frame
     context.level = 3;
     context.slices = kFfv1Slices;
     set_option(context, "slicecrc", "1", path);
@@ -170,8 +172,8 @@ void set_encoder_options(AVCodecContext& context, Codec codec, const VideoFormat
     }
 }
 
-/// SMPTE ST 2086 in steps of 0.00002 and 0.0001 cd/m^2: a display with P3 primaries and D65 white
-/// that goes from 0.005 cd/m^2 to the peak.
+/// SMPTE ST 2086 in steps of 0.00002 and 0.0001 cd/m^2: a display with P3 primaries, D65 white, and
+/// luminances from 0.005 cd/m^2 to the peak.
 std::string x265_hdr10(const Hdr10Settings& settings, const LightLevels& light) {
     const auto peak = std::llround(settings.peak);
     return fmt::format(

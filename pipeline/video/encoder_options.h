@@ -1,4 +1,4 @@
-// The settings that carom gives each encoder.
+// The options that carom sets for each encoder.
 #pragma once
 
 #include <string>
@@ -9,15 +9,16 @@
 
 namespace carom::pipeline {
 
-/// Everything before the encoder is opened: picture, rate, colour, quality, threads. Settings are
-/// those that give the same bytes on every run. Throws Error naming `path`.
+/// Sets everything that must be set before the encoder is opened: picture, rate, colour, quality,
+/// threads. With these options every run gives the same bytes. Throws Error naming `path`.
 void set_encoder_options(AVCodecContext& context, Codec codec, const VideoFormat& format,
                          const OutputSettings& output, const std::string& path);
 
-/// "max-cll=...": light levels and mastering display of an HDR10 film, as x265 takes them.
+/// "max-cll=...": light levels and mastering display of an HDR10 film, in x265's syntax.
 [[nodiscard]] std::string x265_hdr10(const Hdr10Settings& settings, const LightLevels& light);
 
-/// What the format says of the film's light; else no more than that no pixel exceeds the peak.
+/// The light levels of the format. If it has none: the peak as the highest level, and an unknown
+/// mean.
 [[nodiscard]] LightLevels light_levels(const VideoFormat& format, const Hdr10Settings& settings);
 
 }  // namespace carom::pipeline

@@ -1,4 +1,4 @@
-// x264's and x265's presets by name, and what other encoders have in their place.
+// The presets of x264 and x265 by name, and the corresponding settings of other encoders.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@ struct EncoderPreset {
     std::string_view name;
     double av1 = 8;          // cpu-used of libaom
     double vp9 = 4;          // cpu-used of libvpx
-    double h264_memory = 0;  // bytes per pixel that x264 keeps, at 8 bits (docs/reliability.md)
-    double hevc_memory = 0;  // and x265
+    double h264_memory = 0;  // of x264, bytes per pixel at 8 bits (docs/reliability.md)
+    double hevc_memory = 0;  // the same of x265
 };
 
 inline constexpr std::array kEncoderPresets{
@@ -23,7 +23,7 @@ inline constexpr std::array kEncoderPresets{
     EncoderPreset{"veryslow", 4, 1, 270, 280}, EncoderPreset{"placebo", 2, 0, 280, 290},
 };
 
-/// nullptr if there is none of that name.
+/// The preset of that name, or nullptr.
 constexpr const EncoderPreset* find_preset(std::string_view name) {
     const auto* const found =
         std::find_if(kEncoderPresets.begin(), kEncoderPresets.end(),
@@ -31,7 +31,7 @@ constexpr const EncoderPreset* find_preset(std::string_view name) {
     return found == kEncoderPresets.end() ? nullptr : found;
 }
 
-/// Of a name that is known to be one.
+/// The preset of that name, which must exist.
 constexpr const EncoderPreset& presets_of(std::string_view name) {
     return *find_preset(name);
 }

@@ -8,15 +8,16 @@ namespace carom::pipeline {
 
 namespace {
 
-constexpr double kReach = 4;          // of the Gaussian, deviations
+constexpr double kHalfWidth = 4;      // half width of the Gaussian, in standard deviations
 constexpr double kCellsPerSigma = 2;  // of a reduced picture, at least
 
-// Lines that are filtered side by side: the sums of several lines do not wait for each other.
+// The number of lines that are filtered side by side: sums of different lines do not depend on each
+// other, so the processor computes them in parallel.
 constexpr std::size_t kLanes = 16;
 using Lanes = std::array<float, kLanes>;
 
-/// A map of `size` numbers, each from at most `taps` of `count` neighbours, the first of which is
-/// `first(i)`.
+/// Makes a map to `size` numbers, each computed from at most `taps` of `count` inputs, the first of
+/// which is `first(i)`.
 LineMap line_map(std::size_t size, std::size_t count, std::size_t taps, const auto& first,
                  const auto& weight) {
     LineMap map;
@@ -31,12 +32,12 @@ LineMap line_map(std::size_t size, std::size_t count, std::size_t taps, const au
     return map;
 }
 
-/// Sum of f over the places of number `i` of a line of `count` and of its images: beyond the ends
-/// the line is mirrored, ... 1 0 | 0 1 2 ... n-1 | n-1 n-2 ..., again and again. `reach`: how far
-/// beyond the ends f is not 0.
-double sum_over_images(std::size_t i, std::size_t count, double reach, const auto& f) {
+/// The sum of f over the position of element `i` of a line of `count` elements and over the
+/// positions of its mirror images: beyond the ends the line is mirrored repeatedly, ... 1 0 | 0 1 2
+/// ... n-1 | n-1 n-2 .... `margin`: how far beyond the ends f may differ from 0.
+double sum_over_images(std::size_t i, std::size_t count, double margin, const auto& f) {
     const auto period = 2 * static_cast<double>(count);
-    const double turns = std::ceil(reach / period) + 1;
+    const double turns = std::ceil(margin / period) + 1;
     double sum = 0;
     for (double turn = -turns; turn <= turns; ++turn) {
         sum += f(static_cast<double>(i) + turn * period) +
@@ -45,7 +46,7 @@ double sum_over_images(std::size_t i, std::size_t count, double reach, const aut
     return sum;
 }
 
-/// Integral of the cubic B-spline up to x. It is not 0 from -2 to 2.
+/// Integral of the cubic B-spline up to x. The spline's support is [-2, 2].
 double spline_integral(double x) {
     const double r = std::min(std::abs(x), 2.0);
     const double half = r < 1 ? r * (2.0 / 3 + r * r * (r / 8 - 1.0 / 3))
@@ -53,10 +54,10 @@ double spline_integral(double x) {
     return x < 0 ? 0.5 - half : 0.5 + half;
 }
 
-/// A line of `pixels` in fewer, longer cells, and back. A pixel and a cell have to do with each
-/// other by the mean over the pixel of the cubic B-spline around the cell's middle: so a point
-/// keeps its place and gets the same variance wherever it lies between the cells, the sum is kept,
-/// and what is even stays even.
+/// Reduces a line of `pixels` to fewer, longer cells, and enlarges it again. The weight between a
+/// pixel and a cell is the mean, over the pixel, of the cubic B-spline around the cell's middle.
+/// Hence a point keeps its position and gets the same variance wherever it lies between the cells,
+/// the sum is preserved, and a constant line stays constant.
 class Cells {
   public:
     Cells(std::size_t pixels, std::size_t cells)
@@ -80,8 +81,9 @@ class Cells {
             [&](std::size_t pixel, std::size_t cell) { return fraction(pixel, cell); });
     }
 
-    /// The variance of a Gaussian on the cells that together with the way there and back makes
-    /// `variance`, in squared pixels: a spline's is 1/3 of a squared cell, a pixel's breadth 1/12.
+    /// The variance of a Gaussian on the cells that, together with reduction and enlargement, gives
+    /// `variance`, in squared pixels. A spline adds 1/3 of a squared cell, the width of a pixel
+    /// 1/12.
     [[nodiscard]] double variance_left(double variance) const {
         return (variance - 2 * (length_ * length_ / 3 + 1.0 / 12)) / (length_ * length_);
     }
@@ -100,17 +102,18 @@ class Cells {
     double length_;  // of a cell, pixels
 };
 
-/// Weights at the distances 0, 1, ... of a Gaussian, adding up to 1 over both sides. A narrow one
-/// is three numbers that have its variance, which the Gaussian's values between so few pixels lack.
+/// Weights of a Gaussian at the distances 0, 1, ..., normalised to a sum of 1 over both sides. A
+/// narrow Gaussian is replaced by three weights with the right variance, because its values at so
+/// few pixels would have the wrong one.
 std::vector<double> gaussian_weights(double variance) {
     constexpr double kFewPixels = 0.36;
     if (variance < kFewPixels) {
         return {1 - variance, variance / 2};
     }
-    const auto reach = static_cast<std::size_t>(std::ceil(kReach * std::sqrt(variance)));
+    const auto margin = static_cast<std::size_t>(std::ceil(kHalfWidth * std::sqrt(variance)));
     std::vector<double> weights;
     double sum = 0;
-    for (std::size_t n = 0; n <= reach; ++n) {
+    for (std::size_t n = 0; n <= margin; ++n) {
         const auto distance = static_cast<double>(n);
         weights.push_back(std::exp(-0.5 * distance * distance / variance));
         sum += (n == 0 ? 1 : 2) * weights.back();
@@ -135,7 +138,8 @@ LineMap gaussian(std::size_t count, double variance) {
         });
 }
 
-/// The cells that a line is reduced to; all of its pixels where that would gain nothing.
+/// The number of cells that a line is reduced to; the number of its pixels if a reduction would
+/// gain nothing.
 std::size_t cells_for(std::size_t pixels, double deviation) {
     const double length = std::floor(deviation / kCellsPerSigma);
     return length < 2 ? pixels
@@ -157,12 +161,12 @@ void apply(const LineMap& map, const std::vector<Lanes>& line, std::vector<Lanes
     }
 }
 
-/// Value i of line k stands at i * stride + k * lane_stride.
+/// Value i of line k is at index i * stride + k * lane_stride.
 struct Lines {
     std::size_t count, stride, lane_stride;
 };
 
-/// Up to kLanes lines through all maps.
+/// Applies all maps to up to kLanes lines.
 void run(const std::vector<LineMap>& maps, const float* from, const Lines& in, float* to,
          const Lines& out, std::size_t lanes) {
     std::vector<Lanes> line(in.count);

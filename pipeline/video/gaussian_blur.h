@@ -1,4 +1,4 @@
-// The same blur in all directions, as wide as may be, at a cost that does not grow with its width.
+// An isotropic Gaussian blur of any width, at a cost that does not grow with the width.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +13,22 @@ struct Plane {
     std::vector<float> values;
 };
 
-/// A line of numbers made from another line: each is a weighted sum of `taps` neighbours.
+/// A linear map from one line of numbers to another: each result is a weighted sum of `taps`
+/// neighbouring inputs.
 struct LineMap {
     std::size_t taps = 0;
-    std::vector<std::size_t> first;  // the first neighbour of each number
-    std::vector<float> weights;      // `taps` for each number
+    std::vector<std::size_t> first;  // the first input of each result
+    std::vector<float> weights;      // `taps` for each result
 };
 
-/// Filters planes with a Gaussian, out to four standard deviations. What would fall beyond the
-/// border is mirrored at it: a plane's sum is kept, and an even plane stays even.
+/// Filters planes with a Gaussian, truncated at four standard deviations. The plane is mirrored at
+/// its border, so that its sum is preserved and a constant plane stays constant.
 ///
-/// Rows and columns are filtered one after the other. A wide blur is made of a smaller picture,
-/// which is enlarged again (Burt 1981, "Fast filter transforms for image processing"), both by
-/// cubic B-splines, with at least two of the smaller picture's pixels to a deviation. The variance
-/// that these two steps add is what the Gaussian between them lacks.
+/// The filter is separable: rows first, then columns. For a wide blur the picture is reduced,
+/// filtered and enlarged again (Burt 1981, "Fast filter transforms for image processing"). Both
+/// resampling steps use cubic B-splines, with at least two pixels of the reduced picture per
+/// standard deviation. The variance that they add is subtracted from that of the Gaussian between
+/// them.
 class GaussianBlur {
   public:
     /// For planes of this size; `deviation` in pixels, > 0.
@@ -35,7 +37,8 @@ class GaussianBlur {
     [[nodiscard]] Plane blurred(const Plane& plane) const;
 
   private:
-    // What is done to each line in turn. `back_` is empty unless rows are made shorter.
+    // The maps that are applied to each line, in this order. `back_` is empty unless rows are
+    // reduced.
     std::vector<LineMap> along_rows_, along_columns_, back_;
 };
 

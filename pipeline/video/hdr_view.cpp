@@ -18,8 +18,8 @@ constexpr double kPqPeak = 10000;  // cd/m^2
 constexpr double kM1 = 2610.0 / 16384, kM2 = 2523.0 / 4096 * 128;
 constexpr double kC1 = 3424.0 / 4096, kC2 = 2413.0 / 4096 * 32, kC3 = 2392.0 / 4096 * 32;
 
-/// pq_encode times 65535 as a table that is even in the fourth root of light, over which the curve
-/// is smooth, interpolated linearly: within 1/20 of a 10-bit step everywhere.
+/// A table of 65535 pq_encode, with entries spaced evenly in the fourth root of luminance, where
+/// the curve is smooth. Linear interpolation is accurate to 1/20 of a 10-bit step everywhere.
 class PqTable {
   public:
     PqTable() {
@@ -51,7 +51,7 @@ Colour to_bt2020(const Colour& c) {
             0.0164F * c[0] + 0.0880F * c[1] + 0.8956F * c[2]};
 }
 
-/// What a display gives for a pixel, cd/m^2.
+/// The luminances at which a display shows the channels of a pixel, cd/m^2.
 Colour shown(const float* rgba, float gain, double peak) {
     constexpr float kBrightest = 1e8F;  // keeps the arithmetic finite
     Colour light{};
@@ -61,7 +61,7 @@ Colour shown(const float* rgba, float gain, double peak) {
     }
     const float largest = std::max({light[0], light[1], light[2]});
     if (largest > 0.5 * peak) {
-        const auto scale = static_cast<float>(below_peak(largest, peak) / largest);
+        const auto scale = static_cast<float>(compress_highlights(largest, peak) / largest);
         for (float& channel : light) {
             channel *= scale;
         }
@@ -81,7 +81,7 @@ double pq_decode(double signal) {
     return kPqPeak * std::pow(std::max(power - kC1, 0.0) / (kC2 - kC3 * power), 1 / kM1);
 }
 
-double below_peak(double light, double peak) {
+double compress_highlights(double light, double peak) {
     const double knee = 0.5 * peak;
     return light <= knee ? light : peak - knee * std::exp(-(light - knee) / knee);
 }

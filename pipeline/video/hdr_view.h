@@ -1,4 +1,4 @@
-// From scene-referred linear light to HDR10's signal.
+// The transform from scene-referred linear light to the HDR10 signal.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,22 @@
 
 namespace carom::pipeline {
 
-/// Light (cd/m^2, [0, 10000]) to the perceptual quantiser's signal in [0, 1] (SMPTE ST 2084:2014,
-/// equation 5.2).
+/// Converts luminance (cd/m^2, [0, 10000]) to the signal of the perceptual quantiser in [0, 1]
+/// (SMPTE ST 2084:2014, equation 5.2).
 [[nodiscard]] double pq_encode(double light);
 
-/// Its inverse (equation 4.1): the signal to light, cd/m^2.
+/// The inverse of pq_encode (equation 4.1): converts the signal to luminance, cd/m^2.
 [[nodiscard]] double pq_decode(double signal);
 
-/// What a display shows for scene light that would have `light` cd/m^2: itself up to half the peak,
-/// above that p - (p/2) exp(-(light - p/2) / (p/2)), which goes on with slope 1 and nears the peak.
-[[nodiscard]] double below_peak(double light, double peak);
+/// The highlight compression of a display with peak p: scene light of `light` cd/m^2 is unchanged
+/// up to half the peak; above it becomes p - (p/2) exp(-(light - p/2) / (p/2)), which starts with
+/// slope 1 and approaches the peak.
+[[nodiscard]] double compress_highlights(double light, double peak);
 
 /// 16-bit RGB (width * height * 3) of BT.2020's primaries, PQ-encoded, row by row from the top
-/// left. Exposure and glow come first; scene light 1 becomes `hdr10.white`; what is brighter than
-/// half the peak is compressed by its largest channel, so that hues stay. The view of `output` does
-/// not enter. Values below 0 and NaN become black.
+/// left. Exposure and glow are applied first; scene light 1 becomes `hdr10.white`; colours whose
+/// largest channel exceeds half the peak are scaled down as a whole, so that hues stay the same.
+/// The view of `output` is not used. Values below 0 and NaN become black.
 [[nodiscard]] std::vector<std::uint16_t> to_hdr10(const render::Film& film,
                                                   const OutputSettings& output);
 

@@ -27,10 +27,11 @@ std::string check_image_sequence(const std::string& path) {
     const std::string stem = stem_of(path);
     const std::size_t end = stem.find_first_not_of('#', stem.find('#'));
     if (end != std::string::npos && stem.find('#', end) != std::string::npos) {
-        return "'" + path + "' has '#' in two places; the frame's number goes to one";
+        return "'" + path + "' has two groups of '#'; the frame number needs exactly one";
     }
     if (!is_picture_path(path)) {
-        return "cannot tell what pictures to write to '" + path + "'; there are " + list_pictures();
+        return "'" + path + "' is not a known type of image file; the known types are " +
+               list_pictures();
     }
     return {};
 }

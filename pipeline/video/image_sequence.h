@@ -1,4 +1,4 @@
-// A film as one picture per frame: "shot.####.exr".
+// Films that are written as one image file per frame: "shot.####.exr".
 #pragma once
 
 #include <cstdint>
@@ -6,14 +6,15 @@
 
 namespace carom::pipeline {
 
-/// Whether the file name holds '#' (anywhere but in its extension).
+/// Whether the file name contains '#' (anywhere except in its extension).
 [[nodiscard]] bool is_image_sequence(const std::string& path);
 
-/// Empty, or a sentence about what is wrong with the pattern: two groups of '#', or an extension
-/// that no picture has.
+/// Empty, or a sentence that says what is wrong with the pattern: two groups of '#', or an
+/// extension that is not an image format.
 [[nodiscard]] std::string check_image_sequence(const std::string& path);
 
-/// The frame's number in place of the '#', with zeros in front up to their count.
+/// The pattern with the group of '#' replaced by the frame number, zero-padded to the length of the
+/// group.
 [[nodiscard]] std::string path_in_sequence(const std::string& pattern, std::int64_t frame);
 
 }  // namespace carom::pipeline

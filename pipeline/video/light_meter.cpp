@@ -24,7 +24,7 @@ class DecodingTable {
     std::array<double, 65536> light_{};
 };
 
-int whole(double light) {
+int rounded(double light) {
     return std::max(1, static_cast<int>(std::lround(light)));
 }
 
@@ -43,7 +43,7 @@ void LightMeter::add(std::span<const std::uint16_t> signal) {
 }
 
 LightLevels LightMeter::levels() const {
-    return {whole(brightest_), whole(brightest_mean_)};
+    return {rounded(brightest_), whole(brightest_mean_)};
 }
 
 }  // namespace carom::pipeline

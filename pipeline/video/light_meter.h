@@ -1,4 +1,4 @@
-// How bright a film of high dynamic range is, as its file states it.
+// Measures the light levels that an HDR10 file states (MaxCLL and MaxFALL).
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,15 @@
 
 namespace carom::pipeline {
 
-/// Of a film's pictures, one after the other. A pixel's light is that of its highest channel
-/// (CTA-861.3, annex P).
+/// Measures the pictures of a film, one after the other. The luminance of a pixel is that of its
+/// highest channel (CTA-861.3, annex P).
 class LightMeter {
   public:
-    /// 16-bit RGB, PQ-encoded.
+    /// Adds a picture: 16-bit RGB, PQ-encoded.
     void add(std::span<const std::uint16_t> signal);
 
-    /// So far. At least 1 each: 0 would mean that it is not known.
+    /// The levels of all pictures added so far. Each is at least 1, because 0 would mean "not
+    /// known".
     [[nodiscard]] LightLevels levels() const;
 
   private:

@@ -1,4 +1,4 @@
-// How the finished frames become a file.
+// Settings for the file that is made of the finished frames.
 #pragma once
 
 #include <optional>
@@ -7,12 +7,13 @@
 
 namespace carom::pipeline {
 
-/// ocio: by the OpenColorIO configuration that the environment variable OCIO names; raw: the
-/// numbers are shown as they are, for light that was computed in a display's own values.
+/// ocio: the view of the OpenColorIO configuration that the environment variable OCIO names; raw:
+/// no conversion, for pictures that were computed in display values.
 enum class ViewTransform { srgb, filmic, agx, ocio, raw };
 enum class Codec { h264, hevc, av1, vp9, prores, ffv1 };
 
-/// Names out of an OpenColorIO configuration; empty: its defaults (render/film/ocio_view.h).
+/// Names from an OpenColorIO configuration; an empty name selects its default
+/// (render/film/ocio_view.h).
 struct OcioSettings {
     std::string display;
     std::string view;
@@ -21,38 +22,39 @@ struct OcioSettings {
 
 /// See glow.h.
 struct GlowSettings {
-    double strength = 0;   // share of all light that is scattered, [0, 1]; 0: none
+    double strength = 0;   // fraction of all light that is scattered, [0, 1]; 0: none
     double radius = 0.04;  // of the widest part of the glow, in picture heights, (0, 1]
 };
 
 /// A film for displays of high dynamic range: PQ on BT.2020 primaries (see hdr_view.h).
 struct Hdr10Settings {
-    double peak = 1000;  // cd/m^2 of the brightest white that is ever sent, [400, 10000]
+    double peak = 1000;  // cd/m^2 of the brightest white in the file, [400, 10000]
     double white = 203;  // cd/m^2 of scene light 1, (0, peak]; ITU-R BT.2408's diffuse white
 };
 
-/// What is written into the picture's corner.
+/// What is printed in a corner of the picture.
 enum class OverlayItem { frame, scene_time, speed };
 enum class Corner { top_left, top_right, bottom_left, bottom_right };
 
 struct OverlaySettings {
-    std::vector<OverlayItem> show;  // a line each; none: nothing is written
+    std::vector<OverlayItem> show;  // one line each; empty: no overlay
     Corner corner = Corner::bottom_left;
     double size = 0.045;  // of a line, in picture heights, [0.01, 0.5]
 };
 
 struct OutputSettings {
-    std::optional<Codec> codec;      // none: as the file's extension says (codec_for)
+    std::optional<Codec> codec;      // none: follows from the file's extension (codec_for)
     std::optional<double> crf;       // none: the codec's own (codec_info.h)
     std::optional<double> bit_rate;  // bit/s, instead of a crf
     std::optional<int> bits;         // 8 or 10 per channel; none: the codec's own
-    std::string preset = "medium";   // of the encoder; those without presets map it to their own
-    int threads = 2;                 // of the encoder; x264's output depends on it
+    std::string preset =
+        "medium";     // of the encoder; see encoder_presets.h for encoders without presets
+    int threads = 2;  // of the encoder; x264's output depends on it
     ViewTransform view = ViewTransform::filmic;
-    OcioSettings ocio;        // with that view only
+    OcioSettings ocio;        // used only with the view ocio
     double exposure = 0;      // stops
-    GlowSettings glow;        // on the linear film, before the view
-    OverlaySettings overlay;  // on what a display shows, after the view
+    GlowSettings glow;        // added to the linear film, before the view
+    OverlaySettings overlay;  // drawn on the display picture, after the view
     std::optional<Hdr10Settings> hdr10;
     std::string title;             // empty: the shot's name
     std::optional<double> poster;  // video time (s) of the frame that stands for the film

@@ -6,12 +6,12 @@ namespace carom::pipeline {
 
 namespace {
 
-// As render/film/picture_text.cpp draws: in lines of the overlay's size.
+// The layout of render/film/picture_text.cpp, in units of the overlay's line height.
 constexpr double kMargin = 0.6;  // from the corner, in both directions
 // DejaVu Sans Mono's advance (1233 of 2048 units per em) in a font of 0.78 of the line's height.
 constexpr double kLetterWidth = 0.78 * 1233 / 2048;
 
-/// Letters of the line that overlay_text (pipeline/job/overlay.h) makes.
+/// The number of characters in the line that overlay_text (pipeline/job/overlay.h) makes.
 int letters_of(OverlayItem item) {
     switch (item) {
         case OverlayItem::frame:

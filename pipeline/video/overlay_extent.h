@@ -1,4 +1,4 @@
-// How much room an overlay takes.
+// The size of an overlay.
 #pragma once
 
 #include "pipeline/video/output_settings.h"
@@ -11,8 +11,8 @@ struct OverlayExtent {
     double height = 0;
 };
 
-/// Of an overlay whose values have no more digits than usual: a film shorter than a million frames,
-/// a scene shorter than a thousand seconds.
+/// The extent of an overlay whose values have the usual number of digits: for films of less than a
+/// million frames and scenes of less than a thousand seconds.
 [[nodiscard]] OverlayExtent overlay_extent(const OverlaySettings& settings);
 
 }  // namespace carom::pipeline

@@ -16,11 +16,11 @@ constexpr double kRedDifference = 1.4746, kBlueDifference = 1.8814;
 constexpr double kBlackLuma = 64, kLumaRange = 876;
 constexpr double kNoColour = 512, kColourRange = 896;
 
-/// The two colour differences of a place, as fractions of their range.
+/// The two colour differences at one position, as fractions of their range.
 struct Colour {
     double blue = 0, red = 0;
 
-    /// By how much the highest channel exceeds luma.
+    /// The amount by which the highest channel exceeds luma.
     [[nodiscard]] double above_luma() const {
         const double r = kRedDifference * red;
         const double b = kBlueDifference * blue;
@@ -28,13 +28,13 @@ struct Colour {
     }
 };
 
-/// Reads the colour planes as decoders do.
+/// Reads the colour planes in the ways that decoders do.
 class ColourReader {
   public:
     ColourReader(const YuvPlanes<std::uint16_t>& planes, int width, int height)
         : planes_(planes), columns_(width / 2), rows_(height / 2) {}
 
-    /// The most that any place of the picture is above luma: mixtures of samples are between them.
+    /// The largest value of above_luma in the picture. Interpolated colours cannot exceed it.
     [[nodiscard]] double most_above_luma() const {
         double most = 0;
         for (int row = 0; row < rows_; ++row) {
@@ -47,7 +47,7 @@ class ColourReader {
 
     [[nodiscard]] Colour repeated(int x, int y) const { return sample(x / 2, y / 2); }
 
-    /// Samples lie level with the even columns, halfway between two rows.
+    /// Colour samples are sited at the even columns, halfway between two rows.
     [[nodiscard]] Colour interpolated(int x, int y) const {
         const int row = y / 2;
         const Colour near = level(x, row);
@@ -65,7 +65,7 @@ class ColourReader {
         return {0.5 * (left.blue + right.blue), 0.5 * (left.red + right.red)};
     }
 
-    /// Beyond the picture its edge continues.
+    /// Positions beyond the picture use the nearest edge sample.
     [[nodiscard]] Colour sample(int column, int row) const {
         column = std::clamp(column, 0, columns_ - 1);
         row = std::clamp(row, 0, rows_ - 1);

@@ -33,12 +33,12 @@ fs::path folder_of(const fs::path& target) {
 std::string leftover_prefix(const fs::path& target) {
     return "." + target.filename().string() + ".";
 }
-/// Of `target` as its user calls it: writers go by the extension.
+/// The suffix for `target` as the user names it: writers choose the format by the extension.
 std::string leftover_suffix(const fs::path& target) {
     return ".part" + target.extension().string();
 }
 
-/// Different for every object of every process on the machine.
+/// A text that is unique among all objects of all processes on the machine.
 std::string unique_middle() {
     static std::atomic<std::uint64_t> count{0};
     return fmt::format("{}-{}", ::getpid(), count.fetch_add(1));
@@ -52,7 +52,8 @@ bool is_linked(int descriptor) {
 void flush_to_disk(const std::string& path, const std::string& target) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     const bool flushed =
-        descriptor >= 0 && (::fsync(descriptor) == 0 || errno == EINVAL);  // EINVAL: has no disk
+        descriptor >= 0 &&
+        (::fsync(descriptor) == 0 || errno == EINVAL);  // EINVAL: the file system has no disk
     const int error = errno;
     if (descriptor >= 0) {
         ::close(descriptor);
@@ -62,7 +63,8 @@ void flush_to_disk(const std::string& path, const std::string& target) {
     }
 }
 
-/// So that the new name outlives a power cut. The file is whole either way: failing is no error.
+/// Flushes the folder, so that the new name survives a power failure. The file is complete in any
+/// case, so a failure is not an error.
 void flush_folder(const fs::path& folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor >= 0) {
@@ -89,7 +91,8 @@ PendingFile::~PendingFile() {
 
 void PendingFile::create() {
     const fs::path target(file_);
-    constexpr int kTries = 16;  // a leftover of this name, or a sweep between our open and flock
+    constexpr int kTries =
+        16;  // a leftover has this name, or another process removed the file before flock
     for (int i = 0; i < kTries; ++i) {
         const std::string name =
             leftover_prefix(target) + unique_middle() + leftover_suffix(target_);
@@ -102,7 +105,8 @@ void PendingFile::create() {
             }
             throw Error("cannot write '" + target_ + "': " + system_text(errno));
         }
-        // Without locks (some network file systems) nobody sweeps either.
+        // On file systems without locks (some network file systems) nobody removes leftovers
+        // either.
         static_cast<void>(::flock(lock_descriptor_, LOCK_EX | LOCK_NB));
         if (is_linked(lock_descriptor_)) {
             return;

@@ -8,7 +8,7 @@ namespace carom::pipeline {
 
 namespace {
 
-/// An error about the temporary file is one about the target.
+/// The message with the path of the temporary file replaced by that of the target.
 std::string with_target(std::string message, const PendingFile& file) {
     const std::size_t at = message.find(file.temporary_path());
     if (at != std::string::npos) {
@@ -17,9 +17,9 @@ std::string with_target(std::string message, const PendingFile& file) {
     return message;
 }
 
-/// `write` gets a temporary name.
+/// Calls `write` with a temporary path, then renames the file.
 template <class Write>
-void write_whole(const std::string& path, const Write& write) {
+void write_atomically(const std::string& path, const Write& write) {
     PendingFile file(path);
     try {
         write(file.temporary_path());
@@ -35,10 +35,11 @@ void write_picture(const render::Film& film, const DisplayView& view, const std:
                    const render::ImageMetadata& metadata, const render::PictureText& text,
                    const std::optional<render::ExrStandardAttributes>& standard) {
     if (is_linear_picture(path)) {
-        // OpenImageIO writes the time of writing otherwise: the same frame, other bytes.
+        // Without this OpenImageIO stores the current time, and the same frame would give different
+        // bytes.
         render::ImageMetadata dated = metadata;
         dated.emplace("DateTime", "1970:01:01 00:00:00");
-        write_whole(path, [&](const std::string& temporary) {
+        write_atomically(path, [&](const std::string& temporary) {
             render::write_exr(film, temporary, dated, standard);
         });
         return;
@@ -50,7 +51,7 @@ void write_picture(const render::Film& film, const DisplayView& view, const std:
 
 void write_display_picture(const std::vector<std::uint8_t>& rgb, int width, int height,
                            const std::string& path, const render::ImageMetadata& metadata) {
-    write_whole(path, [&](const std::string& temporary) {
+    write_atomically(path, [&](const std::string& temporary) {
         render::write_display_image(rgb, width, height, temporary, metadata);
     });
 }

@@ -1,4 +1,4 @@
-// One picture as a file.
+// Writes one picture to a file.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@
 
 namespace carom::pipeline {
 
-/// In the format that the extension names (picture_kind.h): .exr as it was computed, others through
-/// the view and with `text` written over; `standard` is for .exr alone. The file appears whole or
-/// not at all. Throws Error naming `path`.
+/// Writes the format of the extension (picture_kind.h): .exr with the computed values, others
+/// through the view and with `text` drawn over the picture. `standard` is used only for .exr. The
+/// file appears complete or not at all. Throws Error naming `path`.
 void write_picture(const render::Film& film, const DisplayView& view, const std::string& path,
                    const render::ImageMetadata& metadata, const render::PictureText& text = {},
                    const std::optional<render::ExrStandardAttributes>& standard = {});
 
-/// Display-encoded RGB, width * height * 3, as .png, .jpg, .bmp or .tga. The file appears whole or
-/// not at all. Throws Error naming `path`.
+/// Writes display-encoded RGB, width * height * 3, as .png, .jpg, .bmp or .tga. The file appears
+/// complete or not at all. Throws Error naming `path`.
 void write_display_picture(const std::vector<std::uint8_t>& rgb, int width, int height,
                            const std::string& path, const render::ImageMetadata& metadata = {});
 

@@ -10,7 +10,7 @@ namespace carom::pipeline {
 
 namespace {
 
-// Of mjpeg: 2 is its best but for 1, about JPEG's 95.
+// The quantiser of mjpeg from 1 (best) to 31; 2 is about JPEG quality 95.
 constexpr int kQuantiser = 2;
 
 struct ScalerDeleter {
@@ -31,7 +31,7 @@ AvPtr<AVCodecContext> open_jpeg(int width, int height, const std::string& path) 
     return context;
 }
 
-// JFIF's colours are BT.601's in full range, which is what swscale assumes of this format.
+// JFIF uses BT.601 in full range, and swscale assumes the same of this pixel format.
 AvPtr<AVFrame> jpeg_frame(std::span<const std::uint8_t> rgb, int width, int height,
                           const std::string& path) {
     AvPtr<AVFrame> frame(check_allocated(av_frame_alloc(), path));
@@ -39,7 +39,7 @@ AvPtr<AVFrame> jpeg_frame(std::span<const std::uint8_t> rgb, int width, int heig
     frame->width = width;
     frame->height = height;
     frame->quality = kQuantiser * FF_QP2LAMBDA;
-    check_av(av_frame_get_buffer(frame.get(), 0), "making room for the poster", path);
+    check_av(av_frame_get_buffer(frame.get(), 0), "allocating the poster", path);
     const std::unique_ptr<SwsContext, ScalerDeleter> scaler(check_allocated(
         sws_getContext(width, height, AV_PIX_FMT_RGB24, width, height, AV_PIX_FMT_YUVJ420P,
                        SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT, nullptr, nullptr, nullptr),

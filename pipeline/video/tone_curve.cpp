@@ -21,7 +21,7 @@ ToneCurve::ToneCurve(const std::function<double(double)>& curve, double white)
         const double root = static_cast<double>(i) / kCells;
         table_.push_back(static_cast<float>(curve(root * root * white)));
     }
-    table_.push_back(table_.back());  // read, with weight 0, at the very end
+    table_.push_back(table_.back());  // interpolation at `white` reads it with weight 0
 }
 
 float ToneCurve::operator()(float value) const {
@@ -46,7 +46,8 @@ std::function<double(double)> filmic_curve(const FilmicParameters& parameters) {
     const double ad = a * parameters.shoulder;
     const double mid = parameters.mid_grey;
     const double white = parameters.white;
-    // x^a / y = x^(a d) b + c at both points; the difference gives b, the second one c.
+    // x^a / y = x^(a d) b + c holds at both points; the difference gives b, the second point gives
+    // c.
     const double left_mid = std::pow(mid, a) / mid;
     const double left_white = std::pow(white, a);
     const double b = (left_white - left_mid) / (std::pow(white, ad) - std::pow(mid, ad));

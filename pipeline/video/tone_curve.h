@@ -1,4 +1,4 @@
-// One-dimensional curves of the view transforms, as tables.
+// One-dimensional curves of the view transforms, stored as tables.
 #pragma once
 
 #include <functional>
@@ -6,14 +6,14 @@
 
 namespace carom::pipeline {
 
-/// A curve on [0, white], held as a table that is even in the square root of its argument and
-/// interpolated linearly: display curves are nearly straight over that axis, so that 4096 entries
-/// stay within 0.02 of a 16-bit step of the sRGB curve, at the price of one square root.
+/// A curve on [0, white], stored as a table with entries spaced evenly in the square root of the
+/// argument, and interpolated linearly. Display curves are nearly straight over that axis: 4096
+/// entries follow the sRGB curve within 0.02 of a 16-bit step, at the cost of one square root.
 class ToneCurve {
   public:
     ToneCurve(const std::function<double(double)>& curve, double white);
 
-    /// The curve at `value`, held at its ends outside [0, white]; 0 for NaN.
+    /// The curve at `value`, clamped to [0, white]; 0 for NaN.
     [[nodiscard]] float operator()(float value) const;
 
   private:
@@ -22,17 +22,18 @@ class ToneCurve {
     std::vector<float> table_;
 };
 
-/// Linear light to sRGB's signal, both in [0, 1] (IEC 61966-2-1:1999, section 5.2).
+/// Converts linear light to the sRGB signal, both in [0, 1] (IEC 61966-2-1:1999, section 5.2).
 [[nodiscard]] double srgb_encode(double linear);
 
 /// The filmic curve's parameters (see filmic_curve).
 struct FilmicParameters {
-    double contrast = 1.25;   // slope over logarithms in the dark, > 0
+    double contrast = 1.25;   // slope of the log-log curve in the shadows, > 0
     double shoulder = 0.975;  // how late highlights are compressed, (0, 1]
-    double mid_grey = 0.18;   // is kept, so that a change of view keeps the exposure
+    double mid_grey = 0.18;   // maps to itself, so that a change of view keeps the exposure
     double white = 16;        // the light that becomes the display's white: 6.5 stops over mid_grey
-    double crosstalk = 0.15;  // share of its luminance that a channel takes on before the curve ...
-    double separation = 0.13;  // ... and gives back after it
+    double crosstalk =
+        0.15;  // fraction of luminance that each channel is mixed with before the curve ...
+    double separation = 0.13;  // ... and that is removed after it
 };
 
 /// The tone curve of T. Lottes, "Advanced Techniques and Optimization of HDR Color Pipelines", GDC
@@ -43,24 +44,24 @@ struct FilmicParameters {
 
 /// A sigmoid over the logarithm of light (see logarithmic_curve).
 struct LogarithmicParameters {
-    double mid_grey = 0.18;      // is kept
-    double stops_below = 10;     // from there to black
-    double stops_above = 6.5;    // and to white
+    double mid_grey = 0.18;      // maps to itself
+    double stops_below = 10;     // from mid_grey to black
+    double stops_above = 6.5;    // from mid_grey to white
     double slope = 0.142;        // of the signal at mid_grey, per stop
-    double toe = 2.2;            // the larger, the more abruptly black is reached, > 0
-    double shoulder = 1.9;       // ditto white
+    double toe = 2.2;            // the larger, the sharper the bend near black, > 0
+    double shoulder = 1.9;       // the same near white
     double display_gamma = 2.2;  // between the signal and the display's light
-    double inset = 0.22;         // share of the channels' mean that each takes on before the curve
-    double outset = 0.13;        // and gives back after it
+    double inset = 0.22;  // fraction of the channels' mean that each is mixed with before the curve
+    double outset = 0.13;  // and that is removed after it
 };
 
-/// The idea of T. Sobotka's AgX (2021): channels are drawn towards their mean, then each passes a
-/// sigmoid over stops that is the display's signal, so that every light turns white as it grows and
-/// does so along its own hue. The sigmoid here is
+/// The idea of T. Sobotka's AgX (2021): channels are mixed with their mean, then a sigmoid over
+/// stops gives the display signal of each, so that every light becomes white as it grows brighter
+/// and keeps its hue until then. The sigmoid here is
 ///   signal(e) = m + a S(k e / a),  S(u) = u / (1 + |u|^p)^(1/p)
 /// (Naka and Rushton 1966, "S-potentials from colour units in the retina of fish", made symmetric),
-/// e being stops over mid_grey and m mid_grey's own signal; a, for each side, follows from reaching
-/// 0 and 1 at the ends. Returns the display's linear light.
+/// where e is the number of stops above mid_grey and m the signal of mid_grey; a follows for each
+/// side from the values 0 and 1 at the ends. The returned curve gives the display's linear light.
 [[nodiscard]] std::function<double(double)> logarithmic_curve(
     const LogarithmicParameters& parameters);
 [[nodiscard]] double white_of(const LogarithmicParameters& parameters);

@@ -16,15 +16,15 @@ namespace carom::pipeline {
 
 namespace {
 
-// H.264 level 6.2 ends at 139264 macroblocks and 16864 pixels a side (ITU-T H.264, table A-1 and
-// A.3.1 h), and the highest levels of HEVC, VP9 and AV1 at as many pixels; MP4's track header holds
-// 16 bits a side.
+// H.264 level 6.2 allows 139264 macroblocks and 16864 pixels per side (ITU-T H.264, table A-1 and
+// A.3.1 h), and the highest levels of HEVC, VP9 and AV1 allow as many pixels. MP4's track header
+// has 16 bits per side.
 constexpr int kLargestSide = 16384;
 constexpr std::int64_t kMostMacroblocks = 139264;
 constexpr int kSmallestSide = 16;
 
-// H.264 states the rate as time_scale / (2 num_units_in_tick), both 32-bit (E.2.1), and libav keeps
-// fractions in signed ints.
+// H.264 states the rate as time_scale / (2 num_units_in_tick), both 32-bit (E.2.1), and libav
+// stores fractions as signed ints.
 constexpr std::int64_t kLargestRateTerm = std::int64_t{1} << 30;
 constexpr double kFastestRate = 1000;
 
@@ -77,12 +77,11 @@ std::string check_rate(const Rational& fps) {
 SettingProblem check_quality(const OutputSettings& output, Codec codec) {
     const CodecInfo& codec_info = info(codec);
     if (codec_info.worst_crf <= 0) {
-        return {};  // has one quality of its own; what other codecs were told does not matter
+        return {};  // its quality is fixed; settings for other codecs are ignored
     }
     if (output.crf && output.bit_rate) {
         return {{"crf", "bit_rate"},
-                "crf and bit_rate exclude each other: the one fixes the quality, the other the "
-                "size"};
+                "crf and bit_rate cannot be combined: crf fixes the quality, bit_rate the size"};
     }
     if (output.crf && !(*output.crf >= 0 && *output.crf <= codec_info.worst_crf)) {
         return {{"crf", "codec"},
@@ -131,7 +130,7 @@ SettingProblem check_encoder(const OutputSettings& output) {
                             output.threads)};
     }
     if (find_preset(output.preset) == nullptr) {
-        std::string text = "unknown encoder preset '" + output.preset + "'; there are ";
+        std::string text = "unknown encoder preset '" + output.preset + "'; use one of ";
         for (const EncoderPreset& preset : kEncoderPresets) {
             text += (&preset == kEncoderPresets.data() ? "" : ", ") + std::string(preset.name);
         }
@@ -152,17 +151,17 @@ std::string check_path(Codec codec, const std::string& path) {
     const std::string extension = std::filesystem::path(path).extension().string();
     if (container == nullptr && is_picture_path(path)) {
         return "'" + path +
-               "' is a single picture, which cannot hold a film; write a picture per " +
+               "' is a single picture, which cannot hold a film; write one picture per " +
                "frame to '" + sequence_pattern(path) + "', or one frame with 'carom frame'";
     }
     if (container == nullptr) {
-        return "cannot tell what film to write from '" + path + "'" +
-               (extension.empty() ? ", which has no extension" : "") + "; there are " +
-               list_containers();
+        return "'" + path + "' " +
+               (extension.empty() ? "has no file extension" : "is not a known type of video file") +
+               "; the codecs and their file extensions are " + list_containers();
     }
     if (!container->holds(codec)) {
-        return extension + " files cannot hold " + to_string(codec) + "; there are " +
-               list_containers();
+        return extension + " files cannot hold " + to_string(codec) +
+               "; the codecs and their file extensions are " + list_containers();
     }
     return {};
 }

@@ -1,4 +1,4 @@
-// What a film's file is: size, rate and container, and whether its codec can take them.
+// Size, rate and container of a film's file, and checks whether its codec supports them.
 #pragma once
 
 #include <optional>
@@ -13,37 +13,37 @@ namespace carom::pipeline {
 /// The light of a whole film, cd/m^2, as HDR10 states it (CTA-861.3: MaxCLL and MaxFALL).
 struct LightLevels {
     int brightest = 0;       // pixel
-    int brightest_mean = 0;  // of a picture; 0: not known
+    int brightest_mean = 0;  // mean of one picture; 0: not known
 };
 
 struct VideoFormat {
-    int width = 0;  // pixels; even where colour is subsampled (check_video_format says so)
+    int width = 0;  // pixels; even if colour is subsampled (check_video_format)
     int height = 0;
     Rational fps{24};
-    std::optional<LightLevels> light = {};  // for hdr10; if it is known
+    std::optional<LightLevels> light = {};  // for hdr10, if known
 };
 
-/// Empty, or a sentence that says what the codec cannot take and what to do about it. Needs no
-/// encoder: a shot is checked with it long before its film is written. A path that is an image
-/// sequence's (image_sequence.h) is checked as one.
+/// Empty, or a sentence that says what the codec does not support and what to do about it. It needs
+/// no encoder: a shot is checked long before its film is written. The path of an image sequence
+/// (image_sequence.h) is checked as such.
 [[nodiscard]] std::string check_video_format(const VideoFormat& format,
                                              const OutputSettings& output, const std::string& path);
 
-/// A setting that the film's codec cannot take.
+/// A setting that the film's codec does not support.
 struct SettingProblem {
-    std::vector<std::string> keys;  // of `output` that cannot stand together, or the one at fault
-    std::string sentence;           // empty: all is well
+    std::vector<std::string> keys;  // of `output` that exclude each other, or the wrong one
+    std::string sentence;           // empty: no problem
 };
 
-/// The part of check_video_format that is about the settings alone, not about size, rate and path.
+/// The part of check_video_format that concerns only the settings, not size, rate and path.
 [[nodiscard]] SettingProblem find_setting_problem(const OutputSettings& output,
                                                   const std::string& path);
 
-/// Empty, or what check_video_format says of the size alone. The path must be one that it accepts.
+/// Empty, or the sentence of check_video_format about the size. The path must be valid.
 [[nodiscard]] std::string check_film_size(const VideoFormat& format, const OutputSettings& output,
                                           const std::string& path);
 
-/// The extension that a film of these settings has unless told otherwise, with its dot: ".mp4".
+/// The default extension of a film with these settings, with its dot: ".mp4".
 [[nodiscard]] std::string default_extension(const OutputSettings& output);
 
 }  // namespace carom::pipeline

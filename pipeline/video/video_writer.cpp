@@ -25,11 +25,11 @@ namespace carom::pipeline {
 
 namespace {
 
-// Names that both the MP4 and the Matroska muxer write as tags of their own.
+// Names for which both the MP4 and the Matroska muxer have tags.
 constexpr std::array<std::string_view, 7> kKnownTags{"title", "artist",      "album", "comment",
                                                      "date",  "description", "genre"};
 
-/// libavformat would read "a:b.mp4" as protocol "a".
+/// Without "file:", libavformat would read "a:b.mp4" as protocol "a".
 std::string file_url(const std::string& path) {
     return "file:" + path;
 }
@@ -62,7 +62,8 @@ struct VideoWriter::State {
     void open_container(const std::map<std::string, std::string>& metadata);
     void describe_stream();
     void write_header();
-    /// Hands a picture (or nullptr: the end) to the encoder and writes every packet that comes out.
+    /// Sends a picture (or nullptr at the end) to the encoder and writes all packets that it
+    /// returns.
     void encode(const AVFrame* picture);
     void close();
 
@@ -74,8 +75,8 @@ struct VideoWriter::State {
     AvPtr<AVCodecContext> encoder;
     AvPtr<AVFrame> frame;
     AvPtr<AVPacket> packet;
-    AVStream* stream = nullptr;  // the container's, as is the next
-    AVStream* poster = nullptr;  // or none
+    AVStream* stream = nullptr;  // owned by the container, like the next one
+    AVStream* poster = nullptr;  // nullptr: no poster
     std::optional<Hdr10Settings> hdr10;
     std::int64_t frames_written = 0;
     std::int64_t packets_written = 0;
@@ -105,7 +106,7 @@ VideoWriter::State::State(const std::string& path, const VideoFormat& video_form
     frame->color_range = encoder->color_range;
     frame->color_primaries = encoder->color_primaries;
     frame->color_trc = encoder->color_trc;
-    check_av(av_frame_get_buffer(frame.get(), 0), "making room for a frame", path);
+    check_av(av_frame_get_buffer(frame.get(), 0), "allocating a frame", path);
 }
 
 void VideoWriter::State::open_container(const std::map<std::string, std::string>& metadata) {
@@ -131,7 +132,8 @@ T& side_data(AVStream& stream, AVPacketSideDataType type, std::size_t size,
     return *static_cast<T*>(data);
 }
 
-/// What x265 writes into the stream (encoder_options.h), for the container's own boxes.
+/// Writes the data that x265 stores in the stream (encoder_options.h) into the container's boxes
+/// too.
 void describe_hdr10(AVStream& stream, const Hdr10Settings& settings, const LightLevels& levels,
                     const std::string& path) {
     const auto chroma = [](int steps) { return AVRational{steps, 50000}; };
@@ -166,7 +168,8 @@ void VideoWriter::State::describe_stream() {
              "describing the stream", path());
     const std::string_view muxer = container->oformat->name;
     if (encoder->codec_id == AV_CODEC_ID_HEVC && (muxer == "mp4" || muxer == "mov")) {
-        stream->codecpar->codec_tag = MKTAG('h', 'v', 'c', '1');  // Apple's players take no hev1
+        stream->codecpar->codec_tag =
+            MKTAG('h', 'v', 'c', '1');  // Apple's players do not accept hev1
     }
     if (hdr10) {
         describe_hdr10(*stream, *hdr10, light_levels(format, *hdr10), path());
@@ -196,14 +199,14 @@ void VideoWriter::State::encode(const AVFrame* picture) {
         packet->stream_index = stream->index;
         packet->duration = 1;  // one frame, in the encoder's time base
         av_packet_rescale_ts(packet.get(), encoder->time_base, stream->time_base);
-        // There is nothing to interleave: a poster has no time.
+        // Nothing has to be interleaved, because a poster has no time.
         check_av(av_write_frame(container.get(), packet.get()), "writing", path());
     }
 }
 
 void VideoWriter::State::close() {
     encode(nullptr);
-    check_av(av_write_trailer(container.get()), "writing the end", path());
+    check_av(av_write_trailer(container.get()), "writing the trailer", path());
     check_av(container->pb->error, "writing", path());
     check_av(avio_closep(&container->pb), "closing", path());
     file.commit();
@@ -227,8 +230,8 @@ void VideoWriter::write(std::span<const std::uint16_t> rgb) {
     State& state = *state_;
     CAROM_ASSERT(rgb.size() == std::size_t{3} * static_cast<std::size_t>(state.format.width) *
                                    static_cast<std::size_t>(state.format.height));
-    // The encoder may still hold the last picture: then this gives the frame a new buffer.
-    check_av(av_frame_make_writable(state.frame.get()), "making room for a frame", state.path());
+    // If the encoder still refers to the previous picture, this gives the frame a new buffer.
+    check_av(av_frame_make_writable(state.frame.get()), "allocating a frame", state.path());
     fill_frame(*state.frame, rgb);
     if (state.hdr10) {
         limit_to_peak(yuv10_planes(*state.frame), state.format.width, state.format.height,

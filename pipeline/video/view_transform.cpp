@@ -21,7 +21,7 @@ namespace {
 
 using Colour = std::array<float, 3>;
 
-// Beyond it every view is white; keeps the sums below finite.
+// Above this value every view is white; the limit keeps the sums below finite.
 constexpr float kBrightest = 1e6F;
 
 float luminance(const Colour& c) {
@@ -37,10 +37,11 @@ Colour exposed(const float* rgba, float gain) {
     return colour;
 }
 
-/// Each channel takes on a share of the colour's luminance before the tone curve, and gives most
-/// of it back after. Without it a bright saturated light ends at a bare primary; with it the other
-/// channels rise too and it goes to white, as on film ("channel crosstalk": Lottes 2016, as cited
-/// in tone_curve.h). Greys pass unchanged, and luminance is kept by both steps.
+/// Mixes a fraction of the colour's luminance into each channel before the tone curve, and removes
+/// most of it afterwards ("channel crosstalk": Lottes 2016, cited in tone_curve.h). Without
+/// crosstalk a bright saturated light would end as a pure primary; with it the other channels rise
+/// too and the light becomes white, as on photographic film. Greys do not change, and both steps
+/// preserve luminance.
 class FilmicView {
   public:
     FilmicView() : curve_(filmic_curve(parameters_), parameters_.white) {}
@@ -94,7 +95,7 @@ struct PlainView {
     [[nodiscard]] Colour operator()(const Colour& colour) const { return colour; }
 };
 
-/// The numbers themselves, for pictures that were computed in a display's own.
+/// No encoding, for pictures that were computed in display values.
 float unencoded(float value) {
     return std::min(value, 1.0F);
 }
@@ -184,8 +185,8 @@ std::vector<std::uint8_t> DisplayView::to_8(const render::Film& film) const {
     for (std::size_t i = 0; i < fine.size(); ++i) {
         const auto x = static_cast<std::uint32_t>(i / 3 % width);
         const auto y = static_cast<std::uint32_t>(i / 3 / width);
-        // 257 sixteen-bit steps are one of eight bits; the same threshold for all channels keeps
-        // greys grey.
+        // 257 sixteen-bit steps are one eight-bit step. All channels use the same threshold, so
+        // that greys stay grey.
         const std::uint32_t threshold = dither_threshold(x, y) * 257U >> 16U;
         display[i] = static_cast<std::uint8_t>((fine[i] + threshold) / 257U);
     }

@@ -1,4 +1,4 @@
-// From scene-referred linear light to what a display shows.
+// The transform from scene-referred linear light to display values.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,20 @@
 
 namespace carom::pipeline {
 
-/// The film's way to a display, ready to be used for many frames, from any thread.
+/// The view transform of a film, prepared once and used for many frames, from any thread.
 class DisplayView {
   public:
-    /// Throws Error: the view is by OpenColorIO, and $OCIO names no configuration, or none that
-    /// has what the settings name.
+    /// Throws Error if the view uses OpenColorIO and $OCIO does not name a configuration, or the
+    /// configuration lacks a name of the settings.
     explicit DisplayView(const OutputSettings& output);
 
-    /// sRGB-encoded (by OpenColorIO: as its display wants it) 16-bit RGB (width * height * 3), row
-    /// by row from the top left. The colours are those of the film over black; alpha does not
-    /// enter. Values below 0 and NaN become black, values beyond the view's white become white.
+    /// 16-bit RGB (width * height * 3), row by row from the top left, sRGB-encoded or, with
+    /// OpenColorIO, encoded for its display. The colours are those of the film over black; alpha is
+    /// not used. Values below 0 and NaN become black, values above the view's white become white.
     [[nodiscard]] std::vector<std::uint16_t> to_16(const render::Film& film) const;
 
-    /// The same in 8 bits, dithered with a pattern that depends on the pixel's place alone; 16-bit
-    /// values that are whole 8-bit ones (v * 257) stay what they are.
+    /// The same in 8 bits, dithered with a pattern that depends only on the pixel's position.
+    /// 16-bit values that represent 8-bit values exactly (v * 257) are not dithered.
     [[nodiscard]] std::vector<std::uint8_t> to_8(const render::Film& film) const;
 
   private:

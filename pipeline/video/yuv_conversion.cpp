@@ -28,9 +28,10 @@ constexpr std::int64_t kWhite = 65535;  // of the input
 
 // BT.709-6, item 3.5: D'Y = (219 E'Y + 16) 2^(n - 8), D'C = (224 E'C + 128) 2^(n - 8).
 constexpr std::int64_t kLumaDivisor = kLumaSum * kWhite;
-constexpr std::int64_t kFilterSum = 8;  // of the subsampling filter: (1 2 1) by (1 1)
+constexpr std::int64_t kFilterSum = 8;  // sum of the subsampling filter (1 2 1) by (1 1)
 
-/// offset + numerator / divisor, the part below 1 rounded up if it exceeds the place's threshold.
+/// offset + numerator / divisor, where the fractional part is rounded up if it exceeds the
+/// position's threshold.
 template <class Code, std::int64_t divisor>
 Code quantised(std::int64_t offset, std::int64_t numerator, std::uint32_t threshold) {
     const std::int64_t carry = static_cast<std::int64_t>(threshold) * divisor >> 16;
@@ -42,7 +43,7 @@ std::int64_t luma_sum(std::int64_t red, std::int64_t green, std::int64_t blue) {
     return Matrix::kRed * red + Matrix::kGreen * green + Matrix::kBlue * blue;
 }
 
-/// One of 2^(n - 8), by which the codes of n bits are finer than those of 8.
+/// The factor 2^(n - 8) between the codes of n bits and those of 8 bits.
 template <class Code>
 constexpr std::int64_t kFiner = std::is_same_v<Code, std::uint8_t> ? 1 : 4;
 
@@ -56,7 +57,8 @@ void convert_luma_row(const std::uint16_t* rgb, int width, int row, Code* luma) 
     }
 }
 
-/// Filtered colour of the two rows at an even column; the picture's edge columns continue.
+/// The filtered colour of two rows at an even column. Beyond the picture the edge columns are
+/// repeated.
 std::array<std::int64_t, 3> filtered(const std::uint16_t* upper, const std::uint16_t* lower,
                                      int width, int column) {
     const int left = 3 * std::max(column - 1, 0);

@@ -1,4 +1,4 @@
-// Display RGB to the planes that video codecs take.
+// Conversion of display RGB to the planes that video codecs need.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +19,13 @@ struct YuvPlanes {
     PlaneView<T> luma, blue_difference, red_difference;
 };
 
-/// 8-bit Y'CbCr of ITU-R BT.709-6 (items 3.2 to 3.5) in limited range, colour subsampled 4:2:0
-/// with the siting that H.264 assumes unless told otherwise (ITU-T H.264, E.2.1,
-/// chroma_sample_loc_type 0): level with the even columns, halfway between two rows.
+/// Converts to 8-bit Y'CbCr of ITU-R BT.709-6 (items 3.2 to 3.5) in limited range. Colour is
+/// subsampled 4:2:0 with the default siting of H.264 (ITU-T H.264, E.2.1, chroma_sample_loc_type
+/// 0): at the even columns, halfway between two rows.
 ///
-/// `rgb`: width * height * 3, both even. The arithmetic is in integers: the same planes on every
-/// processor. Codes between two whole ones are dithered by the pixel's place (dither.h), so every
-/// code is within 1 of the exact value, and exact values stay.
+/// `rgb`: width * height * 3, both even. The arithmetic uses integers, so that every processor
+/// gives the same planes. Fractional codes are dithered by the pixel's position (dither.h): every
+/// code is within 1 of the exact value, and whole values do not change.
 void convert_to_yuv420(std::span<const std::uint16_t> rgb, int width, int height,
                        const YuvPlanes<std::uint8_t>& planes);
 
@@ -34,11 +34,11 @@ struct YuvCoding {
     bool halve_height = true;  // 4:2:0; otherwise 4:2:2, on the same columns
 };
 
-/// The same in 10 bits, [64, 940] and [64, 960], in the low bits of each code.
+/// The same in 10 bits: luma in [64, 940], colour in [64, 960], in the low bits of each code.
 void convert_to_yuv10(std::span<const std::uint16_t> rgb, int width, int height, YuvCoding coding,
                       const YuvPlanes<std::uint16_t>& planes);
 
-/// The three channels, unchanged, each in a plane.
+/// Copies the three channels, unchanged, into one plane each.
 void split_channels(std::span<const std::uint16_t> rgb, int width, int height,
                     PlaneView<std::uint16_t> red, PlaneView<std::uint16_t> green,
                     PlaneView<std::uint16_t> blue);

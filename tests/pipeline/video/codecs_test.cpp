@@ -1,4 +1,4 @@
-// Every codec in every container that takes it, read back by libav's decoders.
+// Every codec in every container that supports it, read back by libav's decoders.
 #include <cmath>
 #include <string>
 
@@ -37,7 +37,7 @@ struct Case {
     std::string extension;
     std::string pixel_format;
     std::string profile;
-    std::string tag;  // empty: not looked at
+    std::string tag;  // empty: not checked
 };
 
 void PrintTo(const Case& c, std::ostream* out) {
@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{Codec::vp9, 10, ".mp4", "yuv420p10le", "Profile 2", "vp09"},
                       Case{Codec::prores, 10, ".mov", "yuv422p10le", "HQ", "apch"}));
 
-TEST(Codecs, EveryContainer_HoldsWhatItSaysItDoes) {
+TEST(Codecs, EveryContainer_HoldsTheCodecsThatItLists) {
     const ScratchFolder folder;
     int films = 0;
     for (const Container& container : containers()) {
@@ -146,7 +146,7 @@ TEST(Codecs, EveryContainer_HoldsWhatItSaysItDoes) {
     EXPECT_EQ(films, 2 * (4 + 3 + 6 + 2));
 }
 
-TEST(Codecs, TenBits_AreMoreThanEight) {
+TEST(Codecs, TenBits_KeepMoreLevelsThanEight) {
     // A slow gradient keeps more levels, before any dithering.
     const ScratchFolder folder;
     Film film = film_of({Codec::prores, 10, ".mov", "", "", ""});
@@ -160,7 +160,7 @@ TEST(Codecs, TenBits_AreMoreThanEight) {
     EXPECT_TRUE(has_odd_code);
 }
 
-/// Every picture another, and none of it predictable.
+/// Unpredictable noise, different for every seed.
 Picture noise(int width, int height, unsigned seed) {
     Picture picture(static_cast<std::size_t>(3 * width * height));
     for (std::uint16_t& value : picture) {
@@ -170,7 +170,7 @@ Picture noise(int width, int height, unsigned seed) {
     return picture;
 }
 
-TEST(Codecs, BitRate_IsHeld) {
+TEST(Codecs, BitRate_IsKeptWithinAFactorOfTwo) {
     constexpr double kRate = 400e3;
     constexpr int kFrames = 96, kWidth = 96, kHeight = 64;
     for (const Codec codec : {Codec::h264, Codec::hevc, Codec::av1, Codec::vp9}) {
@@ -184,15 +184,16 @@ TEST(Codecs, BitRate_IsHeld) {
         }
         writer.finish();
         const double rate = 8.0 * static_cast<double>(read_text(path).size()) / (kFrames / 24.0);
-        // Four seconds of noise are short and hard for a rate control; without one they would take
-        // 2 to 3 Mbit/s.
+        // Four seconds of noise are short and difficult for a rate control; without one they would
+        // take 2 to 3 Mbit/s.
         EXPECT_GT(rate, kRate / 2) << to_string(codec);
         EXPECT_LT(rate, kRate * 2) << to_string(codec);
     }
 }
 
-/// While it lives, memory from malloc is never zero by chance: each byte is 0xFE, so that a number
-/// of eight bytes is one that can still be multiplied by a time base.
+/// During its lifetime malloc fills memory with the byte 0xFE, so that uninitialised memory is
+/// never zero by chance. An eight-byte integer of such bytes can still be multiplied by a time
+/// base.
 class DirtyMemory {
   public:
     DirtyMemory() { ::mallopt(M_PERTURB, 0x01); }
@@ -201,8 +202,8 @@ class DirtyMemory {
     ~DirtyMemory() { ::mallopt(M_PERTURB, 0); }
 };
 
-// x265 computes the times of one or two frames with memory that nobody wrote.
-TEST(Codecs, ShortestAndSmallest_IsAFilmInEach) {
+// x265 computes the times of films of one or two frames from uninitialised memory.
+TEST(Codecs, ShortestAndSmallestFilm_WorksInEachCodec) {
     const DirtyMemory dirty;
     for (const CodecInfo& codec : codecs()) {
         for (const int frames : {1, 2, 3}) {
@@ -220,8 +221,9 @@ TEST(Codecs, ShortestAndSmallest_IsAFilmInEach) {
     }
 }
 
-// Its decoding times are set by us, early enough for what each preset reorders.
-TEST(Codecs, Hevc_HasItsTimesInEveryPreset) {
+// carom sets the decoding times of HEVC itself, early enough for the frame reordering of every
+// preset.
+TEST(Codecs, Hevc_HasCorrectTimesInEveryPreset) {
     for (const EncoderPreset& preset : kEncoderPresets) {
         SCOPED_TRACE(preset.name);
         const ScratchFolder folder;
@@ -253,7 +255,7 @@ TEST(Hdr10, Film_IsTaggedAndNamesItsMasteringDisplay) {
     }
 }
 
-TEST(Hdr10, Film_StatesItsLightIfItIsKnown) {
+TEST(Hdr10, Film_StatesItsLightLevelsIfKnown) {
     for (const char* name : {"film.mp4", "film.mkv"}) {
         const ScratchFolder folder;
         OutputSettings output;
@@ -271,7 +273,7 @@ TEST(Hdr10, Film_StatesItsLightIfItIsKnown) {
     }
 }
 
-TEST(Poster, Mp4_HoldsItAsAJpegOfTheFilmsSize) {
+TEST(Poster, Mp4_HoldsAJpeg) {
     const ScratchFolder folder;
     Film film;
     film.output.poster = 0.5;
@@ -297,7 +299,7 @@ TEST(Poster, Mp4_HoldsItAsAJpegOfTheFilmsSize) {
     EXPECT_EQ(video.poster[1], 0xD8);
 }
 
-TEST(Poster, OtherContainers_HaveNoPlaceForIt) {
+TEST(Poster, OtherContainers_HoldNone) {
     const ScratchFolder folder;
     OutputSettings output;
     output.poster = 0;

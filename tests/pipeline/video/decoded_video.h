@@ -1,4 +1,4 @@
-// A video read back with libav's demuxer and decoder, independently of the code under test.
+// Reads a video with libav's demuxer and decoder, independently of the code under test.
 #pragma once
 
 #include <cstdint>
@@ -27,11 +27,11 @@ struct DecodedVideo {
     int time_base_numerator = 0, time_base_denominator = 0;  // of the stream
     std::int64_t start_time = 0;                             // of the stream
     double duration = 0;                                     // of the container, s
-    std::string tag;                                         // the container's name of the codec
+    std::string tag;                                         // the codec's tag in the container
     double peak = 0;                                         // of the mastering display, cd/m^2
     int max_light = 0;                                       // MaxCLL, cd/m^2
     int max_mean_light = 0;                                  // MaxFALL, cd/m^2
-    std::vector<std::uint8_t> poster;                        // the picture attached: a JPEG
+    std::vector<std::uint8_t> poster;                        // the attached JPEG
     std::map<std::string, std::string> metadata;
     std::vector<DecodedFrame> frames;  // in order of presentation
 };

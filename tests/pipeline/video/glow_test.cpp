@@ -9,7 +9,7 @@
 namespace carom::pipeline {
 namespace {
 
-render::Film even_film(int width, int height, float light) {
+render::Film constant_film(int width, int height, float light) {
     render::Film film;
     film.width = width;
     film.height = height;
@@ -33,13 +33,13 @@ double sum_of(const render::Film& film, std::size_t channel) {
 }
 
 TEST(Glow, NoStrength_ChangesNothing) {
-    const render::Film film = even_film(7, 5, 0.3F);
+    const render::Film film = constant_film(7, 5, 0.3F);
     EXPECT_EQ(with_glow(film, {0, 0.1}).rgba, film.rgba);
 }
 
-TEST(Glow, EvenPicture_StaysEven) {
+TEST(Glow, ConstantPicture_StaysConstant) {
     for (const double radius : {0.001, 0.04, 1.0}) {
-        const render::Film film = even_film(40, 30, 0.7F);
+        const render::Film film = constant_film(40, 30, 0.7F);
         const render::Film glowing = with_glow(film, {0.8, radius});
         for (std::size_t i = 0; i < film.rgba.size(); ++i) {
             ASSERT_NEAR(glowing.rgba[i], film.rgba[i], 1e-6F) << radius;
@@ -47,10 +47,10 @@ TEST(Glow, EvenPicture_StaysEven) {
     }
 }
 
-TEST(Glow, PointAnywhere_KeepsItsLight) {
+TEST(Glow, PointAnywhere_KeepsItsTotalLight) {
     for (const auto& [x, y] : {std::pair{30, 20}, std::pair{0, 0}, std::pair{63, 11}}) {
         for (const double radius : {0.01, 0.1, 0.9}) {
-            render::Film film = even_film(64, 48, 0);
+            render::Film film = constant_film(64, 48, 0);
             film.rgba[at(film, x, y)] = 5000;
             const render::Film glowing = with_glow(film, {0.2, radius});
             EXPECT_NEAR(sum_of(glowing, 0), 5000, 5e-3) << x << " " << y << " " << radius;
@@ -60,8 +60,8 @@ TEST(Glow, PointAnywhere_KeepsItsLight) {
     }
 }
 
-TEST(Glow, Point_IsRoundAndFallsOffAsTheInverseSquare) {
-    render::Film film = even_film(201, 201, 0);
+TEST(Glow, Point_GlowsRoundAndFallsOffAsTheInverseSquare) {
+    render::Film film = constant_film(201, 201, 0);
     film.rgba[at(film, 100, 100)] = 1e4F;
     const render::Film glowing = with_glow(film, {1, 0.15});
     float last = std::numeric_limits<float>::infinity();
@@ -71,22 +71,22 @@ TEST(Glow, Point_IsRoundAndFallsOffAsTheInverseSquare) {
         ASSERT_NEAR(right, glowing.rgba[at(film, 100, 100 - r)], 1e-5F * right);
         last = right;
     }
-    // From the narrowest to the widest bell the mean slope over logarithms is near -2.
+    // Between the narrowest and the widest Gaussian the mean log-log slope is near -2.
     const double slope = std::log(static_cast<double>(glowing.rgba[at(film, 102, 100)] /
                                                       glowing.rgba[at(film, 132, 100)])) /
                          std::log(2.0 / 32.0);
     EXPECT_NEAR(slope, -2, 0.4);
 }
 
-// Along the diagonals, too: out to three deviations of the widest Gaussian, in sizes at which all,
-// some and none of the three are made of smaller pictures.
+// The test compares rows with diagonals out to three standard deviations of the widest Gaussian, at
+// sizes where all, some or none of the three Gaussians are computed on reduced pictures.
 TEST(Glow, Halo_IsAsBrightInAllDirections) {
     for (const double deviation : {10.0, 24.0, 50.0}) {
         const int middle = static_cast<int>(4.6 * deviation);
-        render::Film film = even_film(2 * middle + 1, 2 * middle + 1, 0);
+        render::Film film = constant_film(2 * middle + 1, 2 * middle + 1, 0);
         film.rgba[at(film, middle, middle)] = 1e4F;
         const render::Film glowing = with_glow(film, {1, deviation / film.height});
-        const auto along_row = [&](double distance) {  // a parabola through three logarithms
+        const auto along_row = [&](double distance) {  // fits a parabola through three logarithms
             const int near = static_cast<int>(std::lround(distance));
             const auto log_at = [&](int x) {
                 return std::log(static_cast<double>(glowing.rgba[at(film, middle + x, middle)]));
@@ -104,9 +104,10 @@ TEST(Glow, Halo_IsAsBrightInAllDirections) {
     }
 }
 
-TEST(Glow, Deviation_IsTheRadius) {
-    // The variance along x is the mean of the bells': (1 + 1/16 + 1/256) / 3 of the radius squared.
-    render::Film film = even_film(301, 101, 0);
+TEST(Glow, StandardDeviation_FollowsTheRadius) {
+    // The variance along x is the mean of the three Gaussians': (1 + 1/16 + 1/256) / 3 of the
+    // squared radius.
+    render::Film film = constant_film(301, 101, 0);
     film.rgba[at(film, 150, 50)] = 1;
     const double radius = 0.12;
     const render::Film glowing = with_glow(film, {1, radius});
@@ -120,8 +121,8 @@ TEST(Glow, Deviation_IsTheRadius) {
     EXPECT_NEAR(variance, expected, 0.02 * expected);
 }
 
-TEST(Glow, NotFiniteValues_CountAsNothing) {
-    render::Film film = even_film(9, 9, 1);
+TEST(Glow, NonFiniteValues_CountAsZero) {
+    render::Film film = constant_film(9, 9, 1);
     film.rgba[at(film, 4, 4)] = std::numeric_limits<float>::quiet_NaN();
     film.rgba[at(film, 5, 5)] = std::numeric_limits<float>::infinity();
     for (const float value : with_glow(film, {0.3, 0.2}).rgba) {
@@ -129,8 +130,8 @@ TEST(Glow, NotFiniteValues_CountAsNothing) {
     }
 }
 
-TEST(Glow, OnePixel_IsFine) {
-    EXPECT_NEAR(with_glow(even_film(1, 1, 0.5F), {0.5, 1}).rgba[0], 0.5F, 1e-6F);
+TEST(Glow, OnePixel_IsAccepted) {
+    EXPECT_NEAR(with_glow(constant_film(1, 1, 0.5F), {0.5, 1}).rgba[0], 0.5F, 1e-6F);
 }
 
 }  // namespace

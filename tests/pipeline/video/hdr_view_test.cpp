@@ -21,7 +21,7 @@ OutputSettings hdr(double peak = 1000, double white = 203) {
     return output;
 }
 
-TEST(PqEncode, PointsOfTheStandardAndOfPractice_AreMet) {
+TEST(PqEncode, Values_AreThoseOfTheStandardAndOfBt2408) {
     EXPECT_NEAR(pq_encode(0), 0, 1e-6);
     EXPECT_DOUBLE_EQ(pq_encode(10000), 1);
     // ITU-R BT.2408-4, table 1: reference white 203 cd/m^2 is 58 % of the signal, 26 cd/m^2 38 %.
@@ -40,7 +40,7 @@ TEST(ToHdr10, Greys_FollowTheStandardWithinATwentiethOfATenBitStep) {
     }
 }
 
-TEST(ToHdr10, BrightLight_NearsThePeakAndNeverExceedsIt) {
+TEST(ToHdr10, BrightLight_ApproachesThePeakAndNeverExceedsIt) {
     double last = 0;
     for (double light = 0.1; light < 1e5; light *= 1.2) {
         const double signal = to_hdr10(grey(static_cast<float>(light)), hdr(600))[0];
@@ -55,10 +55,10 @@ TEST(ToHdr10, BrightLight_NearsThePeakAndNeverExceedsIt) {
     EXPECT_LE(to_hdr10(grey(-3), hdr())[0], 1);
 }
 
-TEST(BelowPeak, Curve_IsSmoothAtItsKnee) {
-    EXPECT_DOUBLE_EQ(below_peak(500, 1000), 500);
-    EXPECT_NEAR(below_peak(500.001, 1000) - below_peak(500, 1000), 0.001, 1e-8);
-    EXPECT_NEAR(below_peak(499.999, 1000), 499.999, 1e-12);
+TEST(CompressHighlights, Curve_IsSmoothAtItsKnee) {
+    EXPECT_DOUBLE_EQ(compress_highlights(500, 1000), 500);
+    EXPECT_NEAR(compress_highlights(500.001, 1000) - compress_highlights(500, 1000), 0.001, 1e-8);
+    EXPECT_NEAR(compress_highlights(499.999, 1000), 499.999, 1e-12);
 }
 
 TEST(ToHdr10, SaturatedColour_LiesInsideTheWiderPrimaries) {
@@ -70,7 +70,7 @@ TEST(ToHdr10, SaturatedColour_LiesInsideTheWiderPrimaries) {
     EXPECT_NEAR(signal[2], 65535 * pq_encode(0.0164 * 203), 4);
 }
 
-TEST(ToHdr10, Exposure_CountsInStops) {
+TEST(ToHdr10, Exposure_IsInStops) {
     OutputSettings output = hdr();
     output.exposure = 1;
     EXPECT_EQ(to_hdr10(grey(0.25F), output), to_hdr10(grey(0.5F), hdr()));

@@ -14,7 +14,7 @@ std::uint16_t code(double light) {
     return static_cast<std::uint16_t>(std::lround(65535 * pq_encode(light)));
 }
 
-TEST(PqDecode, IsTheInverse) {
+TEST(PqDecode, IsTheInverseOfPqEncode) {
     for (double light = 0.001; light <= 10000; light *= 1.7) {
         EXPECT_NEAR(pq_decode(pq_encode(light)), light, 1e-9 * light);
     }
@@ -22,7 +22,7 @@ TEST(PqDecode, IsTheInverse) {
     EXPECT_EQ(pq_decode(0), 0);
 }
 
-TEST(LightMeter, HighestChannelsCount_AndTheBrightestPictureOfAll) {
+TEST(LightMeter, UsesHighestChannelsAndTheBrightestPicture) {
     LightMeter meter;
     const std::uint16_t dark = code(0);
     // Two pixels of 400 and 100 cd/m^2 by their highest channels, then two of 300.
@@ -35,7 +35,7 @@ TEST(LightMeter, HighestChannelsCount_AndTheBrightestPictureOfAll) {
     EXPECT_EQ(meter.levels().brightest_mean, 300);
 }
 
-TEST(LightMeter, OfABlackFilm_DoesNotSayThatNothingIsKnown) {
+TEST(LightMeter, BlackFilm_HasLevelOneBecauseZeroMeansUnknown) {
     LightMeter meter;
     meter.add(std::vector<std::uint16_t>(6, 0));
     EXPECT_EQ(meter.levels().brightest, 1);

@@ -36,7 +36,7 @@ Yuv converted(const Picture& rgb) {
     return yuv;
 }
 
-/// The highest channel that a decoder shows which repeats colour samples, and the highest luma.
+/// The highest channel after decoding with repeated colour samples, and the highest luma.
 struct Shown {
     double channel = 0;
     double luma = 0;
@@ -62,7 +62,7 @@ std::uint16_t code(double light) {
     return static_cast<std::uint16_t>(std::lround(65535 * pq_encode(light)));
 }
 
-/// Dots of white at the peak on saturated colours: what noise of a few samples looks like.
+/// White dots at the peak on saturated colours, similar to the noise of a picture with few samples.
 Picture white_dots(int width, int height, double peak) {
     Picture picture;
     for (int y = 0; y < height; ++y) {
@@ -77,7 +77,7 @@ Picture white_dots(int width, int height, double peak) {
     return picture;
 }
 
-TEST(LimitToPeak, WhiteDotsOnSaturatedColours_AreShownWithinThePeak) {
+TEST(LimitToPeak, WhiteDotsOnSaturatedColours_AreLimitedToThePeak) {
     Yuv yuv = converted(white_dots(kWidth, kHeight, 1000));
     EXPECT_GT(pq_decode(shown(yuv).channel), 3000);  // though no pixel exceeds 1000
     limit_to_peak(yuv.planes(), kWidth, kHeight, pq_encode(1000));
@@ -85,7 +85,7 @@ TEST(LimitToPeak, WhiteDotsOnSaturatedColours_AreShownWithinThePeak) {
     EXPECT_GT(pq_decode(shown(yuv).channel), 950);
 }
 
-TEST(LimitToPeak, WhatIsShownWithinThePeak_StaysAsItIs) {
+TEST(LimitToPeak, ColoursWithinThePeak_DoNotChange) {
     Picture grey;
     for (int i = 0; i < kWidth * kHeight; ++i) {
         grey.insert(grey.end(), 3, code(1.9 * i));
@@ -98,7 +98,7 @@ TEST(LimitToPeak, WhatIsShownWithinThePeak_StaysAsItIs) {
     EXPECT_LT(pq_decode(shown(after).luma), 1001);
 }
 
-/// cd/m^2, by the decoded planes.
+/// The highest luminance in the decoded planes, cd/m^2.
 double brightest_of(const std::string& path) {
     double brightest = 0;
     for (const DecodedFrame& frame : decode_video(path).frames) {
@@ -117,9 +117,9 @@ double brightest_of(const std::string& path) {
     return brightest;
 }
 
-// At a quality at which the encoder changes little; what it does change at others, docs/video.md
-// says.
-TEST(Hdr10Film, Decoded_StaysNearThePeakThatItStates) {
+// The quality is high, so that the encoder changes little; docs/video.md gives the changes at other
+// qualities.
+TEST(Hdr10Film, Decoded_StaysNearItsStatedPeak) {
     const ScratchFolder folder;
     carom::testing::Film film;
     film.output.codec = Codec::hevc;

@@ -29,7 +29,7 @@ std::string message_of(const std::string& target) {
     }
 }
 
-TEST(PendingFile, Committed_StandsUnderItsNameAlone) {
+TEST(PendingFile, Committed_ExistsOnlyUnderItsName) {
     const ScratchFolder folder;
     PendingFile file(folder.path("a.png"));
     EXPECT_TRUE(file.temporary_path().ends_with(".png"));
@@ -39,7 +39,7 @@ TEST(PendingFile, Committed_StandsUnderItsNameAlone) {
     EXPECT_EQ(read_text(folder.path("a.png")), "whole");
 }
 
-TEST(PendingFile, Abandoned_LeavesNothingAndTheOldTarget) {
+TEST(PendingFile, Abandoned_LeavesOnlyTheOldTarget) {
     const ScratchFolder folder;
     write_text(folder.path("a.txt"), "old");
     {
@@ -50,7 +50,7 @@ TEST(PendingFile, Abandoned_LeavesNothingAndTheOldTarget) {
     EXPECT_EQ(read_text(folder.path("a.txt")), "old");
 }
 
-TEST(PendingFile, Link_StaysAndItsFileIsReplaced) {
+TEST(PendingFile, SymbolicLink_StaysAndItsFileIsReplaced) {
     const ScratchFolder folder;
     write_text(folder.path("stored"), "old");
     std::filesystem::create_symlink("stored", folder.path("a.png"));
@@ -63,7 +63,7 @@ TEST(PendingFile, Link_StaysAndItsFileIsReplaced) {
     EXPECT_EQ(read_text(folder.path("stored")), "new");
 }
 
-TEST(PendingFile, TwoForOneTarget_DoNotDisturbEachOther) {
+TEST(PendingFile, TwoForOneTarget_DoNotInterfere) {
     const ScratchFolder folder;
     PendingFile first(folder.path("a"));
     PendingFile second(folder.path("a"));
@@ -78,7 +78,7 @@ TEST(PendingFile, TwoForOneTarget_DoNotDisturbEachOther) {
 
 TEST(PendingFile, LeftoverOfAKilledProcess_IsRemoved) {
     const ScratchFolder folder;
-    write_text(folder.path(".a.mp4.123-0.part.mp4"), "half");  // nobody holds its lock
+    write_text(folder.path(".a.mp4.123-0.part.mp4"), "half");  // no process holds its lock
     write_text(folder.path(".b.mp4.123-0.part.mp4"), "another target's");
     { const PendingFile file(folder.path("a.mp4")); }
     EXPECT_THAT(folder.names(), ElementsAre(".b.mp4.123-0.part.mp4"));
@@ -96,15 +96,15 @@ TEST(PendingFile, Pipe_IsRefused) {
     EXPECT_EQ(message_of(target), "cannot write '" + target + "': it is a pipe or a device");
 }
 
-TEST(PendingFile, MissingFolder_IsNamedWithTheReason) {
+TEST(PendingFile, MissingFolder_IsReportedWithTheReason) {
     const ScratchFolder folder;
     const std::string target = folder.path("none/a.mp4");
     EXPECT_EQ(message_of(target), "cannot write '" + target + "': No such file or directory");
 }
 
-TEST(PendingFile, UnwritableFolder_IsNamedWithTheReason) {
+TEST(PendingFile, UnwritableFolder_IsReportedWithTheReason) {
     if (::geteuid() == 0) {
-        // Permissions do not bind root; a folder that takes no files does.
+        // Permissions do not apply to root, but /proc refuses new files from root too.
         EXPECT_THAT(message_of("/proc/a.mp4"),
                     ::testing::StartsWith("cannot write '/proc/a.mp4': "));
         return;

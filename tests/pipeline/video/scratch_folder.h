@@ -1,4 +1,4 @@
-// A folder of its own for a test, gone afterwards.
+// A temporary folder for one test, removed by the destructor.
 #pragma once
 
 #include <filesystem>
@@ -30,7 +30,7 @@ class ScratchFolder {
         return name.empty() ? folder_.string() : (folder_ / name).string();
     }
 
-    /// Names of everything in the folder, hidden files included.
+    /// The names of all files in the folder, including hidden ones.
     [[nodiscard]] std::vector<std::string> names() const {
         std::vector<std::string> names;
         for (const auto& entry : std::filesystem::directory_iterator(folder_)) {

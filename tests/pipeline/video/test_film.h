@@ -1,4 +1,4 @@
-// A little film to write.
+// A short film for tests of the writer.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace carom::testing {
 
 using Picture = std::vector<std::uint16_t>;
 
-/// A soft saturated disc that moves over a gradient.
+/// A saturated disc with a soft edge that moves over a gradient.
 inline Picture moving_disc(int width, int height, int frame) {
     Picture picture;
     for (int y = 0; y < height; ++y) {

@@ -8,11 +8,11 @@
 namespace carom::pipeline {
 namespace {
 
-TEST(SrgbEncode, PointsOfTheStandard_AreMet) {
+TEST(SrgbEncode, Values_AreThoseOfTheStandard) {
     EXPECT_DOUBLE_EQ(srgb_encode(0), 0);
     EXPECT_NEAR(srgb_encode(1), 1, 1e-15);
     EXPECT_NEAR(srgb_encode(0.0031308), 12.92 * 0.0031308, 1e-15);
-    EXPECT_NEAR(srgb_encode(0.0031308000001), 12.92 * 0.0031308, 1e-7);  // the pieces meet
+    EXPECT_NEAR(srgb_encode(0.0031308000001), 12.92 * 0.0031308, 1e-7);  // the pieces join
     EXPECT_NEAR(srgb_encode(0.2140411404), 0.5, 1e-9);                   // ((0.5 + a)/(1 + a))^2.4
 }
 
@@ -27,7 +27,7 @@ TEST(ToneCurve, SrgbTable_IsWithinATwentiethOfASixteenBitStep) {
     EXPECT_LT(worst * 65535, 0.05);
 }
 
-TEST(ToneCurve, ValuesOutside_HoldTheEnds) {
+TEST(ToneCurve, ValuesOutside_AreClamped) {
     const ToneCurve curve([](double x) { return 0.25 + x; }, 2.0);
     EXPECT_EQ(curve(-1.0F), 0.25F);
     EXPECT_EQ(curve(0.0F), 0.25F);
@@ -37,7 +37,7 @@ TEST(ToneCurve, ValuesOutside_HoldTheEnds) {
     EXPECT_EQ(curve(std::numeric_limits<float>::quiet_NaN()), 0.25F);
 }
 
-TEST(FilmicCurve, MidGreyAndWhite_AreWhereTheParametersSay) {
+TEST(FilmicCurve, MidGreyAndWhite_FollowTheParameters) {
     const FilmicParameters parameters;
     const auto curve = filmic_curve(parameters);
     EXPECT_EQ(curve(0), 0);

@@ -18,7 +18,7 @@ std::string check(int width, int height, const std::string& path, Codec codec = 
     return check_video_format({width, height, Rational(24)}, output, path);
 }
 
-TEST(CheckVideoFormat, OrdinaryFilms_AreFine) {
+TEST(CheckVideoFormat, OrdinaryFilms_AreAccepted) {
     EXPECT_EQ(check(1280, 720, "a.mp4"), "");
     EXPECT_EQ(check(1920, 1080, "folder.with.dots/A.MOV"), "");
     EXPECT_EQ(check(641, 361, "a.mkv", Codec::ffv1), "");
@@ -42,28 +42,33 @@ TEST(CheckVideoFormat, TooSmallOrLarge_NamesTheLimits) {
     EXPECT_EQ(check(16384, 16384, "a.mkv", Codec::ffv1), "");
 }
 
-TEST(CheckVideoFormat, UnknownExtension_ListsWhatThereIs) {
-    EXPECT_EQ(check(640, 360, "break.avi"),
-              std::string("cannot tell what film to write from 'break.avi'; there are ") + kAll);
-    EXPECT_EQ(check(640, 360, "break"),
-              std::string("cannot tell what film to write from 'break', which has no extension; "
-                          "there are ") +
-                  kAll);
+TEST(CheckVideoFormat, UnknownExtension_ListsCodecsAndExtensions) {
+    EXPECT_EQ(
+        check(640, 360, "break.avi"),
+        std::string("'break.avi' is not a known type of video file; the codecs and their file "
+                    "extensions are ") +
+            kAll);
+    EXPECT_EQ(
+        check(640, 360, "break"),
+        std::string("'break' has no file extension; the codecs and their file extensions are ") +
+            kAll);
 }
 
-TEST(CheckVideoFormat, SinglePicture_OffersOnePerFrame) {
+TEST(CheckVideoFormat, SinglePicture_SuggestsOnePerFrame) {
     EXPECT_EQ(
         check(640, 360, "out/a.png"),
-        "'out/a.png' is a single picture, which cannot hold a film; write a picture per frame "
+        "'out/a.png' is a single picture, which cannot hold a film; write one picture per frame "
         "to 'out/a.####.png', or one frame with 'carom frame'");
 }
 
-TEST(CheckVideoFormat, CodecInForeignContainer_ListsWhatThereIs) {
-    EXPECT_EQ(check(640, 360, "break.mp4", Codec::ffv1),
-              std::string(".mp4 files cannot hold ffv1; there are ") + kAll);
+TEST(CheckVideoFormat, CodecInUnsuitableContainer_ListsCodecsAndExtensions) {
+    EXPECT_EQ(
+        check(640, 360, "break.mp4", Codec::ffv1),
+        std::string(".mp4 files cannot hold ffv1; the codecs and their file extensions are ") +
+            kAll);
 }
 
-TEST(CheckVideoFormat, BadEncoderSettings_AreNamed) {
+TEST(CheckVideoFormat, WrongEncoderSettings_AreNamed) {
     OutputSettings output;
     output.crf = 60;
     EXPECT_EQ(check_video_format({640, 360}, output, "a.mp4"),
@@ -71,7 +76,7 @@ TEST(CheckVideoFormat, BadEncoderSettings_AreNamed) {
     output = {};
     output.preset = "quick";
     EXPECT_EQ(check_video_format({640, 360}, output, "a.mp4"),
-              "unknown encoder preset 'quick'; there are ultrafast, superfast, veryfast, faster, "
+              "unknown encoder preset 'quick'; use one of ultrafast, superfast, veryfast, faster, "
               "fast, medium, slow, slower, veryslow, placebo");
     output = {};
     output.threads = 0;
@@ -100,7 +105,7 @@ TEST(CheckVideoFormat, SettingsThatExcludeEachOther_AreNamed) {
                         o.crf = 18;
                         o.bit_rate = 1e6;
                     }),
-              "crf and bit_rate exclude each other: the one fixes the quality, the other the size");
+              "crf and bit_rate cannot be combined: crf fixes the quality, bit_rate the size");
     EXPECT_EQ(check("a.mp4", [](OutputSettings& o) { o.bit_rate = 10; }),
               "bit_rate must be from 10 kbit/s to 1 Gbit/s");
     EXPECT_EQ(check("a.webm", [](OutputSettings& o) { o.crf = 64; }),
@@ -114,7 +119,7 @@ TEST(CheckVideoFormat, SettingsThatExcludeEachOther_AreNamed) {
                         o.crf = 10;
                     }),
               "")
-        << "what the shot told another codec";
+        << "the shot's crf is meant for another codec";
     EXPECT_EQ(check("a.mov",
                     [&](OutputSettings& o) {
                         prores(o);
@@ -135,7 +140,7 @@ TEST(CheckVideoFormat, SettingsThatExcludeEachOther_AreNamed) {
               "hdr10 has 10 bits per channel, not 8");
 }
 
-TEST(ImageSequence, Pattern_TakesTheNumberInPlaceOfItsMarks) {
+TEST(ImageSequence, Pattern_HasItsHashSignsReplacedByTheFrameNumber) {
     EXPECT_TRUE(is_image_sequence("out/shot.####.exr"));
     EXPECT_FALSE(is_image_sequence("take#2/shot.mp4"));
     EXPECT_EQ(path_in_sequence("out/shot.####.exr", 12), "out/shot.0012.exr");
@@ -143,10 +148,10 @@ TEST(ImageSequence, Pattern_TakesTheNumberInPlaceOfItsMarks) {
     EXPECT_EQ(path_in_sequence("##", 7), "07");
     EXPECT_EQ(check(641, 361, "out/shot.####.exr"), "") << "pictures may have any size";
     EXPECT_EQ(check(640, 360, "a#b#.png"),
-              "'a#b#.png' has '#' in two places; the frame's number goes to one");
+              "'a#b#.png' has two groups of '#'; the frame number needs exactly one");
     EXPECT_EQ(check(640, 360, "a.##.mp4"),
-              "cannot tell what pictures to write to 'a.##.mp4'; there are .exr, .png, .jpg, .bmp "
-              "and .tga");
+              "'a.##.mp4' is not a known type of image file; the known types are .exr, .png, .jpg, "
+              ".bmp and .tga");
 }
 
 TEST(CheckVideoFormat, RateOutOfRange_IsRefused) {

@@ -22,7 +22,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-TEST(VideoWriter, DestroyedBeforeFinish_LeavesNothing) {
+TEST(VideoWriter, DestroyedBeforeFinish_LeavesNoFile) {
     const ScratchFolder folder;
     {
         VideoWriter writer(folder.path("film.mp4"), {64, 64}, {});
@@ -31,7 +31,7 @@ TEST(VideoWriter, DestroyedBeforeFinish_LeavesNothing) {
     EXPECT_THAT(folder.names(), IsEmpty());
 }
 
-TEST(VideoWriter, ExistingTarget_IsReplacedOnlyByAWholeFilm) {
+TEST(VideoWriter, ExistingTarget_IsReplacedOnlyByACompleteFilm) {
     const ScratchFolder folder;
     write_text(folder.path("film.mp4"), "old");
     {
@@ -45,14 +45,14 @@ TEST(VideoWriter, ExistingTarget_IsReplacedOnlyByAWholeFilm) {
     EXPECT_EQ(decode_video(folder.path("film.mp4")).frames.size(), 30U);
 }
 
-TEST(VideoWriter, NoFrames_IsAnErrorAndLeavesNothing) {
+TEST(VideoWriter, NoFrames_IsAnErrorAndLeavesNoFile) {
     const ScratchFolder folder;
     VideoWriter writer(folder.path("film.mp4"), {64, 64}, {});
     EXPECT_THROW(writer.finish(), Error);
     EXPECT_THAT(folder.names(), IsEmpty());
 }
 
-TEST(VideoWriter, MissingFolder_IsNamed) {
+TEST(VideoWriter, MissingFolder_IsReported) {
     const ScratchFolder folder;
     const std::string path = folder.path("none/film.mp4");
     try {
@@ -63,7 +63,7 @@ TEST(VideoWriter, MissingFolder_IsNamed) {
     }
 }
 
-/// Files of this process may grow to that many bytes, as on a disk that is nearly full.
+/// Limits the size of the files of this process, to simulate a disk that is nearly full.
 class FileSizeLimit {
   public:
     explicit FileSizeLimit(rlim_t bytes) {
@@ -81,8 +81,9 @@ class FileSizeLimit {
     rlimit before_{};
 };
 
-TEST(VideoWriter, DiskThatFillsUp_IsAnErrorThatLeavesNothing) {
-    // At any moment: in the header, in the pictures, while the index is moved to the front.
+TEST(VideoWriter, FullDisk_IsAnErrorThatLeavesNoFile) {
+    // The limits fall in the header, in the pictures, and in the phase that moves the index to the
+    // front.
     std::size_t whole = 0;
     {
         const ScratchFolder folder;
@@ -106,7 +107,7 @@ TEST(VideoWriter, DiskThatFillsUp_IsAnErrorThatLeavesNothing) {
     }
 }
 
-TEST(VideoWriter, OddSize_IsRefusedAsTheCheckSays) {
+TEST(VideoWriter, OddSize_IsRefusedWithTheMessageOfTheCheck) {
     const ScratchFolder folder;
     try {
         const VideoWriter writer(folder.path("film.mp4"), {65, 64}, {});

@@ -67,8 +67,8 @@ TEST(VideoWriter, H264_DecodesToTheSamePicturesAndTags) {
     EXPECT_EQ(video.chroma_location, "left");
     ASSERT_EQ(video.frames.size(), static_cast<std::size_t>(film.frames));
     for (int i = 0; i < film.frames; ++i) {
-        // The way back is swscale's, so a wrong matrix, range or plane would show here: BT.601's
-        // matrix instead of BT.709's alone brings it under 30 dB.
+        // swscale converts back to RGB, so a wrong matrix, range or plane would be visible here:
+        // even the matrix of BT.601 instead of BT.709 gives less than 30 dB.
         EXPECT_GT(psnr(video.frames[static_cast<std::size_t>(i)].rgb,
                        moving_disc(film.width, film.height, i)),
                   38)
@@ -98,7 +98,7 @@ TEST(VideoWriter, TimeStamps_AreExactMultiplesOfTheFramesDuration) {
     }
 }
 
-TEST(VideoWriter, KeyFrames_ComeEveryTwoSecondsAtLeast) {
+TEST(VideoWriter, KeyFrames_AreAtMostTwoSecondsApart) {
     const ScratchFolder folder;
     Film film;
     film.frames = 60;
@@ -112,7 +112,7 @@ TEST(VideoWriter, KeyFrames_ComeEveryTwoSecondsAtLeast) {
     EXPECT_TRUE(video.frames.front().key);
 }
 
-TEST(VideoWriter, Mp4_HasItsIndexBeforeThePictures) {
+TEST(VideoWriter, Mp4_HasItsIndexBeforeTheFrames) {
     const ScratchFolder folder;
     for (const char* name : {"film.mp4", "film.mov"}) {
         Film film;
@@ -139,11 +139,11 @@ TEST(VideoWriter, SameFramesTwice_GiveTheSameBytes) {
     archive.name = "film.mkv";
     archive.output.codec = Codec::ffv1;
     const std::string first = read_text(archive.write(folder));
-    archive.output.threads = 1;  // FFV1's bytes do not follow the threads
+    archive.output.threads = 1;  // FFV1's bytes do not depend on the threads
     EXPECT_EQ(read_text(archive.write(folder)), first);
 }
 
-/// Leaves free memory full of numbers that depend on `seed`.
+/// Fills free memory with numbers that depend on `seed`.
 void litter(std::uint32_t& seed) {
     std::vector<std::vector<std::uint32_t>> blocks;
     for (int i = 0; i < 40; ++i) {
@@ -170,7 +170,7 @@ Picture drifting_waves(int width, int height, int frame) {
     return picture;
 }
 
-TEST(VideoWriter, MemoryFullOfOtherThings_DoesNotShow) {
+TEST(VideoWriter, ContentsOfFreeMemory_DoNotAffectTheBytes) {
     const ScratchFolder folder;
     for (const Codec codec : {Codec::h264, Codec::hevc, Codec::av1, Codec::vp9}) {
         OutputSettings output;
@@ -186,7 +186,8 @@ TEST(VideoWriter, MemoryFullOfOtherThings_DoesNotShow) {
             }
             writer.finish();
             films.push_back(read_text(folder.path("film.mp4")));
-            EXPECT_TRUE(films.back() == films.front()) << to_string(codec) << ", round " << round;
+            EXPECT_TRUE(films.back() == films.front())
+                << to_string(codec) << ", repetition " << round;
         }
     }
 }
@@ -221,7 +222,7 @@ TEST(VideoWriter, Ffv1_KeepsEveryBit) {
     }
 }
 
-TEST(VideoWriter, OneFrameOfTheSmallestSize_IsAFilm) {
+TEST(VideoWriter, OneFrameOfTheSmallestSize_IsAValidFilm) {
     const ScratchFolder folder;
     for (const Codec codec : {Codec::h264, Codec::ffv1}) {
         Film film;
@@ -243,7 +244,7 @@ TEST(VideoWriter, Crf_TradesSizeForQuality) {
     EXPECT_LT(2 * coarse.size(), fine.size());
 }
 
-TEST(VideoWriter, CrfZero_LosesNothingOfThePlanes) {
+TEST(VideoWriter, CrfZero_IsLossless) {
     const ScratchFolder folder;
     Film film;
     film.frames = 3;
@@ -253,7 +254,7 @@ TEST(VideoWriter, CrfZero_LosesNothingOfThePlanes) {
     EXPECT_EQ(video.pixel_format, "yuv420p");
 }
 
-TEST(VideoWriter, Metadata_IsReadBackAndHoldsNoDate) {
+TEST(VideoWriter, Metadata_IsReadBackAndHasNoDate) {
     const ScratchFolder folder;
     Film film;
     film.metadata = {{"title", "break"}, {"render.clamp", "10"}, {"samples", "64"}};
@@ -279,7 +280,7 @@ TEST(VideoWriter, PathThatLooksLikeAProtocol_IsAFile) {
     EXPECT_THAT(folder.names(), ElementsAre(film.name));
 }
 
-TEST(VideoWriter, SeveralAtOnce_GiveWhatEachGivesAlone) {
+TEST(VideoWriter, SeveralInParallel_GiveTheSameBytesAsAlone) {
     const ScratchFolder folder;
     std::vector<Film> films(3);
     std::vector<std::string> alone;

@@ -40,7 +40,7 @@ TEST(SrgbView, LinearValues_FollowTheStandardsCurve) {
     }
 }
 
-TEST(RawView, Values_AreShownAsTheyAre) {
+TEST(RawView, Values_DoNotChange) {
     EXPECT_EQ(shown({0.25F, -1, 2}, ViewTransform::raw),
               (std::vector<std::uint16_t>{16384, 0, 65535}));
 }
@@ -63,7 +63,7 @@ TEST(Exposure, OneStop_DoublesTheLight) {
     }
 }
 
-TEST(FilmicView, MidGrey_IsThatOfThePlainView) {
+TEST(FilmicView, MidGrey_IsThatOfTheSrgbView) {
     const auto plain = shown({0.18F, 0.18F, 0.18F}, ViewTransform::srgb);
     const auto filmic = shown({0.18F, 0.18F, 0.18F}, ViewTransform::filmic);
     EXPECT_NEAR(plain[0], filmic[0], 2);
@@ -81,13 +81,13 @@ TEST(FilmicView, Greys_StayGreyAndRise) {
     EXPECT_EQ(last, 65535);
 }
 
-TEST(AgxView, MidGrey_IsThatOfThePlainView) {
+TEST(AgxView, MidGrey_IsThatOfTheSrgbView) {
     const auto plain = shown({0.18F, 0.18F, 0.18F}, ViewTransform::srgb);
     const auto agx = shown({0.18F, 0.18F, 0.18F}, ViewTransform::agx);
     EXPECT_NEAR(plain[0], agx[0], 3);
 }
 
-TEST(AgxView, Greys_StayGreyAndRiseOverSixteenStopsWithoutASuddenEnd) {
+TEST(AgxView, Greys_StayGreyAndRiseSmoothlyOverSixteenStops) {
     int last = -1;
     int largest_step = 0;
     for (double stops = -11; stops < 7; stops += 0.125) {
@@ -100,10 +100,10 @@ TEST(AgxView, Greys_StayGreyAndRiseOverSixteenStopsWithoutASuddenEnd) {
         last = grey[0];
     }
     EXPECT_EQ(last, 65535);
-    EXPECT_LT(largest_step, 0.16 / 8 * 65535);  // nowhere steeper than 0.16 a stop
+    EXPECT_LT(largest_step, 0.16 / 8 * 65535);  // at most 0.16 per stop
 }
 
-TEST(AgxView, SixStopsOverMidGrey_StillDifferFromWhite) {
+TEST(AgxView, SixStopsAboveMidGrey_StillDiffersFromWhite) {
     const auto at_stops = [](double stops) {
         const float x = static_cast<float>(0.18 * std::exp2(stops));
         return shown({x, x, x}, ViewTransform::agx)[0];
@@ -114,7 +114,7 @@ TEST(AgxView, SixStopsOverMidGrey_StillDifferFromWhite) {
     EXPECT_LT(at_stops(-7), 1500);
 }
 
-TEST(AgxView, EveryPureLight_GoesToWhiteAndKeepsItsOrder) {
+TEST(AgxView, EveryPureLight_BecomesWhiteAndKeepsTheOrderOfItsChannels) {
     for (const std::array<float, 3>& colour :
          {std::array<float, 3>{1, 0, 0}, std::array<float, 3>{0, 1, 0},
           std::array<float, 3>{0, 0, 1}, std::array<float, 3>{1, 0.4F, 0.05F}}) {
@@ -135,7 +135,7 @@ TEST(AgxView, EveryPureLight_GoesToWhiteAndKeepsItsOrder) {
     }
 }
 
-/// A configuration in a file, named by $OCIO while this lives.
+/// A configuration file, which $OCIO names during the lifetime of this object.
 class Configuration {
   public:
     explicit Configuration(const std::string& text)
@@ -154,7 +154,7 @@ class Configuration {
     std::string path_;
 };
 
-// Two displays; "dim" is a gamma of 2 after a halving.
+// Two displays; the view "dim" halves the values and then applies a gamma of 2.
 constexpr const char* kConfig = R"(ocio_profile_version: 2
 roles: {default: linear, scene_linear: linear}
 file_rules: [!<Rule> {name: Default, colorspace: default}]
@@ -185,7 +185,7 @@ std::string problem_with(const OutputSettings& output) {
     return "none";
 }
 
-TEST(OcioView, NamesOrDefaults_GiveWhatTheConfigurationSays) {
+TEST(OcioView, NamesAndDefaults_FollowTheConfiguration) {
     const Configuration config(kConfig);
     const render::Film film = film_of({{0.5F, 0.02F, 3.0F}}, 1);
     OutputSettings output;
@@ -200,7 +200,7 @@ TEST(OcioView, NamesOrDefaults_GiveWhatTheConfigurationSays) {
     EXPECT_NEAR(dim[1], std::sqrt(0.02) * 65535, 8);
 }
 
-TEST(OcioView, WhatIsMissing_IsSaid) {
+TEST(OcioView, MissingNames_AreReported) {
     OutputSettings output;
     output.view = ViewTransform::ocio;
     unsetenv("OCIO");
@@ -222,7 +222,7 @@ TEST(OcioView, WhatIsMissing_IsSaid) {
     EXPECT_THAT(problem_with(output), testing::HasSubstr("no colour space 'nothing'"));
 }
 
-TEST(OcioView, Rubbish_IsRefused) {
+TEST(OcioView, InvalidConfiguration_IsRefused) {
     const Configuration config("this is: [no configuration");
     OutputSettings output;
     output.view = ViewTransform::ocio;
@@ -239,7 +239,7 @@ TEST(Views, Glow_IsAddedBeforeTheView) {
     EXPECT_GT(DisplayView(output).to_16(film)[3 * (18 * 64 + 34)], 30000);
 }
 
-TEST(FilmicView, BrightSaturatedLight_GoesToWhite) {
+TEST(FilmicView, BrightSaturatedLight_BecomesWhite) {
     for (const std::array<float, 3>& colour :
          {std::array<float, 3>{1, 0, 0}, std::array<float, 3>{0, 1, 0}}) {
         const std::array<float, 3> bright{300 * colour[0], 300 * colour[1], 300 * colour[2]};
@@ -250,7 +250,7 @@ TEST(FilmicView, BrightSaturatedLight_GoesToWhite) {
 }
 
 TEST(FilmicView, SaturatedPaint_KeepsItsColour) {
-    // A red ball in ordinary light: the lesser channels stay far below the strongest.
+    // A red ball in ordinary light: the weaker channels stay far below the strongest.
     const auto red = shown({0.5F, 0.02F, 0.02F}, ViewTransform::filmic);
     EXPECT_GT(red[0], 40000);
     EXPECT_LT(red[1], 13000);
@@ -258,7 +258,7 @@ TEST(FilmicView, SaturatedPaint_KeepsItsColour) {
 }
 
 TEST(FilmicView, OrderOfChannels_IsKept) {
-    // Hue may drift under a curve per channel, but no channel overtakes another.
+    // A curve per channel may shift the hue, but it must not change the order of the channels.
     for (float light = 0.01F; light < 50; light *= 1.3F) {
         const auto c = shown({light, 0.5F * light, 0.1F * light}, ViewTransform::filmic);
         ASSERT_GE(c[0], c[1]) << light;
@@ -266,8 +266,8 @@ TEST(FilmicView, OrderOfChannels_IsKept) {
     }
 }
 
-TEST(Display8, WholeEightBitValues_Stay) {
-    // Light that the sRGB curve brings to exactly v * 257.
+TEST(Display8, ExactEightBitValues_DoNotChange) {
+    // Light that the sRGB curve maps to exactly v * 257.
     std::vector<std::array<float, 3>> colours;
     for (int i = 0; i < 64; ++i) {
         colours.push_back({1.0F, 0.0F, 1.0F});
@@ -282,8 +282,8 @@ TEST(Display8, WholeEightBitValues_Stay) {
 }
 
 TEST(Display8, SlowGradient_KeepsItsMeanInEveryTile) {
-    // 0.2 codes per column: banding would show as runs of five equal columns off by up to half a
-    // code; dithered, the mean of any 16 x 16 tile is right.
+    // 0.2 codes per column: without dithering, runs of five equal columns would be off by up to
+    // half a code (banding); with it the mean of any 16 x 16 tile is right.
     const int side = 64;
     std::vector<std::array<float, 3>> colours;
     for (int i = 0; i < side * side; ++i) {

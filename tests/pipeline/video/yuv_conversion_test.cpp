@@ -33,7 +33,7 @@ std::vector<std::uint16_t> filled(int width, int height, const std::array<std::u
     return rgb;
 }
 
-/// BT.709-6 items 3.2, 3.3 and 3.5 as they stand there, in doubles.
+/// The formulas of BT.709-6, items 3.2, 3.3 and 3.5, in double precision.
 std::array<double, 3> closed_form(const std::array<std::uint16_t, 3>& c) {
     const double r = c[0] / 65535.0;
     const double g = c[1] / 65535.0;
@@ -89,7 +89,7 @@ TEST(YuvConversion, TenBits_AreWithinOneCodeOfTheClosedFormOfBothMatrices) {
     }
 }
 
-TEST(YuvConversion, BlackAndWhite_AreTheEndsOfLimitedRange) {
+TEST(YuvConversion, BlackAndWhite_AreTheEndsOfTheLimitedRange) {
     for (const std::uint8_t code : convert(filled(16, 16, {0, 0, 0}), 16, 16).y) {
         ASSERT_EQ(code, 16);
     }
@@ -98,7 +98,7 @@ TEST(YuvConversion, BlackAndWhite_AreTheEndsOfLimitedRange) {
     }
 }
 
-TEST(YuvConversion, PureBlueAndRed_ReachTheEndsOfTheColourDifferences) {
+TEST(YuvConversion, PureBlueAndRed_GiveTheExtremeColourDifferences) {
     for (const std::uint8_t code : convert(filled(16, 16, {0, 0, 65535}), 16, 16).cb) {
         ASSERT_EQ(code, 240);
     }
@@ -110,7 +110,7 @@ TEST(YuvConversion, PureBlueAndRed_ReachTheEndsOfTheColourDifferences) {
     }
 }
 
-TEST(YuvConversion, Greys_HaveNoColourAtAll) {
+TEST(YuvConversion, Greys_HaveZeroColourDifferences) {
     for (std::uint16_t grey = 0; grey < 65000; grey = static_cast<std::uint16_t>(grey + 997)) {
         const Planes planes = convert(filled(8, 8, {grey, grey, grey}), 8, 8);
         for (const std::uint8_t code : planes.cb) {
@@ -123,7 +123,8 @@ TEST(YuvConversion, Greys_HaveNoColourAtAll) {
 }
 
 TEST(YuvConversion, DitheredGrey_KeepsItsMean) {
-    // 1/4 code between two whole ones: without dither every pixel would lose that quarter.
+    // The exact value is 1/4 above a whole code: without dithering every pixel would lose that
+    // quarter.
     const double target = 100.25;
     const auto grey = static_cast<std::uint16_t>(std::lround((target - 16) / 219 * 65535));
     const Planes planes = convert(filled(64, 64, {grey, grey, grey}), 64, 64);
@@ -134,9 +135,10 @@ TEST(YuvConversion, DitheredGrey_KeepsItsMean) {
     EXPECT_NEAR(sum / static_cast<double>(planes.y.size()), target, 0.01);
 }
 
-TEST(YuvConversion, RedColumn_IsSitedLevelWithEvenColumnsAndBetweenRows) {
-    // One red column at x = 4 in black: the sample at the same place takes half of it, its
-    // neighbours, two columns away, none. At x = 5, halfway, both neighbours take a quarter.
+TEST(YuvConversion, RedColumn_ShowsSitingAtEvenColumnsAndBetweenRows) {
+    // One red column at x = 4 in black: the sample at the same position gets half of it, its
+    // neighbours two columns away get nothing. At x = 5, halfway between two samples, each of the
+    // two gets a quarter.
     const int width = 16;
     const int height = 4;
     for (const int red_column : {4, 5}) {
@@ -157,7 +159,7 @@ TEST(YuvConversion, RedColumn_IsSitedLevelWithEvenColumnsAndBetweenRows) {
     }
 }
 
-TEST(YuvConversion, RedRow_IsSharedByTheSampleThatSpansIt) {
+TEST(YuvConversion, RedRow_CountsHalfInItsSample) {
     const int width = 8;
     std::vector<std::uint16_t> rgb(static_cast<std::size_t>(width * 8 * 3));
     for (int x = 0; x < width; ++x) {

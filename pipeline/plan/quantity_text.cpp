@@ -1,4 +1,4 @@
-#include "pipeline/plan/figure_text.h"
+#include "pipeline/plan/quantity_text.h"
 
 #include <algorithm>
 #include <cmath>

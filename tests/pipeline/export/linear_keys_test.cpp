@@ -1,4 +1,4 @@
-#include "pipeline/export/straight_keys.h"
+#include "pipeline/export/linear_keys.h"
 
 #include <gmock/gmock.h>
 
@@ -19,7 +19,7 @@ sim::Key key(double time, const Vec3& position, const Vec3& velocity,
 }
 
 /// What a program shows that goes straight and by the shorter arc.
-Pose straight_pose(const StraightKeys& keys, double time) {
+Pose interpolated_pose(const LinearKeys& keys, double time) {
     std::size_t i = 1;
     while (i + 1 < keys.size() && keys.times[i] < time) {
         ++i;
@@ -30,19 +30,19 @@ Pose straight_pose(const StraightKeys& keys, double time) {
         Imath::slerpShortestArc(keys.orientations[i - 1], keys.orientations[i], s).normalized()};
 }
 
-TEST(StraightKeys, AtRest_AreStill) {
+TEST(LinearKeys, AtRest_AreStill) {
     const sim::Track track("ball", {key(0, {1, 2, 3}, {0, 0, 0}), key(5, {1, 2, 3}, {0, 0, 0})});
-    const StraightKeys keys = straight_keys(track, 100);
+    const LinearKeys keys = linear_keys(track, 100);
     EXPECT_EQ(keys.size(), 2U);
     EXPECT_TRUE(keys.is_still());
 }
 
-TEST(StraightKeys, ManyTurnsBetweenTwoKeys_Survive) {
+TEST(LinearKeys, ManyTurnsBetweenTwoKeys_Survive) {
     // 20 turns in a second, slowing down to none.
     const Vec3 fast(0, 0, 80 * std::acos(-1.0));
     const sim::Track track(
         "top", {key(0, {0, 0, 0}, {0, 0, 0}, fast), key(1, {0, 0, 0}, {0, 0, 0}, {0, 0, 0})});
-    const StraightKeys keys = straight_keys(track, 10000);
+    const LinearKeys keys = linear_keys(track, 10000);
     EXPECT_FALSE(keys.is_still());
     double turned = 0;
     for (std::size_t i = 1; i < keys.size(); ++i) {
@@ -54,33 +54,33 @@ TEST(StraightKeys, ManyTurnsBetweenTwoKeys_Survive) {
     EXPECT_NEAR(turned, 40 * std::acos(-1.0), 1e-6);
 }
 
-TEST(StraightKeys, OfACurve_StayWithinTheTolerance) {
+TEST(LinearKeys, OfACurve_StayWithinTheTolerance) {
     const sim::Track track("ball", {key(0, {0, 0, 0}, {3, 1, 0}, {40, 0, 10}),
                                     key(0.7, {1, 1, 0}, {-1, 2, 3}, {0, 50, -30})});
-    const StraightKeys keys = straight_keys(track, 100000);
+    const LinearKeys keys = linear_keys(track, 100000);
     for (int i = 0; i <= 5000; ++i) {
         const double time = 0.7 * i / 5000;
         const MotionState exact = track.sample(time);
-        const Pose shown = straight_pose(keys, time);
+        const Pose shown = interpolated_pose(keys, time);
         ASSERT_LT((exact.position - shown.position).length(), 6e-5) << time;
         ASSERT_LT(sim::angle_between(exact.orientation, shown.orientation), 2.5e-3) << time;
     }
 }
 
-TEST(StraightKeys, AnImpact_KeepsItsCorner) {
+TEST(LinearKeys, AnImpact_KeepsItsCorner) {
     sim::Key impact = key(0.3, {0.3, 0, 0}, {1, 0, 0});
     impact.velocity_out = {0, 1, 0};
     const sim::Track track(
         "ball", {key(0, {0, 0, 0}, {1, 0, 0}), impact, key(1, {0.3, 0.7, 0}, {0, 1, 0})});
-    const StraightKeys keys = straight_keys(track, 100);
+    const LinearKeys keys = linear_keys(track, 100);
     EXPECT_THAT(keys.times, ::testing::ElementsAre(0, 0.3, 1));
     EXPECT_EQ(keys.positions[1], Vec3(0.3, 0, 0));
 }
 
-TEST(StraightKeys, TooMany_AreRefusedByName) {
+TEST(LinearKeys, TooMany_AreRefusedByName) {
     const sim::Track track("top", {key(0, {0, 0, 0}, {0, 0, 0}, {0, 0, 500}),
                                    key(1, {0, 0, 0}, {0, 0, 0}, {0, 0, 500})});
-    EXPECT_THAT([&] { (void)straight_keys(track, 50); },
+    EXPECT_THAT([&] { (void)linear_keys(track, 50); },
                 ::testing::ThrowsMessage<Error>(
                     ::testing::HasSubstr("'top' would need more than 50 keys")));
 }

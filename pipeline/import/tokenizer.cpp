@@ -1,4 +1,4 @@
-#include "pipeline/import/scene_words.h"
+#include "pipeline/import/tokenizer.h"
 
 #include <string_view>
 #include <utility>
@@ -24,9 +24,9 @@ bool is_brace(char c) {
     return c == '{' || c == '}';
 }
 
-class Splitter {
+class Tokenizer {
   public:
-    Splitter(const config::SourceSet& sources, int source, config::ProblemList& problems)
+    Tokenizer(const config::SourceSet& sources, int source, config::ProblemList& problems)
         : sources_(sources), source_(source), problems_(problems) {
         open_.emplace_back();
     }
@@ -102,9 +102,9 @@ class Splitter {
 
 }  // namespace
 
-std::vector<Item> split_words(const config::SourceSet& sources, int source,
+std::vector<Item> tokenize(const config::SourceSet& sources, int source,
                               config::ProblemList& problems) {
-    return Splitter(sources, source, problems).run();
+    return Tokenizer(sources, source, problems).run();
 }
 
 }  // namespace carom::pipeline::scene_text

@@ -1,10 +1,10 @@
-#include "pipeline/plan/event_words.h"
+#include "pipeline/plan/event_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "pipeline/plan/figure_text.h"
+#include "pipeline/plan/quantity_text.h"
 
 namespace carom::pipeline {
 
@@ -14,7 +14,7 @@ constexpr double kSteep = 0.5 / 57.295779513082321;  // rad: what is less reads 
 constexpr double kOffCentre = 0.005;                 // of the radius: the same for the tip's place
 
 /// Whether the second object came into the first and not the other way round.
-bool is_turned_round(const ReportedEvent& impact) {
+bool is_second_object_faster(const ReportedEvent& impact) {
     return impact.b && (!impact.a || impact.b->before > impact.a->before);
 }
 
@@ -32,17 +32,17 @@ std::string tip_text(double offset, const char* more, const char* less) {
 }  // namespace
 
 const std::string& hit_object(const ReportedEvent& impact) {
-    return is_turned_round(impact) ? impact.event.a : impact.event.b;
+    return is_second_object_faster(impact) ? impact.event.a : impact.event.b;
 }
 
-EventWords impact_words(const ReportedEvent& impact) {
+EventText impact_text(const ReportedEvent& impact) {
     const sim::Event& event = impact.event;
-    const bool b_moves_in = is_turned_round(impact);
+    const bool b_moves_in = is_second_object_faster(impact);
     const std::string& mover = b_moves_in ? event.b : event.a;
     const std::string& other = hit_object(impact);
     const auto& mover_speed = b_moves_in ? impact.b : impact.a;
     const auto& other_speed = b_moves_in ? impact.a : impact.b;
-    EventWords words;
+    EventText words;
     words.brief = mover + " → " + other;
     if (mover_speed && (event.b == "cloth" || event.b == "floor")) {
         words.brief = mover + " lands on the " + event.b;
@@ -60,8 +60,8 @@ EventWords impact_words(const ReportedEvent& impact) {
     return words;
 }
 
-EventWords strike_words(const ReportedEvent& event, const sim::Strike* strike) {
-    EventWords words{event.event.a + " struck, leaves at " + speed_after(event), "",
+EventText strike_text(const ReportedEvent& event, const sim::Strike* strike) {
+    EventText words{event.event.a + " struck, leaves at " + speed_after(event), "",
                      speed_after(event)};
     if (strike == nullptr) {
         return words;
@@ -77,7 +77,7 @@ EventWords strike_words(const ReportedEvent& event, const sim::Strike* strike) {
     return words;
 }
 
-EventWords lone_words(const sim::Event& event) {
+EventText single_object_text(const sim::Event& event) {
     if (event.kind == sim::EventKind::potted) {
         std::string pocket = event.b;
         std::replace(pocket.begin(), pocket.end(), '_', ' ');

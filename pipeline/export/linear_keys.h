@@ -9,7 +9,7 @@
 namespace carom::pipeline {
 
 /// How far the straight way may be from the track, and how far a key may turn from the one before.
-struct StraightTolerance {
+struct LinearTolerance {
     double position = 5e-5;     // m
     double orientation = 2e-3;  // rad
     /// rad: so far programs that mix the components of quaternions (Blender) instead of going at
@@ -20,7 +20,7 @@ struct StraightTolerance {
 /// Positions to be joined by straight lines, orientations by the shorter arc at constant speed
 /// (slerp). All lists have the same length, times strictly increase, neighbouring quaternions lie
 /// in one hemisphere.
-struct StraightKeys {
+struct LinearKeys {
     std::vector<double> times;  // scene time, s
     std::vector<Vec3> positions;
     std::vector<Quat> orientations;
@@ -33,7 +33,7 @@ struct StraightKeys {
 
 /// Every key of the track is one, so that what happened in an instant keeps its corner; between
 /// them there are as many as the tolerance asks for. Throws Error if that is more than `most`.
-[[nodiscard]] StraightKeys straight_keys(const sim::Track& track, std::size_t most,
-                                         const StraightTolerance& tolerance = {});
+[[nodiscard]] LinearKeys linear_keys(const sim::Track& track, std::size_t most,
+                                         const LinearTolerance& tolerance = {});
 
 }  // namespace carom::pipeline

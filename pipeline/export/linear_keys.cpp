@@ -1,4 +1,4 @@
-#include "pipeline/export/straight_keys.h"
+#include "pipeline/export/linear_keys.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +14,12 @@ namespace {
 
 constexpr int kDeepest = 16;  // halvings of a stretch
 
-class Straightener {
+class KeyInserter {
   public:
-    Straightener(const sim::Track& track, std::size_t most, const StraightTolerance& tolerance)
+    KeyInserter(const sim::Track& track, std::size_t most, const LinearTolerance& tolerance)
         : track_(track), most_(most), tolerance_(tolerance) {}
 
-    StraightKeys run() {
+    LinearKeys run() {
         const auto keys = track_.keys();
         add(keys.front().time);
         for (std::size_t i = 1; i < keys.size(); ++i) {
@@ -90,13 +90,13 @@ class Straightener {
 
     const sim::Track& track_;
     std::size_t most_;
-    StraightTolerance tolerance_;
-    StraightKeys result_;
+    LinearTolerance tolerance_;
+    LinearKeys result_;
 };
 
 }  // namespace
 
-bool StraightKeys::is_still() const {
+bool LinearKeys::is_still() const {
     for (std::size_t i = 1; i < size(); ++i) {
         if (positions[i] != positions[0] || orientations[i] != orientations[0]) {
             return false;
@@ -105,7 +105,7 @@ bool StraightKeys::is_still() const {
     return true;
 }
 
-void StraightKeys::add(double time, const Vec3& position, Quat orientation) {
+void LinearKeys::add(double time, const Vec3& position, Quat orientation) {
     if (size() > 0 && (orientation ^ orientations.back()) < 0) {
         orientation = Quat(-orientation.r, -orientation.v);
     }
@@ -114,9 +114,9 @@ void StraightKeys::add(double time, const Vec3& position, Quat orientation) {
     orientations.push_back(orientation);
 }
 
-StraightKeys straight_keys(const sim::Track& track, std::size_t most,
-                           const StraightTolerance& tolerance) {
-    return Straightener(track, most, tolerance).run();
+LinearKeys linear_keys(const sim::Track& track, std::size_t most,
+                           const LinearTolerance& tolerance) {
+    return KeyInserter(track, most, tolerance).run();
 }
 
 }  // namespace carom::pipeline

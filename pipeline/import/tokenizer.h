@@ -19,7 +19,7 @@ struct Item {
 
 /// The text `source` of `sources`, cut at white space and braces. Unmatched braces, words over
 /// 4096 bytes and braces more than 8 deep are problems; what can be read is returned all the same.
-[[nodiscard]] std::vector<Item> split_words(const config::SourceSet& sources, int source,
+[[nodiscard]] std::vector<Item> tokenize(const config::SourceSet& sources, int source,
                                             config::ProblemList& problems);
 
 }  // namespace carom::pipeline::scene_text
