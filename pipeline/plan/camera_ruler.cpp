@@ -16,8 +16,8 @@ namespace carom::pipeline {
 
 namespace {
 
-// All on paper, mm.
-constexpr double kShortestPath = 4;  // that gets ticks
+// Lengths and distances on paper, mm.
+constexpr double kShortestPath = 4;  // shorter paths get no ticks
 constexpr double kNearestTicks = 0.5;
 constexpr double kTick = 0.55;
 constexpr double kLongTick = 1.1;
@@ -42,10 +42,10 @@ double film_length(const PlanRig& rig) {
     return rig.rig->video_end.to_double() - rig.rig->video_start.to_double();
 }
 
-/// A camera at one instant of the film, on paper.
+/// Position and view direction of a camera at one instant of the film, on paper.
 struct Place {
     Vec2 at{0, 0};
-    Vec2 ahead{0, 0};  // where it looks, as long as that is level: 1 or less
+    Vec2 ahead{0, 0};  // horizontal part of the unit view direction
 };
 
 class RulerPainter {
@@ -94,7 +94,7 @@ class RulerPainter {
         const double around = 0.25 / plan_.shot.timing.fps.to_double();
         const Vec2 along = place_at(time + around).at - place_at(time - around).at;
         if (along.length() < 1e-6) {
-            return;  // it stands still
+            return;  // the camera does not move
         }
         const Vec2 across = Vec2(-along.y, along.x).normalized();
         const Vec2 at = place_at(time).at;
@@ -108,7 +108,7 @@ class RulerPainter {
         }
     }
 
-    /// The way that the camera looks.
+    /// Draws an arrow in the view direction.
     void draw_arrow(const Place& place) {
         last_arrow_ = place.at;
         const Vec2 tip = place.at + kArrow * place.ahead;
@@ -150,7 +150,7 @@ class RulerPainter {
 
 std::optional<CameraRuler> camera_ruler(const PlanDrawing& plan) {
     const double fps = plan.shot.timing.fps.to_double();
-    double longest = 0;  // of the films of cameras that move, s
+    double longest = 0;  // film time of the cameras that move, s
     double frames = 1;   // between ticks
     for (const PlanRig& rig : plan.rigs) {
         const double length = path_length(plan, rig);
@@ -173,7 +173,7 @@ void draw_ruler(PlanDrawing& plan, const PlanRig& rig, const CameraRuler& ruler)
     try {
         RulerPainter(plan, rig).draw(ruler);
     } catch (const Error&) {
-        // A frame of the camera makes no picture; 'carom check' says why.
+        // The camera is invalid in some frame; 'carom check' reports the reason.
     }
 }
 

@@ -1,4 +1,4 @@
-// Where cameras are in each frame: ticks along their paths, as on a ruler.
+// Ticks along the camera paths that mark the camera's position in each frame, as on a ruler.
 #pragma once
 
 #include <optional>
@@ -7,13 +7,14 @@
 
 namespace carom::pipeline {
 
-/// The same for all cameras of a plan, so that their ticks can be compared.
+/// The spacing of ticks. All cameras of a plan share it, so that their ticks can be compared.
 struct CameraRuler {
-    int frame_step = 1;    // a short tick for each, each second or each fifth ... frame
-    double time_step = 1;  // of film, s: a long tick, an arrow and the time
+    int frame_step = 1;    // a short tick every 1, 2, 5 ... frames
+    double time_step = 1;  // film time between long ticks with an arrow and the time, s
 };
 
-/// As close as can be drawn; nothing if no camera moves by more than a few millimetres of paper.
+/// The closest spacing that is readable; empty if no camera moves by more than a few millimetres on
+/// paper.
 [[nodiscard]] std::optional<CameraRuler> camera_ruler(const PlanDrawing& plan);
 
 void draw_ruler(PlanDrawing& plan, const PlanRig& rig, const CameraRuler& ruler);

@@ -14,8 +14,8 @@ namespace {
 
 using Rgb = std::array<double, 3>;
 
-// Chosen to be seen on the light page and on the dark one, and, as lightness changes too, by those
-// who see red and green alike.
+// These colours are visible on light and dark pages. Lightness varies along each ramp, so that
+// readers with red-green colour blindness can distinguish them too.
 constexpr std::array<Rgb, 5> kCold{
     {{58, 74, 178}, {18, 138, 178}, {40, 164, 110}, {196, 160, 32}, {206, 72, 34}}};
 constexpr std::array<Rgb, 4> kWarm{{{112, 48, 150}, {184, 38, 104}, {224, 84, 48}, {236, 132, 52}}};
@@ -45,13 +45,13 @@ std::string ColourRamp::colour_at(double fraction) const {
 }
 
 std::vector<ColourRamp> colour_ramps(std::span<const RampEntry> entries) {
-    using Look = std::tuple<bool, std::string, bool, int>;
-    std::map<Look, std::size_t> ramp_of;
+    using Appearance = std::tuple<bool, std::string, bool, int>;
+    std::map<Appearance, std::size_t> ramp_of;
     std::vector<ColourRamp> ramps;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const auto& [paint, is_ball] = entries[i];
-        const Look look{is_ball, paint.colour, paint.is_striped, paint.number};
-        const auto [found, is_new] = ramp_of.emplace(look, ramps.size());
+        const Appearance appearance{is_ball, paint.colour, paint.is_striped, paint.number};
+        const auto [found, is_new] = ramp_of.emplace(appearance, ramps.size());
         if (is_new) {
             ramps.push_back({{}, is_ball});
         }

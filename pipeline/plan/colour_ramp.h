@@ -1,4 +1,4 @@
-// Colours for lines of things that look alike: one for each, along their row.
+// Line colours for objects that look the same: each gets its own colour of a ramp.
 #pragma once
 
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace carom::pipeline {
 
-/// The things that share a paint, two at least, as places in the list that was given.
+/// At least two objects of the same paint, as indices into the given list.
 struct ColourRamp {
     std::vector<std::size_t> members;  // in their order
-    bool is_warm = false;              // from purple to yellow, or from blue to red
+    bool is_warm = false;              // true: from purple to orange; false: from blue to red
 
-    /// Of the member at that place in `members`.
+    /// The colour of members[place].
     [[nodiscard]] std::string colour(std::size_t place) const;
-    /// `share` in [0, 1]: of the way along the ramp.
+    /// The colour at `fraction` of the ramp, in [0, 1].
     [[nodiscard]] std::string colour_at(double fraction) const;
 };
 
@@ -25,7 +25,7 @@ struct RampEntry {
     bool is_ball = false;
 };
 
-/// Balls and other things never share a ramp; those of balls are warm.
+/// Makes the ramps. Balls and other objects never share a ramp; the ramps of balls are warm.
 [[nodiscard]] std::vector<ColourRamp> colour_ramps(std::span<const RampEntry> entries);
 
 }  // namespace carom::pipeline

@@ -10,10 +10,10 @@ namespace carom::pipeline {
 namespace {
 
 constexpr double kText = 2.4;
-constexpr double kBold = 1.15;  // times as wide as other letters
+constexpr double kBold = 1.15;  // width of bold letters relative to regular ones
 
-/// What the camera sees as far as its target or the cloth, whichever is nearer, with the camera
-/// itself: an outline seen from above.
+/// The outline, seen from above, of the camera's view pyramid up to the target or the cloth,
+/// whichever is nearer.
 std::vector<Vec2> view_cone(const render::CameraState& camera, double aspect) {
     const Vec3 ahead = (camera.target - camera.position).normalized();
     const double reach = (camera.target - camera.position).length();
@@ -51,27 +51,27 @@ void draw_cone(PlanDrawing& plan, const PlanRig& rig, const render::CameraState&
                            {"d", svg_path(outline, true)}});
 }
 
-/// A dot at the beginning, an arrow's head at the end, where it moves at all.
+/// Draws the path with a dot at its start and, if the camera moves, an arrowhead at its end.
 void draw_camera_path(PlanDrawing& plan, const PlanRig& rig) {
-    std::vector<Vec2> way;
+    std::vector<Vec2> path;
     for (const render::CameraState& state : rig.states) {
-        way.push_back(plan.sheet.at(state.position));
+        path.push_back(plan.sheet.at(state.position));
     }
-    plan.svg.leaf("path", {{"class", "way"}, {"stroke", rig.colour}, {"d", svg_path(way, false)}});
-    plan.svg.leaf("circle", {{"cx", svg_number(way.front().x)},
-                             {"cy", svg_number(way.front().y)},
+    plan.svg.leaf("path", {{"class", "way"}, {"stroke", rig.colour}, {"d", svg_path(path, false)}});
+    plan.svg.leaf("circle", {{"cx", svg_number(path.front().x)},
+                             {"cy", svg_number(path.front().y)},
                              {"r", "0.95"},
                              {"fill", rig.colour}});
-    const Vec2 last = way.back() - way[way.size() - 2];
+    const Vec2 last = path.back() - path[path.size() - 2];
     if (last.length() > 0.02) {
         const Vec2 on = last.normalized();
         const Vec2 across(-on.y, on.x);
         plan.svg.leaf("path", {{"fill", rig.colour},
-                               {"d", svg_path({way.back() + 1.3 * on, way.back() - on + across,
-                                               way.back() - on - across},
+                               {"d", svg_path({path.back() + 1.3 * on, path.back() - on + across,
+                                               path.back() - on - across},
                                               true)}});
     }
-    for (const Vec2& point : way) {
+    for (const Vec2& point : path) {
         plan.labels.keep_free({point - Vec2(0.6), point + Vec2(0.6)}, 0.5);
     }
 }

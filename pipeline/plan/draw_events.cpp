@@ -3,8 +3,8 @@
 
 #include <fmt/core.h>
 
-#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/plan_drawing.h"
+#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/shot_lookup.h"
 
 namespace carom::pipeline {
@@ -16,11 +16,11 @@ constexpr double kStickLength = 1.47;  // m
 constexpr double kTipRadius = 0.0065;
 constexpr double kButtRadius = 0.0145;
 constexpr double kTipGap = 0.006;  // between tip and ball, m
-constexpr double kLine = 4.2;      // of the list, mm
+constexpr double kLine = 4.2;      // line height of the list, mm
 constexpr double kText = 2.6;
 constexpr double kSmall = 2.2;
 
-/// Where the stick points, seen from above; the ball's own way if the shot does not say.
+/// The direction of the stick, seen from above; the ball's direction if the shot gives none.
 Vec2 aim_of(const PlanDrawing& plan, const sim::Event& event, const sim::Strike* strike) {
     Vec2 aim(event.vector.x, event.vector.y);
     if (strike == nullptr) {
@@ -121,9 +121,9 @@ void draw_number(PlanDrawing& plan, const NumberedEvent& event) {
     plan.svg.close();
 }
 
-/// What the list does not have; empty if it has everything.
+/// A sentence about the impacts that the list omits; empty if it has all of them.
 std::string without_number_text(const NumberedEvents& events) {
-    const int count = events.gentle + events.left_out;
+    const int count = events.slow + events.left_out;
     if (count == 0) {
         return {};
     }
@@ -140,8 +140,8 @@ std::string without_number_text(const NumberedEvents& events) {
 }  // namespace
 
 double text_width(const std::string& text, double font_size) {
-    // Letters of DejaVu Sans are 0.56 em wide on average in our sentences; UTF-8 continues with
-    // bytes of the form 10xxxxxx.
+    // In these sentences letters of DejaVu Sans are 0.56 em wide on average. Continuation bytes of
+    // UTF-8 (10xxxxxx) are not counted.
     const auto letters = std::count_if(text.begin(), text.end(), [](char c) {
         return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
     });

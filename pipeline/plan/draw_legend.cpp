@@ -5,8 +5,8 @@
 
 #include "pipeline/plan/camera_ruler.h"
 #include "pipeline/plan/colour_ramp.h"
-#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/plan_drawing.h"
+#include "pipeline/plan/quantity_text.h"
 
 namespace carom::pipeline {
 
@@ -22,7 +22,7 @@ class Flow {
   public:
     explicit Flow(double y) : y_(y) {}
 
-    /// Where an entry of that width begins; the middle of its line.
+    /// Places an entry of the given width. Returns its left end, at the middle of the line.
     Vec2 next(double width) {
         if (x_ > kMargin && x_ + width > kPageWidth - kMargin) {
             x_ = kMargin;
@@ -51,7 +51,7 @@ void draw_text(SvgText& svg, const std::string& text, const Vec2& at) {
         {{"x", svg_number(at.x)}, {"y", svg_number(at.y + 0.85)}, {"style", "font-size:2.4px"}});
 }
 
-/// `left_out`: places among the objects.
+/// `left_out`: indices of objects.
 void draw_balls(PlanDrawing& plan, const std::set<std::size_t>& left_out, Flow& flow) {
     std::size_t solids = 0;
     for (std::size_t i = 0; i < plan.objects.size(); ++i) {
@@ -86,11 +86,11 @@ void draw_line_style(PlanDrawing& plan, Flow& flow, const std::string& kind,
                      const std::string& text) {
     constexpr double kSample = 9;
     const Vec2 at = flow.next(kSample + 1.5 + text_width(text, kText));
-    const std::string way = svg_path({at, at + Vec2(kSample, 0)}, false);
+    const std::string path = svg_path({at, at + Vec2(kSample, 0)}, false);
     if (kind != "moving") {
-        plan.svg.leaf("path", {{"class", "casing " + kind}, {"d", way}});
+        plan.svg.leaf("path", {{"class", "casing " + kind}, {"d", path}});
     }
-    plan.svg.leaf("path", {{"class", "path " + kind}, {"stroke", "#c8a24a"}, {"d", way}});
+    plan.svg.leaf("path", {{"class", "path " + kind}, {"stroke", "#c8a24a"}, {"d", path}});
     draw_text(plan.svg, text, at + Vec2(kSample + 1.5, 0));
 }
 
@@ -152,7 +152,7 @@ void draw_camera_entries(PlanDrawing& plan, Flow& flow) {
     draw_text(plan.svg, text, path + Vec2(9.5, 0));
 }
 
-/// A bar of the ramp's colours between the names of its ends.
+/// Draws a bar in the ramp's colours between the names of the first and the last object.
 void draw_ramp(PlanDrawing& plan, const ColourRamp& ramp, Flow& flow) {
     constexpr double kBar = 24;
     constexpr int kSteps = 24;

@@ -3,15 +3,15 @@
 
 #include <fmt/core.h>
 
-#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/footprint.h"
 #include "pipeline/plan/plan_drawing.h"
+#include "pipeline/plan/quantity_text.h"
 
 namespace carom::pipeline {
 
 namespace {
 
-constexpr double kGhostApart = 0.5;  // radii between two ghosts of a ball
+constexpr double kGhostApart = 0.5;  // distance between two ghost balls, in radii
 constexpr std::size_t kMostGhosts = 12;
 
 std::string_view class_of(Motion motion) {
@@ -48,23 +48,24 @@ SvgText::Attributes with(SvgText::Attributes attributes, std::string_view name, 
     return attributes;
 }
 
-void draw_path(PlanDrawing& plan, const PlanObject& object, const MotionPhase& stretch) {
-    const std::string kind(class_of(stretch.motion));
-    const std::string way = svg_path(on_paper(plan.sheet, stretch.points), false);
+void draw_path(PlanDrawing& plan, const PlanObject& object, const MotionPhase& phase) {
+    const std::string kind(class_of(phase.motion));
+    const std::string path = svg_path(on_paper(plan.sheet, phase.points), false);
     plan.svg.open("g");
-    plan.svg.text("title", object.track->name() + ", " + kind + ", " + time_text(stretch.from) +
-                               " to " + time_text(stretch.to));
-    if (stretch.motion != Motion::moving) {
-        plan.svg.leaf("path", {{"class", "casing " + kind}, {"d", way}});
+    plan.svg.text("title", object.track->name() + ", " + kind + ", " + time_text(phase.from) +
+                               " to " + time_text(phase.to));
+    if (phase.motion != Motion::moving) {
+        plan.svg.leaf("path", {{"class", "casing " + kind}, {"d", path}});
     }
-    plan.svg.leaf("path", {{"class", "path " + kind}, {"stroke", object.paint.colour}, {"d", way}});
-    if (object.paint.is_striped && stretch.motion != Motion::airborne) {
-        plan.svg.leaf("path", {{"class", "stripe " + kind}, {"d", way}});
+    plan.svg.leaf("path",
+                  {{"class", "path " + kind}, {"stroke", object.paint.colour}, {"d", path}});
+    if (object.paint.is_striped && phase.motion != Motion::airborne) {
+        plan.svg.leaf("path", {{"class", "stripe " + kind}, {"d", path}});
     }
     plan.svg.close();
 }
 
-/// Where the ball was at impacts, each place once.
+/// The ball's positions at impacts ("ghost balls"), without repetitions.
 std::vector<std::pair<double, Vec2>> ghosts_of(const PlanDrawing& plan, const PlanObject& object) {
     std::vector<std::pair<double, Vec2>> ghosts;
     const auto place = [&](double time) {
@@ -107,7 +108,7 @@ void keep_free(PlanDrawing& plan, const Vec2& centre, double radius) {
     plan.labels.keep_free({centre - Vec2(radius), centre + Vec2(radius)});
 }
 
-/// Labels had better not lie on paths.
+/// Keeps labels away from a path.
 void keep_free(PlanDrawing& plan, const std::vector<Vec2>& points) {
     constexpr double kApart = 1.5;  // mm
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -158,7 +159,7 @@ void draw_solid(PlanDrawing& plan, const PlanObject& object, bool is_end) {
     const MotionState state = object.track->sample(time);
     const auto outline =
         on_paper(plan.sheet, footprint(object.body->shape, {state.position, state.orientation}));
-    const std::string way = svg_path(outline, true);
+    const std::string path = svg_path(outline, true);
     plan.svg.open("g");
     plan.svg.text("title", object.track->name() + (is_end ? " at the end" : " at the start"));
     if (is_end) {
@@ -167,9 +168,9 @@ void draw_solid(PlanDrawing& plan, const PlanObject& object, bool is_end) {
                                {"fill-opacity", "0.25"},
                                {"stroke-width", "0.12"},
                                {"stroke-opacity", "0.6"},
-                               {"d", way}});
+                               {"d", path}});
     } else {
-        plan.svg.leaf("path", {{"class", "ball"}, {"fill", object.paint.colour}, {"d", way}});
+        plan.svg.leaf("path", {{"class", "ball"}, {"fill", object.paint.colour}, {"d", path}});
     }
     plan.svg.close();
 }
@@ -180,7 +181,7 @@ void draw_ball(SvgText& svg, const ObjectPaint& paint, const Vec2& centre, doubl
     const std::string white = "#f4f1e8";
     svg.leaf("circle",
              with(circle("ball", centre, radius), "fill", paint.is_striped ? white : paint.colour));
-    if (paint.is_striped) {  // a band across the middle, with the ball's own rim
+    if (paint.is_striped) {  // a band across the middle, bounded by the ball's outline
         const double half = 0.6 * radius;
         const double x = std::sqrt(radius * radius - half * half);
         const std::string arc = "A" + svg_point({radius, radius}) + " 0 0 1 ";
@@ -205,9 +206,9 @@ void draw_ball(SvgText& svg, const ObjectPaint& paint, const Vec2& centre, doubl
 void draw_paths(PlanDrawing& plan) {
     plan.svg.open("g", {{"id", "paths"}});
     for (const PlanObject& object : plan.objects) {
-        for (const MotionPhase& stretch : object.motion) {
-            draw_path(plan, object, stretch);
-            keep_free(plan, stretch.points);
+        for (const MotionPhase& phase : object.motion) {
+            draw_path(plan, object, phase);
+            keep_free(plan, phase.points);
         }
     }
     plan.svg.close();

@@ -1,4 +1,4 @@
-// What stands still and is no part of the table: props, walls, lamps.
+// Draws static objects that are not part of the table: props, walls, lamps.
 #include <algorithm>
 
 #include "pipeline/plan/footprint.h"
@@ -9,8 +9,8 @@ namespace carom::pipeline {
 
 namespace {
 
-constexpr double kOverhead = 0.3;   // m: what hangs higher than that hides nothing on the plan
-constexpr double kBeneath = -0.05;  // m: what is lower than that is hidden by the table
+constexpr double kOverhead = 0.3;   // m: objects above this height are drawn as an outline
+constexpr double kBeneath = -0.05;  // m: objects below this height are hidden by the table
 
 struct Extent {
     Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
@@ -23,8 +23,8 @@ struct Extent {
     }
 };
 
-/// A floor or a ceiling below or above everything says nothing, and the table hides what is
-/// beneath it.
+/// Floors and ceilings that extend over the whole plan are not drawn, nor are objects under the
+/// table.
 bool is_shown(const PlanDrawing& plan, const Extent& extent) {
     const bool covers_all = extent.low.x <= plan.sheet.low.x && extent.low.y <= plan.sheet.low.y &&
                             extent.high.x >= plan.sheet.high.x &&

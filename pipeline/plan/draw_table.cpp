@@ -9,7 +9,7 @@ namespace {
 using sim::billiards::PlanPath;
 
 constexpr double kSightRadius = 0.006;  // m
-constexpr int kSights = 8;              // parts of a long side between the sights
+constexpr int kSights = 8;              // intervals between the sights of a long side
 
 std::vector<Vec2> on_paper(const Sheet& sheet, const PlanPath& path) {
     std::vector<Vec2> points;
@@ -24,7 +24,7 @@ void draw_cushions(PlanDrawing& plan) {
     for (const auto& cushion : table.cushions) {
         std::vector<Vec2> outline =
             on_paper(plan.sheet, sim::billiards::nose_path(cushion, table.measures.cushion_width));
-        // Back along the rail's edge.
+        // The outline returns along the edge of the rail.
         const auto& side = cushion.side;
         const double depth =
             (table.rail - table.nose).dot(Vec2(std::abs(side.outward.x), std::abs(side.outward.y)));
@@ -38,7 +38,7 @@ void draw_cushions(PlanDrawing& plan) {
     }
 }
 
-/// The marks that players count along: halfway along the rails.
+/// Draws the sights (diamonds), which lie halfway across the rails.
 void draw_sights(PlanDrawing& plan) {
     const auto& table = *plan.table;
     const double off = 0.5 * (table.rail.y + table.outer.y);

@@ -1,12 +1,12 @@
-// The film's time with who films it, the scene's time with what happens, and which part of it each
-// rig shows.
+// Draws the axis of video time with the camera of each interval, and the axis of scene time with
+// the events and the interval that each camera shows.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "pipeline/camera/time_map.h"
-#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/plan_drawing.h"
+#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/time_axis.h"
 
 namespace carom::pipeline {
@@ -50,7 +50,8 @@ void draw_bar(SvgText& svg, double from, double to, double y, const std::string&
                       {"stroke", colour}});
 }
 
-/// Inside the bar if it fits, else behind it, or before it at the page's end.
+/// Writes the text inside the bar if it fits, otherwise after it, or before it at the right end of
+/// the page.
 void draw_bar_text(SvgText& svg, const std::string& text, double from, double to, double y) {
     const double width = text_width(text, kText);
     double x = from + 1;
@@ -97,10 +98,10 @@ void draw_shown(PlanDrawing& plan, const TimeAxis& axis, const PlanRig& rig, dou
                                           true)}});
     const std::string first = time_text(shown.first.to_double());
     const std::string last = time_text(shown.last.to_double());
-    const std::string stretch = shown.is_frozen() ? "at " + first
-                                : is_backwards    ? last + " to " + first
-                                                  : first + " to " + last;
-    draw_bar_text(plan.svg, rig.rig->name + ": " + stretch + ", " + speed_range_text(rig),
+    const std::string interval = shown.is_frozen() ? "at " + first
+                                 : is_backwards    ? last + " to " + first
+                                                   : first + " to " + last;
+    draw_bar_text(plan.svg, rig.rig->name + ": " + interval + ", " + speed_range_text(rig),
                   from + (is_backwards ? 2 : 0), to, y);
 }
 

@@ -10,15 +10,16 @@ namespace carom::pipeline {
 
 namespace {
 
-constexpr double kSteep = 0.5 / 57.295779513082321;  // rad: what is less reads as 0 degrees
-constexpr double kOffCentre = 0.005;                 // of the radius: the same for the tip's place
+// Smaller angles (rad) and offsets of the tip (ball radii) would be printed as 0.
+constexpr double kSteep = 0.5 / 57.295779513082321;
+constexpr double kOffCentre = 0.005;
 
-/// Whether the second object came into the first and not the other way round.
+/// Whether the second object hit the first rather than the other way round.
 bool is_second_object_faster(const ReportedEvent& impact) {
     return impact.b && (!impact.a || impact.b->before > impact.a->before);
 }
 
-/// What the ball has when stick and cloth have let go of it.
+/// The ball's speed after the contact with stick and cloth.
 std::string speed_after(const ReportedEvent& strike) {
     return speed_text(strike.a ? strike.a->after : strike.event.vector.length());
 }
@@ -42,39 +43,39 @@ EventText impact_text(const ReportedEvent& impact) {
     const std::string& other = hit_object(impact);
     const auto& mover_speed = b_moves_in ? impact.b : impact.a;
     const auto& other_speed = b_moves_in ? impact.a : impact.b;
-    EventText words;
-    words.brief = mover + " → " + other;
+    EventText text;
+    text.brief = mover + " → " + other;
     if (mover_speed && (event.b == "cloth" || event.b == "floor")) {
-        words.brief = mover + " lands on the " + event.b;
+        text.brief = mover + " lands on the " + event.b;
     } else if (mover_speed && !other_speed) {
-        words.brief +=
+        text.brief +=
             ", " + speed_text(mover_speed->before) + " to " + speed_text(mover_speed->after);
     }
-    words.text = words.brief;
+    text.full = text.brief;
     if (mover_speed && other_speed) {
         const std::string cut = impact.cut ? ", cut " + angle_text(*impact.cut) : "";
-        words.label = speed_text(mover_speed->before) + cut;
-        words.brief += " at " + words.label;
-        words.text = words.brief + ", " + other + " leaves at " + speed_text(other_speed->after);
+        text.label = speed_text(mover_speed->before) + cut;
+        text.brief += " at " + text.label;
+        text.full = text.brief + ", " + other + " leaves at " + speed_text(other_speed->after);
     }
-    return words;
+    return text;
 }
 
 EventText strike_text(const ReportedEvent& event, const sim::Strike* strike) {
-    EventText words{event.event.a + " struck, leaves at " + speed_after(event), "",
-                     speed_after(event)};
+    EventText text{event.event.a + " struck, leaves at " + speed_after(event), "",
+                   speed_after(event)};
     if (strike == nullptr) {
-        return words;
+        return text;
     }
     if (strike->elevation > kSteep) {
-        words.text += ", stick " + angle_text(strike->elevation) + " steep";
+        text.full += ", stick " + angle_text(strike->elevation) + " steep";
     }
-    words.text += tip_text(strike->tip.x, "right", "left");
-    words.text += tip_text(strike->tip.y, "high", "low");
+    text.full += tip_text(strike->tip.x, "right", "left");
+    text.full += tip_text(strike->tip.y, "high", "low");
     if (strike->speed) {
-        words.label = "stick " + speed_text(*strike->speed);
+        text.label = "stick " + speed_text(*strike->speed);
     }
-    return words;
+    return text;
 }
 
 EventText single_object_text(const sim::Event& event) {

@@ -1,4 +1,4 @@
-// How events read in the list of a plan, and beside their numbers on the drawing.
+// Texts for events in the list of a plan, and labels for the drawing.
 #pragma once
 
 #include <string>
@@ -9,20 +9,21 @@
 namespace carom::pipeline {
 
 struct EventText {
-    std::string text;   // "cue → one at 9.7 m/s, cut 12°, one leaves at 9.5 m/s"
-    std::string brief;  // of an impact: the same without what comes after it
-    std::string label;  // for the drawing, short: "9.7 m/s, cut 12°"; may be empty
+    std::string full;   // "cue → one at 9.7 m/s, cut 12°, one leaves at 9.5 m/s"
+    std::string brief;  // of an impact: the same without the result
+    std::string label;  // short, for the drawing: "9.7 m/s, cut 12°"; may be empty
 };
 
-/// Of an impact's two objects the one that the other moved into.
+/// The object that was hit, of the two objects of an impact.
 [[nodiscard]] const std::string& hit_object(const ReportedEvent& impact);
 
 [[nodiscard]] EventText impact_text(const ReportedEvent& impact);
 
-/// `strike`: as the shot gives it; nullptr if it is not known.
+/// `strike`: the strike of the shot, or nullptr if unknown.
 [[nodiscard]] EventText strike_text(const ReportedEvent& event, const sim::Strike* strike);
 
-/// Of what happens to one object alone: other force events, pottings, leaving the table.
+/// The text of an event with a single object: force events other than strikes, pottings, leaving
+/// the table.
 [[nodiscard]] EventText single_object_text(const sim::Event& event);
 
 }  // namespace carom::pipeline

@@ -17,11 +17,11 @@ void add_circle(std::vector<Vec3>& points, double radius, double height) {
     }
 }
 
-/// Points in body axes that the body's outline goes through from whatever side; a ball and a
-/// capsule's ends are added as seen from above later.
+/// Points in body axes that contain the outline from every viewpoint. For balls and capsules these
+/// are centres, and circles of `radius` around them are added as seen from above.
 struct Corners {
     std::vector<Vec3> points;
-    double radius = 0;  // of a ball round each of them
+    double radius = 0;  // of a ball around each of them
 };
 
 Corners corners_of(const sim::BodyShape& shape) {
@@ -58,7 +58,7 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
 }  // namespace
 
 // Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information Processing
-// Letters 9 (1979): lower and upper half of the points sorted by x.
+// Letters 9 (1979): the lower and the upper chain of the points sorted by x.
 std::vector<Vec2> convex_outline(std::vector<Vec2> points) {
     std::sort(points.begin(), points.end(),
               [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });

@@ -1,4 +1,4 @@
-// What a body covers, seen from above.
+// The footprint of a body: its outline seen from above.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace carom::pipeline {
 
-/// The smallest convex outline around the points, counter-clockwise.
+/// The convex hull of the points, counter-clockwise.
 [[nodiscard]] std::vector<Vec2> convex_outline(std::vector<Vec2> points);
 
-/// The outline of a body at a pose; of a mesh the convex one.
+/// The footprint of a body at a pose; for a mesh its convex hull.
 [[nodiscard]] std::vector<Vec2> footprint(const sim::BodyShape& shape, const Pose& pose);
 
 }  // namespace carom::pipeline

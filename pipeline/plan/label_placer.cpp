@@ -10,7 +10,7 @@ namespace {
 constexpr int kDirections = 16;
 constexpr int kRings = 7;
 constexpr double kRingStep = 2.2;        // mm
-constexpr double kPerMillimetre = 0.45;  // what a millimetre of distance costs, in mm^2 covered
+constexpr double kPerMillimetre = 0.45;  // cost of 1 mm of distance, in mm^2 of covered area
 constexpr double kTurn = 6.283185307179586;
 
 double overlap(const PaperBox& a, const PaperBox& b) {
@@ -45,7 +45,7 @@ Vec2 LabelPlacer::place(const Vec2& place, const Vec2& size, double gap) {
         for (int i = 0; i < kDirections; ++i) {
             const double angle = kTurn * (i + 0.5) / kDirections;
             const Vec2 direction(std::cos(angle), -std::sin(angle));
-            // So far out that the box's nearest side keeps its distance.
+            // The distance at which the nearest side of the box is `gap` away.
             const Vec2 centre = place + direction * away + 0.5 * size * direction;
             const PaperBox box{centre - 0.5 * size, centre + 0.5 * size};
             const double total = cost(box) + kPerMillimetre * ring * kRingStep;

@@ -1,4 +1,4 @@
-// Finds room for labels, so that they do not lie on each other.
+// Places labels so that they do not overlap.
 #pragma once
 
 #include <vector>
@@ -17,11 +17,11 @@ class LabelPlacer {
     /// Labels stay within `paper` if they can.
     explicit LabelPlacer(const PaperBox& paper) : paper_(paper) {}
 
-    /// Something that should stay visible; a weight of 1 is as bad to cover as a label.
+    /// Adds a box that labels should not cover. A weight of 1 counts as much as a label.
     void keep_free(const PaperBox& box, double weight = 1);
 
-    /// The corner (smallest x and y) for a label of `size` that belongs to `place`, at least `gap`
-    /// away from it: where it covers least, and near. It is kept free from then on.
+    /// Returns the corner (smallest x and y) for a label of `size` near `place`, at least `gap`
+    /// away from it, where it covers as little as possible. Later labels keep away from it.
     Vec2 place(const Vec2& place, const Vec2& size, double gap);
 
   private:

@@ -9,10 +9,10 @@ namespace carom::pipeline {
 
 namespace {
 
-constexpr double kRate = 240;        // looks per second
-constexpr int kMaxSamples = 2400;     // between two keys
+constexpr double kRate = 240;        // samples per second
+constexpr int kMaxSamples = 2400;    // between two keys
 constexpr double kAirHeight = 1e-3;  // m
-constexpr double kSlip = 0.01;       // m/s, of the point that touches the cloth
+constexpr double kSlip = 0.01;       // m/s, of the contact point
 constexpr double kStill = 1e-3;      // m/s
 
 Motion motion_of(const MotionState& state, std::optional<double> radius) {
@@ -44,20 +44,20 @@ std::vector<MotionPhase> motion_phases(const sim::Track& track, std::optional<do
     for (std::size_t i = 0; i + 1 < keys.size() && keys[i].time < end; ++i) {
         const double from = keys[i].time;
         const double duration = std::min(keys[i + 1].time, end) - from;
-        const int looks = std::clamp(static_cast<int>(std::ceil(duration * kRate)), 1, kMaxSamples);
-        for (int look = 0; look < looks; ++look) {
-            const double begin = from + duration * look / looks;
-            const double middle = from + duration * (look + 0.5) / looks;
-            const double close = from + duration * (look + 1) / looks;
+        const int samples =
+            std::clamp(static_cast<int>(std::ceil(duration * kRate)), 1, kMaxSamples);
+        for (int sample = 0; sample < samples; ++sample) {
+            const double begin = from + duration * sample / samples;
+            const double middle = from + duration * (sample + 0.5) / samples;
+            const double close = from + duration * (sample + 1) / samples;
             const Motion motion = motion_of(track.sample(middle), radius);
             if (motion == Motion::at_rest) {
                 continue;
             }
             const bool continues = !phases.empty() && phases.back().motion == motion &&
-                                 phases.back().to >= begin - 1e-9;
+                                   phases.back().to >= begin - 1e-9;
             if (!continues) {
-                phases.push_back(
-                    {motion, begin, begin, {top_view(track.sample(begin).position)}});
+                phases.push_back({motion, begin, begin, {top_view(track.sample(begin).position)}});
             }
             phases.back().points.push_back(top_view(track.sample(close).position));
             phases.back().to = close;

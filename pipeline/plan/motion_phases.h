@@ -1,4 +1,4 @@
-// A track cut into pieces of one kind of motion each, as lines on the plan.
+// Splits a track into phases of one kind of motion each, as lines on the plan.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@ enum class Motion {
     still,
     sliding,
     rolling,
-    airborne,  // more than a millimetre from the cloth
-    moving,    // of what is no ball
+    airborne,  // more than a millimetre above the cloth
+    moving,    // an object that is not a ball
 };
 
 struct MotionPhase {
@@ -22,8 +22,9 @@ struct MotionPhase {
     std::vector<Vec2> points;  // seen from above, at least two, m
 };
 
-/// In order of time, without those in which it stands still. `radius`: of a ball. Nothing after
-/// `end` (where it was potted, say). Curves become lines that stay within `tolerance` (m).
+/// The phases in order of time, without phases at rest. `radius`: of a ball; empty for other
+/// objects. Motion after `end` (for example the time at which the ball was potted) is ignored.
+/// Curves become polylines that stay within `tolerance` (m).
 [[nodiscard]] std::vector<MotionPhase> motion_phases(const sim::Track& track,
                                                      std::optional<double> radius, double end,
                                                      double tolerance);

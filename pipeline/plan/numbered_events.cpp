@@ -17,34 +17,34 @@ namespace {
 using sim::Event;
 using sim::EventKind;
 
-constexpr double kSameMoment = 2e-3;   // s: a rack's burst is one event
-constexpr double kRowPause = 0.5;      // s, between the touches of a row of objects
+constexpr double kSameMoment = 2e-3;   // s: all impacts within a breaking rack are one event
+constexpr double kRowPause = 0.5;      // s, between the impacts in a row of objects
 constexpr double kSlow = 0.25;         // m/s: impacts of this speed ...
 constexpr double kSlowPause = 0.05;    // s: ... that follow each other so closely are one event
-constexpr double kLandingSpeed = 0.5;  // m/s, of what hits the cloth hard enough to be told
+constexpr double kLandingSpeed = 0.5;  // m/s: slower impacts on the cloth are omitted
 
 bool is_ball(const sim::Body* body) {
     return body != nullptr && std::holds_alternative<sim::Sphere>(body->shape);
 }
 
-/// One event or several that are told as one.
+/// One event, or several that share one number.
 struct Group {
     ReportedEvent first;
-    EventText words;
-    double weight = 0;  // what is lightest is left out
-    double end = 0;     // of the last one, s
+    EventText text;
+    double weight = 0;  // the groups of least weight are left out
+    double end = 0;     // of the last event, s
     int count = 1;
-    bool is_row = false;  // of objects, none of them a ball
+    bool is_row = false;  // a row of objects without balls
     std::set<std::string> who;
-    std::string last;  // the one that was touched last
+    std::string last;  // the object that was hit last
 };
 
 class Grouping {
   public:
     Grouping(const Shot& shot, const sim::Timeline& timeline) : shot_(shot), timeline_(timeline) {}
 
-    /// How many impacts were too gentle to be told; after groups().
-    [[nodiscard]] int gentle() const { return gentle_; }
+    /// The number of impacts that are too slow for a number. Call it after groups().
+    [[nodiscard]] int slow_count() const { return slow_; }
 
     std::vector<Group> groups() {
         for (const ReportedEvent& row : report_of(timeline_).events) {
@@ -75,10 +75,10 @@ class Grouping {
         }
     }
 
-    void add_alone(const ReportedEvent& row, EventText words) {
+    void add_alone(const ReportedEvent& row, EventText text) {
         Group group;
         group.first = row;
-        group.words = std::move(words);
+        group.text = std::move(text);
         group.weight = 1e9;
         group.end = row.event.time;
         groups_.push_back(std::move(group));
@@ -94,7 +94,7 @@ class Grouping {
         }
         const bool among_balls = is_ball(a) && (b == nullptr || is_ball(b));
         if (!among_balls && !touched_.insert(std::minmax(event.a, event.b)).second) {
-            return;  // objects that lean on each other touch a thousand times
+            return;  // objects that lean on each other have thousands of impacts
         }
         const double speed = impact_speed(row);
         const bool is_row = a != nullptr && b != nullptr && !is_ball(a) && !is_ball(b);
@@ -107,7 +107,7 @@ class Grouping {
             return;
         }
         if (among_balls && speed < kMinNumberedSpeed) {
-            ++gentle_;
+            ++slow_;
             return;
         }
         Group group;
@@ -116,12 +116,12 @@ class Grouping {
         group.end = event.time;
         group.is_row = is_row;
         group.who = {event.a, event.b};
-        group.words = impact_text(row);
+        group.text = impact_text(row);
         group.last = hit_object(row);
         groups_.push_back(std::move(group));
     }
 
-    /// Of the faster one on arriving, m/s; very high where it is not known.
+    /// The speed of the faster object before the impact, m/s; very high if unknown.
     static double impact_speed(const ReportedEvent& row) {
         if (!row.a && !row.b) {
             return 1e9;
@@ -133,7 +133,7 @@ class Grouping {
         return is_ball(body) && event.normal_impulse > kLandingSpeed * body->mass;
     }
 
-    /// The group that an impact belongs to, if it is none of its own.
+    /// The group that an impact belongs to, or nullptr if it starts a new one.
     Group* group_of(const Event& event, bool is_row, double speed) {
         const double longest_pause = speed < kSlow ? kSlowPause : kSameMoment;
         for (auto group = groups_.rbegin(); group != groups_.rend(); ++group) {
@@ -142,12 +142,14 @@ class Grouping {
                 break;
             }
             const bool is_impact = group->first.event.kind == EventKind::impact;
-            const bool has_common_object = group->who.contains(event.a) ||
-                                   (group->who.contains(event.b) && find_body(shot_, event.b));
+            const bool has_common_object =
+                group->who.contains(event.a) ||
+                (group->who.contains(event.b) && find_body(shot_, event.b));
             if (is_impact && is_row && group->is_row) {
                 return &*group;
             }
-            if (is_impact && !is_row && !group->is_row && has_common_object && pause < longest_pause) {
+            if (is_impact && !is_row && !group->is_row && has_common_object &&
+                pause < longest_pause) {
                 return &*group;
             }
             if (group->first.event.kind == EventKind::strike && event.b == "cloth" &&
@@ -160,22 +162,22 @@ class Grouping {
 
     void finish(Group& group) const {
         if (group.is_row && group.count > 1) {
-            group.words.text = fmt::format("{} … {}: {} touches until {}", group.first.event.b,
-                                           group.last, group.count, time_text(group.end));
+            group.text.full = fmt::format("{} … {}: {} touches until {}", group.first.event.b,
+                                          group.last, group.count, time_text(group.end));
             if (group.first.a && group.first.b && group.first.a->before > group.first.b->before) {
-                group.words.text.replace(0, group.first.event.b.size(), group.first.event.a);
+                group.text.full.replace(0, group.first.event.b.size(), group.first.event.a);
             }
-            group.words.label = fmt::format("{} touches", group.count);
+            group.text.label = fmt::format("{} touches", group.count);
         } else if (group.first.event.kind == EventKind::impact && group.count > 1) {
-            group.words.text =
-                fmt::format("{}, and {} more in {}", group.words.brief, group.count - 1,
+            group.text.full =
+                fmt::format("{}, and {} more in {}", group.text.brief, group.count - 1,
                             milliseconds_text(group.end - group.first.event.time));
         }
     }
 
     const Shot& shot_;
     const sim::Timeline& timeline_;
-    int gentle_ = 0;
+    int slow_ = 0;
     std::vector<Group> groups_;
     std::set<std::pair<std::string, std::string>> touched_;
 };
@@ -186,7 +188,7 @@ NumberedEvents number_events(const Shot& shot, const sim::Timeline& timeline, st
     Grouping grouping(shot, timeline);
     std::vector<Group> groups = grouping.groups();
     NumberedEvents result;
-    result.gentle = grouping.gentle();
+    result.slow = grouping.slow_count();
     while (groups.size() > most) {
         const auto lightest =
             std::min_element(groups.begin(), groups.end(),
@@ -196,7 +198,7 @@ NumberedEvents number_events(const Shot& shot, const sim::Timeline& timeline, st
     }
     for (const Group& group : groups) {
         result.events.push_back({static_cast<int>(result.events.size()) + 1, group.first.event.time,
-                                 group.first.event.place, group.words.text, group.words.label});
+                                 group.first.event.place, group.text.full, group.text.label});
     }
     return result;
 }

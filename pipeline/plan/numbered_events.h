@@ -1,4 +1,4 @@
-// Which events a coach would number, and how they read.
+// Selects the important events of a shot, numbers them and describes them.
 #pragma once
 
 #include <string>
@@ -11,25 +11,25 @@ namespace carom::pipeline {
 
 struct NumberedEvent {
     int number = 1;
-    double time = 0;  // s, of the first
+    double time = 0;  // s, of the first event
     Vec3 place{0, 0, 0};
     std::string text;   // "cue → one at 9.7 m/s, cut 12°, one leaves at 9.5 m/s"
-    std::string label;  // for the drawing, short: "9.7 m/s, cut 12°"; may be empty
+    std::string label;  // short, for the drawing: "9.7 m/s, cut 12°"; may be empty
 };
 
-/// Balls that meet more gently have no number of their own, m/s.
+/// Slower impacts of balls get no number, m/s.
 inline constexpr double kMinNumberedSpeed = 0.05;
 
 struct NumberedEvents {
     std::vector<NumberedEvent> events;  // in order of time
-    int left_out = 0;                   // lighter ones, beyond `most`
-    int gentle = 0;                     // impacts of balls slower than kMinNumberedSpeed
+    int left_out = 0;                   // events of least weight beyond `most`
+    int slow = 0;                       // impacts of balls below kMinNumberedSpeed
 };
 
-/// Strikes and other force events, touches of balls, objects and cushions, landings, pottings,
-/// balls that leave the table. What happens within milliseconds (a rack that bursts) is one event,
-/// and so are slow impacts that pass from ball to ball within hundredths of a second (a cluster
-/// that is nudged), and a row of objects that knock each other over.
+/// Numbers strikes and other force events, impacts of balls, objects and cushions, landings,
+/// pottings, and balls that leave the table. Impacts within milliseconds (a breaking rack) are one
+/// event. So are slow impacts that pass from ball to ball within hundredths of a second (a cluster
+/// that is nudged), and the impacts of a row of objects that knock each other over.
 [[nodiscard]] NumberedEvents number_events(const Shot& shot, const sim::Timeline& timeline,
                                            std::size_t most);
 

@@ -10,8 +10,8 @@ namespace carom::pipeline {
 
 namespace {
 
-// Presentation by class, so that one drawing serves both pages. `ink` is text, `faint` what stands
-// back, `casing` the edge of paths and balls against the cloth.
+// The appearance depends on CSS classes, so that one drawing works on light and dark pages. `ink`
+// is text, `faint` is secondary text, `casing` is the outline of paths and balls on the cloth.
 constexpr const char* kShared = R"(
 text{font-family:"DejaVu Sans",Verdana,sans-serif;font-size:2.6px}
 .title{font-size:4.6px;font-weight:bold}

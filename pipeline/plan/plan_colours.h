@@ -1,4 +1,4 @@
-// What the plan is painted with, on a light page and on a dark one.
+// Colours and style sheets of the plan, for light and dark pages.
 #pragma once
 
 #include <string>
@@ -8,15 +8,15 @@
 namespace carom::pipeline {
 
 enum class PlanPage {
-    automatic,  // as the reader's browser prefers; light in programs that do not know
+    automatic,  // follows the browser's preference; light in programs that have none
     light,
     dark,
 };
 
-/// The style sheet.
+/// The CSS style sheet.
 [[nodiscard]] std::string plan_style(PlanPage page);
 
-/// How an object of the scene is painted: "#rrggbb".
+/// The paint of an object on the plan; colours are "#rrggbb".
 struct ObjectPaint {
     std::string colour = "#9a9a9a";
     bool is_striped = false;
@@ -25,10 +25,10 @@ struct ObjectPaint {
 
 [[nodiscard]] ObjectPaint paint_of(const Shot& shot, const std::string& name);
 
-/// What is made of the material of that name.
+/// The paint of objects made of the material of that name.
 [[nodiscard]] ObjectPaint paint_of_material(const Shot& shot, const std::string& name);
 
-/// Told apart on both pages, also by those who see red and green alike.
+/// Colours that can be distinguished on both pages, also with red-green colour blindness.
 [[nodiscard]] std::string rig_colour(std::size_t index);
 
 }  // namespace carom::pipeline

@@ -1,4 +1,4 @@
-// The parts of a plan, each drawn by a function of its own.
+// The parts of a plan; each is drawn by its own function.
 #pragma once
 
 #include <optional>
@@ -20,22 +20,22 @@
 
 namespace carom::pipeline {
 
-inline constexpr double kPageWidth = 297;  // mm, A4 on its side
+inline constexpr double kPageWidth = 297;  // mm, A4 landscape
 inline constexpr double kMargin = 10;
 inline constexpr std::size_t kMostNumbers = 30;  // of events
 
 /// An object that has a track.
 struct PlanObject {
-    const sim::Body* body = nullptr;  // of a bake whose world is another: none
+    const sim::Body* body = nullptr;  // nullptr if the bake belongs to another world
     const sim::Track* track = nullptr;
     std::optional<double> radius;  // of a ball
     ObjectPaint paint;
     std::vector<MotionPhase> motion;
-    double gone = 1e300;  // when it was potted, s
+    double gone = 1e300;  // time at which it was potted, s
     [[nodiscard]] bool moves() const { return !motion.empty(); }
 };
 
-/// A rig's camera at some instants of its stretch, evenly.
+/// A rig's camera, sampled at evenly spaced instants of its part of the film.
 struct PlanRig {
     const CameraRig* rig = nullptr;
     std::string colour;
@@ -43,7 +43,7 @@ struct PlanRig {
     double slowest = 1, fastest = 1;  // seconds of the scene per second of film
 };
 
-/// What all parts know. Only `svg` and `labels` change while drawing.
+/// Shared data of all parts. Only `svg` and `labels` change while drawing.
 struct PlanDrawing {
     const Shot& shot;
     const sim::Timeline& timeline;
@@ -56,10 +56,10 @@ struct PlanDrawing {
     SvgText svg;
 };
 
-/// Of every track, in order.
+/// The objects of all tracks, in order.
 [[nodiscard]] std::vector<PlanObject> plan_objects(const Shot& shot, const sim::Timeline& timeline);
 
-/// A whole document round what was drawn, `height` mm high.
+/// A complete SVG document around the drawn elements, `height` mm high.
 [[nodiscard]] std::string svg_page(const std::string& body, const std::string& title, PlanPage page,
                                    double height);
 
@@ -67,25 +67,25 @@ void draw_table(PlanDrawing& plan);
 void draw_scenery(PlanDrawing& plan);
 void draw_cameras(PlanDrawing& plan);
 void draw_paths(PlanDrawing& plan);
-/// At the start, at impacts, at the end.
+/// Draws objects at the start, at impacts and at the end.
 void draw_objects(PlanDrawing& plan);
 void draw_sticks(PlanDrawing& plan);
 void draw_event_numbers(PlanDrawing& plan);
 
-/// These begin at `y` (mm) and return where the next part may.
+/// These parts begin at `y` (mm) and return the y at which the next part may begin.
 [[nodiscard]] double draw_time_axes(PlanDrawing& plan, double y);
 [[nodiscard]] double draw_legend(PlanDrawing& plan, double y);
-/// The names of all objects with their colours; `ramps` refer to places among them.
+/// Draws the names of all objects with their colours; `ramps` hold indices of objects.
 [[nodiscard]] double draw_names(PlanDrawing& plan, std::span<const ColourRamp> ramps, double y);
 [[nodiscard]] double draw_event_list(PlanDrawing& plan, double y);
 
-/// A ball's face at a place on the paper: its colour, stripe and number.
+/// Draws a ball on the paper with its colour, stripe and number.
 void draw_ball(SvgText& svg, const ObjectPaint& paint, const Vec2& centre, double radius);
 
-/// About how wide a text of our font is, mm.
+/// The approximate width of a text in the plan's font, mm.
 [[nodiscard]] double text_width(const std::string& text, double font_size);
 
-/// The text, shortened with an ellipsis where it would be wider.
+/// The text, shortened with an ellipsis if it is wider than `width`.
 [[nodiscard]] std::string fitted_text(const std::string& text, double font_size, double width);
 
 }  // namespace carom::pipeline

@@ -7,7 +7,7 @@ namespace carom::pipeline {
 
 namespace {
 
-constexpr double kTolerance = 2e-4;  // of paths, m: 0.01 mm on paper at 1:20
+constexpr double kTolerance = 2e-4;  // of paths, m; 0.01 mm on paper at 1:20
 
 }  // namespace
 

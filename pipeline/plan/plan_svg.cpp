@@ -8,9 +8,9 @@
 #include "pipeline/camera/path_fit.h"
 #include "pipeline/camera/rig_state.h"
 #include "pipeline/camera/time_map.h"
-#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/footprint.h"
 #include "pipeline/plan/plan_drawing.h"
+#include "pipeline/plan/quantity_text.h"
 
 namespace carom::pipeline {
 
@@ -19,10 +19,10 @@ namespace {
 constexpr double kTop = 19;               // of the drawing, mm
 constexpr double kHighest = 155;          // of the drawing, mm
 constexpr double kFarthestCamera = 0.45;  // beyond the table's edge, m
-constexpr double kEdge = 0.06;            // round what is drawn, m
+constexpr double kEdge = 0.06;            // around the drawn scene, m
 constexpr int kCameraSteps = 48;
 
-constexpr double kStandardRadius = 0.028575;  // m, where a shot has no ball to measure
+constexpr double kStandardRadius = 0.028575;  // m, for shots without balls
 
 double ball_radius(const Shot& shot) {
     for (const sim::Body& body : shot.world.bodies) {
@@ -33,7 +33,7 @@ double ball_radius(const Shot& shot) {
     return kStandardRadius;
 }
 
-/// Empty states if the rig makes no picture somewhere: 'check' says why.
+/// `states` is empty if the rig is invalid at some instant; 'carom check' reports the reason.
 PlanRig rig_of(const CameraRig& rig, std::size_t index, const sim::Timeline& timeline) {
     PlanRig result;
     result.rig = &rig;
@@ -67,7 +67,7 @@ struct Extent {
     [[nodiscard]] bool is_empty() const { return low.x > high.x; }
 };
 
-/// The table or, without one, all that moves; and cameras that are not too far from it.
+/// The extent of the table or, without a table, of all moving objects, and of the cameras near it.
 Extent extent_of(const PlanDrawing& plan) {
     Extent extent;
     if (plan.table) {
@@ -79,8 +79,8 @@ Extent extent_of(const PlanDrawing& plan) {
             const double reach = 3 * object.radius.value_or(0.05);
             extent.include(Vec2(start.x, start.y) - Vec2(reach));
             extent.include(Vec2(start.x, start.y) + Vec2(reach));
-            for (const MotionPhase& stretch : object.motion) {
-                for (const Vec2& point : stretch.points) {
+            for (const MotionPhase& phase : object.motion) {
+                for (const Vec2& point : phase.points) {
                     extent.include(point - Vec2(reach));
                     extent.include(point + Vec2(reach));
                 }
@@ -113,7 +113,7 @@ void draw_title(PlanDrawing& plan, const std::string& name) {
                   {{"class", "end faint"}, {"x", svg_number(kPageWidth - kMargin)}, {"y", "13"}});
 }
 
-/// So many round centimetres as are about 30 mm on paper.
+/// Draws a scale bar for a round length of about 30 mm on paper.
 void draw_scale_bar(PlanDrawing& plan, double y) {
     const double wanted = 0.03 * plan.sheet.denominator;  // m
     const double decade = std::pow(10, std::floor(std::log10(wanted)));
@@ -132,7 +132,7 @@ void draw_scale_bar(PlanDrawing& plan, double y) {
                    {"y", svg_number(y - 1)}});
 }
 
-/// All that is to scale, cut at the drawing's edge.
+/// Draws everything that is to scale, clipped at the drawing's edge.
 void draw_scene(PlanDrawing& plan) {
     const Vec2 size = plan.sheet.size();
     plan.svg.open("clipPath", {{"id", "sheet"}});
@@ -144,7 +144,7 @@ void draw_scene(PlanDrawing& plan) {
     plan.svg.open("g", {{"clip-path", "url(#sheet)"}});
     draw_table(plan);
     draw_scenery(plan);
-    // Their room first: labels come when all is known.
+    // Number positions are reserved first; labels are placed when all other elements are known.
     draw_sticks(plan);
     draw_paths(plan);
     draw_objects(plan);

@@ -1,4 +1,4 @@
-// A shot from above, as a coach would draw it.
+// The plan view of a shot, seen from above, as a coach would draw it.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@ struct PlanOptions {
     PlanPage page = PlanPage::automatic;
 };
 
-/// An SVG document, 297 mm wide and as high as it needs: the table to scale with balls, paths,
-/// numbered events, sticks and cameras; time axes; a legend; the list of events. A camera whose
-/// values make no picture is left out.
+/// An SVG document, 297 mm wide and as high as necessary: the table to scale with balls, paths,
+/// numbered events, sticks and cameras; time axes; a legend; the list of events. Invalid cameras
+/// are left out.
 [[nodiscard]] std::string plan_svg(const Shot& shot, const sim::Timeline& timeline,
                                    const PlanOptions& options = {});
 

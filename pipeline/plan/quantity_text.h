@@ -1,4 +1,4 @@
-// How figures read on a plan: with few digits and a unit.
+// Text of physical quantities on a plan: few digits and a unit.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ namespace carom::pipeline {
 /// "12°" for an angle in radians.
 [[nodiscard]] std::string angle_text(double angle);
 
-/// "0.35 R" for a share of a ball's radius: two decimals at most.
+/// "0.35 R" for a fraction of a ball's radius: two decimals at most.
 [[nodiscard]] std::string radius_fraction_text(double fraction);
 
 }  // namespace carom::pipeline

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "pipeline/plan/colour_ramp.h"
-#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/plan_drawing.h"
+#include "pipeline/plan/quantity_text.h"
 #include "pipeline/plan/simplify_line.h"
 #include "pipeline/plan/time_axis.h"
 
@@ -16,11 +16,11 @@ constexpr double kTop = 24;          // of the upper panel, mm
 constexpr double kSpeedHeight = 92;  // of the panels
 constexpr double kEnergyHeight = 44;
 constexpr double kBetween = 12;
-constexpr double kNearestLines = 6.5;  // of a panel's grid
+constexpr double kNearestLines = 6.5;  // distance of a panel's grid lines
 constexpr double kTolerance = 0.02;    // of curves
 constexpr double kStill = 1e-3;        // m/s
 
-/// A stretch of paper with values upwards.
+/// A panel of the plot, with values increasing upwards.
 struct Panel {
     double top = 0, height = 1;  // mm
     double highest = 1;          // value at the top; 0 is at the bottom
@@ -33,7 +33,7 @@ struct Panel {
     [[nodiscard]] double bottom() const { return top + height; }
 };
 
-/// Round values far enough apart, from the top downwards.
+/// The values of grid lines: round values at a readable distance, from the top downwards.
 std::vector<double> grid_of(const Panel& panel) {
     std::vector<double> values;
     if (!panel.is_square_root) {
@@ -90,8 +90,8 @@ void draw_panel(SvgText& svg, const Panel& panel, const TimeAxis& axis, const st
               {"d", svg_path({{kAxisLeft, panel.bottom()}, {kAxisRight, panel.bottom()}}, false)}});
 }
 
-/// What a track's speed looks like until `end`, a line for each time that it moves; where the speed
-/// jumps two points lie above each other.
+/// The curve of a track's speed until `end`, with one line per interval of motion. A jump of the
+/// speed gives two points at the same time.
 class SpeedCurve {
   public:
     SpeedCurve(const TimeAxis& axis, const Panel& panel) : axis_(axis), panel_(panel) {}
@@ -115,8 +115,8 @@ class SpeedCurve {
         stop();
     }
 
-    /// "M ... M ...", empty if it never moves.
-    [[nodiscard]] const std::string& way() const { return way_; }
+    /// The SVG path "M ... M ..."; empty if the object never moves.
+    [[nodiscard]] const std::string& path() const { return path_; }
     [[nodiscard]] const Vec2& last() const { return last_; }
 
   private:
@@ -137,7 +137,7 @@ class SpeedCurve {
     }
     void stop() {
         if (points_.size() > 1) {
-            way_ += (way_.empty() ? "" : " ") + svg_path(simplified(points_, kTolerance), false);
+            path_ += (path_.empty() ? "" : " ") + svg_path(simplified(points_, kTolerance), false);
         }
         points_.clear();
     }
@@ -145,7 +145,7 @@ class SpeedCurve {
     TimeAxis axis_;
     Panel panel_;
     std::vector<Vec2> points_;
-    std::string way_;
+    std::string path_;
     Vec2 last_{0, 0};
 };
 
@@ -159,7 +159,7 @@ double top_speed(const PlanObject& object) {
     return top;
 }
 
-/// An object that moves, and the colour of its curve.
+/// A moving object and the colour of its curve.
 struct Moving {
     double top = 0;  // speed, m/s
     const PlanObject* object = nullptr;
@@ -170,18 +170,18 @@ void draw_speed(PlanDrawing& plan, const Moving& moving, const TimeAxis& axis, c
     const PlanObject& object = *moving.object;
     SpeedCurve curve(axis, panel);
     curve.follow(*object.track, std::min(object.gone, plan.timeline.end_time));
-    const std::string& way = curve.way();
+    const std::string& path = curve.path();
     const std::string name = object.track->name();
     plan.svg.open("g");
     plan.svg.text("title", name + ", at most " + speed_text(top_speed(object)));
     if (object.radius) {
-        plan.svg.leaf("path", {{"class", "casing curve"}, {"d", way}});
+        plan.svg.leaf("path", {{"class", "casing curve"}, {"d", path}});
     }
     plan.svg.leaf("path", {{"class", object.radius ? "path curve" : "path moving"},
                            {"stroke", moving.colour},
-                           {"d", way}});
+                           {"d", path}});
     if (object.paint.is_striped) {
-        plan.svg.leaf("path", {{"class", "stripe curve"}, {"d", way}});
+        plan.svg.leaf("path", {{"class", "stripe curve"}, {"d", path}});
     }
     if (object.gone < plan.timeline.end_time) {
         plan.svg.leaf("circle", {{"class", "ball"},
@@ -193,7 +193,7 @@ void draw_speed(PlanDrawing& plan, const Moving& moving, const TimeAxis& axis, c
     plan.svg.close();
 }
 
-/// Of the objects that move: those that look alike get a colour each.
+/// The colour ramps of the moving objects: objects that look the same get different colours.
 std::vector<ColourRamp> ramps_of(const PlanDrawing& plan) {
     std::vector<RampEntry> entries;
     std::vector<std::size_t> places;
@@ -226,7 +226,8 @@ std::vector<Moving> moving_objects(const PlanDrawing& plan, std::span<const Colo
     return all;
 }
 
-/// What is not a ball first, then the fastest, so that the curves of slow balls stay visible.
+/// Draws objects that are not balls first, then balls from fast to slow, so that the curves of slow
+/// balls stay visible.
 void draw_speeds(PlanDrawing& plan, std::span<const ColourRamp> ramps, const TimeAxis& axis) {
     std::vector<Moving> moving = moving_objects(plan, ramps);
     std::stable_sort(moving.begin(), moving.end(),

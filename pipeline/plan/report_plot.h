@@ -1,4 +1,4 @@
-// Speed and energy over time, as a drawing.
+// A plot of speed and energy over time.
 #pragma once
 
 #include <string>

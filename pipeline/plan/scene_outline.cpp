@@ -20,7 +20,7 @@ void add_circle(std::vector<Vec3>& points, double radius, double height) {
     }
 }
 
-/// In the object's own axes.
+/// Outline points in object axes.
 struct Points {
     std::vector<Vec3> operator()(const render::SphereShape& sphere) const {
         std::vector<Vec3> points;
@@ -49,7 +49,7 @@ struct Points {
     std::vector<Vec3> operator()(const render::MeshShape& mesh) const {
         try {
             return mesh.file.empty() ? mesh.vertices : render::read_mesh(mesh.file).vertices;
-        } catch (const Error&) {  // rendering will say so
+        } catch (const Error&) {  // the renderer reports this error
             return {};
         }
     }

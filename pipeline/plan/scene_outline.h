@@ -1,4 +1,4 @@
-// What something of the picture covers, seen from above.
+// Outlines of scene objects, seen from above.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace carom::pipeline {
 
-/// Points of the world that the convex outline of the object, at its place in `world_from_object`,
-/// is made of; none for an infinite plane and for a mesh whose file cannot be read.
+/// World points whose convex hull contains the object at its pose `world_from_object`. Empty for an
+/// infinite plane and for a mesh whose file cannot be read.
 [[nodiscard]] std::vector<Vec3> outline_points(const render::ObjectDescription& object);
 
 }  // namespace carom::pipeline

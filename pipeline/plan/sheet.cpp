@@ -8,7 +8,7 @@ namespace carom::pipeline {
 
 namespace {
 
-/// The next of 1, 1.25, 1.5, 2 ... 8 times a power of ten.
+/// The smallest of 1, 1.25, 1.5, 2 ... 8 times a power of ten that is at least `least`.
 double usual_denominator(double least) {
     constexpr std::array<double, 10> kSteps{1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8};
     const double decade = std::pow(10, std::floor(std::log10(least)));

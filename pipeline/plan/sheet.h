@@ -1,15 +1,15 @@
-// Where a place of the scene is on the paper.
+// The mapping from positions in the scene to positions on the paper.
 #pragma once
 
 #include "core/vectors.h"
 
 namespace carom::pipeline {
 
-/// A rectangle of the scene seen from above (+x to the right, +y up), to scale.
+/// A rectangle of the scene, seen from above (+x to the right, +y up), drawn to scale.
 struct Sheet {
     Vec2 low{0, 0}, high{1, 1};  // its corners, m
     double denominator = 10;     // of the scale: 15 for 1:15
-    Vec2 corner{0, 0};           // where (low.x, high.y) is on the paper, mm
+    Vec2 corner{0, 0};           // position of (low.x, high.y) on the paper, mm
 
     [[nodiscard]] double length(double metres) const { return 1000 * metres / denominator; }
     [[nodiscard]] Vec2 at(const Vec2& place) const {

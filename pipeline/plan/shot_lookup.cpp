@@ -17,7 +17,8 @@ const sim::Body* find_body(const Shot& shot, const std::string& name) {
 
 const sim::Strike* strike_of(const Shot& shot, const sim::Timeline& timeline,
                              const sim::Event& event) {
-    // Those at a time of their own are known by it; the others come in the order of the shot.
+    // Strikes at a fixed time are identified by that time; the others occur in the order of the
+    // shot.
     std::vector<const sim::Strike*> triggered;
     for (const sim::ForceEvent& given : shot.world.events) {
         const auto* strike = std::get_if<sim::Strike>(&given.action);

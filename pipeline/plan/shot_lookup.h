@@ -1,4 +1,4 @@
-// From what a timeline names back to what the shot says of it.
+// Finds the strike or the body of a shot that a timeline refers to.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace carom::pipeline {
 
-/// The strike of the shot that the event of the timeline came from, or nullptr.
+/// The strike of the shot that caused the event of the timeline, or nullptr.
 [[nodiscard]] const sim::Strike* strike_of(const Shot& shot, const sim::Timeline& timeline,
                                            const sim::Event& event);
 

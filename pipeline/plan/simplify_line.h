@@ -1,4 +1,4 @@
-// A line of many points as one of few.
+// Simplifies polylines.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace carom::pipeline {
 
-/// Those of the points (at least one) that are needed to stay within `tolerance` of all of them;
-/// the first and the last are.
+/// A subset of the points (at least one) whose polyline stays within `tolerance` of all points. It
+/// contains the first and the last point.
 [[nodiscard]] std::vector<Vec2> simplified(const std::vector<Vec2>& points, double tolerance);
 
 }  // namespace carom::pipeline

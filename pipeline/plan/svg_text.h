@@ -1,4 +1,4 @@
-// Writes SVG: well-formed whatever the names are.
+// Writes well-formed SVG, whatever characters the names contain.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace carom::pipeline {
 
-/// At most two decimals (hundredths of a millimetre on paper), no needless zeros, never "-0".
+/// A number with at most two decimals (hundredths of a millimetre on paper), without trailing
+/// zeros, never "-0".
 [[nodiscard]] std::string svg_number(double value);
 
 /// "x,y"
@@ -35,14 +36,14 @@ class SvgText {
     SvgText& open(std::string_view tag, const Attributes& attributes = {});
     SvgText& close();
     SvgText& leaf(std::string_view tag, const Attributes& attributes);
-    /// An element with nothing but text in it.
+    /// An element that contains only text.
     SvgText& text(std::string_view tag, std::string_view content,
                   const Attributes& attributes = {});
 
-    /// A finished fragment.
+    /// Appends a finished fragment.
     SvgText& raw(const std::string& fragment);
 
-    /// Everything so far; all elements must be closed. The object is spent.
+    /// Returns the text. All elements must be closed. The object must not be used afterwards.
     [[nodiscard]] std::string finish();
 
   private:

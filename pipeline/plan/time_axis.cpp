@@ -12,9 +12,10 @@ namespace carom::pipeline {
 namespace {
 
 constexpr double kBadge = 1.5;  // radius of an event's number
-constexpr int kMostRows = 3;    // of numbers above each other
+constexpr int kMostRows = 3;    // of numbers, one above the other
 
-/// Numbers that would lie on each other go into rows; those beyond the last row stay a tick.
+/// The row of each number. Numbers that would overlap get different rows; if all rows are full,
+/// only the tick is drawn.
 std::vector<int> rows_of(const std::vector<NumberedEvent>& events, const TimeAxis& axis) {
     std::array<double, kMostRows> taken{};
     std::vector<int> rows;

@@ -1,4 +1,4 @@
-// A line of time across the page, and numbers of events on it.
+// A time axis across the page, with the numbers of events.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace carom::pipeline {
 
-inline constexpr double kAxisLeft = kMargin + 16;  // where it begins, mm; its name is before that
+inline constexpr double kAxisLeft = kMargin + 16;  // mm; the axis's name is to the left of it
 inline constexpr double kAxisRight = kPageWidth - kMargin - 4;
 
 struct TimeAxis {
@@ -18,17 +18,18 @@ struct TimeAxis {
     [[nodiscard]] double at(double time) const {
         return kAxisLeft + (kAxisRight - kAxisLeft) * (time - from) / std::max(to - from, 1e-9);
     }
-    /// Where its ticks are: round times, at most twelve steps.
+    /// The ticks: round times, with at most twelve intervals.
     [[nodiscard]] std::vector<double> ticks() const;
 };
 
-/// The least of 1, 2 or 5 times a power of ten that is not below `least` (> 0).
+/// The smallest of 1, 2 or 5 times a power of ten that is at least `least` (> 0).
 [[nodiscard]] double round_number(double least);
 
-/// The line at `y` (mm) with ticks and times below it.
+/// Draws the axis at `y` (mm) with ticks and times below it.
 void draw_time_axis(SvgText& svg, const TimeAxis& axis, double y, const std::string& name);
 
-/// Numbers above a line, in up to three rows that begin at `y`; returns where the line is.
+/// Draws event numbers in up to three rows that begin at `y`, above the axis; returns the y of the
+/// axis.
 [[nodiscard]] double draw_event_marks(SvgText& svg, const TimeAxis& axis,
                                       const std::vector<NumberedEvent>& events, double y);
 

@@ -12,7 +12,7 @@ constexpr double kDegrees = 57.295779513082321;
 constexpr int kWidestWho = 17;
 constexpr int kWidestName = 14;
 
-/// Left-aligned in `width` columns; too long a text loses its end.
+/// The text, left-aligned in `width` columns; a longer text is shortened.
 std::string in_columns(std::string text, int width) {
     const auto columns = static_cast<std::size_t>(width);
     if (text.size() > columns) {
@@ -22,17 +22,18 @@ std::string in_columns(std::string text, int width) {
     return text;
 }
 
-/// -0.0004 would be written as -0.000.
-double shown(double value, double unit) {
+/// Replaces values that would be printed as -0.000 by 0.
+double without_negative_zero(double value, double unit) {
     return value > -0.5 * unit && value < 0.5 * unit ? 0 : value;
 }
 
 std::string place_text(const Vec3& p) {
-    return fmt::format("{:6.3f} {:6.3f} {:6.3f}", shown(p.x, 1e-3), shown(p.y, 1e-3),
-                       shown(p.z, 1e-3));
+    return fmt::format("{:6.3f} {:6.3f} {:6.3f}", without_negative_zero(p.x, 1e-3),
+                       without_negative_zero(p.y, 1e-3), without_negative_zero(p.z, 1e-3));
 }
 
-/// Where the law of motion changes the speed does not: it is given once. The spin is that after.
+/// At a transition between laws of motion the speed does not change, so it is given once. The spin
+/// is the one after the event.
 std::string motion_text(const std::optional<SpeedChange>& speeds, bool is_jump) {
     if (!speeds) {
         return std::string(20, ' ');
@@ -138,7 +139,8 @@ std::string energy_table(const ShotReport& report) {
         const sim::EnergySample& sample = mark.sample;
         text += in_columns(mark.when, 30) +
                 fmt::format(" {:9.5f} {:11.6f} {:11.6f} {:11.6f}\n", sample.time, sample.kinetic,
-                            shown(sample.potential, 1e-6), shown(sample.total(), 1e-6));
+                            without_negative_zero(sample.potential, 1e-6),
+                            without_negative_zero(sample.total(), 1e-6));
     }
     if (report.largest_energy_rise == 0) {
         return text + "it never rises between force events\n";

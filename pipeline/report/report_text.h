@@ -1,4 +1,4 @@
-// A report as tables of at most 120 columns.
+// Prints a report as tables of at most 120 columns.
 #pragma once
 
 #include <string>
@@ -7,9 +7,8 @@
 
 namespace carom::pipeline {
 
-/// Events, objects and energy, one table each, with what the columns mean above them. A spin is
-/// that after the event, about whatever axis. Names longer
-/// than their column are shortened.
+/// Tables of events, objects and energy, each with column headings. Spins are magnitudes after the
+/// event. Names that are longer than their column are shortened.
 [[nodiscard]] std::string report_text(const ShotReport& report);
 
 }  // namespace carom::pipeline

@@ -25,7 +25,7 @@ struct Velocities {
     Vec3 spin_before, spin_after;
 };
 
-/// On arriving at `time` and on leaving.
+/// The velocities immediately before and after `time`.
 Velocities velocities_at(const Track& track, double time) {
     const auto keys = track.keys();
     const auto key = std::lower_bound(keys.begin(), keys.end(), time - kSameTime,
@@ -46,7 +46,8 @@ std::optional<SpeedChange> speeds_of(const Track* track, double time) {
     return SpeedChange{v.before.length(), v.after.length(), v.spin_before, v.spin_after};
 }
 
-/// Balls touch on their line of centres; boxes seldom do.
+/// The cut angle, if the normal is along the line of centres, as it is for two balls and seldom for
+/// boxes.
 std::optional<double> cut_of(const Event& event, const Track* a, const Track* b) {
     if (event.kind != EventKind::impact || a == nullptr || b == nullptr) {
         return std::nullopt;
@@ -83,10 +84,11 @@ double length_between(const Track& track, const Key& from, const Key& to) {
     return length;
 }
 
-/// What keys move is often fastest between two of them.
+/// Updates the top speed between two keys: an object that is moved by keys is often fastest there.
 void find_top_speed_between(const Track& track, const Key& from, const Key& to,
                             ReportedObject& object) {
-    constexpr double kFaster = 1.001;  // than at any key: more than what rounds off a free motion
+    constexpr double kFaster =
+        1.001;  // than at any key: more than the rounding errors of a free motion
     const double duration = to.time - from.time;
     const int steps = std::clamp(static_cast<int>(duration * kPathRate), 4, kMostPathSteps);
     for (int i = 1; i < steps; ++i) {
@@ -119,7 +121,8 @@ void measure_motion(const Track& track, ReportedObject& object) {
     }
 }
 
-/// Since when an object has stood where its last key has it; the track's start if it never moved.
+/// The time since which an object has been at rest at its last key; the start of the track if it
+/// never moved.
 double stopped_at(const Track& track) {
     const auto keys = track.keys();
     std::size_t i = keys.size() - 1;
@@ -135,9 +138,10 @@ double stopped_at(const Track& track) {
     return keys[i].time;
 }
 
-void tell_fate(const Timeline& timeline, const Track& track, ReportedObject& object) {
+void find_fate(const Timeline& timeline, const Track& track, ReportedObject& object) {
     const Key& last = track.keys().back();
-    // Behind its last key an object stands, as one that is moved by keys does when they end.
+    // After its last key an object is at rest; for example one that is moved by keys, when they
+    // end.
     const bool has_stopped = last.time < timeline.end_time - kSameTime;
     object.place = last.position;
     object.speed = has_stopped ? 0 : last.velocity_in.length();
@@ -179,7 +183,7 @@ const sim::EnergySample& sample_at(const Timeline& timeline, double time) {
     return after == energy.begin() ? energy.front() : *(after - 1);
 }
 
-/// 1, 2 or 5 times a power of ten, at most ten of them in `duration`.
+/// A step of 1, 2 or 5 times a power of ten that fits at most ten times into `duration`.
 double round_step(double duration) {
     const double least = std::max(duration / 10, 1e-3);
     const double decade = std::pow(10, std::floor(std::log10(least)));
@@ -199,7 +203,7 @@ std::vector<ReportedEnergy> energies_of(const Timeline& timeline) {
     const double step = round_step(timeline.end_time - timeline.start_time);
     for (int i = 1; timeline.start_time + i * step < timeline.end_time - kSameTime; ++i) {
         sim::EnergySample sample = sample_at(timeline, timeline.start_time + i * step);
-        sample.time = timeline.start_time + i * step;  // it is the same until the next sample
+        sample.time = timeline.start_time + i * step;  // energy is constant until the next sample
         marks.push_back({"", sample});
     }
     for (const Event& event : timeline.events) {
@@ -229,7 +233,7 @@ ShotReport report_of(const Timeline& timeline) {
         ReportedObject& object = report.objects.emplace_back();
         object.name = track.name();
         measure_motion(track, object);
-        tell_fate(timeline, track, object);
+        find_fate(timeline, track, object);
     }
     report.energy = energies_of(timeline);
     report.energy_samples = timeline.energy;

@@ -1,4 +1,4 @@
-// A timeline summed up: what happened, how each object fared, where the energy went.
+// A summary of a timeline: events, the motion and final state of each object, and energy.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace carom::pipeline {
 
-/// Of one object at an event; the same twice where nothing jumped.
+/// Speed and spin of one object before and after an event; equal if the event does not change them.
 struct SpeedChange {
     double before = 0;  // m/s
     double after = 0;
@@ -19,31 +19,32 @@ struct SpeedChange {
 
 struct ReportedEvent {
     sim::Event event;
-    std::optional<SpeedChange> a;  // of the event's objects, where they move
+    std::optional<SpeedChange> a;  // speeds of the event's objects, if they have tracks
     std::optional<SpeedChange> b;
-    /// Two balls: between their approach and their line of centres, rad; 0 is a full hit.
+    /// For two balls the cut angle between relative velocity and line of centres, rad; 0 is a full
+    /// hit.
     std::optional<double> cut;
 };
 
-enum class Fate { rests, spins, moves, potted, off_table };  // spins: on the spot
+enum class Fate { rests, spins, moves, potted, off_table };  // spins: in place
 
 struct ReportedObject {
     std::string name;
     double path = 0;       // m
     double top_speed = 0;  // m/s
     double top_time = 0;   // s
-    double rise = 0;       // of its centre above the start, m, at most
-    int cushions = 0;      // touched
+    double rise = 0;       // largest height of its centre above the start, m
+    int cushions = 0;      // number of cushions hit
     Fate fate = Fate::rests;
-    double fate_time = 0;  // since when it rests or spins, or when it went, s
+    double fate_time = 0;  // start of rest or spinning, or time of leaving, s
     std::string pocket;    // potted only
     Vec3 place{0, 0, 0};   // at the end
     double speed = 0;      // at the end, m/s
 };
 
-/// The energy at the start, after each force event, and at the end.
+/// The energy at one time of the table.
 struct ReportedEnergy {
-    std::string when;  // "after the strike on cue"; empty at round times
+    std::string when;  // "after the strike on cue"; empty at the regular times
     sim::EnergySample sample;
 };
 
@@ -52,8 +53,9 @@ struct ShotReport {
     double end_time = 0;
     std::vector<ReportedEvent> events;
     std::vector<ReportedObject> objects;
-    std::vector<ReportedEnergy> energy;  // at the ends, after force events, at ten round times
-    std::vector<sim::EnergySample> energy_samples;  // all that the timeline has
+    std::vector<ReportedEnergy>
+        energy;  // at the ends, after force events, at about ten regular times
+    std::vector<sim::EnergySample> energy_samples;  // all samples of the timeline
     double largest_energy_rise = 0;  // between force events, as in sim/timeline/energy.h
 };
 

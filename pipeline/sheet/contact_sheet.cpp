@@ -40,22 +40,22 @@ void paste(const DisplayPicture& part, int left, int top, DisplayPicture& sheet)
     }
 }
 
-/// A strip of paper with one line on it, `line` pixels high.
-DisplayPicture strip(const std::string& words, int width, int line, bool at_right) {
+/// A strip with one line of text, `line` pixels high.
+DisplayPicture strip(const std::string& caption, int width, int line, bool at_right) {
     DisplayPicture picture = blank(width, 2 * line);
-    const render::PictureText text{{words}, true, at_right, 0.5};
+    const render::PictureText text{{caption}, true, at_right, 0.5};
     render::draw_text(text, picture.rgb, picture.width, picture.height);
     return picture;
 }
 
 struct Layout {
     int columns = 1, rows = 1;
-    int cell_width = 0, cell_height = 0;  // of a picture
+    int cell_width = 0, cell_height = 0;  // size of a picture
     int gap = 0;
-    int line = 0;  // of text
+    int line = 0;  // height of a line of text
 
     [[nodiscard]] int head() const { return 3 * line; }
-    [[nodiscard]] int foot() const { return 2 * line; }  // under a picture
+    [[nodiscard]] int foot() const { return 2 * line; }  // space under a picture
     [[nodiscard]] int width() const { return columns * (cell_width + gap) + gap; }
     [[nodiscard]] int height() const { return head() + rows * (cell_height + foot()) + gap; }
 };
@@ -79,7 +79,7 @@ DisplayPicture contact_sheet(const std::string& title, const std::string& facts,
     CAROM_ASSERT(!cells.empty());
     const Layout layout = layout_of(cells, columns);
     DisplayPicture sheet = blank(layout.width(), layout.height());
-    // Text keeps 0.6 lines away from a strip's edges.
+    // Text has a margin of 0.6 lines to the edges of a strip.
     const int inset = static_cast<int>(std::lround(0.6 * layout.line));
     const int row_width = layout.width() - 2 * (layout.gap - inset);
     const int half = row_width / 2;

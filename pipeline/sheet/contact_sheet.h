@@ -1,4 +1,4 @@
-// Pictures side by side with a line under each, as prints of negatives once were looked at.
+// A contact sheet: small pictures in rows, with a line of text under each.
 #pragma once
 
 #include <array>
@@ -17,12 +17,12 @@ struct DisplayPicture {
 
 struct SheetCell {
     DisplayPicture picture;
-    std::string line;                             // under it
-    std::array<std::uint8_t, 3> colour{0, 0, 0};  // of a mark before the line
+    std::string line;                             // caption under the picture
+    std::array<std::uint8_t, 3> colour{0, 0, 0};  // colour of a mark before the caption
 };
 
-/// The cells (at least one, pictures of one size) in rows of `columns` under a title. What does not
-/// fit into its line is cut off. Throws Error if there is no font.
+/// Draws the cells (at least one, pictures of equal size) in rows of `columns` under a title. Text
+/// that does not fit into its line is cut off. Throws Error if no font is found.
 [[nodiscard]] DisplayPicture contact_sheet(const std::string& title, const std::string& facts,
                                            const std::vector<SheetCell>& cells, int columns);
 

@@ -1,4 +1,4 @@
-// The parts of a plan that can be told apart from the drawing.
+// Tests of the parts of a plan that do not need a drawing.
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -22,14 +22,14 @@ TEST(SvgText, HostileText_IsEscapedAndStaysUtf8) {
                                         "\xEF\xBF\xBD\xEF\xBF\xBD é →</text>"));
 }
 
-TEST(SvgNumber, NeverNegativeZeroNorNeedlessZeros) {
+TEST(SvgNumber, HasNoNegativeZeroAndNoTrailingZeros) {
     EXPECT_EQ(svg_number(-0.001), "0");
     EXPECT_EQ(svg_number(12.5), "12.5");
     EXPECT_EQ(svg_number(-3), "-3");
     EXPECT_EQ(svg_number(100), "100");
 }
 
-TEST(Footprint, BoxOnItsCorner_IsItsShadow) {
+TEST(Footprint, BoxOnItsCorner_IsItsVerticalProjection) {
     const double half = 0.39269908169872414;  // half of 45 degrees
     const Pose pose{Vec3(1, 2, 0), Quat(std::cos(half), 0, 0, std::sin(half))};
     const std::vector<Vec2> outline = footprint(sim::Box{Vec3(2, 2, 1)}, pose);
@@ -40,7 +40,7 @@ TEST(Footprint, BoxOnItsCorner_IsItsShadow) {
     }
 }
 
-TEST(ConvexOutline, LeavesOutWhatLiesInsideOrOnAnEdge) {
+TEST(ConvexOutline, OmitsPointsInsideOrOnAnEdge) {
     const std::vector<Vec2> outline =
         convex_outline({{0, 0}, {2, 0}, {1, 0}, {2, 2}, {1, 1}, {0, 2}, {0, 0}});
     EXPECT_THAT(outline, ::testing::ElementsAre(Vec2(0, 0), Vec2(2, 0), Vec2(2, 2), Vec2(0, 2)));
@@ -55,7 +55,7 @@ sim::Key key(double time, const Vec3& place, const Vec3& velocity, const Vec3& t
     return k;
 }
 
-TEST(MotionPhases, SlidingRollingAirborneAndStill_AreToldApart) {
+TEST(MotionPhases, SlidingRollingAirborneAndRest_AreDistinguished) {
     constexpr double kRadius = 0.03;
     const Vec3 v(1, 0, 0);
     const Vec3 roll(0, 1 / kRadius, 0);
@@ -74,7 +74,7 @@ TEST(MotionPhases, SlidingRollingAirborneAndStill_AreToldApart) {
     EXPECT_EQ(phases[0].motion, Motion::sliding);
     EXPECT_NEAR(phases[0].from, 1, 1e-9);
     EXPECT_EQ(phases[1].motion, Motion::rolling);
-    EXPECT_NEAR(phases[1].from, 3, 0.02);  // the last hundredth of slip is called rolling
+    EXPECT_NEAR(phases[1].from, 3, 0.02);  // slip below 0.01 m/s counts as rolling
     EXPECT_EQ(phases[2].motion, Motion::airborne);
     EXPECT_NEAR(phases[2].from, 4, 0.02);
     EXPECT_DOUBLE_EQ(phases[2].to, 4.5);
@@ -82,7 +82,7 @@ TEST(MotionPhases, SlidingRollingAirborneAndStill_AreToldApart) {
     EXPECT_EQ(motion_phases(track, std::nullopt, 5, 1e-4).front().motion, Motion::moving);
 }
 
-TEST(Sheet, UsualScale_FitsTheRoom) {
+TEST(Sheet, UsualScale_FitsTheAvailableSpace) {
     Sheet sheet = make_sheet({-1.5, -0.8}, {1.5, 0.8}, {277, 155});
     EXPECT_EQ(sheet.denominator, 12.5);
     sheet.corner = {10, 20};
@@ -91,7 +91,7 @@ TEST(Sheet, UsualScale_FitsTheRoom) {
     EXPECT_NEAR(sheet.at(Vec2(0, -0.8)).y, 148, 1e-9);
 }
 
-TEST(LabelPlacer, ManyLabelsOfOnePlace_LieBesideEachOther) {
+TEST(LabelPlacer, ManyLabelsOfOnePosition_DoNotOverlap) {
     LabelPlacer placer({{0, 0}, {100, 100}});
     const Vec2 size(6, 3);
     std::vector<Vec2> corners;
@@ -105,13 +105,13 @@ TEST(LabelPlacer, ManyLabelsOfOnePlace_LieBesideEachOther) {
     }
 }
 
-TEST(ColourRamps, ThingsOfOnePaint_ShareOne) {
+TEST(ColourRamps, ObjectsOfOnePaint_ShareARamp) {
     const ObjectPaint red{"#ff0000", false, 0};
     const ObjectPaint blue{"#0000ff", false, 0};
     const std::vector<RampEntry> entries{{red, true},  {blue, false}, {red, true},
                                          {red, false}, {red, true},   {blue, false}};
     const std::vector<ColourRamp> ramps = colour_ramps(entries);
-    ASSERT_EQ(ramps.size(), 2U);  // the red thing that is not a ball is alone
+    ASSERT_EQ(ramps.size(), 2U);  // only one red object is not a ball
     EXPECT_THAT(ramps[0].members, ::testing::ElementsAre(0, 2, 4));
     EXPECT_TRUE(ramps[0].is_warm);
     EXPECT_THAT(ramps[1].members, ::testing::ElementsAre(1, 5));

@@ -1,4 +1,4 @@
-// The whole drawing of shots that were baked.
+// Tests of complete drawings of baked shots.
 #include "pipeline/plan/plan_svg.h"
 
 #include <set>
@@ -33,7 +33,7 @@ Baked example(const std::string& name) {
     return baked(load_shot(std::string(CAROM_SOURCE_DIR) + "/examples/" + name + ".yaml"));
 }
 
-/// Every element that is opened is closed, in order.
+/// Checks that all elements are closed in order.
 void expect_well_formed(const std::string& svg) {
     std::vector<std::string> open;
     for (std::size_t at = svg.find('<'); at != std::string::npos; at = svg.find('<', at + 1)) {
@@ -54,7 +54,7 @@ void expect_well_formed(const std::string& svg) {
     EXPECT_TRUE(open.empty());
 }
 
-TEST(PlanSvg, OfTheMasse_ShowsWhatACoachWouldDraw) {
+TEST(PlanSvg, MasseShot_HasEventsPathsAndCameras) {
     const Baked masse = example("masse");
     const std::string svg = plan_svg(masse.shot, masse.timeline);
     expect_well_formed(svg);
@@ -72,7 +72,7 @@ TEST(PlanSvg, OfTheMasse_ShowsWhatACoachWouldDraw) {
     EXPECT_EQ(svg, plan_svg(masse.shot, masse.timeline));
 }
 
-TEST(PlanSvg, Scenery_IsDrawnWhereItStands) {
+TEST(PlanSvg, Scenery_IsDrawn) {
     const Baked shot = example("gallery/hero_club");
     const std::string svg = plan_svg(shot.shot, shot.timeline);
     expect_well_formed(svg);
@@ -81,26 +81,26 @@ TEST(PlanSvg, Scenery_IsDrawnWhereItStands) {
     EXPECT_THAT(svg, Not(HasSubstr("table/")));
 }
 
-TEST(ReportPlot, OfTheMasse_HasACurveForEachBallThatMoves) {
+TEST(ReportPlot, MasseShot_HasACurveForEachMovingBall) {
     const Baked masse = example("masse");
     const std::string svg = report_plot_svg(masse.shot, masse.timeline, PlanPage::dark);
     expect_well_formed(svg);
     EXPECT_THAT(svg, HasSubstr("<title>cue, at most 1.7 m/s</title>"));
     EXPECT_THAT(svg, HasSubstr("<title>three, at most 1.5 m/s</title>"));
-    EXPECT_THAT(svg, Not(HasSubstr("<title>eight, at most")));  // which stands still
+    EXPECT_THAT(svg, Not(HasSubstr("<title>eight, at most")));  // it does not move
     EXPECT_THAT(svg, HasSubstr(">three potted, corner right front<"));
     EXPECT_THAT(svg, HasSubstr("class=\"kinetic\""));
     EXPECT_THAT(svg, Not(HasSubstr("prefers-color-scheme")));
     EXPECT_EQ(svg, report_plot_svg(masse.shot, masse.timeline, PlanPage::dark));
 }
 
-TEST(ReportPlot, OfAnEmptyTimeline_IsStillADocument) {
+TEST(ReportPlot, EmptyTimeline_GivesAValidDocument) {
     const Baked masse = example("masse");
     expect_well_formed(report_plot_svg(masse.shot, {}));
 }
 
-/// What 'carom new' writes.
-TEST(Templates, EachIsCleanBakesAndCanBeFilmed) {
+/// Bakes and draws the shots that 'carom new' writes.
+TEST(Templates, EachHasNoProblemsBakesAndCanBeFilmed) {
     for (const char* name : {"break", "trick", "bank", "masse", "jump", "dominoes", "empty"}) {
         const LoadResult loaded =
             load_shot(std::string(CAROM_SOURCE_DIR) + "/configs/templates/" + name + ".yaml");
@@ -121,12 +121,12 @@ TEST(Templates, EachIsCleanBakesAndCanBeFilmed) {
     }
 }
 
-TEST(PlanSvg, OfAJump_HasAnAirbornePath) {
+TEST(PlanSvg, JumpShot_HasAnAirbornePath) {
     const Baked jump = example("jump_shot");
     EXPECT_THAT(plan_svg(jump.shot, jump.timeline), HasSubstr("class=\"path airborne\""));
 }
 
-TEST(PlanSvg, Pages_DifferInTheirColoursOnly) {
+TEST(PlanSvg, Pages_DifferOnlyInTheirColours) {
     const Baked masse = example("masse");
     const auto without_style = [&](PlanPage page) {
         const std::string svg = plan_svg(masse.shot, masse.timeline, {page});
@@ -137,7 +137,7 @@ TEST(PlanSvg, Pages_DifferInTheirColoursOnly) {
     EXPECT_THAT(plan_svg(masse.shot, masse.timeline, {PlanPage::dark}), Not(HasSubstr("@media")));
 }
 
-TEST(PlanSvg, WithoutTableOrCameras_ShowsWhatMoves) {
+TEST(PlanSvg, WithoutTable_ShowsMovingObjects) {
     const Baked free =
         baked(load_shot_text("carom: 1\n"
                              "simulation: {duration: 0.2 s}\n"
@@ -152,7 +152,7 @@ TEST(PlanSvg, WithoutTableOrCameras_ShowsWhatMoves) {
     EXPECT_THAT(svg, HasSubstr("<title>cue, airborne, 0 s to 0.2 s</title>"));
 }
 
-TEST(NumberedEvents, OfABreak_ABurstIsOneAndTheLightestAreLeftOut) {
+TEST(NumberedEvents, BreakOfARack_IsOneEventAndTheLightestAreOmitted) {
     const Baked rack = example("nine_ball_break");
     const NumberedEvents all = number_events(rack.shot, rack.timeline, 1000);
     ASSERT_GT(all.events.size(), 10U);
@@ -165,7 +165,7 @@ TEST(NumberedEvents, OfABreak_ABurstIsOneAndTheLightestAreLeftOut) {
     EXPECT_EQ(few.events.back().number, 5);
 }
 
-TEST(NumberedEvents, OfARowOfTiles_OneForTheRow) {
+TEST(NumberedEvents, RowOfTiles_IsOneEvent) {
     std::string text =
         "carom: 1\nsimulation: {duration: 1 s}\ntable: {kind: pool, size: 9 ft}\n"
         "balls: {cue: {at: [-0.1, 0], velocity: [1, 0, 0]}}\n"
@@ -196,19 +196,19 @@ Baked balls_in_line(double speed, const std::vector<double>& places) {
     return baked(load_shot_text(text, "line.yaml"));
 }
 
-TEST(NumberedEvents, GentleImpact_IsOnlyCounted) {
+TEST(NumberedEvents, SlowImpact_IsOnlyCounted) {
     const Baked gentle = balls_in_line(0.04, {0.0592});
     const NumberedEvents events = number_events(gentle.shot, gentle.timeline, 30);
     EXPECT_TRUE(events.events.empty());
-    EXPECT_EQ(events.gentle, 1);
+    EXPECT_EQ(events.slow, 1);
     EXPECT_THAT(plan_svg(gentle.shot, gentle.timeline),
                 HasSubstr(">1 impact below 0.05 m/s has no number; 'carom report' has it.<"));
     const Baked quick = balls_in_line(0.5, {0.0592});
-    EXPECT_EQ(number_events(quick.shot, quick.timeline, 30).gentle, 0);
+    EXPECT_EQ(number_events(quick.shot, quick.timeline, 30).slow, 0);
 }
 
 // Gaps of 2 mm: a slow nudge takes 10 ms from ball to ball.
-TEST(NumberedEvents, SlowImpactsOfACluster_AreOne) {
+TEST(NumberedEvents, SlowImpactsOfACluster_AreOneEvent) {
     const Baked cluster = balls_in_line(0.2, {0.0592, 0.1184, 0.1776});
     const NumberedEvents events = number_events(cluster.shot, cluster.timeline, 30);
     ASSERT_EQ(events.events.size(), 1U);
@@ -224,7 +224,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
     return count;
 }
 
-TEST(ReportPlot, ThingsThatLookAlike_HaveAColourEachAlongTheirRow) {
+TEST(ReportPlot, ObjectsOfOnePaint_HaveDifferentColours) {
     const Baked line = balls_in_line(1, {0.06, 0.12, 0.18, 0.24});
     Shot shot = line.shot;
     for (render::ObjectDescription& object : shot.scene.objects) {
@@ -240,7 +240,7 @@ TEST(ReportPlot, ThingsThatLookAlike_HaveAColourEachAlongTheirRow) {
     }
     EXPECT_EQ(colours.size(), count_of(svg, "path curve"));
     EXPECT_GE(colours.size(), 4U);
-    EXPECT_EQ(count_of(svg, ">cue<"), 1U);  // the names of the ends alone
+    EXPECT_EQ(count_of(svg, ">cue<"), 1U);  // the legend names only the ends
     EXPECT_EQ(count_of(svg, ">b4<"), 1U);
     EXPECT_EQ(count_of(svg, ">b2<"), 0U);
 }
@@ -263,7 +263,7 @@ TEST(PlanSvg, CameraOnAnOrbit_HasATickForEachFrame) {
     ASSERT_NE(at, std::string::npos);
     const std::string ticks = svg.substr(at, svg.find("/>", at) - at);
     EXPECT_EQ(count_of(ticks, "M"), 48U);
-    // Of the one that moves alone: one in the drawing, one in the legend.
+    // Only the moving camera has ticks: one path in the drawing, one in the legend.
     EXPECT_EQ(count_of(svg, "class=\"tick\""), 2U);
     EXPECT_EQ(count_of(svg, "class=\"view\""), 5U + 1);
     EXPECT_THAT(svg, HasSubstr(">1.5 s</text>"));

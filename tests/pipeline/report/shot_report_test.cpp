@@ -36,7 +36,8 @@ Event event(EventKind kind, double time, const std::string& a, const std::string
     return e;
 }
 
-/// The cue ball comes along x at 2 m/s and meets the other at a cut of 30 degrees: elastic.
+/// The cue ball moves along x at 2 m/s and hits the other ball elastically at a cut angle of 30
+/// degrees.
 sim::Timeline cut_shot() {
     const double c = std::sqrt(0.75);
     const Vec3 line(c, 0.5, 0);
@@ -104,8 +105,8 @@ TEST(ShotReport, Objects_HavePathSpeedAndEnd) {
     EXPECT_EQ(two.path, 0);
 }
 
-/// Keys move it at 2 m/s for a quarter of a second, and it stands from then on.
-TEST(ShotReport, KeyedObjectBehindItsLastKey_IsAtRest) {
+/// Keys move the object at 2 m/s for a quarter of a second; afterwards it is at rest.
+TEST(ShotReport, KeyedObjectAfterItsLastKey_IsAtRest) {
     sim::Timeline timeline = cut_shot();
     timeline.tracks.emplace_back("pusher",
                                  std::vector<Key>{key(0.5, {0, 0, 0}, {0, 0, 0}, {2, 0, 0}),
@@ -117,7 +118,7 @@ TEST(ShotReport, KeyedObjectBehindItsLastKey_IsAtRest) {
     EXPECT_THAT(report_text(report_of(timeline)), HasSubstr("at rest since 0.750 s"));
 }
 
-/// It starts and stops gently: fastest half-way, at 1.5 times its mean speed.
+/// It starts and stops smoothly, and is fastest half-way, at 1.5 times its mean speed.
 TEST(ShotReport, KeyedObject_HasItsTopSpeedBetweenTwoKeys) {
     sim::Timeline timeline = cut_shot();
     timeline.tracks.emplace_back("lift",
@@ -130,7 +131,7 @@ TEST(ShotReport, KeyedObject_HasItsTopSpeedBetweenTwoKeys) {
     EXPECT_EQ(lift.fate_time, 1);
 }
 
-TEST(ShotReport, Energy_IsGivenAfterForceEvents) {
+TEST(ShotReport, Energy_IsListedAfterForceEvents) {
     const ShotReport report = report_of(cut_shot());
     ASSERT_EQ(report.energy.size(), 3U + 9U);  // every 0.2 s between the ends
     EXPECT_EQ(report.energy[0].when, "start");
@@ -145,7 +146,7 @@ TEST(ShotReport, Energy_IsGivenAfterForceEvents) {
     EXPECT_EQ(report.largest_energy_rise, 0);
 }
 
-TEST(ShotReport, EmptyTimeline_IsAnEmptyReport) {
+TEST(ShotReport, EmptyTimeline_GivesAnEmptyReport) {
     const ShotReport report = report_of({});
     EXPECT_TRUE(report.events.empty() && report.objects.empty() && report.energy.empty());
     EXPECT_THAT(report_text(report), HasSubstr("0 objects, 0 events"));
@@ -165,7 +166,7 @@ TEST(ReportText, LongNames_AreShortenedToFitTheTable) {
     EXPECT_THAT(text, HasSubstr("a ball with q~"));
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
-        EXPECT_LE(line.size(), 126U) << line;  // six more for a place a kilometre away
+        EXPECT_LE(line.size(), 126U) << line;  // six more columns for a position a kilometre away
         EXPECT_TRUE(line.empty() || line.back() != ' ') << line;
     }
 }
