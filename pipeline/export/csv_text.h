@@ -1,4 +1,4 @@
-// Rows of comma-separated values.
+// Writes comma-separated values.
 #pragma once
 
 #include <string>
@@ -8,15 +8,15 @@
 
 namespace carom::pipeline {
 
-/// Builds CSV as RFC 4180 has it, except that a row ends with a bare line feed, as the tools that
-/// read such tables on Linux write it themselves. Numbers are the shortest decimal text that reads
-/// back as the same double; -0 is written as 0.
+/// Builds CSV according to RFC 4180, except that a row ends with a line feed alone, as is usual on
+/// Linux. Numbers are the shortest decimal text that reads back as the same double; -0 is written
+/// as 0.
 class CsvText {
   public:
-    /// The first row, as it stands.
+    /// `header` is the first row, without quoting.
     explicit CsvText(std::string_view header);
 
-    /// Quoted if it holds a comma, a quotation mark or a line break.
+    /// The text is quoted if it contains a comma, a quotation mark or a line break.
     CsvText& add(std::string_view text);
     CsvText& add(double value);
     CsvText& add(const Vec3& value);  // three columns
@@ -24,7 +24,7 @@ class CsvText {
 
     void end_row();
 
-    /// Everything so far; the object is spent.
+    /// Returns the text. The object must not be used afterwards.
     [[nodiscard]] std::string finish() { return std::move(text_); }
 
   private:

@@ -13,9 +13,9 @@ const render::ColourSource& colour_of(const render::MaterialDescription& materia
     return material.phong ? material.phong->diffuse : material.surface.base;
 }
 
-/// The roughness at which a microfacet lobe is as wide as Phong's: alpha^2 = 2 / (n + 2) (Walter et
-/// al. 2007, "Microfacet models for refraction through rough surfaces", section 5.2), and alpha is
-/// the square of the roughness.
+/// The roughness at which a microfacet lobe has the width of a Phong lobe: alpha^2 = 2 / (n + 2)
+/// (Walter et al. 2007, "Microfacet models for refraction through rough surfaces", section 5.2),
+/// and alpha is the square of the roughness.
 double roughness_of(double shininess) {
     return std::pow(2 / (shininess + 2), 0.25);
 }

@@ -1,4 +1,4 @@
-// Our materials with one colour each.
+// Converts carom's materials to materials of one colour.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace carom::pipeline {
 
-/// The one colour that stands for a texture; pictures are grey.
+/// The single colour that replaces a texture; image textures become grey.
 [[nodiscard]] Vec3 plain_colour(const render::ColourSource& source);
 
 [[nodiscard]] ExportMaterial plain_material(const render::MaterialDescription& material);
 
-/// The texture, if the material's colour is a ball's paint; else nullptr.
+/// The texture if the material's colour is a ball's paint, otherwise nullptr.
 [[nodiscard]] const render::BallTexture* ball_paint(const render::MaterialDescription& material);
 
 }  // namespace carom::pipeline

@@ -50,7 +50,7 @@ class SceneBuilder {
     }
 
   private:
-    /// Its place in the list, added once.
+    /// The index of the material in the list; each material is added once.
     std::size_t material(const ExportMaterial& material) {
         const auto [known, is_new] = materials_.try_emplace(material.name, scene_.materials.size());
         if (is_new) {
@@ -67,7 +67,7 @@ class SceneBuilder {
         part.name = object.name;
         Mat44 body_from_object = object.world_from_object;
         if (object.track.empty()) {
-            // Where it stands is its place, how it is turned and stretched is in its mesh.
+            // The node has the position; rotation and scale are applied to the mesh.
             part.keys.add(timeline_.start_time, object.world_from_object.translation(), Quat());
             body_from_object[3][0] = body_from_object[3][1] = body_from_object[3][2] = 0;
         } else if (const sim::Track* track = timeline_.find(object.track)) {
@@ -94,11 +94,11 @@ class SceneBuilder {
         const bool has_gap = std::ranges::any_of(
             part.mesh.normals, [](const auto& normal) { return normal.length() < 0.5F; });
         if (has_gap) {
-            part.mesh.normals.clear();  // who reads it makes flat ones
+            part.mesh.normals.clear();  // readers then compute flat normals
         }
     }
 
-    /// A ball in fields of one colour each.
+    /// Adds a ball whose surface is divided into fields of one colour each.
     void add_ball(ExportPart& part, const render::SphereShape& shape,
                   const render::BallTexture& paint, const ExportMaterial& plain, const Mat44& map) {
         PaintedSphere sphere = painted_sphere(paint);
@@ -140,7 +140,7 @@ class SceneBuilder {
         scene_.lamps.push_back(std::move(part));
     }
 
-    /// Frame by frame, with its last instant.
+    /// Adds a camera with one key per frame and one for its last instant.
     void add_camera(const CameraRig& rig) {
         ExportCamera camera;
         camera.name = rig.name;
@@ -149,7 +149,8 @@ class SceneBuilder {
         const double length = rig.video_end.to_double() - start;
         const double frames = std::max(1.0, std::ceil(length * scene_.fps - 1e-9));
         if (frames > static_cast<double>(kMostExportKeys)) {
-            throw Error("camera '" + rig.name + "' films too many frames to be exported");
+            throw Error("camera '" + rig.name + "' has too many frames for an export (more than " +
+                        std::to_string(kMostExportKeys) + ")");
         }
         const auto count = static_cast<std::int64_t>(frames);
         for (std::int64_t i = 0; i <= count; ++i) {

@@ -1,4 +1,4 @@
-// A shot and its timeline as what interchange formats know: triangles, plain materials, keys.
+// A shot and its timeline in the terms of interchange formats: triangles, simple materials, keys.
 #pragma once
 
 #include <string>
@@ -13,7 +13,8 @@
 
 namespace carom::pipeline {
 
-/// One colour where ours has a texture: a ball's own, a cloth's, the mean of a wood's.
+/// A material of one colour. It replaces a texture by the ball's colour, the cloth's colour or the
+/// mean colour of wood.
 struct ExportMaterial {
     std::string name;
     Vec3 base{0.8, 0.8, 0.8};  // linear
@@ -26,19 +27,19 @@ struct ExportMaterial {
     Vec3 emission{0, 0, 0};
 };
 
-/// Triangles [first, first + count) of a mesh that have one material.
+/// The triangles [first, first + count) of a mesh, which have one material.
 struct ExportPatch {
     std::size_t first = 0;
     std::size_t count = 0;
     std::size_t material = 0;
 };
 
-/// An object. Its mesh is in body axes, in metres, at its real size.
+/// An object. Its mesh is in body axes, in metres, without scaling.
 struct ExportPart {
     std::string name;
     render::TriangleMesh mesh;  // normals of unit length, or none
     std::vector<ExportPatch> patches;
-    LinearKeys keys;  // one: it stands still there
+    LinearKeys keys;  // a single key: the object is static
 };
 
 struct ExportCameraKey {
@@ -49,11 +50,11 @@ struct ExportCameraKey {
 
 struct ExportCamera {
     std::string name;
-    std::vector<ExportCameraKey> keys;  // frame by frame, in order of the film
+    std::vector<ExportCameraKey> keys;  // one per frame, in order of video time
     double sensor_height = 0.024;       // m
 
-    /// The keys in order of scene time, each time once: what it did on the scene's clock. Where
-    /// time stands still only the first instant is left.
+    /// The keys sorted by scene time, without repeated times: the camera's motion in scene time. Of
+    /// an interval in which scene time stops only the first key remains.
     [[nodiscard]] std::vector<ExportCameraKey> by_scene_time() const;
 };
 
@@ -62,23 +63,24 @@ struct ExportScene {
     double start_time = 0;  // scene time, s
     double end_time = 0;
     double fps = 24;
-    double aspect = 16.0 / 9;  // width by height of the picture
+    double aspect = 16.0 / 9;  // width divided by height of the picture
     std::vector<ExportMaterial> materials;
     std::vector<ExportPart> parts;
-    std::vector<ExportPart> lamps;  // lights with an area, as what shines
+    std::vector<ExportPart> lamps;  // area lights, as emitting meshes
     std::vector<ExportCamera> cameras;
     std::vector<render::LightDescription> lights;
 };
 
-/// Axes of a camera: right, up, backwards; of unit length and at right angles, world axes.
+/// The orthonormal axes of a camera in world coordinates: right, up, backwards.
 struct CameraAxes {
     Vec3 right, up, back;
 
-    [[nodiscard]] Quat orientation() const;  // that turns x, y, z into them
+    [[nodiscard]] Quat orientation() const;  // the rotation that maps x, y, z to them
 };
 [[nodiscard]] CameraAxes camera_axes(const render::CameraState& state);
 
-/// Throws Error: a mesh file, a camera that makes no picture, more keys than kMostExportKeys.
+/// Throws Error if a mesh file cannot be read, a camera is invalid, or an object needs more than
+/// kMostExportKeys keys.
 [[nodiscard]] ExportScene export_scene(const Shot& shot, const sim::Timeline& timeline);
 
 inline constexpr std::size_t kMostExportKeys = 2'000'000;  // of one object

@@ -15,7 +15,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-constexpr int kFloat = 5126;  // the specification's names of types and uses
+constexpr int kFloat = 5126;  // constants of the glTF specification for types and uses
 constexpr int kUnsignedInt = 5125;
 constexpr int kArrayBuffer = 34962;
 constexpr int kElementArrayBuffer = 34963;
@@ -89,7 +89,7 @@ std::string glb_container(const nlohmann::ordered_json& document, std::string_vi
     json.append(padding(json.size()), ' ');
     const std::size_t size = 12 + 8 + json.size() + 8 + bytes.size() + padding(bytes.size());
     if (size > 0xffff'ffffU) {
-        throw Error("the file would have more than the 4 GiB that a .glb can");
+        throw Error("the scene does not fit into a .glb file, which can have at most 4 GiB");
     }
     std::string file = "glTF";
     append_number(file, 2);

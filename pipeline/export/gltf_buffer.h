@@ -1,4 +1,4 @@
-// Binary data of a glTF file and the accessors to it.
+// The binary data of a glTF file and its accessors.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,13 @@
 
 namespace carom::pipeline {
 
-/// Collects little-endian arrays; what is equal is stored once.
+/// Collects little-endian arrays; equal arrays are stored once.
 class GltfBuffer {
   public:
     enum class Use { vertices, indices, keys };
 
-    /// `type`: "SCALAR", "VEC3", "VEC4". Returns the accessor's index. Bounds are always given.
+    /// `type`: "SCALAR", "VEC3", "VEC4". Returns the index of the accessor, which always has
+    /// bounds.
     [[nodiscard]] std::size_t add(std::span<const float> values, std::string_view type, Use use);
     [[nodiscard]] std::size_t add_indices(std::span<const std::uint32_t> indices);
 
@@ -33,7 +34,7 @@ class GltfBuffer {
     std::map<std::string, std::size_t, std::less<>> known_;  // by use, type and bytes
 };
 
-/// The container: a header, the JSON chunk, the binary chunk, each padded to four bytes
+/// Makes the container: a header, the JSON chunk and the binary chunk, each padded to four bytes
 /// (Khronos Group, glTF 2.0 Specification, section 4.4).
 [[nodiscard]] std::string glb_container(const nlohmann::ordered_json& document,
                                         std::string_view bytes);

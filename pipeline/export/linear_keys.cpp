@@ -12,7 +12,7 @@ namespace carom::pipeline {
 
 namespace {
 
-constexpr int kDeepest = 16;  // halvings of a stretch
+constexpr int kMaxDepth = 16;  // of the bisection of an interval
 
 class KeyInserter {
   public:
@@ -23,7 +23,7 @@ class KeyInserter {
         const auto keys = track_.keys();
         add(keys.front().time);
         for (std::size_t i = 1; i < keys.size(); ++i) {
-            add_stretch(keys[i - 1], keys[i]);
+            add_interval(keys[i - 1], keys[i]);
         }
         return std::move(result_);
     }
@@ -31,7 +31,7 @@ class KeyInserter {
   private:
     [[noreturn]] void refuse() const {
         throw Error(fmt::format(
-            "'{}' would need more than {} keys; export a shorter or calmer shot, or .csv",
+            "the motion of '{}' needs more than {} keys; export a shorter shot, or a .csv",
             track_.name(), most_));
     }
 
@@ -43,9 +43,9 @@ class KeyInserter {
         result_.add(time, state.position, state.orientation);
     }
 
-    /// In parts that turn by no more than is allowed: the angular velocity is linear, so the faster
-    /// end bounds it.
-    void add_stretch(const sim::Key& from, const sim::Key& to) {
+    /// Divides the interval so that no part turns by more than the tolerance. The angular velocity
+    /// is linear in time, so its maximum is at one of the ends.
+    void add_interval(const sim::Key& from, const sim::Key& to) {
         const double duration = to.time - from.time;
         const double fastest =
             std::max(from.angular_velocity_out.length(), to.angular_velocity_in.length());
@@ -63,10 +63,11 @@ class KeyInserter {
         }
     }
 
-    /// Adds the end of (from, to], whose beginning is there, and what is needed between.
+    /// Adds the end of (from, to] and the keys that are needed in between. The key at `from` exists
+    /// already.
     void refine(double from, double to, int depth) {
         const double middle = from + (to - from) / 2;
-        const bool can_be_halved = depth < kDeepest && middle > from && middle < to;
+        const bool can_be_halved = depth < kMaxDepth && middle > from && middle < to;
         if (can_be_halved && !is_straight(from, to)) {
             refine(from, middle, depth + 1);
             refine(middle, to, depth + 1);
@@ -96,7 +97,7 @@ class KeyInserter {
 
 }  // namespace
 
-bool LinearKeys::is_still() const {
+bool LinearKeys::is_constant() const {
     for (std::size_t i = 1; i < size(); ++i) {
         if (positions[i] != positions[0] || orientations[i] != orientations[0]) {
             return false;
@@ -115,7 +116,7 @@ void LinearKeys::add(double time, const Vec3& position, Quat orientation) {
 }
 
 LinearKeys linear_keys(const sim::Track& track, std::size_t most,
-                           const LinearTolerance& tolerance) {
+                       const LinearTolerance& tolerance) {
     return KeyInserter(track, most, tolerance).run();
 }
 

@@ -1,4 +1,4 @@
-// A track as keys for programs that go straight from key to key.
+// Converts a track to keys for programs that interpolate linearly.
 #pragma once
 
 #include <cstddef>
@@ -8,32 +8,33 @@
 
 namespace carom::pipeline {
 
-/// How far the straight way may be from the track, and how far a key may turn from the one before.
+/// The allowed deviation of linear interpolation from the track, and the largest turn between two
+/// keys.
 struct LinearTolerance {
     double position = 5e-5;     // m
     double orientation = 2e-3;  // rad
-    /// rad: so far programs that mix the components of quaternions (Blender) instead of going at
-    /// constant speed are wrong by 1.4 mrad at most.
+    /// rad. Up to this turn, programs that interpolate the components of quaternions linearly
+    /// (Blender) instead of using slerp are wrong by at most 1.4 mrad.
     double turn = 0.7;
 };
 
-/// Positions to be joined by straight lines, orientations by the shorter arc at constant speed
-/// (slerp). All lists have the same length, times strictly increase, neighbouring quaternions lie
-/// in one hemisphere.
+/// Keys between which positions are interpolated linearly and orientations along the shorter arc at
+/// constant speed (slerp). All lists have the same length, times are strictly increasing, and
+/// neighbouring quaternions are in the same hemisphere.
 struct LinearKeys {
     std::vector<double> times;  // scene time, s
     std::vector<Vec3> positions;
     std::vector<Quat> orientations;
 
     [[nodiscard]] std::size_t size() const { return times.size(); }
-    /// Whether nothing of it ever changes.
-    [[nodiscard]] bool is_still() const;
+    /// Whether all keys have the same position and orientation.
+    [[nodiscard]] bool is_constant() const;
     void add(double time, const Vec3& position, Quat orientation);
 };
 
-/// Every key of the track is one, so that what happened in an instant keeps its corner; between
-/// them there are as many as the tolerance asks for. Throws Error if that is more than `most`.
+/// The keys of the track, which keep sudden changes of velocity sharp, and as many between them as
+/// the tolerance requires. Throws Error if these are more than `most`.
 [[nodiscard]] LinearKeys linear_keys(const sim::Track& track, std::size_t most,
-                                         const LinearTolerance& tolerance = {});
+                                     const LinearTolerance& tolerance = {});
 
 }  // namespace carom::pipeline

@@ -11,19 +11,19 @@ namespace carom::pipeline {
 
 namespace {
 
-// As in render/texture/ball_paint.cpp, in ball radii.
+// The dimensions of render/texture/ball_paint.cpp, in ball radii.
 constexpr double kBandHalfWidth = 0.56;
 constexpr double kSpotRadius = 0.105;
 const Vec3 kSpotColour(0.52, 0.02, 0.018);
 
-constexpr double kNowhere = 2;  // above the sphere
+constexpr double kNoCircle = 2;  // above the sphere, so that there is no circle
 
-/// The height above the centre of a circle of that chord radius on the unit sphere.
+/// The height above the centre of a circle on the unit sphere, given its chord radius.
 double height_of_circle(double chord_radius) {
     return std::sqrt(1 - chord_radius * chord_radius);
 }
 
-/// Both caps of the sphere about an axis.
+/// Cuts off both caps of the sphere about an axis.
 void cut_caps(render::MeshShape& sphere, int axis, double height) {
     Vec3 normal(0, 0, 0);
     normal[axis] = 1;
@@ -36,9 +36,9 @@ void cut_caps(render::MeshShape& sphere, int axis, double height) {
 }  // namespace
 
 PaintedSphere painted_sphere(const render::BallTexture& paint) {
-    const double band = paint.striped ? kBandHalfWidth : kNowhere;
-    const double disc = paint.number != 0 ? height_of_circle(paint.disc_radius) : kNowhere;
-    const double spot = paint.spots != 0 ? height_of_circle(kSpotRadius) : kNowhere;
+    const double band = paint.striped ? kBandHalfWidth : kNoCircle;
+    const double disc = paint.number != 0 ? height_of_circle(paint.disc_radius) : kNoCircle;
+    const double spot = paint.spots != 0 ? height_of_circle(kSpotRadius) : kNoCircle;
     PaintedSphere result;
     render::MeshShape& sphere = result.mesh;
     sphere = unit_sphere_mesh();

@@ -1,4 +1,4 @@
-// A ball's paint as fields of one colour.
+// Divides the surface of a painted ball into fields of one colour.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace carom::pipeline {
 
-/// A unit sphere whose triangles end where the colours do: those of the first field come first.
+/// A unit sphere whose triangles end at the borders between colours. They are sorted by field.
 struct PaintedSphere {
     struct Field {
         std::string name;  // "", "white", "spots"
@@ -19,7 +19,7 @@ struct PaintedSphere {
     std::vector<Field> fields;  // none is empty
 };
 
-/// Stripes, the number's disc and spots where the renderer paints them; figures are left out.
+/// Stripes, the number's disc and spots are where the renderer paints them; digits are omitted.
 [[nodiscard]] PaintedSphere painted_sphere(const render::BallTexture& paint);
 
 }  // namespace carom::pipeline

@@ -14,12 +14,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kNearest = 0.01;       // of what a camera shows, m
+constexpr double kNearest = 0.01;       // near plane of cameras, m
 constexpr double kWidestSpot = 1.57;    // rad
-constexpr double kLumensPerWatt = 683;  // as Blender and others convert between them
-const Quat kYUp(std::sqrt(0.5), Vec3(-std::sqrt(0.5), 0, 0));  // the turn that y_up makes
+constexpr double kLumensPerWatt = 683;  // the conversion of Blender and others
+const Quat kYUp(std::sqrt(0.5), Vec3(-std::sqrt(0.5), 0, 0));  // the rotation of y_up
 
-/// Our axes in those of glTF: a quarter turn about x.
+/// Converts from Z up to glTF's Y up: a quarter turn about x.
 template <class Vector>
 Vector y_up(const Vector& v) {
     return {v.x, v.z, -v.y};
@@ -33,7 +33,7 @@ Json list(const Vec3& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-/// As four floats, x y z w, of unit length after rounding as nearly as they can be.
+/// Four floats x y z w, chosen so that their length is as close to 1 as rounding allows.
 std::array<float, 4> floats(const Quat& q) {
     const Quat unit = q.normalized();
     return {static_cast<float>(unit.v.x), static_cast<float>(unit.v.y),
@@ -129,7 +129,8 @@ class GlbWriter {
         add_node({{"name", part.name}, {"mesh", meshes_.size() - 1}}, part.keys);
     }
 
-    /// The camera's place and turn on the scene's clock. A field of view that changes is its first.
+    /// Adds a camera whose position and orientation follow scene time. glTF cannot animate the
+    /// field of view, so the first one is used.
     void add_camera(const ExportCamera& camera) {
         cameras_.push_back({{"name", camera.name},
                             {"type", "perspective"},
@@ -144,7 +145,8 @@ class GlbWriter {
         add_node({{"name", camera.name}, {"camera", cameras_.size() - 1}}, keys, Axes::of_gltf);
     }
 
-    /// Lights without an area; the others are among the scene's lamps, the environment is left out.
+    /// Adds lights without an area. Area lights are among the scene's lamps; the environment is
+    /// omitted.
     void add_light(const render::LightDescription& light) {
         const Vec3 down(0, 0, -1);
         if (const auto* point = std::get_if<render::PointLight>(&light.light)) {
@@ -170,7 +172,8 @@ class GlbWriter {
         lights_.push_back(std::move(light));
         extensions_.insert("KHR_lights_punctual");
         Quat turn;
-        turn.setRotation(Vec3(0, 0, -1), direction.normalized());  // it shines along its -z
+        turn.setRotation(Vec3(0, 0, -1),
+                         direction.normalized());  // the light's direction is its -z axis
         LinearKeys keys;
         keys.add(scene_.start_time, position, turn);
         add_node({{"name", name},
@@ -178,7 +181,7 @@ class GlbWriter {
                  keys, Axes::of_gltf);
     }
 
-    /// Whether what the node holds was turned to Y up itself, or has axes that glTF lays down.
+    /// Whether the node's contents were converted to Y up, or have axes that glTF prescribes.
     enum class Axes { turned, of_gltf };
 
     void add_node(Json node, const LinearKeys& keys, Axes axes = Axes::turned) {
@@ -192,7 +195,7 @@ class GlbWriter {
             node["rotation"] = turn;
         }
         nodes_.push_back(std::move(node));
-        if (keys.is_still()) {
+        if (keys.is_constant()) {
             return;
         }
         std::vector<float> times;
@@ -201,7 +204,7 @@ class GlbWriter {
         for (std::size_t i = 0; i < keys.size(); ++i) {
             const auto time = static_cast<float>(keys.times[i] - scene_.start_time);
             if (!times.empty() && time <= times.back()) {
-                continue;  // floats cannot tell them apart
+                continue;  // equal when rounded to float
             }
             times.push_back(time);
             const Vec3 p = y_up(keys.positions[i]);

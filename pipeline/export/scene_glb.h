@@ -1,4 +1,4 @@
-// glTF 2.0, in its binary form.
+// Writes glTF 2.0 in its binary form.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 namespace carom::pipeline {
 
 /// The contents of a .glb: a node per object, camera and punctual light, named as in the shot, and
-/// one animation on the scene's clock, in seconds since the timeline's start. glTF's Y points up: a
-/// point (x, y, z) of ours is (x, z, -y) there, so that Blender, which turns it back, shows our
-/// coordinates. Throws Error above 4 GiB.
+/// one animation in scene time, in seconds since the timeline's start. glTF's Y axis points up:
+/// carom's point (x, y, z) becomes (x, z, -y). Blender converts back and shows carom's coordinates.
+/// Throws Error above 4 GiB.
 [[nodiscard]] std::string scene_to_glb(const ExportScene& scene);
 
 }  // namespace carom::pipeline

@@ -12,7 +12,7 @@ namespace carom::pipeline {
 
 namespace {
 
-constexpr double kTenths = 10;  // USD gives a lens in tenths of the stage's unit, the metre
+constexpr double kTenths = 10;  // USD measures lenses in tenths of the stage's unit, the metre
 constexpr double kDegrees = 57.29577951308232;
 
 template <class Range, class Text>
@@ -82,7 +82,8 @@ class UsdaWriter {
         text_.open(head + " \"" + names_.unique(name) + "\"", metadata);
     }
 
-    /// "type name = value", or timeSamples where it changes. `value(i)` is the text of key i.
+    /// Writes "type name = value", or timeSamples if the value changes. `value(i)` is the text of
+    /// key i.
     template <class Value>
     void attribute(const std::string& type_and_name, const std::vector<double>& times,
                    Value value) {
@@ -177,7 +178,7 @@ class UsdaWriter {
         text_.close();
     }
 
-    /// Faces that have another material than the mesh itself.
+    /// Writes a subset of faces whose material differs from that of the mesh.
     void write_patch(const ExportPatch& patch, std::size_t number) {
         std::vector<std::uint32_t> faces;
         for (std::size_t i = 0; i < patch.count; ++i) {
@@ -192,28 +193,30 @@ class UsdaWriter {
         text_.close();
     }
 
-    /// Of a lens with the rig's sensor: what changes over the scene's time.
+    /// Writes a camera with the rig's sensor; focal length, focus and aperture vary with scene
+    /// time.
     void write_camera(const ExportCamera& camera) {
         const std::vector<ExportCameraKey> keys = camera.by_scene_time();
-        LinearKeys way;
+        LinearKeys path;
         for (const ExportCameraKey& key : keys) {
-            way.add(key.scene_time, key.state.position, camera_axes(key.state).orientation());
+            path.add(key.scene_time, key.state.position, camera_axes(key.state).orientation());
         }
         const auto focal_length = [&](std::size_t i) {
             return camera.sensor_height / (2 * std::tan(keys[i].state.vertical_fov / 2));
         };
         const auto value = [](double v) { return usda_number(static_cast<float>(v)); };
-        // It moves by a prim of its own around it: three.js animates no others.
+        // The camera is inside an Xform that moves it, because three.js animates only Xforms and
+        // meshes.
         open("def Xform", camera.name);
-        write_keys(way);
+        write_keys(path);
         open("def Camera", camera.name + "_lens");
         number("horizontalAperture", kTenths * camera.sensor_height * scene_.aspect);
         number("verticalAperture", kTenths * camera.sensor_height);
-        attribute("float focalLength", way.times,
+        attribute("float focalLength", path.times,
                   [&](std::size_t i) { return value(kTenths * focal_length(i)); });
-        attribute("float focusDistance", way.times,
+        attribute("float focusDistance", path.times,
                   [&](std::size_t i) { return value(keys[i].state.focus_distance); });
-        attribute("float fStop", way.times, [&](std::size_t i) {  // 0: a pinhole
+        attribute("float fStop", path.times, [&](std::size_t i) {  // 0: pinhole camera
             const double radius = keys[i].state.lens_radius;
             return value(radius > 0 ? focal_length(i) / (2 * radius) : 0);
         });
@@ -223,7 +226,7 @@ class UsdaWriter {
 
     void write_light(const render::LightDescription& light) {
         if (const auto* rectangle = std::get_if<render::RectangleLight>(&light.light)) {
-            const Vec3 back = -rectangle->normal;  // it shines along its -z
+            const Vec3 back = -rectangle->normal;  // the light's direction is its -z axis
             const Vec3 u = rectangle->edge_u.normalized();
             open_light("RectLight", light.name, rectangle->radiance);
             number("inputs:width", 2 * rectangle->edge_u.length());
@@ -235,13 +238,13 @@ class UsdaWriter {
             write_place(sphere->centre, Quat());
         } else if (const auto* sun = std::get_if<render::DirectionalLight>(&light.light)) {
             open_light("DistantLight", light.name, sun->irradiance);
-            write_place({0, 0, 0}, shining(sun->direction));
+            write_place({0, 0, 0}, light_rotation(sun->direction));
         } else if (const auto* spot = std::get_if<render::SpotLight>(&light.light)) {
             open_light("SphereLight", light.name, spot->intensity, "ShapingAPI");
             text_.line("bool treatAsPoint = 1");
             number("inputs:shaping:cone:angle", kDegrees * spot->outer_angle);
             number("inputs:shaping:cone:softness", 1 - spot->inner_angle / spot->outer_angle);
-            write_place(spot->position, shining(spot->direction));
+            write_place(spot->position, light_rotation(spot->direction));
         } else if (const auto* point = std::get_if<render::PointLight>(&light.light)) {
             open_light("SphereLight", light.name, point->intensity);
             text_.line("bool treatAsPoint = 1");
@@ -252,7 +255,7 @@ class UsdaWriter {
         text_.close();
     }
 
-    /// False for a sky, which USD cannot compute.
+    /// Returns false for a sky model, which USD does not have.
     bool write_dome(const render::LightDescription& light) {
         const auto& room = std::get<render::EnvironmentLight>(light.light);
         if (room.sky) {
@@ -263,7 +266,8 @@ class UsdaWriter {
             text_.line("asset inputs:texture:file = @" + room.image + "@");
             text_.line("token inputs:texture:format = \"latlong\"");
         }
-        // Its picture has Y up and z in the middle (UsdLux); ours Z up and x in the middle.
+        // A UsdLux dome's image has Y up and +z in the middle; carom's has Z up and +x in the
+        // middle.
         const Quat x_y_z_to_y_z_x(0.5, Vec3(0.5, 0.5, 0.5));
         Quat turn;
         turn.setAxisAngle(Vec3(0, 0, 1), room.rotation);
@@ -271,7 +275,7 @@ class UsdaWriter {
         return true;
     }
 
-    static Quat shining(const Vec3& direction) {
+    static Quat light_rotation(const Vec3& direction) {
         Quat turn;
         turn.setRotation(Vec3(0, 0, -1), direction.normalized());
         return turn;

@@ -1,4 +1,4 @@
-// Universal Scene Description, in its text form.
+// Writes Universal Scene Description in its text form.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace carom::pipeline {
 
-/// The contents of a .usda: Z up, metres, a time code per frame of the film. Under the root prim
-/// meshes with their keys, cameras (each within an Xform that moves it; focal length and focus
-/// change, too) and lights, each under a name that USD allows and with our own as its displayName;
-/// materials as UsdPreviewSurface.
+/// The contents of a .usda: Z up, metres, one time code per frame of the film. The root prim
+/// contains meshes with their keys, cameras (each inside an Xform that moves it; focal length and
+/// focus are animated too) and lights. Names are made valid for USD, and displayName has the
+/// original name. Materials are UsdPreviewSurface.
 [[nodiscard]] std::string scene_to_usda(const ExportScene& scene);
 
 }  // namespace carom::pipeline

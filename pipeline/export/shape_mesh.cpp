@@ -23,7 +23,7 @@ Vec3 around(std::uint32_t side) {
     return {std::cos(angle), std::sin(angle), 0};
 }
 
-/// A flat polygon with vertices of its own, counter-clockwise seen from its front.
+/// Adds a flat polygon with its own vertices, counter-clockwise seen from its front.
 void add_polygon(MeshShape& mesh, const std::vector<Vec3>& corners) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
@@ -67,7 +67,8 @@ void add_disk(MeshShape& mesh, double radius, double z, bool faces_up) {
     add_polygon(mesh, rim);
 }
 
-/// From `bottom` at -height / 2 to `top` at height / 2; a radius of 0 is a tip.
+/// A frustum with radius `bottom` at -height / 2 and `top` at height / 2; a radius of 0 gives a
+/// tip.
 MeshShape frustum_mesh(double bottom, double top, double height) {
     MeshShape mesh;
     const Vec3 rise(0, 0, (bottom - top) / height);
@@ -96,8 +97,8 @@ MeshShape frustum_mesh(double bottom, double top, double height) {
     return mesh;
 }
 
-/// A unit sphere cut at its equator, each half at an end: the vertices of the equator stand twice,
-/// and the side joins them.
+/// A sphere cut at its equator, with one half at each end. The vertices of the equator exist twice,
+/// and the side connects them.
 MeshShape capsule_mesh(double radius, double length) {
     MeshShape mesh = unit_sphere_mesh();
     const auto split = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -107,7 +108,7 @@ MeshShape capsule_mesh(double radius, double length) {
         mesh.vertices.push_back(vertex);
         mesh.normals.push_back(mesh.normals[equator + i]);
     }
-    // The lower half keeps the equator of the sphere, the upper half takes the copies.
+    // The lower half uses the original equator, the upper half uses the copies.
     const auto is_upper = [&](std::uint32_t corner) {
         return corner < split && mesh.vertices[corner].z > 1e-9;
     };
@@ -131,10 +132,10 @@ MeshShape capsule_mesh(double radius, double length) {
     return mesh;
 }
 
-/// A place across a face of a rounded box: on the rounding beside its middle.
+/// A position across a face of a rounded box, on the rounding at one side of its flat middle.
 struct Rounding {
-    double slope;  // of the normal against the face's own, at most 1: there the next face begins
-    double side;   // which end of the core it is round
+    double slope;  // of the normal relative to the face normal; at 1 the next face begins
+    double side;   // the end of the core that it rounds, -1 or 1
 };
 
 /// `core`: half of the core's length across the face.
@@ -164,7 +165,7 @@ void add_rounded_face(MeshShape& mesh, const render::RoundedBoxShape& box, int a
         for (const Rounding& i : across) {
             Vec3 normal(0, 0, 0);
             normal[axis] = side;
-            normal[u] = side * i.slope;  // which keeps the order seen from outside
+            normal[u] = side * i.slope;  // preserves the orientation seen from outside
             normal[v] = j.slope;
             normal.normalize();
             Vec3 corner(0, 0, 0);
@@ -242,7 +243,7 @@ struct MeshOf {
     }
 };
 
-/// Where the plane crosses the side from a to b, moved along the sphere onto the circle.
+/// The point where the plane crosses the edge from a to b, moved along the sphere onto the circle.
 Vec3 on_circle(const Vec3& a, const Vec3& b, const Vec3& normal, double distance) {
     const double da = normal.dot(a) - distance;
     const double db = normal.dot(b) - distance;
@@ -281,7 +282,7 @@ MeshShape unit_sphere_mesh() {
 }
 
 void cut_unit_sphere(MeshShape& sphere, const Vec3& normal, double distance) {
-    constexpr double kOn = 1e-9;  // counts as on the plane
+    constexpr double kOn = 1e-9;  // tolerance for points on the plane
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings;
     const auto side_of = [&](std::uint32_t corner) {
         const double height = normal.dot(sphere.vertices[corner]) - distance;
@@ -300,7 +301,7 @@ void cut_unit_sphere(MeshShape& sphere, const Vec3& normal, double distance) {
     };
     std::vector<std::array<std::uint32_t, 3>> result;
     for (const auto& triangle : std::exchange(sphere.triangles, {})) {
-        // The corners of either part, in order; a corner on the plane belongs to both.
+        // The corners of both parts, in order; a corner on the plane belongs to both.
         std::array<std::vector<std::uint32_t>, 2> parts;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t corner = triangle[i];

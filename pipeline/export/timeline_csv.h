@@ -1,4 +1,4 @@
-// Tracks and events as tables that any program reads.
+// Tracks and events as CSV tables.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@ namespace carom::pipeline {
 /// Columns object,time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz: seconds, metres, the unit quaternion
 /// from body to world axes, m/s, rad/s in world axes. One row per key, object by object in the
 /// order of the timeline. A key whose velocities jump (an impact, a strike) has two rows of the
-/// same time: the state on arriving, then the state on leaving.
+/// same time: the state before the jump, then the state after it.
 [[nodiscard]] std::string keys_to_csv(const sim::Timeline& timeline);
 
 /// The same columns, each track sampled at start_time + n / rate up to and including end_time. At
-/// the instant of a jump the velocities are those on leaving. Throws Error unless 0 < rate <=
+/// the instant of a jump the velocities are those after it. Throws Error unless 0 < rate <=
 /// 1e6 Hz and the table has at most ten million rows.
 [[nodiscard]] std::string samples_to_csv(const sim::Timeline& timeline, double rate);
 
 /// Columns time,kind,a,b,x,y,z,nx,ny,nz,normal_impulse,tangential_impulse, one row per event in
-/// order of time; what an event of its kind does not have is empty (b) or 0.
+/// order of time; values that do not apply to the kind of event are empty (b) or 0.
 [[nodiscard]] std::string events_to_csv(const sim::Timeline& timeline);
 
 }  // namespace carom::pipeline

@@ -56,7 +56,7 @@ Json value(const std::array<Vec3, 3>& points) {
     return {list(points[0]), list(points[1]), list(points[2])};
 }
 
-/// `json` and all fields, in the order of their list.
+/// `json` extended by all described fields, in the order of their list.
 template <Described T>
 Json with_fields(Json json, const T& described) {
     for_each_field(described, [&](const auto& field, const auto& member) {
@@ -113,7 +113,7 @@ Json state_json(double time, const MotionState& state) {
     return with_fields({{"time", time}}, state);
 }
 
-/// The velocities are those on leaving; where it differs, what it arrived with stands beside them.
+/// The velocities are those after the key; if they differ before it, those are added.
 Json key_json(const sim::Key& key) {
     Json result = state_json(
         key.time, {key.position, key.orientation, key.velocity_out, key.angular_velocity_out});
@@ -164,7 +164,7 @@ Json all(const Range& values, Function function) {
     return result;
 }
 
-/// A line for each member, and for each entry of a list.
+/// JSON text with one line per member and per list entry.
 std::string lines_of(const Json& document) {
     std::string text;
     for (const auto& [name, value] : document.items()) {

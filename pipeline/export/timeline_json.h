@@ -1,4 +1,4 @@
-// Everything about a shot that another program may want, as JSON.
+// Exports a whole shot as JSON.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace carom::pipeline {
 
-/// One object; docs/export.md describes it. The tracks' own keys, with the velocities on arriving
-/// and leaving, or `rate` (Hz) samples per second as in timeline_csv.h. Throws Error for a rate
-/// that is out of range.
+/// One JSON object, described in docs/export.md. Tracks are given by their keys, with the
+/// velocities before and after each, or sampled at `rate` (Hz) as in timeline_csv.h. Throws Error
+/// if the rate is out of range.
 [[nodiscard]] std::string timeline_json(const Shot& shot, const sim::Timeline& timeline,
                                         const ExportScene& scene, std::optional<double> rate);
 

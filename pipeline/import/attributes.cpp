@@ -113,7 +113,8 @@ void Attributes::read(const std::vector<Item>& items, const config::Place& place
     while (at < items.size()) {
         const Item& name = items[at];
         if (name.is_group) {
-            problems_->error(name.place, "a block without a name in " + owner_);
+            problems_->error(name.place,
+                             "a block in " + owner_ + " has no attribute name before it");
             ++at;
             continue;
         }
@@ -123,7 +124,7 @@ void Attributes::read(const std::vector<Item>& items, const config::Place& place
             continue;
         }
         if (attribute->count++ > 0 && !attribute->repeats) {
-            problems_->error(name.place, quote(name.word) + " stands twice in " + owner_);
+            problems_->error(name.place, quote(name.word) + " is given twice in " + owner_);
         }
         if (at + 1 == items.size()) {
             problems_->error(name.place, quote(name.word) + " of " + owner_ + " has no value");
@@ -139,7 +140,7 @@ void Attributes::read(const std::vector<Item>& items, const config::Place& place
     }
 }
 
-// Goes on behind what looks like its value.
+// Reports the unknown attribute and returns the index after it and its apparent value.
 std::size_t Attributes::unknown(const std::vector<Item>& items, std::size_t at) {
     std::vector<std::string> known;
     for (const Attribute& attribute : table_) {

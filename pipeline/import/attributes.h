@@ -1,4 +1,4 @@
-// Reads the attributes between an element's braces into the fields that a table names.
+// Reads the attributes in an element's braces and stores them in the fields of a table.
 #pragma once
 
 #include <functional>
@@ -12,13 +12,13 @@
 
 namespace carom::pipeline::scene_text {
 
-/// What a number may be.
+/// The values that a number may have.
 struct Limits {
     double low = -1e9;
     double high = 1e9;
     bool is_whole = false;
     bool above_low = false;       // `low` itself is not allowed
-    bool can_be_default = false;  // -1 asks for the default, and leaves the field empty
+    bool can_be_default = false;  // -1 means the default: the field stays empty
 };
 
 /// The attributes of one element. The fields must outlive the table.
@@ -30,18 +30,18 @@ class Attributes {
 
     Attributes& real(std::string name, Real& field, Limits limits = {});
     Attributes& vector(std::string name, std::optional<Vec3>& field);
-    /// May stand there several times.
+    /// An attribute that may be repeated.
     Attributes& points(std::string name, std::vector<Vec3>& field);
     Attributes& word(std::string name, std::optional<Name>& field);
-    /// A nested block, which may stand there several times.
+    /// A nested block, which may be repeated.
     Attributes& blocks(std::string name, std::function<void(const Item&)> read);
 
-    /// Another spelling of the attribute named last.
+    /// Adds another spelling of the attribute that was added last.
     Attributes& also(std::string spelling);
-    /// The attribute named last must be there.
+    /// Makes the attribute that was added last mandatory.
     Attributes& required();
 
-    /// Reads all of `items`; what is wrong becomes problems, `place` is the element's own.
+    /// Reads all `items` and reports problems. `place` is the position of the element.
     void read(const std::vector<Item>& items, const config::Place& place);
 
   private:
@@ -68,7 +68,7 @@ class Attributes {
     std::vector<Attribute> table_;
 };
 
-/// A decimal number; empty for anything else, not finite ones included.
+/// The value of a finite decimal number; empty for any other text.
 [[nodiscard]] std::optional<double> to_number(const std::string& word);
 
 }  // namespace carom::pipeline::scene_text

@@ -69,8 +69,8 @@ std::string yaml_text(const std::string& value) {
 }
 
 std::string yaml_rotation(const Vec3& x, const Vec3& y, const Vec3& z) {
-    // The matrix with these columns; its angle from the trace, its axis from what is not symmetric,
-    // or at half a turn from what is.
+    // The rotation matrix has these columns. Its angle follows from the trace, its axis from the
+    // antisymmetric part or, for half a turn, from the symmetric part.
     const double cosine = std::clamp((x.x + y.y + z.z - 1) / 2, -1.0, 1.0);
     Vec3 axis(y.z - z.y, z.x - x.z, x.y - y.x);
     const double sine = axis.length() / 2;

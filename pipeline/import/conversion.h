@@ -1,4 +1,4 @@
-// What the parts of a conversion from a scene text to YAML share.
+// Shared parts of the conversion from a scene text to YAML.
 #pragma once
 
 #include <map>
@@ -12,12 +12,12 @@
 
 namespace carom::pipeline::scene_text {
 
-/// Places and lengths of the author's in ours.
+/// Converts the author's coordinates and units to carom's.
 class Axes {
   public:
     explicit Axes(const ImportOptions& options) : unit_(options.unit), is_z_up_(options.is_z_up) {}
 
-    /// A direction: no unit. A quarter turn about x, so that the author's up is ours.
+    /// Converts a direction, without the unit: a quarter turn about x maps y up to z up.
     [[nodiscard]] Vec3 direction(const Vec3& v) const {
         return is_z_up_ ? v : Vec3(v.x, -v.z, v.y);
     }
@@ -30,7 +30,7 @@ class Axes {
     bool is_z_up_;
 };
 
-/// What a conversion writes to.
+/// The state of a conversion.
 struct Conversion {
     SceneModel scene;
     const ImportOptions& options;
@@ -41,14 +41,14 @@ struct Conversion {
     std::vector<std::string> notes{};
     std::set<std::string> noted{};
 
-    /// Once each; only the first hundred are kept.
+    /// Adds a note, unless it was added before. Only the first hundred are kept.
     void note(const std::string& text);
 };
 
-/// Names that the YAML may have, each used once.
+/// Makes names valid for the YAML and unique.
 class Names {
   public:
-    /// `name` itself where the YAML allows it and it is not taken yet, else one made from it.
+    /// `name` itself if it is valid and unused, otherwise a name derived from it.
     [[nodiscard]] std::string claim(const std::string& name);
 
   private:
@@ -58,9 +58,9 @@ class Names {
 
 // ---- sections of the YAML, whole lines ------------------------------------------------------
 
-// What cannot be converted becomes a problem.
+// Parts that cannot be converted are reported as problems.
 
-/// Nothing happens after `last_time`, s.
+/// Events after `last_time` (s) are omitted.
 [[nodiscard]] std::string objects_and_events(Conversion& conversion, double last_time);
 [[nodiscard]] std::string materials_section(Conversion& conversion);
 [[nodiscard]] std::string lights_section(Conversion& conversion);
@@ -68,8 +68,8 @@ class Names {
 [[nodiscard]] std::string cameras_section(Conversion& conversion, double& duration);
 [[nodiscard]] std::string render_section(Conversion& conversion);
 
-/// The middle of the moving spheres, or of all, or the first camera's target: what the scene is
-/// about. In the author's units.
+/// The centre of interest: the middle of the moving spheres, otherwise of all spheres, otherwise
+/// the first camera's target. In the author's units.
 [[nodiscard]] Vec3 middle_of_moving_spheres(const SceneModel& scene);
 
 // ---- YAML ------------------------------------------------------------------------------------
@@ -80,8 +80,8 @@ class Names {
 [[nodiscard]] std::string yaml(const Vec3& value);
 /// Double-quoted.
 [[nodiscard]] std::string yaml_text(const std::string& value);
-/// "rotate: {axis: [0, 0, 1], angle: 30 deg}" for the turn that carries x, y and z to these unit
-/// vectors; empty for none.
+/// "rotate: {axis: [0, 0, 1], angle: 30 deg}" for the rotation that maps x, y and z to these unit
+/// vectors; empty for the identity.
 [[nodiscard]] std::string yaml_rotation(const Vec3& x, const Vec3& y, const Vec3& z);
 
 }  // namespace carom::pipeline::scene_text

@@ -1,4 +1,4 @@
-// Cameras as rigs, the film one after the other.
+// Converts cameras to rigs, which film one after the other.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,20 +13,20 @@ namespace {
 
 using config::quote;
 
-constexpr double kDefaultFov = 2;  // distance of the plane of projection
+constexpr double kDefaultFov = 2;  // distance of the projection plane
 constexpr double kDefaultWidth = 320;
 constexpr double kDefaultHeight = 240;
 
-/// A camera with everything decided.
+/// A camera with all defaults filled in.
 struct Rig {
     const Camera* camera = nullptr;
     double video_start = 0, video_end = 0, time_start = 0, time_end = 0;
 };
 
-/// In the order of the film; what was left out follows from what is there.
+/// The cameras in order of video time. Missing times follow from the given ones.
 std::vector<Rig> timed(Conversion& conversion) {
     std::vector<Rig> rigs;
-    double end = 0;  // of the camera before
+    double end = 0;  // of the previous camera
     for (const Camera& camera : conversion.scene.cameras) {
         Rig rig{&camera};
         rig.video_start = camera.video_start.value_or(end);
@@ -56,7 +56,8 @@ std::vector<Rig> timed(Conversion& conversion) {
     return rigs;
 }
 
-/// The film has neither gaps nor a late start: cameras move up. An overlap is an error.
+/// Moves cameras to earlier video times, so that the film has no gaps and starts at 0. An overlap
+/// is an error.
 void close_gaps(std::vector<Rig>& rigs, Conversion& conversion) {
     double end = 0;
     double shift = 0;
@@ -92,7 +93,7 @@ std::string path(const std::vector<Vec3>& points, const Axes& axes) {
     return text + "]}";
 }
 
-/// Vertical, rad, for a plane of projection one unit wide at `distance`.
+/// The vertical field of view, rad, for a projection plane one unit wide at `distance`.
 double vertical_angle(double distance, double height_by_width) {
     return 2 * std::atan(height_by_width / (2 * distance));
 }
@@ -101,7 +102,7 @@ std::string degrees(double angle) {
     return yaml(angle * 180 / std::numbers::pi) + " deg";
 }
 
-/// One value, or those at start and end.
+/// One value, or a list of the values at start and end.
 std::string start_end(const std::string& start, const std::string& end) {
     return start == end ? start : "[" + start + ", " + end + "]";
 }
@@ -110,11 +111,12 @@ std::string focus(const Real& distance, const Axes& axes) {
     return distance ? yaml(axes.length(*distance)) : "auto";
 }
 
-/// By how much the camera that looks along `forward` rolls so that `up` is up and not `reference`.
+/// The roll angle of a camera with view direction `forward` that turns its up vector from
+/// `reference` to `up`.
 double roll_between(const Vec3& forward, const Vec3& reference, const Vec3& up) {
     const Vec3 right = forward.cross(reference);
     const Vec3 upright = right.cross(forward);
-    // A camera rolled by r has upright cos r - right sin r for its own up.
+    // A camera with roll r has the up vector upright cos r - right sin r.
     return std::atan2(-(up.dot(right.normalized())), up.dot(upright.normalized()));
 }
 
@@ -131,8 +133,9 @@ void write_sky(std::ostringstream& out, const Rig& rig, Conversion& conversion) 
     const Vec3 last = camera.targets.back() - camera.positions.back();
     for (const auto& [forward, sky] : {std::pair(first, start), std::pair(last, end)}) {
         if (forward.length() < 1e-9) {
-            conversion.problems.error(camera.name.place,
-                                      owner + " stands in its own target at the start or the end");
+            conversion.problems.error(
+                camera.name.place,
+                owner + " has the same position as its target at the start or the end");
             return;
         }
         if (looks_along(forward, sky)) {
@@ -219,7 +222,7 @@ std::string render_section(Conversion& conversion) {
         }
         return value.value_or(otherwise);
     };
-    // 0 and 1 both switch an effect off.
+    // 0 and 1 both disable an effect.
     const auto count = [&](const Real& value, const char* name) {
         return static_cast<int>(std::max(1.0, defaulted(value, 0, name)));
     };

@@ -1,4 +1,4 @@
-// Materials as phong ones, lights as ours.
+// Converts materials to phong materials, and lights.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -24,7 +24,7 @@ class PhongText {
     PhongText(const PhongInfo& phong, Conversion& conversion)
         : phong_(phong), conversion_(conversion) {}
 
-    /// `diffuse` instead of the colour, if it is not empty.
+    /// `diffuse` replaces the colour, unless it is empty.
     std::string operator()(const std::string& diffuse) {
         std::string text = "ambient: " + colour(phong_.ambient, "ambient");
         text += ", diffuse: " + (diffuse.empty() ? colour(phong_.diffuse, "diffuse") : diffuse);
@@ -73,7 +73,7 @@ class PhongText {
     Conversion& conversion_;
 };
 
-/// How the picture of a texture is named in the YAML; empty, and a note, if it is not there.
+/// The path of a texture's image for the YAML; empty, with a note, if the file does not exist.
 std::string picture(const Texture& texture, Conversion& conversion) {
     const fs::path path = fs::path(conversion.scene_folder) / texture.filename->text;
     std::error_code error;
@@ -108,22 +108,22 @@ std::string diffuse_picture(const Material& material, Conversion& conversion) {
 
 // ---- lights ---------------------------------------------------------------------------------
 
-// What the lights of the format give does not depend on the distance. A surface of the diffuse
-// colour k that faces one of them is seen as k times the light's colour, so its irradiance is pi
-// times the colour: a rectangle and a bulb give it by having the colour for a radiance.
+// Lights of the format do not fall off with distance. A surface of diffuse colour k that faces a
+// light has the radiance k times the light's colour, so its irradiance is pi times that colour.
+// Rectangles and bulbs give this irradiance if their radiance is the colour.
 constexpr const char* kFalloff = ", falloff: none";
 
-/// At right angles to the unit vector.
-Vec3 perpendicular_to(const Vec3& v, const Vec3& axis) {
+/// The part of v perpendicular to the unit vector `axis`.
+Vec3 perpendicular_part(const Vec3& v, const Vec3& axis) {
     return v - axis * axis.dot(v);
 }
 
-/// `towards`: a point on the side to which it shines.
+/// `towards`: a point on the side that emits.
 std::string rectangle_light(const Light& light, const Vec3& towards, Conversion& conversion) {
     const Axes& axes = conversion.axes;
     const double width = light.x->length();
     const Vec3 u = *light.x / std::max(width, 1e-300);
-    const Vec3 across = perpendicular_to(*light.y, u);
+    const Vec3 across = perpendicular_part(*light.y, u);
     const double breadth = across.length();
     if (!(width > 0) || !(breadth > 1e-9 * std::max(width, light.y->length()))) {
         conversion.problems.error(light.name.place, "the edges x and y of light_rect " +
@@ -139,7 +139,7 @@ std::string rectangle_light(const Light& light, const Vec3& towards, Conversion&
     Vec3 normal = u.cross(across / breadth);
     normal = normal.dot(towards - middle) < 0 ? -normal : normal;
     conversion.note("light_rect " + quote(light.name.text) + " shines to one side only");
-    // The light's own first axis, as the format has it, and the turn from there.
+    // The first axis of the format's light, and the rotation from it.
     const Vec3 n = axes.direction(normal);
     const Vec3 level = Vec3(0, 0, 1).cross(n);
     const Vec3 u0 = level.dot(level) < 1e-12 ? Vec3(1, 0, 0) : level.normalized();
@@ -167,7 +167,7 @@ std::string light_text(const Light& light, const Vec3& towards, Conversion& conv
     return {};
 }
 
-/// Over the first camera, as far above it as its target is away.
+/// A light above the first camera, at the distance of the camera's target.
 Light light_over_camera(const Conversion& conversion) {
     const Camera& camera = conversion.scene.cameras.front();
     const Vec3 position = camera.positions.front();

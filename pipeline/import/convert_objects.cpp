@@ -1,4 +1,5 @@
-// Shapes as objects; spheres that use physics as bodies that move, boxes as fixed ones.
+// Converts shapes to objects. Spheres that use physics become moving bodies, boxes become fixed
+// ones.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -18,12 +19,12 @@ std::string owner(const Object& object) {
     return std::string(kNames[static_cast<int>(object.kind)]) + " " + quote(object.name.text);
 }
 
-/// What is at right angles to the unit vector `axis`.
-Vec3 perpendicular_to(const Vec3& v, const Vec3& axis) {
+/// The part of v perpendicular to the unit vector `axis`.
+Vec3 perpendicular_part(const Vec3& v, const Vec3& axis) {
     return v - axis * axis.dot(v);
 }
 
-/// A rectangle from an edge and a point of the opposite side, in the author's units.
+/// A rectangle given by an edge and a point of the opposite side, in the author's units.
 struct Frame {
     Vec3 middle;         // of the rectangle
     Vec3 x, y;           // unit, along the edge and towards the opposite side
@@ -31,14 +32,14 @@ struct Frame {
     double breadth = 0;  // along y
 };
 
-/// Empty, and a problem, if the points lie in a line.
+/// Empty, with a problem, if the points are collinear.
 std::optional<Frame> rectangle_frame(const Object& object, Conversion& conversion) {
     const Vec3 start = *object.vertices[0];
     const Vec3 edge = *object.vertices[1] - start;
     Frame frame;
     frame.width = edge.length();
     frame.x = edge / std::max(frame.width, 1e-300);
-    const Vec3 across = perpendicular_to(*object.vertices[2] - start, frame.x);
+    const Vec3 across = perpendicular_part(*object.vertices[2] - start, frame.x);
     frame.breadth = across.length();
     const double size = std::max(frame.width, (*object.vertices[2] - start).length());
     if (!(frame.width > 1e-9 * size) || !(frame.breadth > 1e-9 * size)) {
@@ -51,8 +52,8 @@ std::optional<Frame> rectangle_frame(const Object& object, Conversion& conversio
     return frame;
 }
 
-/// A box stands on the rectangle, on the side from which its second edge turns to the first one
-/// counter-clockwise: that of both examples in the format.
+/// A box stands on the rectangle, on the side from which the rotation from its second edge to its
+/// first one is counter-clockwise, as in both examples of the format.
 struct BoxFrame {
     Frame base;
     Vec3 up, centre;
@@ -68,7 +69,7 @@ std::optional<BoxFrame> box_frame(const Object& object, Conversion& conversion) 
     return box;
 }
 
-/// Spheres that reach into a fixed box would have no way out: they move to its surface.
+/// Moves spheres that penetrate a fixed box to its surface.
 void push_out(Object& sphere, const std::vector<std::pair<std::string, BoxFrame>>& boxes,
               const std::vector<double>& heights, Conversion& conversion) {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -99,7 +100,7 @@ std::string rotation(const Object& object, const Axes& axes, Conversion& convers
         return {};
     }
     const Vec3 z = object.pole.value_or(axes.author_up()).normalized();
-    const Vec3 x = perpendicular_to(object.equator.value_or(Vec3(1, 0, 0)), z);
+    const Vec3 x = perpendicular_part(object.equator.value_or(Vec3(1, 0, 0)), z);
     if (x.length() < 1e-9 || z.length() < 0.5) {
         conversion.note(owner(object) + ": v_e and v_n do not span a plane; it is not turned");
         return {};
@@ -109,7 +110,7 @@ std::string rotation(const Object& object, const Axes& axes, Conversion& convers
     return yaml_rotation(our_x, our_z.cross(our_x), our_z);
 }
 
-/// The parts that are not empty, with commas between them.
+/// The parts that are not empty, separated by commas.
 std::string joined(std::vector<std::string> parts) {
     std::erase(parts, "");
     return join(parts, ", ");
@@ -128,7 +129,7 @@ std::string shape(const Object& object, Conversion& conversion) {
         case ShapeKind::plane: {
             const Vec3 normal = object.normal->normalized();
             const Vec3 helper = std::abs(normal.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
-            const Vec3 x = perpendicular_to(helper, normal).normalized();
+            const Vec3 x = perpendicular_part(helper, normal).normalized();
             return joined({"plane: infinite", at(*object.position), turned(x, normal.cross(x))});
         }
         case ShapeKind::sphere:
@@ -160,7 +161,7 @@ std::string shape(const Object& object, Conversion& conversion) {
             if (!box) {
                 return {};
             }
-            // Its own z is -up: x, y and up are left-handed.
+            // The box's z axis is -up, because x, y and up are left-handed.
             return joined(
                 {"box: " + yaml(Vec3(axes.length(box->base.width), axes.length(box->base.breadth),
                                      axes.length(*object.height))),
@@ -195,7 +196,7 @@ void add_events(const Object& object, const std::string& name, double last_time,
                             " s, after all that is filmed, is left out");
             continue;
         }
-        // A mass of one of the author's units to its volume: momentum scales as density unit^4.
+        // In the author's units the density is 1, so momentum scales as density unit^4.
         const double scale = options.force_time * options.density * std::pow(options.unit, 4);
         conversion.note("a force acts for " + yaml(options.force_time) +
                         " s on a body that weighs 1 per cubic unit, as one impulse");

@@ -19,7 +19,8 @@ char separator_of(std::string_view line) {
     return ',';
 }
 
-/// The end of the cell that begins at `from`: its separator or the line's end.
+/// The end of the cell that begins at `from`: the position of its separator, or the end of the
+/// line.
 std::size_t end_of_cell(std::string_view line, std::size_t from, char separator) {
     bool is_quoted = false;
     for (std::size_t at = from; at < line.size(); ++at) {

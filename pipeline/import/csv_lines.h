@@ -1,4 +1,4 @@
-// The cells of comma-separated values, with their places.
+// Reads comma-separated values, with the position of each cell.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace carom::pipeline {
 
 struct CsvCell {
-    std::string text;  // without quotation marks and the blanks around it
+    std::string text;  // without quotation marks and surrounding blanks
     config::Place place;
 };
 
@@ -18,8 +18,8 @@ struct CsvLine {
     std::vector<CsvCell> cells;
 };
 
-/// RFC 4180 without line breaks in cells. The first line decides what separates: commas, else
-/// semicolons, else tabs. Without empty lines and those that begin with #.
+/// Reads RFC 4180 without line breaks in cells. The first line determines the separator: commas,
+/// otherwise semicolons, otherwise tabs. Empty lines and lines that begin with # are skipped.
 [[nodiscard]] std::vector<CsvLine> csv_lines(const config::SourceSet& sources, int source);
 
 }  // namespace carom::pipeline

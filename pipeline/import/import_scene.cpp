@@ -21,7 +21,8 @@ using scene_text::Conversion;
 constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 constexpr double kLongest = 3600;  // s
 
-/// Czech names were often written in an eight-bit code: such bytes become question marks.
+/// Names were often written in an eight-bit encoding; bytes that are not UTF-8 become question
+/// marks.
 std::string as_utf8(std::string text) {
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t bad = config::find_invalid_utf8(std::string_view(text).substr(at));
@@ -49,7 +50,8 @@ std::string whole_text(Conversion& conversion, const std::string& name) {
     const std::string materials = scene_text::materials_section(conversion);
     const std::string lights = scene_text::lights_section(conversion);
     const std::string render = scene_text::render_section(conversion);
-    // A little longer than what is filmed: the last shutter closes later.
+    // The simulation is a little longer than the filmed interval, because the last shutter closes
+    // later.
     const double duration = std::min(last_time + 0.1, kLongest);
     std::ostringstream out;
     out << comment("Made by carom import from " + std::filesystem::path(name).filename().string() +

@@ -25,10 +25,11 @@ namespace {
 using scene_text::yaml;
 
 constexpr std::size_t kMostBytes = std::size_t{16} << 20;
-constexpr std::size_t kMostKeys = 1000;                   // of a motion
-constexpr double kShortWay = 0.9 * std::numbers::pi;      // up to this a turn is told by its end
-constexpr double kFarthestTurn = 200 * std::numbers::pi;  // of one key
-constexpr double kGap = 1e-6;  // s, between two keys in the place of a jump
+constexpr std::size_t kMostKeys = 1000;  // of a motion
+constexpr double kShortWay =
+    0.9 * std::numbers::pi;  // up to this angle the end orientation determines a turn
+constexpr double kFarthestTurn = 200 * std::numbers::pi;  // between two keys
+constexpr double kGap = 1e-6;  // s, between the two keys of a velocity jump
 
 Quat about(const Vec3& axis, double angle) {
     return sim::rotation_from_vector(angle * axis);
@@ -42,7 +43,7 @@ Quat orientation_of(const TrackRow& row) {
     return row.rotate.value_or(Quat());
 }
 
-/// The whole turn whose remainder is `remainder`, of those the nearest to `expected`.
+/// The rotation vector nearest to `expected` that differs from `remainder` by full turns.
 Vec3 with_full_turns(const Vec3& remainder, const Vec3& expected) {
     const double angle = remainder.length();
     const Vec3 axis = angle > 1e-9                           ? remainder / angle
@@ -52,8 +53,8 @@ Vec3 with_full_turns(const Vec3& remainder, const Vec3& expected) {
     return remainder + 2 * std::numbers::pi * rounds * axis;
 }
 
-/// How far it turns from one row to the next, world axes: with rounds if angular velocities or one
-/// changing angle tell of them, else by the shorter way.
+/// The rotation vector from one row to the next, world axes. It includes full turns if angular
+/// velocities or a single changing angle show them; otherwise it is the shorter rotation.
 Vec3 turn_between(const TrackRow& from, const TrackRow& to, config::ProblemList& problems) {
     const Vec3 remainder = sim::rotation_vector(orientation_of(to) * ~orientation_of(from));
     if (from.spin && to.spin) {
@@ -67,7 +68,7 @@ Vec3 turn_between(const TrackRow& from, const TrackRow& to, config::ProblemList&
         std::numbers::pi) {
         return remainder;
     }
-    // An angle turns about its axis as the angles after it have turned that.
+    // Each angle rotates about its own axis, which the later rotations have turned.
     const Vec3& a = *from.angles;
     if (change.x == 0 && change.y == 0) {
         return {0, 0, change.z};
@@ -80,8 +81,8 @@ Vec3 turn_between(const TrackRow& from, const TrackRow& to, config::ProblemList&
                (about({0, 0, 1}, a.z) * about({0, 1, 0}, a.y)).rotateVector(Vec3(1, 0, 0));
     }
     problems.error(to.place,
-                   "more than half a round since the row before, and about more than one "
-                   "axis: give rows between");
+                   "the object turns by more than 180 degrees since the previous row, and about "
+                   "more than one axis: add rows in between");
     return remainder;
 }
 
@@ -93,13 +94,13 @@ class Motion {
         turns_.emplace_back(0, 0, 0);
         for (std::size_t i = 1; i < rows_.size(); ++i) {
             if (rows_[i].time == rows_[i - 1].time) {
-                rows_[i].time += kGap;  // the key that leaves
+                rows_[i].time += kGap;  // the key after the jump
             }
             turns_.push_back(turn_between(rows_[i - 1], rows_[i], problems));
             if (turns_.back().length() > kFarthestTurn) {
-                problems.error(
-                    rows_[i].place,
-                    "more than a hundred rounds since the row before: give rows between");
+                problems.error(rows_[i].place,
+                               "the object makes more than 100 turns since the previous row: add "
+                               "rows in between");
             }
         }
         has_turns_ = rows_.front().rotate || rows_.front().angles;
@@ -109,7 +110,7 @@ class Motion {
         }
         try {
             refine(problems);
-        } catch (const Error& error) {  // more turns than a track may have
+        } catch (const Error& error) {  // too many turns for a track
             problems.error(rows_.front().place, error.what());
         }
     }
@@ -118,7 +119,7 @@ class Motion {
     [[nodiscard]] bool has_turns() const { return has_turns_; }
 
   private:
-    /// The ends, and both keys of each jump.
+    /// Keeps the first and the last row, and both rows of each velocity jump.
     void choose_first() {
         is_kept_.assign(rows_.size(), options_.error == 0);
         is_kept_.front() = is_kept_.back() = true;
@@ -129,16 +130,18 @@ class Motion {
         }
     }
 
-    /// Adds the worst row of every stretch between keys until all rows are met.
+    /// Adds the row of largest error in every interval between keys, until all rows are within the
+    /// error.
     void refine(config::ProblemList& problems) {
         bool is_met = false;
         while (!is_met) {
             make_keys();
             if (keys_.size() > kMostKeys) {
-                problems.error(rows_.front().place,
-                               fmt::format("more than {} keys are needed to meet all rows within "
-                                           "{} mm: allow more with --error, or give fewer rows",
-                                           kMostKeys, config::show(1000 * options_.error)));
+                problems.error(
+                    rows_.front().place,
+                    fmt::format("the motion needs more than {} keys to follow all rows within "
+                                "{} mm: allow a larger --error, or give fewer rows",
+                                kMostKeys, config::show(1000 * options_.error)));
                 return;
             }
             const sim::Track track = keyed_track("track", {keys_, options_.is_linear});
@@ -153,7 +156,8 @@ class Motion {
         }
     }
 
-    /// Whether there was one that is not met between two kept rows.
+    /// Keeps the row of largest error between two kept rows. Returns false if all rows are within
+    /// the error.
     bool keep_worst(const sim::Track& track, std::size_t begin, std::size_t end) {
         double worst = 1;
         std::size_t at = 0;
@@ -180,7 +184,7 @@ class Motion {
         return false;
     }
 
-    /// All turns from row to row, added up, if they are about one axis.
+    /// The sum of all turns from row to row, if they have a common axis.
     [[nodiscard]] std::optional<Vec3> whole_turn(std::size_t begin, std::size_t end) const {
         Vec3 sum(0, 0, 0);
         for (std::size_t i = begin + 1; i <= end; ++i) {
@@ -200,8 +204,8 @@ class Motion {
         return sum;
     }
 
-    /// Farther round than a key may go, or far and not about one axis, so that neither its end nor
-    /// one turn tells of it.
+    /// Whether the turn is larger than a key may have, or large and not about one axis, so that
+    /// neither the end orientation nor a single rotation describes it.
     [[nodiscard]] bool is_ambiguous(std::size_t begin, std::size_t end) const {
         const double angle = turned(begin, end);
         return end > begin + 1 &&
@@ -234,7 +238,7 @@ class Motion {
 
     std::vector<TrackRow> rows_;
     ImportTrackOptions options_;
-    std::vector<Vec3> turns_;  // from the row before
+    std::vector<Vec3> turns_;  // from the previous row
     std::vector<bool> is_kept_;
     std::vector<MotionKey> keys_;
     bool has_turns_ = false;

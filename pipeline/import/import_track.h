@@ -1,4 +1,4 @@
-// A table of where an object is, made into the `motion` of a shot's object.
+// Converts a table of an object's poses to the `motion` of a shot's object.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 namespace carom::pipeline {
 
 struct ImportTrackOptions {
-    std::string object;        // of a table with several; empty: the only one
-    std::string name;          // of the shot's object: then the YAML is a file to include
-    double error = 1e-5;       // m: rows that the motion meets within this are left out; 0: none
-    double turn_error = 2e-4;  // rad, the same for turns
-    bool is_linear = false;    // straight from key to key
+    std::string object;        // which object of the table; empty: the only one
+    std::string name;          // of the shot's object; if given, the YAML is a file to include
+    double error = 1e-5;       // m; rows within this error of the motion are omitted; 0: keep all
+    double turn_error = 2e-4;  // rad, the same for rotations
+    bool is_linear = false;    // linear interpolation between keys
 };
 
 struct ImportTrackResult {
@@ -23,11 +23,11 @@ struct ImportTrackResult {
     std::size_t keys = 0;
 };
 
-/// `text`: CSV (track_table.h); `name`: its own, as problems print it. Nothing is written.
+/// `text`: CSV (track_table.h); `name`: its name in problems. No file is written.
 [[nodiscard]] ImportTrackResult import_track(const std::string& text, const std::string& name,
                                              const ImportTrackOptions& options = {});
 
-/// The same for a file. One that cannot be read is a problem.
+/// The same for a file. A file that cannot be read is reported as a problem.
 [[nodiscard]] ImportTrackResult import_track_file(const std::string& path,
                                                   const ImportTrackOptions& options = {});
 

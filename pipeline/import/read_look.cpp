@@ -1,4 +1,4 @@
-// Materials and lights of a scene text.
+// Reads the materials and lights of a scene text.
 #include "pipeline/import/scene_reader.h"
 
 namespace carom::pipeline::scene_text {
@@ -24,7 +24,10 @@ void SceneReader::phong_info(const Name& name, const Item& block) {
 
 void SceneReader::texture(const Name& name, const Item& block) {
     Texture t{name, {}};
-    attributes("texture", name).word("filename", t.filename).required().read(block.group, name.place);
+    attributes("texture", name)
+        .word("filename", t.filename)
+        .required()
+        .read(block.group, name.place);
     claim("texture", name, model_.textures.size());
     model_.textures.push_back(std::move(t));
 }

@@ -1,4 +1,4 @@
-// Shapes of a scene text.
+// Reads the shapes of a scene text.
 #include "pipeline/config/text.h"
 #include "pipeline/import/scene_reader.h"
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostElements = 20000;
 constexpr double kLongest = 3600;  // s, of a film or a scene
 
-/// A number of rays: 0 is what switches an effect off.
+/// A number of rays; 0 disables an effect.
 constexpr Limits kCount{0, 1024, true, false, true};
 constexpr Limits kTime{0, kLongest, false, false, true};
 
@@ -59,7 +59,7 @@ SceneModel SceneReader::read(const std::vector<Item>& items) {
             continue;
         }
         if (words.empty()) {
-            problems_.error(item.place, "a block without a type and a name");
+            problems_.error(item.place, "this block has no type and no name before it");
         } else {
             element(words, item);
         }
@@ -67,15 +67,15 @@ SceneModel SceneReader::read(const std::vector<Item>& items) {
     }
     if (!words.empty()) {
         problems_.error(words.front().place,
-                        "a block in braces must follow " + quote(words.front().word));
+                        quote(words.front().word) + " is not followed by a block in braces");
     }
     return std::move(model_);
 }
 
 void SceneReader::element(const std::vector<Item>& words, const Item& block) {
-    // Words that no block followed come first; the last two are this one's.
+    // The last two words are the type and name of this block; any words before them have no block.
     for (std::size_t i = 0; i + 2 < words.size(); ++i) {
-        problems_.error(words[i].place, quote(words[i].word) + " belongs to nothing");
+        problems_.error(words[i].place, quote(words[i].word) + " is not part of any element");
     }
     const Item& type = words[words.size() < 2 ? 0 : words.size() - 2];
     std::vector<std::string> known;
@@ -100,7 +100,7 @@ void SceneReader::claim(const char* space, const Name& name, std::size_t index) 
     const auto [known, is_new] =
         names_.emplace(std::pair(std::string(space), name.text), Known{name.place, index});
     if (!is_new) {
-        problems_.error(name.place, fmt::format("a second {} {}; the first is in line {}", space,
+        problems_.error(name.place, fmt::format("{} {} is already defined in line {}", space,
                                                 quote(name.text), known->second.place.line));
     }
 }
@@ -118,8 +118,9 @@ std::optional<std::size_t> SceneReader::refer(const char* space, const std::opti
          it != names_.end() && it->first.first == space && known.size() < 1000; ++it) {
         known.push_back(it->first.second);
     }
-    problems_.error(given->place, std::string("no ") + space + " " + quote(given->text) +
-                                      " stands above" + config::hint(given->text, known));
+    problems_.error(given->place, std::string(space) + " " + quote(given->text) +
+                                      " is not defined above this line" +
+                                      config::hint(given->text, known));
     return std::nullopt;
 }
 
@@ -142,7 +143,7 @@ void SceneReader::settings(const Name& name, const Item& block) {
         .real("recursion", s.recursion, {0, 32, true, false, true})
         .read(block.group, name.place);
     if (model_.settings) {
-        problems_.error(name.place, fmt::format("second settings; the first are in line {}",
+        problems_.error(name.place, fmt::format("the settings are already defined in line {}",
                                                 model_.settings->name.place.line));
         return;
     }
@@ -172,7 +173,7 @@ void SceneReader::camera(const Name& name, const Item& block) {
     for (const std::vector<Vec3>* points : {&c.positions, &c.targets}) {
         if (points->size() > 64) {
             problems_.error(name.place,
-                            fmt::format("{} has a path of {} points; at most 64 are possible",
+                            fmt::format("{} has a path of {} points; at most 64 are allowed",
                                         owner("camera", name), points->size()));
         }
     }

@@ -1,4 +1,4 @@
-// From the words of a scene text to what it describes.
+// Reads a scene model from the tokens of a scene text.
 #pragma once
 
 #include "pipeline/import/scene_model.h"
@@ -6,8 +6,8 @@
 
 namespace carom::pipeline::scene_text {
 
-/// Everything that can be read; what is wrong becomes problems. References are indices of what
-/// stands earlier in the text.
+/// Returns everything that can be read and reports the rest as problems. References are indices of
+/// elements that are defined earlier in the text.
 [[nodiscard]] SceneModel read_scene(const std::vector<Item>& items, config::ProblemList& problems);
 
 }  // namespace carom::pipeline::scene_text

@@ -1,4 +1,4 @@
-// What a scene text says, in its author's units and axes.
+// The contents of a scene text, in its author's units and axes.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace carom::pipeline::scene_text {
 
-/// The name of an element and where it stands.
+/// The name of an element and its position in the text.
 struct Name {
     std::string text;
     config::Place place;
 };
 
-/// A number that may be left out, or be -1 where that asks for the default: both are empty.
+/// An optional number. It is empty if it is missing or -1, where that means the default.
 using Real = std::optional<double>;
 
 struct Settings {

@@ -1,4 +1,4 @@
-// Reads a scene text's elements one after the other.
+// Reads the elements of a scene text one after the other.
 #pragma once
 
 #include <map>
@@ -25,7 +25,7 @@ class SceneReader {
         void (SceneReader::*read)(const Name&, const Item&);
     };
     static const std::vector<Element>& elements();
-    /// `words`: what stands before the block.
+    /// `words`: the words before the block.
     void element(const std::vector<Item>& words, const Item& block);
 
     /// "sphere 'First'"
@@ -34,9 +34,10 @@ class SceneReader {
         return {owner(type, name), problems_};
     }
 
-    /// `index`: of what the name stands for. Names of one space differ.
+    /// Registers the name of element `index`. A name must be unique within its space.
     void claim(const char* space, const Name& name, std::size_t index);
-    /// What stands above under the name `given`; empty without one and after a problem.
+    /// The index of the earlier element with the name `given`; empty if there is no name, or after
+    /// a problem.
     [[nodiscard]] std::optional<std::size_t> refer(const char* space,
                                                    const std::optional<Name>& given);
 

@@ -14,7 +14,7 @@ namespace {
 using config::Place;
 
 constexpr std::size_t kLongestWordBytes = 4096;
-constexpr std::size_t kDeepest = 8;
+constexpr std::size_t kMaxDepth = 8;
 
 bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
@@ -50,7 +50,7 @@ class Tokenizer {
             }
         }
         while (open_.size() > 1) {
-            problems_.error(open_.back().place, "'{' is never closed");
+            problems_.error(open_.back().place, "'{' has no matching '}'");
             close();
         }
         return std::move(open_.front().group);
@@ -60,8 +60,8 @@ class Tokenizer {
     void add_word(std::string_view word, const Place& place) {
         if (word.size() > kLongestWordBytes) {
             problems_.error(
-                place,
-                fmt::format("a word of {} bytes is longer than any name or number", word.size()));
+                place, fmt::format("this word has {} bytes; a name or number may have at most {}",
+                                   word.size(), kLongestWordBytes));
             word = word.substr(0, 1);
         }
         open_.back().group.push_back({std::string(word), {}, false, place});
@@ -69,11 +69,11 @@ class Tokenizer {
 
     void brace(char c, const Place& place) {
         if (c == '{') {
-            // What is nested too deeply is read into the last group that may be there.
-            if (open_.size() > kDeepest) {
+            // Groups that are nested too deeply are read into the last allowed group.
+            if (open_.size() > kMaxDepth) {
                 if (too_deep_++ == 0) {
                     problems_.error(place,
-                                    fmt::format("braces are nested more than {} deep", kDeepest));
+                                    fmt::format("braces may be nested at most {} deep", kMaxDepth));
                 }
                 return;
             }
@@ -81,7 +81,7 @@ class Tokenizer {
         } else if (too_deep_ > 0) {
             --too_deep_;
         } else if (open_.size() == 1) {
-            problems_.error(place, "'}' closes nothing");
+            problems_.error(place, "'}' has no matching '{'");
         } else {
             close();
         }
@@ -96,14 +96,14 @@ class Tokenizer {
     const config::SourceSet& sources_;
     int source_;
     config::ProblemList& problems_;
-    std::vector<Item> open_;  // the text itself, then every open brace
+    std::vector<Item> open_;  // the whole text, then all open groups
     int too_deep_ = 0;
 };
 
 }  // namespace
 
 std::vector<Item> tokenize(const config::SourceSet& sources, int source,
-                              config::ProblemList& problems) {
+                           config::ProblemList& problems) {
     return Tokenizer(sources, source, problems).run();
 }
 

@@ -1,4 +1,4 @@
-// The words of a scene text, in the nesting that its braces give them.
+// Splits a scene text into words and nested groups in braces.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace carom::pipeline::scene_text {
 
-/// A word, or what stands between a pair of braces.
+/// A word, or the contents of a pair of braces.
 struct Item {
     std::string word;  // empty for a group
     std::vector<Item> group;
@@ -17,9 +17,10 @@ struct Item {
     config::Place place;  // of the word or of the opening brace
 };
 
-/// The text `source` of `sources`, cut at white space and braces. Unmatched braces, words over
-/// 4096 bytes and braces more than 8 deep are problems; what can be read is returned all the same.
+/// Splits the text `source` of `sources` at white space and braces. Unmatched braces, words of more
+/// than 4096 bytes and braces nested more than 8 deep are reported as problems; everything else is
+/// returned.
 [[nodiscard]] std::vector<Item> tokenize(const config::SourceSet& sources, int source,
-                                            config::ProblemList& problems);
+                                         config::ProblemList& problems);
 
 }  // namespace carom::pipeline::scene_text

@@ -22,11 +22,11 @@ namespace {
 using config::Place;
 using config::quote;
 
-constexpr double kLongest = 3600;   // s, as of the keys of a motion
+constexpr double kLongest = 3600;   // s, the same limit as for the keys of a motion
 constexpr double kFarthest = 1e5;   // m
 constexpr double kShortest = 1e-6;  // s, between two keys
 
-/// Columns that come together.
+/// Columns that must be given together.
 struct Group {
     std::vector<std::string> names;
     bool is_required = false;
@@ -58,8 +58,8 @@ class TableReader {
     std::vector<TrackRow> read(int source) {
         if (lines_.empty()) {
             problems_.error({source, 1, 1, 1},
-                            "the table is empty: it needs a line that names its "
-                            "columns, and a line for each time");
+                            "the table is empty: it needs a first line that names its "
+                            "columns, and one line for each time");
             return {};
         }
         read_header();
@@ -67,7 +67,7 @@ class TableReader {
             check_object();
         }
         if (problems_.has_error()) {
-            return {};  // what follows would be about the wrong columns or rows
+            return {};  // later problems would concern the wrong columns or rows
         }
         std::vector<TrackRow> rows;
         for (const CsvLine& line : std::span(lines_).subspan(1)) {
@@ -77,7 +77,7 @@ class TableReader {
             }
         }
         if (rows.size() < 2 && !problems_.has_error()) {
-            problems_.error(lines_.back().place, "a motion needs two rows or more");
+            problems_.error(lines_.back().place, "the table needs at least two rows for a motion");
         }
         return rows;
     }
@@ -94,7 +94,7 @@ class TableReader {
             if (std::ranges::find(known, name) == known.end()) {
                 unknown_column(header.cells[i], known);
             } else if (!columns_.emplace(name, i).second) {
-                problems_.error(header.cells[i].place, "a second column " + quote(name));
+                problems_.error(header.cells[i].place, "column " + quote(name) + " is given twice");
             }
         }
         for (const Group& group : groups()) {
@@ -102,16 +102,17 @@ class TableReader {
         }
         if (has("qw") && has("rx")) {
             problems_.error(header.cells[columns_.at("rx")].place,
-                            "'rx, ry, rz' beside 'qw, qx, qy, qz': give one of them");
+                            "give either 'rx, ry, rz' or 'qw, qx, qy, qz', not both");
         }
     }
 
     void unknown_column(const CsvCell& cell, const std::vector<std::string>& known) {
         double ignored = 0;
         if (parse(cell.text, ignored)) {
-            problems_.error(cell.place, quote(cell.text) +
-                                            " is a number: the first line names the columns, "
-                                            "time,x,y,z and what else there is");
+            problems_.error(cell.place,
+                            quote(cell.text) +
+                                " is a number, but the first line must name the columns, "
+                                "for example: time,x,y,z");
         } else {
             problems_.warning(cell.place, "column " + quote(cell.text) + " is not used" +
                                               config::hint(lower(cell.text), known));
@@ -127,7 +128,8 @@ class TableReader {
         }
         if (!missing.empty() && (group.is_required || missing.size() < group.names.size())) {
             problems_.error(header, std::string(missing.size() > 1 ? "columns " : "column ") +
-                                        config::join(missing, "and") + " missing");
+                                        config::join(missing, "and") +
+                                        (missing.size() > 1 ? " are missing" : " is missing"));
         }
     }
 
@@ -135,8 +137,9 @@ class TableReader {
 
     std::optional<TrackRow> read_row(const CsvLine& line) {
         if (line.cells.size() != lines_.front().cells.size()) {
-            problems_.error(line.place, fmt::format("{} values for {} columns", line.cells.size(),
-                                                    lines_.front().cells.size()));
+            problems_.error(line.place,
+                            fmt::format("this row has {} values, but the table has {} columns",
+                                        line.cells.size(), lines_.front().cells.size()));
             return std::nullopt;
         }
         if (has("object")) {
@@ -145,7 +148,7 @@ class TableReader {
                 return std::nullopt;
             }
         }
-        is_whole_ = true;
+        is_valid_ = true;
         TrackRow row;
         row.place = line.place;
         row.time = number(line, "time", 0, kLongest, "s");
@@ -163,7 +166,7 @@ class TableReader {
         if (has("wx")) {
             row.spin = vector(line, {"wx", "wy", "wz"}, 1e6, "rad/s");
         }
-        return is_whole_ ? std::optional(row) : std::nullopt;
+        return is_valid_ ? std::optional(row) : std::nullopt;
     }
 
     Vec3 vector(const CsvLine& line, const std::array<const char*, 3>& names, double most,
@@ -182,11 +185,11 @@ class TableReader {
         const double z = number(line, "qz", -2, 2, nullptr);
         const Quat q(w, Vec3(x, y, z));
         const double length = q.length();
-        if (is_whole_ && !(std::abs(length - 1) < 0.01)) {
-            problems_.error(
-                line.cells[columns_.at("qw")].place,
-                "qw, qx, qy, qz have the length " + config::show(length) + ": a rotation has 1");
-            is_whole_ = false;
+        if (is_valid_ && !(std::abs(length - 1) < 0.01)) {
+            problems_.error(line.cells[columns_.at("qw")].place,
+                            "the quaternion qw, qx, qy, qz has length " + config::show(length) +
+                                ", but must have length 1");
+            is_valid_ = false;
             return {};
         }
         return q.normalized();
@@ -197,16 +200,16 @@ class TableReader {
         const CsvCell& cell = line.cells[columns_.at(name)];
         double value = 0;
         if (!parse(cell.text, value)) {
-            problems_.error(
-                cell.place,
-                std::string("'") + name + "': " +
-                    (cell.text.empty() ? "no value" : quote(cell.text) + " is not a number"));
-            is_whole_ = false;
+            problems_.error(cell.place,
+                            std::string("'") + name + "' " +
+                                (cell.text.empty() ? "has no value"
+                                                   : "must be a number, not " + quote(cell.text)));
+            is_valid_ = false;
         } else if (!(value >= least && value <= most)) {
             problems_.error(cell.place, std::string("'") + name + "' must lie between " +
                                             config::show(least) + " and " + config::show(most) +
                                             (unit != nullptr ? std::string(" ") + unit : ""));
-            is_whole_ = false;
+            is_valid_ = false;
         }
         return value;
     }
@@ -238,8 +241,8 @@ class TableReader {
         const Place& place = lines_.front().place;
         if (!has("object")) {
             if (!object_.empty()) {
-                problems_.error(place,
-                                "there is no column 'object' to find " + quote(object_) + " in");
+                problems_.error(place, "cannot select object " + quote(object_) +
+                                           ": the table has no column 'object'");
             }
             return;
         }
@@ -251,11 +254,11 @@ class TableReader {
         }
         const std::vector<std::string> names(found.begin(), found.end());
         if (!object_.empty() && !found.contains(object_)) {
-            problems_.error(place, "there is no object " + quote(object_) + " in the table" +
-                                       config::hint(object_, names));
+            problems_.error(
+                place, "the table has no object " + quote(object_) + config::hint(object_, names));
         } else if (object_.empty() && names.size() > 1) {
             problems_.error(lines_.front().cells[columns_.at("object")].place,
-                            "the table has several objects, choose one with --object: " +
+                            "the table has several objects; choose one with --object: " +
                                 config::join(names, "or"));
         }
     }
@@ -264,7 +267,7 @@ class TableReader {
     std::string object_;
     config::ProblemList& problems_;
     std::map<std::string, std::size_t, std::less<>> columns_;
-    bool is_whole_ = true;  // the row that is read
+    bool is_valid_ = true;  // whether all values of the current row are valid
 };
 
 }  // namespace

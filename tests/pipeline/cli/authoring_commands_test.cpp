@@ -171,7 +171,8 @@ TEST_F(AuthoringCommands, ImportTrackOfABrokenTable_SaysWhereAndIsExitCode2) {
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(result.out, "");
     EXPECT_THAT(result.err, HasSubstr("t.csv:2:7: error: 'z': 'a' is not a number"));
-    EXPECT_THAT(result.err, HasSubstr("t.csv:3:1: error: 3 values for 4 columns"));
+    EXPECT_THAT(result.err,
+                HasSubstr("t.csv:3:1: error: this row has 3 values, but the table has 4 columns"));
     EXPECT_THAT(result.err, HasSubstr("carom: error: 't.csv' has 2 errors"));
     EXPECT_FALSE(exists("t.yaml"));
     EXPECT_EQ(run({"import-track", "t.csv", "-o", "t.csv"}).exit_code, 2);

@@ -18,7 +18,7 @@ sim::Key key(double time, const Vec3& position, const Vec3& velocity,
     return key;
 }
 
-/// What a program shows that goes straight and by the shorter arc.
+/// The pose that a program with linear interpolation and slerp would show.
 Pose interpolated_pose(const LinearKeys& keys, double time) {
     std::size_t i = 1;
     while (i + 1 < keys.size() && keys.times[i] < time) {
@@ -30,20 +30,20 @@ Pose interpolated_pose(const LinearKeys& keys, double time) {
         Imath::slerpShortestArc(keys.orientations[i - 1], keys.orientations[i], s).normalized()};
 }
 
-TEST(LinearKeys, AtRest_AreStill) {
+TEST(LinearKeys, ObjectAtRest_HasConstantKeys) {
     const sim::Track track("ball", {key(0, {1, 2, 3}, {0, 0, 0}), key(5, {1, 2, 3}, {0, 0, 0})});
     const LinearKeys keys = linear_keys(track, 100);
     EXPECT_EQ(keys.size(), 2U);
-    EXPECT_TRUE(keys.is_still());
+    EXPECT_TRUE(keys.is_constant());
 }
 
-TEST(LinearKeys, ManyTurnsBetweenTwoKeys_Survive) {
-    // 20 turns in a second, slowing down to none.
+TEST(LinearKeys, ManyTurnsBetweenTwoKeys_AreKept) {
+    // 20 turns within a second, with decreasing speed.
     const Vec3 fast(0, 0, 80 * std::acos(-1.0));
     const sim::Track track(
         "top", {key(0, {0, 0, 0}, {0, 0, 0}, fast), key(1, {0, 0, 0}, {0, 0, 0}, {0, 0, 0})});
     const LinearKeys keys = linear_keys(track, 10000);
-    EXPECT_FALSE(keys.is_still());
+    EXPECT_FALSE(keys.is_constant());
     double turned = 0;
     for (std::size_t i = 1; i < keys.size(); ++i) {
         const Vec3 turn = sim::rotation_vector(keys.orientations[i] * ~keys.orientations[i - 1]);
@@ -54,7 +54,7 @@ TEST(LinearKeys, ManyTurnsBetweenTwoKeys_Survive) {
     EXPECT_NEAR(turned, 40 * std::acos(-1.0), 1e-6);
 }
 
-TEST(LinearKeys, OfACurve_StayWithinTheTolerance) {
+TEST(LinearKeys, Curve_IsFollowedWithinTheTolerance) {
     const sim::Track track("ball", {key(0, {0, 0, 0}, {3, 1, 0}, {40, 0, 10}),
                                     key(0.7, {1, 1, 0}, {-1, 2, 3}, {0, 50, -30})});
     const LinearKeys keys = linear_keys(track, 100000);
@@ -67,7 +67,7 @@ TEST(LinearKeys, OfACurve_StayWithinTheTolerance) {
     }
 }
 
-TEST(LinearKeys, AnImpact_KeepsItsCorner) {
+TEST(LinearKeys, Impact_KeepsItsVelocityJump) {
     sim::Key impact = key(0.3, {0.3, 0, 0}, {1, 0, 0});
     impact.velocity_out = {0, 1, 0};
     const sim::Track track(
@@ -77,12 +77,12 @@ TEST(LinearKeys, AnImpact_KeepsItsCorner) {
     EXPECT_EQ(keys.positions[1], Vec3(0.3, 0, 0));
 }
 
-TEST(LinearKeys, TooMany_AreRefusedByName) {
+TEST(LinearKeys, TooManyKeys_AreRefusedWithTheObjectsName) {
     const sim::Track track("top", {key(0, {0, 0, 0}, {0, 0, 0}, {0, 0, 500}),
                                    key(1, {0, 0, 0}, {0, 0, 0}, {0, 0, 500})});
     EXPECT_THAT([&] { (void)linear_keys(track, 50); },
                 ::testing::ThrowsMessage<Error>(
-                    ::testing::HasSubstr("'top' would need more than 50 keys")));
+                    ::testing::HasSubstr("the motion of 'top' needs more than 50 keys")));
 }
 
 }  // namespace

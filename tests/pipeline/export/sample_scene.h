@@ -1,4 +1,4 @@
-// A shot with one of each thing that is exported.
+// A shot with one example of everything that is exported.
 #pragma once
 
 #include <string>
@@ -17,8 +17,8 @@ struct SampleScene {
     pipeline::ExportScene scene;
 };
 
-/// Two balls that meet, a striped one that spins, a tile that falls, a keyed box that turns twice,
-/// a mesh, lights of every kind, two cameras.
+/// Two balls that collide, a striped ball that spins, a falling tile, a keyed box that makes two
+/// turns, a cone, lights of several kinds, two cameras.
 [[nodiscard]] inline SampleScene sample_scene() {
     constexpr const char* kText = R"(carom: 1
 simulation: {duration: 0.6 s}

@@ -21,7 +21,7 @@ std::uint32_t word(const std::string& bytes, std::size_t at) {
     return value;
 }
 
-/// A .glb as someone else's program reads it.
+/// Reads a .glb as another program would.
 class Glb {
   public:
     explicit Glb(const std::string& bytes) {
@@ -61,7 +61,7 @@ class Glb {
         std::vector<float> times;
         std::vector<float> values;
     };
-    /// Empty if it is not animated.
+    /// The animation channel of a node; empty if it is not animated.
     [[nodiscard]] Channel channel(const std::string& name, const std::string& path) const {
         const std::size_t wanted = node(name);
         for (const Json& c : json["animations"][0]["channels"]) {
@@ -81,7 +81,7 @@ class Glb {
     std::string data_;
 };
 
-/// Back to Z up.
+/// Converts back to Z up.
 Vec3 z_up(const float* v) {
     return {v[0], -v[2], v[1]};
 }
@@ -96,7 +96,7 @@ const Glb& glb() {
     return file;
 }
 
-TEST(SceneGlb, Motion_IsThatOfTheTimelineTurnedToYUp) {
+TEST(SceneGlb, Motion_IsThatOfTheTimelineWithYUp) {
     for (const std::string name : {"cue", "one", "nine", "tile", "wheel"}) {
         const sim::Track& track = *sample().timeline.find(name);
         const Glb::Channel positions = glb().channel(name, "translation");
@@ -108,14 +108,14 @@ TEST(SceneGlb, Motion_IsThatOfTheTimelineTurnedToYUp) {
             const float* q = turns.values.data() + 4 * i;
             const Quat turn(q[3], z_up(q));
             EXPECT_NEAR(turn.length(), 1, 1e-6);
-            // A float's rounding of the time moves what is fast.
+            // Times are rounded to float, which shifts fast objects.
             ASSERT_LT((z_up(positions.values.data() + 3 * i) - exact.position).length(), 2e-6);
             ASSERT_LT(sim::angle_between(turn.normalized(), exact.orientation), 1e-4) << name;
         }
     }
 }
 
-TEST(SceneGlb, TurnsBetweenKeys_AreFarBelowAQuarter) {
+TEST(SceneGlb, TurnsBetweenKeys_AreSmall) {
     const Glb::Channel turns = glb().channel("wheel", "rotation");
     double turned = 0;
     for (std::size_t i = 4; i < turns.values.size(); i += 4) {
@@ -129,7 +129,7 @@ TEST(SceneGlb, TurnsBetweenKeys_AreFarBelowAQuarter) {
     EXPECT_NEAR(turned, 4 * std::acos(-1.0), 1e-4);
 }
 
-TEST(SceneGlb, AnImpact_IsAKey) {
+TEST(SceneGlb, Impact_HasAKey) {
     const auto impact =
         std::ranges::find(sample().timeline.events, sim::EventKind::impact, &sim::Event::kind);
     ASSERT_NE(impact, sample().timeline.events.end());
@@ -137,7 +137,7 @@ TEST(SceneGlb, AnImpact_IsAKey) {
                 Contains(static_cast<float>(impact->time)));
 }
 
-TEST(SceneGlb, Meshes_HaveTheirRealSize) {
+TEST(SceneGlb, Meshes_AreNotScaled) {
     const Json& json = glb().json;
     const auto bounds = [&](const std::string& name) {
         const Json& node = json["nodes"][glb().node(name)];
@@ -150,13 +150,13 @@ TEST(SceneGlb, Meshes_HaveTheirRealSize) {
     EXPECT_NEAR(tile["max"][0], 0.005, 1e-8);
     EXPECT_NEAR(tile["max"][1], 0.03, 1e-8);
     EXPECT_NEAR(tile["max"][2], 0.015, 1e-8);
-    // What stands still has its place in its node.
+    // A static object has its position in its node.
     EXPECT_EQ(json["nodes"][glb().node("tip")]["translation"], Json({0.2F, 0.1F, 0.4F}));
     EXPECT_TRUE(glb().channel("tip", "translation").times.empty());
 }
 
-TEST(SceneGlb, BallsOfOneShape_ShareTheirData) {
-    // The positions of "cue" and "one" are equal but for the cuts; none is stored twice.
+TEST(SceneGlb, EqualBalls_ShareTheirData) {
+    // The positions of "cue" and "one" are equal except at the cuts; no array is stored twice.
     std::set<std::string> seen;
     for (const Json& view : glb().json["bufferViews"]) {
         seen.insert(view.dump());
@@ -164,14 +164,15 @@ TEST(SceneGlb, BallsOfOneShape_ShareTheirData) {
     EXPECT_EQ(seen.size(), glb().json["bufferViews"].size());
 }
 
-TEST(SceneGlb, Cameras_LookAlongTheirAxisOnTheScenesClock) {
+TEST(SceneGlb, Cameras_FollowSceneTime) {
     const Glb::Channel places = glb().channel("seat", "translation");
-    // Filmed backwards: sorted by scene time.
+    // The camera films backwards; its keys are sorted by scene time.
     ASSERT_EQ(places.times.size(), 6U);
     EXPECT_FLOAT_EQ(places.times.front(), 0.1F);
     EXPECT_FLOAT_EQ(places.times.back(), 0.6F);
     EXPECT_LT((z_up(places.values.data()) - Vec3(0.2, -1, 0.8)).length(), 1e-6);
-    const Json& node = glb().json["nodes"][glb().node("close")];  // time stands still: one pose
+    const Json& node =
+        glb().json["nodes"][glb().node("close")];  // scene time is constant: one pose
     const auto q = node["rotation"].get<std::vector<double>>();
     const Quat turn(q[3], Vec3(q[0], q[1], q[2]));
     const Vec3 ahead = turn.rotateVector(Vec3(0, 0, -1));  // in Y up: from (0, .3, 1) to 0
@@ -179,7 +180,7 @@ TEST(SceneGlb, Cameras_LookAlongTheirAxisOnTheScenesClock) {
     EXPECT_GT(turn.rotateVector(Vec3(0, 1, 0)).y, 0.9);
 }
 
-TEST(SceneGlb, MaterialsAndLights_KeepWhatGltfKnows) {
+TEST(SceneGlb, MaterialsAndLights_KeepPropertiesThatGltfSupports) {
     const Json& json = glb().json;
     bool has_glass = false;
     for (const Json& material : json["materials"]) {

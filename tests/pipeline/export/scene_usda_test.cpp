@@ -34,7 +34,7 @@ const UsdaPrim& prim(const std::string& name) {
     return found != nullptr ? *found : none;
 }
 
-TEST(SceneUsda, Head_SaysAxesUnitsAndTime) {
+TEST(SceneUsda, Header_HasAxesUnitsAndTime) {
     EXPECT_EQ(root().metadata.at("upAxis").text, "Z");
     EXPECT_EQ(root().metadata.at("metersPerUnit").number(), 1);
     EXPECT_EQ(root().metadata.at("timeCodesPerSecond").number(), 10);
@@ -63,7 +63,7 @@ TEST(SceneUsda, Motion_IsThatOfTheTimeline) {
     EXPECT_TRUE(prim("tip").attributes.at("xformOp:translate").samples.empty());
 }
 
-TEST(SceneUsda, Meshes_AreWholeAndTheirFieldsToo) {
+TEST(SceneUsda, MeshesAndTheirFields_AreComplete) {
     for (const UsdaPrim& mesh : root().children[0].children) {
         if (mesh.type != "Mesh") {
             continue;
@@ -84,7 +84,7 @@ TEST(SceneUsda, Meshes_AreWholeAndTheirFieldsToo) {
             }
         }
     }
-    EXPECT_EQ(prim("nine").children.size(), 1U);  // its white
+    EXPECT_EQ(prim("nine").children.size(), 1U);  // its white field
 }
 
 TEST(SceneUsda, Materials_HaveTheirColours) {
@@ -96,12 +96,13 @@ TEST(SceneUsda, Materials_HaveTheirColours) {
               "/shot/materials/clear/surface.outputs:surface");
 }
 
-TEST(SceneUsda, Cameras_ChangeTheirLens) {
+TEST(SceneUsda, Cameras_HaveAnimatedLenses) {
     EXPECT_EQ(prim("seat").type, "Xform");
     EXPECT_EQ(prim("seat/seat_lens").type, "Camera");
     const UsdaAttribute& lens = prim("seat/seat_lens").attributes.at("focalLength");
     ASSERT_EQ(lens.samples.size(), 6U);
-    // Backwards: scene time 0.1 s is the end of the film's stretch, 20 degrees.
+    // The camera films backwards: scene time 0.1 s is the end of its interval, where the field of
+    // view is 20 degrees.
     EXPECT_NEAR(lens.samples[0].first, 1, 1e-9);
     EXPECT_NEAR(lens.samples[0].second.number(), 10 * 0.012 / std::tan(std::acos(-1.0) / 18), 1e-5);
     EXPECT_NEAR(prim("seat/seat_lens").attributes.at("fStop").value.number(), 4, 1e-6);
@@ -109,7 +110,7 @@ TEST(SceneUsda, Cameras_ChangeTheirLens) {
                 1e-7);
 }
 
-TEST(SceneUsda, Lights_AreTheirOwnKind) {
+TEST(SceneUsda, Lights_HaveTheirTypes) {
     EXPECT_EQ(prim("lamp").type, "RectLight");
     EXPECT_EQ(prim("lamp").attributes.at("inputs:intensity").value.number(), 10);
     EXPECT_EQ(prim("bulb").type, "SphereLight");
@@ -120,7 +121,7 @@ TEST(SceneUsda, Lights_AreTheirOwnKind) {
     EXPECT_LT((ahead - Vec3(0, 0, -1)).length(), 1e-6);
 }
 
-TEST(SceneUsda, OfATable_IsWholeToo) {
+TEST(SceneUsda, ShotWithATable_IsComplete) {
     LoadResult loaded = load_shot_text(
         "carom: 1\ntable: {kind: pool}\nballs: {b-8: {at: [0, 0]}}\nsimulation: {duration: 0.1 "
         "s}\n"
@@ -133,13 +134,13 @@ TEST(SceneUsda, OfATable_IsWholeToo) {
         carom::testing::read_usda(scene_to_usda(export_scene(*loaded.shot, timeline)));
     EXPECT_NE(file.at("/shot/table_cloth"), nullptr);
     EXPECT_EQ(file.at("/shot/table_cloth")->metadata.at("displayName").text, "table/cloth");
-    EXPECT_EQ(file.at("/shot/b_8")->type, "Mesh");  // names have no '-', and are each once
+    EXPECT_EQ(file.at("/shot/b_8")->type, "Mesh");  // names have no '-' and are unique
     EXPECT_EQ(file.at("/shot/b_8_2")->type, "Xform");
     EXPECT_EQ(file.at("/shot/b_8_2/b_8_lens")->type, "Camera");
 }
 
-// three.js reads line by line, and finds an empty scene where entries stand side by side.
-TEST(SceneUsda, Metadata_HasALineForEachEntry) {
+// three.js reads line by line; with several entries in one line it would find an empty scene.
+TEST(SceneUsda, Metadata_HasOneLinePerEntry) {
     std::istringstream text(scene_to_usda(sample().scene));
     const std::regex whole_line(
         R"( +(displayName = "[^"]*"|prepend apiSchemas = \["\w+"\]|interpolation = "vertex"))");
@@ -155,7 +156,7 @@ TEST(SceneUsda, Metadata_HasALineForEachEntry) {
     EXPECT_GT(entries, 20);
 }
 
-TEST(UsdaText, Metadata_StandsInLinesOfItsOwn) {
+TEST(UsdaText, Metadata_HasOneLinePerEntry) {
     UsdaText text;
     text.open("def Mesh \"cue\"", {"displayName = \"cue\"", "active = true"});
     text.line("normal3f[] normals = []", {"interpolation = \"vertex\""});

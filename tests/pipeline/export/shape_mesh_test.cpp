@@ -15,7 +15,8 @@ using render::MeshShape;
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// By the divergence theorem: positive if the corners run counter-clockwise seen from outside.
+/// The volume by the divergence theorem; positive if the corners are counter-clockwise seen from
+/// outside.
 double volume(const MeshShape& mesh) {
     double six = 0;
     for (const auto& t : mesh.triangles) {
@@ -24,7 +25,8 @@ double volume(const MeshShape& mesh) {
     return six / 6;
 }
 
-/// Every side of a triangle is another one's, the other way round; corners by their places.
+/// Checks that every edge of a triangle occurs in the opposite direction in another one. Vertices
+/// are compared by position.
 void expect_closed(const MeshShape& mesh) {
     const auto place = [&](std::uint32_t i) {
         const Vec3 p = mesh.vertices[i] * 1e6;
@@ -57,7 +59,7 @@ void expect_outward_normals(const MeshShape& mesh) {
     }
 }
 
-TEST(ShapeMesh, SolidShapes_AreClosedAndOfTheirVolume) {
+TEST(ShapeMesh, SolidShapes_AreClosedAndHaveTheirVolume) {
     const std::vector<std::pair<render::Shape, double>> solids{
         {render::SphereShape{0.5}, kPi / 6},
         {render::BoxShape{{1, 2, 3}}, 6},
@@ -66,7 +68,7 @@ TEST(ShapeMesh, SolidShapes_AreClosedAndOfTheirVolume) {
         {render::ConeShape{0, 1, 3}, kPi},
         {render::ConeShape{1, 0.5, 1}, 1.75 * kPi / 3},
         {render::CapsuleShape{0.5, 2}, kPi / 6 + kPi / 2},
-        // The core, its six sides, twelve quarters of cylinders and eight eighths of a ball.
+        // The core, six slabs at its sides, twelve quarter cylinders and eight octants of a ball.
         {render::RoundedBoxShape{{1, 2, 3}, 0.25},
          0.5 * 1.5 * 2.5 + 2 * 0.25 * (0.5 * 1.5 + 1.5 * 2.5 + 2.5 * 0.5) +
              kPi * 0.0625 * (0.5 + 1.5 + 2.5) + kPi / 48},
@@ -92,7 +94,7 @@ TEST(ShapeMesh, FlatShapes_FaceTheirFront) {
     }
 }
 
-TEST(PaintedSphere, CutByItsColours_IsStillTheSphere) {
+TEST(PaintedSphere, CutAtItsColours_IsStillTheSphere) {
     render::BallTexture paint;
     paint.striped = true;
     paint.number = 9;
@@ -123,13 +125,13 @@ TEST(PaintedSphere, FieldsOfAStripedBall_HaveTheirAreas) {
                    .length() /
                2;
     }
-    // A zone of height 2 x 0.56 without two caps of chord radius 0.48, which lie inside it.
+    // A zone of height 2 x 0.56 without the two caps of chord radius 0.48 inside it.
     const double zone = 4 * kPi * 0.56;
     const double caps = 2 * 2 * kPi * (1 - std::sqrt(1 - 0.48 * 0.48));
     EXPECT_NEAR(own, zone - caps, 0.005 * zone);
 }
 
-TEST(PaintedSphere, OfAPlainBall_IsOneField) {
+TEST(PaintedSphere, PlainBall_HasOneField) {
     EXPECT_EQ(painted_sphere({}).fields.size(), 1U);
     EXPECT_EQ(painted_sphere({}).mesh.triangles.size(), unit_sphere_mesh().triangles.size());
 }

@@ -19,8 +19,8 @@ sim::Key key_at(double time, double x, double v_in, double v_out) {
     return key;
 }
 
-/// A ball that runs 1 m in 1 s, is hit back at once and comes home at half the speed; and one that
-/// rests.
+/// A ball that moves 1 m in 1 s, immediately rebounds and returns at half the speed; and a ball at
+/// rest.
 sim::Timeline there_and_back() {
     sim::Timeline timeline;
     timeline.start_time = 0;
@@ -37,7 +37,7 @@ std::int64_t lines_of(const std::string& text) {
     return std::count(text.begin(), text.end(), '\n');
 }
 
-TEST(KeysToCsv, Break_GivesARowForEachSide) {
+TEST(KeysToCsv, VelocityJump_GivesTwoRows) {
     EXPECT_EQ(keys_to_csv(there_and_back()),
               "object,time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n"
               "cue,0,0,0,0.028575,1,0,0,0,1,0,0,0,0,0\n"
@@ -58,7 +58,7 @@ TEST(SamplesToCsv, EvenRate_IncludesBothEndsAndTheLeavingVelocity) {
               "cue,3,0,0,0.028575,1,0,0,0,-0.5,0,0,0,0,0\n");
 }
 
-TEST(SamplesToCsv, EndThatRoundingMisses_IsIncluded) {
+TEST(SamplesToCsv, EndMissedByRounding_IsIncluded) {
     sim::Timeline timeline = there_and_back();
     timeline.end_time = 0.7;  // 0.7 * 10 is a little under 7 in doubles
     timeline.tracks.pop_back();
@@ -67,7 +67,7 @@ TEST(SamplesToCsv, EndThatRoundingMisses_IsIncluded) {
     EXPECT_EQ(lines_of(samples_to_csv(timeline, 10)), 1 + 8);
 }
 
-TEST(SamplesToCsv, SenselessRates_AreErrors) {
+TEST(SamplesToCsv, InvalidRates_AreErrors) {
     const sim::Timeline timeline = there_and_back();
     for (const double rate : {0.0, -1.0, std::nan(""), 2e6, HUGE_VAL}) {
         EXPECT_THROW(static_cast<void>(samples_to_csv(timeline, rate)), Error) << rate;
@@ -77,13 +77,13 @@ TEST(SamplesToCsv, SenselessRates_AreErrors) {
     EXPECT_THROW(static_cast<void>(samples_to_csv(hour, 1e5)), Error);
 }
 
-TEST(SamplesToCsv, EmptyTimeline_IsTheHeaderAlone) {
+TEST(SamplesToCsv, EmptyTimeline_GivesOnlyTheHeader) {
     EXPECT_EQ(lines_of(samples_to_csv(sim::Timeline{}, 10)), 1);
     EXPECT_EQ(lines_of(keys_to_csv(sim::Timeline{})), 1);
     EXPECT_EQ(lines_of(events_to_csv(sim::Timeline{})), 1);
 }
 
-TEST(EventsToCsv, Events_AreOneRowEach) {
+TEST(EventsToCsv, EachEvent_IsOneRow) {
     sim::Timeline timeline;
     sim::Event impact;
     impact.kind = sim::EventKind::impact;

@@ -26,7 +26,7 @@ Vec3 vector(const Json& list) {
     return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
 }
 
-TEST(TimelineJson, Tracks_AreTheTimelinesBitForBit) {
+TEST(TimelineJson, Tracks_EqualTheTimelinesBitByBit) {
     const Json document = json();
     ASSERT_EQ(document["tracks"].size(), sample().timeline.tracks.size());
     for (std::size_t i = 0; i < document["tracks"].size(); ++i) {
@@ -47,7 +47,7 @@ TEST(TimelineJson, Tracks_AreTheTimelinesBitForBit) {
     }
 }
 
-TEST(TimelineJson, AtARate_IsSampledEvenly) {
+TEST(TimelineJson, Rate_GivesEvenSamples) {
     const Json document = json(10);
     EXPECT_EQ(document["tracks"][0]["keys"].size(), 7U);
     EXPECT_FALSE(document["tracks"][0]["keys"][3].contains("velocity_before"));
@@ -61,14 +61,14 @@ void expect_fields(const Json& json, const T& described) {
     });
 }
 
-TEST(TimelineJson, EveryFieldOfAList_IsThere) {
+TEST(TimelineJson, EveryDescribedField_IsPresent) {
     const Json document = json();
     expect_fields(document["events"][0], sim::Event{});
     expect_fields(document["energy"][0], sim::EnergySample{});
     expect_fields(document["tracks"][0]["keys"][0], MotionState{});
 }
 
-TEST(TimelineJson, TheRest_IsThere) {
+TEST(TimelineJson, OtherMembers_ArePresent) {
     const Json document = json();
     EXPECT_EQ(document["carom_export"], 1);
     EXPECT_EQ(document["name"], "sample");

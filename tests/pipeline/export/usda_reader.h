@@ -1,4 +1,4 @@
-// A reader of the part of USD's text form that carom writes.
+// Reads the subset of USD's text form that carom writes.
 #pragma once
 
 #include <map>
@@ -9,7 +9,7 @@
 
 namespace carom::testing {
 
-/// A value: a word or number, a text, a path <...> or @...@, or a list ([] and () alike).
+/// A value: a word or number, a text, a path <...> or @...@, or a list in [] or ().
 struct UsdaValue {
     std::string text;
     std::vector<UsdaValue> items;
@@ -32,12 +32,12 @@ struct UsdaPrim {
     std::vector<UsdaPrim> children;
 
     [[nodiscard]] const UsdaPrim* child(std::string_view name) const;
-    /// "</shot/materials/cloth>" below this one as the root.
+    /// The prim at a path such as "</shot/materials/cloth>", with this prim as the root.
     [[nodiscard]] const UsdaPrim* at(std::string_view path) const;
 };
 
-/// The file's head as the metadata, its prims as the children. Throws std::runtime_error that names
-/// the line where the text is not what it should be.
+/// Returns a prim whose metadata is the file's header and whose children are the file's prims.
+/// Throws std::runtime_error with the line of a syntax error.
 [[nodiscard]] UsdaPrim read_usda(std::string_view text);
 
 }  // namespace carom::testing

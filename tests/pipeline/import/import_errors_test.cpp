@@ -1,4 +1,4 @@
-// What is said about scene texts that are wrong.
+// Error messages for wrong scene texts.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,7 +11,7 @@
 namespace carom::pipeline {
 namespace {
 
-std::string said(const std::string& text) {
+std::string errors_of(const std::string& text) {
     std::string all;
     const ImportResult result = import_scene(text, "scene.txt", "/nowhere", "/nowhere");
     for (const Problem& problem : result.problems) {
@@ -24,12 +24,12 @@ std::string said(const std::string& text) {
 const std::string kCamera =
     "camera C { video_end 1 add_position { 0 0 0 } add_target { 0 0 9 } }\n";
 
-TEST(ImportErrors, SeveralMistakes_AreAllSaidWithTheirPlaces) {
+TEST(ImportErrors, SeveralMistakes_AreAllReportedWithTheirPositions) {
     EXPECT_EQ(
-        said(kCamera + "phong_info P { diffuse { 1 0 } shinyness 4 }\n"
-                       "material_phong M { phong_info Q }\n"
-                       "sphere S { position { 0 zero 0 } radius -2 material M }\n"
-                       "spher T { }\n"),
+        errors_of(kCamera + "phong_info P { diffuse { 1 0 } shinyness 4 }\n"
+                            "material_phong M { phong_info Q }\n"
+                            "sphere S { position { 0 zero 0 } radius -2 material M }\n"
+                            "spher T { }\n"),
         "scene.txt:2:24: error: 'diffuse' of phong_info 'P' must be three numbers in braces, "
         "not 2\n"
         "    2 | phong_info P { diffuse { 1 0 } shinyness 4 }\n"
@@ -38,7 +38,7 @@ TEST(ImportErrors, SeveralMistakes_AreAllSaidWithTheirPlaces) {
         "'shininess'?)\n"
         "    2 | phong_info P { diffuse { 1 0 } shinyness 4 }\n"
         "      |                                ^~~~~~~~~\n"
-        "scene.txt:3:31: error: no phong_info 'Q' stands above\n"
+        "scene.txt:3:31: error: phong_info 'Q' is not defined above this line\n"
         "    3 | material_phong M { phong_info Q }\n"
         "      |                               ^\n"
         "scene.txt:4:25: error: 'position' of sphere 'S' must be three numbers in braces, not "
@@ -53,57 +53,58 @@ TEST(ImportErrors, SeveralMistakes_AreAllSaidWithTheirPlaces) {
         "      | ^~~~~\n");
 }
 
-TEST(ImportErrors, Braces_AreMatched) {
-    EXPECT_EQ(said("settings S { width 64\n"),
-              "scene.txt:1:12: error: '{' is never closed\n"
+TEST(ImportErrors, UnmatchedBraces_AreReported) {
+    EXPECT_EQ(errors_of("settings S { width 64\n"),
+              "scene.txt:1:12: error: '{' has no matching '}'\n"
               "    1 | settings S { width 64\n"
               "      |            ^\n");
-    EXPECT_EQ(said(kCamera + "}"),
-              "scene.txt:2:1: error: '}' closes nothing\n"
+    EXPECT_EQ(errors_of(kCamera + "}"),
+              "scene.txt:2:1: error: '}' has no matching '{'\n"
               "    2 | }\n"
               "      | ^\n");
 }
 
-TEST(ImportErrors, ANameTwiceOrAnAttributeTwice_IsAnError) {
-    EXPECT_EQ(said(kCamera + kCamera + "texture T { filename a filename b }"),
-              "scene.txt:2:8: error: a second camera 'C'; the first is in line 1\n"
+TEST(ImportErrors, DuplicateNamesAndAttributes_AreErrors) {
+    EXPECT_EQ(errors_of(kCamera + kCamera + "texture T { filename a filename b }"),
+              "scene.txt:2:8: error: camera 'C' is already defined in line 1\n"
               "    2 | " +
                   kCamera +
                   "      |        ^\n"
-                  "scene.txt:3:24: error: 'filename' stands twice in texture 'T'\n"
+                  "scene.txt:3:24: error: 'filename' is given twice in texture 'T'\n"
                   "    3 | texture T { filename a filename b }\n"
                   "      |                        ^~~~~~~~\n");
 }
 
-TEST(ImportErrors, WhatMustBeThere_IsNamed) {
-    EXPECT_EQ(said("camera C { }"),
+TEST(ImportErrors, MissingMandatoryParts_AreNamed) {
+    EXPECT_EQ(errors_of("camera C { }"),
               "scene.txt:1:8: error: camera 'C' needs 'add_position'\n"
               "    1 | camera C { }\n"
               "      |        ^\n"
               "scene.txt:1:8: error: camera 'C' needs 'add_target'\n"
               "    1 | camera C { }\n"
               "      |        ^\n");
-    EXPECT_EQ(said(""), "scene.txt:1:1: error: the scene has no camera\n");
+    EXPECT_EQ(errors_of(""), "scene.txt:1:1: error: the scene has no camera\n");
 }
 
 TEST(ImportErrors, OverlappingCameras_AreAnError) {
-    EXPECT_EQ(said(kCamera + "camera D { video_start 0.5 video_end 2 add_position { 0 0 0 } "
-                             "add_target { 0 0 9 } }"),
+    EXPECT_EQ(errors_of(kCamera + "camera D { video_start 0.5 video_end 2 add_position { 0 0 0 } "
+                                  "add_target { 0 0 9 } }"),
               "scene.txt:2:8: error: camera 'D' starts before camera 'C' ends\n"
               "    2 | camera D { video_start 0.5 video_end 2 add_position { 0 0 0 } add_target { "
               "0 0 9 } }\n"
               "      |        ^\n");
 }
 
-TEST(ImportErrors, AFileThatIsNotThere_IsAProblem) {
+TEST(ImportErrors, MissingFile_IsAProblem) {
     const ImportResult result = import_scene_file("/nowhere/scene.txt", ".");
     ASSERT_EQ(result.problems.size(), 1U);
     EXPECT_EQ(result.problems[0].message, "this file does not exist");
     EXPECT_TRUE(result.yaml.empty());
 }
 
-// What the fuzzer starts from, and what it found: each is refused, or is YAML.
-TEST(ImportErrors, EveryFileOfTheCorpus_IsRefusedOrBecomesYaml) {
+// The fuzzer's corpus with its seeds and findings: each file is either refused or converted to
+// YAML.
+TEST(ImportErrors, EveryFileOfTheCorpus_IsRefusedOrConverted) {
     int files = 0;
     for (const auto& entry :
          std::filesystem::directory_iterator(CAROM_SOURCE_DIR "/tests/fuzz/corpus/scene")) {

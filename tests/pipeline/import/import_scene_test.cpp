@@ -1,4 +1,4 @@
-// What becomes of the elements of a scene text.
+// Tests of the conversion of scene texts.
 #include "pipeline/import/import_scene.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ const std::string kSample = CAROM_SOURCE_DIR "/tests/examples/sample_scene.txt";
 const std::string kCamera =
     "camera C { video_end 1 add_position { 0 0 -90 } add_target { 0 0 10 } DOF_end 40 }\n";
 
-/// The shot that the text becomes; a failure says why there is none.
+/// The shot made from the text. If there is none, the test fails with the reason.
 Shot shot_of(const ImportResult& imported) {
     std::string problems;
     for (const Problem& problem : imported.problems) {
@@ -74,14 +74,14 @@ TEST(ImportSample, Cameras_BecomeRigs) {
     ASSERT_EQ(shot.cameras.size(), 2U);
     const CameraRig& forward = shot.cameras[0];
     EXPECT_EQ(forward.name, "Forward");
-    // y is up in the text, z here; one of its units is a centimetre.
+    // The text has y up and centimetres, the shot z up and metres.
     ASSERT_EQ(std::get<BezierPath>(forward.position).points.size(), 3U);
     EXPECT_NEAR_VEC(bezier_point(forward.position, 0), Vec3(1.1, -0.9, 0.3), 1e-12);
     EXPECT_NEAR_VEC(bezier_point(forward.target, 1), Vec3(0.4, -0.4, 0.02), 1e-12);
     EXPECT_EQ(forward.focus.start.distance, 0.6);
     EXPECT_EQ(forward.focus.end.distance, 0.5);
     EXPECT_EQ(forward.aperture.start.value, 0.0015);
-    // 320 by 240 on a plane one unit wide at distance 2: 0.75 high.
+    // 320 x 240 pixels on a plane at distance 2 that is one unit wide and 0.75 high.
     EXPECT_NEAR(std::tan(forward.vertical_fov.start / 2), 0.375 / 2, 1e-9);
     EXPECT_NEAR(std::tan(forward.vertical_fov.end / 2), 0.375 / 3, 1e-9);
     const CameraRig& backward = shot.cameras[1];
@@ -92,12 +92,12 @@ TEST(ImportSample, Cameras_BecomeRigs) {
     EXPECT_EQ(backward.focus.start.object, "");  // on the target
 }
 
-TEST(ImportSample, SkyVectors_EndUpright) {
+TEST(ImportSample, SkyVectors_BecomeUpAndRoll) {
     const CameraRig rig = sample().cameras[1];
     const Vec3 forward = (bezier_point(rig.target, 0) - bezier_point(rig.position, 0)).normalized();
     const Vec3 level = forward.cross(rig.up.start).normalized();
     const Vec3 upright = level.cross(forward);
-    // The camera's own up, as thin_lens_camera.cpp turns it.
+    // The camera's up vector, computed as in thin_lens_camera.cpp.
     const Vec3 up = upright * std::cos(rig.roll.end) - level * std::sin(rig.roll.end);
     const Vec3 sky = Vec3(0.2, 0, 1);
     const Vec3 wanted = (sky - forward * forward.dot(sky)).normalized();
@@ -106,12 +106,12 @@ TEST(ImportSample, SkyVectors_EndUpright) {
     EXPECT_EQ(rig.roll.start, 0);
 }
 
-TEST(ImportSample, Settings_BecomeThoseOfTheDistributedIntegrator) {
+TEST(ImportSample, Settings_BecomeDistributedIntegratorSettings) {
     const Shot shot = sample();
     EXPECT_EQ(shot.render.width, 320);
     EXPECT_EQ(shot.render.height, 240);
     EXPECT_EQ(shot.timing.fps, Rational(12));
-    EXPECT_EQ(shot.timing.shutter.exposure, Rational(1, 12));  // -1: a frame
+    EXPECT_EQ(shot.timing.shutter.exposure, Rational(1, 12));  // -1: one frame
     EXPECT_EQ(shot.timing.shutter.switch_ratio, 0.3);
     EXPECT_EQ(shot.render.integrator, render::IntegratorKind::distributed);
     const render::DistributedSettings& rays = shot.render.distributed;
@@ -126,7 +126,7 @@ TEST(ImportSample, Settings_BecomeThoseOfTheDistributedIntegrator) {
     EXPECT_EQ(shot.output.view, ViewTransform::raw);
 }
 
-TEST(ImportSample, Materials_BecomePhongOnes) {
+TEST(ImportSample, Materials_BecomePhongMaterials) {
     const Shot shot = sample();
     const auto amber = std::find_if(shot.scene.materials.begin(), shot.scene.materials.end(),
                                     [](const auto& material) { return material.name == "Amber"; });
@@ -153,14 +153,14 @@ TEST(ImportSample, Forces_BecomeImpulsesThatGiveTheAuthorsVelocity) {
                                    [](const sim::Body& b) { return b.name == "Striker"; });
     ASSERT_NE(body, shot.world.bodies.end());
     const auto& impulse = std::get<sim::Impulse>(shot.world.events[0].action);
-    // A sphere of radius 4 that weighs 1 per cubic unit, pushed for 0.1 s, in units of 2 cm.
+    // A sphere of radius 4 with density 1, pushed for 0.1 s; the unit is 2 cm.
     const double mass = 4.0 / 3 * M_PI * 64;
     const Vec3 velocity = Vec3(90000, -2000, 0) * (0.1 / mass) * 0.02;
     EXPECT_NEAR_VEC(impulse.newton_seconds / body->mass, velocity, 1e-6 * velocity.length());
 }
 
-// The format's lights do not fade, and a diffuse surface k that faces one is seen as k times its
-// colour.
+// Lights of the format do not fall off with distance. A surface of diffuse colour k that faces a
+// light has the radiance k times its colour.
 TEST(ImportSample, Lights_GiveTheirColourAtEveryDistance) {
     const Shot shot = sample();
     const auto& bulb = std::get<render::SphereLight>(shot.scene.lights[1].light);
@@ -184,7 +184,7 @@ TEST(Import, PointLight_GivesItsColourAtEveryDistance) {
     EXPECT_NEAR_VEC(point.position, Vec3(0, 0, 0.9), 1e-12);
 }
 
-TEST(Import, BoxesAndRectangles_StandWhereTheirVerticesSay) {
+TEST(Import, BoxesAndRectangles_FollowTheirVertices) {
     const Shot shot = shot_of(
         kCamera +
         "box B { vertex0 { 10 0 0 } vertex1 { 13 4 0 } vertex2 { 0 0 20 } heigth 2 use_physics 1 }"
@@ -193,7 +193,7 @@ TEST(Import, BoxesAndRectangles_StandWhereTheirVerticesSay) {
     const auto& box = object(shot, "B");
     const Vec3 half = std::get<render::BoxShape>(box.shape).size / 2;
     EXPECT_NEAR_VEC(half * 2, Vec3(0.05, std::sqrt(464) * 0.01, 0.02), 1e-8);
-    // The edge from vertex0 to vertex1, in our axes, is an edge of the box.
+    // The edge from vertex0 to vertex1, in carom's axes, is an edge of the box.
     const Vec3 edge = placed(box, Vec3(half.x, 0, 0)) - placed(box, Vec3(-half.x, 0, 0));
     EXPECT_NEAR_VEC(edge, Vec3(0.03, 0, 0.04), 1e-8);
     // vertex0 and vertex1 are two of its corners.
@@ -209,7 +209,7 @@ TEST(Import, BoxesAndRectangles_StandWhereTheirVerticesSay) {
     const auto& rectangle = object(shot, "R");
     const Vec2 size = std::get<render::RectangleShape>(rectangle.shape).size;
     EXPECT_NEAR(size.x, 0.04, 1e-9);
-    EXPECT_NEAR(size.y, 0.02, 1e-9);  // vertex2 lies on the opposite side, not at its corner
+    EXPECT_NEAR(size.y, 0.02, 1e-9);  // vertex2 is a point of the opposite side, not a corner
     EXPECT_NEAR_VEC(placed(rectangle, Vec3(-size.x / 2, -size.y / 2, 0)), Vec3(0.01, -0.01, 0.01),
                     1e-8);
     const auto& plane = object(shot, "P");
@@ -217,7 +217,7 @@ TEST(Import, BoxesAndRectangles_StandWhereTheirVerticesSay) {
                     1e-8);
 }
 
-TEST(Import, ABallOfTheManualThatStandsInTheTable_IsMovedOut) {
+TEST(Import, BallThatPenetratesTheTable_IsMovedOut) {
     const ImportResult result = import_scene(
         kCamera +
             "box ground { vertex0 { 0 -5 0 } vertex1 { 200 -5 0 } vertex2 { 200 -5 100 } heigth 5 "
@@ -230,7 +230,7 @@ TEST(Import, ABallOfTheManualThatStandsInTheTable_IsMovedOut) {
     EXPECT_NEAR(ball->pose.position.z, 0.04, 1e-6);
 }
 
-TEST(Import, SphereAxes_BecomeItsTurn) {
+TEST(Import, SphereAxes_BecomeItsRotation) {
     const Shot shot =
         shot_of(kCamera + "sphere S { position { 0 0 0 } radius 4 v_e { 0 1 0 } v_n { 1 0 1 } }");
     const auto& sphere = object(shot, "S");
@@ -238,7 +238,7 @@ TEST(Import, SphereAxes_BecomeItsTurn) {
     EXPECT_NEAR_VEC(placed(sphere, Vec3(1, 0, 0)), Vec3(0, 0, 1), 1e-8);  // where u is 0
 }
 
-TEST(Import, WithoutLights_OneHangsOverTheCamera) {
+TEST(Import, WithoutLights_OneIsAddedAboveTheCamera) {
     const ImportResult result = import_scene(kCamera, "scene.txt", "/nowhere", "/nowhere");
     EXPECT_TRUE(has_note(result, "one over the camera"));
     const Shot shot = shot_of(result);
@@ -248,7 +248,7 @@ TEST(Import, WithoutLights_OneHangsOverTheCamera) {
     EXPECT_NEAR_VEC(light.intensity, Vec3(M_PI), 1e-8);
 }
 
-TEST(Import, MissingPictures_AreReplacedByTheColourAndNoted) {
+TEST(Import, MissingImages_AreReplacedByTheColourAndNoted) {
     const ImportResult result =
         import_scene(kCamera +
                          "texture T { filename gone.tga } phong_info P { diffuse { 1 0 0 } } "
@@ -260,7 +260,7 @@ TEST(Import, MissingPictures_AreReplacedByTheColourAndNoted) {
     EXPECT_EQ(std::get<Vec3>(shot.scene.materials[0].phong->diffuse), Vec3(1, 0, 0));
 }
 
-TEST(Import, Pictures_RepeatByTheirScale) {
+TEST(Import, Images_RepeatAccordingToTheirScale) {
     const auto folder = std::filesystem::temp_directory_path() / "carom_import_test";
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "ball.tga") << "any";
@@ -280,7 +280,7 @@ TEST(Import, Pictures_RepeatByTheirScale) {
     std::filesystem::remove_all(folder);
 }
 
-TEST(Import, NamesTheYamlCannotHave_AreChanged) {
+TEST(Import, InvalidNames_AreChanged) {
     const Shot shot = shot_of(kCamera +
                               "sphere 8ball! { position { 0 0 0 } radius 1 }"
                               "sphere 8ball? { position { 0 5 0 } radius 1 }"

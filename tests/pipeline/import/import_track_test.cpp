@@ -27,7 +27,7 @@ ImportTrackOptions named(double error = 1e-5) {
     return options;
 }
 
-/// The track that a shot has which includes the result.
+/// The track of a shot that includes the result.
 sim::Track track_of(const std::string& csv, const ImportTrackOptions& options = named()) {
     const ImportTrackResult result = import_track(csv, "t.csv", options);
     for (const Problem& problem : result.problems) {
@@ -57,7 +57,7 @@ std::vector<std::string> problems_of(const std::string& csv,
     return lines;
 }
 
-TEST(ImportTrack, PlacesAlone_AreKeysOfASmoothMotion) {
+TEST(ImportTrack, PositionsAlone_AreKeysOfASmoothMotion) {
     const ImportTrackResult result =
         import_track("time,x,y,z\n0,0,0,0\n0.5,1,0,0\n2,1,0,0.25\n", "folder/t.csv");
     EXPECT_THAT(result.problems, IsEmpty());
@@ -71,7 +71,7 @@ TEST(ImportTrack, PlacesAlone_AreKeysOfASmoothMotion) {
               "    - {at: 2, position: [1, 0, 0.25]}\n");
 }
 
-TEST(ImportTrack, Columns_ComeInAnyOrderAndSpelling) {
+TEST(ImportTrack, Columns_CanHaveAnyOrderAndCase) {
     const ImportTrackResult result = import_track(
         "\xef\xbb\xbf# a comment\r\n Z ; Time;\"x\";Y\r\n\r\n3;0;1;2\r\n6;1;4;5\r\n", "t.csv");
     EXPECT_THAT(result.problems, IsEmpty());
@@ -79,7 +79,7 @@ TEST(ImportTrack, Columns_ComeInAnyOrderAndSpelling) {
     EXPECT_THAT(result.yaml, HasSubstr("{at: 1, position: [4, 5, 6]}"));
 }
 
-TEST(ImportTrack, Angles_TurnLikeAnObjectsRotate) {
+TEST(ImportTrack, Angles_RotateLikeTheRotateOfAnObject) {
     const sim::Track track = track_of("time,x,y,z,rx,ry,rz\n0,0,0,0,0,0,0\n1,0,0,0,20,30,40\n");
     const auto about = [](const Vec3& axis, double degrees) {
         return sim::rotation_from_vector(degrees * kPi / 180 * axis);
@@ -88,8 +88,8 @@ TEST(ImportTrack, Angles_TurnLikeAnObjectsRotate) {
     EXPECT_LT(sim::angle_between(track.sample(1).orientation, expected), 1e-8);
 }
 
-TEST(ImportTrack, OneAngleThatGoesFarRound_TurnsAsOften) {
-    // Two rounds about the vertical in a second, at constant speed.
+TEST(ImportTrack, SingleAngleOfSeveralTurns_KeepsItsTurns) {
+    // Two turns about the vertical axis in a second, at constant speed.
     ImportTrackOptions options = named();
     options.is_linear = true;
     const sim::Track track =
@@ -97,22 +97,25 @@ TEST(ImportTrack, OneAngleThatGoesFarRound_TurnsAsOften) {
     EXPECT_NEAR(track.sample(0.5).angular_velocity.z, 4 * kPi, 1e-6);
     const std::vector<std::string> problems =
         problems_of("time,x,y,z,rx,ry,rz\n0,0,0,0,0,30,0\n1,0,0,0,300,30,720\n");
-    EXPECT_THAT(problems, ElementsAre(HasSubstr("t.csv:3:1: error: more than half a round since")));
+    EXPECT_THAT(problems,
+                ElementsAre(HasSubstr(
+                    "t.csv:3:1: error: the object turns by more than 180 degrees since")));
 }
 
-TEST(ImportTrack, MoreRoundsThanAKeyMayTurn_AreSplitOrRefused) {
+TEST(ImportTrack, MoreTurnsThanAKeyMayHave_AreSplitOrRefused) {
     ImportTrackOptions options = named();
     options.is_linear = true;
-    // 90 rounds from row to row: no key may take both at once.
+    // 90 turns from row to row: one key must not span both intervals.
     const sim::Track track = track_of(
         "time,x,y,z,rx,ry,rz\n0,0,0,0,0,0,0\n1,0,0,0,0,0,32400\n2,0,0,0,0,0,64800\n", options);
     EXPECT_NEAR(track.sample(1.5).angular_velocity.z, 180 * kPi, 1e-6);
-    EXPECT_THAT(problems_of("time,x,y,z,rx,ry,rz\n0,0,0,0,0,0,0\n1,0,0,0,0,0,36001\n"),
-                ElementsAre(HasSubstr("t.csv:3:1: error: more than a hundred rounds since")));
+    EXPECT_THAT(
+        problems_of("time,x,y,z,rx,ry,rz\n0,0,0,0,0,0,0\n1,0,0,0,0,0,36001\n"),
+        ElementsAre(HasSubstr("t.csv:3:1: error: the object makes more than 100 turns since")));
 }
 
-TEST(ImportTrack, FastTurns_AreKnownByTheirAngularVelocity) {
-    // 1.25 rounds between rows: the quaternions alone say a quarter.
+TEST(ImportTrack, FastTurns_FollowFromTheAngularVelocity) {
+    // 1.25 turns between rows; the quaternions alone would give a quarter turn.
     const std::string csv =
         "time,x,y,z,qw,qx,qy,qz,wx,wy,wz\n"
         "0,0,0,0,1,0,0,0,0,0,7.8539816\n"
@@ -125,7 +128,7 @@ TEST(ImportTrack, FastTurns_AreKnownByTheirAngularVelocity) {
     EXPECT_NEAR(track.sample(1.5).angular_velocity.z, 2.5 * kPi, 1e-5);
 }
 
-/// A ball that is struck, hits another one and rolls out.
+/// A ball that is struck, hits another one and comes to rest.
 sim::Timeline struck() {
     const LoadResult loaded = load_shot_text(
         "carom: 1\nsimulation: {duration: 3 s}\ntable: {kind: cloth}\n"
@@ -137,7 +140,7 @@ sim::Timeline struck() {
     return sim::bake(loaded.shot.value().world);
 }
 
-TEST(ImportTrack, OfAnExportAtARate_FollowsItWithinTheError) {
+TEST(ImportTrack, SampledExport_IsFollowedWithinTheError) {
     const sim::Timeline timeline = struck();
     const std::string csv = samples_to_csv(timeline, 200);
     ImportTrackOptions options = named();
@@ -154,7 +157,7 @@ TEST(ImportTrack, OfAnExportAtARate_FollowsItWithinTheError) {
     }
 }
 
-TEST(ImportTrack, OfAnExportOfKeys_KeepsItsCorners) {
+TEST(ImportTrack, ExportOfKeys_KeepsItsVelocityJumps) {
     const sim::Timeline timeline = struck();
     ImportTrackOptions options = named();
     options.object = "cue";
@@ -167,7 +170,7 @@ TEST(ImportTrack, OfAnExportOfKeys_KeepsItsCorners) {
             EXPECT_LT((track.sample(key.time + 2e-6).velocity - key.velocity_out).length(), 1e-3);
         }
     }
-    // Positions between the keys, too: the same Hermite curves.
+    // The positions between the keys agree too, because the Hermite curves are the same.
     for (int n = 0; n <= 3000; ++n) {
         const double time = n / 1000.0;
         ASSERT_LT(
@@ -176,7 +179,7 @@ TEST(ImportTrack, OfAnExportOfKeys_KeepsItsCorners) {
     }
 }
 
-TEST(ImportTrack, WithoutError_KeepsEveryRow) {
+TEST(ImportTrack, ErrorOfZero_KeepsEveryRow) {
     std::string csv = "time,x,y,z\n";
     for (int n = 0; n < 100; ++n) {
         csv += std::to_string(n * 0.01) + ",0,0," + std::to_string(n * 0.01) + "\n";
@@ -185,68 +188,73 @@ TEST(ImportTrack, WithoutError_KeepsEveryRow) {
     EXPECT_EQ(import_track(csv, "t.csv", named(0)).keys, 100U);
 }
 
-TEST(ImportTrack, MoreKeysThanAMotionHas_AreRefused) {
+TEST(ImportTrack, TooManyKeys_AreRefused) {
     std::string csv = "time,x,y,z\n";
     for (int n = 0; n < 1200; ++n) {
         csv += std::to_string(n * 0.01) + "," + std::to_string(n % 2) + ",0,0\n";
     }
-    EXPECT_THAT(problems_of(csv, named()),
-                ElementsAre(HasSubstr("more than 1000 keys are needed to meet all rows within "
-                                      "0.01 mm: allow more with --error, or give fewer rows")));
-}
-
-TEST(ImportTrack, BrokenHeaders_AreToldWhole) {
-    EXPECT_THAT(problems_of(""),
-                ElementsAre("t.csv:1:1: error: the table is empty: it needs a line "
-                            "that names its columns, and a line for each time"));
-    EXPECT_THAT(problems_of("tme,x,y,qw,x\n0,0,0,1,0\n"),
-                ElementsAre("t.csv:1:1: error: column 'time' missing",
-                            "t.csv:1:1: error: column 'z' missing",
-                            "t.csv:1:1: error: columns 'qx', 'qy' and 'qz' missing",
-                            "t.csv:1:1: warning: column 'tme' is not used (did you mean 'time'?)",
-                            "t.csv:1:12: error: a second column 'x'"));
-    EXPECT_THAT(problems_of("0,1,2,3\n1,1,2,3\n"),
-                ::testing::Contains(StartsWith("t.csv:1:1: error: '0' is a number: the first")));
-    EXPECT_THAT(problems_of("time,x,y,z,qw,qx,qy,qz,rx,ry,rz\n"),
-                ElementsAre(HasSubstr("t.csv:1:24: error: 'rx, ry, rz' beside 'qw, qx, qy, qz'")));
-}
-
-TEST(ImportTrack, BrokenRows_AreToldWhole) {
     EXPECT_THAT(
-        problems_of("time,x,y,z,qw,qx,qy,qz\n"
-                    "0,0,0,0,1,0,0,0\n"
-                    "0.1,a,,0,1,0,0,0\n"
-                    "0.2,0,0\n"
-                    "0.3,0,0,0,0.5,0,0,0\n"
-                    "-1,1e9,0,0,1,0,0,nan\n"
-                    "0.4,0,0,0,1,0,0,0\n"
-                    "0.4,0,0,0,1,0,0,0\n"),
-        ElementsAre("t.csv:3:5: error: 'x': 'a' is not a number", "t.csv:3:7: error: 'y': no value",
-                    "t.csv:4:1: error: 3 values for 8 columns",
-                    "t.csv:5:11: error: qw, qx, qy, qz have the length 0.5: a rotation has 1",
-                    "t.csv:6:1: error: 'time' must lie between 0 and 3600 s",
-                    "t.csv:6:4: error: 'x' must lie between -100000 and 100000 m",
-                    "t.csv:6:18: error: 'qz': 'nan' is not a number",
-                    "t.csv:8:1: error: time 0.4 s is not later than the 0.4 s of line 7"));
+        problems_of(csv, named()),
+        ElementsAre(HasSubstr("the motion needs more than 1000 keys to follow all rows "
+                              "within 0.01 mm: allow a larger --error, or give fewer rows")));
 }
 
-TEST(ImportTrack, SeveralObjects_MustBeChosenFrom) {
+TEST(ImportTrack, WrongHeaders_AreReportedCompletely) {
+    EXPECT_THAT(problems_of(""),
+                ElementsAre("t.csv:1:1: error: the table is empty: it needs a first "
+                            "line that names its columns, and one line for each time"));
+    EXPECT_THAT(problems_of("tme,x,y,qw,x\n0,0,0,1,0\n"),
+                ElementsAre("t.csv:1:1: error: column 'time' is missing",
+                            "t.csv:1:1: error: column 'z' is missing",
+                            "t.csv:1:1: error: columns 'qx', 'qy' and 'qz' are missing",
+                            "t.csv:1:1: warning: column 'tme' is not used (did you mean 'time'?)",
+                            "t.csv:1:12: error: column 'x' is given twice"));
+    EXPECT_THAT(
+        problems_of("0,1,2,3\n1,1,2,3\n"),
+        ::testing::Contains(StartsWith("t.csv:1:1: error: '0' is a number, but the first line")));
+    EXPECT_THAT(problems_of("time,x,y,z,qw,qx,qy,qz,rx,ry,rz\n"),
+                ElementsAre(HasSubstr(
+                    "t.csv:1:24: error: give either 'rx, ry, rz' or 'qw, qx, qy, qz', not both")));
+}
+
+TEST(ImportTrack, WrongRows_AreReportedCompletely) {
+    EXPECT_THAT(problems_of("time,x,y,z,qw,qx,qy,qz\n"
+                            "0,0,0,0,1,0,0,0\n"
+                            "0.1,a,,0,1,0,0,0\n"
+                            "0.2,0,0\n"
+                            "0.3,0,0,0,0.5,0,0,0\n"
+                            "-1,1e9,0,0,1,0,0,nan\n"
+                            "0.4,0,0,0,1,0,0,0\n"
+                            "0.4,0,0,0,1,0,0,0\n"),
+                ElementsAre("t.csv:3:5: error: 'x' must be a number, not 'a'",
+                            "t.csv:3:7: error: 'y' has no value",
+                            "t.csv:4:1: error: this row has 3 values, but the table has 8 columns",
+                            "t.csv:5:11: error: the quaternion qw, qx, qy, qz has length 0.5, but "
+                            "must have length 1",
+                            "t.csv:6:1: error: 'time' must lie between 0 and 3600 s",
+                            "t.csv:6:4: error: 'x' must lie between -100000 and 100000 m",
+                            "t.csv:6:18: error: 'qz' must be a number, not 'nan'",
+                            "t.csv:8:1: error: time 0.4 s is not later than the 0.4 s of line 7"));
+}
+
+TEST(ImportTrack, SeveralObjects_NeedAChoice) {
     const std::string csv = "object,time,x,y,z\ncue,0,0,0,0\none,0,1,0,0\ncue,1,0,0,0\n";
-    EXPECT_THAT(problems_of(csv), ElementsAre("t.csv:1:1: error: the table has several objects, "
+    EXPECT_THAT(problems_of(csv), ElementsAre("t.csv:1:1: error: the table has several objects; "
                                               "choose one with --object: cue or one"));
     ImportTrackOptions options;
     options.object = "que";
     EXPECT_THAT(problems_of(csv, options),
-                ElementsAre("t.csv:1:1: error: there is no object 'que' in the table (did you mean "
+                ElementsAre("t.csv:1:1: error: the table has no object 'que' (did you mean "
                             "'cue'?)"));
     options.object = "one";
     EXPECT_THAT(problems_of(csv, options),
-                ElementsAre(HasSubstr("a motion needs two rows or more")));
-    EXPECT_THAT(problems_of("time,x,y,z\n0,0,0,0\n", options),
-                ElementsAre(HasSubstr("there is no column 'object' to find 'one' in")));
+                ElementsAre(HasSubstr("the table needs at least two rows for a motion")));
+    EXPECT_THAT(
+        problems_of("time,x,y,z\n0,0,0,0\n", options),
+        ElementsAre(HasSubstr("cannot select object 'one': the table has no column 'object'")));
 }
 
-TEST(ImportTrack, FilesThatCannotBeRead_AreSaid) {
+TEST(ImportTrack, UnreadableFiles_AreReported) {
     const ImportTrackResult result = import_track_file("none/t.csv");
     ASSERT_EQ(result.problems.size(), 1U);
     EXPECT_THAT(format(result.problems[0]), StartsWith("none/t.csv: error: this file "));
