@@ -57,8 +57,8 @@ std::vector<Picture> read_pictures(const std::vector<std::string>& paths) {
     return pictures;
 }
 
-/// Reports another renderer's pictures of the scene: their error, and differences from ours by
-/// block.
+/// Reports another renderer's pictures of the scene: their error, and their differences from this
+/// renderer's pictures by block.
 void report_other(const std::vector<Picture>& ours, const std::vector<Picture>& other,
                   const PeerScene& scene) {
     constexpr int kBlock = 8;
@@ -128,13 +128,15 @@ int run(int argc, char** argv) {
     app.add_option("scene", scene_path, "neutral scene, JSON")->required();
     app.add_option("--samples", samples, "per pixel")->capture_default_str();
     double noise = 0;
-    app.add_option("--noise", noise, "adaptive sampling down to this; --samples is the least then");
+    app.add_option("--noise", noise,
+                   "adaptive sampling down to this noise; then --samples is the minimum");
     app.add_option("--seeds", seeds, "runs")->capture_default_str()->check(CLI::Range(1, 4096));
     app.add_option("--first-seed", first_seed)->capture_default_str();
     app.add_option("--reference", reference, "EXR; without it runs are compared with each other");
     app.add_option("--mean", output, "write the mean of all runs to this EXR");
     int triangles = 0;
-    app.add_option("--triangles", triangles, "adds a mesh of so many, a bumpy ball on the table");
+    app.add_option("--triangles", triangles,
+                   "adds a mesh with this many triangles, a bumpy ball on the table");
     std::vector<std::string> others;
     app.add_option("--others", others,
                    "EXRs of the scene by another renderer: their error, and 8 x 8 block means");

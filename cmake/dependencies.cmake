@@ -1,6 +1,6 @@
-# Every third-party library, found once. OpenImageIO, ODE, Highway, xxHash and libav come through
-# pkg-config: their CMake packages are missing or broken on Debian 12. So does {fmt}, whose CMake
-# package defines a macro that only Windows needs in everything that uses it.
+# Finds all third-party libraries. OpenImageIO, ODE, Highway, xxHash and libav are found by
+# pkg-config, because their CMake packages are missing or broken on Debian 12. {fmt} is too, because
+# its CMake package defines a macro for all its users that only Windows needs.
 find_package(PkgConfig REQUIRED)
 find_package(Imath REQUIRED)
 find_package(yaml-cpp REQUIRED)

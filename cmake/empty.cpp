@@ -1,1 +1,2 @@
-// CMake parses precompiled headers for a target, and a target has a source file.
+// Empty source file: CMake compiles precompiled headers only for targets, and a target needs a
+// source file.

@@ -1,8 +1,8 @@
-# Archives that others link, each made of the objects of many libraries of ours.
+# Builds the installed archives, each from the objects of many of carom's libraries.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
-# What a target links directly.
+# The libraries that a target links directly.
 function(carom_linked_by target out)
   get_target_property(type ${target} TYPE)
   set(property LINK_LIBRARIES)
@@ -17,8 +17,8 @@ function(carom_linked_by target out)
   set(${out} ${linked} PARENT_SCOPE)
 endfunction()
 
-# All that these targets link, directly or through libraries of ours, themselves included: libraries of ours that are not in
-# the list `known`, and other libraries.
+# All libraries that these targets link directly or through carom's libraries, including the targets: `out_ours` are carom's
+# libraries that are not in the list `known`, `out_others` are third-party libraries.
 function(carom_all_linked_by targets known out_ours out_others)
   set(ours)
   set(others)
@@ -37,9 +37,9 @@ function(carom_all_linked_by targets known out_ours out_others)
   set(${out_others} ${others} PARENT_SCOPE)
 endfunction()
 
-# carom_archive(NAME OF libraries… [ON archives…] HEADERS …): carom::NAME, with the objects of these libraries and of all
-# libraries of ours below them that are not in the archives which it is built on. In the headers that are installed, what they
-# include of ours is below carom/, so that they cannot be mistaken for a header of whoever includes them.
+# carom_archive(NAME OF libraries… [ON archives…] HEADERS …): makes carom::NAME with the objects of these libraries and of all
+# libraries of carom that they depend on, except those in the archives after ON. The installed headers include carom's headers
+# below carom/, so that these cannot be confused with headers of the including program.
 function(carom_archive name)
   cmake_parse_arguments(ARG "" "" "OF;ON;HEADERS" ${ARGN})
   set(known)
@@ -66,7 +66,7 @@ function(carom_archive name)
   target_link_libraries(${archive} PUBLIC ${below} Imath::Imath PRIVATE ${others})
   target_compile_features(${archive} INTERFACE cxx_std_20)
   if(CAROM_FAST_RENDERER)
-    # The code alone, without what g++ keeps for optimisation while linking, which no other linker reads.
+    # Removes the data for link-time optimisation, which only g++ can read.
     add_custom_command(TARGET ${archive} POST_BUILD VERBATIM
       COMMAND ${CMAKE_STRIP} --strip-debug -R .gnu.lto_* -R .gnu.debuglto_* -N __gnu_lto_v1 $<TARGET_FILE:${archive}>)
   endif()
@@ -91,7 +91,7 @@ function(carom_archive name)
   install(TARGETS ${archive} EXPORT carom COMPONENT library FILE_SET HEADERS COMPONENT library)
 endfunction()
 
-# So that find_package(carom) finds the archives. Before 1.0 no version promises to be like another.
+# Installs the files for find_package(carom). Before 1.0 no two versions are compatible.
 function(carom_install_library)
   set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
   set(config ${PROJECT_BINARY_DIR}/lib/cmake/carom/carom-config.cmake)

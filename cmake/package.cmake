@@ -1,5 +1,5 @@
-# cpack -G DEB in build/package: carom has the programs, what shots include, examples, manual and completions; carom-lab the
-# laboratory; libcarom-dev the library. In build/release it makes carom alone.
+# Debian packages, made by cpack -G DEB in build/package: carom contains the programs, the configurations that shots include,
+# examples, manual and completions; carom-lab the laboratory; libcarom-dev the library. In build/release only carom is made.
 set(CPACK_PACKAGE_NAME carom)
 set(CPACK_PACKAGE_VENDOR "The carom authors")
 set(CPACK_PACKAGE_CONTACT "The carom authors")
@@ -14,7 +14,7 @@ if(CAROM_LIBRARY)
 endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
-# The libraries are found by dpkg-shlibdeps; a font is no library.
+# dpkg-shlibdeps finds the libraries; the font must be listed.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "films of billiard-style shots, simulated and ray traced")
 
@@ -30,7 +30,7 @@ set(CPACK_COMPONENT_LAB_DESCRIPTION
 "The laboratory of carom: the command compare, which measures acceleration structures and ray-triangle kernels of the
 literature against those of the renderer. Nobody needs it to make a film.")
 
-# The archives want the libraries that they use when a program is linked; the programs' package has what shots include.
+# Linking the archives needs the libraries that they use; the package carom contains the configurations that shots include.
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libcarom-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS OFF)
@@ -42,7 +42,7 @@ set(CPACK_COMPONENT_LIBRARY_DESCRIPTION
 carom::render and carom::film. Before version 1.0 the interface may change with every release.")
 include(CPack)
 
-# What belongs to no program. Examples stand beside the configs that they include.
+# Files that belong to no program. Examples are next to the configurations that they include.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION share/carom PATTERN api EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md
   DESTINATION share/doc/carom)

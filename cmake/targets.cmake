@@ -1,4 +1,4 @@
-# How every target of ours is compiled, stated once. Each links it PRIVATE: who links carom has warnings of his own.
+# Compile options of all targets. Each links them PRIVATE, because programs that link carom choose their own warnings.
 add_library(carom_compile_options INTERFACE)
 target_compile_features(carom_compile_options INTERFACE cxx_std_20)
 target_include_directories(carom_compile_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
@@ -6,8 +6,8 @@ target_compile_options(carom_compile_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-align
   -Woverloaded-virtual -Wconversion -Wno-sign-conversion -Werror
   $<$<CXX_COMPILER_ID:Clang>:-Wno-overloaded-shift-op-parentheses>  # how assertions take conditions apart
-  # False warnings of g++ 12 where it sees through std::string (its bugs 105329 and 105651); it no longer knows
-  # that the header is the system's when that was precompiled.
+  # g++ 12 gives false warnings about inlined std::string (its bugs 105329 and 105651). With a precompiled header it does not
+  # recognise the header as a system header.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>
   # The same source gives the same bits from g++ and clang, at -O0 and -O2.
@@ -24,13 +24,13 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 # The layout of the build tree is that of an installed one: bin/, libexec/carom/, share/carom/.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 
-# Headers of libraries that many files include are parsed once, by a holder, and read ready-made by the
-# targets that name it. Only headers that are not ours: ours change too often. CMake hands them to every
-# file of a target, so that a missing #include shows only in a build with this option off.
+# Precompiled headers: a holder target compiles library headers that many files include, and other targets reuse the result.
+# carom's own headers are not precompiled, because they change too often. CMake adds precompiled headers to every file of a
+# target, so a missing #include is found only in a build with this option off.
 option(CAROM_PRECOMPILED_HEADERS "parse the large headers of libraries once for many files" ON)
 
-# carom_precompiled_headers(HOLDER HEADERS <a> <b> … [LIBS libs…] [EXECUTABLES]): the holder; with EXECUTABLES
-# for files of programs, which are compiled with -fPIE and not with -fPIC.
+# carom_precompiled_headers(HOLDER HEADERS <a> <b> … [LIBS libs…] [EXECUTABLES]): makes the holder. EXECUTABLES: for the files
+# of programs, which are compiled with -fPIE instead of -fPIC.
 function(carom_precompiled_headers holder)
   cmake_parse_arguments(ARG "EXECUTABLES" "" "HEADERS;LIBS" ${ARGN})
   if(CAROM_PRECOMPILED_HEADERS)
@@ -45,7 +45,7 @@ function(carom_precompiled_headers holder)
   endif()
 endfunction()
 
-# -fpch-preprocess: ccache needs it to see which precompiled header a file was compiled with.
+# ccache needs -fpch-preprocess to detect which precompiled header a file was compiled with.
 function(carom_use_precompiled_headers target holder)
   if(CAROM_PRECOMPILED_HEADERS)
     target_precompile_headers(${target} REUSE_FROM ${holder})
@@ -53,7 +53,7 @@ function(carom_use_precompiled_headers target holder)
   endif()
 endfunction()
 
-# What most files of our libraries include; HOLDER serves the libraries of this folder and those below it.
+# Precompiles the headers that most library files include, for the libraries of this folder and its subfolders.
 macro(carom_precompile_for_libraries holder)
   carom_precompiled_headers(${holder}
     HEADERS <ImathMatrix.h> <ImathQuat.h> <algorithm> <cmath> <functional> <map> <optional> <sstream> <string> <variant> <vector>
@@ -61,8 +61,8 @@ macro(carom_precompile_for_libraries holder)
   set(carom_headers_holder ${holder})
 endmacro()
 
-# carom_library(NAME SOURCES a.cpp … [PUBLIC libs…] [PRIVATE libs…] [PARSE_ALL]): a static library of ours. PARSE_ALL:
-# without precompiled headers, where a library wants compiler options of its own (-pthread).
+# carom_library(NAME SOURCES a.cpp … [PUBLIC libs…] [PRIVATE libs…] [PARSE_ALL]): makes a static library. PARSE_ALL: without
+# precompiled headers, if a linked library needs its own compiler options (-pthread).
 function(carom_library name)
   cmake_parse_arguments(ARG "PARSE_ALL" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
@@ -72,23 +72,23 @@ function(carom_library name)
   endif()
 endfunction()
 
-# carom_program(NAME SOURCES a.cpp … LIBS libs…): a program of ours.
+# carom_program(NAME SOURCES a.cpp … LIBS libs…): makes a program.
 function(carom_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE carom_compile_options ${ARG_LIBS})
 endfunction()
 
-# carom_test(NAME SOURCES a_test.cpp … LIBS libs… [TIMEOUT s] [SHARDS n]): a test program. CTest runs all its cases in one
-# process, since the start of a process with our libraries takes up to a quarter of a second, or in SHARDS processes, so that
-# the cores share a long program. A case that takes longer than TIMEOUT ends the process (tests/test_main.cpp).
+# carom_test(NAME SOURCES a_test.cpp … LIBS libs… [TIMEOUT s] [SHARDS n]): makes a test program. CTest runs all its cases in one
+# process, because starting a process with carom's libraries takes up to a quarter of a second, or in SHARDS processes, so that
+# several cores share a long program. A case that takes longer than TIMEOUT ends the process (tests/test_main.cpp).
 function(carom_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT;SHARDS" "SOURCES;LIBS" ${ARGN})
   carom_program(${name} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS} GTest::gmock carom_test_main)
   target_compile_definitions(${name} PRIVATE CAROM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                              CAROM_BINARY_DIR="${PROJECT_BINARY_DIR}")
   carom_use_precompiled_headers(${name} carom_test_headers)
-  # Checks take long to optimise and are run once.
+  # Test code takes long to optimise and runs only once.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   if(NOT ARG_TIMEOUT)

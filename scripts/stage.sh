@@ -1,13 +1,13 @@
 # shellcheck shell=bash
-# Stages of work that take long, for scripts to source: one line for each, how far it is, and the full output in a file.
+# Functions for long stages of work, to be sourced by scripts: one progress line for each stage, and its full output in a file.
 
-# Where a person watches, a line is drawn over itself; elsewhere there is a line now and then.
+# In a terminal the progress line is overwritten; otherwise a new line is printed at this interval.
 stage_interval=${CAROM_PROGRESS_INTERVAL:-10}  # seconds
 stage_child=
 
 stage_say() { printf 'carom: %s\n' "$*" >&2; }
 
-# take_turn FILE WHAT: waits until no other call holds the lock FILE, which stays open as descriptor 9.
+# take_turn FILE WHAT: waits until no other process holds the lock FILE, which stays open as descriptor 9.
 take_turn() {
   exec 9>"$1"
   flock -n 9 && return
@@ -15,17 +15,17 @@ take_turn() {
   flock 9
 }
 
-# How far apt-get is, from what it writes to its status descriptor, the file LOG.status: "downloading 34 %".
+# The progress of apt-get, from its status descriptor, the file LOG.status: "downloading 34 %".
 apt_progress() {
   tail -n 1 "$1.status" | sed -nE \
     -e 's/^dlstatus:[^:]*:([0-9]+)[^:]*:.*/downloading \1 %/p' \
     -e 's/^pmstatus:.*:([0-9]+)(\.[0-9]+)?:.*/unpacking and setting up \1 %/p'
 }
 
-# How far ninja is: "12 of 480".
+# The progress of ninja: "12 of 480".
 ninja_progress() { tail -n 1 "$1" | sed -nE 's|^\[([0-9]+)/([0-9]+)\].*|\1 of \2|p'; }
 
-no_progress() { :; }  # nobody knows
+no_progress() { :; }  # for commands without progress
 
 stage_erase_line() { if [ -t 2 ]; then printf '\r\033[K' >&2; fi; }
 
@@ -37,7 +37,7 @@ stage_show() {  # NAME PROGRESS
   fi
 }
 
-# What a person needs to see of a log that ends in an error: from the first line that names one, or the last lines.
+# The most relevant lines of a log that ends in an error: from the first error message on, or the last lines.
 stage_telling_lines() {
   local first
   first=$(grep -nE -m 1 '^(FAILED:|ninja: (error|fatal)|CMake Error|E: |dpkg: error)' "$1" | cut -d: -f1)
@@ -46,15 +46,15 @@ stage_telling_lines() {
 
 stage_interrupted() {
   trap '' INT TERM HUP
-  kill "$stage_child" 2>/dev/null || true  # in a terminal it has heard Ctrl-C itself
+  kill "$stage_child" 2>/dev/null || true  # in a terminal the child also receives Ctrl-C itself
   wait "$stage_child" 2>/dev/null || true
   stage_erase_line
   stage_say "interrupted"
   exit 130
 }
 
-# run_stage NAME LOG PROGRESS COMMAND...: runs COMMAND with its output in the file LOG; PROGRESS LOG prints how far it is.
-# Ends the script, with the telling lines of LOG, if COMMAND fails.
+# run_stage NAME LOG PROGRESS COMMAND...: runs COMMAND with its output in the file LOG; PROGRESS LOG prints the progress. If
+# COMMAND fails, prints the relevant lines of LOG and ends the script.
 run_stage() {
   local name=$1 log=$2 progress=$3 begin=$SECONDS next=$((SECONDS + stage_interval)) status=0 far
   shift 3
@@ -62,7 +62,7 @@ run_stage() {
   : >"$log.status"
   if [ ! -t 2 ]; then stage_say "$name"; fi
   trap stage_interrupted INT TERM HUP
-  # A command in the background would not hear Ctrl-C.
+  # A background command would otherwise ignore Ctrl-C.
   env --default-signal=INT,QUIT "$@" >"$log" 2>&1 9>&- &
   stage_child=$!
   while kill -0 "$stage_child" 2>/dev/null; do
@@ -78,12 +78,12 @@ run_stage() {
   stage_erase_line
   rm -f "$log.status"
   [ "$status" -ne 0 ] || return 0
-  stage_say "$name failed; all that it printed is in $log. What tells most:"
+  stage_say "$name failed; the full output is in $log. The relevant lines:"
   stage_telling_lines "$log" >&2
   exit 1
 }
 
-# build_release ROOT TARGET...: builds these targets of the release build, which it configures where that was never done.
+# build_release ROOT TARGET...: builds these targets of the release build, and configures it first if necessary.
 build_release() (
   local tree=$1 build=$1/build/release
   shift

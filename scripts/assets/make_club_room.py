@@ -29,7 +29,7 @@ def radiance(azimuth, elevation):
     if elevation > 24:  # ceiling
         fade = min(1.0, (elevation - 24) / 12)
         r, g, b = r + (0.012 - r) * fade, g + (0.012 - g) * fade, b + (0.014 - b) * fade
-    if elevation < 0:  # floor: mostly hidden by the shot's own
+    if elevation < 0:  # floor: mostly hidden by the floor of the shot
         r, g, b = 0.010, 0.008, 0.007
     # The bar's back wall, softly lit.
     glow = bump(turn(azimuth - 100), 52) * bump(elevation - 4.0, 6)

@@ -29,7 +29,7 @@ class Mesh:
                 self.faces.append("f " + " ".join("%d//%d" % (i, i) for i in face))
 
     def grid(self, rows, columns, point):
-        """`point` of row and column: place and normal; faces look where (row x column) does."""
+        """`point` of row and column: position and normal; faces are oriented towards (row x column)."""
         index = [[self.vertex(*point(i, j)) for j in range(columns + 1)] for i in range(rows + 1)]
         for i in range(rows):
             for j in range(columns):
@@ -42,7 +42,7 @@ class Mesh:
 
 
 def chalk_block(edge=0.0215, radius=0.0016, steps=10):
-    """A cube with rounded edges; the hollow is deepest in the middle, as years of tips leave it."""
+    """A cube with rounded edges; its top is worn hollow, deepest in the middle."""
     mesh, half = Mesh(), edge / 2
 
     def hollow(x, y):
@@ -72,7 +72,7 @@ def chalk_block(edge=0.0215, radius=0.0016, steps=10):
 
 
 def lamp_shade(length=1.7, width=0.42, height=0.15, slope=0.07, margin=0.05, wall=0.004):
-    """Four leaning walls and a lid, each of two skins."""
+    """Four sloping walls and a lid, each double-sided."""
     mesh = Mesh()
 
     def skin(inset, turned):
@@ -102,7 +102,7 @@ def lamp_shade(length=1.7, width=0.42, height=0.15, slope=0.07, margin=0.05, wal
 
 
 def lathe(profile, around=28):
-    """`profile`: (x, radius) from the tip on; a kink between two rows where an x is given twice."""
+    """`profile`: (x, radius) from the tip on; a repeated x gives a sharp edge between two rows."""
     mesh = Mesh()
     rows, start = [], 0
     for k in range(1, len(profile) + 1):

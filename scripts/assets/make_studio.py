@@ -2,8 +2,8 @@
 """Makes configs/looks/studio_room.hdr: what surrounds the table in the `studio` look.
 
 A photographer's studio: a grey paper sweep behind the set, black flags beside it, a large soft box at the left, a
-strip box at the right, a small cool one behind for the rims. The boxes fade towards their edges, as cloth lit from
-within does.
+strip box at the right, a small cool one behind for the rims. The boxes are darker towards their edges, like
+cloth lit from within.
 """
 import math
 import sys
@@ -24,7 +24,7 @@ def box(azimuth, elevation, centre, height, half_width, half_height):
 
 
 def radiance(azimuth, elevation):
-    # The sweep: lightest a little above the horizon, darker upwards and to the sides.
+    # The paper sweep is lightest a little above the horizon, darker upwards and to the sides.
     sweep = 0.030 + 0.125 * math.exp(-((elevation - 5) / 15) ** 2) * (0.35 + 0.65 * bump(turn(azimuth - 30), 110))
     if elevation < 0:
         sweep = 0.030 + (sweep - 0.030) * math.exp(elevation / 6)

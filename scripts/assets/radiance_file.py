@@ -7,7 +7,7 @@ WIDTH, HEIGHT = 512, 256
 
 
 def noise(*key):
-    """A fixed pseudo-random number in [0, 1) of a few integers."""
+    """A pseudo-random number in [0, 1) that depends only on the given integers."""
     h = 2166136261
     for k in key:
         h = ((h ^ (k & 0xFFFFFFFF)) * 16777619) & 0xFFFFFFFF
@@ -30,7 +30,7 @@ def step(x, soft):
 
 
 def turn(a):
-    """An angle in degrees brought into [-180, 180)."""
+    """An angle in degrees, reduced to [-180, 180)."""
     return (a + 180.0) % 360.0 - 180.0
 
 
@@ -44,7 +44,7 @@ def rgbe(r, g, b):
 
 
 def run_lengths(values):
-    """One channel of a scan line, run-length coded as the format has it."""
+    """One channel of a scan line, with the format's run-length encoding."""
     out, i = bytearray(), 0
     while i < len(values):
         run = 1

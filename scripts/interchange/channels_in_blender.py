@@ -1,5 +1,5 @@
-# blender -b --python channels_in_blender.py -- F.exr: Blender's compositor offers every layer of the frame as an output of
-# its own, with the values that are in the file. F.exr has depth, normal, albedo, motion, object_id, material_id, variance and
+# blender -b --python channels_in_blender.py -- F.exr: checks that Blender's compositor has an output for every layer of the
+# frame, with the values of the file. F.exr must have depth, normal, albedo, motion, object_id, material_id, variance and
 # cryptomatte_object.
 import os
 import sys
@@ -26,7 +26,7 @@ expected += [f"CryptoObject0{rank}" for rank in range(3)]
 missing = [name for name in expected if name not in outputs]
 assert not missing, f"no {', '.join(missing)} among {', '.join(outputs)}"
 
-# What Blender makes of a layer, as a picture of its own.
+# Blender's values of one layer, written to a separate picture.
 folder = tempfile.mkdtemp()
 written = nodes.new("CompositorNodeOutputFile")
 written.base_path = folder

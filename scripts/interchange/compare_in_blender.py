@@ -1,4 +1,5 @@
-# blender -b --python compare_in_blender.py -- F.glb F.csv: the place and turn of every object of the table, frame by frame.
+# blender -b --python compare_in_blender.py -- F.glb F.csv: compares the pose of every object in F.csv with Blender's, frame by
+# frame.
 import csv
 import sys
 
@@ -28,8 +29,8 @@ for frame, objects in sorted(rows.items()):
         turn = Quaternion([float(row["q" + part]) for part in "wxyz"])
         angle = matrix.to_quaternion().rotation_difference(turn).angle
         most_turned = max(most_turned, min(angle, 6.283185307 - angle))
-# The straight keys are within 0.05 mm and 2 mrad, Blender's own mixing within another 1.4 mrad; rounding of times to single
-# precision moves what is fast a little more.
+# The linear keys are accurate to 0.05 mm and 2 mrad, Blender's interpolation to another 1.4 mrad; rounding of times to single
+# precision adds a little for fast objects.
 assert farthest < 1.5e-4, f"{farthest} m off"
 assert most_turned < 4e-3, f"{most_turned} rad off"
 assert any(o.type == "CAMERA" for o in scene.objects)

@@ -1,7 +1,7 @@
-// node compare_in_three.mjs NODE_MODULES FILE.usda TABLE.csv CAMERAS.json: loads FILE with three.js' USDLoader and
-// compares it with what carom says of the same shot: the number of meshes, cameras and lights with the file's own prims, the
-// place and turn of every object with the table (carom export TABLE.csv --rate N), frame by frame, and the cameras with
-// CAMERAS (carom export CAMERAS.json). Exit code 1, and what differs, unless everything agrees.
+// node compare_in_three.mjs NODE_MODULES FILE.usda TABLE.csv CAMERAS.json: loads FILE with three.js' USDLoader and compares it
+// with carom's data of the same shot: the number of meshes, cameras and lights with the prims of the file, the pose of every
+// object with TABLE (carom export TABLE.csv --rate N), frame by frame, and the cameras with CAMERAS (carom export
+// CAMERAS.json). Prints differences and exits with 1 if there are any.
 import fs from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
@@ -11,7 +11,7 @@ const library = (name) => import(pathToFileURL(path.join(path.resolve(modules), 
 const THREE = await library("build/three.module.js");
 const { USDLoader } = await library("examples/jsm/loaders/USDLoader.js");
 
-// The straight keys are within 0.05 mm and 2 mrad of the motion (docs/export.md); the rest is single precision.
+// The linear keys are within 0.05 mm and 2 mrad of the motion (docs/export.md); the rest is for single precision.
 const FARTHEST = 1e-4; // m
 const MOST_TURNED = 3e-3; // rad
 
@@ -41,7 +41,7 @@ scene.traverse((object) => {
 const written = {
   meshes: prims(["Mesh"]),
   cameras: prims(["Camera"]),
-  lights: prims(["RectLight", "SphereLight", "DistantLight"]), // it has no DomeLight
+  lights: prims(["RectLight", "SphereLight", "DistantLight"]), // three.js has no DomeLight
 };
 for (const [kind, number] of Object.entries(written)) {
   if (loaded[kind] !== number) {
@@ -60,7 +60,7 @@ for (const action of actions) {
 }
 function goTo(time) {
   for (const action of actions) {
-    action.reset().play(); // it may have come to its end before
+    action.reset().play(); // the animation may have ended before
   }
   mixer.setTime(time);
 }
@@ -95,7 +95,7 @@ for (const time of times) {
 
 let cameraKeys = 0;
 for (const camera of JSON.parse(fs.readFileSync(cameraFile, "utf8")).cameras) {
-  // While the scene stands still only the first place of the camera is left.
+  // While scene time stops, the export keeps only the first camera position.
   const seen = new Set();
   for (const key of camera.keys) {
     if (!seen.has(key.scene_time)) {

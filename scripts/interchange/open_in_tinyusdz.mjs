@@ -1,12 +1,12 @@
-// node open_in_tinyusdz.mjs NODE_MODULES FILE.usda...: every file is USD to TinyUSDZ, a reader that checks the grammar and the
-// types of all attributes, and has as many meshes there as are written in it. Exit code 1, and what is wrong, otherwise.
+// node open_in_tinyusdz.mjs NODE_MODULES FILE.usda...: checks that TinyUSDZ, a reader that checks the grammar and the types of
+// all attributes, reads every file and finds as many meshes as the file defines. Otherwise prints the problem and exits with 1.
 import fs from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
 const [modules, ...files] = process.argv.slice(2);
 const folder = path.join(path.resolve(modules), "tinyusdz");
-// It is built for browsers alone: what it looks for there is a window, and that this is not node.
+// TinyUSDZ is built only for browsers: it checks that a window exists and that this is not node.
 process.type = "renderer";
 globalThis.window = globalThis;
 const { default: load } = await import(pathToFileURL(path.join(folder, "tinyusdz.js")));

@@ -1,4 +1,4 @@
-// node validate.js FILE.glb NAME: exit code 1 and what is wrong unless the validator has nothing at all to say.
+// node validate.js FILE.glb NAME: prints all messages of the validator and exits with 1 if there are any.
 const fs = require("fs");
 const validator = require("gltf-validator");
 
