@@ -28,7 +28,7 @@ set(CPACK_DEBIAN_LAB_PACKAGE_NAME carom-lab)
 set(CPACK_DEBIAN_LAB_PACKAGE_DEPENDS "carom (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_LAB_DESCRIPTION
 "The laboratory of carom: the command compare, which measures acceleration structures and ray-triangle kernels of the
-literature against those of the renderer. Nobody needs it to make a film.")
+literature against those of the renderer. Films do not need it.")
 
 # Linking the archives needs the libraries that they use; the package carom contains the configurations that shots include.
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libcarom-dev)

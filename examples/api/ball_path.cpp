@@ -1,4 +1,4 @@
-// ball_path SHOT [BALL]: where a ball of the shot is, ten times per second.
+// ball_path SHOT [BALL]: prints the position of a ball of the shot, ten times per second.
 #include <cstdio>
 #include <string>
 
@@ -6,7 +6,7 @@
 
 namespace {
 
-// Prints what is wrong with the shot. Returns whether it can be simulated.
+// Prints the problems of the shot. Returns whether it can be simulated.
 bool report(const carom::pipeline::LoadResult& loaded) {
     for (const carom::pipeline::Problem& problem : loaded.problems) {
         std::fputs(format(problem).c_str(), stderr);

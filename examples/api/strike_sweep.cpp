@@ -1,5 +1,5 @@
-// strike_sweep SHOT FILM SECONDS: strikes harder and harder until a ball is potted, renders a frame
-// of that from another place, and writes a film. Stops after so many seconds.
+// strike_sweep SHOT FILM SECONDS: increases the speed of the strike until a ball is potted, renders
+// a frame of that shot from another camera position, and writes a film. It stops after SECONDS.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -9,7 +9,7 @@
 
 using namespace carom;
 
-// The first strike from 1 m/s on, in steps of 1 m/s, that pots a ball.
+// Finds the slowest strike that pots a ball, from 1 m/s on in steps of 1 m/s.
 static sim::Bake find_pot(pipeline::Shot& shot, const WorkContext& context) {
     auto& strike = std::get<sim::Strike>(shot.world.events.at(0).action);
     for (strike.speed = 1; *strike.speed <= 12; *strike.speed += 1) {
@@ -29,7 +29,7 @@ int main(int argc, char** argv) try {
         throw Error("usage: strike_sweep SHOT FILM SECONDS");
     }
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(std::atoi(argv[3]));
-    std::stop_source stop;  // whoever holds it can stop all work, from any thread
+    std::stop_source stop;  // can stop all work, from any thread
     const auto stop_in_time = [&](double /*done*/) {
         if (std::chrono::steady_clock::now() >= end) {
             stop.request_stop();
