@@ -88,7 +88,7 @@ Table make_table(bool textured) {
     table.builder.environment(0.15);
     CameraState camera = test::camera(Vec3(0, 0.9, 0.34), Vec3(0.5, 0, 0.03), 0.45);
     camera.lens_radius = 0.008;
-    table.frame = test::still_frame(camera);
+    table.frame = test::static_frame(camera);
     table.frame.scene_close = kShutter;
     return table;
 }

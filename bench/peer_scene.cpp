@@ -94,7 +94,7 @@ PeerScene read_peer_scene(const std::string& path) {
                      camera.at("vfov_deg").get<double>() * std::numbers::pi / 180);
     state.focus_distance = camera.at("focus_distance").get<double>();
     state.lens_radius = camera.at("aperture_radius").get<double>();
-    scene.frame = test::still_frame(state);
+    scene.frame = test::static_frame(state);
     scene.frame.scene_close = shutter;
     scene.settings = test::small_settings(from.at("film").at("width").get<int>(),
                                           from.at("film").at("height").get<int>(), 16);

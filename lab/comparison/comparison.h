@@ -56,8 +56,8 @@ struct Comparison {
     [[nodiscard]] const ComparedStructure* brute_force_row(const ComparedStructure& row) const;
 };
 
-/// `doing`: the current structure; `fraction`: of all work, in [0, 1].
-using ComparisonProgress = std::function<void(std::string_view doing, double fraction)>;
+/// `structure`: the current one; `fraction`: of all work, in [0, 1].
+using ComparisonProgress = std::function<void(std::string_view structure, double fraction)>;
 
 /// Every frame is rendered once with its tests counted, if they can be, and once or more for its
 /// time, of which the least counts. If `stop` is triggered, the comparison ends with the rows

@@ -228,9 +228,9 @@ Growth measure_growth(const GrowthOptions& options, const ComparisonProgress& pr
         for (const std::size_t size : sizes) {
             measure_size(
                 size, options, stop,
-                [&](std::string_view doing) {
+                [&](std::string_view structure) {
                     const auto all = static_cast<double>(sizes.size() * options.structures.size());
-                    progress(doing, std::min(1.0, done / all));
+                    progress(structure, std::min(1.0, done / all));
                     done += 1;
                 },
                 growth);

@@ -136,17 +136,17 @@ std::array<std::vector<Ray>, 3> growth_rays(const render::AccelerationStructure&
         if (!structure.closest_hit(ray, hit)) {
             continue;
         }
-        Ray onward;
-        onward.origin = ray.origin + ray.direction * (hit.t - kStep);
-        onward.direction = numbers.direction();
-        if (onward.direction.dot(ray.direction) > 0) {
-            onward.direction = -onward.direction;
+        Ray secondary;
+        secondary.origin = ray.origin + ray.direction * (hit.t - kStep);
+        secondary.direction = numbers.direction();
+        if (secondary.direction.dot(ray.direction) > 0) {
+            secondary.direction = -secondary.direction;
         }
-        onward.time = ray.time;
-        onward.kind = RayKind::secondary;
-        rays[1].push_back(onward);
-        Ray shadow = onward;
-        const V3f to_light = light - onward.origin;
+        secondary.time = ray.time;
+        secondary.kind = RayKind::secondary;
+        rays[1].push_back(secondary);
+        Ray shadow = secondary;
+        const V3f to_light = light - secondary.origin;
         shadow.t_max = to_light.length();
         shadow.direction = to_light.normalized();
         shadow.kind = RayKind::shadow;

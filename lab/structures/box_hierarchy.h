@@ -47,12 +47,12 @@ class BoxHierarchy {
         if (nodes_.empty()) {
             return;
         }
-        std::vector<Waiting> waiting;
-        waiting.reserve(kReserve);
-        waiting.push_back({0, static_cast<std::uint32_t>(nodes_.size() - 1), false});
-        while (!waiting.empty()) {
-            const Waiting next = waiting.back();
-            waiting.pop_back();
+        std::vector<StackEntry> stack;
+        stack.reserve(kReserve);
+        stack.push_back({0, static_cast<std::uint32_t>(nodes_.size() - 1), false});
+        while (!stack.empty()) {
+            const StackEntry next = stack.back();
+            stack.pop_back();
             if (next.enter > query.t_max()) {
                 continue;
             }
@@ -62,7 +62,7 @@ class BoxHierarchy {
                 }
                 continue;
             }
-            enter_node(nodes_[next.index], query, waiting);
+            enter_node(nodes_[next.index], query, stack);
         }
     }
 
@@ -70,7 +70,7 @@ class BoxHierarchy {
     struct Node {
         std::uint32_t first = 0, count = 0;  // entries
     };
-    struct Waiting {
+    struct StackEntry {
         float enter;
         std::uint32_t index;
         bool is_shape;
@@ -79,18 +79,18 @@ class BoxHierarchy {
 
     // Pushes the node's entries, the farthest first.
     template <class Query>
-    void enter_node(const Node& node, Query& query, std::vector<Waiting>& waiting) const {
+    void enter_node(const Node& node, Query& query, std::vector<StackEntry>& stack) const {
         query.note_node();
-        const std::size_t before = waiting.size();
+        const std::size_t before = stack.size();
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
             const Entry& entry = entries_[i];
             float enter = 0;
             if (query.enters(entry.box, enter)) {
-                waiting.push_back({enter, entry.index, entry.is_shape});
+                stack.push_back({enter, entry.index, entry.is_shape});
             }
         }
-        std::sort(waiting.begin() + static_cast<std::ptrdiff_t>(before), waiting.end(),
-                  [](const Waiting& a, const Waiting& b) { return a.enter > b.enter; });
+        std::sort(stack.begin() + static_cast<std::ptrdiff_t>(before), stack.end(),
+                  [](const StackEntry& a, const StackEntry& b) { return a.enter > b.enter; });
     }
 
     std::vector<Node> nodes_;

@@ -12,7 +12,7 @@ Extent extent_along(const Primitives& primitives, const Primitive& shape, const 
     const float middle = centre.dot(normal);
     float half_width = half.dot(size);
     Extent extent{middle - half_width, middle + half_width};
-    if (shape.shape == kLaneShape<StillSphere>) {
+    if (shape.shape == kLaneShape<StaticSphere>) {
         half_width = half.x;  // of a cube around it
         extent = {middle - half_width, middle + half_width};
     } else if (shape.shape == Primitive::kMeshTriangle) {

@@ -77,8 +77,8 @@ void PlanesTree<kNormals>::search(Query& query) const {
         along[i] = {normal.dot(Vec3(ray.origin)), normal.dot(Vec3(ray.direction))};
     }
     Mailbox mailbox;
-    std::vector<Part> waiting;
-    waiting.reserve(kReserve);
+    std::vector<Part> stack;
+    stack.reserve(kReserve);
     Part part{0, static_cast<double>(enter), static_cast<double>(kInfinity)};
     for (;;) {
         const Node& node = nodes[part.node];
@@ -96,7 +96,7 @@ void PlanesTree<kNormals>::search(Query& query) const {
             } else if (t < part.from) {
                 part.node = far;
             } else {
-                waiting.push_back({far, t, part.to});
+                stack.push_back({far, t, part.to});
                 part = {near, part.from, t};
             }
             continue;
@@ -104,11 +104,11 @@ void PlanesTree<kNormals>::search(Query& query) const {
         if (visit_leaf(node, mailbox, query)) {
             return;
         }
-        if (waiting.empty() || query.is_beyond(waiting.back().from)) {
+        if (stack.empty() || query.is_beyond(stack.back().from)) {
             return;
         }
-        part = waiting.back();
-        waiting.pop_back();
+        part = stack.back();
+        stack.pop_back();
     }
 }
 

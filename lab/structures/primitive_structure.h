@@ -33,7 +33,7 @@ class PrimitiveStructure final : public MeasuredStructure {
         return find(ray, RayKind::shadow, options_.shadow_rays_stop).object != kNoObject;
     }
     [[nodiscard]] std::size_t bytes() const override { return index_.bytes(); }
-    [[nodiscard]] TestCounts counts() const override { return counts_.so_far(); }
+    [[nodiscard]] TestCounts counts() const override { return counts_.current(); }
 
   private:
     [[nodiscard]] Hit find(const Ray& ray, RayKind kind, bool any) const {

@@ -32,11 +32,11 @@ class SlabHierarchy {
         std::uint32_t left = 0;   // a node; for a leaf: the shape
         std::uint32_t right = 0;  // 0: a leaf
     };
-    struct Waiting {
+    struct HeapEntry {
         float enter;
         std::uint32_t node;
         // The heap's top is the nearest node.
-        bool operator<(const Waiting& other) const { return enter > other.enter; }
+        bool operator<(const HeapEntry& other) const { return enter > other.enter; }
     };
     /// The ray projected onto the normals.
     struct Projected {
@@ -81,16 +81,16 @@ void SlabHierarchy::search(Query& query) const {
         along.inverse[k] = finite_reciprocal(normals()[k].dot(ray.direction));
         along.margin[k] = far * std::abs(along.inverse[k]);
     }
-    std::vector<Waiting> storage;
+    std::vector<HeapEntry> storage;
     storage.reserve(64);
-    std::priority_queue<Waiting> waiting({}, std::move(storage));
+    std::priority_queue<HeapEntry> heap({}, std::move(storage));
     float enter = 0;
     if (enters(nodes_[0], along, query, enter)) {
-        waiting.push({enter, 0});
+        heap.push({enter, 0});
     }
-    while (!waiting.empty() && waiting.top().enter <= query.t_max()) {
-        const Node& node = nodes_[waiting.top().node];
-        waiting.pop();
+    while (!heap.empty() && heap.top().enter <= query.t_max()) {
+        const Node& node = nodes_[heap.top().node];
+        heap.pop();
         query.note_node();
         if (node.right == 0) {
             if (query.test(node.left)) {
@@ -100,7 +100,7 @@ void SlabHierarchy::search(Query& query) const {
         }
         for (const std::uint32_t below : {node.left, node.right}) {
             if (enters(nodes_[below], along, query, enter)) {
-                waiting.push({enter, below});
+                heap.push({enter, below});
             }
         }
     }

@@ -4,7 +4,7 @@
 
 namespace carom::render {
 
-void StillSphereBlock::set(int lane, const SphereSegment& sphere) {
+void StaticSphereBlock::set(int lane, const SphereSegment& sphere) {
     for (int axis = 0; axis < 3; ++axis) {
         centre[axis].values[lane] = sphere.path.c[0][axis];
     }

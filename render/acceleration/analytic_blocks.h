@@ -34,7 +34,7 @@ struct SphereSegment {
     float radius = 1;
     std::uint32_t object = 0;
 
-    [[nodiscard]] bool is_still() const {
+    [[nodiscard]] bool is_static() const {
         return start == -kInfinity && end == kInfinity && path.is_constant();
     }
 };
@@ -42,7 +42,7 @@ struct SphereSegment {
 // By default the lanes of a block hold a shape that no ray hits. `set` fills one lane, except for
 // its object, which BlockList::add fills.
 
-struct StillSphereBlock {
+struct StaticSphereBlock {
     Lanes centre[3];
     Lanes radius2 = Lanes::all(-1);
     ObjectLanes object;

@@ -106,7 +106,7 @@ inline HWY_ATTR bool any(const AnalyticBlocks& blocks, const Ray& ray) {
 
 /// Whether the ray hits any shape except plain spheres, which are the first two of the list.
 template <class... Shapes>
-HWY_ATTR bool hits_other(ShapeList<StillSphere, MovingSphere, Shapes...> /*list*/,
+HWY_ATTR bool hits_other(ShapeList<StaticSphere, MovingSphere, Shapes...> /*list*/,
                          const AnalyticBlocks& blocks, const Ray& ray) {
     return hits_any(ShapeList<Shapes...>(), blocks, ray, broadcast(WideTag(), ray));
 }
@@ -140,7 +140,7 @@ HWY_INLINE PacketMask past_spheres(const BlockList<Shape>& list, const ShadowRay
         for (int lane = 0; lane < kBlockLanes && open != 0;
              lane += static_cast<int>(hn::Lanes(d))) {
             hn::Vec<WideTag> offset[3];
-            const hn::Vec<WideTag> radius2 = test.place(d, origin, block, lane, offset);
+            const hn::Vec<WideTag> radius2 = test.sphere_offsets(d, origin, block, lane, offset);
             open = without_occluded(open, [&](int i) HWY_ATTR {
                 const RayLanes<WideTag> ray = broadcast_from_packet(packet, i);
                 hn::Vec<WideTag> t = hn::Zero(d);
@@ -155,7 +155,7 @@ HWY_INLINE PacketMask past_spheres(const BlockList<Shape>& list, const ShadowRay
 inline HWY_ATTR PacketMask any_of_packet(const AnalyticBlocks& blocks,
                                          const ShadowRayPacket& packet, PacketMask asked) {
     PacketMask open = past_spheres(blocks.of<MovingSphere>(), packet, asked);
-    open = past_spheres(blocks.of<StillSphere>(), packet, open);
+    open = past_spheres(blocks.of<StaticSphere>(), packet, open);
     open = without_occluded(
         open, [&](int i) HWY_ATTR { return hits_other(LaneShapes(), blocks, packet.ray(i)); });
     return asked & ~open;

@@ -50,14 +50,14 @@ bool EmbreeDevice::note_memory(void* self, ssize_t bytes, bool /*post*/) {
     return true;  // continue
 }
 
-void EmbreeDevice::check(const std::string& doing) const {
+void EmbreeDevice::check(const std::string& action) const {
     std::string error;
     {
         const std::lock_guard lock(mutex_);
         error.swap(error_);
     }
     if (!error.empty()) {
-        throw Error("Embree failed while " + doing + ": " + error);
+        throw Error("Embree failed while " + action + ": " + error);
     }
 }
 
@@ -76,7 +76,7 @@ GeometryHandle make_triangle_geometry(const EmbreeDevice& device, const Triangle
     return geometry;
 }
 
-void commit_alone(const EmbreeDevice& device, RTCScene scene) {
+void commit_on_this_thread(const EmbreeDevice& device, RTCScene scene) {
     // Embree does not promise that its hierarchy is independent of the number of threads, and the
     // hierarchy decides between triangles at the same distance; a build on one thread is safe.
     // (Embree's own setting, threads=1, would throttle oneTBB in the whole process, and

@@ -31,8 +31,8 @@ class EmbreeDevice {
         return static_cast<std::size_t>(std::max<ssize_t>(bytes_, 0));
     }
 
-    /// Throws Error if Embree has reported an error since the last call. `doing`: "building ...".
-    void check(const std::string& doing) const;
+    /// Throws Error if Embree has reported an error since the last call. `action`: "building ...".
+    void check(const std::string& action) const;
 
   private:
     static void note_error(void* self, RTCError code, const char* text);
@@ -56,7 +56,7 @@ using GeometryHandle = std::unique_ptr<RTCGeometryTy, EmbreeRelease>;
                                                     const TriangleMesh& mesh);
 
 /// Builds the scene's hierarchy on the calling thread only.
-void commit_alone(const EmbreeDevice& device, RTCScene scene);
+void commit_on_this_thread(const EmbreeDevice& device, RTCScene scene);
 
 /// `ray` must be safe (safe_ray.h).
 [[nodiscard]] RTCRay to_embree(const Ray& ray);

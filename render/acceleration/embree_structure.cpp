@@ -46,7 +46,7 @@ EmbreeStructure::EmbreeStructure(std::shared_ptr<const EmbreeDevice> device, con
         const GeometryHandle geometry = make_user_geometry(*data_->device, data_->shapes);
         rtcAttachGeometryByID(data_->scene.get(), geometry.get(), id);
     }
-    commit_alone(*data_->device, data_->scene.get());
+    commit_on_this_thread(*data_->device, data_->scene.get());
 }
 
 EmbreeStructure::~EmbreeStructure() = default;

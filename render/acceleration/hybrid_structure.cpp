@@ -44,11 +44,12 @@ HybridStructure::HybridStructure(const ShapeSet& shapes, std::size_t tree_thresh
     }
 }
 
-HybridStructure::HybridStructure(const ShapeSet& shapes, std::shared_ptr<const AnalyticTree> still)
+HybridStructure::HybridStructure(const ShapeSet& shapes,
+                                 std::shared_ptr<const AnalyticTree> static_tree)
     : kernels_(best_kernels()),
       batch_kernels_(best_batch_kernels()),
       tree_kernels_(best_tree_kernels()),
-      tree_(std::move(still)),
+      tree_(std::move(static_tree)),
       meshes_(shapes.meshes) {
     set_loops(shapes);
 }
@@ -82,7 +83,7 @@ bool HybridStructure::closest_hit(const Ray& ray, Hit& hit) const {
         best = {analytic.t, analytic.object, 0, 0, 0};
         remaining.t_max = just_beyond(best.t);
     }
-    if (!find_among_others(remaining, best)) {
+    if (!find_outside_tree(remaining, best)) {
         return false;
     }
     hit = best;
@@ -90,7 +91,7 @@ bool HybridStructure::closest_hit(const Ray& ray, Hit& hit) const {
 }
 
 // Continues after loops and tree have found `best`, or nothing; `remaining` ends just beyond it.
-bool HybridStructure::find_among_others(Ray remaining, Hit& best) const {
+bool HybridStructure::find_outside_tree(Ray remaining, Hit& best) const {
     const auto accept = [&](const Hit& other) {
         const bool is_tie = other.t == best.t && other.object < best.object;
         if (best.object == kNoObject || other.t < best.t || is_tie) {
@@ -172,7 +173,7 @@ void HybridStructure::closest_hits(const RayBatch& rays, Hit* hits) const {
             }
             find_in_tree(ray, hit);
             ray.t_max = just_beyond(hit.t);
-            static_cast<void>(find_among_others(ray, hit));
+            static_cast<void>(find_outside_tree(ray, hit));
         }
     }
 }

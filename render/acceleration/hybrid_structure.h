@@ -26,7 +26,7 @@ inline constexpr std::size_t kTreeThreshold = 160;
 class HybridStructure final : public MeasuredStructure {
   public:
     explicit HybridStructure(const ShapeSet& shapes, std::size_t tree_threshold = kTreeThreshold);
-    HybridStructure(const ShapeSet& shapes, std::shared_ptr<const AnalyticTree> still);
+    HybridStructure(const ShapeSet& shapes, std::shared_ptr<const AnalyticTree> static_tree);
 
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const override;
     [[nodiscard]] bool any_hit(const Ray& ray) const override;
@@ -38,7 +38,7 @@ class HybridStructure final : public MeasuredStructure {
   private:
     void set_loops(const ShapeSet& shapes);
     void find_in_tree(const Ray& ray, Hit& best) const;
-    [[nodiscard]] bool find_among_others(Ray remaining, Hit& best) const;
+    [[nodiscard]] bool find_outside_tree(Ray remaining, Hit& best) const;
 
     const AnalyticKernels& kernels_;
     const BatchKernels& batch_kernels_;

@@ -49,8 +49,8 @@ class Primitives {
     /// The corners of a mesh triangle.
     [[nodiscard]] std::array<V3f, 3> corners(const Primitive& triangle) const;
     /// The block of a static sphere.
-    [[nodiscard]] const StillSphereBlock& sphere_block(const Primitive& sphere) const {
-        return blocks_.of<StillSphere>().blocks[sphere.index / kBlockLanes];
+    [[nodiscard]] const StaticSphereBlock& sphere_block(const Primitive& sphere) const {
+        return blocks_.of<StaticSphere>().blocks[sphere.index / kBlockLanes];
     }
 
   private:

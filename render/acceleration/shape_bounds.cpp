@@ -32,7 +32,7 @@ constexpr float kShortest = 1e-3f;
 /// Exceeds the margins that intersect.h adds to a unit shape.
 constexpr double kUnitWidening = 1.00005;
 
-MovingBounds still(const Box& box) {
+MovingBounds static_bounds(const Box& box) {
     return {widened(box), widened(box)};
 }
 
@@ -56,7 +56,7 @@ MovingBounds bounds_of(const SphereSegment& sphere) {
             box.extendBy(p - radius);
             box.extendBy(p + radius);
         }
-        return still(box);
+        return static_bounds(box);
     }
     Box deviation;
     for (int k = 0; k < 4; ++k) {
@@ -72,7 +72,7 @@ MovingBounds bounds_of(const SphereSegment& sphere) {
             widened({at_close + deviation.min - slack, at_close + deviation.max + slack})};
 }
 
-MovingBounds bounds_of(const StillSphereBlock& block, int lane) {
+MovingBounds bounds_of(const StaticSphereBlock& block, int lane) {
     SphereSegment sphere;
     for (int axis = 0; axis < 3; ++axis) {
         sphere.path.c[0][axis] = block.centre[axis].values[lane];
@@ -87,7 +87,7 @@ MovingBounds bounds_of(const AlignedBoxBlock& block, int lane) {
         box.min[axis] = block.planes[axis][0].values[lane];
         box.max[axis] = block.planes[axis][1].values[lane];
     }
-    return still(box);
+    return static_bounds(box);
 }
 
 MovingBounds bounds_of(const std::array<V3f, 3>& corners) {
@@ -95,11 +95,11 @@ MovingBounds bounds_of(const std::array<V3f, 3>& corners) {
     for (const V3f& corner : corners) {
         box.extendBy(corner);
     }
-    return still(box);
+    return static_bounds(box);
 }
 
 MovingBounds bounds_of(const MovingShape& shape) {
-    return still(shape.bounds);
+    return static_bounds(shape.bounds);
 }
 
 /// The corners of the unit shape's box, mapped to world space.
@@ -117,7 +117,7 @@ MovingBounds bounds_of(const Affine& unit_from_world, const V3f& half_size) {
         const Vec3 side((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1, (corner & 4) ? 1 : -1);
         box.extendBy(V3f((kUnitWidening * side * Vec3(half_size)) * world_from_unit));
     }
-    return still(box);
+    return static_bounds(box);
 }
 
 }  // namespace carom::render

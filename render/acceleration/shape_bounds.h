@@ -31,7 +31,7 @@ struct MovingBounds {
 /// Every box contains its shape at all times at which the shape is valid, with a margin for the
 /// rounding of kernels and box tests.
 [[nodiscard]] MovingBounds bounds_of(const SphereSegment& sphere);
-[[nodiscard]] MovingBounds bounds_of(const StillSphereBlock& block, int lane);
+[[nodiscard]] MovingBounds bounds_of(const StaticSphereBlock& block, int lane);
 [[nodiscard]] MovingBounds bounds_of(const AlignedBoxBlock& block, int lane);
 /// Of a unit shape that fits in a box of this half size.
 [[nodiscard]] MovingBounds bounds_of(const Affine& unit_from_world, const V3f& half_size);

@@ -197,8 +197,8 @@ using UnitShapes = ShapeList<UnitBall, UnitBox, UnitRectangle, UnitTriangle, Uni
                              UnitCapsule, UnitRoundedBox, UnitPlane>;
 
 // Special cases of balls and boxes that are faster to test than under an affine map.
-struct StillSphere {
-    using Block = StillSphereBlock;
+struct StaticSphere {
+    using Block = StaticSphereBlock;
     static constexpr bool kIsBounded = true;
 };
 struct MovingSphere {
@@ -215,7 +215,7 @@ template <class List>
 struct WithSpecialCases;
 template <class... Shapes>
 struct WithSpecialCases<ShapeList<Shapes...>> {
-    using List = ShapeList<StillSphere, MovingSphere, AlignedBox, Shapes...>;
+    using List = ShapeList<StaticSphere, MovingSphere, AlignedBox, Shapes...>;
 };
 
 /// All shapes for which the kernels have a test.

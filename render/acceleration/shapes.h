@@ -40,8 +40,8 @@ struct ShapeSet {
     std::shared_ptr<const TriangleScene> meshes;  // all static meshes; may be null
 
     void add_sphere(const SphereSegment& sphere) {
-        if (sphere.is_still()) {
-            const auto [block, lane] = blocks.of<StillSphere>().add(sphere.object);
+        if (sphere.is_static()) {
+            const auto [block, lane] = blocks.of<StaticSphere>().add(sphere.object);
             block.set(lane, sphere);
         } else {
             const auto [block, lane] = blocks.of<MovingSphere>().add(sphere.object);

@@ -15,7 +15,7 @@ class SharedCounts {
         const std::scoped_lock lock(mutex_);
         counts_[kind] += counts;
     }
-    [[nodiscard]] TestCounts so_far() const {
+    [[nodiscard]] TestCounts current() const {
         const std::scoped_lock lock(mutex_);
         return counts_;
     }

@@ -28,7 +28,7 @@ TriangleScene::TriangleScene(std::shared_ptr<const EmbreeDevice> device,
                               static_cast<unsigned>(data_->objects.size()));
         data_->objects.push_back(entry.object);
     }
-    commit_alone(*data_->device, data_->scene.get());
+    commit_on_this_thread(*data_->device, data_->scene.get());
 }
 
 TriangleScene::~TriangleScene() = default;

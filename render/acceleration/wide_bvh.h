@@ -22,7 +22,7 @@ class WideBvh final : public MeasuredStructure {
     [[nodiscard]] bool closest_hit(const Ray& ray, Hit& hit) const override;
     [[nodiscard]] bool any_hit(const Ray& ray) const override;
     [[nodiscard]] std::size_t bytes() const override;
-    [[nodiscard]] TestCounts counts() const override { return counts_.so_far(); }
+    [[nodiscard]] TestCounts counts() const override { return counts_.current(); }
 
   private:
     void find_closest_counted(const Ray& safe, RayKind kind, Hit& best) const;

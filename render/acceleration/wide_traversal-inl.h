@@ -101,28 +101,27 @@ template <bool kMoving, Order kOrder = Order::nearest, class D, class Tally, cla
 HWY_INLINE void traverse(D d, const WideTree& tree, const Ray& ray, const float& limit,
                          const Tally& tally, const Visit& visit,
                          const PrefetchLeaf& prefetch_leaf = {}) {
-    struct Waiting {
+    struct StackEntry {
         float enter;
         std::int32_t child;
     };
-    Waiting waiting[7 * kWideTreeDepth + 8];
+    StackEntry stack[7 * kWideTreeDepth + 8];
     int count = 0;
     const TreeRay<D> tree_ray(d, ray);
     alignas(32) float enters[kBlockLanes];
     // Insertion into the stack of waiting children, the farthest first; `before`: its size at the
     // node.
-    const auto let_wait = [&](const Waiting& child, int before) HWY_ATTR {
+    const auto push = [&](const StackEntry& child, int before) HWY_ATTR {
         if (child.child >= 0) {
             prefetch(tree.nodes[static_cast<std::uint32_t>(child.child)]);
         } else {
             prefetch_leaf(static_cast<std::uint32_t>(-1 - child.child));
         }
         int at = count++;
-        for (; kOrder == Order::nearest && at > before && waiting[at - 1].enter < child.enter;
-             --at) {
-            waiting[at] = waiting[at - 1];
+        for (; kOrder == Order::nearest && at > before && stack[at - 1].enter < child.enter; --at) {
+            stack[at] = stack[at - 1];
         }
-        waiting[at] = child;
+        stack[at] = child;
     };
     std::int32_t current = 0;
     for (;;) {
@@ -133,15 +132,15 @@ HWY_INLINE void traverse(D d, const WideTree& tree, const Ray& ray, const float&
             if (children != 0) {
                 const std::int32_t* below = tree.nodes[index].children;
                 const int lane = std::countr_zero(children);
-                Waiting first{enters[lane], below[lane]};
+                StackEntry first{enters[lane], below[lane]};
                 const int before = count;
                 for (children &= children - 1; children != 0; children &= children - 1) {
                     const int next = std::countr_zero(children);
-                    Waiting other{enters[next], below[next]};
+                    StackEntry other{enters[next], below[next]};
                     if (kOrder == Order::nearest && other.enter < first.enter) {
                         std::swap(first, other);
                     }
-                    let_wait(other, before);
+                    push(other, before);
                 }
                 current = first.child;
                 continue;
@@ -154,8 +153,8 @@ HWY_INLINE void traverse(D d, const WideTree& tree, const Ray& ray, const float&
                 return;
             }
             --count;
-        } while (waiting[count].enter > limit);
-        current = waiting[count].child;
+        } while (stack[count].enter > limit);
+        current = stack[count].child;
     }
 }
 

@@ -47,7 +47,7 @@ struct FrameLanes {
     F pixel_size, focus_distance, lens_radius, blade_turns;
 };
 
-HWY_INLINE FrameLanes still_frame(const CameraFrame& frame) {
+HWY_INLINE FrameLanes static_frame(const CameraFrame& frame) {
     return {all(frame.position),    all(frame.forward),    all(frame.right),
             all(frame.up),          all(frame.pixel_size), all(frame.focus_distance),
             all(frame.lens_radius), all(frame.blade_turns)};
@@ -158,7 +158,7 @@ inline HWY_ATTR void make_rays_in_lanes(const ThinLensCamera& camera, const Came
         const F instant = fixings.instantaneous ? all(0.5f) : u[4];
         const F time = sample_trapezoid(instant, camera.switch_ratio());
         const FrameLanes frame =
-            camera.moves() ? frame_at(camera, time) : still_frame(camera.open().frame);
+            camera.moves() ? frame_at(camera, time) : static_frame(camera.open().frame);
         const F x = (as_floats(batch.x, first) + all(0.5f) - all(centre.x) +
                      filter_offset(camera.filter(), pixel_u)) *
                     frame.pixel_size;

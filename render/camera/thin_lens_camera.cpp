@@ -171,8 +171,8 @@ ThinLensCamera::Aperture ThinLensCamera::aperture(const CameraSample& sample) co
 
 // The ray crosses the focus plane at the picture's point. A pixel there has the side focus_distance
 // * pixel_size and is seen at the angle between ray and axis.
-std::optional<ThinLensCamera::Arrival> ThinLensCamera::arrival(const Aperture& aperture,
-                                                               const V3f& direction) const {
+std::optional<ThinLensCamera::ImagePoint> ThinLensCamera::image_point(const Aperture& aperture,
+                                                                      const V3f& direction) const {
     constexpr float kLeastForwardCosine = 1e-3f;
     const CameraFrame& frame = aperture.frame;
     const float cosine = direction.dot(frame.forward);
@@ -189,7 +189,7 @@ std::optional<ThinLensCamera::Arrival> ThinLensCamera::arrival(const Aperture& a
         place.x > 2 * half_width_ + filter_radius || place.y > 2 * half_height_ + filter_radius) {
         return std::nullopt;
     }
-    return Arrival{place, frame.pixel_size * frame.pixel_size * cosine * cosine * cosine};
+    return ImagePoint{place, frame.pixel_size * frame.pixel_size * cosine * cosine * cosine};
 }
 
 std::optional<V2f> ThinLensCamera::project(const V3f& point, float time) const {

@@ -52,14 +52,14 @@ class ThinLensCamera {
     [[nodiscard]] Aperture aperture(const CameraSample& sample) const;
 
     /// Where in the picture light from a direction lands.
-    struct Arrival {
-        V2f place;                    // pixels from the top left
+    struct ImagePoint {
+        V2f position;                 // pixels from the top left
         float pixel_solid_angle = 0;  // sr per pixel there, seen from that point of the lens
     };
     /// Light that arrives at a point on the lens along the unit `direction`; empty if it comes from
     /// behind or lands outside the picture by more than the filter radius.
-    [[nodiscard]] std::optional<Arrival> arrival(const Aperture& aperture,
-                                                 const V3f& direction) const;
+    [[nodiscard]] std::optional<ImagePoint> image_point(const Aperture& aperture,
+                                                        const V3f& direction) const;
 
     [[nodiscard]] const PixelFilterSampler& filter() const { return filter_; }
 

@@ -62,9 +62,9 @@ float matte_id(std::string_view name) {
     return std::bit_cast<float>((hash & 0x807fffffU) | exponent << 23U);
 }
 
-MatteRanks ranked(const std::vector<MatteRank>& seen) {
+MatteRanks ranked(const std::vector<MatteRank>& entries) {
     std::vector<MatteRank> merged;
-    for (const MatteRank& one : seen) {
+    for (const MatteRank& one : entries) {
         const auto same = std::find_if(merged.begin(), merged.end(),
                                        [&](const MatteRank& m) { return m.id == one.id; });
         if (same != merged.end()) {

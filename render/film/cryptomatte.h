@@ -32,7 +32,7 @@ struct MatteRank {
 using MatteRanks = std::array<MatteRank, kMatteRanks>;
 
 /// Sorted by coverage, the largest first; equal ids are merged, equal coverages keep their order.
-[[nodiscard]] MatteRanks ranked(const std::vector<MatteRank>& seen);
+[[nodiscard]] MatteRanks ranked(const std::vector<MatteRank>& entries);
 
 /// "LAYER00.R", id of the first rank; .G its coverage; .B and .A those of the second; "LAYER01.R"
 /// ...

@@ -80,7 +80,7 @@ AovPlanes::AovPlanes(const RenderSettings& settings, const FrameInput& frame,
                 add_channel(channel);
             }
         }
-        looks_ = looks_ || aov->is_seen_by_centre;
+        needs_centre_ray_ = needs_centre_ray_ || aov->is_seen_by_centre;
     }
 }
 
@@ -109,40 +109,40 @@ V2f AovPlanes::motion_of(const V3f& at_open, const V3f& at_close) const {
     return open && close ? *close - *open : V2f(0, 0);
 }
 
-AovPlanes::Seen AovPlanes::look(int x, int y) const {
+AovPlanes::CentreHit AovPlanes::trace_centre(int x, int y) const {
     const Ray ray = camera_.ray(x, y, {V2f(kMiddle, kMiddle), V2f(kMiddle, kMiddle), kMiddle});
-    Seen seen;
+    CentreHit centre;
     Hit hit;
     if (!scene_.structure().closest_hit(ray, hit)) {
         const V3f far = ray.origin + ray.direction * kBackgroundDistance;
-        seen.motion = motion_of(far, far);
-        return seen;
+        centre.motion = motion_of(far, far);
+        return centre;
     }
     const V3f point = ray.origin + ray.direction * hit.t;
     const CameraFrame frame = camera_.frame_at(kMiddle);
-    seen.depth = (point - frame.position).dot(frame.forward);
-    seen.motion = motion_of(scene_.moved(hit.object, point, kMiddle, 0),
-                            scene_.moved(hit.object, point, kMiddle, 1));
-    seen.object = static_cast<float>(hit.object + 1);
+    centre.depth = (point - frame.position).dot(frame.forward);
+    centre.motion = motion_of(scene_.moved(hit.object, point, kMiddle, 0),
+                              scene_.moved(hit.object, point, kMiddle, 1));
+    centre.object = static_cast<float>(hit.object + 1);
     const std::uint32_t material = scene_names_.material_of[hit.object];
-    seen.material =
+    centre.material =
         material < scene_names_.materials.size() ? static_cast<float>(material + 1) : 0.0f;
-    return seen;
+    return centre;
 }
 
 MatteRanks AovPlanes::ranks(const PixelMeans& means, const std::vector<float>& ids) const {
-    std::vector<MatteRank> seen;
+    std::vector<MatteRank> found;
     for (const ObjectCount& entry : means.objects) {
-        seen.push_back({ids[entry.object],
-                        static_cast<float>(entry.samples) / static_cast<float>(means.samples)});
+        found.push_back({ids[entry.object],
+                         static_cast<float>(entry.samples) / static_cast<float>(means.samples)});
     }
-    return ranked(seen);
+    return ranked(found);
 }
 
 void AovPlanes::write(int x, int y, const PixelMeans& means) {
     const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                               static_cast<std::size_t>(x);
-    const Seen seen = looks_ ? look(x, y) : Seen{};
+    const CentreHit centre = needs_centre_ray_ ? trace_centre(x, y) : CentreHit{};
     auto channel = channels_.begin();
     const auto put = [&](std::span<const float> values) {
         for (const float value : values) {
@@ -161,17 +161,17 @@ void AovPlanes::write(int x, int y, const PixelMeans& means) {
         } else if (name == kMaterialMatte) {
             put_ranks(ranks(means, material_ids_));
         } else if (name == "depth") {
-            put(std::array{seen.depth});
+            put(std::array{centre.depth});
         } else if (name == "normal") {
             put(std::array{means.normal.x, means.normal.y, means.normal.z});
         } else if (name == "albedo") {
             put(std::array{means.albedo.x, means.albedo.y, means.albedo.z});
         } else if (name == "motion") {
-            put(std::array{seen.motion.x, seen.motion.y});
+            put(std::array{centre.motion.x, centre.motion.y});
         } else if (name == "object_id") {
-            put(std::array{seen.object});
+            put(std::array{centre.object});
         } else if (name == "material_id") {
-            put(std::array{seen.material});
+            put(std::array{centre.material});
         } else {
             put(std::array{means.variance});
         }

@@ -72,7 +72,7 @@ class AovPlanes {
     [[nodiscard]] Film::Notes take_notes() { return std::move(notes_); }
 
   private:
-    struct Seen {
+    struct CentreHit {
         float depth = kFarDepth;
         V2f motion{0, 0};
         float object = 0;
@@ -80,7 +80,7 @@ class AovPlanes {
     };
 
     [[nodiscard]] std::vector<std::string> add_matte(std::string_view name);
-    [[nodiscard]] Seen look(int x, int y) const;
+    [[nodiscard]] CentreHit trace_centre(int x, int y) const;
     [[nodiscard]] MatteRanks ranks(const PixelMeans& means, const std::vector<float>& ids) const;
     [[nodiscard]] V2f motion_of(const V3f& at_open, const V3f& at_close) const;
 
@@ -93,7 +93,7 @@ class AovPlanes {
     const FrameScene& scene_;
     ThinLensCamera camera_;  // without a lens
     int width_;
-    bool looks_ = false;
+    bool needs_centre_ray_ = false;
 };
 
 }  // namespace carom::render

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "render/frame_scene/still_triangles.h"
+#include "render/frame_scene/static_triangles.h"
 
 namespace carom::render {
 namespace {
@@ -63,7 +63,7 @@ void add_shining_objects(LightSet& lights, const SceneDescription& scene,
         const Material& material = materials[geometry.material_of_object(object)];
         if (material.is_emissive()) {
             lights.add(object,
-                       EmissiveSurface(still_triangles(geometry, object), material.emission()));
+                       EmissiveSurface(static_triangles(geometry, object), material.emission()));
         }
     }
 }

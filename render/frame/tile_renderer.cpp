@@ -209,10 +209,11 @@ void TileRenderer::add(const std::vector<Splat>& splats) {
         return filter.pdf_1d(static_cast<double>(place - 0.5f - static_cast<float>(pixel)));
     };
     for (const Splat& splat : splats) {
-        for (int y = first(splat.place.y); y <= last(splat.place.y, settings_.height); ++y) {
-            const double across = density(splat.place.y, y);
-            for (int x = first(splat.place.x); x <= last(splat.place.x, settings_.width); ++x) {
-                const auto weight = static_cast<float>(across * density(splat.place.x, x));
+        for (int y = first(splat.position.y); y <= last(splat.position.y, settings_.height); ++y) {
+            const double across = density(splat.position.y, y);
+            for (int x = first(splat.position.x); x <= last(splat.position.x, settings_.width);
+                 ++x) {
+                const auto weight = static_cast<float>(across * density(splat.position.x, x));
                 for (int channel = 0; channel < 3; ++channel) {
                     film_.rgba[4 * index(x, y) + static_cast<std::size_t>(channel)] +=
                         weight * splat.flux[channel];

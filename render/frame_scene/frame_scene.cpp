@@ -70,10 +70,10 @@ void add_moving(ShapeSet& shapes, const StaticGeometry::Data& geometry, std::uin
         add_spheres(shapes, *motion, object.half_size.x, index);
         return;
     }
-    if (motion->is_still() && object.kind != ShapeKind::mesh) {
+    if (motion->is_static() && object.kind != ShapeKind::mesh) {
         const UnitFrame frame =
             placed(object.frame, motion->position(0), motion->world_from_body(0));
-        add_still_shape(shapes, object, index, frame);
+        add_static_shape(shapes, object, index, frame);
         return;
     }
     MovingShape shape;
@@ -103,13 +103,14 @@ ShapeSet with_movers(ShapeSet shapes, const StaticGeometry::Data& geometry,
 /// tree over all shapes is faster.
 std::unique_ptr<MeasuredStructure> hybrid_structure(const StaticGeometry::Data& geometry,
                                                     const Motions& motions) {
-    if (geometry.still_tree) {
-        const ShapeSet others = with_movers(geometry.beside_tree, geometry, motions);
+    if (geometry.static_tree) {
+        const ShapeSet others = with_movers(geometry.outside_tree, geometry, motions);
         if (loop_cost(others) < kTreeThreshold) {
-            return std::make_unique<HybridStructure>(others, geometry.still_tree);
+            return std::make_unique<HybridStructure>(others, geometry.static_tree);
         }
     }
-    return std::make_unique<HybridStructure>(with_movers(geometry.still, geometry, motions));
+    return std::make_unique<HybridStructure>(
+        with_movers(geometry.static_shapes, geometry, motions));
 }
 
 std::unique_ptr<MeasuredStructure> make_structure_of(const StaticGeometry::Data& geometry,
@@ -118,14 +119,14 @@ std::unique_ptr<MeasuredStructure> make_structure_of(const StaticGeometry::Data&
     if (geometry.acceleration == AccelerationKind::hybrid) {
         return hybrid_structure(geometry, motions);
     }
-    const ShapeSet shapes = with_movers(geometry.still, geometry, motions);
+    const ShapeSet shapes = with_movers(geometry.static_shapes, geometry, motions);
     if (geometry.acceleration == AccelerationKind::embree) {
-        return std::make_unique<EmbreeStructure>(geometry.device, shapes, geometry.still_meshes);
+        return std::make_unique<EmbreeStructure>(geometry.device, shapes, geometry.static_meshes);
     }
     if (geometry.acceleration == AccelerationKind::wide_bvh) {
-        return std::make_unique<WideBvh>(shapes, geometry.still_meshes, options);
+        return std::make_unique<WideBvh>(shapes, geometry.static_meshes, options);
     }
-    return geometry.factory(geometry.acceleration, shapes, geometry.still_meshes, options);
+    return geometry.factory(geometry.acceleration, shapes, geometry.static_meshes, options);
 }
 
 }  // namespace

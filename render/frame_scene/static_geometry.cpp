@@ -94,11 +94,12 @@ void add_meshes(StaticGeometry::Data& data) {
             data.tracked_meshes[i] =
                 std::make_shared<TriangleScene>(data.device, std::span(&entry, 1));
         } else if (object.kind == ShapeKind::mesh) {
-            data.still_meshes.push_back({object.mesh.get(), i});
+            data.static_meshes.push_back({object.mesh.get(), i});
         }
     }
-    if (!data.still_meshes.empty() && data.acceleration == AccelerationKind::hybrid) {
-        data.still.meshes = std::make_shared<TriangleScene>(data.device, data.still_meshes);
+    if (!data.static_meshes.empty() && data.acceleration == AccelerationKind::hybrid) {
+        data.static_shapes.meshes =
+            std::make_shared<TriangleScene>(data.device, data.static_meshes);
     }
 }
 
@@ -117,8 +118,8 @@ bool needs_embree(const StaticGeometry::Data& data) {
 }  // namespace
 
 // Meshes are left out; the shared triangle scene contains them.
-void add_still_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t index,
-                     const UnitFrame& frame) {
+void add_static_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t index,
+                      const UnitFrame& frame) {
     if (object.is_round) {
         SphereSegment sphere;
         sphere.path.c[0] = frame.world_from_unit.translation;
@@ -151,16 +152,17 @@ StaticGeometry::StaticGeometry(const SceneDescription& scene, const RenderSettin
     data->build_seconds += process_cpu_seconds() - start;
     for (std::uint32_t i = 0; i < data->objects.size(); ++i) {
         if (!data->objects[i].is_tracked()) {
-            add_still_shape(data->still, data->objects[i], i, data->objects[i].frame);
+            add_static_shape(data->static_shapes, data->objects[i], i, data->objects[i].frame);
         }
     }
     if (data->acceleration == AccelerationKind::hybrid &&
-        loop_cost(data->still) >= kTreeThreshold) {
+        loop_cost(data->static_shapes) >= kTreeThreshold) {
         start = process_cpu_seconds();
-        data->still_tree = std::make_shared<const AnalyticTree>(make_analytic_tree(data->still));
+        data->static_tree =
+            std::make_shared<const AnalyticTree>(make_analytic_tree(data->static_shapes));
         data->build_seconds += process_cpu_seconds() - start;
-        data->beside_tree = infinite_shapes(data->still);
-        data->beside_tree.meshes = data->still.meshes;
+        data->outside_tree = infinite_shapes(data->static_shapes);
+        data->outside_tree.meshes = data->static_shapes.meshes;
     }
     data_ = std::move(data);
 }

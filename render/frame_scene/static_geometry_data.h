@@ -19,16 +19,16 @@ struct StaticGeometry::Data {
     std::vector<SceneObject> objects;            // those of the scene, then lights
     std::vector<std::optional<std::uint32_t>> object_of_light;
     std::vector<std::shared_ptr<const TriangleScene>> tracked_meshes;  // by object; may be null
-    std::vector<MeshEntry> still_meshes;
-    ShapeSet still;  // static shapes
+    std::vector<MeshEntry> static_meshes;
+    ShapeSet static_shapes;
     // For many static shapes: a tree over them, and those that the tree cannot hold.
-    std::shared_ptr<const AnalyticTree> still_tree;
-    ShapeSet beside_tree;
+    std::shared_ptr<const AnalyticTree> static_tree;
+    ShapeSet outside_tree;
     double build_seconds = 0;  // CPU time of trees and scenes that frames share
 };
 
 /// Adds the shape of a static object.
-void add_still_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t index,
-                     const UnitFrame& frame);
+void add_static_shape(ShapeSet& shapes, const SceneObject& object, std::uint32_t index,
+                      const UnitFrame& frame);
 
 }  // namespace carom::render

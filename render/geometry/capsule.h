@@ -13,7 +13,7 @@ namespace carom::render {
 
 /// Lower bound on the squared sine of the angle between ray and axis, so that the cylinder's
 /// equation stays quadratic: 1e-7 rad.
-inline constexpr float kLeastLean = 1e-14f;
+inline constexpr float kMinSquaredSine = 1e-14f;
 
 /// Inigo Quilez, "Intersectors" (iquilezles.org/articles/intersectors), capIntersect. If the line
 /// enters the infinite cylinder between the ends, it enters the capsule there; otherwise it enters
@@ -27,7 +27,7 @@ template <class T>
     const T length2 = d.dot(d);
     const T shift = -ray.origin.dot(d) / length2;
     const V3<T> p = ray.origin + shift * d;
-    const T a = std::max(d.x * d.x + d.y * d.y, T(kLeastLean) * length2);
+    const T a = std::max(d.x * d.x + d.y * d.y, T(kMinSquaredSine) * length2);
     const T b = p.x * d.x + p.y * d.y;
     const T moment = p.x * d.y - p.y * d.x;
     const T discriminant = a - moment * moment;

@@ -147,7 +147,7 @@ Imath::Quatf RigidMotion::world_from_body(float time) const {
     return Imath::Quatf(turn.cosine, turn.sine * piece.axis) * piece.world_from_body;
 }
 
-bool RigidMotion::is_still() const {
+bool RigidMotion::is_static() const {
     return path_.size() == 1 && path_[0].is_constant() && turns_.size() == 1 &&
            turns_[0].half_angle == 0;
 }

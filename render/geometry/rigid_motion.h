@@ -14,7 +14,7 @@
 namespace carom::render {
 
 /// One cubic piece of a path: position(d) = c[0] + d (c[1] + d (c[2] + d c[3])) with
-/// d = time - start. In force while start <= time < end.
+/// d = time - start. Valid while start <= time < end.
 // Copying the array is the compiler's code:
 // NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
 struct PathPiece {
@@ -60,7 +60,7 @@ class RigidMotion {
     [[nodiscard]] Imath::Quatf world_from_body(float time) const;
 
     /// Whether the object neither moves nor rotates.
-    [[nodiscard]] bool is_still() const;
+    [[nodiscard]] bool is_static() const;
 
     /// A box around all positions, widened for rounding.
     [[nodiscard]] const Imath::Box3f& position_bounds() const { return bounds_; }

@@ -33,13 +33,13 @@ void Caustics::add(const SpecularBall& ball) {
     balls_.push_back(ball);
     intensity_.push_back(total);
     pairs_.insert(pairs_.end(), intensities.begin(), intensities.end());
-    places_.x.push_back(middle.x);
-    places_.y.push_back(middle.y);
-    places_.z.push_back(middle.z);
-    places_.bounding_radius.push_back(ball.radius + travel);
-    places_.radius2.push_back(ball.radius * ball.radius);
+    ball_bounds_.x.push_back(middle.x);
+    ball_bounds_.y.push_back(middle.y);
+    ball_bounds_.z.push_back(middle.z);
+    ball_bounds_.bounding_radius.push_back(ball.radius + travel);
+    ball_bounds_.radius2.push_back(ball.radius * ball.radius);
     const float reflectance = luminance(ball.material->mirror_reflectance(1));
-    places_.gain.push_back(std::max(1.0f, reflectance / kCoatReflectance));
+    ball_bounds_.gain.push_back(std::max(1.0f, reflectance / kCoatReflectance));
 }
 
 bool Caustics::connects(const Path& path, const ShadingVertex& vertex) const {
@@ -50,13 +50,14 @@ bool Caustics::connects(const Path& path, const ShadingVertex& vertex) const {
 // Estimate of the fraction of all directions that the ball fills (a quarter of the squared ratio of
 // radius and distance), times its gain; 0 if the whole ball lies below the horizon.
 inline float Caustics::weight(std::size_t ball, const V3f& position, const V3f& normal) const {
-    const float x = places_.x[ball] - position.x;
-    const float y = places_.y[ball] - position.y;
-    const float z = places_.z[ball] - position.z;
-    const float height = x * normal.x + y * normal.y + z * normal.z + places_.bounding_radius[ball];
-    const float radius2 = places_.radius2[ball];
+    const float x = ball_bounds_.x[ball] - position.x;
+    const float y = ball_bounds_.y[ball] - position.y;
+    const float z = ball_bounds_.z[ball] - position.z;
+    const float height =
+        x * normal.x + y * normal.y + z * normal.z + ball_bounds_.bounding_radius[ball];
+    const float radius2 = ball_bounds_.radius2[ball];
     const float weight =
-        0.25f * radius2 / std::max(x * x + y * y + z * z, radius2) * places_.gain[ball];
+        0.25f * radius2 / std::max(x * x + y * y + z * z, radius2) * ball_bounds_.gain[ball];
     return height > 0 ? weight : 0.0f;
 }
 
@@ -73,8 +74,8 @@ float Caustics::total_weight(const ShadingVertex& vertex, std::size_t own) const
 
 // A vertex connects with a probability equal to the total weight of the balls: most vertices are
 // far from balls and cost nothing.
-V3f Caustics::connected(const Path& path, const ShadingVertex& vertex, std::uint32_t object,
-                        const PathDimensions& dimensions, RenderStatistics& count) const {
+V3f Caustics::estimate(const Path& path, const ShadingVertex& vertex, std::uint32_t object,
+                       const PathDimensions& dimensions, RenderStatistics& count) const {
     const std::size_t own = object < index_.size() && index_[object] >= 0
                                 ? static_cast<std::size_t>(index_[object])
                                 : balls_.size();

@@ -25,8 +25,8 @@ class Caustics {
 
     /// An estimate of the caustics at the vertex, scattered towards the path's previous vertex.
     /// `object`: the one that the vertex lies on.
-    [[nodiscard]] V3f connected(const Path& path, const ShadingVertex& vertex, std::uint32_t object,
-                                const PathDimensions& dimensions, RenderStatistics& count) const;
+    [[nodiscard]] V3f estimate(const Path& path, const ShadingVertex& vertex, std::uint32_t object,
+                               const PathDimensions& dimensions, RenderStatistics& count) const;
 
     /// Whether `light`, when a path hits it after a specular reflection on `object`, was sampled at
     /// the vertex before, provided that vertex `connects`.
@@ -36,15 +36,15 @@ class Caustics {
     }
 
     /// The data by which balls are chosen, as a structure of arrays.
-    struct Places {
+    struct BallBounds {
         std::vector<float> x, y, z;          // the centre of the box around all positions
         std::vector<float> bounding_radius;  // from there to the farthest point of the surface
         std::vector<float> radius2;
         std::vector<float> gain;  // its reflectance over that of a coat of index 1.5, at least 1
     };
-    [[nodiscard]] const Places& places() const { return places_; }
+    [[nodiscard]] const BallBounds& ball_bounds() const { return ball_bounds_; }
     /// By object: its index in `places`, or -1; objects beyond the end have none.
-    [[nodiscard]] const std::vector<int>& place_of_object() const { return index_; }
+    [[nodiscard]] const std::vector<int>& ball_of_object() const { return index_; }
 
   private:
     [[nodiscard]] float weight(std::size_t ball, const V3f& position, const V3f& normal) const;
@@ -58,7 +58,7 @@ class Caustics {
     std::size_t light_count_ = 0;
     std::vector<SpecularBall> balls_;
     std::vector<float> intensity_;  // by ball: sum over its lights
-    Places places_;
+    BallBounds ball_bounds_;
     std::vector<int> index_;    // by object: into balls_, or -1
     std::vector<float> pairs_;  // by ball, then by light: the light's importance; 0: not connected
 };

@@ -22,7 +22,9 @@ float environment_samples(const LightSet& lights, const ShadingVertex& vertex) {
         total += lights.importance(light, vertex.position, vertex.surface.frame.z);
     }
     const float importance = lights.environment().importance();
-    return total > 0 ? std::clamp(importance / (kAlwaysAbove * total), kRarest, 1.0f) : 1.0f;
+    return total > 0 ? std::clamp(importance / (kFullSamplingFraction * total),
+                                  kMinEnvironmentSamples, 1.0f)
+                     : 1.0f;
 }
 
 bool is_dark(const V3f& c) {
@@ -95,8 +97,8 @@ class DirectLight::ShadowRays {
     V3f sum_{0, 0, 0};
 };
 
-V3f DirectLight::sampled(Path& path, const ShadingVertex& vertex, const V2f& u,
-                         const PathDimensions& dimensions, RenderStatistics& count) const {
+V3f DirectLight::sample_lights(Path& path, const ShadingVertex& vertex, const V2f& u,
+                               const PathDimensions& dimensions, RenderStatistics& count) const {
     const LightSet& lights = scene_.lights;
     path.last.position = vertex.position;
     path.last.normal = vertex.surface.frame.z;
@@ -274,10 +276,10 @@ V3f DirectLight::hit_emitter(const Path& path, const Hit& hit, const V3f& radian
 
 V3f DirectLight::environment(const Path& path) const {
     const Environment& environment = scene_.lights.environment();
-    const Environment::Seen seen = environment.seen(path.ray.direction);
+    const Environment::Value value = environment.evaluate(path.ray.direction);
     return environment.is_sampled()
-               ? seen.radiance * weight_of_hit(path, scene_.lights.area_light_count(), seen.pdf)
-               : seen.radiance;
+               ? value.radiance * weight_of_hit(path, scene_.lights.area_light_count(), value.pdf)
+               : value.radiance;
 }
 
 }  // namespace carom::render

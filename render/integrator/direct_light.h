@@ -50,8 +50,9 @@ class DirectLight {
     /// first vertex samples all lights; later vertices sample one, chosen by importance. Writes to
     /// `path.last` what `hit_light` needs about the choice. `u`: the vertex's random numbers for
     /// lights.
-    [[nodiscard]] V3f sampled(Path& path, const ShadingVertex& vertex, const V2f& u,
-                              const PathDimensions& dimensions, RenderStatistics& count) const;
+    [[nodiscard]] V3f sample_lights(Path& path, const ShadingVertex& vertex, const V2f& u,
+                                    const PathDimensions& dimensions,
+                                    RenderStatistics& count) const;
 
     /// Radiance of the area light that the path's ray hit, weighted against light sampling.
     [[nodiscard]] V3f hit_light(const Path& path, const Hit& hit) const;

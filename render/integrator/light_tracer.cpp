@@ -54,8 +54,8 @@ void LightTracer::add_if_small(const SpecularBall& ball, std::size_t light) {
     int found = 0;
     for (int i = 0; i < kProbes; ++i) {
         const SampleStream stream(0, 0, kRow, static_cast<std::uint32_t>(i));
-        if (const auto there = landing(ball, light, stream.camera_sample(), ignored)) {
-            extent.add(there->place);
+        if (const auto there = sample_splat(ball, light, stream.camera_sample(), ignored)) {
+            extent.add(there->position);
             area += there->area;
             found += 1;
         }
@@ -77,17 +77,17 @@ std::vector<Splat> LightTracer::splats(std::size_t index, double samples, std::u
     std::vector<Splat> result;
     for (std::uint32_t i = 0; i < number; ++i) {
         const SampleStream stream(seed, static_cast<std::uint32_t>(index), kRow, i);
-        if (const auto there = landing(pair.ball, pair.light, stream.camera_sample(), count)) {
-            result.push_back({there->place, there->flux * weight});
+        if (const auto there = sample_splat(pair.ball, pair.light, stream.camera_sample(), count)) {
+            result.push_back({there->position, there->flux * weight});
         }
     }
     return result;
 }
 
-std::optional<LightTracer::Landing> LightTracer::landing(const SpecularBall& ball,
-                                                         std::size_t light,
-                                                         const CameraSample& sample,
-                                                         RenderStatistics& count) const {
+std::optional<LightTracer::SplatSample> LightTracer::sample_splat(const SpecularBall& ball,
+                                                                  std::size_t light,
+                                                                  const CameraSample& sample,
+                                                                  RenderStatistics& count) const {
     // The numbers that place a camera ray in its pixel choose the light's point here.
     const ThinLensCamera::Aperture aperture = camera_.aperture(sample);
     const auto connection =
@@ -95,12 +95,12 @@ std::optional<LightTracer::Landing> LightTracer::landing(const SpecularBall& bal
     if (!connection) {
         return std::nullopt;
     }
-    const auto seen = camera_.arrival(aperture, connection->direction);
-    if (!seen || is_occluded(scene_, *connection, aperture.position, aperture.time, count)) {
+    const auto point = camera_.image_point(aperture, connection->direction);
+    if (!point || is_occluded(scene_, *connection, aperture.position, aperture.time, count)) {
         return std::nullopt;
     }
-    const float area = connection->solid_angle / seen->pixel_solid_angle;
-    return Landing{seen->place, connection->radiance * area, area};
+    const float area = connection->solid_angle / point->pixel_solid_angle;
+    return SplatSample{point->position, connection->radiance * area, area};
 }
 
 }  // namespace carom::render

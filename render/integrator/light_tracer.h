@@ -12,7 +12,7 @@ namespace carom::render {
 
 /// Light that lands at one position of the picture.
 struct Splat {
-    V2f place;          // pixels from the top left
+    V2f position;       // pixels from the top left
     V3f flux{0, 0, 0};  // a pixel gets this times the density of its filter there
 };
 
@@ -47,14 +47,15 @@ class LightTracer {
         std::size_t light = 0;
         double size = 0;  // splats per sample of a pixel
     };
-    struct Landing {
-        V2f place;
+    struct SplatSample {
+        V2f position;
         V3f flux;
         float area = 0;  // pixels that the light's image fills, estimated from this choice alone
     };
-    [[nodiscard]] std::optional<Landing> landing(const SpecularBall& ball, std::size_t light,
-                                                 const CameraSample& sample,
-                                                 RenderStatistics& count) const;
+    [[nodiscard]] std::optional<SplatSample> sample_splat(const SpecularBall& ball,
+                                                          std::size_t light,
+                                                          const CameraSample& sample,
+                                                          RenderStatistics& count) const;
     void add_if_small(const SpecularBall& ball, std::size_t light);
 
     TransportScene scene_;

@@ -138,7 +138,7 @@ bool PathIntegrator::process_hit(Path& path, const Hit& hit, PathWork& work) con
         return false;
     }
     if (surface.is_inside) {
-        path.throughput *= surface.layers->glass->left_after(hit.t);
+        path.throughput *= surface.layers->glass->transmittance(hit.t);
     }
     if (path.vertex == 0) {
         work.result.normal = surface.frame.z;
@@ -152,13 +152,12 @@ bool PathIntegrator::process_hit(Path& path, const Hit& hit, PathWork& work) con
         surface,        bsdf,
         splits,         shows_gloss ? settings_.glossy_samples : 1};
     const VertexNumbers u = work.dimensions.vertex(path);
-    const V3f direct = direct_.sampled(path, vertex, u.light, work.dimensions, work.count);
+    const V3f direct = direct_.sample_lights(path, vertex, u.light, work.dimensions, work.count);
     work.add(path.throughput * direct, path.vertex + 1);
     const bool connects = settings_.caustics && path.vertex < settings_.max_bounces &&
                           caustics_.connects(path, vertex);
     if (connects) {
-        const V3f found =
-            caustics_.connected(path, vertex, hit.object, work.dimensions, work.count);
+        const V3f found = caustics_.estimate(path, vertex, hit.object, work.dimensions, work.count);
         work.add(path.throughput * found, path.vertex + 2);
     }
     path.last.connected_ball = path.last.connects ? std::int64_t{hit.object} : -1;
@@ -180,7 +179,7 @@ void PathIntegrator::add_caustics(Path path, const Hit& hit, PathWork& work) con
     const Bsdf bsdf(surface, -path.ray.direction);
     const ShadingVertex vertex{
         point.position, point.position + surface.geometric_normal * point.offset, surface, bsdf};
-    const V3f found = caustics_.connected(path, vertex, hit.object, work.dimensions, work.count);
+    const V3f found = caustics_.estimate(path, vertex, hit.object, work.dimensions, work.count);
     work.add(path.throughput * found, path.vertex + 2);
 }
 
@@ -231,25 +230,25 @@ bool PathIntegrator::survives_in_glass(Path& path, const PathWork& work) const {
 // Turns `path` into its next direction, after following its coat to the end; false if it ends here.
 bool PathIntegrator::scatter(Path& path, const ShadingVertex& vertex, const V2f& u,
                              PathWork& work) const {
-    const auto proceed = [&](Path& onward, Layers layers, const V2f& numbers, int samples = 1) {
+    const auto proceed = [&](Path& next_path, Layers layers, const V2f& numbers, int samples = 1) {
         const auto sample = vertex.bsdf.sample(layers, numbers);
         if (!sample || largest(sample->weight) <= 0) {
             return false;
         }
-        onward.throughput *= sample->weight / static_cast<float>(samples);
-        onward.last.pdf = sample->pdf * static_cast<float>(samples);
-        onward.last.is_delta = sample->is_delta;
+        next_path.throughput *= sample->weight / static_cast<float>(samples);
+        next_path.last.pdf = sample->pdf * static_cast<float>(samples);
+        next_path.last.is_delta = sample->is_delta;
         // Caustics are sampled for paths of a broad lobe followed by one specular reflection, only.
-        onward.last.connects = onward.last.connects && !sample->is_delta;
-        onward.last.connected_ball = sample->is_delta ? onward.last.connected_ball : -1;
-        onward.ray = Ray{vertex.origin_towards(sample->direction), sample->direction, 0, kInfinity,
-                         path.ray.time};
-        onward.spread =
+        next_path.last.connects = next_path.last.connects && !sample->is_delta;
+        next_path.last.connected_ball = sample->is_delta ? next_path.last.connected_ball : -1;
+        next_path.ray = Ray{vertex.origin_towards(sample->direction), sample->direction, 0,
+                            kInfinity, path.ray.time};
+        next_path.spread =
             sample->is_delta
-                ? std::min(onward.spread * kMirrorSpread, kWidestSpread)
-                : std::max(onward.spread,
+                ? std::min(next_path.spread * kMirrorSpread, kWidestSpread)
+                : std::max(next_path.spread,
                            std::min(kLobeFraction / std::sqrt(sample->pdf), kWidestSpread));
-        onward.vertex += 1;
+        next_path.vertex += 1;
         work.count.scattered_rays += 1;
         return true;
     };

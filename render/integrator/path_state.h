@@ -72,20 +72,20 @@ class PathDimensions {
     explicit PathDimensions(const SampleStream& stream) : stream_(stream) {}
 
     [[nodiscard]] VertexNumbers vertex(const Path& path) const {
-        const auto u = set(place(path) * 2);
+        const auto u = set(vertex_index(path) * 2);
         return {V2f(u[0], u[1]), V2f(u[2], u[3])};
     }
     /// At a split, for the coat's direction (`x`, `y`); `z` is for roulette.
     [[nodiscard]] V3f further(const Path& path) const {
-        const auto u = set(place(path) * 2 + 1);
+        const auto u = set(vertex_index(path) * 2 + 1);
         return V3f(u[0], u[1], u[2]);
     }
     /// For caustics: whether they are sampled at all, and then how.
     [[nodiscard]] float caustic_roulette(const Path& path) const {
-        return stream_.get_1d(kCaustics + 2 * place(path));
+        return stream_.get_1d(kCaustics + 2 * vertex_index(path));
     }
     [[nodiscard]] std::array<float, 4> caustic(const Path& path) const {
-        return set(kCaustics + 2 * place(path) + 1);
+        return set(kCaustics + 2 * vertex_index(path) + 1);
     }
     /// For two lights that take one sample at the first vertex.
     [[nodiscard]] std::array<V2f, 2> light_pair(std::uint32_t pair) const {
@@ -109,7 +109,7 @@ class PathDimensions {
     static constexpr int kConnectingVertices = 2;
 
   private:
-    [[nodiscard]] static std::uint32_t place(const Path& path) {
+    [[nodiscard]] static std::uint32_t vertex_index(const Path& path) {
         return path.branch * kVertices + static_cast<std::uint32_t>(path.vertex);
     }
     [[nodiscard]] std::array<float, 4> set(std::uint32_t index) const {

@@ -7,9 +7,9 @@ namespace carom::render {
 inline constexpr float kOneMinusShadowEpsilon = 1.0f - 2e-4f;
 
 /// An environment that gives less than this fraction of the light at a first vertex is sampled
-/// there less often, down to kRarest: a dim environment beside a bright lamp is not worth a shadow
-/// ray each time.
-inline constexpr float kAlwaysAbove = 0.125f;
-inline constexpr float kRarest = 0.125f;
+/// there less often, down to kMinEnvironmentSamples: a dim environment beside a bright lamp is not
+/// worth a shadow ray each time.
+inline constexpr float kFullSamplingFraction = 0.125f;
+inline constexpr float kMinEnvironmentSamples = 0.125f;
 
 }  // namespace carom::render

@@ -26,7 +26,7 @@ struct ScalarLanes {
     static Value size(Value x) { return std::abs(x); }
 
     /// x, negated where `by` is negative.
-    static Value turned(Value x, Value by) {
+    static Value flip_sign(Value x, Value by) {
         if constexpr (std::is_same_v<T, float>) {
             return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) ^
                                         (std::bit_cast<std::uint32_t>(by) & 0x80000000u));

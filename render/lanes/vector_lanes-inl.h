@@ -25,7 +25,7 @@ struct VectorLanes {
     static HWY_INLINE bool none(Mask mask) { return hn::AllFalse(D(), mask); }
     static HWY_INLINE bool fails_alone(Mask) { return false; }
     static HWY_INLINE Value size(Value x) { return hn::Abs(x); }
-    static HWY_INLINE Value turned(Value x, Value by) {
+    static HWY_INLINE Value flip_sign(Value x, Value by) {
         return hn::Xor(x, hn::And(by, hn::SignBit(D())));
     }
 };

@@ -26,7 +26,7 @@ RectangleEmitter::RectangleEmitter(const RectangleLight& light)
       edge_v_(light.edge_v),
       normal_(light.normal),
       radiance_(light.radiance),
-      fades_(light.falloff == Falloff::inverse_square),
+      has_falloff_(light.falloff == Falloff::inverse_square),
       area_(4.0f * edge_u_.length() * edge_v_.length()),
       half_diagonal_((edge_u_ + edge_v_).length()) {}
 
@@ -88,7 +88,7 @@ float RectangleEmitter::importance(const V3f& point, const V3f& normal) const {
         return 0;
     }
     const float cosine = surface_cosine(to_light.dot(normal) / distance, half_diagonal_ / distance);
-    if (!fades_) {
+    if (!has_falloff_) {
         return luminance(radiance_) * kPi * cosine;
     }
     // Within the light's own size the solid angle no longer grows.
@@ -111,7 +111,7 @@ std::optional<float> RectangleEmitter::distance_along(const V3f& /*origin*/,
 SphereEmitter::SphereEmitter(const SphereLight& light)
     : centre_(light.centre),
       radiance_(light.radiance),
-      fades_(light.falloff == Falloff::inverse_square),
+      has_falloff_(light.falloff == Falloff::inverse_square),
       radius_(static_cast<float>(light.radius)) {}
 
 std::optional<LightSample> SphereEmitter::sample(const V3f& point, const V2f& u) const {
@@ -150,7 +150,7 @@ float SphereEmitter::importance(const V3f& point, const V3f& normal) const {
         return 0;
     }
     const float solid_angle =
-        fades_ ? 2.0f * kPi * one_minus_cos_of_sphere(radius_, distance) : kPi;
+        has_falloff_ ? 2.0f * kPi * one_minus_cos_of_sphere(radius_, distance) : kPi;
     return luminance(radiance_) * solid_angle *
            surface_cosine(to_light.dot(normal) / distance, radius_ / distance);
 }

@@ -55,11 +55,11 @@ class RectangleEmitter {
     [[nodiscard]] float pdf(const V3f& point, const V3f& direction, float distance) const;
     /// W/(m^2 sr), on the side that shines.
     [[nodiscard]] const V3f& radiance() const { return radiance_; }
-    [[nodiscard]] bool fades() const { return fades_; }
+    [[nodiscard]] bool has_falloff() const { return has_falloff_; }
     /// The factor by which the light on a surface is brighter than the light looks, for a direction
     /// with the density `pdf` of `sample`. It differs from 1 only for a light without falloff,
     /// which gives every point the irradiance pi x radiance x the mean cosine towards the light.
-    [[nodiscard]] float gain(float pdf) const { return fades_ ? 1.0f : kPi * pdf; }
+    [[nodiscard]] float gain(float pdf) const { return has_falloff_ ? 1.0f : kPi * pdf; }
     /// Radiance towards `direction`, which points away from the light.
     [[nodiscard]] V3f emitted(const V3f& direction) const;
     [[nodiscard]] float importance(const V3f& point, const V3f& normal) const;
@@ -83,7 +83,7 @@ class RectangleEmitter {
 
   private:
     V3f centre_, edge_u_, edge_v_, normal_, radiance_;
-    bool fades_;
+    bool has_falloff_;
     float area_;
     float half_diagonal_;
 };
@@ -101,9 +101,9 @@ class SphereEmitter {
     [[nodiscard]] float intensity() const { return luminance(radiance_) * kPi * radius_ * radius_; }
     [[nodiscard]] const V3f& centre() const { return centre_; }
     [[nodiscard]] const V3f& radiance() const { return radiance_; }
-    [[nodiscard]] bool fades() const { return fades_; }
+    [[nodiscard]] bool has_falloff() const { return has_falloff_; }
     /// See RectangleEmitter.
-    [[nodiscard]] float gain(float pdf) const { return fades_ ? 1.0f : kPi * pdf; }
+    [[nodiscard]] float gain(float pdf) const { return has_falloff_ ? 1.0f : kPi * pdf; }
     [[nodiscard]] float radius() const { return radius_; }
 
     /// A point of a disk through the light's centre that is large enough that every ray from within
@@ -119,7 +119,7 @@ class SphereEmitter {
 
   private:
     V3f centre_, radiance_;
-    bool fades_;
+    bool has_falloff_;
     float radius_;
 };
 

@@ -6,12 +6,12 @@
 namespace carom::render {
 
 DeltaLight::DeltaLight(const PointLight& light)
-    : fades_(light.falloff == Falloff::inverse_square),
+    : has_falloff_(light.falloff == Falloff::inverse_square),
       position_(light.position),
       power_(light.intensity) {}
 
 DeltaLight::DeltaLight(const SpotLight& light)
-    : fades_(light.falloff == Falloff::inverse_square),
+    : has_falloff_(light.falloff == Falloff::inverse_square),
       position_(light.position),
       direction_(light.direction.normalized()),
       power_(light.intensity),
@@ -20,7 +20,7 @@ DeltaLight::DeltaLight(const SpotLight& light)
 
 DeltaLight::DeltaLight(const DirectionalLight& light)
     : is_parallel_(true),
-      fades_(false),
+      has_falloff_(false),
       direction_(light.direction.normalized()),
       power_(light.irradiance) {}
 
@@ -56,7 +56,7 @@ V3f DeltaLight::radiance(const LightSample& sample) const {
         return power_ * kDeltaPdf;
     }
     const float fraction = cone_fraction(-sample.direction.dot(direction_));
-    const float distance2 = fades_ ? sample.distance * sample.distance : 1.0f;
+    const float distance2 = has_falloff_ ? sample.distance * sample.distance : 1.0f;
     return power_ * (fraction / distance2) * kDeltaPdf;
 }
 
@@ -67,7 +67,7 @@ V3f DeltaLight::source(const V3f& centre, float radius) const {
 
 V3f DeltaLight::intensity(const V3f& direction, float distance) const {
     const float fraction = is_parallel_ ? 1.0f : cone_fraction(direction.dot(direction_));
-    return power_ * (fades_ ? fraction : fraction * (distance * distance));
+    return power_ * (has_falloff_ ? fraction : fraction * (distance * distance));
 }
 
 float DeltaLight::irradiance_within(const V3f& centre, float radius) const {
@@ -84,7 +84,7 @@ float DeltaLight::irradiance_within(const V3f& centre, float radius) const {
     const bool is_dark =
         outer_cosine_ > -1 && angle_of(to_centre.dot(direction_) / distance) >
                                   angle_of(outer_cosine_) + std::asin(radius / distance);
-    return is_dark ? 0.0f : luminance(power_) / (fades_ ? distance * distance : 1.0f);
+    return is_dark ? 0.0f : luminance(power_) / (has_falloff_ ? distance * distance : 1.0f);
 }
 
 float DeltaLight::importance(const V3f& point, const V3f& normal) const {

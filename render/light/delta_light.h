@@ -45,7 +45,7 @@ class DeltaLight {
 
   private:
     bool is_parallel_ = false;
-    bool fades_ = true;  // with the square of the distance; not for directional lights
+    bool has_falloff_ = true;  // inverse square; never for directional lights
     V3f position_{0, 0, 0};
     V3f direction_{0, 0, -1};     // in which the light shines
     V3f power_;                   // W/sr, or W/m^2 for a light without falloff

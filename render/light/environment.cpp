@@ -135,7 +135,7 @@ float Environment::pdf_at(const V3f& direction, const V2f& uv) const {
     return sine > 0 ? distribution_.pdf(uv) / (kTurn * kPi * sine) : 0;
 }
 
-Environment::Seen Environment::seen(const V3f& direction) const {
+Environment::Value Environment::evaluate(const V3f& direction) const {
     if (!is_sampled()) {
         return {scale_, 0};
     }

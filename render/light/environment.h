@@ -37,13 +37,13 @@ class Environment {
         return picture_radiance(sample.place);
     }
 
-    /// What a ray that leaves the scene sees.
-    struct Seen {
+    /// The environment in one direction.
+    struct Value {
         V3f radiance;
         float pdf = 0;  // of `sample`, 1/sr
     };
-    /// `radiance` and `pdf` together.
-    [[nodiscard]] Seen seen(const V3f& direction) const;
+    /// Computes `radiance` and `pdf` together.
+    [[nodiscard]] Value evaluate(const V3f& direction) const;
 
     /// Density of `sample`, 1/sr; 0 if not `is_sampled`.
     [[nodiscard]] float pdf(const V3f& direction) const;

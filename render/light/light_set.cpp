@@ -129,7 +129,8 @@ float LightSet::gain(std::size_t light, const V3f& point, const V3f& direction,
                      float distance) const {
     return std::visit(
         [&](const auto& emitter) {
-            return emitter.fades() ? 1.0f : emitter.gain(emitter.pdf(point, direction, distance));
+            return emitter.has_falloff() ? 1.0f
+                                         : emitter.gain(emitter.pdf(point, direction, distance));
         },
         area_lights_[light]);
 }

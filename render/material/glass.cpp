@@ -32,7 +32,7 @@ V3f absorption_of(const StandardMaterial& m) {
 
 }  // namespace
 
-V3f GlassConstants::left_after(float distance) const {
+V3f GlassConstants::transmittance(float distance) const {
     return {std::exp(-absorption.x * distance), std::exp(-absorption.y * distance),
             std::exp(-absorption.z * distance)};
 }

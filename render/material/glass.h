@@ -22,7 +22,7 @@ struct GlassConstants {
     std::array<AlbedoTable, 2> kept;
 
     /// The fraction of light that remains after `distance` (m), by the Beer-Lambert law.
-    [[nodiscard]] V3f left_after(float distance) const;
+    [[nodiscard]] V3f transmittance(float distance) const;
 };
 
 /// Null for a material that transmits nothing.

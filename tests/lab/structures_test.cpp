@@ -44,9 +44,9 @@ constexpr std::array<Named, 11> kAll = {{{"BruteForce", AccelerationKind::brute_
 std::unique_ptr<MeasuredStructure> make(const RandomScene& scene, AccelerationKind kind,
                                         const StructureOptions& options = {}) {
     if (kind == AccelerationKind::wide_bvh) {
-        return std::make_unique<WideBvh>(scene.shapes, scene.still_meshes, options);
+        return std::make_unique<WideBvh>(scene.shapes, scene.static_meshes, options);
     }
-    return make_structure(kind, scene.shapes, scene.still_meshes, options);
+    return make_structure(kind, scene.shapes, scene.static_meshes, options);
 }
 
 class Laboratory : public testing::TestWithParam<Named> {};
@@ -98,12 +98,12 @@ void expect_bits(const AccelerationStructure& structure, const std::vector<Asked
     }
 }
 
-RandomScene everything(int still, int moving, int meshes) {
+RandomScene everything(int fixed, int moving, int meshes) {
     TestRandom random(7);
     RandomScene scene;
-    scene.add_still(random, still);
+    scene.add_static(random, fixed);
     scene.add_moving(random, moving);
-    scene.add_still_meshes(random, meshes);
+    scene.add_static_meshes(random, meshes);
     return scene;
 }
 
@@ -311,12 +311,12 @@ Hit alone(const Primitives& primitives, const Hit& hit, const Ray& ray) {
 TEST(LaboratoryPeers, HybridAndEmbree_FindTheSamePrimitives) {
     const RandomScene scene = everything(3, 2, 2);
     ShapeSet with_meshes = scene.shapes;
-    with_meshes.meshes = std::make_shared<TriangleScene>(scene.device, scene.still_meshes);
+    with_meshes.meshes = std::make_shared<TriangleScene>(scene.device, scene.static_meshes);
     const HybridStructure hybrid(with_meshes);
-    const EmbreeStructure embree(scene.device, scene.shapes, scene.still_meshes);
+    const EmbreeStructure embree(scene.device, scene.shapes, scene.static_meshes);
     const auto brute_force =
-        make_structure(AccelerationKind::brute_force, scene.shapes, scene.still_meshes, {});
-    const Primitives primitives(scene.shapes, scene.still_meshes);
+        make_structure(AccelerationKind::brute_force, scene.shapes, scene.static_meshes, {});
+    const Primitives primitives(scene.shapes, scene.static_meshes);
     TestRandom random(11);
     std::array<int, 2> differing{};
     for (int i = 0; i < 100'000; ++i) {

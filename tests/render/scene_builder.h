@@ -92,7 +92,7 @@ inline render::CameraState camera(const Vec3& position, const Vec3& target, doub
     return state;
 }
 
-inline render::FrameInput still_frame(const render::CameraState& state) {
+inline render::FrameInput static_frame(const render::CameraState& state) {
     render::FrameInput frame;
     frame.camera_open = state;
     frame.camera_close = state;

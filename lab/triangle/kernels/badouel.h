@@ -59,8 +59,8 @@ struct Badouel {
                                           L::before(ray.direction.at, w));
         const auto area =
             triangle.edge_b_u * triangle.edge_c_v - triangle.edge_c_u * triangle.edge_b_v;
-        const auto u = L::turned(p_u * triangle.edge_c_v - triangle.edge_c_u * p_v, area);
-        const auto v = L::turned(triangle.edge_b_u * p_v - p_u * triangle.edge_b_v, area);
+        const auto u = L::flip_sign(p_u * triangle.edge_c_v - triangle.edge_c_u * p_v, area);
+        const auto v = L::flip_sign(triangle.edge_b_u * p_v - p_u * triangle.edge_b_v, area);
         return hit_in_plane(ray, plane, u, v, L::size(area), valid);
     }
 };

@@ -53,9 +53,9 @@ struct LaneTest<UnitRectangle> {
         const hn::Vec<D> one = hn::Set(d, 1.f);
         const hn::Mask<D> inside = hn::And(hn::Le(hn::Abs(at.x), one), hn::Le(hn::Abs(at.y), one));
         // A one-sided rectangle is invisible from behind (slope > 0).
-        const hn::Mask<D> seen = hn::Or(hn::Lt(at.slope, hn::Zero(d)),
-                                        hn::Eq(load(d, block.one_sided, lane), hn::Zero(d)));
-        return hn::And(hn::And(inside, seen), hn::Gt(t, ray.t_min));
+        const hn::Mask<D> is_visible = hn::Or(hn::Lt(at.slope, hn::Zero(d)),
+                                              hn::Eq(load(d, block.one_sided, lane), hn::Zero(d)));
+        return hn::And(hn::And(inside, is_visible), hn::Gt(t, ray.t_min));
     }
 };
 

@@ -1,5 +1,5 @@
-// What the intersection tests of all analytic shapes share: rays in vector lanes, the numbers of a
-// block of shapes, and the declaration of a test.
+// The common part of the intersection tests of all analytic shapes: rays in vector lanes, loads of
+// a block of shapes, and the declaration of a test.
 #if defined(CAROM_LANE_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CAROM_LANE_TEST_INL_H
 #undef CAROM_LANE_TEST_INL_H

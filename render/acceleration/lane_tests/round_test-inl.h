@@ -44,7 +44,7 @@ struct LaneTest<UnitFrustum> {
         const hn::Vec<D> discriminant = hn::NegMulAdd(a, c, hn::Mul(b, b));
         const hn::Vec<D> root = hn::Sqrt(hn::Max(discriminant, zero));
         const hn::Vec<D> q = hn::Neg(hn::Add(b, hn::CopySign(root, b)));
-        const hn::Mask<D> meets = hn::Ge(discriminant, zero);
+        const hn::Mask<D> is_hit = hn::Ge(discriminant, zero);
         const hn::Vec<D> margin = hn::Set(d, kFrustumMargin);
         t = hn::Set(d, kInfinity);
         const auto offer = [&](hn::Vec<D> u, hn::Mask<D> valid) HWY_ATTR {
@@ -54,7 +54,7 @@ struct LaneTest<UnitFrustum> {
         };
         const auto offer_side = [&](hn::Vec<D> u) HWY_ATTR {
             const hn::Vec<D> z = hn::Abs(hn::MulAdd(u, v[2], p[2]));
-            offer(u, hn::And(meets, hn::Le(z, hn::Add(one, margin))));
+            offer(u, hn::And(is_hit, hn::Le(z, hn::Add(one, margin))));
         };
         const auto offer_cap = [&](hn::Vec<D> end, hn::Vec<D> cap_radius) HWY_ATTR {
             const hn::Vec<D> u = hn::Div(hn::Sub(end, p[2]), v[2]);
@@ -92,13 +92,13 @@ struct LaneTest<UnitCapsule> {
         const hn::Vec<D> zero = hn::Zero(d);
         const hn::Vec<D> half_length = load(d, block.profile[0], lane);
         const hn::Vec<D> a = hn::Max(hn::MulAdd(v[0], v[0], hn::Mul(v[1], v[1])),
-                                     hn::Mul(hn::Set(d, kLeastLean), length2));
+                                     hn::Mul(hn::Set(d, kMinSquaredSine), length2));
         const hn::Vec<D> b = hn::MulAdd(p[0], v[0], hn::Mul(p[1], v[1]));
         const hn::Vec<D> moment = hn::MulSub(p[0], v[1], hn::Mul(p[1], v[0]));
         const hn::Vec<D> discriminant = hn::NegMulAdd(moment, moment, a);
-        const hn::Mask<D> meets = hn::Ge(discriminant, zero);
-        if (hn::AllFalse(d, meets)) {
-            return meets;
+        const hn::Mask<D> is_hit = hn::Ge(discriminant, zero);
+        if (hn::AllFalse(d, is_hit)) {
+            return is_hit;
         }
         const hn::Vec<D> root = hn::Sqrt(hn::Max(discriminant, zero));
         // The distance at which the line enters or leaves the surface; infinite if the line misses
@@ -120,7 +120,7 @@ struct LaneTest<UnitCapsule> {
             return hn::Add(shift, hn::IfThenElse(hn::Le(hn::Abs(z), half_length), on_side, on_end));
         };
         t = first_beyond<D>(ray, crossing(hn::Neg(root)), crossing(root));
-        return hn::And(meets, hn::And(hn::Gt(t, ray.t_min), hn::Lt(t, hn::Set(d, kInfinity))));
+        return hn::And(is_hit, hn::And(hn::Gt(t, ray.t_min), hn::Lt(t, hn::Set(d, kInfinity))));
     }
 };
 
@@ -209,17 +209,19 @@ struct LaneTest<UnitRoundedBox> {
             pass(d, line, line.near[axis], before, behind);
             pass(d, line, line.far[axis], before, behind);
         }
-        const hn::Mask<D> comes[3] = {hn::Gt(line.near[0], before), hn::Gt(line.near[1], before),
-                                      hn::Gt(line.near[2], before)};
-        const hn::Mask<D> came[3] = {hn::Le(line.far[0], before), hn::Le(line.far[1], before),
-                                     hn::Le(line.far[2], before)};
-        const hn::Mask<D> goes[3] = {hn::Ge(line.near[0], behind), hn::Ge(line.near[1], behind),
-                                     hn::Ge(line.near[2], behind)};
-        const hn::Mask<D> went[3] = {hn::Lt(line.far[0], behind), hn::Lt(line.far[1], behind),
-                                     hn::Lt(line.far[2], behind)};
+        const hn::Mask<D> enter_is_before[3] = {hn::Gt(line.near[0], before),
+                                                hn::Gt(line.near[1], before),
+                                                hn::Gt(line.near[2], before)};
+        const hn::Mask<D> enter_is_behind[3] = {
+            hn::Le(line.far[0], before), hn::Le(line.far[1], before), hn::Le(line.far[2], before)};
+        const hn::Mask<D> leave_is_before[3] = {hn::Ge(line.near[0], behind),
+                                                hn::Ge(line.near[1], behind),
+                                                hn::Ge(line.near[2], behind)};
+        const hn::Mask<D> leave_is_behind[3] = {
+            hn::Lt(line.far[0], behind), hn::Lt(line.far[1], behind), hn::Lt(line.far[2], behind)};
         const hn::Vec<D> one = hn::Set(d, 1.f);
-        const hn::Vec<D> enter = cross(d, line, comes, came, hn::Neg(one));
-        const hn::Vec<D> leave = cross(d, line, goes, went, one);
+        const hn::Vec<D> enter = cross(d, line, enter_is_before, enter_is_behind, hn::Neg(one));
+        const hn::Vec<D> leave = cross(d, line, leave_is_before, leave_is_behind, one);
         t = first_beyond<D>(ray, hn::Add(shift, enter), hn::Add(shift, leave));
         return hn::And(hn::Gt(t, ray.t_min), hn::Lt(t, hn::Set(d, kInfinity)));
     }

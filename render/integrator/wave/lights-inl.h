@@ -26,7 +26,7 @@ struct LightLanes {
 };
 
 HWY_INLINE F3 radiance_of(const WaveLight& light, F pdf) {
-    return light.fades ? all(light.radiance) : all(light.radiance) * (all(kPi) * pdf);
+    return light.has_falloff ? all(light.radiance) : all(light.radiance) * (all(kPi) * pdf);
 }
 
 HWY_INLINE LightLanes sample_rectangle(const WaveLight& light, const F3& point, const V2& u) {
@@ -68,7 +68,7 @@ HWY_INLINE F importance_of_rectangle(const WaveLight& light, const F3& point, co
     const F height = hn::Neg(dot(to_light, all(light.normal)));
     const F cosine =
         surface_cosine(dot(to_light, normal) / distance, all(light.half_diagonal) / distance);
-    if (!light.fades) {
+    if (!light.has_falloff) {
         return select(hn::Gt(height, all(0.f)), all(luminance(light.radiance) * kPi) * cosine,
                       all(0.f));
     }
@@ -82,7 +82,7 @@ HWY_INLINE F importance_of_sphere(const WaveLight& light, const F3& point, const
     const F distance = hn::Max(hn::Sqrt(dot(to_light, to_light)), all(1e-6f));
     const F radius = all(light.radius);
     const F solid_angle =
-        light.fades ? all(2.0f * kPi) * one_minus_cos_of_sphere(radius, distance) : all(kPi);
+        light.has_falloff ? all(2.0f * kPi) * one_minus_cos_of_sphere(radius, distance) : all(kPi);
     const F value = all(luminance(light.radiance)) * solid_angle *
                     surface_cosine(dot(to_light, normal) / distance, radius / distance);
     return select(hn::Gt(distance, radius), value, all(0.f));

@@ -34,7 +34,7 @@ struct VertexLanes {
     F choose_sheen;  // probability of sampling the base by its sheen
     M scatters;      // has a base that is not black
     M splits;
-    U place;
+    U vertex_index;
     F total_importance, environment_samples;
 };
 
@@ -82,10 +82,10 @@ HWY_INLINE VertexLanes vertices_at(const WaveStep& step, int first) {
         select(is_coated, select(hn::Gt(base, all(0.f)), probability, all(1.f)), all(0.f));
     v.splits = step.paths.vertex < step.scene.split_vertices ? hn::And(v.valid, is_coated)
                                                              : hn::MaskFromVec(all(0.f));
-    const I place =
+    const I vertex_index =
         hn::ShiftLeft<7>(gather(step.paths.branch, v.path)) + hn::Set(di, step.paths.vertex);
     static_assert(PathDimensions::kVertices == 1u << 7);
-    v.place = hn::BitCast(WordTag(), place);
+    v.vertex_index = hn::BitCast(WordTag(), vertex_index);
     v.total_importance = all(0.f);
     v.environment_samples = gather(step.paths.environment_samples, v.path);
     return v;

@@ -90,11 +90,11 @@ struct WaveIntegrator::Wave final : Integrator::Workspace {
 WaveIntegrator::WaveIntegrator(const TransportScene& scene, const PathSettings& settings,
                                const LightTracer* light_tracer)
     : scene_(scene),
-      one_(scene_, settings, light_tracer),
+      path_integrator_(scene_, settings, light_tracer),
       has_light_tracer_(light_tracer != nullptr),
       max_bounces_(settings.max_bounces),
       kernels_(best_wave_kernels()),
-      known_(make_wave_scene(scene, settings, one_.caustics())) {
+      wave_scene_(make_wave_scene(scene, settings, path_integrator_.caustics())) {
     CAROM_ASSERT(can_do(scene, settings));
     for (std::uint32_t object = 0; object < scene.first_light_object; ++object) {
         const Material& material = scene.materials[scene.frame.material(object)];
@@ -117,7 +117,7 @@ bool WaveIntegrator::can_do(const TransportScene& scene, const PathSettings& set
 RadianceSample WaveIntegrator::sample(const Ray& camera_ray, float pixel_spread,
                                       const SampleStream& stream, const SampleIndex& index,
                                       RenderStatistics& count) const {
-    return one_.sample(camera_ray, pixel_spread, stream, index, count);
+    return path_integrator_.sample(camera_ray, pixel_spread, stream, index, count);
 }
 
 std::unique_ptr<Integrator::Workspace> WaveIntegrator::make_workspace() const {
@@ -133,8 +133,8 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
         begin(tasks.subspan(from, size), pixel_spread, wave, count);
         while (wave.paths().count > 0) {
             process_hits(wave);
-            kernels_->take_step({known_, wave.samples, wave.paths(), wave.vertices, wave.shadows,
-                                 wave.near_balls, wave.next(), wave.scattered});
+            kernels_->take_step({wave_scene_, wave.samples, wave.paths(), wave.vertices,
+                                 wave.shadows, wave.near_balls, wave.next(), wave.scattered});
             append(wave.scattered, wave.next());
             CAROM_VALIDATE(is_valid(wave.next()));
             count.scattered_rays += static_cast<std::uint64_t>(wave.next().count);
@@ -142,13 +142,13 @@ void WaveIntegrator::samples(std::span<const CameraTask> tasks, float pixel_spre
             for (int k = 0; k < wave.near_balls.count; ++k) {
                 const int vertex = wave.near_balls.at.at[k];
                 const int path = wave.vertices.path.at[vertex];
-                one_.add_caustics(wave.paths().path(path), wave.hits[path],
-                                  wave.works[wave.paths().slot.at[path]]);
+                path_integrator_.add_caustics(wave.paths().path(path), wave.hits[path],
+                                              wave.works[wave.paths().slot.at[path]]);
             }
             wave.vertex += 1;
         }
         for (std::size_t i = 0; i < size; ++i) {
-            results[from + i] = one_.total(wave.works[i]);
+            results[from + i] = path_integrator_.total(wave.works[i]);
         }
     }
 }
@@ -198,17 +198,18 @@ void WaveIntegrator::process_hits(Wave& wave) const {
         if (hit.object == kNoObject) {
             miss(i, wave, work);
         } else if (scene_.is_light(hit)) {
-            one_.add_hit_light(paths.path(i), hit, work);
+            path_integrator_.add_hit_light(paths.path(i), hit, work);
         } else {
             sort(i, hit, wave, work);
         }
     }
-    kernels_->find_surfaces(known_, paths, wave.vertices, false, 0, wave.vertices.count);
+    kernels_->find_surfaces(wave_scene_, paths, wave.vertices, false, 0, wave.vertices.count);
     const int first_box = wave.vertices.count;
     for (int k = 0; k < wave.on_boxes.count; ++k) {
         add_vertex(wave.on_boxes.at.at[k], wave);
     }
-    kernels_->find_surfaces(known_, paths, wave.vertices, true, first_box, wave.vertices.count);
+    kernels_->find_surfaces(wave_scene_, paths, wave.vertices, true, first_box,
+                            wave.vertices.count);
     for (int k = 0; k < wave.on_others.count; ++k) {
         add_other_vertex(wave.on_others.at.at[k], wave);
     }
@@ -226,15 +227,15 @@ void WaveIntegrator::miss(int path, Wave& wave, PathWork& work) const {
     if (constant_sky_) {
         work.add(paths.throughput.get(path) * *constant_sky_, wave.vertex);
     } else {
-        one_.miss(paths.path(path), work);
+        path_integrator_.miss(paths.path(path), work);
     }
 }
 
 void WaveIntegrator::sort(int path, const Hit& hit, Wave& wave, PathWork& work) const {
     using Kind = WaveObjects::Kind;
-    const Kind kind = known_.objects.kind[hit.object];
+    const Kind kind = wave_scene_.objects.kind[hit.object];
     if (wave.vertex > kLastVertex || (kind == Kind::other && !is_plain_[hit.object])) {
-        one_.follow_from(wave.paths().path(path), hit, work);
+        path_integrator_.follow_from(wave.paths().path(path), hit, work);
     } else if (wave.vertex > max_bounces_) {
         return;
     } else if (kind == Kind::other) {
@@ -249,7 +250,7 @@ void WaveIntegrator::sort(int path, const Hit& hit, Wave& wave, PathWork& work) 
 // For balls and boxes: the kernels complete the vertex later.
 void WaveIntegrator::add_vertex(int path, Wave& wave) const {
     const Hit& hit = wave.hits[path];
-    const WaveObjects& objects = known_.objects;
+    const WaveObjects& objects = wave_scene_.objects;
     VertexWave& vertices = wave.vertices;
     const int i = vertices.count++;
     vertices.path.at[i] = path;
@@ -267,7 +268,7 @@ void WaveIntegrator::add_other_vertex(int path, Wave& wave) const {
     const SurfacePoint point = scene_.frame.surface_at(alone.ray, hit);
     Path arrived = alone;
     arrived.width += alone.spread * hit.t;
-    const Surface surface = one_.resolve(arrived, point);
+    const Surface surface = path_integrator_.resolve(arrived, point);
     VertexWave& vertices = wave.vertices;
     const int i = vertices.count++;
     vertices.path.at[i] = path;

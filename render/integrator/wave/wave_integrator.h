@@ -48,11 +48,11 @@ class WaveIntegrator final : public Integrator {
     void trace_shadows(Wave& wave, RenderStatistics& count) const;
 
     TransportScene scene_;
-    PathIntegrator one_;  // for single paths
+    PathIntegrator path_integrator_;  // for single paths
     bool has_light_tracer_;
     int max_bounces_;
     const WaveKernels* kernels_;
-    WaveScene known_;
+    WaveScene wave_scene_;
     std::vector<bool> is_plain_;       // by object
     std::optional<V3f> constant_sky_;  // empty if the sky is not constant
 };

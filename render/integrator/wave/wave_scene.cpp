@@ -22,7 +22,7 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
         light.edge_v = rectangle->edge_v();
         light.normal = rectangle->normal();
         light.radiance = rectangle->radiance();
-        light.fades = rectangle->fades();
+        light.has_falloff = rectangle->has_falloff();
         light.area = 4.0f * light.edge_u.length() * light.edge_v.length();
         light.half_diagonal = (light.edge_u + light.edge_v).length();
         light.samples = first_vertex_samples(lights, index);
@@ -31,7 +31,7 @@ WaveLight known_light(const LightSet& lights, std::size_t index) {
         light.kind = WaveLight::Kind::sphere;
         light.centre = sphere.centre();
         light.radiance = sphere.radiance();
-        light.fades = sphere.fades();
+        light.has_falloff = sphere.has_falloff();
         light.radius = sphere.radius();
     }
     return light;
@@ -45,7 +45,7 @@ WaveObjects::Kind kind_of(const SceneObject& object, bool moves) {
         return Kind::other;
     }
     if (object.is_round) {
-        return moves ? Kind::moving_ball : Kind::still_ball;
+        return moves ? Kind::moving_ball : Kind::static_ball;
     }
     return object.is_upright_box && !moves ? Kind::box : Kind::other;
 }
@@ -87,14 +87,14 @@ WaveScene make_wave_scene(const TransportScene& scene, const PathSettings& setti
         known.light.push_back(known_light(scene.lights, light));
     }
     known.environment_importance = scene.lights.environment().importance();
-    const Caustics::Places& places = caustics.places();
-    known.ball_x = places.x;
-    known.ball_y = places.y;
-    known.ball_z = places.z;
-    known.ball_bounding_radius = places.bounding_radius;
-    known.ball_radius2 = places.radius2;
-    known.ball_gain = places.gain;
-    known.ball_of_object = caustics.place_of_object();
+    const Caustics::BallBounds& bounds = caustics.ball_bounds();
+    known.ball_x = bounds.x;
+    known.ball_y = bounds.y;
+    known.ball_z = bounds.z;
+    known.ball_bounding_radius = bounds.bounding_radius;
+    known.ball_radius2 = bounds.radius2;
+    known.ball_gain = bounds.gain;
+    known.ball_of_object = caustics.ball_of_object();
     known.ball_of_object.resize(scene.frame.object_count(), -1);
     for (std::uint32_t object = 0; object < scene.frame.object_count(); ++object) {
         add_object(scene, object, known.objects);

@@ -23,12 +23,12 @@ struct WaveLight {
     float radius = 0;         // of a sphere
     int samples = 1;          // at a path's first vertex
     bool is_environment = false;
-    bool fades = true;  // see RectangleEmitter::gain
+    bool has_falloff = true;  // see RectangleEmitter::gain
 };
 
 /// Objects by index, as a structure of arrays.
 struct WaveObjects {
-    enum class Kind : std::uint8_t { other, moving_ball, still_ball, box };
+    enum class Kind : std::uint8_t { other, moving_ball, static_ball, box };
     std::vector<Kind> kind;
     // Shape and material, for every kind except `other`.
     std::vector<float> centre_x, centre_y, centre_z;

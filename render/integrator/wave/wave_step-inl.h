@@ -24,19 +24,19 @@ HWY_INLINE void add_shadow_rays(const WaveStep& step, const VertexLanes& v, cons
     const M shines = hn::And(hn::And(wanted, light.valid),
                              hn::And(hn::Gt(side, all(0.f)), hn::Gt(cosine, all(0.f))));
     const F3 value = v.throughput * value_of(v, base) * light.radiance * (weight / pdf);
-    const M seen = hn::And(shines, hn::Gt(largest(value), all(0.f)));
+    const M is_lit = hn::And(shines, hn::Gt(largest(value), all(0.f)));
     ShadowWave& out = step.shadows;
     const int at = k * out.stride + v.first;
     const FloatTag d;
     hn::StoreU(light.direction.x, d, out.x + at);
     hn::StoreU(light.direction.y, d, out.y + at);
     hn::StoreU(light.direction.z, d, out.z + at);
-    hn::StoreU(select(seen, light.distance * all(kOneMinusShadowEpsilon), all(0.f)), d,
+    hn::StoreU(select(is_lit, light.distance * all(kOneMinusShadowEpsilon), all(0.f)), d,
                out.t_max + at);
     hn::StoreU(value.x, d, out.red + at);
     hn::StoreU(value.y, d, out.green + at);
     hn::StoreU(value.z, d, out.blue + at);
-    out.count += static_cast<int>(hn::CountTrue(d, seen));
+    out.count += static_cast<int>(hn::CountTrue(d, is_lit));
 }
 
 HWY_INLINE F environment_sample_count(const WaveStep& step, const VertexLanes& v) {
@@ -50,9 +50,10 @@ HWY_INLINE F environment_sample_count(const WaveStep& step, const VertexLanes& v
     for (std::size_t light = 0; light < step.scene.light.size(); ++light) {
         total = total + importance(step.scene, light, v.position, v.frame.z, v.scatters);
     }
-    const F fraction = all(step.scene.environment_importance) / (all(kAlwaysAbove) * total);
-    return select(hn::Gt(total, all(0.f)), hn::Min(hn::Max(fraction, all(kRarest)), all(1.f)),
-                  all(1.f));
+    const F fraction =
+        all(step.scene.environment_importance) / (all(kFullSamplingFraction) * total);
+    return select(hn::Gt(total, all(0.f)),
+                  hn::Min(hn::Max(fraction, all(kMinEnvironmentSamples)), all(1.f)), all(1.f));
 }
 
 /// Samples every light, at a path's first vertex.
@@ -135,14 +136,15 @@ HWY_INLINE void select_caustics(const WaveStep& step, const VertexLanes& v,
         const M counts = hn::AndNot(is_own, hn::Gt(height, all(0.f)));
         total = total + select(counts, weight, all(0.f));
     }
-    const F roulette = sampler.get_1d(all_words(PathDimensions::kCaustics) + v.place + v.place);
+    const F roulette =
+        sampler.get_1d(all_words(PathDimensions::kCaustics) + v.vertex_index + v.vertex_index);
     const M asks = hn::And(v.scatters, hn::Lt(roulette, total));
     const I index = hn::Iota(IntTag(), v.first);
     store_some(index, asks, step.near_balls.at, step.near_balls.count);
     step.near_balls.count += static_cast<int>(hn::CountTrue(FloatTag(), asks));
 }
 
-struct Onward {
+struct ScatterLanes {
     F3 direction;
     F3 weight;
     F pdf, spread;
@@ -151,25 +153,25 @@ struct Onward {
 };
 
 /// Appends the lanes in `goes` to `next`.
-HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const Onward& onward, F width,
-                        M goes, PathWave& next) {
+HWY_INLINE void proceed(const WaveStep& step, const VertexLanes& v, const ScatterLanes& ray,
+                        F width, M goes, PathWave& next) {
     const int at = next.count;
     store_some(gather(step.paths.slot, v.path), goes, next.slot, at);
-    store_some(onward.branch, goes, next.branch, at);
+    store_some(ray.branch, goes, next.branch, at);
     store_some(v.origin, goes, next.origin, at);
-    store_some(onward.direction, goes, next.direction, at);
+    store_some(ray.direction, goes, next.direction, at);
     store_some(gather(step.paths.time, v.path), goes, next.time, at);
-    store_some(v.throughput * onward.weight, goes, next.throughput, at);
+    store_some(v.throughput * ray.weight, goes, next.throughput, at);
     store_some(width, goes, next.width, at);
-    store_some(onward.spread, goes, next.spread, at);
+    store_some(ray.spread, goes, next.spread, at);
     store_some(v.position, goes, next.last_position, at);
     store_some(v.frame.z, goes, next.last_normal, at);
-    store_some(onward.pdf, goes, next.pdf, at);
+    store_some(ray.pdf, goes, next.pdf, at);
     store_some(v.total_importance, goes, next.total_importance, at);
     store_some(v.environment_samples, goes, next.environment_samples, at);
-    store_some(onward.is_delta, goes, next.is_delta, at);
-    store_some(onward.connects, goes, next.connects, at);
-    store_some(onward.ball, goes, next.connected_ball, at);
+    store_some(ray.is_delta, goes, next.is_delta, at);
+    store_some(ray.connects, goes, next.connects, at);
+    store_some(ray.ball, goes, next.connected_ball, at);
     next.count += static_cast<int>(hn::CountTrue(FloatTag(), goes));
 }
 
@@ -191,7 +193,7 @@ HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const V2& u,
     if (!hn::AllFalse(d, coats)) {
         const F wo_x = dot(v.wo, v.frame.x);
         const F wo_y = dot(v.wo, v.frame.y);
-        Onward reflected;
+        ScatterLanes reflected;
         reflected.direction = unit(v.frame.to_world({hn::Neg(wo_x), hn::Neg(wo_y), v.wo_z}));
         const F weight = v.coat / select(splits, all(1.f), v.coat_choice);
         reflected.weight = {weight, weight, weight};
@@ -220,7 +222,7 @@ HWY_INLINE void scatter(const WaveStep& step, const VertexLanes& v, const V2& u,
         wi = select(by_sheen, sample_cone({used, u.y}, all(1.f)),
                     sample_cosine_hemisphere({used, u.y}));
     }
-    Onward scattered;
+    ScatterLanes scattered;
     scattered.direction = unit(v.frame.to_world(wi));
     const BaseLanes base = base_towards(v, scattered.direction, hn::Max(wi.z, all(0.f)));
     scattered.pdf = probability * base.pdf;
@@ -261,7 +263,7 @@ inline HWY_ATTR void take_step(const WaveStep& step) {
             hn::BitCast(WordTag(), gather(step.samples.pixel_hash, slot)),
             hn::BitCast(WordTag(), gather(step.samples.reversed_sample, slot)));
         F u[4];
-        sampler.get_4d(v.place + v.place, u);
+        sampler.get_4d(v.vertex_index + v.vertex_index, u);
         if (vertex == 0) {
             sample_all_lights(step, v, sampler);
         } else if (has_lights) {

@@ -104,7 +104,7 @@ class Denominator {
         if constexpr (kDivision == Division::early) {
             return numerator * value_;
         } else {
-            return L::turned(numerator, value_);
+            return L::flip_sign(numerator, value_);
         }
     }
     [[nodiscard]] CAROM_KERNEL V whole() const { return whole_; }

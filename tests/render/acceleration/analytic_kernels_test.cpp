@@ -30,7 +30,7 @@ class OtherTier {
 TEST(AnalyticKernels, EveryTier_FindsTheSameShapes) {
     test::TestRandom random(1);
     test::RandomScene scene;
-    scene.add_still(random, 9);
+    scene.add_static(random, 9);
     scene.add_moving(random, 6);
     scene.shapes.moving.clear();
     const HybridStructure best(scene.shapes);

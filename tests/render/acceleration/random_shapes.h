@@ -157,11 +157,11 @@ inline render::TriangleMesh bumpy_ball(float radius, int rings) {
 struct RandomScene {
     render::ShapeSet shapes;
     std::vector<std::unique_ptr<render::TriangleMesh>> meshes;
-    std::vector<render::MeshEntry> still_meshes;
+    std::vector<render::MeshEntry> static_meshes;
     std::shared_ptr<const render::EmbreeDevice> device = render::make_embree_device();
     std::uint32_t object_count = 0;
 
-    void add_still(TestRandom& random, int count) {
+    void add_static(TestRandom& random, int count) {
         for (int i = 0; i < count; ++i) {
             render::SphereSegment sphere;
             sphere.path.c[0] = random_point(random, 2);
@@ -227,16 +227,16 @@ struct RandomScene {
         }
     }
 
-    void add_still_meshes(TestRandom& random, int count) {
+    void add_static_meshes(TestRandom& random, int count) {
         for (int i = 0; i < count; ++i) {
             meshes.push_back(std::make_unique<render::TriangleMesh>(bumpy_ball(0.3f, 10)));
             const V3f place = random_point(random, 2);
             for (V3f& vertex : meshes.back()->vertices) {
                 vertex += place;
             }
-            still_meshes.push_back({meshes.back().get(), object_count++});
+            static_meshes.push_back({meshes.back().get(), object_count++});
         }
-        shapes.meshes = std::make_shared<render::TriangleScene>(device, still_meshes);
+        shapes.meshes = std::make_shared<render::TriangleScene>(device, static_meshes);
     }
 };
 

@@ -20,7 +20,7 @@ struct Structures {
     explicit Structures(const RandomScene& scene)
         : hybrid(scene.shapes),
           tree(scene.shapes, 0),
-          embree(scene.device, scene.shapes, scene.still_meshes) {}
+          embree(scene.device, scene.shapes, scene.static_meshes) {}
     HybridStructure hybrid;
     HybridStructure tree;
     EmbreeStructure embree;
@@ -56,11 +56,11 @@ void expect_same_hits(const RandomScene& scene, int rays, std::uint64_t seed) {
     EXPECT_GT(hits, rays / 3);
 }
 
-TEST(Structures, StillShapes_SameHits) {
+TEST(Structures, StaticShapes_SameHits) {
     TestRandom random(1);
     RandomScene scene;
-    scene.add_still(random, 9);
-    scene.add_still_meshes(random, 3);
+    scene.add_static(random, 9);
+    scene.add_static_meshes(random, 3);
     expect_same_hits(scene, 100'000, 2);
 }
 
@@ -68,8 +68,8 @@ TEST(Structures, MovingShapes_SameHits) {
     TestRandom random(3);
     RandomScene scene;
     scene.add_moving(random, 6);
-    scene.add_still(random, 3);
-    scene.add_still_meshes(random, 2);
+    scene.add_static(random, 3);
+    scene.add_static_meshes(random, 2);
     expect_same_hits(scene, 100'000, 4);
 }
 
@@ -101,20 +101,20 @@ TEST(Structures, Packets_AreAnsweredAsTheirRays) {
     TestRandom random(11);
     RandomScene scene;
     scene.add_moving(random, 6);
-    scene.add_still(random, 3);
+    scene.add_static(random, 3);
     EXPECT_EQ(differing_in_packets(Structures(scene).hybrid, 12), 0);
     EXPECT_EQ(differing_in_packets(HybridStructure(scene.shapes, 0), 12), 0);  // under a tree
     EXPECT_EQ(differing_in_packets(Structures(scene).embree, 12), 0);
     // Embree's packet code rounds differently at the edges of triangles.
-    scene.add_still_meshes(random, 2);
+    scene.add_static_meshes(random, 2);
     EXPECT_LE(differing_in_packets(Structures(scene).hybrid, 13), 2);
 }
 
 TEST(Structures, PacketsWithBadRays_HitNothing) {
     TestRandom random(14);
     RandomScene scene;
-    scene.add_still(random, 9);
-    scene.add_still_meshes(random, 2);
+    scene.add_static(random, 9);
+    scene.add_static_meshes(random, 2);
     const Structures structures(scene);
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     ShadowRayPacket packet;
@@ -186,7 +186,7 @@ TEST(Structures, Batches_AreAnsweredAsTheirRays) {
     TestRandom random(21);
     RandomScene scene;
     scene.add_moving(random, 6);
-    scene.add_still(random, 3);
+    scene.add_static(random, 3);
     constexpr std::size_t kNeverATree = 100'000;
     for (const int count : {1, 15, 16, 17, 64, 65, 20'000}) {
         EXPECT_EQ(differing_in_batches(HybridStructure(scene.shapes, kNeverATree), count, 22), 0);
@@ -194,15 +194,15 @@ TEST(Structures, Batches_AreAnsweredAsTheirRays) {
     EXPECT_EQ(differing_in_batches(HybridStructure(scene.shapes, 0), 20'000, 23), 0);
     EXPECT_EQ(differing_in_batches(Structures(scene).embree, 5'000, 24), 0);
     // Embree's packet code rounds differently at the edges of triangles.
-    scene.add_still_meshes(random, 2);
+    scene.add_static_meshes(random, 2);
     EXPECT_LE(differing_in_batches(HybridStructure(scene.shapes, kNeverATree), 20'000, 25), 2);
 }
 
 TEST(Structures, BatchesWithBadRays_HitNothing) {
     TestRandom random(14);
     RandomScene scene;
-    scene.add_still(random, 9);
-    scene.add_still_meshes(random, 2);
+    scene.add_static(random, 9);
+    scene.add_static_meshes(random, 2);
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     std::vector<Ray> rays(3);
     rays[0].direction = V3f(kNan, 0, 1);
@@ -356,9 +356,9 @@ TEST(Structures, NothingInTheScene_NoHit) {
 TEST(Structures, BadRays_MissInsteadOfAborting) {
     TestRandom random(8);
     RandomScene scene;
-    scene.add_still(random, 2);
+    scene.add_static(random, 2);
     scene.add_moving(random, 2);
-    scene.add_still_meshes(random, 1);
+    scene.add_static_meshes(random, 1);
     const Structures structures(scene);
     const float nan = std::numeric_limits<float>::quiet_NaN();
     std::vector<Ray> bad;
@@ -405,7 +405,7 @@ TEST(Structures, OddIntervalsAndTimes_AreMadeSafe) {
     TestRandom random(9);
     RandomScene scene;
     scene.add_moving(random, 3);
-    scene.add_still_meshes(random, 2);
+    scene.add_static_meshes(random, 2);
     const Structures structures(scene);
     for (int i = 0; i < 5'000; ++i) {
         Ray odd = test::random_ray(random, 2);

@@ -60,9 +60,9 @@ TEST(AnalyticTree, EveryKindOfShape_SameBitsAsBruteForce) {
     for (const int count : {1, 3, 40}) {
         TestRandom random(21);
         RandomScene scene;
-        scene.add_still(random, count);
+        scene.add_static(random, count);
         scene.add_moving(random, count);
-        scene.add_still_meshes(random, 1);
+        scene.add_static_meshes(random, 1);
         compare(scene.shapes, 60'000, 2, 22);
     }
 }
@@ -78,7 +78,7 @@ TEST(AnalyticTree, ManyMovingSpheresWithImpacts_SameBitsAsBruteForce) {
     compare(scene.shapes, 60'000, 2, 24);
 }
 
-TEST(AnalyticTree, ManyStillSpheres_SameBitsAsBruteForce) {
+TEST(AnalyticTree, ManyStaticSpheres_SameBitsAsBruteForce) {
     TestRandom random(25);
     ShapeSet shapes;
     for (std::uint32_t i = 0; i < 5'000; ++i) {
@@ -123,7 +123,7 @@ TEST(AnalyticTree, SpheresAsStarsFarApart_AreAllFound) {
     }
     const HybridStructure tree(shapes, kAlways);
     for (std::uint32_t i = 0; i < 200; ++i) {
-        const StillSphereBlock& block = shapes.blocks.of<StillSphere>().blocks[i / kBlockLanes];
+        const StaticSphereBlock& block = shapes.blocks.of<StaticSphere>().blocks[i / kBlockLanes];
         const V3f centre(block.centre[0].values[i % kBlockLanes], 0, 0);
         Ray ray;
         ray.origin = centre + V3f(0, 0, -1);

@@ -26,8 +26,8 @@ CameraState some_camera() {
     return state;
 }
 
-ThinLensCamera still(const CameraState& state, PixelFilter filter = PixelFilter::box,
-                     double filter_width = 1) {
+ThinLensCamera static_camera(const CameraState& state, PixelFilter filter = PixelFilter::box,
+                             double filter_width = 1) {
     return {state, state, kWidth, kHeight, 0, filter, filter_width};
 }
 
@@ -57,7 +57,7 @@ TEST(ThinLensCamera, PinholeAtOrigin_KnownPointsProjectWhereTheyShould) {
     state.target = Vec3(0, 1, 0);
     state.up = Vec3(0, 0, 1);
     state.vertical_fov = 2 * std::atan(0.5);  // the picture is one unit high at distance 1
-    const ThinLensCamera camera = still(state);
+    const ThinLensCamera camera = static_camera(state);
     EXPECT_NEAR((*camera.project(V3f(0, 1, 0), 0) - V2f(320, 180)).length(), 0, 1e-4);
     EXPECT_NEAR((*camera.project(V3f(0, 1, 0.5f), 0) - V2f(320, 0)).length(), 0, 1e-4);
     EXPECT_NEAR((*camera.project(V3f(0, 2, -1), 0) - V2f(320, 360)).length(), 0, 1e-4);
@@ -67,7 +67,7 @@ TEST(ThinLensCamera, PinholeAtOrigin_KnownPointsProjectWhereTheyShould) {
 }
 
 TEST(ThinLensCamera, PinholeRays_PassThroughThePointsTheyShow) {
-    const ThinLensCamera camera = still(some_camera());
+    const ThinLensCamera camera = static_camera(some_camera());
     test::TestRandom random(1);
     for (int i = 0; i < 2000; ++i) {
         const CameraSample sample = random_sample(random);
@@ -83,7 +83,7 @@ TEST(ThinLensCamera, PinholeRays_PassThroughThePointsTheyShow) {
 
 TEST(ThinLensCamera, NoApertureNoShutter_ExactlyThePinholeRays) {
     // Lens and time of the sample do not change a single bit.
-    const ThinLensCamera camera = still(some_camera());
+    const ThinLensCamera camera = static_camera(some_camera());
     test::TestRandom random(2);
     for (int i = 0; i < 2000; ++i) {
         CameraSample a = random_sample(random);
@@ -101,9 +101,9 @@ TEST(ThinLensCamera, NoApertureNoShutter_ExactlyThePinholeRays) {
 TEST(ThinLensCamera, FocusPlane_IsSharpAndPerpendicularToTheAxis) {
     CameraState state = some_camera();
     state.lens_radius = 0.05;
-    const ThinLensCamera lens = still(state);
+    const ThinLensCamera lens = static_camera(state);
     state.lens_radius = 0;
-    const ThinLensCamera pinhole = still(state);
+    const ThinLensCamera pinhole = static_camera(state);
     test::TestRandom random(3);
     for (int i = 0; i < 2000; ++i) {
         const CameraSample sample = random_sample(random);
@@ -119,7 +119,7 @@ TEST(ThinLensCamera, CircleOfConfusion_HasItsClosedForm) {
     // At depth z a point in focus at f spreads over a disk of radius A |z - f| / f.
     CameraState state = some_camera();
     state.lens_radius = 0.04;
-    const ThinLensCamera camera = still(state);
+    const ThinLensCamera camera = static_camera(state);
     test::TestRandom random(4);
     for (const float depth : {0.7f, 1.5f, 3.f, 8.f}) {
         const V3f middle = at_depth(camera, camera.ray(320, 180, centre()), depth);
@@ -149,7 +149,7 @@ TEST(ThinLensCamera, Blades_LensPointsFormThePolygon) {
     state.lens_radius = 0.05;
     state.blades = 5;
     state.blade_rotation = 0.3;
-    const ThinLensCamera camera = still(state);
+    const ThinLensCamera camera = static_camera(state);
     const CameraFrame frame = camera.frame_at(0);
     test::TestRandom random(5);
     float largest = 0;
@@ -176,8 +176,8 @@ TEST(ThinLensCamera, MovingCamera_EndsAreTheStates) {
     close.roll = 0.05;
     close.vertical_fov = 0.58;
     const ThinLensCamera moving(open, close, kWidth, kHeight, 0, PixelFilter::box, 1);
-    const ThinLensCamera at_open = still(open);
-    const ThinLensCamera at_close = still(close);
+    const ThinLensCamera at_open = static_camera(open);
+    const ThinLensCamera at_close = static_camera(close);
     test::TestRandom random(6);
     for (int i = 0; i < 500; ++i) {
         CameraSample sample = random_sample(random);
@@ -213,7 +213,7 @@ TEST(ThinLensCamera, MovingCamera_FrameStaysOrthonormalAndAimed) {
 TEST(ThinLensCamera, Roll_TurnsThePictureClockwise) {
     CameraState state = some_camera();
     state.roll = 0.1;
-    const ThinLensCamera camera = still(state);
+    const ThinLensCamera camera = static_camera(state);
     const V2f above = *camera.project(V3f(state.target + Vec3(0, 0, 0.1)), 0);
     EXPECT_GT(above.x, 320);
     EXPECT_LT(above.y, 180);
@@ -243,7 +243,7 @@ TEST(ThinLensCamera, RayTimes_FollowTheTrapezoid) {
 }
 
 TEST(ThinLensCamera, Filter_SpreadsRaysAroundThePixelsCentre) {
-    const ThinLensCamera camera = still(some_camera(), PixelFilter::blackman_harris, 3);
+    const ThinLensCamera camera = static_camera(some_camera(), PixelFilter::blackman_harris, 3);
     test::TestRandom random(8);
     double mean = 0;
     float farthest = 0;
@@ -262,7 +262,7 @@ TEST(ThinLensCamera, PixelSolidAngles_SumToThePicture) {
     // Solid angle of a rectangle at distance 1 with half sides a, b: 4 atan(a b / sqrt(1+a^2+b^2)).
     CameraState state = some_camera();
     state.vertical_fov = 0.02;  // all pixels have nearly the same solid angle
-    const ThinLensCamera camera = still(state);
+    const ThinLensCamera camera = static_camera(state);
     const double b = std::tan(0.01);
     const double a = b * kWidth / kHeight;
     EXPECT_NEAR(static_cast<double>(camera.pixel_solid_angle()) * kWidth * kHeight,
@@ -271,7 +271,7 @@ TEST(ThinLensCamera, PixelSolidAngles_SumToThePicture) {
 
 std::string message(const CameraState& state) {
     try {
-        const ThinLensCamera camera = still(state);
+        const ThinLensCamera camera = static_camera(state);
     } catch (const Error& error) {
         return error.what();
     }
@@ -321,11 +321,11 @@ TEST(ThinLensCamera, Arrival_UndoesRay) {
             const ThinLensCamera::Aperture aperture = camera.aperture(sample);
             EXPECT_EQ(aperture.time, ray.time);
             EXPECT_EQ(aperture.position, ray.origin);
-            const auto arrival = camera.arrival(aperture, ray.direction);
+            const auto arrival = camera.image_point(aperture, ray.direction);
             ASSERT_TRUE(arrival);
-            EXPECT_NEAR(arrival->place.x, static_cast<float>(x) + sample.pixel.x, 2e-3f);
-            EXPECT_NEAR(arrival->place.y, static_cast<float>(y) + sample.pixel.y, 2e-3f);
-            EXPECT_FALSE(camera.arrival(aperture, -ray.direction));
+            EXPECT_NEAR(arrival->position.x, static_cast<float>(x) + sample.pixel.x, 2e-3f);
+            EXPECT_NEAR(arrival->position.y, static_cast<float>(y) + sample.pixel.y, 2e-3f);
+            EXPECT_FALSE(camera.image_point(aperture, -ray.direction));
         }
     }
 }
@@ -333,7 +333,7 @@ TEST(ThinLensCamera, Arrival_UndoesRay) {
 TEST(ThinLensCamera, PixelSolidAngle_IsThatBetweenItsCorners) {
     CameraState state = some_camera();
     state.lens_radius = 0.05;
-    const ThinLensCamera camera = still(state);
+    const ThinLensCamera camera = static_camera(state);
     CameraSample sample = centre();
     sample.lens = V2f(0.9f, 0.2f);
     const ThinLensCamera::Aperture aperture = camera.aperture(sample);
@@ -346,7 +346,7 @@ TEST(ThinLensCamera, PixelSolidAngle_IsThatBetweenItsCorners) {
         const V3f across = (toward(3, 0) - toward(-3, 0)) / 6;
         const V3f down = (toward(0, 3) - toward(0, -3)) / 6;
         const double solid_angle = static_cast<double>(across.cross(down).length());
-        EXPECT_NEAR(static_cast<double>(camera.arrival(aperture, middle)->pixel_solid_angle),
+        EXPECT_NEAR(static_cast<double>(camera.image_point(aperture, middle)->pixel_solid_angle),
                     solid_angle, 1e-3 * solid_angle)
             << x;
     }

@@ -160,7 +160,7 @@ struct Spots {
         builder.lamp(Vec3(0.5, 0.3, 1.6), 0.4, 0.3, 12).environment(0.02);
         CameraState state = test::camera(Vec3(0, -2, 1.2), Vec3(0, 0, 0.2), 0.6);
         state.lens_radius = 0.02;
-        frame = test::still_frame(state);
+        frame = test::static_frame(state);
     }
 };
 

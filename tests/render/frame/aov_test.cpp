@@ -14,7 +14,7 @@ using test::camera;
 using test::plane;
 using test::SceneBuilder;
 using test::small_settings;
-using test::still_frame;
+using test::static_frame;
 
 RenderSettings with_all_aovs(int samples) {
     RenderSettings settings = small_settings(32, 18, samples);
@@ -54,7 +54,7 @@ TEST(Aovs, StandingScene_IsExactAndWithoutNoise) {
     const SceneBuilder builder = wall_and_box();
     const RenderSettings settings = with_all_aovs(4);
     const std::vector<sim::Track> tracks{test::resting_track("box", Vec3(0, 1.6, 0))};
-    const FrameInput frame = still_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
+    const FrameInput frame = static_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
     const PreparedScene scene(builder.scene, settings);
     const Film film = render_frame(scene, tracks, frame, settings);
     ASSERT_EQ(film.aovs.size(), 11u);
@@ -88,7 +88,7 @@ TEST(Aovs, MoreSamples_ChangeNoDepthIdOrMotion) {
         test::straight_track("box", Vec3(-0.2, 1.6, 0), Vec3(0.2, 1.6, 0), 0, 0.02)};
     CameraState state = camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8);
     state.lens_radius = 0.05;
-    FrameInput frame = still_frame(state);
+    FrameInput frame = static_frame(state);
     frame.scene_close = 0.02;
     const RenderSettings few = with_all_aovs(1);
     const RenderSettings many = with_all_aovs(9);
@@ -110,7 +110,7 @@ TEST(Aovs, PlanesWithoutNoise_HaveTheirBytes) {
         test::straight_track("ball", Vec3(0.3, 1.4, 0.1), Vec3(0.25, 1.3, 0.1), 0, 0.02)};
     CameraState state = camera(Vec3(0, 0, 0), Vec3(0.05, 1, 0.1), 0.8);
     state.lens_radius = 0.02;
-    FrameInput frame = still_frame(state);
+    FrameInput frame = static_frame(state);
     frame.scene_close = 0.02;
     RenderSettings settings = small_settings(32, 18, 2);
     settings.aovs = {"depth", "motion", "object_id", "material_id"};
@@ -131,7 +131,7 @@ TEST(Aovs, MovingBox_HasItsMotionInPixels) {
     // 0.1 m to the right and 0.05 m up at 1.5 m (the box's front): in pixels of 2 tan(0.4) / 18.
     const std::vector<sim::Track> tracks{
         test::straight_track("box", Vec3(-0.05, 1.6, 0), Vec3(0.05, 1.6, 0.05), 0, 0.02)};
-    FrameInput frame = still_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
+    FrameInput frame = static_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
     frame.scene_close = 0.02;
     const Film film = render_frame(PreparedScene(builder.scene, settings), tracks, frame, settings);
     const double pixel = 1.5 * 2 * std::tan(0.4) / 18;
@@ -145,7 +145,7 @@ TEST(Aovs, MovingCamera_MovesTheBackgroundToo) {
     SceneBuilder builder;
     builder.environment(1);
     const RenderSettings settings = with_all_aovs(1);
-    FrameInput frame = still_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
+    FrameInput frame = static_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
     frame.camera_close.target = Vec3(0.1, 1, 0);
     frame.scene_close = 0.02;
     const Film film = render_frame(PreparedScene(builder.scene, settings), {}, frame, settings);
@@ -167,7 +167,7 @@ TEST(Cryptomatte, BlurAndDefocus_CoveragesAddUpToAlpha) {
         test::straight_track("box", Vec3(-0.2, 1.6, 0), Vec3(0.2, 1.6, 0.1), 0, 0.02)};
     CameraState state = camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8);
     state.lens_radius = 0.05;
-    FrameInput frame = still_frame(state);
+    FrameInput frame = static_frame(state);
     frame.scene_close = 0.02;
     for (const double noise : {0.0, 0.05}) {
         RenderSettings settings = small_settings(32, 18, 32);
@@ -208,7 +208,7 @@ TEST(Aovs, MaterialId_IsThatOfTheScene) {
     RenderSettings settings = small_settings(32, 18, 1);
     settings.aovs = {"material_id", "object_id"};
     const std::vector<sim::Track> tracks{test::resting_track("box", Vec3(0, 1.6, 0))};
-    const FrameInput frame = still_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
+    const FrameInput frame = static_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
     const Film film = render_frame(PreparedScene(builder.scene, settings), tracks, frame, settings);
     for (std::size_t i = 0; i < 32u * 18u; ++i) {
         const float object = plane(film, "object_id.X")[i];
@@ -220,7 +220,7 @@ TEST(Aovs, Variance_IsTheMeansAndFallsWithSamples) {
     SceneBuilder builder;
     builder.diffuse("wall", 0.5).environment(0.1).lamp(Vec3(0, 1, 1), 0.4, 0.4, 5);
     builder.object("wall", BoxShape{Vec3(10, 0.2, 10)}, Vec3(0, 2.1, 0), "wall");
-    const FrameInput frame = still_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
+    const FrameInput frame = static_frame(camera(Vec3(0, 0, 0), Vec3(0, 1, 0), 0.8));
     const auto mean_variance = [&](int samples) {
         const RenderSettings settings = with_all_aovs(samples);
         const Film film = render_frame(PreparedScene(builder.scene, settings), {}, frame, settings);

@@ -13,7 +13,7 @@ using test::camera;
 using test::pixel;
 using test::SceneBuilder;
 using test::small_settings;
-using test::still_frame;
+using test::static_frame;
 
 constexpr double kDistance = 400;  // m: far enough for the projection to be practically parallel
 constexpr double kPixel = 0.05;    // m at that distance
@@ -42,7 +42,7 @@ SceneBuilder one_ball(double radius) {
 Film render_ball(double radius, const sim::Track& track, double open, double close, int samples) {
     const SceneBuilder builder = one_ball(radius);
     const RenderSettings settings = small_settings(kWidth, kHeight, samples);
-    FrameInput frame = still_frame(far_camera());
+    FrameInput frame = static_frame(far_camera());
     frame.scene_open = open;
     frame.scene_close = close;
     const std::vector<sim::Track> tracks{track};
@@ -113,7 +113,7 @@ TEST(DepthOfField, ZeroAperture_EqualsThePinholeExactlyWhereverItIsFocused) {
     const RenderSettings settings = small_settings(kWidth, kHeight, 8);
     const PreparedScene scene(builder.scene, settings);
     const std::vector<sim::Track> tracks{test::resting_track("ball", Vec3(0, 0, 0))};
-    FrameInput frame = still_frame(far_camera());
+    FrameInput frame = static_frame(far_camera());
     const Film pinhole = render_frame(scene, tracks, frame, settings);
     frame.camera_open.focus_distance = frame.camera_close.focus_distance = 3;
     frame.camera_open.blades = frame.camera_close.blades = 6;
@@ -129,7 +129,7 @@ TEST(DepthOfField, SmallSpotOutOfFocus_SpreadsOverTheCircleOfConfusion) {
     state.focus_distance = 2 * kDistance;
     state.lens_radius = 1.2;  // spot radius 0.6
     const Film film =
-        render_frame(PreparedScene(builder.scene, settings), {}, still_frame(state), settings);
+        render_frame(PreparedScene(builder.scene, settings), {}, static_frame(state), settings);
     const double spot = 0.6;
     double inside = 0;
     for (int row = 0; row < kHeight; ++row) {

@@ -43,7 +43,7 @@ SceneBuilder scene() {
 FrameInput frame(double lens_radius) {
     CameraState state = test::camera(Vec3(-0.1, -0.4, 0.2), Vec3(0.02, 0, 0.02), 0.6);
     state.lens_radius = lens_radius;
-    FrameInput frame = test::still_frame(state);
+    FrameInput frame = test::static_frame(state);
     frame.scene_close = 0.02;
     frame.switch_ratio = 0.2;
     return frame;

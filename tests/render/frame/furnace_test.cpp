@@ -11,7 +11,7 @@ namespace {
 using test::camera;
 using test::SceneBuilder;
 using test::small_settings;
-using test::still_frame;
+using test::static_frame;
 
 /// Radiance of the wall of a diffuse hollow sphere (radius 1) with a small black lamp of radius r
 /// at its centre, after at most `bounces` reflections from wall to wall. The lamp gives the wall
@@ -34,7 +34,7 @@ double rendered_hollow_sphere(double albedo, int bounces, int samples) {
     RenderSettings settings = small_settings(32, 32, samples);
     settings.max_bounces = bounces;
     // Looking past the lamp at the wall.
-    const FrameInput frame = still_frame(camera(Vec3(0, -0.5, 0.3), Vec3(0, -0.9, 0.9), 0.6));
+    const FrameInput frame = static_frame(camera(Vec3(0, -0.5, 0.3), Vec3(0, -0.9, 0.9), 0.6));
     return test::mean_red(
         render_frame(PreparedScene(builder.scene, settings), {}, frame, settings));
 }
@@ -72,7 +72,7 @@ Film ball_in_furnace(const StandardMaterial& material, bool moving, double lens_
     settings.max_bounces = bounces;
     CameraState state = camera(Vec3(0, -3, 0), Vec3(0, 0, 0), 0.45);
     state.lens_radius = lens_radius;
-    FrameInput frame = still_frame(state);
+    FrameInput frame = static_frame(state);
     frame.scene_close = 0.02;
     const std::vector<sim::Track> tracks{
         moving ? test::straight_track("ball", Vec3(-0.3, 0, 0), Vec3(0.3, 0, 0), 0, 0.02)
@@ -151,7 +151,7 @@ TEST(Furnace, WhitePhongBalls_CannotBeSeen) {
         builder.sphere("ball", 0.5, Vec3(0, 0, 0), "skin");
         RenderSettings settings = small_settings(24, 24, 1024);
         settings.max_bounces = 4;
-        const FrameInput frame = still_frame(camera(Vec3(0, -3, 0), Vec3(0, 0, 0), 0.3));
+        const FrameInput frame = static_frame(camera(Vec3(0, -3, 0), Vec3(0, 0, 0), 0.3));
         const double mean = test::mean_red(
             render_frame(PreparedScene(builder.scene, settings), {}, frame, settings));
         EXPECT_NEAR(mean, 1, 0.005);
@@ -170,7 +170,7 @@ TEST(Furnace, GlassBoxWithColourInDepth_DimsByBeerAndLambert) {
     builder.object("slab", BoxShape{Vec3(4, 0.2, 4)}, Vec3(0, 0, 0), "glass");
     RenderSettings settings = small_settings(16, 16, 1024);
     settings.max_bounces = 12;
-    const FrameInput frame = still_frame(camera(Vec3(0, -3, 0), Vec3(0, 0, 0), 0.02));
+    const FrameInput frame = static_frame(camera(Vec3(0, -3, 0), Vec3(0, 0, 0), 0.02));
     const double mean =
         test::mean_red(render_frame(PreparedScene(builder.scene, settings), {}, frame, settings));
     constexpr double kF = 0.04;

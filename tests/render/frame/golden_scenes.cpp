@@ -30,7 +30,7 @@ SceneBuilder two_balls(const StandardMaterial& material) {
 
 GoldenScene seen(std::string name, const SceneBuilder& builder) {
     GoldenScene scene{std::move(name), builder.scene, small_settings(kWidth, kHeight, kSamples),
-                      still_frame(camera(Vec3(0, -2, 0.9), Vec3(0, 0, 0.25), 0.6))};
+                      static_frame(camera(Vec3(0, -2, 0.9), Vec3(0, 0, 0.25), 0.6))};
     scene.settings.max_bounces = 3;
     scene.settings.clamp = 0;
     return scene;

@@ -15,7 +15,7 @@ namespace {
 using test::camera;
 using test::SceneBuilder;
 using test::small_settings;
-using test::still_frame;
+using test::static_frame;
 
 /// Some of everything: moving coated balls, cloth, lamp, bulb, sky.
 SceneBuilder table() {
@@ -42,7 +42,7 @@ std::vector<sim::Track> table_tracks() {
 FrameInput table_frame() {
     CameraState state = camera(Vec3(-0.1, -0.4, 0.2), Vec3(0, 0, 0.02), 0.6);
     state.lens_radius = 0.004;
-    FrameInput frame = still_frame(state);
+    FrameInput frame = static_frame(state);
     frame.scene_close = 0.02;
     frame.switch_ratio = 0.2;
     return frame;
@@ -137,7 +137,7 @@ TEST(RenderFrame, StopRequestedWhileRendering_EndsSoon) {
 TEST(RenderFrame, EmptyScene_IsBlackAndTransparent) {
     const RenderSettings settings = small_settings(17, 3, 2);
     const Film film =
-        render_frame(PreparedScene({}, settings), {}, still_frame(CameraState{}), settings);
+        render_frame(PreparedScene({}, settings), {}, static_frame(CameraState{}), settings);
     ASSERT_EQ(film.rgba.size(), 17u * 3u * 4u);
     for (const float value : film.rgba) {
         EXPECT_EQ(value, 0);
@@ -149,7 +149,7 @@ TEST(RenderFrame, Clamp_BoundsIndirectLightAndNothingElse) {
     builder.diffuse("wall", 0.8).sphere("wall", 1, Vec3(0, 0, 0), "wall");
     builder.bulb(Vec3(0, 0, 0), 0.1, 100);
     RenderSettings settings = small_settings(8, 8, 8);
-    const FrameInput frame = still_frame(camera(Vec3(0, -0.5, 0.3), Vec3(0, -0.9, 0.9), 0.6));
+    const FrameInput frame = static_frame(camera(Vec3(0, -0.5, 0.3), Vec3(0, -0.9, 0.9), 0.6));
     const PreparedScene scene(builder.scene, settings);
     settings.max_bounces = 0;
     const double direct = test::mean_red(render_frame(scene, {}, frame, settings));

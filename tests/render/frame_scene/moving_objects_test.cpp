@@ -225,7 +225,7 @@ TEST(FrameScene, StructuresAgreeOnAWholeScene) {
 }
 
 // Static shapes stay in one tree from frame to frame, unless too many others move.
-TEST(FrameScene, StructuresAgreeOnManyStillBalls) {
+TEST(FrameScene, StructuresAgreeOnManyStaticBalls) {
     for (const int moving : {0, 5, 500}) {
         SceneBuilder builder;
         TestRandom random(4);

@@ -77,17 +77,17 @@ TEST(RigidMotion, WholeTurnsBetweenKeys_AreNotMissed) {
     a.angular_velocity_out = rate;
     b.angular_velocity_in = rate;
     const RigidMotion motion(sim::Track("top", {a, b}), 0, 1);
-    EXPECT_FALSE(motion.is_still());
+    EXPECT_FALSE(motion.is_static());
     const V3f x = rotate(motion.world_from_body(0.125f), V3f(1, 0, 0));
     EXPECT_NEAR((x - V3f(0, 1, 0)).length(), 0, 1e-4);
 }
 
-TEST(RigidMotion, RestingObject_IsStillAndOnePiece) {
+TEST(RigidMotion, RestingObject_IsStaticAndOnePiece) {
     const sim::Key a = key(0, Vec3(1, 2, 3), Vec3(0));
     const sim::Key b = key(1, Vec3(1, 2, 3), Vec3(0));
     const sim::Key c = key(2, Vec3(1, 2, 3), Vec3(0));
     const RigidMotion motion(sim::Track("one", {a, b, c}), 0.5, 3);
-    EXPECT_TRUE(motion.is_still());
+    EXPECT_TRUE(motion.is_static());
     EXPECT_EQ(motion.path().size(), 1u);
     EXPECT_EQ(motion.position(0.7f), V3f(1, 2, 3));
 }
@@ -96,7 +96,7 @@ TEST(RigidMotion, ZeroLengthShutter_StandsStill) {
     const sim::Track track = bouncing();
     for (const double time : {0.3, 0.51, -1.0, 5.0}) {
         const RigidMotion motion(track, time, time);
-        EXPECT_TRUE(motion.is_still());
+        EXPECT_TRUE(motion.is_static());
         EXPECT_EQ(motion.position(0), motion.position(0.9f));
         EXPECT_EQ(motion.position(0.4f), V3f(track.sample(time).position));
         EXPECT_LE(angle_to(motion.world_from_body(0.5f), track.sample(time).orientation), 1e-6);

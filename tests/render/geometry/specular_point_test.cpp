@@ -62,7 +62,7 @@ TEST(SpecularPoint, Spread_IsThatOfNeighbouringRays) {
         const auto point = specular_point(a, b, centre, radius);
         ASSERT_TRUE(point);
         using Imath::V3d;
-        const auto landing = [&](const V3d& direction) {
+        const auto point_in_plane = [&](const V3d& direction) {
             const V3d origin(a);
             const double along = -origin.dot(direction);
             const double half = std::sqrt(static_cast<double>(radius * radius) -
@@ -76,10 +76,10 @@ TEST(SpecularPoint, Spread_IsThatOfNeighbouringRays) {
         const V3d direction = V3d(point->position - a).normalized();
         const OrthonormalBasis basis = OrthonormalBasis::around(V3f(direction));
         const double step = 1e-4;
-        const V3d du = landing((direction + V3d(basis.x) * step).normalized()) -
-                       landing((direction - V3d(basis.x) * step).normalized());
-        const V3d dv = landing((direction + V3d(basis.y) * step).normalized()) -
-                       landing((direction - V3d(basis.y) * step).normalized());
+        const V3d du = point_in_plane((direction + V3d(basis.x) * step).normalized()) -
+                       point_in_plane((direction - V3d(basis.x) * step).normalized());
+        const V3d dv = point_in_plane((direction + V3d(basis.y) * step).normalized()) -
+                       point_in_plane((direction - V3d(basis.y) * step).normalized());
         const double area = du.cross(dv).length() / (4 * step * step);
         EXPECT_NEAR(static_cast<double>(point->spread) * area, 1, 2e-3);
     }

@@ -76,8 +76,8 @@ Estimate seen(const PreparedScene& prepared, bool splats, int runs, int samples)
         }
         for (std::size_t pair = 0; splats && pair < tracer.pair_count(); ++pair) {
             for (const Splat& splat : tracer.splats(pair, samples, seed, count)) {
-                const bool inside = splat.place.x >= 0 && splat.place.x < kSize &&
-                                    splat.place.y >= 0 && splat.place.y < kSize;
+                const bool inside = splat.position.x >= 0 && splat.position.x < kSize &&
+                                    splat.position.y >= 0 && splat.position.y < kSize;
                 sum += inside ? static_cast<double>(luminance(splat.flux)) : 0;
             }
         }

@@ -266,7 +266,7 @@ std::vector<float> small_picture() {
     builder.object("bed", render::BoxShape{Vec3(1, 1, 0.02)}, Vec3(0, 0, 0), "nap");
     const render::RenderSettings settings = small_settings(kSide, kSide, 16);
     const render::PreparedScene prepared(builder.scene, settings);
-    render::FrameInput frame = still_frame(camera(Vec3(0.3, -1.6, 1.1), Vec3(0, 0, 0.05), 0.8));
+    render::FrameInput frame = static_frame(camera(Vec3(0.3, -1.6, 1.1), Vec3(0, 0, 0.05), 0.8));
     frame.scene_close = kShutter;
     return render::render_frame(prepared, table_tracks(), frame, settings).rgba;
 }

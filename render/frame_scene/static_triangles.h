@@ -12,7 +12,7 @@ namespace carom::render {
 
 /// World axes, corners counter-clockwise seen from the front. Empty for objects with a track and
 /// for round and infinite shapes.
-[[nodiscard]] std::vector<std::array<V3f, 3>> still_triangles(const StaticGeometry& geometry,
-                                                              std::uint32_t object);
+[[nodiscard]] std::vector<std::array<V3f, 3>> static_triangles(const StaticGeometry& geometry,
+                                                               std::uint32_t object);
 
 }  // namespace carom::render

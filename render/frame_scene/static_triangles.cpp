@@ -1,4 +1,4 @@
-#include "render/frame_scene/still_triangles.h"
+#include "render/frame_scene/static_triangles.h"
 
 #include <utility>
 
@@ -47,7 +47,7 @@ std::vector<Triangle> of_mesh(const TriangleMesh& mesh) {
 
 }  // namespace
 
-std::vector<Triangle> still_triangles(const StaticGeometry& geometry, std::uint32_t index) {
+std::vector<Triangle> static_triangles(const StaticGeometry& geometry, std::uint32_t index) {
     const SceneObject& object = geometry.data().objects[index];
     if (object.is_tracked()) {
         return {};
