@@ -9,7 +9,7 @@
 namespace carom::pipeline {
 
 enum class Motion {
-    still,
+    at_rest,
     sliding,
     rolling,
     airborne,  // more than a millimetre above the cloth

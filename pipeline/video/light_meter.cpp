@@ -43,7 +43,7 @@ void LightMeter::add(std::span<const std::uint16_t> signal) {
 }
 
 LightLevels LightMeter::levels() const {
-    return {rounded(brightest_), whole(brightest_mean_)};
+    return {rounded(brightest_), rounded(brightest_mean_)};
 }
 
 }  // namespace carom::pipeline
