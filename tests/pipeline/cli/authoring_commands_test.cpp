@@ -170,7 +170,7 @@ TEST_F(AuthoringCommands, ImportTrackOfABrokenTable_SaysWhereAndIsExitCode2) {
     const RunResult result = run({"import-track", "t.csv"});
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(result.out, "");
-    EXPECT_THAT(result.err, HasSubstr("t.csv:2:7: error: 'z': 'a' is not a number"));
+    EXPECT_THAT(result.err, HasSubstr("t.csv:2:7: error: 'z' must be a number, not 'a'"));
     EXPECT_THAT(result.err,
                 HasSubstr("t.csv:3:1: error: this row has 3 values, but the table has 4 columns"));
     EXPECT_THAT(result.err, HasSubstr("carom: error: 't.csv' has 2 errors"));
