@@ -73,7 +73,7 @@ void check_what_is_compared(const CompareCommand& command) {
     }
     if (command.input.path.empty() &&
         (!command.input.overrides.empty() || !command.input.quality.empty() || command.frame)) {
-        throw InputError("--set, --quality and --frame are for shots alone");
+        throw InputError("--set, --quality and --frame can be used only with a shot");
     }
     check_output_folder(command.output);
     check_output_folder(command.csv);

@@ -32,7 +32,7 @@ AccelerationKind kind_of(const std::string& name) {
     const auto found =
         std::ranges::find(render::kAccelerationNames, name, &render::AccelerationName::name);
     if (found == render::kAccelerationNames.end()) {
-        throw Error("there is no structure '" + name + "'; there are " + all_names() + ", and all");
+        throw Error("unknown structure '" + name + "'; use one of " + all_names() + ", or all");
     }
     return found->kind;
 }
@@ -248,7 +248,7 @@ std::vector<AccelerationKind> structures_from_text(const std::string& text) {
         kinds.push_back(kind);
     }
     if (kinds.empty()) {
-        throw Error("no structure is named; there are " + all_names() + ", and all");
+        throw Error("no structure is given; use one of " + all_names() + ", or all");
     }
     return kinds;
 }

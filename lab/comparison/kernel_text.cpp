@@ -143,7 +143,7 @@ std::string names_text() {
     for (int i = 0; i < kKernelCount; ++i) {
         names += std::string(name(static_cast<KernelName>(i))) + ", ";
     }
-    return names + "and all";
+    return names + "or all";
 }
 
 }  // namespace
@@ -161,7 +161,7 @@ std::vector<KernelName> kernels_from_text(const std::string& text) {
         const std::string name = text.substr(begin, end - begin);
         const auto kernel = find_kernel(name);
         if (!kernel) {
-            throw Error("there is no kernel '" + name + "'; there are " + names_text());
+            throw Error("unknown kernel '" + name + "'; use one of " + names_text());
         }
         if (std::ranges::find(kernels, *kernel) != kernels.end()) {
             throw Error("the kernel '" + name + "' is named twice");

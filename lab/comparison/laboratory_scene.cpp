@@ -49,7 +49,7 @@ LaboratoryScene make_laboratory_scene(const std::string& name) {
         }
         names += (names.empty() ? "" : ", ") + std::string(generator.name.name);
     }
-    throw Error("there is no scene '" + name + "'; there are " + names);
+    throw Error("unknown scene '" + name + "'; use one of " + names);
 }
 
 }  // namespace carom::pipeline

@@ -26,8 +26,8 @@ using scene_text::yaml;
 
 constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 constexpr std::size_t kMostKeys = 1000;  // of a motion
-constexpr double kShortWay =
-    0.9 * std::numbers::pi;  // up to this angle the end orientation determines a turn
+// Up to this angle the end orientation determines a turn.
+constexpr double kUnambiguousTurn = 0.9 * std::numbers::pi;
 constexpr double kFarthestTurn = 200 * std::numbers::pi;  // between two keys
 constexpr double kGap = 1e-6;  // s, between the two keys of a velocity jump
 
@@ -209,7 +209,7 @@ class Motion {
     [[nodiscard]] bool is_ambiguous(std::size_t begin, std::size_t end) const {
         const double angle = turned(begin, end);
         return end > begin + 1 &&
-               (angle > kFarthestTurn || (angle > kShortWay && !whole_turn(begin, end)));
+               (angle > kFarthestTurn || (angle > kUnambiguousTurn && !whole_turn(begin, end)));
     }
 
     void make_keys() {
@@ -225,7 +225,7 @@ class Motion {
             if (!options_.is_linear) {
                 key.velocity = rows_[i].velocity;
             }
-            if (has_turns_ && i > 0 && turned(last, i) > kShortWay) {
+            if (has_turns_ && i > 0 && turned(last, i) > kUnambiguousTurn) {
                 key.turn = whole_turn(last, i);
             }
             if (has_turns_ && !key.turn) {

@@ -40,7 +40,7 @@ void check(const CameraState& state) {
         refuse("the lens radius must not be negative");
     }
     if (state.blades != 0 && state.blades < 3) {
-        refuse("a lens has no blades or at least 3");
+        refuse("the number of lens blades must be 0 or at least 3");
     }
 }
 

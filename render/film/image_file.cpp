@@ -121,7 +121,7 @@ void write_pixels(const std::string& path, const std::string& format, const OIIO
                   const OIIO::TypeDesc& type, const void* pixels) {
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
     if (!output) {
-        refuse(path, "no picture can be written in that format: " + reason(OIIO::geterror()));
+        refuse(path, "this image format is not supported: " + reason(OIIO::geterror()));
     }
     // Writes to memory first, because the library's own file output loses the error of the last
     // write.

@@ -27,8 +27,7 @@ std::string listed(const std::vector<std::string>& names) {
 void check_known(const std::string& config, const char* what, const std::string& name,
                  const std::vector<std::string>& known) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-        throw Error("'" + config + "' has no " + what + " '" + name + "'; there are " +
-                    listed(known));
+        throw Error("'" + config + "' has no " + what + " '" + name + "'; it has " + listed(known));
     }
 }
 
@@ -46,7 +45,7 @@ OcioView::OcioView(const std::string& path, const OcioNames& names)
     }
     OIIO::ColorConfig config(path);
     if (config.error() || config.getNumDisplays() == 0) {
-        throw Error("'" + path + "' is no usable OpenColorIO configuration: " +
+        throw Error("'" + path + "' is not a valid OpenColorIO configuration: " +
                     (config.error() ? config.geterror() : "it has no display"));
     }
     const std::string display =
@@ -68,8 +67,8 @@ OcioView::OcioView(const std::string& path, const OcioNames& names)
     }
     data_->processor = config.createDisplayTransform(display, view, space);
     if (!data_->processor) {
-        throw Error("'" + path + "' cannot bring '" + space + "' to '" + display + "', '" + view +
-                    "': " + config.geterror());
+        throw Error("'" + path + "' cannot convert colour space '" + space + "' to display '" +
+                    display + "', view '" + view + "': " + config.geterror());
     }
 }
 

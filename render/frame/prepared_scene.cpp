@@ -19,7 +19,7 @@ std::vector<Material> make_materials(const SceneDescription& scene) {
     materials.reserve(scene.materials.size());
     for (const MaterialDescription& description : scene.materials) {
         if (!names.insert(description.name).second) {
-            throw Error("the scene has two materials of the name '" + description.name + "'");
+            throw Error("the scene has two materials named '" + description.name + "'");
         }
         try {
             if (description.phong) {

@@ -99,7 +99,7 @@ struct MakeUnit {
         check_size(larger, name, "the larger radius of a cone");
         check_size(shape.height, name, "the height");
         if (!(std::min(shape.radius, shape.top_radius) >= 0)) {
-            refuse(name, "no radius of a cone may be negative");
+            refuse(name, "the radii of a cone must not be negative");
         }
         const Vec3 middle_and_slope(0.5 * (shape.top_radius + shape.radius) / larger,
                                     0.5 * (shape.top_radius - shape.radius) / larger, 0);

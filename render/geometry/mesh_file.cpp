@@ -53,7 +53,7 @@ std::string read_mesh_text(const std::string& path) {
     file.seekg(0);
     file.read(text.data(), size);
     if (!file) {
-        refuse(path, "the mesh cannot be read to its end");
+        refuse(path, "the mesh file cannot be read completely");
     }
     return text;
 }

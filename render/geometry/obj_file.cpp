@@ -125,7 +125,7 @@ class MeshBuilder {
 
     MeshShape finish() {
         if (shape_.triangles.empty()) {
-            refuse(path_, "there is no face in it; is it an OBJ file?");
+            refuse(path_, "the file has no faces; is it an OBJ file?");
         }
         // Normals and uv are used only if every corner has them.
         if (without_normal_) {

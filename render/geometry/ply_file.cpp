@@ -65,7 +65,7 @@ class PlyReader {
             }
         }
         if (face_sizes_.empty()) {
-            refuse(path_, "there is no face in it");
+            refuse(path_, "the file has no faces");
         }
         make_triangles();
         return std::move(mesh_);
@@ -141,7 +141,8 @@ class PlyReader {
         for (std::size_t k = 0; k < count; ++k) {
             const double index = values_.next(property.type);
             if (!(index >= 0) || index != std::floor(index) || index > 4294967295.0) {
-                refuse(path_, "a face has a corner that is no vertex");
+                refuse(path_,
+                       "a face has a vertex index that is negative, fractional or too large");
             }
             corners_.push_back(static_cast<std::uint32_t>(index));
         }

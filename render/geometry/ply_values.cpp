@@ -147,8 +147,9 @@ void check_counts(const PlyHeader& header, std::size_t left, const std::string& 
         const std::size_t bytes = least_bytes(element, header.format);
         // One more byte is allowed, because the last number of a text needs no blank after it.
         if (bytes == 0 ? element.count > 0 : element.count > (left + 1) / bytes) {
-            refuse(path, fmt::format("{} of '{}' are announced, more than the file has room for",
-                                     element.count, element.name));
+            refuse(path,
+                   fmt::format("the header announces {} elements '{}', more than fit into the file",
+                               element.count, element.name));
         }
     }
 }

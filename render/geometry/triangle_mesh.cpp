@@ -19,7 +19,7 @@ namespace {
 void check_sizes(const MeshShape& shape, const std::string& name) {
     const std::size_t count = shape.vertices.size();
     if (shape.triangles.empty() || count == 0) {
-        refuse(name, "there is no triangle in it");
+        refuse(name, "it has no triangles");
     }
     if (shape.triangles.size() > input_limit(kMaxMeshTriangles) ||
         count > input_limit(kMaxMeshVertices)) {

@@ -141,15 +141,16 @@ TEST(Comparison, Progress_NeverDecreasesAndEndsAtOne) {
     EXPECT_LE(last, 1);
 }
 
-TEST(Comparison, StructuresThatAreNotThere_AreNamed) {
+TEST(Comparison, WrongStructureNames_AreReported) {
     EXPECT_EQ(message_of("kdtree,kd_tree"),
-              "there is no structure 'kd_tree'; there are hybrid, embree, brute_force, grid, "
+              "unknown structure 'kd_tree'; use one of hybrid, embree, brute_force, grid, "
               "octree, kdtree, kdtree_median, bsp, rtree, rtree_hilbert, kay_kajiya, bvh, "
-              "wide_bvh, and all");
+              "wide_bvh, or all");
     EXPECT_EQ(message_of("bvh,grid,bvh"), "the structure 'bvh' is named twice");
-    EXPECT_EQ(message_of(""),
-              "no structure is named; there are hybrid, embree, brute_force, grid, octree, kdtree, "
-              "kdtree_median, bsp, rtree, rtree_hilbert, kay_kajiya, bvh, wide_bvh, and all");
+    EXPECT_EQ(
+        message_of(""),
+        "no structure is given; use one of hybrid, embree, brute_force, grid, octree, kdtree, "
+        "kdtree_median, bsp, rtree, rtree_hilbert, kay_kajiya, bvh, wide_bvh, or all");
 }
 
 }  // namespace

@@ -129,9 +129,9 @@ TEST(KernelNames, ListOfNames) {
         return std::string();
     };
     EXPECT_EQ(complaint("wald,,keidy"),
-              "there is no kernel ''; there are moller_trumbore, kensler_shirley, shevtsov, "
-              "badouel, wald, keidy, perpendicular_planes, and all");
-    EXPECT_THAT(complaint("woop"), HasSubstr("there is no kernel 'woop'; "));
+              "unknown kernel ''; use one of moller_trumbore, kensler_shirley, shevtsov, "
+              "badouel, wald, keidy, perpendicular_planes, or all");
+    EXPECT_THAT(complaint("woop"), HasSubstr("unknown kernel 'woop'; "));
     EXPECT_EQ(complaint("wald,wald"), "the kernel 'wald' is named twice");
 }
 

@@ -95,13 +95,13 @@ TEST(LaboratoryScene, EveryName_MakesASceneThatRenders) {
     }
 }
 
-TEST(LaboratoryScene, UnknownName_IsRefusedWithAllThatThereAre) {
+TEST(LaboratoryScene, UnknownName_IsRefusedWithAListOfNames) {
     try {
         (void)make_laboratory_scene("sphere_cub");
         FAIL();
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),
-                     "there is no scene 'sphere_cub'; there are sphere_cube, cylinder_axes, "
+                     "unknown scene 'sphere_cub'; use one of sphere_cube, cylinder_axes, "
                      "cylinder_walls, full_view, stadium, smooth_mesh");
     }
 }

@@ -115,11 +115,11 @@ TEST_F(CompareCommand, WrongUse_IsRefusedWithASentence) {
         "carom: error: there is nothing to compare structures on: give a shot, --scene NAME or "
         "--growth NAME\n");
     EXPECT_EQ(message({"--scene", "stadium", "--accelerators", "kdtree,quadtree"}),
-              "carom: error: there is no structure 'quadtree'; there are hybrid, embree, "
+              "carom: error: unknown structure 'quadtree'; use one of hybrid, embree, "
               "brute_force, grid, octree, kdtree, kdtree_median, bsp, rtree, rtree_hilbert, "
-              "kay_kajiya, bvh, wide_bvh, and all\n");
+              "kay_kajiya, bvh, wide_bvh, or all\n");
     EXPECT_EQ(message({"--scene", "stadium", "--frame", "3"}),
-              "carom: error: --set, --quality and --frame are for shots alone\n");
+              "carom: error: --set, --quality and --frame can be used only with a shot\n");
     EXPECT_EQ(message({"--scene", "stadium", "--size", "8x8"}),
               "carom: error: --size '8x8' is not a size of 16 to 16384 pixels, as 160x120\n");
     EXPECT_EQ(message({"tiny.yaml", "--frame", "6"}),
@@ -215,8 +215,7 @@ TEST_F(CompareCommand, Triangles_WrongUse) {
         EXPECT_EQ(result.out, "");
         return result.err;
     };
-    EXPECT_THAT(message({"--triangles", "woop"}),
-                HasSubstr("there is no kernel 'woop'; there are "));
+    EXPECT_THAT(message({"--triangles", "woop"}), HasSubstr("unknown kernel 'woop'; use one of "));
     EXPECT_THAT(message({"--triangles", "all", "--scene", "stadium"}), HasSubstr("excludes"));
     EXPECT_THAT(message({"--triangles", "all", "tiny.yaml"}), HasSubstr("excludes"));
     EXPECT_THAT(message({"--rounds", "3"}), HasSubstr("requires"));

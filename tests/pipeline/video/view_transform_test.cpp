@@ -213,10 +213,10 @@ TEST(OcioView, MissingNames_AreReported) {
     EXPECT_EQ(problem_with(output), "none");
     output.ocio.display = "telephone";
     EXPECT_THAT(problem_with(output),
-                testing::HasSubstr("no display 'telephone'; there are 'monitor', 'projector'"));
+                testing::HasSubstr("no display 'telephone'; it has 'monitor', 'projector'"));
     output.ocio.display = "projector";
     output.ocio.view = "plain";
-    EXPECT_THAT(problem_with(output), testing::HasSubstr("no view 'plain'; there are 'dim'"));
+    EXPECT_THAT(problem_with(output), testing::HasSubstr("no view 'plain'; it has 'dim'"));
     output.ocio.view = "";
     output.ocio.colour_space = "nothing";
     EXPECT_THAT(problem_with(output), testing::HasSubstr("no colour space 'nothing'"));
@@ -226,7 +226,8 @@ TEST(OcioView, InvalidConfiguration_IsRefused) {
     const Configuration config("this is: [no configuration");
     OutputSettings output;
     output.view = ViewTransform::ocio;
-    EXPECT_THAT(problem_with(output), testing::HasSubstr("is no usable OpenColorIO configuration"));
+    EXPECT_THAT(problem_with(output),
+                testing::HasSubstr("is not a valid OpenColorIO configuration"));
 }
 
 TEST(Views, Glow_IsAddedBeforeTheView) {

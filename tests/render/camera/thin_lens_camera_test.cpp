@@ -297,7 +297,7 @@ TEST(ThinLensCamera, UnusableStates_AreRefused) {
     EXPECT_EQ(message(state), "camera: the lens radius must not be negative");
     state = some_camera();
     state.blades = 2;
-    EXPECT_EQ(message(state), "camera: a lens has no blades or at least 3");
+    EXPECT_EQ(message(state), "camera: the number of lens blades must be 0 or at least 3");
     state = some_camera();
     state.roll = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(message(state), "camera: a value is not a finite number");

@@ -171,7 +171,7 @@ TEST(RenderFrame, MaterialGivenTwice_IsAnErrorThatNamesIt) {
     SceneBuilder builder;
     builder.diffuse("felt", 0.5).diffuse("felt", 0.6);
     EXPECT_EQ(message_of([&] { PreparedScene(builder.scene, RenderSettings{}); }),
-              "the scene has two materials of the name 'felt'");
+              "the scene has two materials named 'felt'");
 }
 
 TEST(RenderFrame, MissingTrack_IsAnErrorThatNamesIt) {

@@ -602,7 +602,7 @@ TEST(Shapes, WithoutArea_AreRefused) {
     EXPECT_EQ(message(ConeShape{0, 0, 1}),
               "object 'object0': the larger radius of a cone must be greater than 0");
     EXPECT_EQ(message(ConeShape{1, -0.5, 1}),
-              "object 'object0': no radius of a cone may be negative");
+              "object 'object0': the radii of a cone must not be negative");
 }
 
 }  // namespace

@@ -92,11 +92,11 @@ TEST_F(ObjFile, MissingFile_Refused) {
 }
 
 TEST_F(ObjFile, Empty_Refused) {
-    EXPECT_THAT(message(""), HasSubstr("there is no face in it"));
+    EXPECT_THAT(message(""), HasSubstr("the file has no faces"));
 }
 
 TEST_F(ObjFile, PointsOnly_Refused) {
-    EXPECT_THAT(message(kSquare), HasSubstr("there is no face in it; is it an OBJ file?"));
+    EXPECT_THAT(message(kSquare), HasSubstr("the file has no faces; is it an OBJ file?"));
 }
 
 TEST_F(ObjFile, IndexBeyondVertices_Refused) {

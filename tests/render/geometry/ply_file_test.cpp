@@ -161,8 +161,10 @@ TEST_F(PlyFile, Wrong_IsRefusedInWords) {
     EXPECT_EQ(message("ply\nhello\n"), "line 2: not a line of a PLY header");
     EXPECT_EQ(message(square("")), "the file ends before its last number");
     EXPECT_EQ(message(square("4 0 1 2 4\n")), "a face refers to vertex 4 of 4");
-    EXPECT_EQ(message(square("4 0 1 2 -1\n")), "a face has a corner that is no vertex");
-    EXPECT_EQ(message(square("4 0 1 2 0.5\n")), "a face has a corner that is no vertex");
+    EXPECT_EQ(message(square("4 0 1 2 -1\n")),
+              "a face has a vertex index that is negative, fractional or too large");
+    EXPECT_EQ(message(square("4 0 1 2 0.5\n")),
+              "a face has a vertex index that is negative, fractional or too large");
     EXPECT_EQ(message(square("2 0 1\n")), "a face of 2 corners (3 to 1024 are possible)");
     EXPECT_EQ(message(square("-4 0 1\n")), "a list has an impossible length");
     EXPECT_EQ(message(square("4 0 one 2 3\n")), "'one' is not a number");
@@ -172,9 +174,10 @@ TEST_F(PlyFile, CountsBeyondTheFile_AreRefusedBeforeMemoryIsTaken) {
     std::string huge(kSquareHeader);
     huge.replace(huge.find("vertex 4"), 8, "vertex 60000000");
     EXPECT_EQ(message(huge + "0 0 0\n"),
-              "60000000 of 'vertex' are announced, more than the file has room for");
+              "the header announces 60000000 elements 'vertex', more than fit into the file");
     EXPECT_EQ(message("ply\nformat ascii 1.0\nelement nothing 18446744073709551615\nend_header\n"),
-              "18446744073709551615 of 'nothing' are announced, more than the file has room for");
+              "the header announces 18446744073709551615 elements 'nothing', more than fit into "
+              "the file");
 }
 
 TEST_F(PlyFile, WithoutPlaces_OrFaces_IsRefused) {
@@ -182,7 +185,7 @@ TEST_F(PlyFile, WithoutPlaces_OrFaces_IsRefused) {
               "its vertices have no x, y and z");
     EXPECT_EQ(message("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
                       "y\nproperty float z\nend_header\n1 2 3\n"),
-              "there is no face in it");
+              "the file has no faces");
 }
 
 TEST_F(PlyFile, RandomDamage_IsReadOrRefused) {

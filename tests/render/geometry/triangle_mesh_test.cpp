@@ -83,7 +83,7 @@ TEST(MakeMesh, ArraysOfDifferentLength_Refused) {
 TEST(MakeMesh, NoTriangle_Refused) {
     MeshShape shape = triangle();
     shape.triangles.clear();
-    EXPECT_THAT(message(shape), HasSubstr("there is no triangle in it"));
+    EXPECT_THAT(message(shape), HasSubstr("it has no triangles"));
 }
 
 }  // namespace
