@@ -9,7 +9,7 @@
 // pipeline::make_frame_renderer  renders frames to memory
 // pipeline::make_film            renders the frames that the store lacks, and writes the film
 //
-// Only bake_or_reuse, find_kept_bake, make_frame and make_film read and write a store: the folder
+// Only bake_or_reuse, find_cached_bake, make_frame and make_film read and write a store: the folder
 // that their options name, or that of the command, ~/.cache/carom.
 #pragma once
 

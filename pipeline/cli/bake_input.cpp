@@ -15,11 +15,12 @@ sim::Bake bake_of_shot(const ShotInput& input, const std::string& path, const Ca
         input.shot, cache.folder, make_console_observer(context.console), context.stop);
     context.console.end_progress();
     context.console.info(reason.text(baked.origin));
-    reason.remember();
+    reason.save_record();
     return std::move(baked.bake);
 }
 
-/// A camera that makes no picture stops only those who want its picture; they say so themselves.
+/// Camera problems are warnings here. Commands that render the frames in question report them as
+/// errors.
 void report_cameras(const ShotInput& input, const sim::Timeline& timeline, Console& console) {
     std::vector<pipeline::Problem> problems = pipeline::camera_problems(
         input.shot, input.has_own_cameras ? input.source.get() : nullptr, timeline);

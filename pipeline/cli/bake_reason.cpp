@@ -32,9 +32,9 @@ std::string record_path(const std::string& shot_path, const std::string& cache_f
 
 /// "a, b, c and 4 more"
 std::string shortened(const std::vector<std::string>& keys) {
-    constexpr std::size_t kMost = 4;
-    const std::string text = join(std::span(keys).first(std::min(kMost, keys.size())), ", ");
-    return keys.size() > kMost ? fmt::format("{} and {} more", text, keys.size() - kMost) : text;
+    constexpr std::size_t kMax = 4;
+    const std::string text = join(std::span(keys).first(std::min(kMax, keys.size())), ", ");
+    return keys.size() > kMax ? fmt::format("{} and {} more", text, keys.size() - kMax) : text;
 }
 
 }  // namespace
@@ -54,34 +54,33 @@ BakeReason::BakeReason(const pipeline::Shot& shot, const std::string& shot_path,
 
 std::string BakeReason::text(pipeline::BakeOrigin origin) const {
     if (origin == pipeline::BakeOrigin::replaced) {
-        return "simulated the shot again: the bake that was kept could not be used";
+        return "simulated the shot again: the cached bake could not be used";
     }
-    if (origin == pipeline::BakeOrigin::kept) {
-        return last_hash_ == hash_
-                   ? "the physics is unchanged: using the bake that was kept"
-                   : "this physics was simulated before: using the bake that was kept";
+    if (origin == pipeline::BakeOrigin::cached) {
+        return last_hash_ == hash_ ? "the physics is unchanged: using the cached bake"
+                                   : "this physics was simulated before: using the cached bake";
     }
     if (last_hash_.empty()) {
-        return "simulated the shot: there was no bake of it";
+        return "simulated the shot: the cache had no bake of it";
     }
     if (last_hash_ == hash_) {
-        return "simulated the shot again: its bake was not there any more";
+        return "simulated the shot again: its bake was no longer in the cache";
     }
     const std::vector<std::string> keys =
         pipeline::changed_physics_keys(last_text_, shot_.resolved_text);
     return keys.empty()
-               ? "simulated the shot again: a file that its physics needs or carom itself "
-                 "has changed"
+               ? "simulated the shot again: carom itself or a file that the physics depends on has "
+                 "changed"
                : "simulated the shot again: its physics has changed (" + shortened(keys) + ")";
 }
 
-void BakeReason::remember() const {
+void BakeReason::save_record() const {
     const std::string text = "# physics " + hash_ + "\n" + shot_.resolved_text;
     std::error_code ignored;
     fs::create_directories(fs::path(path_).parent_path(), ignored);
     try {
         write_file_atomically(path_, std::as_bytes(std::span<const char>(text)));
-    } catch (const Error&) {  // that the cache cannot be written was said of the bake
+    } catch (const Error&) {  // the failure to save the bake was already reported
         return;
     }
 }

@@ -1,4 +1,4 @@
-// Why a shot is simulated, or not.
+// Explains why a shot was simulated or not.
 #pragma once
 
 #include <string>
@@ -8,24 +8,25 @@
 
 namespace carom::cli {
 
-/// What the physics of a shot's file was the last time, kept in the cache beside the bakes.
+/// Compares a shot with the record of its previous run, which is stored in the cache beside the
+/// bakes, and explains what changed in its physics.
 class BakeReason {
   public:
-    /// `cache_folder` empty: the usual one.
+    /// Reads the record. If `cache_folder` is empty, the default folder is used.
     BakeReason(const pipeline::Shot& shot, const std::string& shot_path,
                const std::string& cache_folder);
 
     /// "simulated the shot again: its physics has changed (events[0].strike.speed)"
     [[nodiscard]] std::string text(pipeline::BakeOrigin origin) const;
 
-    /// Next time this is the last time. What cannot be written is not remembered.
-    void remember() const;
+    /// Saves this shot as the record for the next run. Failures are ignored.
+    void save_record() const;
 
   private:
     const pipeline::Shot& shot_;
     std::string path_;  // of the record
     std::string hash_;
-    std::string last_hash_;  // empty: there is no record
+    std::string last_hash_;  // empty: no record exists
     std::string last_text_;  // the resolved shot
 };
 

@@ -7,8 +7,8 @@
 
 #include "core/json_text.h"
 #include "pipeline/cli/run_program.h"
-#include "pipeline/store/cache_care.h"
 #include "pipeline/store/cache_folder.h"
+#include "pipeline/store/cache_maintenance.h"
 
 namespace carom::cli {
 
@@ -33,7 +33,7 @@ std::string counted(std::uint64_t count, const char* noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-/// As the reader's clock shows it.
+/// A time in the local time zone.
 std::string date_text(Clock::time_point time) {
     const std::time_t seconds = Clock::to_time_t(time);
     std::tm local{};
@@ -44,11 +44,11 @@ std::string date_text(Clock::time_point time) {
 }
 
 /// "30d", "12 h", "90 min", "20 s".
-Clock::duration age_from_text(const std::string& text) {
+Clock::duration parse_age(const std::string& text) {
     char* end = nullptr;
-    const bool starts_well = !text.empty() && text.front() >= '0' && text.front() <= '9';
-    const double value = starts_well ? std::strtod(text.c_str(), &end) : 0;
-    std::string unit = starts_well ? end : "";
+    const bool has_number = !text.empty() && text.front() >= '0' && text.front() <= '9';
+    const double value = has_number ? std::strtod(text.c_str(), &end) : 0;
+    std::string unit = has_number ? end : "";
     unit.erase(0, unit.find_first_not_of(' ') == std::string::npos ? unit.size()
                                                                    : unit.find_first_not_of(' '));
     const double seconds = unit == "d"     ? 86400
@@ -66,7 +66,7 @@ Clock::duration age_from_text(const std::string& text) {
 struct Total {
     std::uint64_t count = 0;
     std::uint64_t bytes = 0;
-    std::optional<Clock::time_point> oldest, newest;  // of use
+    std::optional<Clock::time_point> oldest, newest;  // times of last use
 };
 
 Total total_of(const std::vector<CacheEntry>& entries, CacheEntry::Kind kind) {
@@ -126,7 +126,7 @@ void prune(const CacheCommand& command, CommandContext& context) {
     pipeline::PruneOptions options;
     options.limit = command.all ? 0 : limit_of(command.cache);
     if (!command.unused_for.empty()) {
-        options.remove_before = Clock::now() - age_from_text(command.unused_for);
+        options.remove_before = Clock::now() - parse_age(command.unused_for);
     }
     options.dry_run = command.dry_run;
     const std::string folder = folder_of(command.cache);
@@ -144,15 +144,20 @@ void verify(const CacheCommand& command, CommandContext& context) {
     for (const CacheEntry& entry : result.damaged) {
         print_path(entry.path);
         if (!command.keep && !pipeline::remove_entry(entry)) {
-            context.console.warning("'" + entry.path + "' cannot be removed");
+            context.console.warning("the damaged file '" + entry.path + "' cannot be removed");
         }
     }
     if (!result.damaged.empty()) {
-        throw Error(fmt::format(
-            "{} of {} in '{}'{}", counted(result.damaged.size(), "damaged file"), result.checked,
-            folder, command.keep ? "" : ", removed: they will be made again when needed"));
+        const bool is_one = result.damaged.size() == 1;
+        throw Error(
+            fmt::format("{} of {} in '{}' {} damaged{}", result.damaged.size(),
+                        counted(result.checked, "file"), folder, is_one ? "is" : "are",
+                        command.keep ? ""
+                        : is_one     ? " and was removed; it is made again when it is needed"
+                                 : " and were removed; they are made again when they are needed"));
     }
-    context.console.info(counted(result.checked, "file") + " in '" + folder + "', all whole");
+    context.console.info("checked " + counted(result.checked, "file") + " in '" + folder +
+                         "': none is damaged");
 }
 
 }  // namespace

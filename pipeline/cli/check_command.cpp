@@ -17,16 +17,16 @@ namespace {
 
 using pipeline::Problem;
 
-/// For a simulation that nobody asked for; as bake_within counts them, so that a check says the
-/// same on any machine. A server needs a few seconds for as many.
-constexpr std::uint64_t kMostSteps = 15'000'000;
+/// The limit of a simulation that only checks a shot, in steps as bake_within counts them, so that
+/// a check gives the same result on any machine. This many steps take a few seconds.
+constexpr std::uint64_t kMaxSteps = 15'000'000;
 
-/// Simulated here and now, and not kept: a check leaves no traces. Empty if it takes more steps
-/// than that is worth.
-std::optional<sim::Bake> simulated(const pipeline::Shot& shot, const std::stop_token& stop) {
+/// Simulates the shot without writing to the cache, since a check writes no files. Empty if it
+/// takes more than kMaxSteps.
+std::optional<sim::Bake> simulate(const pipeline::Shot& shot, const std::stop_token& stop) {
     WorkContext context;
     context.stop = stop;
-    std::optional<sim::Timeline> timeline = sim::bake_within(kMostSteps, shot.world, context);
+    std::optional<sim::Timeline> timeline = sim::bake_within(kMaxSteps, shot.world, context);
     if (!timeline) {
         return std::nullopt;
     }
@@ -36,15 +36,15 @@ std::optional<sim::Bake> simulated(const pipeline::Shot& shot, const std::stop_t
     return bake;
 }
 
-/// The input's own, or the kept bake, or a simulation.
+/// The input's bake, or the cached bake, or a simulation.
 std::optional<sim::Bake> bake_of(ShotInput& input, const CacheOptions& cache,
                                  CommandContext& context) {
     if (input.bake) {
         pipeline::add_keyed_motions(*input.bake, input.shot);
         return std::move(input.bake);
     }
-    std::optional<sim::Bake> kept = pipeline::find_kept_bake(input.shot, cache.folder, {});
-    return kept ? std::move(kept) : simulated(input.shot, context.stop);
+    std::optional<sim::Bake> cached = pipeline::find_cached_bake(input.shot, cache.folder, {});
+    return cached ? std::move(cached) : simulate(input.shot, context.stop);
 }
 
 void check_motion(ShotInput& input, const CheckCommand& command, CommandContext& context,
@@ -52,9 +52,9 @@ void check_motion(ShotInput& input, const CheckCommand& command, CommandContext&
     const std::optional<sim::Bake> bake = bake_of(input, command.cache, context);
     if (!bake) {
         context.console.info(
-            fmt::format("its motion was not looked at: simulating it takes more than {} million "
-                        "steps; after 'carom bake' the bake that it keeps is looked at",
-                        kMostSteps / 1'000'000));
+            fmt::format("the motion was not checked, because simulating it takes more than {} "
+                        "million steps; to check it, run 'carom bake' first",
+                        kMaxSteps / 1'000'000));
         return;
     }
     const auto add = [&](std::vector<Problem> found) {
@@ -65,8 +65,8 @@ void check_motion(ShotInput& input, const CheckCommand& command, CommandContext&
     add(pipeline::camera_problems(input.shot, input.source.get(), bake->timeline));
 }
 
-/// The film that `carom render` writes unless told otherwise; pictures and other codecs may take
-/// what it cannot.
+/// Checks the size for the film that `carom render` writes by default. It is a warning, because
+/// images and other codecs may support the size.
 void check_film_file(const ShotInput& input, std::vector<Problem>& problems) {
     const pipeline::Shot& shot = input.shot;
     const std::string problem = pipeline::check_film_size(

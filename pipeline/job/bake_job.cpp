@@ -1,4 +1,4 @@
-// The bake of a shot, kept under its physics hash.
+// The bake of a shot, simulated or read from the cache, where its physics hash is its name.
 #include <algorithm>
 #include <filesystem>
 
@@ -24,8 +24,8 @@ std::string bake_path(const std::string& cache_folder, const Hash128& physics_ha
     return cache + "/bakes/" + physics_hash.to_string() + ".bake";
 }
 
-std::optional<sim::Bake> read_kept(const std::string& path, const Hash128& physics_hash,
-                                   const JobObserver& observer) {
+std::optional<sim::Bake> read_cached(const std::string& path, const Hash128& physics_hash,
+                                     const JobObserver& observer) {
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
         return std::nullopt;
@@ -36,24 +36,26 @@ std::optional<sim::Bake> read_kept(const std::string& path, const Hash128& physi
             mark_used(path);
             return bake;
         }
-        warn(observer, "'" + path + "' is the bake of another shot; baking again");
+        warn(observer, "'" + path + "' is the bake of another shot; this shot is simulated again");
     } catch (const Error& error) {
-        warn(observer, std::string("the kept bake cannot be used, baking again: ") + error.what());
+        warn(observer, std::string("the cached bake cannot be used, so the shot is simulated "
+                                   "again: ") +
+                           error.what());
     }
     return std::nullopt;
 }
 
-void keep(const sim::Bake& bake, const std::string& path) {
+void save(const sim::Bake& bake, const std::string& path) {
     std::error_code failure;
     fs::create_directories(fs::path(path).parent_path(), failure);
     if (failure) {
         throw Error("'" + fs::path(path).parent_path().string() +
-                    "': the folder cannot be made: " + failure.message());
+                    "': the folder cannot be created: " + failure.message());
     }
     sim::write_bake(bake, path);
 }
 
-// Without the keyed motions, as it is kept.
+// The bake as the cache stores it: without the keyed motions.
 sim::Bake simulate(const Shot& shot, const WorkContext& context) {
     return {sim::bake(shot.world, context), sim::physics_hash(shot.world), shot.resolved_text,
             shot.assets};
@@ -79,27 +81,27 @@ sim::Bake bake_shot(const Shot& shot, const WorkContext& context) {
     return bake;
 }
 
-std::optional<sim::Bake> find_kept_bake(const Shot& shot, const std::string& cache_folder,
-                                        const JobObserver& observer) {
+std::optional<sim::Bake> find_cached_bake(const Shot& shot, const std::string& cache_folder,
+                                          const JobObserver& observer) {
     const Hash128 physics_hash = sim::physics_hash(shot.world);
-    std::optional<sim::Bake> kept =
-        read_kept(bake_path(cache_folder, physics_hash), physics_hash, observer);
-    if (kept) {
-        // Shots that differ in their look alone share a bake.
-        kept->shot_text = shot.resolved_text;
-        kept->assets = shot.assets;
-        add_keyed_motions(*kept, shot);
+    std::optional<sim::Bake> cached =
+        read_cached(bake_path(cache_folder, physics_hash), physics_hash, observer);
+    if (cached) {
+        // Shots that differ only in their look share a bake.
+        cached->shot_text = shot.resolved_text;
+        cached->assets = shot.assets;
+        add_keyed_motions(*cached, shot);
     }
-    return kept;
+    return cached;
 }
 
 BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
                         const JobObserver& observer, const std::stop_token& stop) {
     const Hash128 physics_hash = sim::physics_hash(shot.world);
     std::error_code ignored;
-    const bool is_there = fs::exists(bake_path(cache_folder, physics_hash), ignored);
-    if (std::optional<sim::Bake> kept = find_kept_bake(shot, cache_folder, observer)) {
-        return {std::move(*kept), BakeOrigin::kept};
+    const bool existed = fs::exists(bake_path(cache_folder, physics_hash), ignored);
+    if (std::optional<sim::Bake> cached = find_cached_bake(shot, cache_folder, observer)) {
+        return {std::move(*cached), BakeOrigin::cached};
     }
     WorkContext context;
     context.stop = stop;
@@ -108,12 +110,12 @@ BakedShot bake_or_reuse(const Shot& shot, const std::string& cache_folder,
     }
     sim::Bake bake = simulate(shot, context);
     try {
-        keep(bake, bake_path(cache_folder, physics_hash));
+        save(bake, bake_path(cache_folder, physics_hash));
     } catch (const Error& error) {
-        warn(observer, std::string("the bake is not kept for next time: ") + error.what());
+        warn(observer, std::string("the bake cannot be saved in the cache: ") + error.what());
     }
     add_keyed_motions(bake, shot);
-    return {std::move(bake), is_there ? BakeOrigin::replaced : BakeOrigin::made};
+    return {std::move(bake), existed ? BakeOrigin::replaced : BakeOrigin::simulated};
 }
 
 }  // namespace carom::pipeline

@@ -9,15 +9,15 @@
 
 namespace carom::pipeline {
 
-CachedRender CachedRenderer::make(const FilmPlan::Picture& picture, const WorkContext& context) {
+CachedRender CachedRenderer::render(const FilmPlan::Picture& picture, const WorkContext& context) {
     if (store_.contains(picture.key)) {
         return {RenderOrigin::stored};
     }
     const std::optional<FrameClaim> claim = store_.claim(picture.key);
     if (!claim) {
-        return {RenderOrigin::held};
+        return {RenderOrigin::claimed_elsewhere};
     }
-    if (store_.contains(picture.key)) {  // finished between the two questions
+    if (store_.contains(picture.key)) {  // another process finished it before the claim
         return {RenderOrigin::stored};
     }
     if (context.stop.stop_requested()) {

@@ -1,4 +1,4 @@
-// One picture: from the store, or rendered under a claim and stored.
+// Renders single pictures unless the store has them.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,32 @@
 namespace carom::pipeline {
 
 enum class RenderOrigin {
-    stored,    // was there
-    rendered,  // now
-    held,      // another process is at it: come back later
+    stored,             // the store already had the picture
+    rendered,           // rendered now
+    claimed_elsewhere,  // another process is rendering the picture: try again later
 };
 
 struct CachedRender {
-    RenderOrigin origin = RenderOrigin::held;
-    double seconds = 0;  // spent rendering
+    RenderOrigin origin = RenderOrigin::claimed_elsewhere;
+    double seconds = 0;  // spent on rendering
     render::RenderStatistics counts{};
-    std::optional<render::Film> film{};  // as the store holds it, if it was rendered now
+    std::optional<render::Film> film{};  // as it is stored, if it was rendered now
 
     [[nodiscard]] std::uint64_t rays() const {
         return counts.camera_rays + counts.scattered_rays + counts.shadow_rays;
     }
 };
 
-/// For one thread at a time. Refers to its arguments.
+/// Renders a picture under a claim and stores it, unless the store already has it. For one thread
+/// at a time. Refers to its arguments.
 class CachedRenderer {
   public:
     CachedRenderer(const FilmSource& source, const FrameStore& store, RenderFunction render)
         : source_(source), store_(store), render_(std::move(render)) {}
 
-    /// Sees to it that the store has the picture, unless another process is about to. When stopped,
-    /// a picture that needs less than two seconds more is finished. Throws Error, Stopped.
-    CachedRender make(const FilmPlan::Picture& picture, const WorkContext& context);
+    /// Ensures that the store has the picture, unless another process is rendering it. When
+    /// stopped, a picture that needs less than two more seconds is finished. Throws Error, Stopped.
+    CachedRender render(const FilmPlan::Picture& picture, const WorkContext& context);
 
   private:
     const FilmSource& source_;

@@ -1,4 +1,4 @@
-// Tells of stored frames that turned out to be damaged.
+// Warns of stored frames that turned out to be damaged.
 #pragma once
 
 #include <mutex>
@@ -8,9 +8,9 @@
 
 namespace carom::pipeline {
 
-/// A warning for each of the first few and, when the report is destroyed at the end of the job, one
-/// line for all others: a disk that fails must be heard of, and must not fill the screen. Any
-/// thread may call at any time.
+/// Gives a warning for each of the first few frames and, when this object is destroyed at the end
+/// of the job, one warning for all others, so that a failing disk is reported but does not fill the
+/// screen. Any thread may call at any time.
 class DamageReport {
   public:
     explicit DamageReport(ThreadSafeObserver& observer) : observer_(observer) {}

@@ -11,7 +11,7 @@ render::Film exported_frame(const render::Film& picture, const FilmSource& sourc
     for (render::Channel& channel : film.aovs) {
         if (channel.name == "motion.X" || channel.name == "motion.Y") {
             for (float& value : channel.values) {
-                value = 0 - value;  // and 0 stays 0
+                value = 0 - value;  // 0 remains 0 instead of becoming -0
             }
         }
     }

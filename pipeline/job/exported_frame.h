@@ -1,4 +1,4 @@
-// A stored picture as one frame of a film.
+// Converts a stored picture to a frame of the film.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace carom::pipeline {
 
-/// Pictures are stored as time goes forward. In a frame of reversed time the channels `motion`
-/// point the other way.
+/// Pictures are stored for time that runs forward. In a frame of reversed time the channels
+/// `motion` have the opposite direction.
 [[nodiscard]] render::Film exported_frame(const render::Film& picture, const FilmSource& source,
                                           std::int64_t frame);
 

@@ -22,13 +22,12 @@ render::Film read_picture(std::size_t picture, const FilmPlan& plan, const Frame
     }
 }
 
-/// Shows the film's frames in order, from the first to the last, to `take(frame, picture,
-/// same_as_before)`.
-template <class Take>
-void show_frames(const FilmPlan& plan, const FrameStore& store, FrameQueue& queue,
-                 const std::stop_token& stop, Take take) {
+/// Calls `visit(frame, picture, same_as_before)` for the film's frames in order.
+template <class Visit>
+void for_each_frame(const FilmPlan& plan, const FrameStore& store, FrameQueue& queue,
+                    const std::stop_token& stop, Visit visit) {
     constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-    std::size_t shown = kNone;  // the picture in `film`, if it is one as it is
+    std::size_t shown = kNone;  // the picture in `film`, unless it was blended with another
     render::Film film;
     for (std::size_t i = 0; i < plan.picture_of.size(); ++i) {
         const std::size_t picture = plan.picture_of[i];
@@ -44,7 +43,7 @@ void show_frames(const FilmPlan& plan, const FrameStore& store, FrameQueue& queu
         if (stop.stop_requested()) {
             throw Stopped();
         }
-        take(plan.frames[i], film, same_as_before);
+        visit(plan.frames[i], film, same_as_before);
     }
 }
 
@@ -52,22 +51,22 @@ void show_frames(const FilmPlan& plan, const FrameStore& store, FrameQueue& queu
 
 void encode_film(FilmSink& sink, const FilmPlan& plan, const FrameStore& store, FrameQueue& queue,
                  ThreadSafeObserver& observer, const std::stop_token& stop) {
-    const std::size_t rounds = sink.wants_preview() ? 2 : 1;
-    // The last step is the trailer's.
-    const auto steps = static_cast<double>(rounds * plan.picture_of.size() + 1);
+    const std::size_t passes = sink.wants_preview() ? 2 : 1;
+    // The last step writes the trailer.
+    const auto steps = static_cast<double>(passes * plan.picture_of.size() + 1);
     double done = 0;
     if (sink.wants_preview()) {
-        show_frames(plan, store, queue, stop,
-                    [&](std::int64_t frame, const render::Film& picture, bool is_same) {
-                        sink.preview(frame, picture, is_same);
-                        observer.encode_progress(++done / steps);
-                    });
+        for_each_frame(plan, store, queue, stop,
+                       [&](std::int64_t frame, const render::Film& picture, bool is_same) {
+                           sink.preview(frame, picture, is_same);
+                           observer.encode_progress(++done / steps);
+                       });
     }
-    show_frames(plan, store, queue, stop,
-                [&](std::int64_t frame, const render::Film& picture, bool is_same) {
-                    sink.add(frame, picture, is_same);
-                    observer.encode_progress(++done / steps);
-                });
+    for_each_frame(plan, store, queue, stop,
+                   [&](std::int64_t frame, const render::Film& picture, bool is_same) {
+                       sink.add(frame, picture, is_same);
+                       observer.encode_progress(++done / steps);
+                   });
     sink.finish();
     observer.encode_progress(1);
 }

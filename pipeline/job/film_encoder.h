@@ -1,4 +1,4 @@
-// The encoding side of a job: from pictures to a video.
+// The encoding side of a job: writes the pictures as a video.
 #pragma once
 
 #include <stop_token>
@@ -11,9 +11,9 @@
 
 namespace carom::pipeline {
 
-/// Takes the film's frames in order as soon as the queue announces them, always as the store holds
-/// them, to the sink and finishes it; twice if the sink wants to see them before. Throws Error,
-/// Stopped.
+/// Passes the film's frames in order to the sink, each as soon as the queue announces it and always
+/// as it is stored, and finishes the sink. If the sink wants a preview, all frames are passed
+/// twice. Throws Error, Stopped.
 void encode_film(FilmSink& sink, const FilmPlan& plan, const FrameStore& store, FrameQueue& queue,
                  ThreadSafeObserver& observer, const std::stop_token& stop);
 

@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 
 #include "core/error.h"
-#include "pipeline/job/cache_keeper.h"
+#include "pipeline/job/cache_pruner.h"
 #include "pipeline/job/damage_report.h"
 #include "pipeline/job/exported_frame.h"
 #include "pipeline/job/film_encoder.h"
@@ -26,8 +26,8 @@ FrameStore open_store(const FilmJobOptions& options, ThreadSafeObserver& observe
                          damages.add(path, damage);
                      });
     if (!store.can_claim()) {
-        observer.warning("the cache '" + frames_folder(options) +
-                         "' cannot be locked; a second process would render the same frames again");
+        observer.warning("the file system of the cache '" + frames_folder(options) +
+                         "' has no locks; another process may render the same frames again");
     }
     return store;
 }
@@ -43,8 +43,8 @@ void mark_used(const FilmPlan& plan, const FrameStore& store) {
     }
 }
 
-// A job that makes a part of a film leaves room for the others, which it does not need itself:
-// films are put together from parts. Planning a thousand frames takes 50 ms.
+// Marks all frames of the film as used, also those that this job does not need, because a film may
+// be rendered in parts. Planning a thousand frames takes 50 ms.
 void mark_whole_film(const FilmSource& source, const FilmPlan& part, const FilmJobOptions& options,
                      const FrameStore& store, const std::stop_token& stop) {
     mark_used(part, store);
@@ -58,29 +58,29 @@ void mark_whole_film(const FilmSource& source, const FilmPlan& part, const FilmJ
         } catch (const Stopped&) {
             throw;
         } catch (const Error&) {
-            continue;  // a frame that makes no picture stops only those who want it
+            continue;  // a frame without a picture is an error only for a job that needs it
         }
     }
 }
 
-// In the encoder's place when nothing is to be encoded: sees to it that the frames which were there
-// are whole.
+// Replaces the encoder when nothing is encoded: verifies the pictures, and requests those again
+// that are damaged.
 void await_pictures(const FilmPlan& plan, const FrameStore& store, FrameQueue& queue,
                     const std::stop_token& stop) {
     for (std::size_t i = 0; i < plan.pictures.size();) {
         if (!queue.wait_until_ready(i, stop) || stop.stop_requested()) {
             throw Stopped();
         }
-        if (store.holds_whole(plan.pictures[i].key)) {
+        if (store.is_intact(plan.pictures[i].key)) {
             ++i;
         } else {
-            store.discard_damaged(plan.pictures[i].key);
+            store.remove_if_damaged(plan.pictures[i].key);
             queue.request_again(i);
         }
     }
 }
 
-// The encoder on a thread of its own. Whichever side fails stops the other.
+// Runs the encoder on its own thread. If it fails, it stops the rendering.
 class EncoderThread {
   public:
     template <class Work>
@@ -93,10 +93,10 @@ class EncoderThread {
                   failure_ = std::current_exception();
                   stop.request_stop();
               }
-              queue.reader_done();
+              queue.mark_reader_done();
           }) {}
 
-    /// Waits for the end. What the encoder threw is thrown here, unless it was only stopped.
+    /// Waits until the encoder has ended. Rethrows what it threw, except Stopped.
     void join() {
         thread_.join();
         try {
@@ -108,7 +108,7 @@ class EncoderThread {
         }
     }
 
-    /// Whether the video is in its place.
+    /// Whether the video was written completely.
     [[nodiscard]] bool is_complete() const { return is_complete_; }
 
   private:
@@ -122,29 +122,29 @@ class EncoderThread {
 FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                         const JobObserver& observer, const std::stop_token& stop) {
     const std::vector<std::int64_t> frames = job_frames(shot, options);
-    ThreadSafeObserver gate(observer);
-    DamageReport damages(gate);
-    const FrameStore store = open_store(options, gate, damages);
+    ThreadSafeObserver safe_observer(observer);
+    DamageReport damages(safe_observer);
+    const FrameStore store = open_store(options, safe_observer, damages);
     const FilmSource source(shot, bake.timeline);
     const FilmPlan plan = plan_film(source, frames, stop);
-    CacheKeeper keeper(cache_of(options), options.cache_limit, gate);
+    CachePruner pruner(cache_folder_of(options), options.cache_limit, safe_observer);
     mark_whole_film(source, plan, options, store, stop);
-    keeper.prune();
+    pruner.prune();
 
-    // A film that cannot be written is heard of before anything is rendered.
+    // Opened before anything is rendered, so that a film that cannot be written fails immediately.
     const std::unique_ptr<FilmSink> sink =
         options.output.empty() ? nullptr : make_film_sink(source, plan, options.output);
     std::stop_source job_stop;
     const std::stop_callback pass_on(stop, [&job_stop] { job_stop.request_stop(); });
     FrameQueue queue(plan.pictures.size());
     CachedRenderer renderer(source, store, renderer_of(shot, options));
-    FrameScheduler scheduler(plan, renderer, queue, gate, &keeper);
+    FrameScheduler scheduler(plan, renderer, queue, safe_observer, &pruner);
     EncoderThread encoder(queue, job_stop, [&] {
         if (!sink) {
             await_pictures(plan, store, queue, job_stop.get_token());
             return;
         }
-        encode_film(*sink, plan, store, queue, gate, job_stop.get_token());
+        encode_film(*sink, plan, store, queue, safe_observer, job_stop.get_token());
     });
     std::exception_ptr failure;
     try {
@@ -153,11 +153,11 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
         failure = std::current_exception();
         job_stop.request_stop();
     }
-    encoder.join();  // its failure is the cause if both failed
+    encoder.join();  // if both failed, the encoder's failure is the cause
     if (!encoder.is_complete()) {
         failure ? std::rethrow_exception(failure) : throw Stopped();
     }
-    keeper.prune();
+    pruner.prune();
     return {static_cast<std::int64_t>(frames.size()),
             static_cast<std::int64_t>(plan.pictures.size()), scheduler.rendered(),
             scheduler.counts()};
@@ -166,19 +166,19 @@ FilmJobResult make_film(const Shot& shot, const sim::Bake& bake, const FilmJobOp
 render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t frame,
                         const FilmJobOptions& options, const JobObserver& observer,
                         const std::stop_token& stop) {
-    ThreadSafeObserver gate(observer);
-    DamageReport damages(gate);
-    const FrameStore store = open_store(options, gate, damages);
+    ThreadSafeObserver safe_observer(observer);
+    DamageReport damages(safe_observer);
+    const FrameStore store = open_store(options, safe_observer, damages);
     const FilmSource source(shot, bake.timeline);
     const FilmPlan plan = plan_film(source, {frame}, stop);
-    CacheKeeper keeper(cache_of(options), options.cache_limit, gate);
+    CachePruner pruner(cache_folder_of(options), options.cache_limit, safe_observer);
     mark_whole_film(source, plan, options, store, stop);
-    keeper.prune();
+    pruner.prune();
     FrameQueue queue(plan.pictures.size());
-    queue.reader_done();
+    queue.mark_reader_done();
     CachedRenderer renderer(source, store, renderer_of(shot, options));
-    for (int attempt = 0; attempt < 2; ++attempt) {  // what was kept may be damaged, and is removed
-        FrameScheduler scheduler(plan, renderer, queue, gate);
+    for (int attempt = 0; attempt < 2; ++attempt) {  // a stored frame that is damaged is removed
+        FrameScheduler scheduler(plan, renderer, queue, safe_observer);
         scheduler.run(stop);
         if (std::optional<render::Film> film = store.read(plan.pictures[0].key)) {
             if (const FilmPlan::Blend* blend = plan.blend_of(0)) {
@@ -194,7 +194,8 @@ render::Film make_frame(const Shot& shot, const sim::Bake& bake, std::int64_t fr
             return exported;
         }
     }
-    throw Error(fmt::format("frame {} was rendered, but the cache does not hold it whole", frame));
+    throw Error(
+        fmt::format("frame {} was rendered, but cannot be read back from the cache", frame));
 }
 
 }  // namespace carom::pipeline

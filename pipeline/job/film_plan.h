@@ -1,4 +1,4 @@
-// Which pictures a film needs.
+// The plan of a film: the pictures that its frames need.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,19 @@
 
 namespace carom::pipeline {
 
-/// A shot, its timeline and what all its frames share. Refers to both.
+/// A shot, its timeline and the data that all its frames share. Refers to both.
 class FilmSource {
   public:
-    /// Reads the scene's files for their hash; throws Error.
+    /// Reads the scene's files to hash them. Throws Error.
     FilmSource(const Shot& shot, const sim::Timeline& timeline);
 
     [[nodiscard]] const Shot& shot() const { return shot_; }
     [[nodiscard]] const sim::Timeline& timeline() const { return timeline_; }
 
-    /// What is seen in a frame (plan_mixed_frame): two layers in a cross-fade, else one.
+    /// The layers of a frame (plan_mixed_frame): two in a cross-fade, otherwise one.
     [[nodiscard]] std::vector<PlannedFrame> layers(std::int64_t frame) const;
 
-    /// What a layer's picture is rendered from, and its key.
+    /// The inputs from which a layer's picture is rendered, and its key.
     [[nodiscard]] FrameInputs inputs(const PlannedFrame& layer) const;
     [[nodiscard]] FrameInputs inputs(std::int64_t frame) const {  // of its first layer
         return inputs(layers(frame).front());
@@ -35,19 +35,19 @@ class FilmSource {
   private:
     const Shot& shot_;
     const sim::Timeline& timeline_;
-    std::vector<CameraRig> cameras_;  // the shot's, with what has to be fitted fitted
+    std::vector<CameraRig> cameras_;  // of the shot, with paths that are fitted to the timeline
     Hash128 scene_hash_;
 };
 
-/// A film's frames in order. Frames that show the same share one picture.
+/// The frames of a film in order. Frames that show the same share one picture.
 struct FilmPlan {
     struct Picture {
         Hash128 key;
-        std::int64_t frame = 0;            // one whose layer number `layer` it is
-        std::size_t layer = 0;             // the first layer is the one that is seen most
-        std::vector<std::int64_t> frames;  // whose first layer it is, ascending
+        std::int64_t frame = 0;            // a frame that has this picture as its layer `layer`
+        std::size_t layer = 0;             // the first layer is the one with the largest weight
+        std::vector<std::int64_t> frames;  // that have it as their first layer, ascending
     };
-    /// What is mixed into a frame in a cross-fade.
+    /// The picture that is mixed into a frame in a cross-fade.
     struct Blend {
         std::size_t picture = 0;
         double weight = 0;  // (0, 1/2]
@@ -55,16 +55,16 @@ struct FilmPlan {
     std::vector<std::int64_t> frames;     // their numbers, ascending
     std::vector<Picture> pictures;        // in order of first use
     std::vector<std::size_t> picture_of;  // for each frame of the film: its first layer
-    std::map<std::size_t, Blend> blends;  // by the frame's place in the film: its second layer
+    std::map<std::size_t, Blend> blends;  // by the frame's index in the film: its second layer
 
-    /// The second layer of the film's frame at that place, or nullptr.
-    [[nodiscard]] const Blend* blend_of(std::size_t place) const {
-        const auto found = blends.find(place);
+    /// The second layer of the film's frame with that index, or nullptr.
+    [[nodiscard]] const Blend* blend_of(std::size_t index) const {
+        const auto found = blends.find(index);
         return found == blends.end() ? nullptr : &found->second;
     }
 };
 
-/// `frames` ascending. Throws Error, Stopped.
+/// `frames` must be ascending. Throws Error, Stopped.
 [[nodiscard]] FilmPlan plan_film(const FilmSource& source, const std::vector<std::int64_t>& frames,
                                  const std::stop_token& stop);
 

@@ -20,8 +20,8 @@
 namespace carom::pipeline {
 namespace {
 
-/// The frame that the poster shows: the one that stands on the screen then, or the next that the
-/// film has, or its last.
+/// The frame that the poster shows: the frame at that video time, or the next one that the film
+/// has, or its last frame.
 std::optional<std::int64_t> poster_frame(const Shot& shot, const FilmPlan& plan) {
     if (!shot.output.poster) {
         return std::nullopt;
@@ -43,7 +43,7 @@ class VideoSink : public FilmSink {
         open();
     }
 
-    /// HDR10 states the film's light in the file's head.
+    /// HDR10 stores the film's light levels in the header of the file.
     [[nodiscard]] bool wants_preview() const override { return shot_.output.hdr10.has_value(); }
 
     void preview(std::int64_t frame, const render::Film& picture, bool same_as_before) override {
@@ -53,7 +53,7 @@ class VideoSink : public FilmSink {
 
     void add(std::int64_t frame, const render::Film& picture, bool same_as_before) override {
         if (!light_is_stated_) {
-            writer_.reset();  // what it opened with did not know the light
+            writer_.reset();  // it was opened before the light levels were known
             open();
         }
         writer_->write(signal_of(frame, picture, same_as_before));
@@ -86,7 +86,7 @@ class VideoSink : public FilmSink {
         writer_ = std::make_unique<VideoWriter>(path_, format, shot_.output, video_metadata(shot_));
     }
 
-    /// The frame as it is written, overlay included.
+    /// The frame as it is written, with the overlay.
     const std::vector<std::uint16_t>& signal_of(std::int64_t frame, const render::Film& picture,
                                                 bool same_as_before) {
         if (!same_as_before) {
@@ -101,7 +101,7 @@ class VideoSink : public FilmSink {
         return written_;
     }
 
-    /// The signal of white letters: 1 of a display's signal, or paper white in HDR.
+    /// The signal of white letters: the maximum of a display's signal, or paper white in HDR.
     static std::uint16_t overlay_white(const OutputSettings& output) {
         constexpr double kLargest = 65535;
         return static_cast<std::uint16_t>(
@@ -113,12 +113,12 @@ class VideoSink : public FilmSink {
     std::string path_;
     DisplayView view_;
     std::optional<std::int64_t> poster_;
-    std::optional<render::Film> poster_picture_;  // for a file beside the video
+    std::optional<render::Film> poster_picture_;  // for a separate file beside the video
     std::vector<std::uint16_t> display_;
     std::vector<std::uint16_t> written_;  // with the overlay
     std::uint16_t white_ = overlay_white(shot_.output);
     LightMeter meter_;
-    bool light_is_stated_ = true;  // in the writer, or not to be
+    bool light_is_stated_ = true;  // the writer knows the light levels, or does not need them
     std::unique_ptr<VideoWriter> writer_;
 };
 
@@ -126,7 +126,7 @@ class SequenceSink : public FilmSink {
   public:
     SequenceSink(const FilmSource& source, const FilmPlan& plan, std::string pattern)
         : source_(source), pattern_(std::move(pattern)), view_(source.shot().output) {
-        // Gone again at once: only to hear whether the folder can be written.
+        // Created and removed immediately, only to check whether the folder is writable.
         const PendingFile probe(path_in_sequence(pattern_, plan.frames.front()));
     }
 

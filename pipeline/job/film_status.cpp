@@ -13,21 +13,21 @@ namespace {
 FilmStatus status_of(const FilmPlan& plan, const FrameStore& store, const std::stop_token& stop) {
     FilmStatus status;
     status.frames = plan.frames;
-    std::vector<bool> is_there;
+    std::vector<bool> is_stored;
     std::vector<bool> is_damaged;
     for (const FilmPlan::Picture& picture : plan.pictures) {
         if (stop.stop_requested()) {
             throw Stopped();
         }
-        is_there.push_back(store.holds_whole(picture.key));
-        is_damaged.push_back(!is_there.back() && store.contains(picture.key));
-        status.pictures += is_there.back() ? 0 : 1;
+        is_stored.push_back(store.is_intact(picture.key));
+        is_damaged.push_back(!is_stored.back() && store.contains(picture.key));
+        status.pictures += is_stored.back() ? 0 : 1;
     }
     for (std::size_t i = 0; i < plan.frames.size(); ++i) {
         const FilmPlan::Blend* blend = plan.blend_of(i);
-        const bool is_whole =
-            is_there[plan.picture_of[i]] && (blend == nullptr || is_there[blend->picture]);
-        (is_whole ? status.stored : status.missing).push_back(plan.frames[i]);
+        const bool is_complete =
+            is_stored[plan.picture_of[i]] && (blend == nullptr || is_stored[blend->picture]);
+        (is_complete ? status.stored : status.missing).push_back(plan.frames[i]);
         if (is_damaged[plan.picture_of[i]] || (blend != nullptr && is_damaged[blend->picture])) {
             status.damaged.push_back(plan.frames[i]);
         }
@@ -48,15 +48,20 @@ FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOpt
                        const JobObserver& observer, const std::stop_token& stop) {
     const FilmStatus status = film_status(shot, bake, options, stop);
     if (!status.missing.empty()) {
-        throw Error(fmt::format("{} of {} frames are not in the cache: {}{}", status.missing.size(),
-                                status.frames.size(), frames_text(status.missing),
-                                (status.damaged.empty() ? ""
-                                                        : " (stored, but damaged: " +
-                                                              frames_text(status.damaged) + ")")));
+        throw Error(
+            fmt::format("{} of {} frames {} not in the cache: {}{}; 'carom render' renders {}",
+                        status.missing.size(), status.frames.size(),
+                        status.missing.size() == 1 ? "is" : "are", frames_text(status.missing),
+                        (status.damaged.empty()
+                             ? ""
+                             : " (stored, but damaged: " + frames_text(status.damaged) + ")"),
+                        status.missing.size() == 1 ? "it" : "them"));
     }
     FilmJobOptions without_renderer = options;
     without_renderer.renderer = [](const FrameInputs&, const WorkContext&) -> render::Film {
-        throw Error("a frame vanished from the cache while the film was being written");
+        throw Error(
+            "a frame disappeared from the cache while the film was being written; 'carom render' "
+            "renders it again");
     };
     return make_film(shot, bake, without_renderer, observer, stop);
 }

@@ -1,4 +1,4 @@
-// What of a film is there already.
+// Which frames of a film the store already has, and the film made only from these.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@
 namespace carom::pipeline {
 
 struct FilmStatus {
-    std::vector<std::int64_t> frames;   // that the job is about, ascending
-    std::vector<std::int64_t> stored;   // of these, whole in the store
-    std::vector<std::int64_t> missing;  // the others ...
-    std::int64_t pictures = 0;          // ... and how many pictures they show
-    std::vector<std::int64_t> damaged;  // of the missing ones, those with a file that is not whole
+    std::vector<std::int64_t> frames;   // of the job, ascending
+    std::vector<std::int64_t> stored;   // of these, intact in the store
+    std::vector<std::int64_t> missing;  // all others
+    std::int64_t pictures = 0;          // how many pictures the missing frames show
+    std::vector<std::int64_t> damaged;  // missing frames that have a damaged file
 };
 
-/// Renders nothing; reads every frame that is there, to be sure. Throws Error, Stopped.
+/// Renders nothing, but reads every stored frame to verify it. Throws Error, Stopped.
 [[nodiscard]] FilmStatus film_status(const Shot& shot, const sim::Bake& bake,
                                      const FilmJobOptions& options, const std::stop_token& stop);
 
-/// make_film, from what is stored alone. Throws an Error that names the frames which are missing.
+/// Like make_film, but only with stored frames. Throws an Error that names the missing frames.
 FilmJobResult mux_film(const Shot& shot, const sim::Bake& bake, const FilmJobOptions& options,
                        const JobObserver& observer, const std::stop_token& stop);
 

@@ -9,12 +9,12 @@ namespace {
 
 constexpr std::chrono::seconds kGrace{2};
 
-/// False if `done` came first.
-bool passed(std::chrono::seconds time, const std::stop_token& done) {
+/// Waits for `time` or until `done` is requested. Returns whether the whole time has passed.
+bool wait_for(std::chrono::seconds time, const std::stop_token& done) {
     std::mutex mutex;
-    std::condition_variable_any never;
+    std::condition_variable_any never_notified;
     std::unique_lock lock(mutex);
-    never.wait_for(lock, done, time, [] { return false; });
+    never_notified.wait_for(lock, done, time, [] { return false; });
     return !done.stop_requested();
 }
 
@@ -33,11 +33,11 @@ void FrameGrace::job_stopped() {
     }
     try {
         watchdog_ = std::jthread([this](const std::stop_token& frame_done) {
-            if (passed(kGrace, frame_done)) {
+            if (wait_for(kGrace, frame_done)) {
                 frame_stop_.request_stop();
             }
         });
-    } catch (const std::system_error&) {  // no thread can be had, and nobody to tell
+    } catch (const std::system_error&) {  // no thread can be started, and no caller to report it to
         frame_stop_.request_stop();
     }
 }

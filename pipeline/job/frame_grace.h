@@ -1,4 +1,4 @@
-// A frame that is nearly done is worth waiting for.
+// The grace period of a frame: when a job is stopped, a frame that is almost finished is completed.
 #pragma once
 
 #include <atomic>
@@ -9,17 +9,17 @@
 
 namespace carom::pipeline {
 
-/// Stands between a job's stop token and the rendering of one frame. When the job is stopped, so is
-/// the frame, unless it needs less than two seconds more, by its progress so far or, before the
-/// first tile, by what it is expected to take. If it turns out to need longer, it is stopped then.
+/// Links a job's stop token to the rendering of one frame. When the job is stopped, the frame is
+/// stopped, too, unless it is estimated to need less than two more seconds: by its progress or,
+/// before the first tile, by the expected time. If it needs longer than that, it is stopped then.
 class FrameGrace {
   public:
-    /// `expected`: seconds for the whole frame, 0 if nobody knows.
+    /// `expected`: seconds for the whole frame, 0 if unknown.
     FrameGrace(const std::stop_token& stop, double expected);
 
     [[nodiscard]] std::stop_token token() const { return frame_stop_.get_token(); }
 
-    /// To be told of the frame's progress, from any thread.
+    /// Must be called with the frame's progress, from any thread.
     void progress(double fraction);
 
   private:
@@ -31,8 +31,8 @@ class FrameGrace {
     double expected_;
     std::atomic<double> fraction_{0};
     std::stop_source frame_stop_;
-    std::jthread watchdog_;                               // runs from the job's stop on
-    std::stop_callback<std::function<void()>> callback_;  // last: it may call at once
+    std::jthread watchdog_;                               // runs after the job was stopped
+    std::stop_callback<std::function<void()>> callback_;  // last: it may be called immediately
 };
 
 }  // namespace carom::pipeline

@@ -67,7 +67,7 @@ void FrameQueue::request_again(std::size_t picture) {
     changed_.notify_all();
 }
 
-void FrameQueue::reader_done() {
+void FrameQueue::mark_reader_done() {
     {
         const std::scoped_lock lock(mutex_);
         reader_is_done_ = true;

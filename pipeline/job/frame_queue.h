@@ -1,4 +1,4 @@
-// What the rendering and the encoding thread of a job tell each other.
+// The queue between the rendering and the encoding thread of a job.
 #pragma once
 
 #include <chrono>
@@ -13,34 +13,35 @@
 
 namespace carom::pipeline {
 
-/// Which pictures the store has, by index. A picture that the encoder waits for is handed over in
-/// memory when it is rendered; it reads all others from the store, so that nothing piles up here.
+/// Records which pictures the store has, by index. A picture that the encoder waits for is handed
+/// over in memory when it is rendered. The encoder reads all others from the store, so that no
+/// pictures accumulate here.
 class FrameQueue {
   public:
     explicit FrameQueue(std::size_t pictures) : is_ready_(pictures, false) {}
 
-    // The rendering side.
-    /// The store has the picture. `film`: as the store holds it, if it was rendered just now.
+    // For the rendering thread:
+    /// Marks a picture as stored. `film` is the picture as stored, if it was rendered just now.
     void mark_ready(std::size_t picture, std::optional<render::Film> film = {});
-    /// A picture that the encoder could not read, if there is one.
+    /// Removes and returns a picture that the encoder could not read, if there is one.
     [[nodiscard]] std::optional<std::size_t> take_request();
-    /// Whether the encoder has all that it needs, or has given up.
+    /// Whether the encoder needs no more pictures, or has failed.
     [[nodiscard]] bool reader_is_done();
-    /// Returns when there is a request, `longest` is over or `stop` triggered.
+    /// Returns when there is a request, `longest` has passed or `stop` is triggered.
     void wait_for_request(std::chrono::milliseconds longest, const std::stop_token& stop);
-    /// Returns when there is a request, the reader is done or `stop` triggered.
+    /// Returns when there is a request, the reader is done or `stop` is triggered.
     void wait_for_reader(const std::stop_token& stop);
 
-    // The encoding side.
-    /// False if stopped before.
+    // For the encoding thread:
+    /// Returns false if stopped before the picture is ready.
     [[nodiscard]] bool wait_until_ready(std::size_t picture, const std::stop_token& stop);
-    /// The picture, if it is rendered while this waits for it; nothing if only the store has it.
-    /// Throws Stopped.
+    /// Waits until the picture is ready. Returns the picture if it is rendered during the wait, and
+    /// nothing if it has to be read from the store. Throws Stopped.
     [[nodiscard]] std::optional<render::Film> receive(std::size_t picture,
                                                       const std::stop_token& stop);
-    /// The picture was announced but is not in the store, or not whole.
+    /// Requests a picture that was marked as ready but is missing or damaged in the store.
     void request_again(std::size_t picture);
-    void reader_done();
+    void mark_reader_done();
 
   private:
     std::mutex mutex_;

@@ -18,7 +18,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-// Digits from the front of `text`, which is shortened by them.
+// Reads a number from the front of `text` and removes it there.
 bool take_number(std::string_view& text, std::int64_t& value) {
     if (text.empty() || text.front() < '0' || text.front() > '9') {
         return false;
@@ -42,23 +42,25 @@ bool take(std::string_view& text, char letter) {
 FrameRange::Part parse_part(std::string_view text) {
     const std::string quoted = "'" + std::string(text) + "'";
     FrameRange::Part part;
-    bool readable = take_number(text, part.first);
+    bool is_readable = take_number(text, part.first);
     part.last = part.first;
-    if (readable && take(text, '-')) {
-        readable = take_number(text, part.last);
-        if (readable && take(text, 'x')) {
-            readable = take_number(text, part.step);
+    if (is_readable && take(text, '-')) {
+        is_readable = take_number(text, part.last);
+        if (is_readable && take(text, 'x')) {
+            is_readable = take_number(text, part.step);
         }
     }
-    if (!readable || !text.empty()) {
-        throw Error("cannot read the frames " + quoted +
-                    "; write a frame (12), a range (0-47) or every n-th of one (0-47x2)");
+    if (!is_readable || !text.empty()) {
+        throw Error(quoted +
+                    " is not a range of frames; write a frame (12), a range (0-47) or every n-th "
+                    "frame of a range (0-47x2)");
     }
     if (part.last < part.first) {
-        throw Error("the frames " + quoted + " go backwards; write the smaller number first");
+        throw Error("the range of frames " + quoted +
+                    " is reversed; write the smaller number first");
     }
     if (part.step < 1) {
-        throw Error("the frames " + quoted + " have a step of 0; it must be at least 1");
+        throw Error("the range of frames " + quoted + " has a step of 0; write at least 1");
     }
     return part;
 }
@@ -85,7 +87,7 @@ std::vector<std::int64_t> FrameRange::frames(std::int64_t count) const {
         for (std::int64_t number = part.first; number <= last; number += part.step) {
             is_wanted[static_cast<std::size_t>(number)] = true;
             if (part.step > last - number) {
-                break;  // before the sum overflows
+                break;  // the sum would overflow
             }
         }
     }
@@ -125,11 +127,12 @@ FrameChunk parse_frame_chunk(std::string_view text) {
     FrameChunk chunk;
     if (!take_number(rest, chunk.number) || !take(rest, '/') || !take_number(rest, chunk.of) ||
         !rest.empty()) {
-        throw Error("cannot read the chunk '" + std::string(text) +
-                    "'; write its number and how many there are (2/8)");
+        throw Error("'" + std::string(text) +
+                    "' is not a chunk; write its number and the number of chunks (2/8)");
     }
     if (chunk.of < 1 || chunk.number < 1 || chunk.number > chunk.of) {
-        throw Error("there is no chunk '" + std::string(text) + "'; they count from 1/N to N/N");
+        throw Error("there is no chunk '" + std::string(text) +
+                    "'; the chunks are numbered from 1/N to N/N");
     }
     return chunk;
 }

@@ -1,4 +1,4 @@
-// Single frames to memory: without a store.
+// Renders single frames to memory, without a store.
 #include <memory>
 
 #include "pipeline/job/exported_frame.h"
@@ -9,7 +9,7 @@
 namespace carom::pipeline {
 namespace {
 
-// The part of a context that belongs to one of `count` equal steps.
+// The context for one of `count` equal steps.
 WorkContext step_of(const WorkContext& context, std::size_t step, std::size_t count) {
     WorkContext part{{}, context.stop};
     if (context.progress) {

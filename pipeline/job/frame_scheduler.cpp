@@ -9,8 +9,8 @@
 namespace carom::pipeline {
 namespace {
 
-constexpr std::chrono::milliseconds kPollHeld{50};  // how soon another's picture is noticed
-constexpr int kMostRepairs = 3;
+constexpr std::chrono::milliseconds kClaimPollInterval{50};
+constexpr int kMaxRepairs = 3;
 
 }  // namespace
 
@@ -22,15 +22,15 @@ void FrameScheduler::run(const std::stop_token& stop) {
         }
         if (const std::optional<std::size_t> broken = queue_.take_request()) {
             repair(*broken, stop);
-        } else if (try_held(stop)) {
+        } else if (retry_deferred(stop)) {
             continue;
         } else if (next < plan_.pictures.size()) {
-            if (!try_make(next, stop)) {
-                held_.push_back(next);
+            if (!try_render(next, stop)) {
+                deferred_.push_back(next);
             }
             ++next;
-        } else if (!held_.empty()) {
-            queue_.wait_for_request(kPollHeld, stop);
+        } else if (!deferred_.empty()) {
+            queue_.wait_for_request(kClaimPollInterval, stop);
         } else if (queue_.reader_is_done()) {
             return;
         } else {
@@ -39,35 +39,35 @@ void FrameScheduler::run(const std::stop_token& stop) {
     }
 }
 
-bool FrameScheduler::try_make(std::size_t picture, const std::stop_token& stop) {
+bool FrameScheduler::try_render(std::size_t picture, const std::stop_token& stop) {
     WorkContext context;
     context.stop = stop;
     context.progress = [this](double fraction) {
-        constexpr double kRendering = 0.999;  // storing is the rest
+        constexpr double kRendering = 0.999;  // the rest is storing
         observer_.render_progress((static_cast<double>(reported_frames_) + fraction * kRendering) /
                                   static_cast<double>(plan_.picture_of.size()));
     };
-    CachedRender made = renderer_.make(plan_.pictures[picture], context);
-    if (made.origin == RenderOrigin::held) {
+    CachedRender result = renderer_.render(plan_.pictures[picture], context);
+    if (result.origin == RenderOrigin::claimed_elsewhere) {
         return false;
     }
-    if (made.origin == RenderOrigin::rendered && !is_rendered_[picture]) {
+    if (result.origin == RenderOrigin::rendered && !is_rendered_[picture]) {
         is_rendered_[picture] = true;
         ++rendered_;
     }
-    counts_ += made.counts;
-    report(picture, made);
-    queue_.mark_ready(picture, std::move(made.film));
-    if (keeper_ != nullptr && made.origin == RenderOrigin::rendered) {
-        keeper_->picture_stored();
+    counts_ += result.counts;
+    report(picture, result);
+    queue_.mark_ready(picture, std::move(result.film));
+    if (pruner_ != nullptr && result.origin == RenderOrigin::rendered) {
+        pruner_->on_picture_stored();
     }
     return true;
 }
 
-bool FrameScheduler::try_held(const std::stop_token& stop) {
-    for (auto it = held_.begin(); it != held_.end(); ++it) {
-        if (try_make(*it, stop)) {
-            held_.erase(it);
+bool FrameScheduler::retry_deferred(const std::stop_token& stop) {
+    for (auto it = deferred_.begin(); it != deferred_.end(); ++it) {
+        if (try_render(*it, stop)) {
+            deferred_.erase(it);
             return true;
         }
     }
@@ -77,27 +77,27 @@ bool FrameScheduler::try_held(const std::stop_token& stop) {
 void FrameScheduler::repair(std::size_t picture, const std::stop_token& stop) {
     const FilmPlan::Picture& broken = plan_.pictures[picture];
     ++repairs_[picture];
-    if (repairs_[picture] > kMostRepairs) {
-        throw Error(
-            fmt::format("frame {} was rendered several times, but the cache never holds it whole",
-                        broken.frame));
+    if (repairs_[picture] > kMaxRepairs) {
+        throw Error(fmt::format(
+            "frame {} was rendered several times, but cannot be read back from the cache",
+            broken.frame));
     }
-    if (!try_make(picture, stop)) {
-        held_.push_front(picture);
+    if (!try_render(picture, stop)) {
+        deferred_.push_front(picture);
     }
 }
 
-// Every frame of the film is told of once, also if its picture is made again later.
-void FrameScheduler::report(std::size_t picture, const CachedRender& made) {
+// Every frame of the film is reported once, even if its picture is rendered again later.
+void FrameScheduler::report(std::size_t picture, const CachedRender& result) {
     if (is_reported_[picture]) {
         return;
     }
     is_reported_[picture] = true;
-    bool from_store = made.origin == RenderOrigin::stored;
+    bool from_store = result.origin == RenderOrigin::stored;
     for (const std::int64_t frame : plan_.pictures[picture].frames) {
-        observer_.frame(frame, from_store, from_store ? 0 : made.seconds,
-                        from_store ? 0 : made.rays());
-        from_store = true;  // the others show what is there by now
+        observer_.frame(frame, from_store, from_store ? 0 : result.seconds,
+                        from_store ? 0 : result.rays());
+        from_store = true;  // for the other frames the picture is stored now
         ++reported_frames_;
     }
     observer_.render_progress(static_cast<double>(reported_frames_) /

@@ -1,11 +1,11 @@
-// The rendering side of a job: sees to it that the store has every picture.
+// The rendering side of a job: ensures that the store has every picture of the film.
 #pragma once
 
 #include <cstdint>
 #include <deque>
 #include <vector>
 
-#include "pipeline/job/cache_keeper.h"
+#include "pipeline/job/cache_pruner.h"
 #include "pipeline/job/cached_renderer.h"
 #include "pipeline/job/film_plan.h"
 #include "pipeline/job/frame_queue.h"
@@ -13,18 +13,19 @@
 
 namespace carom::pipeline {
 
-/// Goes through the pictures in order of first use. One that another process is rendering is left
-/// for later; one that the encoder cannot read is made again at once. Refers to its arguments.
+/// Renders the pictures in order of first use. A picture that another process is rendering is
+/// deferred. A picture that the encoder cannot read is rendered again immediately. Refers to its
+/// arguments.
 class FrameScheduler {
   public:
-    /// `keeper`, if there is one, hears of every picture that is stored.
+    /// `pruner`, if not null, is notified of every picture that is stored.
     FrameScheduler(const FilmPlan& plan, CachedRenderer& renderer, FrameQueue& queue,
-                   ThreadSafeObserver& observer, CacheKeeper* keeper = nullptr)
+                   ThreadSafeObserver& observer, CachePruner* pruner = nullptr)
         : plan_(plan),
           renderer_(renderer),
           queue_(queue),
           observer_(observer),
-          keeper_(keeper),
+          pruner_(pruner),
           is_reported_(plan.pictures.size(), false),
           is_rendered_(plan.pictures.size(), false),
           repairs_(plan.pictures.size(), 0) {}
@@ -32,24 +33,26 @@ class FrameScheduler {
     /// Returns when the reader of the queue is done. Throws Error, Stopped.
     void run(const std::stop_token& stop);
 
-    /// How many pictures were rendered, not found. One that is rendered a second time, because what
-    /// was kept of it is damaged or gone, counts once.
+    /// How many pictures were rendered instead of found in the store. A picture that is rendered
+    /// again, because its file is damaged or missing, counts once.
     [[nodiscard]] std::int64_t rendered() const { return rendered_; }
-    /// The rays of these.
+    /// The rays of the rendered pictures.
     [[nodiscard]] const render::RenderStatistics& counts() const { return counts_; }
 
   private:
-    [[nodiscard]] bool try_make(std::size_t picture, const std::stop_token& stop);
-    [[nodiscard]] bool try_held(const std::stop_token& stop);
+    /// False if another process has claimed the picture.
+    [[nodiscard]] bool try_render(std::size_t picture, const std::stop_token& stop);
+    /// Returns after the first deferred picture that is finished; false if none could be.
+    [[nodiscard]] bool retry_deferred(const std::stop_token& stop);
     void repair(std::size_t picture, const std::stop_token& stop);
-    void report(std::size_t picture, const CachedRender& made);
+    void report(std::size_t picture, const CachedRender& result);
 
     const FilmPlan& plan_;
     CachedRenderer& renderer_;
     FrameQueue& queue_;
     ThreadSafeObserver& observer_;
-    CacheKeeper* keeper_;
-    std::deque<std::size_t> held_;  // by other processes
+    CachePruner* pruner_;
+    std::deque<std::size_t> deferred_;  // pictures that other processes have claimed
     std::vector<bool> is_reported_;
     std::vector<bool> is_rendered_;
     std::vector<int> repairs_;

@@ -1,4 +1,4 @@
-// What a job's options come to.
+// The frames and folders that a job's options select.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,12 @@
 
 namespace carom::pipeline {
 
-/// The frames of the job: its range, then its chunk of that. Throws Error if there are none.
+/// The frames of the job: those of its range, of these the ones of its chunk. Throws Error if there
+/// are none.
 [[nodiscard]] std::vector<std::int64_t> job_frames(const Shot& shot, const FilmJobOptions& options);
 
-/// Where bakes and frames are kept.
-[[nodiscard]] std::string cache_of(const FilmJobOptions& options);
+/// The folders of the cache and of its frames.
+[[nodiscard]] std::string cache_folder_of(const FilmJobOptions& options);
 [[nodiscard]] std::string frames_folder(const FilmJobOptions& options);
 
 }  // namespace carom::pipeline

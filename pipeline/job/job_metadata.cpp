@@ -13,7 +13,7 @@ std::string number_text(double value) {
     return fmt::format("{:.9g}", value);
 }
 
-// "off", or the radiance above which indirect light was cut: such pictures are darker than true.
+// "off", or the radiance to which indirect light was clamped, which makes pictures too dark.
 std::string clamp_text(double clamp) {
     return clamp > 0 ? number_text(clamp) : "off";
 }
@@ -38,7 +38,7 @@ std::map<std::string, std::string> render_metadata(const Shot& shot) {
     return metadata;
 }
 
-/// Rays of the frame by kind; none are known of a frame that was stored before.
+/// The rays of the frame by kind. They are unknown for a frame that was read from the store.
 void add_rays(const render::RenderStatistics& counts, render::ImageMetadata& metadata) {
     if (counts.camera_rays == 0) {
         return;
@@ -59,7 +59,7 @@ render::ImageMetadata stored_frame_metadata(const Shot& shot,
                                             const render::RenderStatistics& counts) {
     render::ImageMetadata metadata = render_metadata(shot);
     add_rays(counts, metadata);
-    // OpenImageIO writes the time of writing otherwise, and the same frame would be other bytes.
+    // Otherwise OpenImageIO writes the current time, and the same frame would have other bytes.
     metadata["DateTime"] = "1970:01:01 00:00:00";
     return metadata;
 }
@@ -79,7 +79,7 @@ render::ImageMetadata exported_frame_metadata(const Shot& shot, const sim::Timel
     metadata["frame"] = fmt::format("{}", frame);
     metadata["video_time"] = number_text(planned.video_time);
     metadata["scene_time"] = number_text(planned.scene_time);
-    // The two that formats without keys of their own have a place for.
+    // The two fields that formats without custom keys provide.
     metadata["Software"] = std::string("carom ") + CAROM_VERSION;
     metadata["ImageDescription"] = shot.name + ", camera " + planned.rig + ", frame " +
                                    metadata["frame"] + ", scene time " + metadata["scene_time"] +

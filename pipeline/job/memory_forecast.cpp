@@ -21,16 +21,16 @@ namespace {
 
 /// The program with its libraries, the table, the balls and a room around them.
 constexpr double kProgram = 180e6;
-/// The film of a frame, its tiles, the frame that is being stored, and what the view makes of it.
+/// The film of a frame, its tiles, the frame that is being stored, and its view transform.
 constexpr double kPicturePerPixel = 62;
-/// An AOV, while it is rendered and while it is stored.
+/// One AOV, while it is rendered and while it is stored.
 constexpr double kPerPixelAndAov = 20;
 
-/// What a file takes in memory beside what it takes on disk: arrays in double, and Embree's tree.
+/// The memory of a mesh in multiples of its file size: arrays in double, and Embree's tree.
 double mesh_growth(const std::string& extension) {
     return extension == ".ply" ? 6.5 : 3.3;
 }
-/// Pictures are kept in float with the table that samples them.
+/// Images are stored in float, together with the table that is used to sample them.
 constexpr double kImageGrowth = 8;
 
 double scene_bytes(const Shot& shot) {
@@ -47,7 +47,7 @@ double scene_bytes(const Shot& shot) {
     return bytes;
 }
 
-/// What the encoder keeps of the pictures that it compares, in bytes per pixel at 8 bits.
+/// The memory of the pictures that the encoder compares, in bytes per pixel at 8 bits.
 double encoder_bytes_per_pixel(Codec codec, const OutputSettings& output) {
     switch (codec) {
         case Codec::h264:

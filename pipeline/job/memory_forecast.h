@@ -1,4 +1,4 @@
-// How much memory the film of a shot will take, before it is made.
+// Estimates how much memory the film of a shot will need.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace carom::pipeline {
 
-/// The largest resident size, in bytes, to expect of the process that renders and encodes the whole
-/// film to `output` (empty: a film of the shot's own format). Within a quarter of what was measured
-/// for the cases of docs/reliability.md; bench/memory_forecast measures them again.
+/// The expected largest resident size, in bytes, of a process that renders and encodes the whole
+/// film to `output` (empty: a film in the shot's own format). It deviates from the measurements of
+/// docs/reliability.md by at most a quarter; bench/memory_forecast repeats them.
 [[nodiscard]] std::uint64_t forecast_memory(const Shot& shot, const std::string& output);
 
-/// "580 MB", "1.2 GB": two digits or three, as exact as a forecast is.
+/// "580 MB", "1.2 GB": two or three digits, since the forecast is not more accurate.
 [[nodiscard]] std::string memory_text(std::uint64_t bytes);
 
 }  // namespace carom::pipeline

@@ -1,13 +1,13 @@
-// Two pictures in one, for cross-fades.
+// Mixes two pictures for a cross-fade.
 #pragma once
 
 #include "render/film/film.h"
 
 namespace carom::pipeline {
 
-/// Linear light: the colours and the coverage of `film` become its own times 1 - weight and those
-/// of `other`, of the same size, times weight. What its further channels say of one place cannot be
-/// mixed; they stay those of `film`.
+/// Mixes `other`, which has the same size, into `film` in linear light: colours and coverage become
+/// (1 - weight) * film + weight * other. Other channels, such as depth, cannot be mixed and remain
+/// those of `film`.
 void mix_in(const render::Film& other, double weight, render::Film& film);
 
 }  // namespace carom::pipeline

@@ -16,7 +16,7 @@ std::string line_of(OverlayItem item, const PlannedFrame& frame) {
         case OverlayItem::speed:
             break;
     }
-    return fmt::format("speed {:8.4f}x", frame.speed + 0.0);  // + 0.0: -0 becomes 0
+    return fmt::format("speed {:8.4f}x", frame.speed + 0.0);  // + 0.0 turns -0 into 0
 }
 
 }  // namespace

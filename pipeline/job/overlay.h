@@ -1,4 +1,4 @@
-// What is written into a frame of the film.
+// The text that is drawn over the frames of a film.
 #pragma once
 
 #include "pipeline/camera/frame_plan.h"
@@ -7,9 +7,9 @@
 
 namespace carom::pipeline {
 
-/// "frame     42", "scene   1.2375 s", "speed   0.1250x": the lines that the settings ask for, with
-/// the frame's number in the film, the scene time in its middle and the speed there. Times and
-/// numbers keep their width as they grow.
+/// The lines that the settings select, such as "frame     42", "scene   1.2375 s" and "speed
+/// 0.1250x": the frame's number in the film, and the scene time and the speed at its middle. Times
+/// and numbers have a fixed width.
 [[nodiscard]] render::PictureText overlay_text(const OverlaySettings& settings,
                                                const PlannedFrame& frame);
 

@@ -1,4 +1,4 @@
-// Rendering as the job sees it.
+// The function with which a job renders pictures.
 #pragma once
 
 #include <functional>
@@ -11,12 +11,12 @@
 
 namespace carom::pipeline {
 
-/// From a frame's inputs to its picture; the same inputs give the same picture. A job asks for one
-/// at a time.
+/// Renders the picture of a frame from its inputs. The same inputs give the same picture. A job
+/// renders one picture at a time.
 using RenderFunction = std::function<render::Film(const FrameInputs&, const WorkContext&)>;
 
-/// render_frame on `threads` threads (0: as many as there are processors). The scene is prepared
-/// when the first picture is asked for. Refers to `shot`; `factory` as for PreparedScene.
+/// Calls render_frame on `threads` threads (0: one per processor). The scene is prepared for the
+/// first picture. Refers to `shot`; `factory` as for PreparedScene.
 [[nodiscard]] RenderFunction make_scene_renderer(const Shot& shot, int threads,
                                                  render::StructureFactory factory);
 

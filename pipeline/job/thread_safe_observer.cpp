@@ -2,7 +2,7 @@
 
 namespace carom::pipeline {
 
-void ThreadSafeObserver::tell(std::string_view stage, double fraction) {
+void ThreadSafeObserver::report_progress(std::string_view stage, double fraction) {
     if (observer_.on_progress) {
         observer_.on_progress(stage, fraction);
     }
@@ -12,9 +12,9 @@ void ThreadSafeObserver::render_progress(double fraction) {
     const std::scoped_lock lock(mutex_);
     if (fraction > render_fraction_) {
         render_fraction_ = fraction;
-        tell("render", fraction);
+        report_progress("render", fraction);
         if (fraction >= 1 && encode_fraction_ > 0) {
-            tell("encode", encode_fraction_);
+            report_progress("encode", encode_fraction_);
         }
     }
 }
@@ -24,7 +24,7 @@ void ThreadSafeObserver::encode_progress(double fraction) {
     if (fraction > encode_fraction_) {
         encode_fraction_ = fraction;
         if (render_fraction_ >= 1) {
-            tell("encode", fraction);
+            report_progress("encode", fraction);
         }
     }
 }

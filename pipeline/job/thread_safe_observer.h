@@ -1,4 +1,4 @@
-// Between the threads of a job and the one observer who listens to it.
+// Makes the observer of a job safe to call from several threads.
 #pragma once
 
 #include <mutex>
@@ -7,20 +7,20 @@
 
 namespace carom::pipeline {
 
-/// Lets one call through at a time. Stages come one after the other: what is said of encoding while
-/// rendering still goes on is kept back.
+/// Passes on one call at a time, and one stage after the other: the progress of encoding is
+/// reported only after rendering has ended.
 class ThreadSafeObserver {
   public:
     explicit ThreadSafeObserver(const JobObserver& observer) : observer_(observer) {}
 
-    /// Shares never decrease; smaller ones are dropped.
+    /// Fractions never decrease: smaller ones are ignored.
     void render_progress(double fraction);
     void encode_progress(double fraction);
     void warning(const std::string& message);
     void frame(std::int64_t number, bool from_store, double seconds, std::uint64_t rays);
 
   private:
-    void tell(std::string_view stage, double fraction);
+    void report_progress(std::string_view stage, double fraction);
 
     std::mutex mutex_;
     const JobObserver& observer_;

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<Hash128> hash_of_name(const std::string& digits) {
+std::optional<Hash128> parse_hash(const std::string& digits) {
     if (digits.size() != 32) {
         return std::nullopt;
     }
@@ -31,15 +31,15 @@ std::optional<Hash128> hash_of_name(const std::string& digits) {
     return hash;
 }
 
-/// Bakes of version 1 of their format had their warnings in a file beside them.
-std::string old_warnings_of(const std::string& bake) {
+/// Version 1 of the bake format kept the warnings in a separate file beside the bake.
+std::string old_warnings_path(const std::string& bake) {
     return bake + ".warnings";
 }
 
-/// Nothing if it is no entry's file, or gone by now.
-std::optional<CacheEntry> entry_of(const fs::path& path, CacheEntry::Kind kind) {
+/// The entry of a file. Empty if the file is not an entry or was removed in the meantime.
+std::optional<CacheEntry> read_entry(const fs::path& path, CacheEntry::Kind kind) {
     struct stat status {};
-    const std::optional<Hash128> key = hash_of_name(path.stem().string());
+    const std::optional<Hash128> key = parse_hash(path.stem().string());
     if (!key || ::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
         return std::nullopt;
     }
@@ -51,19 +51,19 @@ std::optional<CacheEntry> entry_of(const fs::path& path, CacheEntry::Kind kind) 
     return entry;
 }
 
-void collect(const fs::path& folder, const char* extension, CacheEntry::Kind kind,
-             std::vector<CacheEntry>& entries) {
+void collect_entries(const fs::path& folder, const char* extension, CacheEntry::Kind kind,
+                     std::vector<CacheEntry>& entries) {
     std::error_code failure;
     fs::recursive_directory_iterator it(folder, failure);
     if (failure && failure != std::errc::no_such_file_or_directory) {
         throw Error("the cache '" + folder.string() + "' cannot be read: " + failure.message());
     }
-    // What vanishes meanwhile is another process's doing.
+    // Another process may remove files meanwhile: that is not an error.
     for (; !failure && it != fs::recursive_directory_iterator(); it.increment(failure)) {
         if (it->path().extension() != extension) {
             continue;
         }
-        if (std::optional<CacheEntry> entry = entry_of(it->path(), kind)) {
+        if (std::optional<CacheEntry> entry = read_entry(it->path(), kind)) {
             entries.push_back(std::move(*entry));
         }
     }
@@ -73,8 +73,8 @@ void collect(const fs::path& folder, const char* extension, CacheEntry::Kind kin
 
 std::vector<CacheEntry> list_cache(const std::string& folder) {
     std::vector<CacheEntry> entries;
-    collect(fs::path(folder) / "frames", ".exr", CacheEntry::Kind::frame, entries);
-    collect(fs::path(folder) / "bakes", ".bake", CacheEntry::Kind::bake, entries);
+    collect_entries(fs::path(folder) / "frames", ".exr", CacheEntry::Kind::frame, entries);
+    collect_entries(fs::path(folder) / "bakes", ".bake", CacheEntry::Kind::bake, entries);
     std::sort(entries.begin(), entries.end(), [](const CacheEntry& a, const CacheEntry& b) {
         return a.last_used != b.last_used ? a.last_used < b.last_used : a.path < b.path;
     });
@@ -90,7 +90,7 @@ bool remove_entry(const CacheEntry& entry) {
         return false;
     }
     if (entry.kind == CacheEntry::Kind::bake) {
-        ::unlink(old_warnings_of(entry.path).c_str());
+        ::unlink(old_warnings_path(entry.path).c_str());
     }
     return true;
 }

@@ -1,4 +1,4 @@
-// What the cache holds: finished frames and bakes.
+// The entries of the cache: finished frames and bakes.
 #pragma once
 
 #include <chrono>
@@ -14,22 +14,22 @@ struct CacheEntry {
     enum class Kind { frame, bake };
     Kind kind = Kind::frame;
     std::string path;
-    Hash128 key;  // a frame's key or a bake's physics hash: the file's name
+    Hash128 key;  // a frame's key or a bake's physics hash, which is also the file's name
     std::uint64_t bytes = 0;
     std::chrono::system_clock::time_point last_used;
 };
 
-/// All of them, the one that was used longest ago first. Files of other names, and those being
-/// written, are not among them. A folder that is not there has none; one that cannot be read is an
-/// Error.
+/// All entries, the least recently used one first. Files with other names and files that are being
+/// written are not entries. A folder that does not exist has no entries. Throws Error if the folder
+/// cannot be read.
 [[nodiscard]] std::vector<CacheEntry> list_cache(const std::string& folder);
 
-/// Notes that a file of the cache is used now, by its time of modification. Does nothing if that
-/// fails: a cache that can only be read works, too.
+/// Sets the modification time of a file of the cache to now, which marks it as used. A failure is
+/// ignored, so that a read-only cache works, too.
 void mark_used(const std::string& path);
 
-/// Removes the entry, and the file of warnings that an older carom kept beside a bake. False if
-/// that failed and it is still there.
+/// Removes the entry, and the file of warnings that older versions of carom kept beside a bake.
+/// False if the entry could not be removed.
 [[nodiscard]] bool remove_entry(const CacheEntry& entry);
 
 }  // namespace carom::pipeline

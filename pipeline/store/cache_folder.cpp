@@ -23,7 +23,7 @@ std::string default_cache_folder() {
     }
     const std::string home = environment("HOME");
     if (home.empty()) {
-        throw Error("there is no place for the cache: set CAROM_CACHE, XDG_CACHE_HOME or HOME");
+        throw Error("there is no folder for the cache; set CAROM_CACHE, XDG_CACHE_HOME or HOME");
     }
     return home + "/.cache/carom";
 }

@@ -1,4 +1,4 @@
-// Where bakes and frames are kept unless told otherwise.
+// The default folder of the cache for bakes and frames.
 #pragma once
 
 #include <string>

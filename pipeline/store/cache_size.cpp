@@ -1,4 +1,4 @@
-// Sizes of caches as people write them.
+// Converts sizes of caches between bytes and text.
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -7,12 +7,12 @@
 #include <fmt/core.h>
 
 #include "core/error.h"
-#include "pipeline/store/cache_care.h"
+#include "pipeline/store/cache_maintenance.h"
 
 namespace carom::pipeline {
 namespace {
 
-constexpr std::uint64_t kUsualLimit = 20'000'000'000;
+constexpr std::uint64_t kDefaultLimit = 20'000'000'000;
 
 constexpr std::array<std::pair<std::string_view, double>, 5> kUnits{
     {{"TB", 1e12}, {"GB", 1e9}, {"MB", 1e6}, {"kB", 1e3}, {"B", 1}}};
@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-[[noreturn]] void refuse(std::string_view text) {
+[[noreturn]] void throw_not_a_size(std::string_view text) {
     throw Error("'" + std::string(text) +
                 "' is not a size; write a number with its unit, such as 500 MB or 20 GB, or none");
 }
@@ -48,15 +48,15 @@ std::uint64_t parse_cache_size(std::string_view text) {
         }
     }
     const std::string number(trimmed(rest));
-    // Digits and a point only: strtod would also take "inf", "0x1" and signs.
+    // Only digits and a point are allowed: strtod would also accept "inf", "0x1" and signs.
     if (number.empty() || number.find_first_not_of("0123456789.") != std::string::npos ||
         (unit == 0 && number != "0")) {
-        refuse(text);
+        throw_not_a_size(text);
     }
     char* end = nullptr;
     const double value = std::strtod(number.c_str(), &end) * unit;
     if (*end != '\0' || value > 1e18) {
-        refuse(text);
+        throw_not_a_size(text);
     }
     return static_cast<std::uint64_t>(std::llround(value));
 }
@@ -67,7 +67,7 @@ std::string size_text(std::uint64_t bytes) {
     }
     const auto value = static_cast<double>(bytes);
     for (const auto& [name, unit] : kUnits) {
-        if (value >= 0.9995 * unit) {  // three digits of less would round up to it
+        if (value >= 0.9995 * unit) {  // a smaller unit would round up to 1000
             return unit == 1 ? fmt::format("{:.0f} {}", value, name)
                              : fmt::format("{:.3g} {}", value / unit, name);
         }
@@ -87,7 +87,7 @@ std::uint64_t cache_size_limit(const std::string& given) {
             throw Error(std::string("CAROM_CACHE_SIZE: ") + error.what());
         }
     }
-    return kUsualLimit;
+    return kDefaultLimit;
 }
 
 }  // namespace carom::pipeline

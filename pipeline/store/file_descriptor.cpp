@@ -25,7 +25,7 @@ void create_folder(const std::string& path) {
     std::error_code failure;
     std::filesystem::create_directories(path, failure);
     if (failure) {
-        throw Error("'" + path + "': the folder cannot be made: " + failure.message());
+        throw Error("'" + path + "': the folder cannot be created: " + failure.message());
     }
 }
 

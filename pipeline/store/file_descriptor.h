@@ -1,4 +1,4 @@
-// An open file, closed when it goes out of scope.
+// The descriptor of an open file, closed when it goes out of scope.
 #pragma once
 
 #include <string>
@@ -30,10 +30,10 @@ class FileDescriptor {
     int descriptor_ = -1;
 };
 
-/// "'path': what failed: the system's reason", from errno.
+/// "'path': what failed: the system's reason", where the reason is that of errno.
 [[nodiscard]] std::string system_problem(const std::string& path, const std::string& what);
 
-/// With its parents; throws Error.
+/// Creates the folder and its parents. Throws Error.
 void create_folder(const std::string& path);
 
 }  // namespace carom::pipeline

@@ -9,7 +9,7 @@ namespace carom::pipeline {
 FrameClaim::FrameClaim(int lock_descriptor, std::string path)
     : lock_descriptor_(lock_descriptor), path_(std::move(path)) {}
 
-// The name goes first, while the lock still keeps others off the file.
+// The file is unlinked while it is still locked, so that no other process can lock it in between.
 FrameClaim::~FrameClaim() {
     if (lock_descriptor_ >= 0) {
         ::unlink(path_.c_str());

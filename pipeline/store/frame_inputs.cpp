@@ -17,8 +17,8 @@ bool is_at_rest(const MotionState& state, const Quat& orientation) {
     return state.angular_velocity == Vec3(0, 0, 0) && state.orientation == orientation;
 }
 
-// Between keys the angular velocity is linear, so that it is zero throughout if it is at both ends.
-bool rests(const sim::Track& track, double open, double close) {
+// The angular velocity is linear between keys, so it is zero throughout if it is zero at both ends.
+bool rests_during(const sim::Track& track, double open, double close) {
     const Quat orientation = track.sample(open).orientation;
     for (const sim::PathSegment& segment : track.segments(open, close)) {
         if (!is_still(segment) || !is_at_rest(track.sample(segment.start), orientation) ||
@@ -30,7 +30,8 @@ bool rests(const sim::Track& track, double open, double close) {
     return true;
 }
 
-sim::Track standing_still(const sim::Track& track, double scene_time) {
+/// A track whose only key is the pose at that time.
+sim::Track freeze_at(const sim::Track& track, double scene_time) {
     const MotionState state = track.sample(scene_time);
     sim::Key key;
     key.position = state.position;
@@ -52,12 +53,12 @@ FrameInputs frame_inputs(const PlannedFrame& frame, const Shutter& shutter,
         }
         const sim::Track* track = timeline.find(object.track);
         if (track == nullptr) {
-            throw Error("object '" + object.name + "' moves like '" + object.track +
-                        "', which is not in the timeline");
+            throw Error("object '" + object.name + "' follows the track '" + object.track +
+                        "', which the timeline does not have");
         }
         if (frame.scene_open == frame.scene_close ||
-            rests(*track, frame.scene_open, frame.scene_close)) {
-            inputs.tracks.push_back(standing_still(*track, frame.scene_open));
+            rests_during(*track, frame.scene_open, frame.scene_close)) {
+            inputs.tracks.push_back(freeze_at(*track, frame.scene_open));
         } else {
             inputs.tracks.push_back(*track);
             moves = true;

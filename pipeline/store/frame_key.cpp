@@ -14,7 +14,8 @@
 namespace carom::pipeline {
 namespace {
 
-// What one integrator ignores would only keep its frames from being shared.
+// Settings that the integrator ignores are set to their defaults, so that they do not keep frames
+// from being shared.
 render::RenderSettings used_settings(render::RenderSettings settings) {
     const render::RenderSettings usual;
     if (settings.integrator == render::IntegratorKind::distributed) {
@@ -29,7 +30,7 @@ render::RenderSettings used_settings(render::RenderSettings settings) {
     return settings;
 }
 
-// Names do not change what is seen, but what mattes call it.
+// Names do not change the image, but mattes contain them.
 void add_names(Hasher& hasher, const render::SceneDescription& scene) {
     for (const render::ObjectDescription& object : scene.objects) {
         hasher.add(object.name).add(object.material);
@@ -42,9 +43,9 @@ void add_names(Hasher& hasher, const render::SceneDescription& scene) {
     }
 }
 
-// One smooth piece: the path as it is, and the turning by what it is at five instants. Orientation
-// and angular velocity at the ends fix it up to the rounding of its integral, which the instants
-// between would show.
+// Adds one smooth segment: the path itself, and the rotation at five instants. Orientation and
+// angular velocity at both ends determine the rotation up to the rounding of its integral, which
+// the instants in between detect.
 void add_segment(FieldHasher& hasher, const sim::Track& track, const sim::PathSegment& segment) {
     hasher.add_value(segment);
     for (const double fraction : {0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -63,7 +64,7 @@ void add_track(FieldHasher& hasher, const sim::Track& track, const render::Frame
     }
 }
 
-// Which objects share a track, and what each track does. The tracks' names do not matter.
+// Adds which objects share a track, and the motion of each track. The tracks' names do not enter.
 void add_motion(FieldHasher& hasher, const render::SceneDescription& scene,
                 const FrameInputs& inputs) {
     for (const render::ObjectDescription& object : scene.objects) {

@@ -1,4 +1,4 @@
-// A frame's identity: the hash of its own inputs and nothing else.
+// The key of a frame: the hash of its own inputs and of nothing else.
 #pragma once
 
 #include "core/hash.h"
@@ -8,14 +8,13 @@
 
 namespace carom::pipeline {
 
-/// Hash of the still part of a scene: description and the contents of the files it names (not
-/// their paths). Computed once per shot.
+/// Hash of the static part of a scene: its description and the contents of the files that it names
+/// (not their paths). Computed once per shot.
 [[nodiscard]] Hash128 hash_scene(const render::SceneDescription& scene);
 
-/// Hash of: what the tracks do while the shutter is open, camera values, `scene_hash`, render
-/// settings, the renderer's revision and SIMD tier. Neither the bake nor names nor the frame's
-/// number enter. The frame's seed follows from these (frame_seed.h), so it does not enter by
-/// itself.
+/// Hash of the motion of the tracks while the shutter is open, the camera values, `scene_hash`, the
+/// render settings, the renderer's revision and its SIMD tier. Neither the bake nor names nor the
+/// frame's number enter. The frame's seed follows from these (frame_seed.h).
 [[nodiscard]] Hash128 frame_key(const FrameInputs& inputs, const render::SceneDescription& scene,
                                 const Hash128& scene_hash, const render::RenderSettings& settings);
 

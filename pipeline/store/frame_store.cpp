@@ -12,27 +12,27 @@
 #include "core/error.h"
 #include "pipeline/store/cache_entry.h"
 #include "pipeline/store/file_descriptor.h"
+#include "pipeline/store/frame_checksum.h"
 #include "pipeline/store/lock_file.h"
-#include "pipeline/store/seal.h"
 
 namespace carom::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Unique among all writers that live now on this machine and, through the key, almost surely
-// among those on others.
+// The name is unique among all writers that now run on this machine and, because of the key, almost
+// certainly among those on other machines.
 std::string partial_name(const Hash128& key) {
     static std::atomic<std::uint64_t> count{0};
     return fmt::format("{}-{}-{}", key.to_string(), ::getpid(), ++count);
 }
 
-// A file being written, locked so that nobody takes it for a dead writer's. Removed unless it got
-// its final name.
+// A file that is being written. It is locked so that no process takes it for a leftover of a killed
+// writer, and removed unless it was renamed.
 class PartialFile {
   public:
     explicit PartialFile(std::string path) : path_(std::move(path)), lock_(try_lock(path_)) {
-        // The name is ours alone; only somebody looking for abandoned files can hold it, briefly.
+        // No other writer uses this name. Only remove_abandoned_files may lock it for a moment.
         while (lock_.state == LockState::busy) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
             lock_ = try_lock(path_);
@@ -53,7 +53,7 @@ class PartialFile {
     void rename_to(const std::string& final_path) {
         create_folder(fs::path(final_path).parent_path().string());
         if (::rename(path_.c_str(), final_path.c_str()) != 0) {
-            throw Error(system_problem(final_path, "the frame cannot be put in its place"));
+            throw Error(system_problem(final_path, "the finished frame cannot be moved here"));
         }
         path_.clear();
     }
@@ -63,14 +63,14 @@ class PartialFile {
     LockAttempt lock_;
 };
 
-bool locks_work(const std::string& folder) {
+bool supports_locks(const std::string& folder) {
     const std::string path = fmt::format("{}/test-{}", folder, ::getpid());
     try {
         const LockAttempt attempt = try_lock(path);
         ::unlink(path.c_str());
         return attempt.state != LockState::unsupported;
     } catch (const Error&) {
-        return false;  // a folder that can only be read
+        return false;  // the folder is read-only
     }
 }
 
@@ -79,10 +79,10 @@ bool locks_work(const std::string& folder) {
 FrameStore::FrameStore(std::string folder, DamageObserver on_damage)
     : folder_(std::move(folder)), on_damage_(std::move(on_damage)) {
     create_folder(folder_);
-    can_claim_ = locks_work(folder_ + "/locks");
+    can_claim_ = supports_locks(folder_ + "/locks");
     if (can_claim_) {
-        remove_abandoned(folder_ + "/locks");
-        remove_abandoned(folder_ + "/partial");
+        remove_abandoned_files(folder_ + "/locks");
+        remove_abandoned_files(folder_ + "/partial");
     }
 }
 
@@ -95,14 +95,14 @@ bool FrameStore::contains(const Hash128& key) const {
     return ::access(path_of(key).c_str(), F_OK) == 0;
 }
 
-bool FrameStore::holds_whole(const Hash128& key) const {
-    return check_seal(path_of(key), key) == SealState::whole;
+bool FrameStore::is_intact(const Hash128& key) const {
+    return verify_checksum(path_of(key), key) == FrameFileState::intact;
 }
 
-void FrameStore::discard_damaged(const Hash128& key) const {
+void FrameStore::remove_if_damaged(const Hash128& key) const {
     const std::string path = path_of(key);
-    if (check_seal(path, key) == SealState::damaged) {
-        discard(path, damage_text(path, key));
+    if (verify_checksum(path, key) == FrameFileState::damaged) {
+        discard(path, describe_damage(path, key));
     }
 }
 
@@ -119,13 +119,13 @@ void FrameStore::mark_used(const Hash128& key) const {
 
 std::optional<render::Film> FrameStore::read(const Hash128& key) const {
     const std::string path = path_of(key);
-    switch (check_seal(path, key)) {
-        case SealState::missing:
+    switch (verify_checksum(path, key)) {
+        case FrameFileState::missing:
             return std::nullopt;
-        case SealState::damaged:
-            discard(path, damage_text(path, key));
+        case FrameFileState::damaged:
+            discard(path, describe_damage(path, key));
             return std::nullopt;
-        case SealState::whole:
+        case FrameFileState::intact:
             break;
     }
     try {
@@ -140,7 +140,7 @@ void FrameStore::write(const Hash128& key, const render::Film& film,
                        const render::ImageMetadata& metadata) const {
     PartialFile partial(folder_ + "/partial/" + partial_name(key));
     render::write_exr(film, partial.path(), metadata);
-    seal_file(partial.path(), key);
+    append_checksum(partial.path(), key);
     partial.rename_to(path_of(key));
 }
 

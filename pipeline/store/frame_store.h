@@ -1,4 +1,4 @@
-// Finished frames on disk, under their keys.
+// A store of finished frames on disk, each in a file that is named after its key.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,8 @@
 
 namespace carom::pipeline {
 
-/// Held while a frame is being rendered; releases its lock when destroyed (also when the process
-/// is killed).
+/// A lock on a frame that is being rendered. It is released when this object is destroyed or the
+/// process is killed.
 class FrameClaim {
   public:
     FrameClaim(int lock_descriptor, std::string path);
@@ -30,45 +30,45 @@ class FrameClaim {
 };
 
 /// A folder of EXR files, one per key. Several threads and processes may share it.
-///   FOLDER/ab/abcdef....exr   whole frames, by the first two digits of the key
-///   FOLDER/partial/           frames being written; what killed writers left is removed
+///   FOLDER/ab/abcdef....exr   finished frames, sorted by the first two digits of the key
+///   FOLDER/partial/           frames being written; leftovers of killed writers are removed
 ///   FOLDER/locks/             claims
 class FrameStore {
   public:
-    /// Hears of a stored frame that turned out to be damaged, before its file is removed: the file
-    /// and a sentence without its full stop, "its contents have changed since it was written". Any
-    /// thread that uses the store may call it.
+    /// Called for a stored frame that turned out to be damaged, before its file is removed. The
+    /// arguments are the file and a sentence without its full stop: "its contents have changed
+    /// since it was written". Any thread that uses the store may call it.
     using DamageObserver = std::function<void(const std::string& path, const std::string& damage)>;
 
     /// Creates the folder if need be; throws Error if that fails.
     explicit FrameStore(std::string folder, DamageObserver on_damage = {});
 
-    /// Whether claims keep other processes off; false where the file system has no locks. Every
-    /// claim is granted then, and the same frame may be rendered twice.
+    /// Whether claims exclude other processes; false if the file system has no locks. Every claim
+    /// is granted then, and the same frame may be rendered twice.
     [[nodiscard]] bool can_claim() const { return can_claim_; }
 
-    /// Whether a file stands under the key (it may still turn out to be damaged).
+    /// Whether a file exists for the key (it may still turn out to be damaged).
     [[nodiscard]] bool contains(const Hash128& key) const;
 
-    /// Whether the file under the key is whole, read to its end but not decoded. Throws Error if
-    /// the folder cannot be read.
-    [[nodiscard]] bool holds_whole(const Hash128& key) const;
+    /// Whether the file for the key exists and its checksum is correct. The file is read to its end
+    /// but not decoded. Throws Error if the folder cannot be read.
+    [[nodiscard]] bool is_intact(const Hash128& key) const;
 
-    /// Removes the frame, if it is there and damaged.
-    void discard_damaged(const Hash128& key) const;
+    /// Removes the frame if it exists and is damaged.
+    void remove_if_damaged(const Hash128& key) const;
 
-    /// Notes that the frame, if it is there, is used now: it will be among the last to be pruned.
+    /// Marks the frame, if it exists, as used now, so that it will be among the last to be pruned.
     void mark_used(const Hash128& key) const;
 
-    /// The frame, or nothing if there is none. A damaged file is removed and counts as none. Throws
-    /// Error if the folder cannot be read.
+    /// The frame, or nothing if it is not stored. A damaged file is removed and counts as not
+    /// stored. Throws Error if the folder cannot be read.
     [[nodiscard]] std::optional<render::Film> read(const Hash128& key) const;
 
-    /// Under a temporary name, flushed, renamed. Throws Error.
+    /// Writes the frame under a temporary name, flushes it to disk and renames it. Throws Error.
     void write(const Hash128& key, const render::Film& film,
                const render::ImageMetadata& metadata) const;
 
-    /// The right to render this frame, or nothing if another process holds it now.
+    /// The right to render this frame, or nothing if another process has claimed it.
     [[nodiscard]] std::optional<FrameClaim> claim(const Hash128& key) const;
 
     [[nodiscard]] std::string path_of(const Hash128& key) const;

@@ -42,11 +42,12 @@ LockState lock(int descriptor) {
             return LockState::unsupported;
         }
     }
-    return LockState::held;
+    return LockState::acquired;
 }
 
-// Between open and flock the last owner may have unlinked the file; a lock on it means nothing.
-bool still_has_its_name(int descriptor, const std::string& path) {
+// Between open and flock the last owner may have unlinked the file. A lock on an unlinked file
+// excludes nobody.
+bool is_still_linked(int descriptor, const std::string& path) {
     struct stat opened {};
     struct stat named {};
     return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
@@ -60,18 +61,19 @@ LockAttempt try_lock(const std::string& path) {
         LockAttempt attempt;
         attempt.descriptor = open_or_create(path);
         attempt.state = lock(attempt.descriptor.get());
-        if (attempt.state != LockState::held) {
+        if (attempt.state != LockState::acquired) {
             attempt.descriptor.reset();
             return attempt;
         }
-        if (still_has_its_name(attempt.descriptor.get(), path)) {
+        if (is_still_linked(attempt.descriptor.get(), path)) {
             return attempt;
         }
     }
 }
 
-void remove_abandoned(const std::string& folder) {
-    // Listed first: what others create and remove meanwhile is not ours to chase.
+void remove_abandoned_files(const std::string& folder) {
+    // The folder is listed first, so that files which other processes create or remove meanwhile do
+    // not matter.
     std::error_code ignored;
     std::vector<std::string> paths;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
@@ -79,8 +81,8 @@ void remove_abandoned(const std::string& folder) {
     }
     for (const std::string& path : paths) {
         const FileDescriptor file = open_file(path, 0);
-        if (file.is_open() && lock(file.get()) == LockState::held &&
-            still_has_its_name(file.get(), path)) {
+        if (file.is_open() && lock(file.get()) == LockState::acquired &&
+            is_still_linked(file.get(), path)) {
             ::unlink(path.c_str());
         }
     }

@@ -1,4 +1,5 @@
-// Files that one process at a time holds; the system frees them when it dies.
+// Lock files: one process at a time can lock a file, and the system releases the lock when the
+// process ends.
 #pragma once
 
 #include <string>
@@ -8,8 +9,8 @@
 namespace carom::pipeline {
 
 enum class LockState {
-    held,         // by the caller, through the descriptor
-    busy,         // somebody else holds it
+    acquired,     // by the caller, for as long as the descriptor is open
+    busy,         // another process or descriptor has locked the file
     unsupported,  // the file system has no locks
 };
 
@@ -18,12 +19,12 @@ struct LockAttempt {
     FileDescriptor descriptor;
 };
 
-/// Creates the file if need be and locks it without waiting. Whoever holds the lock may unlink the
-/// file: the next one notices and starts over with a new file. Throws Error if the file cannot be
-/// opened.
+/// Creates the file if it does not exist and locks it without waiting. The owner of the lock may
+/// unlink the file: the next caller notices this and starts again with a new file. Throws Error if
+/// the file cannot be opened.
 [[nodiscard]] LockAttempt try_lock(const std::string& path);
 
-/// Unlinks the files in `folder` that nobody holds: what killed processes left.
-void remove_abandoned(const std::string& folder);
+/// Unlinks the files in `folder` that no process has locked: leftovers of killed processes.
+void remove_abandoned_files(const std::string& folder);
 
 }  // namespace carom::pipeline

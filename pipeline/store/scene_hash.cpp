@@ -1,4 +1,4 @@
-// The still part of a scene as one hash.
+// The hash of the static part of a scene.
 #include <algorithm>
 #include <cstdint>
 
@@ -10,8 +10,8 @@
 namespace carom::pipeline {
 namespace {
 
-/// The object's material without what is not looked at.
-render::MaterialDescription seen_material(const render::ObjectDescription& object,
+/// The object's material without the fields that the renderer ignores.
+render::MaterialDescription used_material(const render::ObjectDescription& object,
                                           const std::vector<render::MaterialDescription>& all) {
     const auto found = std::ranges::find(all, object.material, &render::MaterialDescription::name);
     if (found == all.end()) {
@@ -33,7 +33,7 @@ Hash128 hash_scene(const render::SceneDescription& scene) {
     hasher.add("carom scene, format 4").add(std::uint64_t{objects.size()});
     for (const render::ObjectDescription& object : objects) {
         hasher.add_value(object).add(!object.track.empty());
-        hasher.add_value(seen_material(object, materials));
+        hasher.add_value(used_material(object, materials));
     }
     return hasher.add_value(lights).finish();
 }

@@ -1,5 +1,5 @@
-// The bake reader against hostile files. Any bytes give a bake or an Error; a bake that is accepted
-// can be written, read back the same, and sampled anywhere with finite values.
+// Fuzzes the bake reader. Any bytes must give a bake or an Error. An accepted bake can be written,
+// read back unchanged, and sampled at any time with finite values.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -61,7 +61,8 @@ void read(std::span<const std::byte> bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::span bytes(reinterpret_cast<const std::byte*>(data), size);
-    // As a file, and with an envelope whose hash fits: the hash would stop everything else.
+    // Reads the bytes as a file, and as the content of a file with a correct hash, since the reader
+    // rejects all others early.
     read(bytes);
     read(encode_envelope(bytes));
     return 0;

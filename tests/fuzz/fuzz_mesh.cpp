@@ -1,5 +1,5 @@
-// Mesh files: any bytes are refused with a sentence or become triangles whose indices and numbers
-// can be used.
+// Fuzzes the readers of mesh files. Any bytes must give an Error, or triangles with valid indices
+// and finite numbers.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>

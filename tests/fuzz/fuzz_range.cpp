@@ -1,5 +1,5 @@
-// What says which frames, how large a cache, which part of a film: refused with a sentence or of
-// use.
+// Fuzzes the parsers of frame ranges, chunks and cache sizes. Any text must give an Error or a
+// valid value.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "pipeline/job/frame_range.h"
-#include "pipeline/store/cache_care.h"
+#include "pipeline/store/cache_maintenance.h"
 
 namespace {
 

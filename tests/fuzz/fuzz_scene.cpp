@@ -1,4 +1,5 @@
-// Any text is refused with problems that can be shown, or becomes YAML whose syntax is right.
+// Fuzzes the import of scenes. Any text must give problems that can be printed, or YAML with valid
+// syntax.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -16,17 +17,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         shown += format(problem);
     }
     if (result.yaml.empty() != has_errors(result.problems)) {
-        std::fprintf(stderr, "YAML beside errors, or neither\n%s", shown.c_str());
+        std::fprintf(stderr, "both YAML and errors, or neither\n%s", shown.c_str());
         std::abort();
     }
     if (!result.yaml.empty()) {
         for (const Problem& problem : load_shot_text(result.yaml, "/nowhere/shot.yaml").problems) {
-            // Values may lie outside what a shot allows; a key or a syntax that it does not know
-            // is ours.
-            const bool is_ours = problem.message.find("unknown key") != std::string::npos ||
-                                 problem.message.find("cannot be the name") != std::string::npos ||
-                                 problem.message.find("is not YAML") != std::string::npos;
-            if (is_ours) {
+            // Values may be outside the range that a shot allows, but unknown keys and invalid
+            // syntax are errors of the import.
+            const bool is_import_error =
+                problem.message.find("unknown key") != std::string::npos ||
+                problem.message.find("cannot be the name") != std::string::npos ||
+                problem.message.find("is not YAML") != std::string::npos;
+            if (is_import_error) {
                 std::fprintf(stderr, "%s\n%s", result.yaml.c_str(), format(problem).c_str());
                 std::abort();
             }

@@ -1,5 +1,6 @@
-// The frame store against hostile files. Whatever stands under a key is a frame or counts as none;
-// a seal that fits lets the bytes through to the EXR reader. Any names may stand in the folder.
+// Fuzzes the frame store. A file with any bytes must be read as a frame or count as missing. With a
+// correct checksum the bytes are passed to the EXR reader. The folder may contain files of any
+// name.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -12,8 +13,8 @@
 
 #include "core/error.h"
 #include "pipeline/store/cache_entry.h"
+#include "pipeline/store/frame_checksum.h"
 #include "pipeline/store/frame_store.h"
-#include "pipeline/store/seal.h"
 
 namespace {
 
@@ -38,26 +39,26 @@ std::string make_folder() {
     return folder;
 }
 
-void put(const FrameStore& store, const std::uint8_t* data, std::size_t size, bool sealed) {
+void put(const FrameStore& store, const std::uint8_t* data, std::size_t size, bool with_checksum) {
     const std::filesystem::path path = store.path_of(kKey);
     std::filesystem::create_directories(path.parent_path());
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
-    if (sealed) {
-        seal_file(path, kKey);
+    if (with_checksum) {
+        append_checksum(path, kKey);
     }
 }
 
 void read(const FrameStore& store) {
     const auto film = store.read(kKey);
-    require(film.has_value() == store.contains(kKey), "a damaged file stays");
+    require(film.has_value() == store.contains(kKey), "a damaged file was not removed");
     if (!film) {
         return;
     }
     require(film->width > 0 && film->height > 0, "empty");
 }
 
-/// The first line as a name among the frames.
+/// Uses the first line as the name of a file among the frames.
 void list(const std::string& folder, const FrameStore& store, const std::uint8_t* data,
           std::size_t size) {
     std::string name(data, std::find(data, data + std::min<std::size_t>(size, 60), '\n'));
@@ -69,7 +70,7 @@ void list(const std::string& folder, const FrameStore& store, const std::uint8_t
         std::filesystem::path(store.path_of(kKey)).parent_path() / name;
     std::ofstream(path) << "x";
     for (const CacheEntry& entry : list_cache(folder)) {
-        require(std::filesystem::exists(entry.path), "listed, but not there");
+        require(std::filesystem::exists(entry.path), "listed, but missing");
     }
     std::filesystem::remove(path);
 }
@@ -79,12 +80,12 @@ void list(const std::string& folder, const FrameStore& store, const std::uint8_t
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const std::string folder = make_folder();
     static const FrameStore store(folder);
-    for (const bool sealed : {false, true}) {
-        put(store, data, size, sealed);
+    for (const bool with_checksum : {false, true}) {
+        put(store, data, size, with_checksum);
         try {
             read(store);
         } catch (const Error& error) {
-            std::fprintf(stderr, "a file was not taken for damaged: %s\n", error.what());
+            std::fprintf(stderr, "a file was not recognised as damaged: %s\n", error.what());
             std::abort();
         }
     }

@@ -1,5 +1,5 @@
-// Any table is refused with problems that can be shown, or becomes the motion of an object that
-// loads.
+// Fuzzes the import of tables. Any table must give problems that can be printed, or the motion of
+// an object in a valid shot.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace carom::pipeline;
     const std::string text(data, data + size);
     if (config::find_invalid_utf8(text) != std::string::npos) {
-        return 0;  // refused before it is read
+        return 0;  // rejected before it is parsed
     }
     ImportTrackOptions options;
     options.name = "thing";
@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         shown += format(problem);
     }
     if (result.yaml.empty() != has_errors(result.problems)) {
-        std::fprintf(stderr, "YAML beside errors, or neither\n%s", shown.c_str());
+        std::fprintf(stderr, "both YAML and errors, or neither\n%s", shown.c_str());
         std::abort();
     }
     if (!result.yaml.empty()) {

@@ -1,5 +1,5 @@
-// Any text is a shot or a list of problems: never a crash, a hang or a problem that cannot be
-// shown. A shot's resolved text loads again.
+// Fuzzes the loader of shots. Any text must give a shot or a list of problems that can be printed,
+// without a crash or a hang. The resolved text of a shot must load again.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         carom::pipeline::load_shot_text(text, "/nowhere/fuzz.yaml");
     const std::string problems = all_problems(result);
     if (result.shot.has_value() == has_errors(result.problems)) {
-        std::fprintf(stderr, "a shot with errors, or none without\n%s", problems.c_str());
+        std::fprintf(stderr, "a shot with errors, or neither\n%s", problems.c_str());
         std::abort();
     }
     if (result.shot) {

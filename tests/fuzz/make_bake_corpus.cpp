@@ -1,4 +1,5 @@
-// make_bake_corpus FOLDER: small inner buffers, and one whole file, for fuzz_bake to start from.
+// make_bake_corpus FOLDER: writes the corpus of fuzz_bake: contents of small bakes, and one
+// complete file.
 #include <cstdio>
 #include <exception>
 #include <string>

@@ -1,4 +1,4 @@
-// What check says of shots that are legal but surely not meant, word for word.
+// The exact messages of check about shots that are valid but probably a mistake.
 #include <filesystem>
 
 #include <sys/stat.h>
@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// The tiny shot with other events, and a camera changed line by line.
+/// Writes shots with given events and camera lines, and checks them.
 class CheckCommandRun : public EndToEnd {
   protected:
     void write_shot(const std::string& strike, const std::string& position = "[0, -1, 0.8]",
@@ -34,8 +34,8 @@ cameras:
     target: [0, 0.5, 0]
 )" + more + "render: {size: [64, 36], fps: 10}\n");
     }
-    /// All that check says, which has to be exit code `code`.
-    [[nodiscard]] std::string said(int code = 0) const {
+    /// All messages of check, which must return the exit code `code`.
+    [[nodiscard]] std::string messages(int code = 0) const {
         const RunResult result = run({"check", "s.yaml"});
         EXPECT_EQ(result.exit_code, code) << result.err;
         EXPECT_EQ(result.out, "");
@@ -43,10 +43,10 @@ cameras:
     }
 };
 
-TEST_F(CheckCommandRun, StrikeThatMisses_IsWarnedOfAtItsAim) {
+TEST_F(CheckCommandRun, StrikeThatMisses_IsAWarningAtItsAim) {
     write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 0.1}");
     EXPECT_EQ(
-        said(),
+        messages(),
         R"(s.yaml:6:36: warning: strike on 'cue' at 0.100 s: it never touched 'one', which it was aimed at
     6 |   - strike: {ball: cue, at: 0.1 s, toward: one, speed: 0.1}
       |                                    ^~~~~~
@@ -54,10 +54,10 @@ carom: 's.yaml' has no errors, but 1 warning
 )");
 }
 
-TEST_F(CheckCommandRun, Miscue_IsWarnedOfAtTheTip) {
+TEST_F(CheckCommandRun, Miscue_IsAWarningAtTheTip) {
     write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 3, tip: [0, 0.7]}");
     EXPECT_EQ(
-        said(),
+        messages(),
         R"(s.yaml:6:59: warning: strike on 'cue' at 0.100 s: a tip more than half a radius off centre would miscue
     6 |   - strike: {ball: cue, at: 0.1 s, toward: one, speed: 3, tip: [0, 0.7]}
       |                                                           ^~~
@@ -65,11 +65,11 @@ carom: 's.yaml' has no errors, but 1 warning
 )");
 }
 
-TEST_F(CheckCommandRun, EventThatNeverHappens_IsWarnedOfAtItsTrigger) {
+TEST_F(CheckCommandRun, EventThatNeverHappens_IsAWarningAtItsTrigger) {
     write_shot(
         "{ball: cue, at: 0.1 s, toward: one, speed: 3}\n"
         "  - impulse: {object: one, when: {potted: one}, newton_seconds: [0, 1, 0]}");
-    EXPECT_EQ(said(),
+    EXPECT_EQ(messages(),
               R"(s.yaml:7:28: warning: event 2 on 'one' never happened: 'one' was never potted
     7 |   - impulse: {object: one, when: {potted: one}, newton_seconds: [0, 1, 0]}
       |                            ^~~~
@@ -77,11 +77,11 @@ carom: 's.yaml' has no errors, but 1 warning
 )");
 }
 
-TEST_F(CheckCommandRun, CameraInsideABall_IsWarnedOfWithItsFrames) {
+TEST_F(CheckCommandRun, CameraInsideABall_IsAWarningWithItsFrames) {
     write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 3}",
                "{bezier: [[-0.3, 0.01, 0.03], [-0.3, 0.01, 0.03]]}");
     EXPECT_EQ(
-        said(),
+        messages(),
         R"(s.yaml:11:5: warning: camera 'seat' is inside 'cue' from 0 s to 0.1 s of the film (frames 0 to 1)
    11 |     position: {bezier: [[-0.3, 0.01, 0.03], [-0.3, 0.01, 0.03]]}
       |     ^~~~~~~~
@@ -89,14 +89,14 @@ carom: 's.yaml' has no errors, but 1 warning
 )");
 }
 
-TEST_F(CheckCommandRun, FocusBehindTheCamera_IsWarnedOfAndRendersAllTheSame) {
+TEST_F(CheckCommandRun, FocusBehindTheCamera_IsAWarningAndCanBeRendered) {
     write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 3}", "[0.2, -1, 0.8]",
                "    focus: [2 m, one]\n");
-    EXPECT_EQ(said(), "carom: 's.yaml' has no errors\n");
+    EXPECT_EQ(messages(), "carom: 's.yaml' has no errors\n");
     write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 3}", "[0, 0.2, 0.2]",
                "    focus: [2 m, one]\n");
     EXPECT_EQ(
-        said(),
+        messages(),
         R"(s.yaml:13:5: warning: camera 'seat' is focused on 'one', which is behind it from 0.1 s to 0.5 s of the film (frames 1 to 5)
    13 |     focus: [2 m, one]
       |     ^~~~~
@@ -107,7 +107,7 @@ carom: 's.yaml' has no errors, but 1 warning
     EXPECT_THAT(frame.err, HasSubstr("s.yaml:13:5: warning: camera 'seat' is focused on 'one'"));
 }
 
-TEST_F(CheckCommandRun, BallThatLeavesTheDrawnCloth_IsWarnedOf) {
+TEST_F(CheckCommandRun, BallThatLeavesTheDrawnCloth_IsAWarning) {
     write_text(path("s.yaml"), R"(carom: 1
 simulation: {duration: 3 s}
 table: {kind: cloth}
@@ -118,7 +118,7 @@ cameras:
   - {name: seat, video: [0 s, 0.6 s], scene: [0 s, 0.6 s], position: [0, -1, 0.8], target: [0, 0.5, 0]}
 )");
     EXPECT_EQ(
-        said(),
+        messages(),
         R"(s.yaml:5:3: warning: 'cue' leaves the drawn cloth at 0.292 s: only a square of 6 m is drawn, and the ball continues outside it
     5 |   cue: {at: [2.5, 0], velocity: [2, 0, 0]}
       |   ^~~
@@ -126,8 +126,8 @@ carom: 's.yaml' has no errors, but 1 warning
 )");
 }
 
-/// Steps are counted, not seconds: what is said does not depend on the machine or its load.
-TEST_F(CheckCommandRun, SimulationOfManySteps_IsLeftToBake) {
+/// Steps are counted instead of seconds, so the messages do not depend on the machine or its load.
+TEST_F(CheckCommandRun, SimulationOfManySteps_IsNotRun) {
     std::string shot = "carom: 1\nsimulation: {duration: 0.12 s}\ntable: {kind: cloth}\nobjects:\n";
     for (int i = 0; i < 120; ++i) {
         shot += "  d" + std::to_string(i) + ": {box: [8 mm, 25 mm, 50 mm], at: [" +
@@ -136,18 +136,18 @@ TEST_F(CheckCommandRun, SimulationOfManySteps_IsLeftToBake) {
     write_text(path("s.yaml"), shot + R"(cameras:
   - {name: seat, video: [0 s, 0.1 s], scene: [0 s, 0.1 s], position: [0, -1, 0.8], target: [0, 0.5, 0]}
 )");
-    const std::string left_alone =
-        "carom: its motion was not looked at: simulating it takes more than 15 million steps; "
-        "after 'carom bake' the bake that it keeps is looked at\n";
-    EXPECT_EQ(said(), left_alone + "carom: 's.yaml' has no errors\n");
+    const std::string not_checked =
+        "carom: the motion was not checked, because simulating it takes more than 15 million "
+        "steps; to check it, run 'carom bake' first\n";
+    EXPECT_EQ(messages(), not_checked + "carom: 's.yaml' has no errors\n");
     EXPECT_EQ(run({"bake", "s.yaml"}).exit_code, 0);
-    EXPECT_EQ(said(), "carom: 's.yaml' has no errors\n");
+    EXPECT_EQ(messages(), "carom: 's.yaml' has no errors\n");
 }
 
 TEST_F(CheckCommandRun, CameraThatMakesNoPicture_IsAnError) {
     write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 3}", "[0, 0.5, 0]");
     EXPECT_EQ(
-        said(2),
+        messages(2),
         R"(s.yaml:8:5: error: camera 'seat' has no valid view from 0 s to 0.5 s of the film (frames 0 to 5): the camera's position and target are the same point
     8 |   - name: seat
       |     ^~~~
@@ -155,7 +155,7 @@ carom: error: 's.yaml' has 1 error
 )");
 }
 
-TEST_F(CheckCommandRun, Quick_LeavesOutWhatTheMotionShows) {
+TEST_F(CheckCommandRun, Quick_OmitsWarningsAboutTheMotion) {
     write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 0.1}");
     EXPECT_EQ(run({"check", "s.yaml", "--quick"}).err, "carom: 's.yaml' has no errors\n");
     EXPECT_FALSE(exists("cache"));
@@ -170,10 +170,10 @@ TEST_F(CheckCommandRun, OtherCommands_WarnToo) {
                                            "never touched 'one'"))
             << command;
     }
-    EXPECT_THAT(said(), StartsWith("s.yaml:6:36: warning: strike on"));  // of the kept bake
+    EXPECT_THAT(messages(), StartsWith("s.yaml:6:36: warning: strike on"));  // of the kept bake
 }
 
-TEST_F(CheckCommandRun, Bake_WarnsAsTheRunThatMadeIt) {
+TEST_F(CheckCommandRun, Bake_GivesTheWarningsOfItsSimulation) {
     write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 0.1}");
     ASSERT_EQ(run({"bake", "s.yaml", "-o", "s.bake"}).exit_code, 0);
     std::filesystem::remove_all(path("cache"));
@@ -185,7 +185,7 @@ TEST_F(CheckCommandRun, Bake_WarnsAsTheRunThatMadeIt) {
     EXPECT_FALSE(exists("cache/bakes")) << "nothing was simulated again";
 }
 
-TEST_F(CheckCommandRun, Json_IsAnArrayOfProblemsWithTheirEnds) {
+TEST_F(CheckCommandRun, Json_IsAnArrayOfProblemsWithTheirEndColumns) {
     std::filesystem::create_directory(path("parts"));
     write_text(path("parts/look.yaml"), "render: {sampels: 3}\n");
     write_text(path("s.yaml"), "carom: 1\ninclude: parts/look.yaml\nballs: {cue: {at: 3}}\n");
@@ -204,7 +204,7 @@ TEST_F(CheckCommandRun, Json_IsAnArrayOfProblemsWithTheirEnds) {
     EXPECT_THAT(good.err, Not(HasSubstr("error")));
 }
 
-TEST_F(CheckCommandRun, LimitsAreRaisedByTheEnvironment) {
+TEST_F(CheckCommandRun, EnvironmentVariable_RaisesTheLimits) {
     std::string text = "carom: 1\nballs:\n";
     for (int i = 0; i < 10'001; ++i) {
         text += "  b" + std::to_string(i) + ": {at: [0, 0, " + std::to_string(i + 1) + "]}\n";
@@ -220,8 +220,8 @@ TEST_F(CheckCommandRun, LimitsAreRaisedByTheEnvironment) {
     EXPECT_THAT(passed.err, Not(HasSubstr("CAROM_LIMITS")));
 }
 
-// Nobody writes to it: to open it would take forever, and the first Ctrl-C would not end it.
-TEST_F(CheckCommandRun, Pipe_IsRefusedAtOnce) {
+// No process writes to the pipe: opening it would block, and the first Ctrl-C would not end that.
+TEST_F(CheckCommandRun, Pipe_IsRejectedImmediately) {
     ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
     const RunResult result = run({"check", "pipe"});
     EXPECT_EQ(result.exit_code, 2);
@@ -229,7 +229,7 @@ TEST_F(CheckCommandRun, Pipe_IsRefusedAtOnce) {
               "pipe: error: the file is not a regular file\ncarom: error: 'pipe' has 1 error\n");
 }
 
-TEST_F(CheckCommandRun, RootConfinesWhatAShotNames) {
+TEST_F(CheckCommandRun, Root_RestrictsTheFilesOfAShot) {
     std::filesystem::create_directories(path("farm"));
     write_text(path("secret.yaml"), "simulation: {duration: 1 s}\n");
     write_text(path("farm/shot.yaml"), "carom: 1\ninclude: ../secret.yaml\n");

@@ -1,4 +1,4 @@
-// What is filmed again is not simulated again: no call of ODE at all.
+// Checks that filming a shot again does not simulate it again: ODE is not called at all.
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ using ::testing::Not;
 class NoSimulation : public ::testing::Test {
   protected:
     NoSimulation() {
-        // A box as well, which ODE has to step while it falls.
+        // The shot also has a falling box, which ODE has to step.
         std::string text = carom::testing::tiny_shot();
         text.insert(text.find("lights:"),
                     "objects: {tile: {box: [0.02, 0.02, 0.05], at: [0, 0.3, 0.2], physics: "
@@ -36,9 +36,9 @@ class NoSimulation : public ::testing::Test {
         before_ = ode_calls();
     }
 
-    /// Everything since the bake.
+    /// Checks that ODE was not called since the bake.
     void expect_no_call() const {
-        // The test would see it: the bake has stepped.
+        // The bake was counted, so the counters work.
         EXPECT_GT(before_.starts, 0);
         EXPECT_GT(before_.worlds, 0);
         EXPECT_GT(before_.steps, 10);
@@ -58,13 +58,13 @@ class NoSimulation : public ::testing::Test {
     [[nodiscard]] ConsoleSettings settings() {
         ConsoleSettings settings;
         settings.clock = [] { return 0.0; };
-        settings.write = [this](std::string_view text) { said_ += text; };
+        settings.write = [this](std::string_view text) { messages_ += text; };
         return settings;
     }
     [[nodiscard]] std::string path(const std::string& name) const { return folder_.path(name); }
 
     ScratchFolder folder_;
-    std::string said_;
+    std::string messages_;
     Console console_{settings()};
     CommandContext context_{console_, {}};
     OdeCalls before_;
@@ -98,52 +98,53 @@ TEST_F(NoSimulation, Retime_CallsNoOde) {
     expect_no_call();
 }
 
-TEST_F(NoSimulation, ChangeOfLookCameraOrOutput_KeepsTheBake) {
+TEST_F(NoSimulation, ChangeOfLookCameraOrOutput_ReusesTheBake) {
     for (const std::string change :
          {"cameras[0].fov=50 deg", "lights.lamp.radiance=[1, 2, 3]", "output.crf=30",
           "render.fps=5", "balls.cue.look={number: 5}"}) {
-        said_.clear();
+        messages_.clear();
         RenderCommand command = render("shot.yaml", "film.mp4");
         command.input.overrides = {change};
         run(command, context_);
-        EXPECT_THAT(said_, HasSubstr("the physics is unchanged: using the bake that was kept"))
+        EXPECT_THAT(messages_, HasSubstr("the physics is unchanged: using the cached bake"))
             << change;
     }
     expect_no_call();
 }
 
-TEST_F(NoSimulation, ChangeOfPhysics_SimulatesAndSaysWhatChanged) {
+TEST_F(NoSimulation, ChangeOfPhysics_SimulatesAgainAndReportsTheChange) {
     RenderCommand command = render("shot.yaml", "film.mp4");
     command.input.overrides = {"events[0].strike.speed=4", "physics.gravity=9.8"};
-    said_.clear();
+    messages_.clear();
     run(command, context_);
-    EXPECT_THAT(said_, HasSubstr("simulated the shot again: its physics has changed "
-                                 "(events[0].strike.speed, physics)"));
+    EXPECT_THAT(messages_, HasSubstr("simulated the shot again: its physics has changed "
+                                     "(events[0].strike.speed, physics)"));
     EXPECT_GT(ode_calls().steps, before_.steps);
     const OdeCalls changed = ode_calls();
-    said_.clear();
-    run(render("shot.yaml", "film.mp4"), context_);  // and back
-    EXPECT_THAT(said_,
-                HasSubstr("this physics was simulated before: using the bake that was kept"));
+    messages_.clear();
+    run(render("shot.yaml", "film.mp4"), context_);  // the original physics again
+    EXPECT_THAT(messages_, HasSubstr("this physics was simulated before: using the cached bake"));
     EXPECT_EQ(ode_calls().steps, changed.steps);
     std::filesystem::remove_all(path("cache/bakes"));
-    said_.clear();
+    messages_.clear();
     run(render("shot.yaml", "film.mp4"), context_);
-    EXPECT_THAT(said_, HasSubstr("simulated the shot again: its bake was not there any more"));
+    EXPECT_THAT(messages_,
+                HasSubstr("simulated the shot again: its bake was no longer in the cache"));
 }
 
-TEST_F(NoSimulation, DamagedBake_IsSimulatedAgainAndSaidToBeThere) {
+TEST_F(NoSimulation, DamagedBake_IsReportedAndSimulatedAgain) {
     for (const auto& entry : std::filesystem::directory_iterator(path("cache/bakes"))) {
         if (entry.path().extension() == ".bake") {
             std::filesystem::resize_file(entry.path(), 500);
         }
     }
-    said_.clear();
+    messages_.clear();
     run(render("shot.yaml", "film.mp4"), context_);
-    EXPECT_THAT(said_, HasSubstr("the kept bake cannot be used, baking again: "));
-    EXPECT_THAT(said_,
-                HasSubstr("simulated the shot again: the bake that was kept could not be used"));
-    EXPECT_THAT(said_, Not(HasSubstr("not there any more")));
+    EXPECT_THAT(messages_,
+                HasSubstr("the cached bake cannot be used, so the shot is simulated again: "));
+    EXPECT_THAT(messages_,
+                HasSubstr("simulated the shot again: the cached bake could not be used"));
+    EXPECT_THAT(messages_, Not(HasSubstr("no longer in the cache")));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// One ball on the cloth, struck too far off centre, of which the simulation warns.
+/// One ball on the cloth that is struck too far off centre, so that the simulation gives a warning.
 Shot make_shot() {
     Shot shot = carom::testing::tiny_shot();
     shot.resolved_text = "carom: 1";
@@ -44,7 +44,7 @@ Shot make_shot() {
 struct Baking {
     sim::Bake bake;
     bool baked = false;
-    BakeOrigin origin = BakeOrigin::kept;
+    BakeOrigin origin = BakeOrigin::cached;
     std::vector<std::string> warnings;
     double last_fraction = -1;
 };
@@ -60,7 +60,7 @@ Baking run(const Shot& shot, const std::string& cache) {
     BakedShot baked = bake_or_reuse(shot, cache, observer, {});
     result.bake = std::move(baked.bake);
     result.origin = baked.origin;
-    result.baked = result.origin != BakeOrigin::kept;
+    result.baked = result.origin != BakeOrigin::cached;
     return result;
 }
 
@@ -68,7 +68,7 @@ std::string bake_path(const Shot& shot, const std::string& cache) {
     return cache + "/bakes/" + sim::physics_hash(shot.world).to_string() + ".bake";
 }
 
-TEST(BakeShot, Bake_IsTheOneThatIsKept) {
+TEST(BakeShot, Bake_IsTheSameAsTheCachedOne) {
     const ScratchFolder folder;
     Shot shot = make_shot();
     shot.keyed = {sim::Track("lamp", std::vector<sim::Key>(1))};
@@ -84,11 +84,11 @@ TEST(BakeShot, Bake_IsTheOneThatIsKept) {
     EXPECT_THROW((void)bake_shot(shot, {{}, stop.get_token()}), Stopped);
 }
 
-TEST(BakeJob, SecondTime_TakesTheKeptBakeAndWarnsAgain) {
+TEST(BakeJob, SecondRun_UsesTheCachedBakeAndWarnsAgain) {
     const ScratchFolder cache;
     const Shot shot = make_shot();
     const Baking first = run(shot, cache.path());
-    EXPECT_EQ(first.origin, BakeOrigin::made);
+    EXPECT_EQ(first.origin, BakeOrigin::simulated);
     EXPECT_EQ(first.last_fraction, 1);
     EXPECT_EQ(first.bake.timeline.warnings.size(), 1u);
     EXPECT_EQ(first.bake.shot_text, "carom: 1");
@@ -98,10 +98,10 @@ TEST(BakeJob, SecondTime_TakesTheKeptBakeAndWarnsAgain) {
     EXPECT_EQ(second.bake, first.bake);
     EXPECT_EQ(second.bake.timeline.warnings, first.bake.timeline.warnings);
     using Files = std::filesystem::directory_iterator;
-    EXPECT_EQ(std::distance(Files(cache.path("bakes")), Files()), 1) << "no file beside the bake";
+    EXPECT_EQ(std::distance(Files(cache.path("bakes")), Files()), 1) << "only the bake";
 }
 
-TEST(BakeJob, ChangeOfLook_KeepsTheBakeWithTheNewText) {
+TEST(BakeJob, ChangeOfLook_ReusesTheBakeWithTheNewText) {
     const ScratchFolder cache;
     Shot shot = make_shot();
     const Baking first = run(shot, cache.path());
@@ -134,7 +134,8 @@ TEST(BakeJob, DamagedBake_IsReplaced) {
         const Baking again = run(shot, cache.path());
         EXPECT_EQ(again.origin, BakeOrigin::replaced);
         EXPECT_EQ(again.bake, first.bake);
-        EXPECT_THAT(again.warnings, ElementsAre(HasSubstr("cannot be used, baking again: ")));
+        EXPECT_THAT(again.warnings, ElementsAre(HasSubstr("the cached bake cannot be used, so the "
+                                                          "shot is simulated again: ")));
         EXPECT_EQ(read_text(path), whole);
     }
 }
@@ -159,7 +160,7 @@ TEST(BakeJob, BitsFlippedInAHundredPlaces_NeverGiveAWrongTimeline) {
     }
 }
 
-TEST(BakeJob, BakeOfAnotherShot_IsNotBelieved) {
+TEST(BakeJob, BakeOfAnotherShot_IsReplaced) {
     const ScratchFolder cache;
     Shot shot = make_shot(), other = make_shot();
     other.world.gravity = {0, 0, -1.62};
@@ -176,7 +177,7 @@ TEST(BakeJob, CacheThatCannotBeWritten_StillGivesTheBake) {
     write_text(cache.path("bakes"), "in the way");
     const Baking result = run(make_shot(), cache.path());
     EXPECT_TRUE(result.baked);
-    EXPECT_THAT(result.warnings, ElementsAre(HasSubstr("the bake is not kept for next time: ")));
+    EXPECT_THAT(result.warnings, ElementsAre(HasSubstr("the bake cannot be saved in the cache: ")));
 }
 
 TEST(BakeJob, Stopped_LeavesNothing) {

@@ -1,4 +1,4 @@
-// Small frames of the example films, for tests of what their pixels depend on.
+// Small frames of the example films, for tests of the dependences of their pixels.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +22,11 @@ class ExampleFilm {
     /// Throws Error.
     ExampleFilm(const std::string& path, const std::string& bakes);
 
-    /// May be changed between frames, but neither the world nor the cameras.
+    /// Tests may change it between frames, except the world and the cameras.
     pipeline::Shot shot;
 
     [[nodiscard]] std::int64_t frame_count() const;
-    /// What a frame is rendered from, with the seed that a film gives it.
+    /// The inputs of a frame, with the seed that it has in a film.
     [[nodiscard]] pipeline::FrameInputs inputs(std::int64_t frame) const;
     [[nodiscard]] render::Film render(std::int64_t frame) const;
 

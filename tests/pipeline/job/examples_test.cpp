@@ -1,4 +1,4 @@
-// The example shots do what their first lines say.
+// Checks that the example shots do what the comments in their first lines promise.
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -51,8 +51,8 @@ Nearest nearest(const sim::Timeline& timeline, const std::string& a, const std::
     return best;
 }
 
-/// Every frame of the example's film can be planned, with the bake of `baked`.
-void expect_films(const std::string& name, const Shot& baked, const sim::Timeline& timeline) {
+/// Checks that every frame of the example's film can be planned with the bake of `baked`.
+void expect_filmable(const std::string& name, const Shot& baked, const sim::Timeline& timeline) {
     const Shot shot = example(name);
     EXPECT_EQ(sim::physics_hash(shot.world), sim::physics_hash(baked.world)) << name;
     const std::vector<CameraRig> rigs = with_fitted_paths(shot.cameras, timeline);
@@ -66,8 +66,8 @@ void expect_films(const std::string& name, const Shot& baked, const sim::Timelin
 TEST(NineBallBreak, IsFilmedAgainInSlowMotion) {
     const Shot shot = example("nine_ball_break");
     const sim::Timeline timeline = sim::bake(shot.world);
-    expect_films("nine_ball_break", shot, timeline);
-    expect_films("slow_motion", shot, timeline);
+    expect_filmable("nine_ball_break", shot, timeline);
+    expect_filmable("slow_motion", shot, timeline);
 }
 
 TEST(JumpShot, ClearsTheEightAndPotsTheNine) {
@@ -75,8 +75,8 @@ TEST(JumpShot, ClearsTheEightAndPotsTheNine) {
     const sim::Timeline result = sim::bake(shot.world);
     EXPECT_TRUE(result.warnings.empty());
     const sim::Timeline& timeline = result;
-    expect_films("jump_shot", shot, timeline);
-    expect_films("bullet_time", shot, timeline);
+    expect_filmable("jump_shot", shot, timeline);
+    expect_filmable("bullet_time", shot, timeline);
     EXPECT_EQ(find(timeline, EventKind::impact, "cue", "eight"), nullptr);
     const Nearest over = nearest(timeline, "cue", "eight");
     EXPECT_GT(over.gap, 0.005);
@@ -90,7 +90,7 @@ TEST(JumpShot, ClearsTheEightAndPotsTheNine) {
     EXPECT_LT(sim::largest_energy_rise(timeline), 1e-9);
 }
 
-TEST(Masse, CurvesRoundTheEightAndPotsTheThree) {
+TEST(Masse, CurvesAroundTheEightAndPotsTheThree) {
     const sim::Timeline result = sim::bake(example("masse").world);
     EXPECT_TRUE(result.warnings.empty());
     const sim::Timeline& timeline = result;
@@ -101,17 +101,17 @@ TEST(Masse, CurvesRoundTheEightAndPotsTheThree) {
     ASSERT_NE(hit, nullptr);
     EXPECT_NE(find(timeline, EventKind::potted, "three"), nullptr);
     EXPECT_EQ(find(timeline, EventKind::potted, "cue"), nullptr);
-    // The straight way is blocked: the eight is less than a ball's width off the line.
+    // The straight path is blocked: the eight is less than a ball's diameter off the line.
     const sim::Track& cue = *timeline.find("cue");
     const Vec3 start = cue.sample(0).position;
-    const Vec3 way = (cue.sample(hit->time).position - start).normalized();
+    const Vec3 direction = (cue.sample(hit->time).position - start).normalized();
     const Vec3 eight = timeline.find("eight")->sample(0).position - start;
-    EXPECT_LT(way.cross(eight).length(), 2 * 0.028575);
-    // The path leaves to the left of it and comes back: it turns by more than thirty degrees.
+    EXPECT_LT(direction.cross(eight).length(), 2 * 0.028575);
+    // The path starts to the left of this line and returns: it turns by more than thirty degrees.
     const Vec3 first = cue.sample(0.51).velocity.normalized();
     const Vec3 last = cue.sample(hit->time - 0.01).velocity.normalized();
-    EXPECT_GT(way.cross(first).z, 0.15);
-    EXPECT_LT(way.cross(last).z, -0.15);
+    EXPECT_GT(direction.cross(first).z, 0.15);
+    EXPECT_LT(direction.cross(last).z, -0.15);
     EXPECT_LT(first.dot(last), 0.87);
 }
 
@@ -120,24 +120,24 @@ TEST(DominoRun, FallsToItsEndAndPotsTheNine) {
     const sim::Timeline result = sim::bake(shot.world);
     EXPECT_TRUE(result.warnings.empty());
     const sim::Timeline& timeline = result;
-    expect_films("domino_run", shot, timeline);
-    expect_films("reverse", shot, timeline);
+    expect_filmable("domino_run", shot, timeline);
+    expect_filmable("reverse", shot, timeline);
     constexpr int kTiles = 32;
     const auto tile = [](int i) { return (i < 10 ? "d0" : "d") + std::to_string(i); };
     const Event* before = find(timeline, EventKind::impact, "cue", tile(1));
     ASSERT_NE(before, nullptr);
     for (int i = 1; i < kTiles; ++i) {
-        const Event* touch = find(timeline, EventKind::impact, tile(i), tile(i + 1));
-        ASSERT_NE(touch, nullptr) << i;
-        EXPECT_GT(touch->time, before->time) << i;
-        before = touch;
+        const Event* impact = find(timeline, EventKind::impact, tile(i), tile(i + 1));
+        ASSERT_NE(impact, nullptr) << i;
+        EXPECT_GT(impact->time, before->time) << i;
+        before = impact;
     }
     for (int i = 1; i <= kTiles; ++i) {
         const MotionState end = timeline.find(tile(i))->sample(timeline.end_time);
         EXPECT_LT(end.position.z, 0.02) << i;  // it stood with its centre at 30 mm
         EXPECT_EQ(end.velocity, Vec3(0, 0, 0)) << i;
-        // The wave is over at 2.4 s. Tiles that friction holds as they lean on others fall asleep
-        // soon after it, too; what moves, however little, costs time in every frame.
+        // The wave ends at 2.4 s. Tiles that lean on others and are held by friction must be put to
+        // sleep soon after, too, since every moving body costs time in every frame.
         const MotionState soon = timeline.find(tile(i))->sample(3.2);
         EXPECT_EQ(soon.velocity, Vec3(0, 0, 0)) << i;
     }
@@ -148,18 +148,18 @@ TEST(DominoRun, FallsToItsEndAndPotsTheNine) {
     EXPECT_LT(sim::largest_energy_rise(timeline), 1e-9);
 }
 
-/// The other thing of each impact of `ball` that is no cloth, in order of time.
-std::vector<std::string> met_by(const sim::Timeline& timeline, const std::string& ball) {
-    std::vector<std::string> met;
+/// The partners of all impacts of `ball` in order of time, except the cloth.
+std::vector<std::string> impact_partners(const sim::Timeline& timeline, const std::string& ball) {
+    std::vector<std::string> partners;
     for (const Event& event : timeline.events) {
         if (event.kind == EventKind::impact && (event.a == ball || event.b == ball)) {
             const std::string& other = event.a == ball ? event.b : event.a;
             if (other != "cloth") {
-                met.push_back(other);
+                partners.push_back(other);
             }
         }
     }
-    return met;
+    return partners;
 }
 
 TEST(BankShot, PotsTheNineOffTheCushion) {
@@ -173,17 +173,18 @@ TEST(BankShot, PotsTheNineOffTheCushion) {
 
 TEST(SnookerBreakOff, BringsTheCueBallBackToBaulk) {
     const sim::Timeline timeline = sim::bake(example("snooker_break_off").world);
-    EXPECT_THAT(met_by(timeline, "cue"),
+    EXPECT_THAT(impact_partners(timeline, "cue"),
                 ::testing::ElementsAre("red_15", "cushion", "cushion", "brown"));
     EXPECT_LT(timeline.find("cue")->sample(timeline.end_time).position.x, -1);
 }
 
 TEST(ThreeCushion, Scores) {
-    const std::vector<std::string> met = met_by(sim::bake(example("three_cushion").world), "white");
-    ASSERT_GE(met.size(), 5U);
-    EXPECT_EQ(met[0], "yellow");
-    EXPECT_EQ(met[4], "red");
-    EXPECT_EQ(std::count(met.begin() + 1, met.begin() + 4, "cushion"), 3);
+    const std::vector<std::string> partners =
+        impact_partners(sim::bake(example("three_cushion").world), "white");
+    ASSERT_GE(partners.size(), 5U);
+    EXPECT_EQ(partners[0], "yellow");
+    EXPECT_EQ(partners[4], "red");
+    EXPECT_EQ(std::count(partners.begin() + 1, partners.begin() + 4, "cushion"), 3);
 }
 
 TEST(CueStroke, TheTipIsAtTheBallWhenItIsStruck) {
@@ -194,7 +195,7 @@ TEST(CueStroke, TheTipIsAtTheBallWhenItIsStruck) {
     const Vec3 ball(0.30, -0.30, 0.028575);
     EXPECT_NEAR((state.position - ball).length(), 0.028575, 2e-4);
     EXPECT_NEAR(state.velocity.length(), 2.2, 0.01);
-    // Along its own axis all the time, that of the strike.
+    // It moves along its own axis, which is the direction of the strike.
     const Vec3 back = (tip->sample(0.55).position - state.position).normalized();
     EXPECT_GT(back.dot(-state.velocity.normalized()), 0.99999);
 }

@@ -1,4 +1,4 @@
-// Cross-fades: two pictures of the store in one frame of the film.
+// Tests of cross-fades, which mix two stored pictures into one frame of the film.
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -20,12 +20,12 @@ using carom::testing::tiny_shot;
 using carom::testing::tiny_timeline;
 using ::testing::ElementsAre;
 
-/// Frames 0 to 7 by a camera at x = 1, 4 to 11 by one at x = 3 that fades in during four frames.
-/// Pictures are as bright as their camera's x, with a plane of that, too.
+/// A camera at x = 1 films frames 0 to 7, and a camera at x = 3 films frames 4 to 11 and fades in
+/// during four frames. The brightness of a picture and its depth are the x of its camera.
 struct FadeJob {
     ScratchFolder folder;
     Shot shot = tiny_shot();
-    std::vector<std::int64_t> told;
+    std::vector<std::int64_t> reported;
 
     FadeJob() {
         CameraRig rig = shot.cameras[0];
@@ -63,19 +63,19 @@ struct FadeJob {
     FilmJobResult film(const std::string& name) {
         JobObserver observer;
         observer.on_frame = [this](std::int64_t frame, bool, double, std::uint64_t) {
-            told.push_back(frame);
+            reported.push_back(frame);
         };
         return film_by(renderer(), shot, tiny_timeline(), options(name), observer, {});
     }
 };
 
-TEST(FadeFilm, Frames_GoFromOneCameraToTheOther) {
+TEST(FadeFilm, Frames_BlendFromOneCameraToTheOther) {
     FadeJob job;
     const FilmJobResult result = job.film("f.##.exr");
     EXPECT_EQ(result.frames, 12);
     EXPECT_EQ(result.rendered, 2);
-    std::sort(job.told.begin(), job.told.end());
-    EXPECT_THAT(job.told, ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11));  // each once
+    std::sort(job.reported.begin(), job.reported.end());
+    EXPECT_THAT(job.reported, ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11));  // each once
     const std::vector<float> light{1, 1, 1, 1, 1, 1.5, 2, 2.5, 3, 3, 3, 3};
     for (std::size_t i = 0; i < light.size(); ++i) {
         const std::string number = (i < 10 ? "0" : "") + std::to_string(i);
@@ -83,12 +83,12 @@ TEST(FadeFilm, Frames_GoFromOneCameraToTheOther) {
         EXPECT_EQ(film.rgba[0], light[i]) << i;
         EXPECT_EQ(film.rgba[1], 2 * light[i]) << i;
         EXPECT_EQ(film.rgba[3], 1) << i;
-        EXPECT_EQ(film.aovs.at(0).values[0], light[i] < 2 ? 1 : 3) << i;  // of the one seen more
+        EXPECT_EQ(film.aovs.at(0).values[0], light[i] < 2 ? 1 : 3) << i;  // larger weight
     }
 }
 
-/// The camera moves, so that every picture is another one.
-TEST(FadeFilm, Pictures_AreCountedBesideTheFrames) {
+/// The camera moves, so that all pictures differ.
+TEST(FadeFilm, Pictures_AreCountedSeparatelyFromFrames) {
     FadeJob job;
     for (std::size_t i = 0; i < 2; ++i) {
         const double y = i == 0 ? -0.8 : -0.9;
@@ -101,7 +101,7 @@ TEST(FadeFilm, Pictures_AreCountedBesideTheFrames) {
     EXPECT_EQ(job.film("f.mkv").pictures, result.pictures);
 }
 
-TEST(FadeFilm, SingleFrame_IsTheOneOfTheFilm) {
+TEST(FadeFilm, SingleFrame_IsTheSameAsInTheFilm) {
     FadeJob job;
     const render::Film film =
         frame_by(job.renderer(), job.shot, tiny_timeline(), 7, job.options(""), {}, {});

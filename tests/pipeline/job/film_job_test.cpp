@@ -48,7 +48,7 @@ TEST(FilmJob, OneAndTwoThreads_WriteTheSameFilm) {
     EXPECT_EQ(read_text(folder.path("3.mkv")), read_text(folder.path("1.mkv")));
 }
 
-TEST(FilmJob, OneFrame_IsTheFilmsOwn) {
+TEST(FilmJob, OneFrame_IsTheSameAsInTheFilm) {
     const ScratchFolder folder;
     const Shot shot = carom::testing::tiny_shot();
     FilmJobOptions options;
@@ -69,7 +69,7 @@ Shot fading_shot() {
     Shot shot = carom::testing::tiny_shot();
     shot.cameras.push_back(shot.cameras[0]);
     shot.cameras[0].video_end = {8, 24};
-    shot.cameras[0].time_map = {{8, 24}, 0};  // backwards: `motion` changes its sign
+    shot.cameras[0].time_map = {{8, 24}, 0};  // reversed: `motion` changes its sign
     shot.cameras[1].name = "second";
     shot.cameras[1].video_start = {4, 24};
     shot.cameras[1].fade = {4, 24};
@@ -78,7 +78,7 @@ Shot fading_shot() {
     return shot;
 }
 
-TEST(FrameRenderer, Frames_AreTheFilmsOwnBeforeTheStoreRoundsThem) {
+TEST(FrameRenderer, Frames_AreThoseOfTheFilmBeforeTheStoreRoundsThem) {
     const ScratchFolder folder;
     const Shot shot = fading_shot();
     FilmJobOptions options;
@@ -101,7 +101,7 @@ TEST(FrameRenderer, Frames_AreTheFilmsOwnBeforeTheStoreRoundsThem) {
     EXPECT_THROW((void)render(12, {}), Error);
 }
 
-TEST(FrameRenderer, Progress_IsOneOverBothPicturesOfAFade) {
+TEST(FrameRenderer, ProgressOfAFade_CoversBothPictures) {
     const Shot shot = fading_shot();
     const sim::Bake bake = make_bake();
     std::vector<double> fractions{0};
@@ -116,7 +116,7 @@ TEST(FrameRenderer, Progress_IsOneOverBothPicturesOfAFade) {
                  Stopped);
 }
 
-TEST(FilmJob, StopBeforehand_RendersNothing) {
+TEST(FilmJob, StopBeforeTheStart_RendersNothing) {
     const ScratchFolder folder;
     std::stop_source stop;
     stop.request_stop();
@@ -141,7 +141,7 @@ TEST(JobMetadata, ExportedFrame_NamesShotFrameTimesAndClamp) {
     EXPECT_EQ(stored_frame_metadata(shot).count("frame"), 0u);
     EXPECT_EQ(stored_frame_metadata(shot).at("DateTime"), "1970:01:01 00:00:00");
     EXPECT_EQ(video_metadata(shot).at("title"), "tiny");
-    EXPECT_EQ(stored_frame_metadata(shot).count("rays_camera"), 0u);  // none are known
+    EXPECT_EQ(stored_frame_metadata(shot).count("rays_camera"), 0u);  // unknown
     render::RenderStatistics counts;
     counts.camera_rays = 7;
     counts.shadow_rays = 9;

@@ -34,8 +34,8 @@ namespace fs = std::filesystem;
 constexpr int kFrames = 12;
 constexpr int kPictures = 9;  // eight of the rolling ball, one of the resting
 
-/// A folder with a cache and videos, and the tiny shot.
-struct Studio {
+/// The tiny shot, with a folder for a cache and videos.
+struct JobFixture {
     ScratchFolder folder;
     Shot shot = carom::testing::tiny_shot();
     sim::Timeline timeline = carom::testing::tiny_timeline();
@@ -71,25 +71,25 @@ struct Studio {
 };
 
 TEST(FilmPipeline, SecondRun_RendersNothingAndWritesTheSameBytes) {
-    Studio studio;
-    const FilmJobResult first = studio.film();
+    JobFixture job;
+    const FilmJobResult first = job.film();
     EXPECT_EQ(first.frames, kFrames);
     EXPECT_EQ(first.rendered, kPictures);
     EXPECT_EQ(first.counts.camera_rays, 100u * kPictures);
-    const std::string video = studio.video();
+    const std::string video = job.video();
     EXPECT_FALSE(video.empty());
-    const FilmJobResult second = studio.film("again.mkv");
+    const FilmJobResult second = job.film("again.mkv");
     EXPECT_EQ(second.frames, kFrames);
     EXPECT_EQ(second.rendered, 0);
     EXPECT_EQ(second.counts.camera_rays, 0u);
-    EXPECT_EQ(studio.video("again.mkv"), video);
-    EXPECT_EQ(studio.renderer.rendered().size(), std::size_t{kPictures});
+    EXPECT_EQ(job.video("again.mkv"), video);
+    EXPECT_EQ(job.renderer.rendered().size(), std::size_t{kPictures});
 }
 
 TEST(FilmPipeline, Pictures_AreRenderedInOrderAndOnceEach) {
-    Studio studio;
-    (void)studio.film();
-    std::vector<double> rendered = studio.renderer.rendered();
+    JobFixture job;
+    (void)job.film();
+    std::vector<double> rendered = job.renderer.rendered();
     ASSERT_EQ(rendered.size(), std::size_t{kPictures});
     EXPECT_EQ(rendered.back(), 0);  // at rest: no time of its own
     rendered.pop_back();
@@ -97,7 +97,7 @@ TEST(FilmPipeline, Pictures_AreRenderedInOrderAndOnceEach) {
 }
 
 TEST(FilmPipeline, RunInPieces_GivesTheSameFilm) {
-    Studio whole, pieces;
+    JobFixture whole, pieces;
     (void)whole.film();
     FilmJobOptions options = pieces.options("piece.mkv");
     options.frames = parse_frame_range("7-11");
@@ -108,7 +108,8 @@ TEST(FilmPipeline, RunInPieces_GivesTheSameFilm) {
     EXPECT_EQ(pieces.video(), whole.video());
 }
 
-// Colours that a half cannot hold, channels, and pictures so slow that the encoder waits for them.
+// Renders colours that half precision cannot represent, and channels, so slowly that the encoder
+// has to wait.
 RenderFunction slow_and_fine(const Shot& shot) {
     return [&shot](const FrameInputs& inputs, const WorkContext&) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -125,9 +126,10 @@ RenderFunction slow_and_fine(const Shot& shot) {
 
 TEST(FilmPipeline, Film_IsTheSameFromMemoryAndFromTheStore) {
     for (const std::string name : {"film.mkv", "film.####.exr"}) {
-        Studio at_once, resumed;
+        JobFixture uninterrupted, resumed;
         const std::string file = name == "film.mkv" ? name : "film.0005.exr";
-        EXPECT_EQ(at_once.film(slow_and_fine(at_once.shot), at_once.options(name)).rendered,
+        EXPECT_EQ(uninterrupted.film(slow_and_fine(uninterrupted.shot), uninterrupted.options(name))
+                      .rendered,
                   kPictures);
         FilmJobOptions half = resumed.options(name);
         half.output.clear();
@@ -135,15 +137,15 @@ TEST(FilmPipeline, Film_IsTheSameFromMemoryAndFromTheStore) {
         EXPECT_EQ(resumed.film(slow_and_fine(resumed.shot), half).rendered, 5);
         EXPECT_EQ(resumed.film(slow_and_fine(resumed.shot), resumed.options(name)).rendered,
                   kPictures - 5);
-        EXPECT_EQ(resumed.video(file), at_once.video(file)) << file;
+        EXPECT_EQ(resumed.video(file), uninterrupted.video(file)) << file;
         fs::remove(resumed.folder.path(file));
         EXPECT_EQ(resumed.film(slow_and_fine(resumed.shot), resumed.options(name)).rendered, 0);
-        EXPECT_EQ(resumed.video(file), at_once.video(file)) << file;
+        EXPECT_EQ(resumed.video(file), uninterrupted.video(file)) << file;
     }
 }
 
-TEST(FrameQueue, PictureThatIsAwaited_IsHandedOver) {
-    constexpr int kAttempts = 200;  // the reader has to wait already, which it may be slow to do
+TEST(FrameQueue, AwaitedPicture_IsHandedOver) {
+    constexpr int kAttempts = 200;  // the reader must be waiting by then, but may start late
     FrameQueue queue(kAttempts);
     int handed_over = 0;
     for (std::size_t i = 0; i < kAttempts && handed_over == 0; ++i) {
@@ -157,7 +159,7 @@ TEST(FrameQueue, PictureThatIsAwaited_IsHandedOver) {
     EXPECT_EQ(handed_over, 1);
 }
 
-TEST(FrameQueue, PictureThatNobodyAwaits_IsNotKept) {
+TEST(FrameQueue, PictureThatIsNotAwaited_IsNotKept) {
     FrameQueue queue(2);
     queue.mark_ready(0, render::Film{7, 5, {}, {}, {}, {}});
     EXPECT_FALSE(queue.receive(0, {}));
@@ -175,26 +177,25 @@ TEST(FrameQueue, Stopped_HandsNothingOver) {
 }
 
 TEST(FilmPipeline, ReversedFilm_SharesItsPictures) {
-    Studio studio;
-    (void)studio.film();
-    std::swap(studio.shot.cameras[0].time_map.scene_start,
-              studio.shot.cameras[0].time_map.scene_end);
-    EXPECT_EQ(studio.film("back.mkv").rendered, 0);
-    EXPECT_NE(studio.video("back.mkv"), studio.video());
+    JobFixture job;
+    (void)job.film();
+    std::swap(job.shot.cameras[0].time_map.scene_start, job.shot.cameras[0].time_map.scene_end);
+    EXPECT_EQ(job.film("back.mkv").rendered, 0);
+    EXPECT_NE(job.video("back.mkv"), job.video());
 }
 
-TEST(FilmPipeline, Observer_HearsOfEveryFrameAndOfOneStageAfterTheOther) {
-    Studio studio;
+TEST(FilmPipeline, Observer_IsNotifiedOfEveryFrameAndOfOneStageAfterTheOther) {
+    JobFixture job;
     std::vector<std::int64_t> rendered, found;
     std::vector<std::pair<std::string, double>> progress;
-    studio.observer.on_frame = [&](std::int64_t frame, bool from_store, double seconds,
-                                   std::uint64_t rays) {
+    job.observer.on_frame = [&](std::int64_t frame, bool from_store, double seconds,
+                                std::uint64_t rays) {
         (from_store ? found : rendered).push_back(frame);
         EXPECT_EQ(rays, from_store ? 0u : 100u);
         EXPECT_EQ(seconds > 0, !from_store);
         EXPECT_TRUE(progress.empty() || progress.back().first == "render");
     };
-    studio.observer.on_progress = [&](std::string_view stage, double fraction) {
+    job.observer.on_progress = [&](std::string_view stage, double fraction) {
         if (!progress.empty() && progress.back().first == stage) {
             EXPECT_GT(fraction, progress.back().second);
         } else {
@@ -202,7 +203,7 @@ TEST(FilmPipeline, Observer_HearsOfEveryFrameAndOfOneStageAfterTheOther) {
         }
         progress.emplace_back(stage, fraction);
     };
-    (void)studio.film();
+    (void)job.film();
     EXPECT_THAT(rendered, ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8));
     EXPECT_THAT(found, ElementsAre(9, 10, 11));
     ASSERT_FALSE(progress.empty());
@@ -210,24 +211,24 @@ TEST(FilmPipeline, Observer_HearsOfEveryFrameAndOfOneStageAfterTheOther) {
     EXPECT_EQ(progress.back(), std::make_pair(std::string("encode"), 1.0));
 }
 
-TEST(FilmPipeline, DamagedAndVanishedFrames_AreMadeAgain) {
-    Studio studio;
-    (void)studio.film();
-    const std::string video = studio.video();
-    const FrameStore store = studio.store();
-    write_text(store.path_of(studio.key(2)), "not a frame");
-    fs::resize_file(store.path_of(studio.key(5)), 100);
-    fs::remove(store.path_of(studio.key(10)));
-    const FilmJobResult result = studio.film("again.mkv");
+TEST(FilmPipeline, DamagedAndMissingFrames_AreRenderedAgain) {
+    JobFixture job;
+    (void)job.film();
+    const std::string video = job.video();
+    const FrameStore store = job.store();
+    write_text(store.path_of(job.key(2)), "not a frame");
+    fs::resize_file(store.path_of(job.key(5)), 100);
+    fs::remove(store.path_of(job.key(10)));
+    const FilmJobResult result = job.film("again.mkv");
     EXPECT_EQ(result.rendered, 3);
-    EXPECT_EQ(studio.video("again.mkv"), video);
+    EXPECT_EQ(job.video("again.mkv"), video);
 }
 
-TEST(FilmPipeline, DamagedFrames_AreToldOfTheFirstFewByName) {
-    Studio studio;
-    (void)studio.film();
-    const FrameStore store = studio.store();
-    const auto path = [&](std::int64_t frame) { return store.path_of(studio.key(frame)); };
+TEST(FilmPipeline, DamagedFrames_AreReportedTheFirstFewByName) {
+    JobFixture job;
+    (void)job.film();
+    const FrameStore store = job.store();
+    const auto path = [&](std::int64_t frame) { return store.path_of(job.key(frame)); };
     std::string bytes = read_text(path(1));
     bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
     const std::string another = read_text(path(2));
@@ -237,210 +238,209 @@ TEST(FilmPipeline, DamagedFrames_AreToldOfTheFirstFewByName) {
     fs::resize_file(path(4), 100);
     fs::resize_file(path(5), 100);
     std::vector<std::string> warnings;
-    studio.observer.on_warning = [&](const std::string& text) { warnings.push_back(text); };
+    job.observer.on_warning = [&](const std::string& text) { warnings.push_back(text); };
     const std::string begin = "the stored frame '";
     const std::string again = "' is damaged and is rendered again: ";
     const auto expected = ElementsAre(
         begin + path(0) + again + "it has 11 bytes, too few for a frame",
         begin + path(1) + again + "its contents have changed since it was written",
-        begin + path(3) + again + "it is another frame, or its end is overwritten",
-        "2 more stored frames were damaged; 'carom cache verify' reads everything that is stored");
-    FilmJobOptions options = studio.options("again.mkv");
-    EXPECT_EQ(studio.film("again.mkv").rendered, 5);
+        begin + path(3) + again + "it is another frame, or its checksum is overwritten",
+        "2 more stored frames were damaged; 'carom cache verify' checks every file of the cache");
+    FilmJobOptions options = job.options("again.mkv");
+    EXPECT_EQ(job.film("again.mkv").rendered, 5);
     EXPECT_THAT(warnings, expected);
     warnings.clear();
-    EXPECT_EQ(studio.film("whole.mkv").rendered, 0);
+    EXPECT_EQ(job.film("whole.mkv").rendered, 0);
     EXPECT_THAT(warnings, IsEmpty());
-    // The same when nothing is encoded.
+    // The same holds if nothing is encoded.
     fs::resize_file(path(4), 100);
     options.output.clear();
-    EXPECT_EQ(studio.film(studio.renderer.function(), options).rendered, 1);
+    EXPECT_EQ(job.film(job.renderer.function(), options).rendered, 1);
     EXPECT_THAT(warnings,
-                ElementsAre(begin + path(4) + again + "its end is missing or overwritten"));
+                ElementsAre(begin + path(4) + again + "its checksum is missing or overwritten"));
 }
 
-TEST(FilmPipeline, CacheThatVanishesMidway_IsFilledAgain) {
-    Studio plain, studio;
+TEST(FilmPipeline, CacheThatIsRemovedMidway_IsFilledAgain) {
+    JobFixture plain, job;
     (void)plain.film();
     int calls = 0;
     const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext&) {
         ++calls;
         if (calls == 5) {
-            fs::remove_all(studio.folder.path("cache"));
+            fs::remove_all(job.folder.path("cache"));
         }
-        return fake_picture(studio.shot, inputs);
+        return fake_picture(job.shot, inputs);
     };
-    (void)studio.film(render, studio.options());
-    EXPECT_EQ(studio.video(), plain.video());
+    (void)job.film(render, job.options());
+    EXPECT_EQ(job.video(), plain.video());
 }
 
-TEST(FilmPipeline, FrameHeldByAnother_IsLeftForLaterAndThenRead) {
-    Studio plain, studio;
+TEST(FilmPipeline, FrameClaimedElsewhere_IsDeferredAndThenRead) {
+    JobFixture plain, job;
     (void)plain.film();
-    const FrameStore store = studio.store();
-    const Hash128 held_key = studio.key(1);
-    std::optional<FrameClaim> claim = store.claim(held_key);
+    const FrameStore store = job.store();
+    const Hash128 claimed_key = job.key(1);
+    std::optional<FrameClaim> claim = store.claim(claimed_key);
     ASSERT_TRUE(claim);
-    const FilmSource source(studio.shot, studio.timeline);
+    const FilmSource source(job.shot, job.timeline);
     int calls = 0;
     const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext&) {
         ++calls;
-        if (calls == kPictures - 1) {  // the last of the others
-            store.write(held_key, fake_picture(studio.shot, source.inputs(1)), {});
+        if (calls == kPictures - 1) {  // all others are finished
+            store.write(claimed_key, fake_picture(job.shot, source.inputs(1)), {});
             claim.reset();
         }
-        return fake_picture(studio.shot, inputs);
+        return fake_picture(job.shot, inputs);
     };
-    EXPECT_EQ(studio.film(render, studio.options()).rendered, kPictures - 1);
-    EXPECT_EQ(studio.video(), plain.video());
+    EXPECT_EQ(job.film(render, job.options()).rendered, kPictures - 1);
+    EXPECT_EQ(job.video(), plain.video());
 }
 
-TEST(FilmPipeline, OwnerThatGivesUp_LeavesTheFrameToUs) {
-    Studio studio;
-    const FrameStore store = studio.store();
-    std::optional<FrameClaim> claim = store.claim(studio.key(0));
-    const RenderFunction usual = studio.renderer.function();
+TEST(FilmPipeline, ClaimThatIsReleased_LeavesTheFrameToThisJob) {
+    JobFixture job;
+    const FrameStore store = job.store();
+    std::optional<FrameClaim> claim = store.claim(job.key(0));
+    const RenderFunction usual = job.renderer.function();
     int calls = 0;
     const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext& context) {
         ++calls;
-        if (calls == kPictures - 1) {  // the last of the others
+        if (calls == kPictures - 1) {  // all others are finished
             claim.reset();
         }
         return usual(inputs, context);
     };
-    EXPECT_EQ(studio.film(render, studio.options()).rendered, kPictures);
-    EXPECT_EQ(studio.renderer.rendered().back(), Rational(-1, 96).to_double());
+    EXPECT_EQ(job.film(render, job.options()).rendered, kPictures);
+    EXPECT_EQ(job.renderer.rendered().back(), Rational(-1, 96).to_double());
 }
 
-TEST(FilmPipeline, TwoJobsAtOnce_RenderEachPictureOnce) {
-    Studio studio;
+TEST(FilmPipeline, TwoConcurrentJobs_RenderEachPictureOnce) {
+    JobFixture job;
     const auto slow = [&](const FrameInputs& inputs, const WorkContext& context) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        return studio.renderer.function()(inputs, context);
+        return job.renderer.function()(inputs, context);
     };
     FilmJobResult other;
-    std::thread second([&] {
-        other = film_by(slow, studio.shot, studio.timeline, studio.options("b.mkv"), {}, {});
-    });
-    const FilmJobResult result = studio.film(slow, studio.options("a.mkv"));
+    std::thread second(
+        [&] { other = film_by(slow, job.shot, job.timeline, job.options("b.mkv"), {}, {}); });
+    const FilmJobResult result = job.film(slow, job.options("a.mkv"));
     second.join();
     EXPECT_EQ(result.rendered + other.rendered, kPictures);
-    EXPECT_EQ(studio.video("a.mkv"), studio.video("b.mkv"));
+    EXPECT_EQ(job.video("a.mkv"), job.video("b.mkv"));
 }
 
-TEST(FilmPipeline, Stopped_LeavesNoVideoAndGoesOnLater) {
-    Studio plain, studio;
+TEST(FilmPipeline, Stopped_LeavesNoVideoAndResumesLater) {
+    JobFixture plain, job;
     (void)plain.film();
     int calls = 0;
     const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext& context) {
         ++calls;
         if (calls == 4) {
-            context.progress(1e-9);  // it will take hours
-            studio.stop.request_stop();
+            context.progress(1e-9);  // the rest would take hours
+            job.stop.request_stop();
             EXPECT_TRUE(context.stop.stop_requested());
             throw Stopped();
         }
-        return fake_picture(studio.shot, inputs);
+        return fake_picture(job.shot, inputs);
     };
-    EXPECT_THROW((void)studio.film(render, studio.options()), Stopped);
-    EXPECT_THAT(studio.folder.names(), ElementsAre("cache"));
-    studio.stop = {};
-    EXPECT_EQ(studio.film().rendered, kPictures - 3);
-    EXPECT_EQ(studio.video(), plain.video());
+    EXPECT_THROW((void)job.film(render, job.options()), Stopped);
+    EXPECT_THAT(job.folder.names(), ElementsAre("cache"));
+    job.stop = {};
+    EXPECT_EQ(job.film().rendered, kPictures - 3);
+    EXPECT_EQ(job.video(), plain.video());
 }
 
-TEST(FilmPipeline, StoppedShortlyBeforeAFramesEnd_KeepsTheFrame) {
-    Studio studio;
+TEST(FilmPipeline, StoppedShortlyBeforeTheEndOfAFrame_StoresTheFrame) {
+    JobFixture job;
     const RenderFunction render = [&](const FrameInputs& inputs, const WorkContext& context) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
         context.progress(0.5);  // 10 ms more
-        studio.stop.request_stop();
+        job.stop.request_stop();
         EXPECT_FALSE(context.stop.stop_requested());
-        return fake_picture(studio.shot, inputs);
+        return fake_picture(job.shot, inputs);
     };
-    EXPECT_THROW((void)studio.film(render, studio.options()), Stopped);
-    EXPECT_TRUE(studio.store().contains(studio.key(0)));
-    studio.stop = {};
-    EXPECT_EQ(studio.film().rendered, kPictures - 1);
+    EXPECT_THROW((void)job.film(render, job.options()), Stopped);
+    EXPECT_TRUE(job.store().contains(job.key(0)));
+    job.stop = {};
+    EXPECT_EQ(job.film().rendered, kPictures - 1);
 }
 
-TEST(FilmPipeline, FrameThatOutlivesItsGrace_IsStopped) {
-    Studio studio;
+TEST(FilmPipeline, FrameThatExceedsItsGracePeriod_IsStopped) {
+    JobFixture job;
     const auto begin = std::chrono::steady_clock::now();
     const RenderFunction render = [&](const FrameInputs&,
                                       const WorkContext& context) -> render::Film {
-        context.progress(0.999);  // but then it hangs
-        studio.stop.request_stop();
+        context.progress(0.999);  // almost finished, but then it hangs
+        job.stop.request_stop();
         while (!context.stop.stop_requested() &&
                std::chrono::steady_clock::now() - begin < std::chrono::seconds(60)) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
         throw Stopped();
     };
-    EXPECT_THROW((void)studio.film(render, studio.options()), Stopped);
-    EXPECT_FALSE(studio.store().contains(studio.key(0)));
+    EXPECT_THROW((void)job.film(render, job.options()), Stopped);
+    EXPECT_FALSE(job.store().contains(job.key(0)));
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
 }
 
 TEST(FilmPipeline, BitsFlippedInAHundredPlaces_NeverGiveAWrongFilm) {
-    Studio studio;
-    (void)studio.film();
-    const std::string film = studio.video();
-    const FrameStore store = studio.store();
+    JobFixture job;
+    (void)job.film();
+    const std::string film = job.video();
+    const FrameStore store = job.store();
     std::uint64_t random = 20240607;
     int flips = 0;
     for (int round = 0; flips < 100; ++round) {
         for (std::int64_t frame = 0; frame < kPictures; ++frame, ++flips) {
-            const std::string path = store.path_of(studio.key(frame));
+            const std::string path = store.path_of(job.key(frame));
             std::string bytes = read_text(path);
             random = random * 6364136223846793005U + 1442695040888963407U;
             char& byte = bytes[(random >> 20U) % bytes.size()];
             byte = static_cast<char>(byte ^ (1 << (random >> 60U) % 8));
             write_text(path, bytes);
         }
-        EXPECT_EQ(studio.film().rendered, kPictures) << "round " << round;
-        ASSERT_EQ(studio.video(), film) << "round " << round;
+        EXPECT_EQ(job.film().rendered, kPictures) << "round " << round;
+        ASSERT_EQ(job.video(), film) << "round " << round;
     }
 }
 
-TEST(FilmPipeline, EncoderThatNeverReads_DoesNotHoldTheRenderingUp) {
-    Studio studio;
-    const FilmSource source(studio.shot, studio.timeline);
+TEST(FilmPipeline, EncoderThatNeverReads_DoesNotDelayTheRendering) {
+    JobFixture job;
+    const FilmSource source(job.shot, job.timeline);
     std::vector<std::int64_t> frames(kFrames);
     std::iota(frames.begin(), frames.end(), 0);
     const FilmPlan plan = plan_film(source, frames, {});
-    const FrameStore store = studio.store();
-    ThreadSafeObserver gate(studio.observer);
+    const FrameStore store = job.store();
+    ThreadSafeObserver safe_observer(job.observer);
     FrameQueue queue(plan.pictures.size());
-    CachedRenderer renderer(source, store, studio.renderer.function());
-    FrameScheduler scheduler(plan, renderer, queue, gate);
+    CachedRenderer renderer(source, store, job.renderer.function());
+    FrameScheduler scheduler(plan, renderer, queue, safe_observer);
     std::thread rendering([&] { scheduler.run({}); });
     for (std::size_t i = 0; i < plan.pictures.size(); ++i) {
-        EXPECT_TRUE(queue.wait_until_ready(i, {})) << "the last ones, too, before any was read";
+        EXPECT_TRUE(queue.wait_until_ready(i, {})) << "all are ready before any was read";
     }
-    queue.reader_done();
+    queue.mark_reader_done();
     rendering.join();
     EXPECT_EQ(scheduler.rendered(), kPictures);
 }
 
-TEST(FilmPipeline, RendererThatFails_IsHeardAndLeavesNoVideo) {
-    Studio studio;
-    write_text(studio.folder.path("film.mkv"), "the old film");
+TEST(FilmPipeline, RendererThatFails_IsReportedAndLeavesNoVideo) {
+    JobFixture job;
+    write_text(job.folder.path("film.mkv"), "the old film");
     const RenderFunction render = [](const FrameInputs&, const WorkContext&) -> render::Film {
         throw Error("the lamp is broken");
     };
     try {
-        (void)studio.film(render, studio.options());
+        (void)job.film(render, job.options());
         FAIL();
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(), "the lamp is broken");
     }
-    EXPECT_EQ(studio.video(), "the old film");
-    EXPECT_EQ(studio.folder.names().size(), 2u);
+    EXPECT_EQ(job.video(), "the old film");
+    EXPECT_EQ(job.folder.names().size(), 2u);
 }
 
 TEST(FilmPipeline, EncoderThatFails_StopsTheRendering) {
-    Studio studio;
+    JobFixture job;
     std::atomic<int> calls{0};
     const RenderFunction render = [&](const FrameInputs&,
                                       const WorkContext& context) -> render::Film {
@@ -451,7 +451,7 @@ TEST(FilmPipeline, EncoderThatFails_StopsTheRendering) {
         throw Stopped();
     };
     try {
-        (void)studio.film(render, studio.options("no/such/folder/film.mkv"));
+        (void)job.film(render, job.options("no/such/folder/film.mkv"));
         FAIL();
     } catch (const Error& error) {
         EXPECT_THAT(error.what(), HasSubstr("no/such/folder"));
@@ -460,43 +460,43 @@ TEST(FilmPipeline, EncoderThatFails_StopsTheRendering) {
 }
 
 TEST(FilmPipeline, PictureThatCannotBeStored_IsAnErrorNotALoop) {
-    Studio studio;
-    const FrameStore store = studio.store();
-    const std::string path = store.path_of(studio.key(0));
-    // A folder in the frame's place can be neither read nor replaced.
+    JobFixture job;
+    const FrameStore store = job.store();
+    const std::string path = store.path_of(job.key(0));
+    // A folder with the frame's path can be neither read nor replaced.
     fs::create_directories(path);
-    EXPECT_THROW((void)studio.film(), Error);
+    EXPECT_THROW((void)job.film(), Error);
 }
 
-TEST(FilmPipeline, NoFrameAskedFor_IsAnError) {
-    Studio studio;
-    FilmJobOptions options = studio.options();
+TEST(FilmPipeline, NoSelectedFrame_IsAnError) {
+    JobFixture job;
+    FilmJobOptions options = job.options();
     options.frames = parse_frame_range("12-99");
     try {
-        (void)studio.film(studio.renderer.function(), options);
+        (void)job.film(job.renderer.function(), options);
         FAIL();
     } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "none of the film's 12 frames is asked for");
+        EXPECT_STREQ(error.what(), "none of the film's 12 frames is selected");
     }
 }
 
 TEST(FramePipeline, OneFrame_IsStoredAndSharedWithTheFilm) {
-    Studio studio;
+    JobFixture job;
     const auto frame = [&] {
-        return frame_by(studio.renderer.function(), studio.shot, studio.timeline, 3,
-                        studio.options(), studio.observer, {});
+        return frame_by(job.renderer.function(), job.shot, job.timeline, 3, job.options(),
+                        job.observer, {});
     };
     const render::Film first = frame();
     EXPECT_EQ(first.width, 32);
     EXPECT_EQ(frame().rgba, first.rgba);
-    EXPECT_EQ(studio.renderer.rendered().size(), 1u);
-    EXPECT_EQ(studio.film().rendered, kPictures - 1);
-    write_text(studio.store().path_of(studio.key(3)), "damaged");
+    EXPECT_EQ(job.renderer.rendered().size(), 1u);
+    EXPECT_EQ(job.film().rendered, kPictures - 1);
+    write_text(job.store().path_of(job.key(3)), "damaged");
     std::string warning;
-    studio.observer.on_warning = [&](const std::string& text) { warning = text; };
+    job.observer.on_warning = [&](const std::string& text) { warning = text; };
     EXPECT_EQ(frame().rgba, first.rgba);
     EXPECT_EQ(warning,
-              "the stored frame '" + studio.store().path_of(studio.key(3)) +
+              "the stored frame '" + job.store().path_of(job.key(3)) +
                   "' is damaged and is rendered again: it has 7 bytes, too few for a frame");
 }
 

@@ -1,4 +1,4 @@
-// Films as image sequences, posters, and what is put right on export.
+// Tests of image sequences, posters, and conversions on export.
 #include "pipeline/job/film_sink.h"
 
 #include <algorithm>
@@ -50,32 +50,32 @@ struct Export {
     }
 };
 
-TEST(ImageSequence, EveryFrame_IsAFileWithItsNumber) {
+TEST(ImageSequence, EveryFrame_IsWrittenToAFileWithItsNumber) {
     Export job;
     EXPECT_EQ(job.film("shot.####.exr", "2-10x4").frames, 3);
     std::vector<std::string> names = job.folder.names();
     std::sort(names.begin(), names.end());
     EXPECT_THAT(names, ElementsAre("cache", "shot.0002.exr", "shot.0006.exr", "shot.0010.exr"));
     EXPECT_NE(job.picture("shot.0002.exr").rgba, job.picture("shot.0006.exr").rgba);
-    // No time of writing: the same frame is the same file tomorrow.
+    // The file does not contain the current time, so the same frame always gives the same file.
     EXPECT_NE(carom::testing::read_text(job.folder.path("shot.0002.exr")).find("1970:01:01"),
               std::string::npos);
     EXPECT_EQ(job.film("view.#.png", "6").rendered, 0) << "the same pictures in another format";
     EXPECT_THAT(job.folder.names(), Contains("view.6.png"));
 }
 
-TEST(ImageSequence, FramesThatShowTheSame_AreAllThere) {
+TEST(ImageSequence, FramesThatShowTheSame_AreAllWritten) {
     Export job;
     (void)job.film("shot.##.exr");
     EXPECT_EQ(job.folder.names().size(), 13U);
     EXPECT_EQ(job.picture("shot.10.exr").rgba, job.picture("shot.11.exr").rgba);
 }
 
-TEST(ImageSequence, ReversedTime_TurnsTheMotionRound) {
+TEST(ImageSequence, ReversedTime_NegatesTheMotion) {
     Export job;
     (void)job.film("on.##.exr", "4");
     std::swap(job.shot.cameras[0].time_map.scene_start, job.shot.cameras[0].time_map.scene_end);
-    EXPECT_EQ(job.film("back.##.exr", "8").rendered, 0);  // shows what frame 4 does
+    EXPECT_EQ(job.film("back.##.exr", "8").rendered, 0);  // it shows the same as frame 4
     const render::Film on = job.picture("on.04.exr"), back = job.picture("back.08.exr");
     EXPECT_EQ(on.rgba, back.rgba);
     const auto value = [](const render::Film& film, const std::string& name) {
@@ -93,8 +93,8 @@ TEST(ImageSequence, ReversedTime_TurnsTheMotionRound) {
     EXPECT_EQ(value(back, "Z"), 2);
 }
 
-// The container's own box: two 16-bit numbers, the high byte first.
-TEST(Hdr10, Film_StatesTheLightOfItsBrightestFrames) {
+// The box `clli` of the container has two 16-bit numbers in big-endian order.
+TEST(Hdr10, Film_ContainsTheLightLevelsOfItsBrightestFrames) {
     Export job;
     job.shot.output.codec = Codec::hevc;
     job.shot.output.hdr10 = Hdr10Settings{1000, 203};
@@ -123,7 +123,7 @@ TEST(Hdr10, Film_StatesTheLightOfItsBrightestFrames) {
     EXPECT_NEAR(number(at + 6), 203 * (0.3 * (pixels - 1) + 1) / pixels, 0.6);
 }
 
-TEST(Poster, ContainerWithoutAPlace_HasItBeside) {
+TEST(Poster, ContainerWithoutPosters_HasItInASeparateFile) {
     Export job;
     job.shot.output.poster = 0.25;
     (void)job.film("film.mkv");
@@ -133,7 +133,7 @@ TEST(Poster, ContainerWithoutAPlace_HasItBeside) {
     EXPECT_THAT(job.folder.names(), Not(Contains("clip-poster.jpg")));
 }
 
-TEST(Reversed, CopyOfAMovingRig_RendersTheEndFrameAlone) {
+TEST(ReversedFilm, OfAMovingRig_RendersOnlyTheLastFrame) {
     Export job;
     CameraRig& rig = job.shot.cameras[0];
     rig.time_map = {0, {1, 4}};  // half speed: the ball moves throughout

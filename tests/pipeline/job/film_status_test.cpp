@@ -1,4 +1,4 @@
-// Chunks, what is there already, films from stored frames, and the cache's limit.
+// Tests of chunks, the status of a film, films from stored frames, and the limit of the cache.
 #include "pipeline/job/film_status.h"
 
 #include <filesystem>
@@ -28,7 +28,7 @@ using ::testing::IsEmpty;
 namespace fs = std::filesystem;
 
 /// The tiny shot: twelve frames, the last four of which show the same.
-struct Farm {
+struct ChunkFixture {
     ScratchFolder folder;
     Shot shot = carom::testing::tiny_shot();
     sim::Bake bake{carom::testing::tiny_timeline(), {}, {}, {}};
@@ -65,9 +65,9 @@ struct Farm {
     }
 };
 
-std::string mux_problem(Farm& farm) {
+std::string mux_problem(ChunkFixture& job) {
     try {
-        (void)mux_film(farm.shot, farm.bake, farm.options("film.mkv"), {}, {});
+        (void)mux_film(job.shot, job.bake, job.options("film.mkv"), {}, {});
         return "none";
     } catch (const Error& error) {
         return error.what();
@@ -75,112 +75,115 @@ std::string mux_problem(Farm& farm) {
 }
 
 TEST(Chunks, Together_AreTheFilm) {
-    Farm whole;
+    ChunkFixture whole;
     (void)whole.render(whole.options("film.mkv"));
-    Farm farm;
-    EXPECT_EQ(farm.render_chunk(1, 3).frames, 4);
-    EXPECT_THAT(farm.folder.names(), ElementsAre("cache")) << "a chunk writes no film";
-    EXPECT_EQ(mux_problem(farm), "8 of 12 frames are not in the cache: 4-11");
-    EXPECT_EQ(farm.render_chunk(3, 3).rendered, 1) << "four frames that show the same";
-    EXPECT_EQ(mux_problem(farm), "4 of 12 frames are not in the cache: 4-7");
-    EXPECT_EQ(farm.render_chunk(2, 3).rendered, 4);
-    EXPECT_EQ(mux_problem(farm), "none");
-    EXPECT_EQ(read_text(farm.folder.path("film.mkv")), read_text(whole.folder.path("film.mkv")));
+    ChunkFixture job;
+    EXPECT_EQ(job.render_chunk(1, 3).frames, 4);
+    EXPECT_THAT(job.folder.names(), ElementsAre("cache")) << "a chunk writes no film";
+    EXPECT_EQ(mux_problem(job),
+              "8 of 12 frames are not in the cache: 4-11; 'carom render' renders them");
+    EXPECT_EQ(job.render_chunk(3, 3).rendered, 1) << "four frames that show the same";
+    EXPECT_EQ(mux_problem(job),
+              "4 of 12 frames are not in the cache: 4-7; 'carom render' renders them");
+    EXPECT_EQ(job.render_chunk(2, 3).rendered, 4);
+    EXPECT_EQ(mux_problem(job), "none");
+    EXPECT_EQ(read_text(job.folder.path("film.mkv")), read_text(whole.folder.path("film.mkv")));
 }
 
-TEST(FilmStatus, Frames_AreThereOrMissing) {
-    Farm farm;
-    EXPECT_EQ(farm.status().missing.size(), 12U);
-    EXPECT_EQ(farm.status().pictures, 9);
-    EXPECT_EQ(farm.stored(), 0) << "asking renders nothing";
-    (void)farm.render_chunk(2, 4);  // 3 to 5
-    fs::remove(farm.frame_path(4));
-    EXPECT_THAT(farm.status().stored, ElementsAre(3, 5));
-    EXPECT_EQ(farm.status().pictures, 7);
+TEST(FilmStatus, Frames_AreStoredOrMissing) {
+    ChunkFixture job;
+    EXPECT_EQ(job.status().missing.size(), 12U);
+    EXPECT_EQ(job.status().pictures, 9);
+    EXPECT_EQ(job.stored(), 0) << "film_status renders nothing";
+    (void)job.render_chunk(2, 4);  // 3 to 5
+    fs::remove(job.frame_path(4));
+    EXPECT_THAT(job.status().stored, ElementsAre(3, 5));
+    EXPECT_EQ(job.status().pictures, 7);
 }
 
-TEST(MuxFilm, DamagedFrame_IsNamedAndMadeAgainByItsChunk) {
-    Farm farm;
-    (void)farm.render(farm.options());
-    std::string bytes = read_text(farm.frame_path(5));
+TEST(MuxFilm, DamagedFrame_IsNamedAndRenderedAgainByItsChunk) {
+    ChunkFixture job;
+    (void)job.render(job.options());
+    std::string bytes = read_text(job.frame_path(5));
     bytes[100] = static_cast<char>(bytes[100] ^ 1);
-    write_text(farm.frame_path(5), bytes);
-    EXPECT_THAT(farm.status().damaged, ElementsAre(5));
-    EXPECT_EQ(mux_problem(farm), "1 of 12 frames are not in the cache: 5 (stored, but damaged: 5)");
-    EXPECT_FALSE(fs::exists(farm.folder.path("film.mkv")));
-    EXPECT_EQ(farm.render_chunk(1, 1).rendered, 1);
-    EXPECT_EQ(mux_problem(farm), "none");
+    write_text(job.frame_path(5), bytes);
+    EXPECT_THAT(job.status().damaged, ElementsAre(5));
+    EXPECT_EQ(mux_problem(job),
+              "1 of 12 frames is not in the cache: 5 (stored, but damaged: 5); 'carom render' "
+              "renders it");
+    EXPECT_FALSE(fs::exists(job.folder.path("film.mkv")));
+    EXPECT_EQ(job.render_chunk(1, 1).rendered, 1);
+    EXPECT_EQ(mux_problem(job), "none");
 }
 
-TEST(MuxFilm, OtherCodec_NeedsNoRenderer) {
-    Farm farm;
-    (void)farm.render(farm.options());
-    const auto before = farm.renderer.rendered().size();
-    const FilmJobResult result =
-        mux_film(farm.shot, farm.bake, farm.options("film.####.png"), {}, {});
+TEST(MuxFilm, AnotherFormat_NeedsNoRenderer) {
+    ChunkFixture job;
+    (void)job.render(job.options());
+    const auto before = job.renderer.rendered().size();
+    const FilmJobResult result = mux_film(job.shot, job.bake, job.options("film.####.png"), {}, {});
     EXPECT_EQ(result.frames, 12);
     EXPECT_EQ(result.rendered, 0);
-    EXPECT_EQ(farm.renderer.rendered().size(), before);
+    EXPECT_EQ(job.renderer.rendered().size(), before);
 }
 
-TEST(CacheLimit, FramesOfOlderFilms_GoFirst) {
-    Farm farm;
-    (void)farm.render(farm.options());  // 9 pictures
+TEST(CacheLimit, FramesOfOlderFilms_AreRemovedFirst) {
+    ChunkFixture job;
+    (void)job.render(job.options());  // 9 pictures
     const std::uint64_t all = [&] {
         std::uint64_t bytes = 0;
-        for (const CacheEntry& entry : list_cache(farm.folder.path("cache"))) {
+        for (const CacheEntry& entry : list_cache(job.folder.path("cache"))) {
             fs::last_write_time(entry.path,
                                 fs::file_time_type::clock::now() - std::chrono::hours(5));
             bytes += entry.bytes;
         }
         return bytes;
     }();
-    farm.shot.render.samples = 3;  // another film
-    FilmJobOptions options = farm.options("film.mkv");
+    job.shot.render.samples = 3;  // another film
+    FilmJobOptions options = job.options("film.mkv");
     options.frames = parse_frame_range("0-3");
     // Pictures are not all of one size, to a few bytes.
     options.cache_limit = all + all / 40;
-    EXPECT_EQ(farm.render(options).rendered, 4);
-    EXPECT_EQ(farm.stored(), 9) << "four of the other film went";
-    EXPECT_EQ(farm.warning, "");
-    farm.shot.render.samples = 2;
-    EXPECT_EQ(farm.status().missing.size(), 4U);
+    EXPECT_EQ(job.render(options).rendered, 4);
+    EXPECT_EQ(job.stored(), 9) << "four frames of the other film were removed";
+    EXPECT_EQ(job.warning, "");
+    job.shot.render.samples = 2;
+    EXPECT_EQ(job.status().missing.size(), 4U);
 }
 
-TEST(CacheLimit, OtherPartsOfTheFilm_Stay) {
-    Farm farm;
+TEST(CacheLimit, OtherPartsOfTheFilm_AreKept) {
+    ChunkFixture job;
     const auto age_all = [&] {
-        for (const CacheEntry& entry : list_cache(farm.folder.path("cache"))) {
+        for (const CacheEntry& entry : list_cache(job.folder.path("cache"))) {
             fs::last_write_time(entry.path,
                                 fs::file_time_type::clock::now() - std::chrono::hours(5));
         }
     };
-    FilmJobOptions options = farm.options();
+    FilmJobOptions options = job.options();
     options.cache_limit = 1000;
     options.chunk = {1, 3};
-    EXPECT_EQ(farm.render(options).rendered, 4);
+    EXPECT_EQ(job.render(options).rendered, 4);
     age_all();
     options.chunk = {2, 3};
-    EXPECT_EQ(farm.render(options).rendered, 4);
-    EXPECT_THAT(farm.status().missing, ElementsAre(8, 9, 10, 11));
+    EXPECT_EQ(job.render(options).rendered, 4);
+    EXPECT_THAT(job.status().missing, ElementsAre(8, 9, 10, 11));
     age_all();
     options.chunk = {};
     options.frames = parse_frame_range("0-1");
-    EXPECT_EQ(farm.render(options).rendered, 0);
-    EXPECT_THAT(farm.status().missing, ElementsAre(8, 9, 10, 11));
+    EXPECT_EQ(job.render(options).rendered, 0);
+    EXPECT_THAT(job.status().missing, ElementsAre(8, 9, 10, 11));
     age_all();
-    (void)frame_by(farm.renderer.function(), farm.shot, farm.bake.timeline, 0, options, {}, {});
-    EXPECT_THAT(farm.status().missing, ElementsAre(8, 9, 10, 11));
+    (void)frame_by(job.renderer.function(), job.shot, job.bake.timeline, 0, options, {}, {});
+    EXPECT_THAT(job.status().missing, ElementsAre(8, 9, 10, 11));
 }
 
-TEST(CacheLimit, FilmLargerThanIt_IsMadeAndSaysSo) {
-    Farm farm;
-    FilmJobOptions options = farm.options("film.mkv");
+TEST(CacheLimit, FilmLargerThanTheLimit_IsFinishedWithAWarning) {
+    ChunkFixture job;
+    FilmJobOptions options = job.options("film.mkv");
     options.cache_limit = 1000;
-    EXPECT_EQ(farm.render(options).rendered, 9);
-    EXPECT_EQ(farm.stored(), 9);
-    EXPECT_THAT(farm.warning, HasSubstr("more than its limit of 1 kB"));
-    EXPECT_EQ(farm.render(options).rendered, 0) << "what it is about to use is not pruned";
+    EXPECT_EQ(job.render(options).rendered, 9);
+    EXPECT_EQ(job.stored(), 9);
+    EXPECT_THAT(job.warning, HasSubstr("more than its limit of 1 kB"));
+    EXPECT_EQ(job.render(options).rendered, 0) << "frames that the job needs are not pruned";
 }
 
 }  // namespace

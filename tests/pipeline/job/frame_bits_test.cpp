@@ -1,4 +1,4 @@
-// The pixels of the example films do not depend on how they are computed.
+// Checks that the pixels of the example films do not depend on how they are computed.
 #include <algorithm>
 #include <filesystem>
 
@@ -19,15 +19,15 @@ using carom::testing::ScratchFolder;
 
 class ExampleBits : public ::testing::TestWithParam<std::string> {};
 
-/// Of the break many: as its balls go apart, paths of all materials share their vectors in many
-/// ways.
+/// The frames that are tested: several of the break, where paths of all materials share SIMD
+/// vectors in many combinations as the balls separate.
 std::vector<std::int64_t> frames_of(const ExampleFilm& film, const std::string& path) {
     return path.ends_with("/nine_ball_break.yaml")
                ? std::vector<std::int64_t>{10, 80, 200}
                : std::vector<std::int64_t>{film.frame_count() / 2};
 }
 
-/// While it lives, vectors are no wider than AVX2's.
+/// While an object exists, SIMD vectors are no wider than those of AVX2.
 class NarrowVectors {
   public:
     static constexpr std::int64_t kWider = HWY_AVX3 | HWY_AVX3_DL;
@@ -45,7 +45,8 @@ int differing_pixels(const std::vector<float>& a, const std::vector<float>& b) {
     return count;
 }
 
-/// A frame's pixels of `first` samples, and then of the others up to `all`.
+/// The pixels of a frame that is rendered in two parts: `first` samples, then the others up to
+/// `all`.
 std::vector<float> rendered_in_two(const ExampleFilm& film, std::int64_t frame, int first,
                                    int all) {
     const FrameInputs inputs = film.inputs(frame);
@@ -73,7 +74,7 @@ std::vector<float> rendered_in_two(const ExampleFilm& film, std::int64_t frame, 
     return result.rgba;
 }
 
-// What a frame is called in the store does not say how wide the vectors were.
+// The key of a frame does not contain the width of the vectors, so the width must not matter.
 void expect_same_bits_in_wider_vectors(const ExampleFilm& film, std::int64_t frame) {
     if ((hwy::SupportedTargets() & NarrowVectors::kWider) == 0) {
         return;  // this processor has none
@@ -84,10 +85,10 @@ void expect_same_bits_in_wider_vectors(const ExampleFilm& film, std::int64_t fra
     EXPECT_EQ(differing_pixels(wide.rgba, narrow.rgba), 0) << "wider vectors, frame " << frame;
 }
 
-// Samples of a pixel that are traced later and with other company are the same samples.
+// The samples of a pixel do not depend on when they are traced and with which other samples.
 void expect_same_bits_in_two_parts(const ExampleFilm& film, std::int64_t frame) {
     if (film.shot.render.integrator != render::IntegratorKind::path) {
-        return;  // its number of samples is not divided
+        return;  // only the path integrator renders in two parts
     }
     EXPECT_EQ(
         differing_pixels(rendered_in_two(film, frame, 4, 8), rendered_in_two(film, frame, 8, 8)), 0)

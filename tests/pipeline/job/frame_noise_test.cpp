@@ -1,4 +1,5 @@
-// A frame's noise is that of what it shows when: no setting of how it is computed changes it.
+// Checks that a frame's noise depends on what the frame shows and when, but not on how it is
+// computed.
 #include <cmath>
 #include <functional>
 
@@ -24,7 +25,7 @@ class FrameNoise : public ::testing::Test {
 
     [[nodiscard]] std::vector<float> picture() const { return film_.render(kFrame).rgba; }
 
-    /// The share of the pixels that differ by more than `bound` of their value.
+    /// The fraction of the pixels that differ by more than `bound` times their value.
     static double changed(const std::vector<float>& a, const std::vector<float>& b, float bound) {
         int count = 0;
         for (std::size_t i = 0; i < a.size(); i += 4) {
@@ -53,7 +54,7 @@ TEST_F(FrameNoise, OtherAccelerationStructures_HaveTheSameNoise) {
     const std::vector<float> usual = picture();
     for (const auto kind : {render::AccelerationKind::embree, render::AccelerationKind::wide_bvh}) {
         film_.shot.render.acceleration = kind;
-        // Rounding turns a few paths aside at edges.
+        // At edges, rounding sends a few paths to another surface.
         EXPECT_LT(changed(usual, picture(), 1e-3F), 0.02) << static_cast<int>(kind);
     }
 }
@@ -74,7 +75,7 @@ TEST_F(FrameNoise, AnotherNumberOnOneBall_ChangesThatBallAlone) {
     EXPECT_LT(fraction, 0.05);
 }
 
-TEST_F(FrameNoise, AnotherLook_HasTheSameNoise) {
+TEST_F(FrameNoise, BrighterLights_GiveTheSameNoise) {
     const std::vector<float> usual = picture();
     for (render::LightDescription& light : film_.shot.scene.lights) {
         if (auto* lamp = std::get_if<render::RectangleLight>(&light.light)) {
@@ -90,7 +91,7 @@ TEST_F(FrameNoise, AnotherLook_HasTheSameNoise) {
     EXPECT_LT(changed(usual, brighter, 1e-4F), 0.001);
 }
 
-TEST_F(FrameNoise, AnotherSeed_IsOtherNoiseWithTheSameMean) {
+TEST_F(FrameNoise, AnotherSeed_GivesOtherNoiseWithTheSameMean) {
     const std::vector<float> usual = picture();
     film_.shot.render.seed = 1;
     const std::vector<float> other = picture();

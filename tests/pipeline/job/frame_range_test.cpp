@@ -19,7 +19,7 @@ std::string error_of(const std::string& text) {
     return {};
 }
 
-TEST(FrameRange, Stretches_AreInclusiveSortedAndUnique) {
+TEST(FrameRange, Ranges_AreInclusiveSortedAndUnique) {
     EXPECT_THAT(parse_frame_range("5").frames(10), ElementsAre(5));
     EXPECT_THAT(parse_frame_range("2-4").frames(10), ElementsAre(2, 3, 4));
     EXPECT_THAT(parse_frame_range("0-7x3").frames(10), ElementsAre(0, 3, 6));
@@ -33,7 +33,7 @@ TEST(FrameRange, BeyondTheFilm_IsCutOff) {
     EXPECT_THAT(parse_frame_range("7").frames(5), IsEmpty());
 }
 
-TEST(FrameRange, Last_IsTheLargestThatIsAskedFor) {
+TEST(FrameRange, Last_IsTheLargestFrameOfAllRanges) {
     EXPECT_EQ(parse_frame_range("0-47,12").last(), 47);
     EXPECT_EQ(parse_frame_range("0-10x4").last(), 8);
     EXPECT_EQ(FrameRange{}.last(), -1);
@@ -44,23 +44,25 @@ TEST(FrameRange, Empty_IsTheWholeFilm) {
     EXPECT_THAT(FrameRange{}.frames(0), IsEmpty());
 }
 
-TEST(FrameRange, Unreadable_IsAnErrorThatQuotesThePart) {
-    const auto unreadable = [](const std::string& part) {
-        return "cannot read the frames '" + part +
-               "'; write a frame (12), a range (0-47) or every n-th of one (0-47x2)";
+TEST(FrameRange, InvalidText_IsAnErrorThatQuotesThePart) {
+    const auto invalid = [](const std::string& part) {
+        return "'" + part +
+               "' is not a range of frames; write a frame (12), a range (0-47) or every n-th "
+               "frame of a range (0-47x2)";
     };
-    EXPECT_EQ(error_of(""), unreadable(""));
-    EXPECT_EQ(error_of("1,,2"), unreadable(""));
-    EXPECT_EQ(error_of("1,a"), unreadable("a"));
-    EXPECT_EQ(error_of("1-"), unreadable("1-"));
-    EXPECT_EQ(error_of("-1"), unreadable("-1"));
-    EXPECT_EQ(error_of("1-2x"), unreadable("1-2x"));
-    EXPECT_EQ(error_of("1x2"), unreadable("1x2"));
-    EXPECT_EQ(error_of("1-2-3"), unreadable("1-2-3"));
-    EXPECT_EQ(error_of("1 - 2"), unreadable("1 - 2"));
-    EXPECT_EQ(error_of("99999999999999999999"), unreadable("99999999999999999999"));
-    EXPECT_EQ(error_of("9-3"), "the frames '9-3' go backwards; write the smaller number first");
-    EXPECT_EQ(error_of("0-9x0"), "the frames '0-9x0' have a step of 0; it must be at least 1");
+    EXPECT_EQ(error_of(""), invalid(""));
+    EXPECT_EQ(error_of("1,,2"), invalid(""));
+    EXPECT_EQ(error_of("1,a"), invalid("a"));
+    EXPECT_EQ(error_of("1-"), invalid("1-"));
+    EXPECT_EQ(error_of("-1"), invalid("-1"));
+    EXPECT_EQ(error_of("1-2x"), invalid("1-2x"));
+    EXPECT_EQ(error_of("1x2"), invalid("1x2"));
+    EXPECT_EQ(error_of("1-2-3"), invalid("1-2-3"));
+    EXPECT_EQ(error_of("1 - 2"), invalid("1 - 2"));
+    EXPECT_EQ(error_of("99999999999999999999"), invalid("99999999999999999999"));
+    EXPECT_EQ(error_of("9-3"),
+              "the range of frames '9-3' is reversed; write the smaller number first");
+    EXPECT_EQ(error_of("0-9x0"), "the range of frames '0-9x0' has a step of 0; write at least 1");
 }
 
 TEST(FrameChunk, Chunks_CoverEveryFrameOnceAndDifferByOneAtMost) {
@@ -79,7 +81,7 @@ TEST(FrameChunk, Chunks_CoverEveryFrameOnceAndDifferByOneAtMost) {
     }
 }
 
-TEST(FrameChunk, Texts_AreReadOrQuoted) {
+TEST(FrameChunk, Texts_AreParsedOrRejected) {
     EXPECT_EQ(parse_frame_chunk("2/8").number, 2);
     EXPECT_EQ(parse_frame_chunk(" 8/8 ").of, 8);
     for (const char* wrong : {"", "2", "0/8", "9/8", "2/0", "-1/3", "1/3x", "a/b", "1/"}) {
@@ -87,7 +89,7 @@ TEST(FrameChunk, Texts_AreReadOrQuoted) {
     }
 }
 
-TEST(FramesText, Stretches_AreJoined) {
+TEST(FramesText, ConsecutiveFrames_AreJoinedToRanges) {
     EXPECT_EQ(frames_text({}), "");
     EXPECT_EQ(frames_text({4}), "4");
     EXPECT_EQ(frames_text({0, 1, 2, 5, 7, 8}), "0-2, 5, 7-8");

@@ -1,5 +1,5 @@
-// run_logged_job as a program: cache folder, video, log. Given a fourth argument it runs where the
-// file system has no locks: flock fails with ENOLCK. Exit code 1 if it fails.
+// Runs run_logged_job with its arguments: cache folder, video, log. With a fourth argument flock
+// fails with ENOLCK, as on a file system without locks. The exit code is 1 if the job fails.
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>

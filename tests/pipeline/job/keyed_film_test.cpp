@@ -1,4 +1,4 @@
-// Objects moved by keys, from their YAML to the picture.
+// Tests of keyed objects, from their YAML to the picture.
 #include <gtest/gtest.h>
 
 #include "pipeline/config/load_shot.h"
@@ -11,8 +11,8 @@ namespace {
 
 using carom::testing::ScratchFolder;
 
-/// A strip 0.2 m wide goes from x = -0.5 m to 0.5 m, in front of nothing. One frame, exposed for
-/// all of its second.
+/// A strip 0.2 m wide moves from x = -0.5 m to `last_x` in front of an empty background. The film
+/// has one frame, which is exposed for its whole second.
 Shot strip(const std::string& last_x) {
     const LoadResult loaded = load_shot_text(
         "carom: 1\n"
@@ -39,12 +39,12 @@ render::Film picture(const Shot& shot, const sim::Bake& bake, const ScratchFolde
     return make_frame(shot, bake, 0, options, {}, {});
 }
 
-TEST(KeyedFilm, Strip_CoversEachPixelForItsShareOfTheShutter) {
+TEST(KeyedFilm, Strip_CoversEachPixelForAFractionOfTheExposure) {
     const ScratchFolder folder;
     const Shot shot = strip("0.5");
     const render::Film film =
         picture(shot, bake_or_reuse(shot, folder.path(), {}, {}).bake, folder);
-    // The strip goes all the way over each pixel: 0.2 m at 1 m/s.
+    // The whole strip passes over each pixel: 0.2 m at 1 m/s.
     double sum = 0;
     for (int i = 0; i < 16 * 16; ++i) {
         const double coverage = film.rgba[4 * static_cast<std::size_t>(i) + 3];
@@ -61,16 +61,16 @@ TEST(KeyedFilm, ChangedKeys_AreFilmedWithoutAnotherBake) {
     const sim::Bake first = bake_or_reuse(moves, folder.path(), {}, {}).bake;
     EXPECT_EQ(sim::physics_hash(moves.world), sim::physics_hash(stands.world));
     auto [second, origin] = bake_or_reuse(stands, folder.path(), {}, {});
-    EXPECT_EQ(origin, BakeOrigin::kept);
+    EXPECT_EQ(origin, BakeOrigin::cached);
     ASSERT_EQ(second.timeline.tracks.size(), 1u);
     EXPECT_EQ(second.timeline.tracks[0], stands.keyed[0]);
     const render::Film film = picture(stands, second, folder);
     EXPECT_EQ(film.rgba[4 * 8 * 16 + 4 * 8 + 3], 0);  // outside the picture
-    add_keyed_motions(second, moves);                 // in place of what it has
+    add_keyed_motions(second, moves);                 // replaces the track
     EXPECT_EQ(second.timeline, first.timeline);
 }
 
-TEST(KeyedFilm, Camera_MayFollow) {
+TEST(KeyedFilm, Camera_MayFollowAKeyedObject) {
     const LoadResult loaded = load_shot_text(
         "carom: 1\n"
         "objects: {lamp: {sphere: 0.1, motion: {keys: [{at: 0 s}, {at: 1 s, position: [1, 0, "

@@ -1,4 +1,4 @@
-// A job that is killed again and again, and two jobs in two processes.
+// Tests of a job that is killed repeatedly, and of two jobs in two processes.
 #include <chrono>
 #include <filesystem>
 #include <random>
@@ -43,8 +43,8 @@ std::multiset<std::string> lines_of(const std::string& path) {
     return lines;
 }
 
-/// Keys of the frames under their final names.
-std::set<std::string> finished(const std::string& cache) {
+/// The keys of the frames that have their final names.
+std::set<std::string> finished_frames(const std::string& cache) {
     std::set<std::string> keys;
     if (fs::exists(cache + "/frames")) {
         for (const auto& entry : fs::recursive_directory_iterator(cache + "/frames")) {
@@ -56,7 +56,7 @@ std::set<std::string> finished(const std::string& cache) {
     return keys;
 }
 
-/// Kills the job some time after that many renderings began, unless it ends before.
+/// Kills the job `later` after that many renderings have begun, unless it ends before.
 void kill_after_lines(ChildProcess& job, const std::string& log, std::size_t lines,
                       std::chrono::milliseconds later) {
     if (job.wait_until([&] { return lines_of(log).size() >= lines; })) {
@@ -65,17 +65,17 @@ void kill_after_lines(ChildProcess& job, const std::string& log, std::size_t lin
     job.kill();
 }
 
-/// A cache, a video and how often its frames were rendered, from nothing to the whole film.
-struct Life {
+/// The making of one film from an empty cache, in as many runs as it takes.
+struct FilmRun {
     std::string cache, video;
     int kills = 0;
     int renderings = 0;
 };
 
-/// The job in a process forked from this one, which has its libraries already (loading them takes
-/// ten times as long as the job). There must be no other threads here; it has a test program of its
-/// own. The thread sanitizer cannot follow threads into a forked process: for it the job is run
-/// from its program.
+/// The job in a process that is forked from this one, which has already loaded the libraries
+/// (loading them takes ten times as long as the job). This process must not have other threads, so
+/// this is a test program of its own. The thread sanitizer does not support threads in a forked
+/// process, so there the job runs in its own program.
 class ForkedJob {
   public:
     ForkedJob(const std::string& cache, const std::string& video, const std::string& log)
@@ -118,50 +118,50 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-TEST(KilledJob, FiftyRandomMoments_LoseNothingButTheFrameInFlight) {
+TEST(KilledJob, KillsAtFiftyRandomTimes_LoseOnlyTheFrameInProgress) {
     constexpr int kKills = 50;
     const ScratchFolder folder;
     const auto begin = std::chrono::steady_clock::now();
-    ForkedJob calm(folder.path("calm"), folder.path("calm.mkv"), folder.path("log"));
-    ASSERT_EQ(calm.wait(), 0);
+    ForkedJob undisturbed(folder.path("calm"), folder.path("calm.mkv"), folder.path("log"));
+    ASSERT_EQ(undisturbed.wait(), 0);
     const double duration = seconds_since(begin);
     ASSERT_EQ(lines_of(folder.path("log")).size(), kPictures);
     const std::string film = read_text(folder.path("calm.mkv"));
 
     const unsigned seed = std::random_device()();
     std::mt19937 random(seed);
-    std::uniform_real_distribution<double> moment(0, duration);
-    const auto new_life = [&](int number) {
+    std::uniform_real_distribution<double> kill_time(0, duration);
+    const auto new_film = [&](int number) {
         const std::string name = std::to_string(number);
-        return Life{folder.path("cache" + name), folder.path("film" + name + ".mkv")};
+        return FilmRun{folder.path("cache" + name), folder.path("film" + name + ".mkv")};
     };
-    Life life = new_life(0);
-    int kills = 0, lives = 1;
-    for (int round = 0; kills < kKills || life.kills > 0; ++round) {
-        ASSERT_LT(round, 4 * kKills) << "never came to its end";
-        const std::set<std::string> before = finished(life.cache);
+    FilmRun run = new_film(0);
+    int kills = 0, films = 1;
+    for (int round = 0; kills < kKills || run.kills > 0; ++round) {
+        ASSERT_LT(round, 4 * kKills) << "the film is never finished";
+        const std::set<std::string> before = finished_frames(run.cache);
         const std::string log = folder.path("log" + std::to_string(round));
-        ForkedJob child(life.cache, life.video, log);
+        ForkedJob child(run.cache, run.video, log);
         if (kills < kKills) {
-            std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
+            std::this_thread::sleep_for(std::chrono::duration<double>(kill_time(random)));
             child.kill();
         }
         const int status = child.wait();
         for (const std::string& frame : lines_of(log)) {
             EXPECT_EQ(before.count(frame), 0u) << "a finished frame was rendered again";
-            ++life.renderings;
+            ++run.renderings;
         }
-        if (fs::exists(life.video)) {  // it may be there although its job was killed a moment later
-            ASSERT_EQ(read_text(life.video), film) << "seed " << seed << ", round " << round;
+        if (fs::exists(run.video)) {  // it may exist although its job was killed just afterwards
+            ASSERT_EQ(read_text(run.video), film) << "seed " << seed << ", round " << round;
         }
-        life.kills += status != 0;
+        run.kills += status != 0;
         kills += status != 0;
         if (status == 0) {
-            EXPECT_TRUE(fs::exists(life.video));
-            EXPECT_LE(life.renderings, static_cast<int>(kPictures) + life.kills);
-            EXPECT_TRUE(fs::is_empty(life.cache + "/frames/locks"));
-            EXPECT_TRUE(fs::is_empty(life.cache + "/frames/partial"));
-            life = new_life(lives++);
+            EXPECT_TRUE(fs::exists(run.video));
+            EXPECT_LE(run.renderings, static_cast<int>(kPictures) + run.kills);
+            EXPECT_TRUE(fs::is_empty(run.cache + "/frames/locks"));
+            EXPECT_TRUE(fs::is_empty(run.cache + "/frames/partial"));
+            run = new_film(films++);
         }
     }
     EXPECT_EQ(kills, kKills);
@@ -170,7 +170,7 @@ TEST(KilledJob, FiftyRandomMoments_LoseNothingButTheFrameInFlight) {
     }
 }
 
-TEST(KilledJob, TwoProcesses_ShareTheWork) {
+TEST(KilledJob, TwoProcesses_RenderEachFrameOnce) {
     const ScratchFolder folder;
     const std::string cache = folder.path("cache"), log = folder.path("log");
     ChildProcess first(job(cache, folder.path("a.mkv"), log));
@@ -183,7 +183,7 @@ TEST(KilledJob, TwoProcesses_ShareTheWork) {
     EXPECT_EQ(read_text(folder.path("a.mkv")), read_text(folder.path("b.mkv")));
 }
 
-TEST(KilledJob, PartnerKilled_LeavesItsFrameToTheOther) {
+TEST(KilledJob, KilledProcess_LeavesItsFrameToTheOther) {
     const ScratchFolder folder;
     const std::string cache = folder.path("cache"), log = folder.path("log");
     ChildProcess first(job(cache, folder.path("a.mkv"), log));
@@ -196,22 +196,22 @@ TEST(KilledJob, PartnerKilled_LeavesItsFrameToTheOther) {
     EXPECT_FALSE(read_text(folder.path("b.mkv")).empty());
 }
 
-TEST(KilledJob, WithoutLocks_BothSaySoAndGoOnUnshared) {
+TEST(KilledJob, WithoutLocks_BothProcessesWarnAndFinish) {
     const ScratchFolder folder;
     const std::string cache = folder.path("cache");
-    const auto unshared = [&](const std::string& name) {
+    const auto without_locks = [&](const std::string& name) {
         std::vector<std::string> command =
             job(cache, folder.path(name + ".mkv"), folder.path(name));
         command.emplace_back("without flock");
         return command;
     };
-    ChildProcess first(unshared("a")), second(unshared("b"));
+    ChildProcess first(without_locks("a")), second(without_locks("b"));
     ASSERT_EQ(first.wait(), 0);
     ASSERT_EQ(second.wait(), 0);
     for (const std::string name : {"a", "b"}) {
         EXPECT_THAT(read_text(folder.path(name + ".warnings")),
-                    ::testing::HasSubstr("cannot be locked; a second process would render the same "
-                                         "frames again"));
+                    ::testing::HasSubstr("/frames' has no locks; another process may render the "
+                                         "same frames again"));
     }
     EXPECT_GE(lines_of(folder.path("a")).size() + lines_of(folder.path("b")).size(), kPictures);
     EXPECT_FALSE(read_text(folder.path("a.mkv")).empty());

@@ -1,4 +1,4 @@
-// Every example and every rig of the library: checked, baked, and three frames of it rendered.
+// Checks and bakes every example and every rig of the library, and renders three frames of each.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -50,7 +50,7 @@ std::string text_of(const std::vector<Problem>& problems) {
     return text;
 }
 
-/// First, middle and last frame show something, and no NaN.
+/// Checks that the first, middle and last frame are not black and have no NaN.
 void expect_frames(const LoadResult& loaded, const std::string& cache) {
     ASSERT_EQ(text_of(loaded.problems), "");
     const Shot& shot = loaded.shot.value();
@@ -63,7 +63,7 @@ void expect_frames(const LoadResult& loaded, const std::string& cache) {
     for (const std::int64_t frame : frames) {
         options.frames.parts.push_back({frame, frame, 1});
     }
-    (void)make_film(shot, bake, options, {}, {});  // into the store, from where they are taken
+    (void)make_film(shot, bake, options, {}, {});  // stores the frames, which are then read
     for (const std::int64_t frame : frames) {
         const render::Film film = make_frame(shot, bake, frame, options, {}, {});
         ASSERT_EQ(film.rgba.size(), 4U * 48 * 28);
@@ -72,12 +72,13 @@ void expect_frames(const LoadResult& loaded, const std::string& cache) {
             ASSERT_TRUE(std::isfinite(film.rgba[i]));
             lit += i % 4 != 3 && film.rgba[i] > 0.004F ? 1 : 0;
         }
-        EXPECT_GT(lit, 3 * 48 * 28 / 10) << "frame " << frame << " is all but black";
+        EXPECT_GT(lit, 3 * 48 * 28 / 10) << "frame " << frame << " is almost black";
     }
 }
 
-/// The example whose bake another one films: "domino_run" for "reverse"; empty for most.
-std::string filmed_by(const std::string& name) {
+/// The example that another one includes to film its bake: "domino_run" for "reverse"; empty for
+/// most.
+std::string included_example(const std::string& name) {
     std::ifstream file(kSource + "/examples/" + name + ".yaml");
     for (std::string line; std::getline(file, line);) {
         const std::string word = "include: ";
@@ -93,7 +94,7 @@ std::string filmed_by(const std::string& name) {
 
 std::vector<std::string> own_shots() {
     std::vector<std::string> names = names_in("examples");
-    std::erase_if(names, [](const std::string& name) { return !filmed_by(name).empty(); });
+    std::erase_if(names, [](const std::string& name) { return !included_example(name).empty(); });
     return names;
 }
 
@@ -101,9 +102,9 @@ class Example : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Example, IsCheckedBakedAndRendered) {
     const carom::testing::ScratchFolder folder;
-    // The others that film this one's bake again, while it is at hand.
+    // Examples that film the same bake are tested together with it, so that it is simulated once.
     for (const std::string& name : names_in("examples")) {
-        if (name == GetParam() || filmed_by(name) == GetParam()) {
+        if (name == GetParam() || included_example(name) == GetParam()) {
             SCOPED_TRACE(name);
             expect_frames(load_shot(kSource + "/examples/" + name + ".yaml", tiny()),
                           folder.path("cache"));
@@ -145,7 +146,7 @@ TEST_P(Rig, Included_FilmsAShot) {
     expect_frames(load(", rigs/" + GetParam() + ".yaml", ""), folder.path("cache"));
 }
 
-TEST_P(Rig, IncludedByACamera_IsOneOfSeveral) {
+TEST_P(Rig, IncludedByACamera_MayBeOneOfSeveral) {
     const LoadResult loaded = load(
         "", "cameras:\n  - {include: rigs/" + GetParam() +
                 ".yaml, video: [0 s, 1 s], scene: [0.2 s, 0.4 s]}\n"

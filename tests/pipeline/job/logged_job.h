@@ -1,13 +1,13 @@
-// The tiny shot's film as a job that tests kill.
+// A job that makes the film of the tiny shot and logs its renderings, for tests that kill it.
 #pragma once
 
 #include <string>
 
 namespace carom::testing {
 
-/// Makes the film with a fake renderer that takes 8 ms per picture. `log`, made at once, gets a
-/// line with the key of every picture when its rendering begins, `log`.warnings
-/// what the job warns of. Throws Error.
+/// Makes the film with a fake renderer that takes 8 ms per picture. The file `log`, which is
+/// created immediately, receives a line with the key of every picture when its rendering begins,
+/// and `log`.warnings the warnings of the job. Throws Error.
 void run_logged_job(const std::string& cache, const std::string& video, const std::string& log);
 
 }  // namespace carom::testing

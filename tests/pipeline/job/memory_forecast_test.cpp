@@ -26,7 +26,7 @@ double megabytes(const Shot& shot, const std::string& output) {
     return static_cast<double>(forecast_memory(shot, output)) / 1e6;
 }
 
-/// What docs/reliability.md measured of whole jobs.
+/// The measurements of whole jobs in docs/reliability.md.
 TEST(ForecastMemory_OfMeasuredJobs, IsLessThanAQuarterAboveAndNeverMuchBelow) {
     const auto expect_near = [](double forecast, double measured) {
         EXPECT_LT(forecast, 1.25 * measured);

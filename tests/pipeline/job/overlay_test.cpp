@@ -21,7 +21,7 @@ using carom::testing::tiny_shot;
 using carom::testing::tiny_timeline;
 using ::testing::ElementsAre;
 
-TEST(Overlay, Lines_TellFrameSceneTimeAndSpeed) {
+TEST(Overlay, Lines_GiveFrameSceneTimeAndSpeed) {
     OverlaySettings settings;
     settings.show = {OverlayItem::speed, OverlayItem::frame, OverlayItem::scene_time};
     settings.corner = Corner::top_right;
@@ -42,8 +42,8 @@ struct Extent {
     int white = 0;
 };
 
-/// Where a grey picture of 200 x 100 is changed by three letters.
-Extent drawn(bool at_top, bool at_right) {
+/// The part of a grey picture of 200 x 100 pixels in which three letters are drawn.
+Extent drawn_extent(bool at_top, bool at_right) {
     constexpr int width = 200;
     constexpr int height = 100;
     constexpr std::uint16_t grey = 20000;
@@ -66,14 +66,14 @@ Extent drawn(bool at_top, bool at_right) {
     return extent;
 }
 
-TEST(PictureText, Corners_AreWhereTheySay) {
-    const Extent low = drawn(false, false);
+TEST(PictureText, Corners_AreWhereTheNamesSay) {
+    const Extent low = drawn_extent(false, false);
     EXPECT_GT(low.white, 30);
     EXPECT_GT(low.left, 5);
     EXPECT_LT(low.right, 60);
     EXPECT_GT(low.top, 60);
     EXPECT_LT(low.bottom, 95);
-    const Extent high = drawn(true, true);
+    const Extent high = drawn_extent(true, true);
     EXPECT_EQ(high.white, low.white);
     EXPECT_GT(high.left, 140);
     EXPECT_LT(high.right, 195);
@@ -81,7 +81,7 @@ TEST(PictureText, Corners_AreWhereTheySay) {
     EXPECT_LT(high.bottom, 40);
 }
 
-TEST(OverlayExtent, IsWhereItsLastLetterEnds) {
+TEST(OverlayExtent, Width_EndsWithTheLastLetter) {
     constexpr int kWidth = 1200;
     constexpr int kHeight = 600;
     for (const OverlayItem item :
@@ -104,7 +104,7 @@ TEST(OverlayExtent, IsWhereItsLastLetterEnds) {
     }
 }
 
-TEST(PictureText, WhatDoesNotFit_IsCutOff) {
+TEST(PictureText, TextThatDoesNotFit_IsCutOff) {
     std::vector<std::uint8_t> rgb(std::size_t{8} * 6 * 3, 10);
     render::draw_text({{"a very long line", "and another", "and one more"}, false, true, 0.5}, rgb,
                       8, 6);
@@ -112,12 +112,12 @@ TEST(PictureText, WhatDoesNotFit_IsCutOff) {
     SUCCEED();
 }
 
-struct Job {
+struct OverlayJob {
     ScratchFolder folder;
     Shot shot = tiny_shot();
     FakeRenderer renderer{shot};
 
-    Job() {
+    OverlayJob() {
         shot.render.width = 128;
         shot.render.height = 72;
     }
@@ -133,7 +133,7 @@ struct Job {
 };
 
 TEST(Overlay, InTheFilm_RendersNothingAgain) {
-    Job job;
+    OverlayJob job;
     EXPECT_GT(job.film("plain.mkv").rendered, 0);
     job.shot.output.overlay.show = {OverlayItem::frame};
     EXPECT_EQ(job.film("numbered.mkv").rendered, 0);
@@ -143,14 +143,14 @@ TEST(Overlay, InTheFilm_RendersNothingAgain) {
     EXPECT_EQ(job.bytes("plain.mkv"), job.bytes("again.mkv"));
 }
 
-TEST(Overlay, InPictures_IsInThoseOfADisplayOnly) {
-    Job job;
+TEST(Overlay, InImageSequences_IsOnlyInDisplayFormats) {
+    OverlayJob job;
     job.film("a.##.png");
     job.film("a.##.exr");
     job.shot.output.overlay.show = {OverlayItem::frame};
     job.film("b.##.png");
     job.film("b.##.exr");
-    // Files hold the time at which they were written, always as many digits.
+    // The files contain the current time, which always has the same number of digits.
     EXPECT_GT(job.bytes("b.10.png").size(), job.bytes("a.10.png").size() + 50);
     EXPECT_EQ(render::read_exr(job.folder.path("b.10.exr")).rgba,
               render::read_exr(job.folder.path("a.10.exr")).rgba);

@@ -1,4 +1,4 @@
-// A shot of 32 x 18 pixels, its timeline, and a renderer that only computes a few numbers.
+// A shot of 32 x 18 pixels, its timeline, and a fake renderer that only computes a few numbers.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,19 @@
 
 namespace carom::testing {
 
-/// Twelve frames at 24 per second: a ball rolls during the first eight and rests in the others,
-/// filmed by a camera that stands still. FFV1, so that files compare fast.
+/// A shot of twelve frames at 24 per second: a ball rolls during the first eight and rests in the
+/// others, filmed by a fixed camera. The codec is FFV1, so that files can be
+/// compared quickly.
 [[nodiscard]] pipeline::Shot tiny_shot();
 
-/// With one track, "cue": rolls along x from 0 s to 0.31 s, then rests.
+/// Its timeline. The only track, "cue", rolls along x from 0 s to 0.31 s, then rests.
 [[nodiscard]] sim::Timeline tiny_timeline();
 
-/// A picture that is a function of the inputs; all pictures differ.
+/// A picture that is a function of the inputs. Different inputs give different pictures.
 [[nodiscard]] render::Film fake_picture(const pipeline::Shot& shot,
                                         const pipeline::FrameInputs& inputs);
 
-/// make_film and make_frame of a bake with this timeline, with pictures by `render`.
+/// Calls make_film or make_frame for a bake with this timeline, with pictures that `render` makes.
 pipeline::FilmJobResult film_by(const pipeline::RenderFunction& render, const pipeline::Shot& shot,
                                 const sim::Timeline& timeline, pipeline::FilmJobOptions options,
                                 const pipeline::JobObserver& observer, const std::stop_token& stop);
@@ -32,14 +33,14 @@ pipeline::FilmJobResult film_by(const pipeline::RenderFunction& render, const pi
                                     const pipeline::JobObserver& observer,
                                     const std::stop_token& stop);
 
-/// fake_picture, and what was asked for.
+/// A renderer that returns fake_picture and records the calls.
 class FakeRenderer {
   public:
     explicit FakeRenderer(const pipeline::Shot& shot) : shot_(shot) {}
 
     [[nodiscard]] pipeline::RenderFunction function();
 
-    /// scene_open of every picture rendered, in order.
+    /// scene_open of every rendered picture, in order.
     [[nodiscard]] std::vector<double> rendered() const;
 
   private:

@@ -1,4 +1,4 @@
-// Another program, started by a test and perhaps killed.
+// A child process that a test starts and may kill.
 #pragma once
 
 #include <chrono>
@@ -14,8 +14,8 @@
 
 namespace carom::testing {
 
-/// Started by posix_spawn: fork() would run the handlers that libraries of the test program have
-/// registered for it. Killed when it goes out of scope.
+/// Starts a program with posix_spawn, since fork() would run the handlers that libraries of the
+/// test program have registered for it. The process is killed when this object goes out of scope.
 class ChildProcess {
   public:
     explicit ChildProcess(std::vector<std::string> command) {
@@ -50,7 +50,7 @@ class ChildProcess {
         return process_ > 0;
     }
 
-    /// As waitpid reports it: 0 if it ended well.
+    /// Waits for its end and returns its status as waitpid reports it: 0 after success.
     int wait() {
         if (process_ > 0) {
             ::waitpid(process_, &status_, 0);
@@ -59,14 +59,14 @@ class ChildProcess {
         return status_;
     }
 
-    /// Asks `happened` every millisecond, for as long as the process runs and at most 30 s. False
-    /// if it did not happen.
-    template <class Question>
-    [[nodiscard]] bool wait_until(const Question& happened) {
+    /// Checks `condition` every millisecond while the process runs, for at most 30 s. Returns
+    /// whether it became true.
+    template <class Predicate>
+    [[nodiscard]] bool wait_until(const Predicate& condition) {
         const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-        while (!happened()) {
+        while (!condition()) {
             if (!is_running() || std::chrono::steady_clock::now() > deadline) {
-                return happened();
+                return condition();
             }
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }

@@ -37,7 +37,7 @@ std::vector<sim::Key> cue_keys() {
             make_key(4, {1, 0, 0.03}, {0, 0, 0}, {0, 0, 0}, turned_about_y(33.5))};
 }
 
-/// All that a key is made from, ready to be changed in one place.
+/// All inputs of a key, for tests that change one of them.
 struct Inputs {
     PlannedFrame frame;
     Shutter shutter;
@@ -87,7 +87,7 @@ render::DistributedSettings& distributed(Inputs& i) {
     return i.settings.distributed;
 }
 
-TEST(FrameKey, SettingsOfTheOtherIntegrator_DoNotEnter) {
+TEST(FrameKey, SettingsOfTheUnusedIntegrator_DoNotEnter) {
     EXPECT_EQ(key_with([](Inputs& i) { i.settings.distributed.shadow_samples = 9; }),
               Inputs().key());
     EXPECT_EQ(key_with([](Inputs& i) {
@@ -120,7 +120,7 @@ TEST(FrameKey, NumbersNamesAndDirection_DoNotEnter) {
     EXPECT_EQ(key, key_with([](Inputs& i) { i.scene.materials.push_back({"unused", {}}); }));
 }
 
-TEST(FrameKey, NamesUnderMattes_Enter) {
+TEST(FrameKey, NamesWithMattes_Enter) {
     const auto with_mattes = [](const Change& change) {
         return key_with([&](Inputs& i) {
             i.settings.aovs = {"depth", "cryptomatte_object"};
@@ -172,7 +172,7 @@ TEST(FrameKey, EverySettingOfTheIntegrator_Enters) {
               1U + 9);
 }
 
-TEST(FrameKey, WhateverIsSeen_ChangesIt) {
+TEST(FrameKey, EveryVisibleChange_ChangesIt) {
     const std::vector<std::pair<const char*, Change>> changes{
         {"scene_open", [](Inputs& i) { i.frame.scene_open = 0.39; }},
         {"scene_close", [](Inputs& i) { i.frame.scene_close = 0.43; }},
@@ -216,7 +216,7 @@ TEST(FrameKey, ImpactInsideTheShutter_EntersWithItsInstant) {
     EXPECT_NE(impact_at(1, 0.2), impact_at(1, 0.2001));
 }
 
-TEST(FrameKey, AllAtRest_DoesNotDependOnTheTime) {
+TEST(FrameKey, SceneAtRest_DoesNotDependOnTheTime) {
     const auto resting_at = [](double open, double close) {
         return key_with([&](Inputs& i) {
             i.frame.scene_open = open;
@@ -229,7 +229,7 @@ TEST(FrameKey, AllAtRest_DoesNotDependOnTheTime) {
     EXPECT_NE(resting_at(1.99, 2.01), resting_at(7, 7.5));
 }
 
-TEST(FrameKey, FrozenTime_IsThePoseAlone) {
+TEST(FrameKey, FrozenTime_DependsOnThePoseAlone) {
     const auto frozen = [](const Change& change) {
         return key_with([&](Inputs& i) {
             i.frame.scene_open = i.frame.scene_close = 1;
@@ -241,7 +241,7 @@ TEST(FrameKey, FrozenTime_IsThePoseAlone) {
     EXPECT_NE(key, frozen([](Inputs& i) { i.cue[1].position.y = 1e-6; }));
 }
 
-TEST(FrameInputs, TracksThatRest_AreOneKey) {
+TEST(FrameInputs, TracksThatRest_HaveOneKey) {
     Inputs i;
     const FrameInputs moving = frame_inputs(i.frame, i.shutter, i.scene, i.timeline(), 0);
     ASSERT_EQ(moving.tracks.size(), 2u);
@@ -266,8 +266,8 @@ TEST(FrameInputs, TracksThatMove_ShareTheTimelinesKeys) {
     EXPECT_EQ(inputs.tracks[0].keys().data(), original->keys().data());
 }
 
-// A film of a frozen scene, or one that is retimed: the noise is that of what is shown.
-TEST(FrameInputs, Seed_IsThatOfSceneTimeAndCamera) {
+// So the noise of a film of a frozen scene, or of a retimed film, depends on what is shown.
+TEST(FrameInputs, Seed_DependsOnSceneTimeAndCamera) {
     const auto seed = [](const Change& change, std::uint64_t render_seed = 0) {
         Inputs i;
         change(i);
@@ -290,7 +290,7 @@ TEST(FrameInputs, Seed_IsThatOfSceneTimeAndCamera) {
     EXPECT_EQ(frozen(0.01), frozen(0.01));
 }
 
-TEST(FrameInputs, SpinningInPlace_IsMotion) {
+TEST(FrameInputs, SpinInPlace_CountsAsMotion) {
     Inputs i;
     i.one = {
         make_key(0, {2, 0.1, 0.03}, {0, 0, 0}, {0, 0, 1}),
@@ -307,7 +307,7 @@ TEST(FrameInputs, MissingTrack_IsAnErrorNamingBoth) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),
-                     "object 'one ball' moves like 'two', which is not in the timeline");
+                     "object 'one ball' follows the track 'two', which the timeline does not have");
     }
 }
 

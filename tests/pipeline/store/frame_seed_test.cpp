@@ -10,7 +10,7 @@
 namespace carom::pipeline {
 namespace {
 
-/// A camera that moves past something that moves.
+/// A frame with a moving camera and a moving scene.
 render::FrameInput sample_frame() {
     render::FrameInput frame;
     frame.scene_open = 0.4;
@@ -23,8 +23,8 @@ TEST(FrameSeed, RenderSeed_ChangesIt) {
     EXPECT_NE(frame_seed(0, sample_frame()), frame_seed(1, sample_frame()));
 }
 
-// How the shutter opens, and what the seed was before, say how the frame is computed.
-TEST(FrameSeed, WhatTheFrameShowsWhen_ChangesIt) {
+// The shutter's switch ratio and the previous seed do not belong to what the frame shows.
+TEST(FrameSeed, EveryFieldOfTimeAndCamera_ChangesIt) {
     render::FrameInput frame = sample_frame();
     std::set<std::uint64_t> seen{frame_seed(5, frame)};
     carom::test::FieldChanges([&](const std::string& place, bool) {

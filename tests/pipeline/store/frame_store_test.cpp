@@ -37,7 +37,7 @@ std::vector<std::string> names_in(const std::string& folder) {
     return names;
 }
 
-TEST(CacheFolder, Environment_DecidesInOrder) {
+TEST(CacheFolder, EnvironmentVariables_AreUsedInOrder) {
     ::setenv("CAROM_CACHE", "/a", 1);
     ::setenv("XDG_CACHE_HOME", "/b", 1);
     ::setenv("HOME", "/c", 1);
@@ -50,7 +50,7 @@ TEST(CacheFolder, Environment_DecidesInOrder) {
     EXPECT_THROW((void)default_cache_folder(), Error);
 }
 
-TEST(FrameStore, WrittenFrame_ComesBackAsItWas) {
+TEST(FrameStore, WrittenFrame_IsReadBackUnchanged) {
     const ScratchFolder folder;
     const FrameStore store(folder.path("frames"));
     const Hash128 key = make_key(1);
@@ -72,7 +72,7 @@ TEST(FrameStore, WrittenFrame_ComesBackAsItWas) {
                                       key.to_string() + ".exr");
 }
 
-TEST(FrameStore, FrameWithoutNumbers_IsRefusedAndLeavesNothing) {
+TEST(FrameStore, FrameWithNan_IsRejectedAndLeavesNothing) {
     const ScratchFolder folder;
     const FrameStore store(folder.path());
     render::Film film = make_film(1);
@@ -107,17 +107,17 @@ TEST(FrameStore, TruncatedEmptyOrForeignFile_IsMissing) {
     const std::string whole = read_text(store.path_of(key));
     for (const std::string& text :
          {std::string(), whole.substr(0, whole.size() / 2), whole.substr(0, whole.size() - 1),
-          whole + "x", std::string("not a picture at all, but long enough to hold a seal")}) {
+          whole + "x", std::string("not a picture, but long enough to contain a checksum")}) {
         write_text(store.path_of(key), text);
         EXPECT_FALSE(store.read(key)) << text.size();
     }
-    // A whole frame under another frame's name.
+    // An intact frame under the name of another frame.
     fs::create_directories(fs::path(store.path_of(other)).parent_path());
     write_text(store.path_of(other), whole);
     EXPECT_FALSE(store.read(other));
 }
 
-TEST(FrameStore, FolderThatVanishes_IsMadeAgain) {
+TEST(FrameStore, FolderThatIsRemoved_IsCreatedAgain) {
     const ScratchFolder folder;
     const FrameStore store(folder.path("frames"));
     fs::remove_all(folder.path("frames"));
@@ -126,7 +126,7 @@ TEST(FrameStore, FolderThatVanishes_IsMadeAgain) {
     EXPECT_TRUE(store.read(make_key(1)));
 }
 
-TEST(FrameStore, FolderThatCannotBeMade_IsAnErrorWithItsName) {
+TEST(FrameStore, FolderThatCannotBeCreated_IsAnErrorWithItsName) {
     const ScratchFolder folder;
     write_text(folder.path("file"), "in the way");
     try {
@@ -134,11 +134,11 @@ TEST(FrameStore, FolderThatCannotBeMade_IsAnErrorWithItsName) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_THAT(error.what(), ::testing::StartsWith("'" + folder.path("file/frames") +
-                                                        "': the folder cannot be made: "));
+                                                        "': the folder cannot be created: "));
     }
 }
 
-TEST(FrameClaim, SecondClaim_IsRefusedUntilTheFirstEnds) {
+TEST(FrameClaim, SecondClaim_IsDeniedUntilTheFirstEnds) {
     const ScratchFolder folder;
     const FrameStore store(folder.path());
     ASSERT_TRUE(store.can_claim());
@@ -155,10 +155,10 @@ TEST(FrameClaim, SecondClaim_IsRefusedUntilTheFirstEnds) {
     EXPECT_THAT(names_in(folder.path("locks")), IsEmpty());
 }
 
-TEST(FrameClaim, KilledOwner_FreesItsFrame) {
+TEST(FrameClaim, KilledOwner_ReleasesItsClaim) {
     const ScratchFolder folder;
     const FrameStore store(folder.path());
-    ChildProcess owner({kActor, "hold", folder.path(), folder.path("claimed")});
+    ChildProcess owner({kActor, "claim", folder.path(), folder.path("claimed")});
     ASSERT_TRUE(owner.wait_until([&] { return fs::exists(folder.path("claimed")); }));
     EXPECT_FALSE(store.claim(make_key(1)));
     owner.kill();
@@ -168,25 +168,25 @@ TEST(FrameClaim, KilledOwner_FreesItsFrame) {
     EXPECT_THAT(names_in(folder.path("locks")), IsEmpty());
 }
 
-TEST(FrameClaim, LockOfAKilledOwner_IsSweptByTheNextStore) {
+TEST(FrameClaim, LockOfAKilledOwner_IsRemovedByTheNextStore) {
     const ScratchFolder folder;
     { const FrameStore store(folder.path()); }
     write_text(folder.path("locks/") + make_key(7).to_string(), "");
     write_text(folder.path("partial/left"), "half a frame");
-    const FrameStore held_by(folder.path());
+    const FrameStore owner(folder.path());
     EXPECT_THAT(names_in(folder.path("locks")), IsEmpty());
     EXPECT_THAT(names_in(folder.path("partial")), IsEmpty());
-    const std::optional<FrameClaim> claim = held_by.claim(make_key(7));
+    const std::optional<FrameClaim> claim = owner.claim(make_key(7));
     const FrameStore next(folder.path());
     EXPECT_FALSE(next.claim(make_key(7)));
 }
 
-TEST(FrameClaim, ManyProcesses_NeverHoldItTogether) {
+TEST(FrameClaim, ManyProcesses_NeverHaveItAtTheSameTime) {
     const ScratchFolder folder;
     std::deque<ChildProcess> children;
     for (int i = 0; i < 4; ++i) {
-        children.emplace_back(
-            std::vector<std::string>{kActor, "share", folder.path("store"), folder.path("in_use")});
+        children.emplace_back(std::vector<std::string>{kActor, "repeat", folder.path("store"),
+                                                       folder.path("in_use")});
     }
     for (ChildProcess& child : children) {
         EXPECT_EQ(child.wait(), 0);
@@ -194,11 +194,11 @@ TEST(FrameClaim, ManyProcesses_NeverHoldItTogether) {
     EXPECT_THAT(names_in(folder.path("store/locks")), IsEmpty());
 }
 
-TEST(FrameStore, KilledWriter_LeavesNothingHalf) {
+TEST(FrameStore, KilledWriter_LeavesNoPartialFrame) {
     const ScratchFolder folder;
     for (int round = 0; round < 6; ++round) {
         ChildProcess writer({kActor, "write", folder.path()});
-        // Every new store sweeps, while the writer is at work.
+        // Every new store removes abandoned files while the writer is running.
         ASSERT_TRUE(
             writer.wait_until([&] { return FrameStore(folder.path()).contains(make_key(0)); }));
         std::this_thread::sleep_for(std::chrono::milliseconds(3 + 7 * round));

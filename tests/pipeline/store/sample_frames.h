@@ -1,4 +1,4 @@
-// Small frames and their keys.
+// Small frames and keys for tests of the frame store.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace carom::testing {
 
-/// Values that halves hold exactly.
+/// A film of 8 x 4 pixels whose colours half precision represents exactly.
 inline render::Film make_film(int seed) {
     render::Film film;
     film.width = 8;

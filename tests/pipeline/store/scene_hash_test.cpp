@@ -54,7 +54,7 @@ TEST(SceneHash, SurfaceUnderPhong_DoesNotEnter) {
     EXPECT_EQ(hash, hash_scene(scene));
 }
 
-TEST(SceneHash, Files_CountByContents) {
+TEST(SceneHash, Files_EnterByTheirContents) {
     const ScratchFolder folder;
     write_text(folder.path("a.png"), "one picture");
     write_text(folder.path("b.png"), "one picture");

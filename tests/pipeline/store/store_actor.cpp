@@ -1,7 +1,8 @@
-// Plays one part in a store, in a process that a test may kill:
-//   write FOLDER      writes frames for ever
-//   hold FOLDER FILE  claims frame 1, makes FILE and sleeps
-//   share FOLDER DIR  claims frame 1 300 times, each time being alone in making DIR; else fails
+// Uses a frame store in a separate process, which a test may kill:
+//   write FOLDER        writes frames without end
+//   claim FOLDER FILE   claims frame 1, creates FILE and sleeps
+//   repeat FOLDER DIR   claims frame 1 300 times and creates and removes DIR each time; fails if
+//                       another process has created DIR meanwhile
 #include <cstdint>
 #include <string_view>
 #include <thread>
@@ -18,14 +19,14 @@ using carom::pipeline::FrameClaim;
 using carom::pipeline::FrameStore;
 using carom::testing::make_key;
 
-void write_for_ever(const FrameStore& store) {
+void write_without_end(const FrameStore& store) {
     for (std::uint64_t number = 0;; ++number) {
         store.write(make_key(number % 8), carom::testing::make_film(static_cast<int>(number % 8)),
                     {});
     }
 }
 
-int hold(const FrameStore& store, const char* file) {
+int claim_and_sleep(const FrameStore& store, const char* file) {
     const std::optional<FrameClaim> claim = store.claim(make_key(1));
     if (!claim || ::close(::open(file, O_CREAT | O_WRONLY, 0600)) != 0) {
         return 1;
@@ -34,7 +35,7 @@ int hold(const FrameStore& store, const char* file) {
     return 0;
 }
 
-int fraction(const FrameStore& store, const char* folder) {
+int claim_repeatedly(const FrameStore& store, const char* folder) {
     for (int granted = 0; granted < 300;) {
         const std::optional<FrameClaim> claim = store.claim(make_key(1));
         if (!claim) {
@@ -52,10 +53,11 @@ int fraction(const FrameStore& store, const char* folder) {
 }  // namespace
 
 int main(int, char** arguments) {
-    const std::string_view part = arguments[1];
+    const std::string_view action = arguments[1];
     const FrameStore store(arguments[2]);
-    if (part == "write") {
-        write_for_ever(store);
+    if (action == "write") {
+        write_without_end(store);
     }
-    return part == "hold" ? hold(store, arguments[3]) : fraction(store, arguments[3]);
+    return action == "claim" ? claim_and_sleep(store, arguments[3])
+                             : claim_repeatedly(store, arguments[3]);
 }

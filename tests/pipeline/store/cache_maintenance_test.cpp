@@ -1,4 +1,4 @@
-#include "pipeline/store/cache_care.h"
+#include "pipeline/store/cache_maintenance.h"
 
 #include <filesystem>
 
@@ -6,8 +6,8 @@
 #include <stdlib.h>
 
 #include "core/error.h"
+#include "pipeline/store/frame_checksum.h"
 #include "pipeline/store/frame_store.h"
-#include "pipeline/store/seal.h"
 #include "sim/timeline/bake_file.h"
 #include "tests/pipeline/video/scratch_folder.h"
 
@@ -25,7 +25,7 @@ using Clock = std::chrono::system_clock;
 
 namespace fs = std::filesystem;
 
-/// A cache with sealed files; ages are hours since their last use.
+/// A cache with valid files. Ages are hours since the last use.
 struct Cache {
     ScratchFolder folder;
 
@@ -38,7 +38,7 @@ struct Cache {
         fs::create_directories(parent);
         const std::string file = parent + "/" + name + ".exr";
         write_text(file, std::string(bytes - 40, 'x'));
-        seal_file(file, key);
+        append_checksum(file, key);
         set_age(file, age);
         return file;
     }
@@ -56,11 +56,11 @@ struct Cache {
     }
 };
 
-TEST(ListCache, Entries_ComeFromTheOneUsedLongestAgo) {
+TEST(ListCache, Entries_AreSortedFromTheLeastRecentlyUsed) {
     const Cache cache;
     const std::string young = cache.add_frame(1, 1), old = cache.add_frame(2, 9);
     const std::string bake = cache.add_bake(5);
-    write_text(cache.path() + "/frames/notes.exr", "not ours");
+    write_text(cache.path() + "/frames/notes.exr", "not an entry");
     std::vector<std::string> paths;
     for (const CacheEntry& entry : list_cache(cache.path())) {
         paths.push_back(entry.path);
@@ -70,7 +70,7 @@ TEST(ListCache, Entries_ComeFromTheOneUsedLongestAgo) {
     EXPECT_THAT(list_cache(cache.path() + "/nowhere"), IsEmpty());
 }
 
-TEST(PruneCache, Limit_RemovesWhatWasUsedLongestAgo) {
+TEST(PruneCache, Limit_RemovesTheLeastRecentlyUsed) {
     const Cache cache;
     const std::string a = cache.add_frame(1, 1), b = cache.add_frame(2, 3),
                       c = cache.add_frame(3, 2);
@@ -78,7 +78,7 @@ TEST(PruneCache, Limit_RemovesWhatWasUsedLongestAgo) {
     options.limit = 2000;
     options.dry_run = true;
     EXPECT_EQ(prune_cache(cache.path(), options).removed, 1U);
-    EXPECT_TRUE(fs::exists(b)) << "only asked";
+    EXPECT_TRUE(fs::exists(b)) << "a dry run removes nothing";
     options.dry_run = false;
     const PruneResult result = prune_cache(cache.path(), options);
     EXPECT_EQ(result.removed, 1U);
@@ -88,7 +88,7 @@ TEST(PruneCache, Limit_RemovesWhatWasUsedLongestAgo) {
     EXPECT_EQ(prune_cache(cache.path(), options).removed, 0U);
 }
 
-TEST(PruneCache, FileInUse_StaysWhateverTheLimit) {
+TEST(PruneCache, FileInUse_IsKeptWhateverTheLimit) {
     const Cache cache;
     const std::string old = cache.add_frame(1, 5), used = cache.add_frame(2, 5);
     mark_used(used);
@@ -99,7 +99,7 @@ TEST(PruneCache, FileInUse_StaysWhateverTheLimit) {
     EXPECT_TRUE(fs::exists(used) && !fs::exists(old));
 }
 
-TEST(PruneCache, Age_RemovesWhatFitsToo) {
+TEST(PruneCache, Age_RemovesOldFilesWithinTheLimit) {
     const Cache cache;
     const std::string old = cache.add_frame(1, 50), young = cache.add_frame(2, 2);
     PruneOptions options;
@@ -108,8 +108,8 @@ TEST(PruneCache, Age_RemovesWhatFitsToo) {
     EXPECT_TRUE(!fs::exists(old) && fs::exists(young));
 }
 
-/// An older carom kept them in a file beside it.
-TEST(PruneCache, Bake_GoesWithItsOldWarnings) {
+/// Older versions of carom wrote the warnings to a file beside the bake.
+TEST(PruneCache, Bake_IsRemovedWithItsOldWarnings) {
     const Cache cache;
     const std::string bake = cache.add_bake(1);
     write_text(bake + ".warnings", "a warning\n");
@@ -119,7 +119,7 @@ TEST(PruneCache, Bake_GoesWithItsOldWarnings) {
     EXPECT_TRUE(fs::is_empty(cache.path() + "/bakes"));
 }
 
-TEST(PruneCache, LeftoversOfKilledProcesses_GoToo) {
+TEST(PruneCache, LeftoversOfKilledProcesses_AreRemoved) {
     const Cache cache;
     fs::create_directories(cache.path() + "/frames/partial");
     write_text(cache.path() + "/frames/partial/half", "a frame");
@@ -132,7 +132,7 @@ TEST(PruneCache, LeftoversOfKilledProcesses_GoToo) {
     EXPECT_TRUE(fs::is_empty(cache.path() + "/frames/partial"));
 }
 
-TEST(VerifyCache, DamagedFiles_AreNamed) {
+TEST(VerifyCache, DamagedFiles_AreListed) {
     const Cache cache;
     (void)cache.add_frame(1, 1);
     const std::string frame = cache.add_frame(2, 2), bake = cache.add_bake(3);
@@ -152,7 +152,7 @@ TEST(VerifyCache, DamagedFiles_AreNamed) {
     EXPECT_THROW((void)verify_cache(cache.path(), {}, stop.get_token()), Stopped);
 }
 
-TEST(CacheSize, Texts_AreRead) {
+TEST(CacheSize, Texts_AreParsedAndFormatted) {
     EXPECT_EQ(parse_cache_size("20 GB"), 20'000'000'000U);
     EXPECT_EQ(parse_cache_size(" 1.5MB "), 1'500'000U);
     EXPECT_EQ(parse_cache_size("0"), 0U);
@@ -174,7 +174,7 @@ TEST(CacheSize, Texts_AreRead) {
     EXPECT_EQ(size_text(kNoLimit), "no limit");
 }
 
-TEST(CacheSize, Environment_DecidesUnlessTold) {
+TEST(CacheSize, Environment_IsUsedUnlessASizeIsGiven) {
     ::setenv("CAROM_CACHE_SIZE", "3 MB", 1);
     EXPECT_EQ(cache_size_limit(""), 3'000'000U);
     EXPECT_EQ(cache_size_limit("1 kB"), 1000U);

@@ -1,4 +1,4 @@
-// Keeping the cache small and whole.
+// Limits the size of the cache and finds its damaged files.
 #pragma once
 
 #include <chrono>
@@ -14,14 +14,14 @@
 
 namespace carom::pipeline {
 
-/// Of a cache whose size is not limited.
+/// The limit of a cache whose size is not limited.
 inline constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
-/// Bytes: "20 GB", "500MB", "1.5 TB" (powers of ten), "none" for no limit. Throws Error with a
-/// sentence that quotes the text.
+/// The number of bytes that a text gives: "20 GB", "500MB", "1.5 TB" (powers of ten), or "none"
+/// for no limit. Throws Error with a sentence that quotes the text.
 [[nodiscard]] std::uint64_t parse_cache_size(std::string_view text);
 
-/// "20 GB", "1.23 MB", "no limit".
+/// A number of bytes as text: "20 GB", "1.23 MB", "no limit".
 [[nodiscard]] std::string size_text(std::uint64_t bytes);
 
 /// `given` if it is not empty, else $CAROM_CACHE_SIZE, else 20 GB. Throws Error.
@@ -29,12 +29,12 @@ inline constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::ma
 
 struct PruneOptions {
     std::uint64_t limit = kNoLimit;  // bytes of all entries together
-    /// Nothing that was used at or after this time is removed, limit or not.
+    /// The limit removes no entry that was used at or after this time.
     std::chrono::system_clock::time_point keep_since = std::chrono::system_clock::time_point::max();
-    /// What was last used before this time is removed, limit or not.
+    /// Entries that were last used before this time are removed whatever the limit.
     std::chrono::system_clock::time_point remove_before =
         std::chrono::system_clock::time_point::min();
-    bool dry_run = false;  // only say what would go
+    bool dry_run = false;  // only count what would be removed
 };
 
 struct PruneResult {
@@ -44,8 +44,8 @@ struct PruneResult {
     std::uint64_t kept_bytes = 0;
 };
 
-/// Removes what was used longest ago until the rest fits. Jobs that need a removed frame render it
-/// again. Throws Error if the folder cannot be read.
+/// Removes the least recently used entries until the rest fits. A job that needs a removed frame
+/// renders it again. Throws Error if the folder cannot be read.
 PruneResult prune_cache(const std::string& folder, const PruneOptions& options);
 
 struct VerifyResult {
@@ -53,8 +53,8 @@ struct VerifyResult {
     std::vector<CacheEntry> damaged;
 };
 
-/// Reads every frame and bake and checks its seal. Throws Error if the folder or a file cannot be
-/// read, Stopped.
+/// Reads every frame and bake and verifies its checksum. Throws Error if the folder or a file
+/// cannot be read, Stopped.
 [[nodiscard]] VerifyResult verify_cache(const std::string& folder,
                                         const std::function<void(double fraction)>& progress,
                                         const std::stop_token& stop);

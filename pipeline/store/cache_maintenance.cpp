@@ -1,18 +1,19 @@
-#include "pipeline/store/cache_care.h"
+#include "pipeline/store/cache_maintenance.h"
 
 #include <filesystem>
 
 #include "core/error.h"
+#include "pipeline/store/frame_checksum.h"
 #include "pipeline/store/lock_file.h"
-#include "pipeline/store/seal.h"
 #include "sim/timeline/bake_file.h"
 
 namespace carom::pipeline {
 namespace {
 
-bool is_whole(const CacheEntry& entry) {
+// A file that was removed in the meantime is not damaged.
+bool is_intact(const CacheEntry& entry) {
     if (entry.kind == CacheEntry::Kind::frame) {
-        return check_seal(entry.path, entry.key) != SealState::damaged;  // gone is not damaged
+        return verify_checksum(entry.path, entry.key) != FrameFileState::damaged;
     }
     try {
         return sim::read_bake(entry.path).physics_hash == entry.key;
@@ -32,10 +33,10 @@ PruneResult prune_cache(const std::string& folder, const PruneOptions& options) 
     }
     for (const CacheEntry& entry : entries) {
         const bool is_old = entry.last_used < options.remove_before;
-        const bool is_too_much =
+        const bool exceeds_limit =
             result.kept_bytes > options.limit && entry.last_used < options.keep_since;
-        if (!is_old && !is_too_much) {
-            break;  // the others were used later
+        if (!is_old && !exceeds_limit) {
+            break;  // all following entries were used later
         }
         if (options.dry_run || remove_entry(entry)) {
             ++result.removed;
@@ -44,9 +45,9 @@ PruneResult prune_cache(const std::string& folder, const PruneOptions& options) 
             result.kept_bytes -= entry.bytes;
         }
     }
-    if (!options.dry_run) {  // what killed processes left
-        remove_abandoned(folder + "/frames/locks");
-        remove_abandoned(folder + "/frames/partial");
+    if (!options.dry_run) {  // leftovers of killed processes
+        remove_abandoned_files(folder + "/frames/locks");
+        remove_abandoned_files(folder + "/frames/partial");
     }
     return result;
 }
@@ -60,7 +61,7 @@ VerifyResult verify_cache(const std::string& folder,
         if (stop.stop_requested()) {
             throw Stopped();
         }
-        if (!is_whole(entry)) {
+        if (!is_intact(entry)) {
             result.damaged.push_back(entry);
         }
         ++result.checked;

@@ -1,34 +1,34 @@
-#include "pipeline/job/cache_keeper.h"
+#include "pipeline/job/cache_pruner.h"
 
 #include <utility>
 
 #include "core/error.h"
-#include "pipeline/store/cache_care.h"
+#include "pipeline/store/cache_maintenance.h"
 
 namespace carom::pipeline {
 namespace {
 
 constexpr int kPicturesBetween = 32;  // some hundred megabytes; listing 10000 takes 50 ms
 
-// The file system's clock may tick in steps of 10 ms.
+// Times of the file system may be rounded to steps of 10 ms.
 constexpr std::chrono::seconds kClockSlack{2};
 
 }  // namespace
 
-CacheKeeper::CacheKeeper(std::string cache_folder, std::uint64_t limit,
+CachePruner::CachePruner(std::string cache_folder, std::uint64_t limit,
                          ThreadSafeObserver& observer)
     : cache_folder_(std::move(cache_folder)),
       limit_(limit),
       observer_(observer),
       begin_(std::chrono::system_clock::now() - kClockSlack) {}
 
-void CacheKeeper::picture_stored() {
+void CachePruner::on_picture_stored() {
     if (++stored_ % kPicturesBetween == 0) {
         prune();
     }
 }
 
-void CacheKeeper::prune() {
+void CachePruner::prune() {
     if (limit_ == kNoLimit) {
         return;
     }
@@ -39,12 +39,14 @@ void CacheKeeper::prune() {
         const PruneResult result = prune_cache(cache_folder_, options);
         if (result.kept_bytes > limit_ && !has_warned_) {
             has_warned_ = true;
-            observer_.warning("the cache '" + cache_folder_ + "' holds " +
+            observer_.warning("the cache '" + cache_folder_ + "' has " +
                               size_text(result.kept_bytes) + ", more than its limit of " +
-                              size_text(limit_) + ": this job needs them; the next one may not");
+                              size_text(limit_) +
+                              ", because this job needs all of it; the next job will remove what "
+                              "it does not need");
         }
     } catch (const Error&) {
-        return;  // whoever needs the folder will say what is wrong with it
+        return;  // the code that needs the folder will report the error
     }
 }
 

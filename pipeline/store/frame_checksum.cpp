@@ -1,0 +1,133 @@
+#include "pipeline/store/frame_checksum.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/error.h"
+#include "core/write_all.h"
+#include "pipeline/store/file_descriptor.h"
+
+namespace carom::pipeline {
+namespace {
+
+constexpr std::array<char, 8> kMagic{'c', 'a', 'r', 'o', 'm', 'f', 'r', '1'};
+constexpr std::size_t kTrailerSize = kMagic.size() + 4 * sizeof(std::uint64_t);
+
+/// The magic number, the key and the hash, as they are appended.
+using Trailer = std::array<std::byte, kTrailerSize>;
+
+Trailer make_trailer(std::span<const std::byte> contents, const Hash128& key) {
+    Hasher hasher;
+    hasher.add(std::string_view(kMagic.data(), kMagic.size())).add(key).add_bytes(contents);
+    const Hash128 sum = hasher.finish();
+    Trailer trailer{};
+    std::memcpy(trailer.data(), kMagic.data(), kMagic.size());
+    std::size_t at = kMagic.size();
+    for (const std::uint64_t word : {key.high, key.low, sum.high, sum.low}) {
+        for (int byte = 0; byte < 8; ++byte) {
+            trailer[at] = static_cast<std::byte>(word >> (8 * byte));
+            ++at;
+        }
+    }
+    return trailer;
+}
+
+std::vector<std::byte> read_all(int descriptor, const std::string& path) {
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0) {
+        throw Error(system_problem(path, "the frame cannot be read"));
+    }
+    std::vector<std::byte> bytes(static_cast<std::size_t>(status.st_size));
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count = ::read(descriptor, bytes.data() + done, bytes.size() - done);
+        if (count < 0 && errno != EINTR) {
+            throw Error(system_problem(path, "the frame cannot be read"));
+        }
+        if (count == 0) {
+            bytes.resize(done);
+        }
+        done += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+    }
+    return bytes;
+}
+
+}  // namespace
+
+void append_checksum(const std::string& path, const Hash128& key) {
+    const FileDescriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC));
+    if (!file.is_open()) {
+        throw Error(system_problem(path, "the frame cannot be written"));
+    }
+    const std::vector<std::byte> contents = read_all(file.get(), path);
+    if (!write_all(file.get(), make_trailer(contents, key))) {
+        throw Error(system_problem(path, "the frame cannot be written"));
+    }
+    if (::fsync(file.get()) != 0) {
+        throw Error(system_problem(path, "the frame cannot be flushed to disk"));
+    }
+}
+
+namespace {
+
+/// Nothing if the file does not exist.
+std::optional<std::vector<std::byte>> read_if_exists(const std::string& path) {
+    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!file.is_open()) {
+        if (errno == ENOENT || errno == ENOTDIR) {
+            return std::nullopt;
+        }
+        throw Error(system_problem(path, "the frame cannot be read"));
+    }
+    return read_all(file.get(), path);
+}
+
+}  // namespace
+
+FrameFileState verify_checksum(const std::string& path, const Hash128& key) {
+    const std::optional<std::vector<std::byte>> bytes = read_if_exists(path);
+    if (!bytes) {
+        return FrameFileState::missing;
+    }
+    if (bytes->size() < kTrailerSize) {
+        return FrameFileState::damaged;
+    }
+    const std::span<const std::byte> whole(*bytes);
+    const Trailer expected = make_trailer(whole.first(bytes->size() - kTrailerSize), key);
+    return std::ranges::equal(whole.last(kTrailerSize), expected) ? FrameFileState::intact
+                                                                  : FrameFileState::damaged;
+}
+
+std::string describe_damage(const std::string& path, const Hash128& key) {
+    const std::optional<std::vector<std::byte>> bytes = read_if_exists(path);
+    if (!bytes) {
+        return "it no longer exists";
+    }
+    if (bytes->size() < kTrailerSize) {
+        return fmt::format("it has {} bytes, too few for a frame", bytes->size());
+    }
+    const std::span<const std::byte> whole(*bytes);
+    const std::span<const std::byte> trailer = whole.last(kTrailerSize);
+    const Trailer expected = make_trailer(whole.first(bytes->size() - kTrailerSize), key);
+    constexpr std::size_t kKeyEnd = kMagic.size() + 2 * sizeof(std::uint64_t);
+    if (!std::ranges::equal(trailer.first(kMagic.size()),
+                            std::span(expected).first(kMagic.size()))) {
+        return "its checksum is missing or overwritten";
+    }
+    if (!std::ranges::equal(trailer.first(kKeyEnd), std::span(expected).first(kKeyEnd))) {
+        return "it is another frame, or its checksum is overwritten";
+    }
+    return "its contents have changed since it was written";
+}
+
+}  // namespace carom::pipeline

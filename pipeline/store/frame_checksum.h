@@ -1,0 +1,24 @@
+// A checksum at the end of a stored frame, which proves that the file is intact and belongs to its
+// key.
+#pragma once
+
+#include <string>
+
+#include "core/hash.h"
+
+namespace carom::pipeline {
+
+/// Appends a magic number, the key, and a hash of both and of the contents, then flushes the file
+/// to disk. OpenEXR readers find everything from the front and ignore what follows. Throws Error.
+void append_checksum(const std::string& path, const Hash128& key);
+
+enum class FrameFileState { intact, damaged, missing };
+
+/// Throws Error if the file exists but cannot be read.
+[[nodiscard]] FrameFileState verify_checksum(const std::string& path, const Hash128& key);
+
+/// What is wrong with a file that verify_checksum calls damaged: "it has 12 bytes, too few for a
+/// frame".
+[[nodiscard]] std::string describe_damage(const std::string& path, const Hash128& key);
+
+}  // namespace carom::pipeline
