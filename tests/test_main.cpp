@@ -1,5 +1,6 @@
-// main() of the test programs. If CAROM_CASE_TIMEOUT is set, a case that takes longer (in seconds)
-// ends the program: CTest runs many cases in one process and cannot time each.
+// The main function of the test programs. If CAROM_CASE_TIMEOUT is set, a case that takes longer
+// than this number of seconds ends the program, since CTest runs many cases in one process and
+// cannot limit the time of each.
 #include <csignal>
 #include <cstdlib>
 #include <string>

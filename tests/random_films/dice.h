@@ -1,4 +1,4 @@
-// Random choices, the same everywhere for the same seed.
+// Random choices, which are the same on all machines for the same seed.
 #pragma once
 
 #include <array>
@@ -25,9 +25,9 @@ class Dice {
         return *(choices.begin() + below(static_cast<int>(choices.size())));
     }
 
-    /// As YAML.
+    /// A number as YAML text.
     [[nodiscard]] std::string number(double low, double high) { return text(between(low, high)); }
-    /// Over several orders of magnitude.
+    /// A number whose logarithm is uniformly distributed.
     [[nodiscard]] std::string magnitude(double low, double high) {
         return text(low * std::pow(high / low, fraction()));
     }

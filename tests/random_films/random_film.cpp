@@ -111,13 +111,13 @@ class FilmWriter {
 
     std::string a_material() { return "m" + std::to_string(dice_.below(4)); }
 
-    /// On a lattice, so that they do not overlap.
+    /// Places the balls on a lattice, so that they do not overlap.
     void balls() {
         line("balls:");
         const int count = 1 + dice_.below(8);
         for (int i = 0; i < count; ++i) {
             const std::string name = "b" + std::to_string(i);
-            // With a rack in the way they stay on the other half.
+            // If the shot has a rack, they are on the other half of the table.
             const double x = has_rack_ ? -0.1 * (i + 1) : 0.18 * (i - 3.5);
             std::string keys = "at: [" + Dice::text(x) + ", " + dice_.number(-0.25, 0.1);
             keys += dice_.chance(0.15) ? ", " + dice_.number(0.1, 0.5) + "]" : "]";
@@ -176,9 +176,9 @@ class FilmWriter {
             line("objects:");
         for (int i = 0; i < count; ++i) {
             const std::string name = "o" + std::to_string(i);
-            const int role = dice_.below(5);  // seen, fixed, dynamic, keyed, pushing
+            const int role = dice_.below(5);  // decoration, fixed, dynamic, keyed, keyed and solid
             const bool is_solid = role == 2 || role == 4;
-            // In a row beside the balls', at heights that are free.
+            // Objects are in a row beside that of the balls, at random heights.
             std::string keys = shape(is_solid) + ", at: [" + Dice::text(0.35 * (i - 2.5)) +
                                ", 0.38, " + dice_.number(0.25, 0.6) +
                                "], material: " + a_material();

@@ -1,4 +1,4 @@
-// Whole shots that nobody would film, as YAML.
+// Random shots as YAML.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,10 @@
 
 namespace carom::testing {
 
-/// The shot of that number: any table, balls, solids that lie, fly, stand or are moved by keys,
-/// surfaces, lights, events, one or two cameras, any integrator, structure and output. 64 x 36
-/// pixels, a few samples. It keeps the rules of the format; bodies may still overlap.
+/// The random shot with this number. It has a random table, balls, solids (resting, falling, fixed
+/// or moved by keys), surfaces, lights, events, one or two cameras, integrator, acceleration
+/// structure and output, with 64 x 36 pixels and a few samples. It follows the rules of the format,
+/// but bodies may overlap.
 [[nodiscard]] std::string random_film(std::uint64_t number);
 
 }  // namespace carom::testing

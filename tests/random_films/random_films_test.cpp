@@ -1,5 +1,5 @@
-// Random whole shots bake and render: no failure, no NaN, no negative light. CAROM_RANDOM_FILMS
-// says how many, CAROM_FIRST_FILM where to begin.
+// Bakes and renders random shots: there must be no failure, no NaN and no negative light.
+// CAROM_RANDOM_FILMS is the number of shots, CAROM_FIRST_FILM the number of the first one.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -22,13 +22,13 @@ namespace {
 
 using namespace carom::pipeline;
 
-int setting(const char* name, int otherwise) {
+int setting(const char* name, int default_value) {
     const char* text = std::getenv(name);
-    return text != nullptr ? std::atoi(text) : otherwise;
+    return text != nullptr ? std::atoi(text) : default_value;
 }
 
-/// What a random arrangement may be refused for.
-bool is_chance(const Problem& problem) {
+/// Whether the problem may occur in a random arrangement.
+bool is_expected(const Problem& problem) {
     for (const char* reason : {"reaches", "overlaps", "would roll under"}) {
         if (problem.message.find(reason) != std::string::npos)
             return true;
@@ -36,16 +36,17 @@ bool is_chance(const Problem& problem) {
     return false;
 }
 
-/// False if the shot was refused for a reason that chance may have.
-bool loads(const LoadResult& loaded) {
-    bool is_refused = false;
+/// False if the shot has an error that may occur in a random arrangement. Other errors fail the
+/// test.
+bool is_loaded(const LoadResult& loaded) {
+    bool is_rejected = false;
     for (const Problem& problem : loaded.problems) {
         if (problem.severity != Severity::error)
             continue;
-        EXPECT_TRUE(is_chance(problem)) << format(problem);
-        is_refused = true;
+        EXPECT_TRUE(is_expected(problem)) << format(problem);
+        is_rejected = true;
     }
-    return !is_refused;
+    return !is_rejected;
 }
 
 void check(const render::Film& film) {
@@ -53,21 +54,21 @@ void check(const render::Film& film) {
     const bool is_light = std::all_of(film.rgba.begin(), film.rgba.end(), [](float value) {
         return std::isfinite(value) && value >= 0;
     });
-    EXPECT_TRUE(is_light) << "a pixel is negative or no number";
+    EXPECT_TRUE(is_light) << "a pixel is negative or not finite";
     for (const auto& plane : film.aovs)
         EXPECT_TRUE(std::all_of(plane.values.begin(), plane.values.end(), [](float value) {
             return !std::isnan(value);
         })) << plane.name;
 }
 
-/// Of a rig that ends up where it looks, there is no picture.
-bool has_no_picture(const carom::Error& error) {
+/// A camera that is at its own target cannot make a picture.
+bool is_camera_error(const carom::Error& error) {
     return std::string(error.what()).find("camera") != std::string::npos;
 }
 
 bool film_one(std::uint64_t number) {
     const LoadResult loaded = load_shot_text(random_film(number), "/nowhere/random.yaml");
-    if (!loads(loaded))
+    if (!is_loaded(loaded))
         return false;
     const Shot& shot = *loaded.shot;
     sim::Bake bake;
@@ -79,7 +80,7 @@ bool film_one(std::uint64_t number) {
         const FrameInputs inputs = source.inputs(static_cast<std::int64_t>(number) % frames);
         check(make_scene_renderer(shot, 1, render::make_structure)(inputs, {}));
     } catch (const carom::Error& error) {
-        EXPECT_TRUE(has_no_picture(error)) << error.what();
+        EXPECT_TRUE(is_camera_error(error)) << error.what();
     }
     return true;
 }
