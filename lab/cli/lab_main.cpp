@@ -17,8 +17,8 @@ void run_in_laboratory(const Command& command, CommandContext& context) {
 
 int main(int argument_count, char** arguments) {
     const auto parsed = parse_command_line({arguments + 1, arguments + argument_count});
-    if (const auto* nothing = std::get_if<NothingToRun>(&parsed)) {
-        return print(*nothing);
+    if (const auto* early_exit = std::get_if<EarlyExit>(&parsed)) {
+        return print(*early_exit);
     }
     return run_command(std::get<CommandLine>(parsed), run_in_laboratory);
 }

@@ -12,7 +12,8 @@ namespace carom::cli {
 
 void run(const BakeCommand& command, CommandContext& context) {
     if (is_bake_file(command.input.path)) {
-        throw InputError("'" + command.input.path + "' is a bake already; give the shot");
+        throw InputError("'" + command.input.path +
+                         "' is already a bake; give the shot that it was made from");
     }
     const std::string path = output_or_default(command.output, command.input.path, ".bake");
     check_output_folder(path);

@@ -1,5 +1,6 @@
-// bin/carom: reads the command line and runs what needs no renderer. For the rest it becomes
-// libexec/carom/carom-film, which links OpenImageIO (200 ms to load) and libav.
+// The program bin/carom: parses the command line and runs the commands that need no renderer. For
+// all others it executes libexec/carom/carom-film, which links OpenImageIO (200 ms to load) and
+// libav.
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -20,12 +21,13 @@ namespace {
 
 using namespace carom::cli;
 
-/// With less the libraries of the renderer crash before it begins (OpenImageIO 2.4, log4cplus 2.0).
-constexpr rlim_t kLeastAddressSpace = rlim_t{512} << 20;
+/// With less, the libraries of the renderer crash before it starts (OpenImageIO 2.4,
+/// log4cplus 2.0).
+constexpr rlim_t kMinAddressSpace = rlim_t{512} << 20;
 
 bool has_address_space() {
     rlimit limit{};
-    return ::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur >= kLeastAddressSpace;
+    return ::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur >= kMinAddressSpace;
 }
 
 int report(const carom::Error& error) {
@@ -34,23 +36,24 @@ int report(const carom::Error& error) {
 }
 
 /// Returns only if it fails.
-int become_other_program(Program program, char** arguments) {
+int exec_other_program(Program program, char** arguments) {
     if (!has_address_space()) {
         std::fputs(
             "carom: error: there is not enough memory: the renderer's libraries need 512 MiB of "
-            "address space, more than this process may have (ulimit -v)\n",
+            "address space, more than the limit of this process (ulimit -v)\n",
             stderr);
         return kFailed;
     }
     try {
-        become_program(program == Program::film ? "carom-film" : "carom-lab", arguments);
+        exec_program(program == Program::film ? "carom-film" : "carom-lab", arguments);
     } catch (const carom::Error& error) {
         return report(error);
     }
 }
 
-/// What the completion scripts and the build call, which is not in the help. Empty for all else.
-std::optional<int> hidden_command(const std::vector<std::string>& words) {
+/// Runs a command that is not in the help, because only the completion scripts and the build call
+/// it, and returns its exit code. Empty for all other commands.
+std::optional<int> run_hidden_command(const std::vector<std::string>& words) {
     if (!words.empty() && words.front() == "__complete") {
         return print({kDone, completion_lines({words.begin() + 1, words.end()}), ""});
     }
@@ -68,18 +71,18 @@ std::optional<int> hidden_command(const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-    hold_standard_descriptors();
+    reserve_standard_descriptors();
     const std::vector<std::string> words(arguments + 1, arguments + argument_count);
-    if (const std::optional<int> exit_code = hidden_command(words)) {
+    if (const std::optional<int> exit_code = run_hidden_command(words)) {
         return *exit_code;
     }
     const auto parsed = parse_command_line(words);
-    if (const auto* nothing = std::get_if<NothingToRun>(&parsed)) {
-        return print(*nothing);
+    if (const auto* early_exit = std::get_if<EarlyExit>(&parsed)) {
+        return print(*early_exit);
     }
     const auto& line = std::get<CommandLine>(parsed);
     if (const Program program = program_of(line.command); program != Program::carom) {
-        return become_other_program(program, arguments);
+        return exec_other_program(program, arguments);
     }
     return run_command(line, run_here<Program::carom>);
 }

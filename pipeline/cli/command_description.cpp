@@ -11,13 +11,13 @@ Option& Option::one_of(std::vector<std::string> values) {
 }
 
 Option& Option::from(double smallest) {
-    least = smallest;
+    minimum = smallest;
     return *this;
 }
 
 Option& Option::between(double smallest, double largest) {
-    least = smallest;
-    most = largest;
+    minimum = smallest;
+    maximum = largest;
     return *this;
 }
 

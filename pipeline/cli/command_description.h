@@ -1,5 +1,5 @@
-// A command and its options as data. The parser, the help, the manual and the completion in shells
-// read it.
+// A command and its options as data, for the parser, the help, the manual and the completion in
+// shells.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +12,28 @@
 
 namespace carom::cli {
 
-/// Where the parser writes a value.
+/// The variable to which the parser writes a value.
 using Target = std::variant<bool*, std::string*, std::vector<std::string>*, int*, std::int64_t*,
                             double*, std::optional<std::int64_t>*, std::optional<double>*>;
 
-/// What a shell offers for a value that has no fixed choices.
+/// What a shell offers as completions of a value that has no fixed choices.
 enum class Offer { nothing, files, folders, keys, cameras, presets };
 
 /// An option "--threads N", a flag "--json" or an argument "SHOT|BAKE".
 struct Option {
     std::string short_name;  // "-o", or empty
-    std::string name;        // "--output"; of an argument what stands for it: "SHOT|BAKE"
+    std::string name;        // "--output"; of an argument its placeholder: "SHOT|BAKE"
     std::string value;       // "FILE"; empty: a flag or an argument
     std::string help;        // sentences
-    Target target;           // a null bool*: the parser itself acts (--help, --version)
+    Target target;           // a null bool*: the parser handles the option (--help, --version)
     bool is_required = false;
-    std::vector<std::string> choices;  // the only values, if there are any here
-    std::optional<double> least;       // of a number
-    std::optional<double> most;
-    bool must_be_folder = false;                                // one that exists
+    std::vector<std::string> choices;  // the only valid values; empty: any value
+    std::optional<double> minimum;     // of a number
+    std::optional<double> maximum;
+    bool must_be_folder = false;                                // that exists
     std::function<std::string(const std::string&)> problem_of;  // of a value; empty: none
     std::vector<std::string> excluded;                          // names of other options
-    std::string needed;                                         // likewise
+    std::string needed;                                         // name of another option
     Offer offer = Offer::nothing;
     std::vector<std::string> endings;  // of files to offer: "yaml"; empty: any
 
@@ -57,13 +57,13 @@ struct Example {
 struct CommandDescription {
     std::string name;                  // "render"; of the program itself "carom"
     std::string summary;               // a sentence
-    std::string group;                 // the heading that it stands under
+    std::string group;                 // its heading in the help
     std::vector<std::string> details;  // paragraphs
-    std::list<Option> options;         // in order; a list, so that they stay where they are
+    std::list<Option> options;         // in order; a list, so that references remain valid
     std::vector<Example> examples;
     std::vector<std::string> notes;          // paragraphs at the end
-    std::list<CommandDescription> commands;  // below it
-    std::function<void()> chosen;            // called when the command was given
+    std::list<CommandDescription> commands;  // subcommands
+    std::function<void()> chosen;            // called if the command is given
 
     /// `names` are "--json" or "-o,--output".
     Option& flag(const std::string& names, bool& target, std::string help);
@@ -71,11 +71,11 @@ struct CommandDescription {
     /// A required word without a dash.
     Option& argument(std::string name, std::string& target, std::string help);
 
-    /// A command below this one.
+    /// Adds a subcommand.
     CommandDescription& command(std::string command_name, std::string command_summary);
 
     [[nodiscard]] const CommandDescription* find_command(const std::string& command_name) const;
-    /// By either of its names.
+    /// Finds an option by either of its names.
     [[nodiscard]] const Option* find_option(const std::string& option_name) const;
 };
 

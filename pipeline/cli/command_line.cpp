@@ -1,4 +1,5 @@
-// The one file that includes CLI11, which takes seconds to compile.
+// The parser of the command line: the only file that includes CLI11, which takes seconds to
+// compile.
 #include "pipeline/cli/command_line.h"
 
 #include <cstdio>
@@ -16,15 +17,15 @@ namespace carom::cli {
 
 namespace {
 
-// ---- from our description to CLI11's ----------------------------------------------------------
+// ---- converts the description to CLI11's ------------------------------------------------------
 
 template <class Number>
 void limit(CLI::Option& added, const Option& option, Number /*kind*/) {
-    if (option.least && option.most) {
+    if (option.minimum && option.maximum) {
         added.check(
-            CLI::Range(static_cast<Number>(*option.least), static_cast<Number>(*option.most)));
-    } else if (option.least) {
-        added.check(CLI::Range(*option.least, std::numeric_limits<double>::max()));
+            CLI::Range(static_cast<Number>(*option.minimum), static_cast<Number>(*option.maximum)));
+    } else if (option.minimum) {
+        added.check(CLI::Range(*option.minimum, std::numeric_limits<double>::max()));
     }
 }
 
@@ -38,7 +39,7 @@ CLI::Option& add_target(CLI::App& app, const Option& option) {
         } else {
             CLI::Option* added = app.add_option(names, *target);
             if constexpr (std::is_same_v<T, std::vector<std::string>>) {
-                added->allow_extra_args(false);  // one value each time that it is given
+                added->allow_extra_args(false);  // one value for each time the option is given
             } else if constexpr (std::is_arithmetic_v<T>) {
                 limit(*added, option, T{});
             } else if constexpr (!std::is_same_v<T, std::string>) {  // std::optional
@@ -64,14 +65,14 @@ void add_option(CLI::App& app, const Option& option) {
     }
 }
 
-bool is_of_parser(const Option& option) {
+bool is_handled_by_parser(const Option& option) {
     const auto* flag = std::get_if<bool*>(&option.target);
     return flag != nullptr && *flag == nullptr;
 }
 
 void add_command(CLI::App& app, const CommandDescription& command) {
     for (const Option& option : command.options) {
-        if (!is_of_parser(option)) {
+        if (!is_handled_by_parser(option)) {
             add_option(app, option);
         }
     }
@@ -94,7 +95,7 @@ void add_command(CLI::App& app, const CommandDescription& command) {
 
 // ---- what is printed instead of running -------------------------------------------------------
 
-/// The help of the command that was reached: "carom cache prune".
+/// The help of the innermost command that was given: "carom cache prune".
 std::string help_of(const CLI::App& app, const CommandDescription& program) {
     const CommandDescription* command = &program;
     std::string path = program.name;
@@ -122,8 +123,9 @@ std::string usage_error(const CLI::App& app, const CommandDescription& program,
            given + "'" + pipeline::config::hint(given, names);
 }
 
-NothingToRun wrong_usage(const CLI::App& app, const CommandDescription& program,
-                         const CLI::ParseError& error, const std::vector<std::string>& arguments) {
+EarlyExit exit_with_usage_error(const CLI::App& app, const CommandDescription& program,
+                                const CLI::ParseError& error,
+                                const std::vector<std::string>& arguments) {
     if (arguments.empty()) {
         return {kWrongUsage, "", help_text(program, program.name)};
     }
@@ -136,32 +138,31 @@ NothingToRun wrong_usage(const CLI::App& app, const CommandDescription& program,
 
 }  // namespace
 
-std::variant<CommandLine, NothingToRun> parse_command_line(
-    const std::vector<std::string>& arguments) {
+std::variant<CommandLine, EarlyExit> parse_command_line(const std::vector<std::string>& arguments) {
     ProgramOptions options;
     const CommandDescription program = describe_program(options);
     CLI::App app;
     app.set_version_flag("--version", "carom " CAROM_VERSION);
     add_command(app, program);
     try {
-        // CLI11 takes its arguments from the back.
+        // CLI11 expects the arguments in reverse order.
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::CallForHelp&) {
-        return NothingToRun{kDone, help_of(app, program), ""};
+        return EarlyExit{kDone, help_of(app, program), ""};
     } catch (const CLI::CallForVersion& version) {
-        return NothingToRun{kDone, std::string(version.what()) + "\n", ""};
+        return EarlyExit{kDone, std::string(version.what()) + "\n", ""};
     } catch (const CLI::ParseError& error) {
-        return wrong_usage(app, program, error, arguments);
+        return exit_with_usage_error(app, program, error, arguments);
     }
     return CommandLine{{options.quiet, options.log == "json"},
                        std::move(options.commands[options.chosen])};
 }
 
-int print(const NothingToRun& nothing) {
-    std::fputs(nothing.err.c_str(), stderr);
-    std::fputs(nothing.out.c_str(), stdout);
-    const bool written = std::fflush(stdout) == 0;
-    return written ? nothing.exit_code : kFailed;
+int print(const EarlyExit& early_exit) {
+    std::fputs(early_exit.err.c_str(), stderr);
+    std::fputs(early_exit.out.c_str(), stdout);
+    const bool is_written = std::fflush(stdout) == 0;
+    return is_written ? early_exit.exit_code : kFailed;
 }
 
 }  // namespace carom::cli

@@ -1,4 +1,4 @@
-// From arguments to a command: the one table of options.
+// Parses the command line.
 #pragma once
 
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace carom::cli {
 
-/// There is nothing to run: help was asked for (for stdout, exit code 0) or the usage is wrong (for
-/// stderr, exit code 2).
-struct NothingToRun {
+/// The program prints this text and exits instead of running a command: the help or the version
+/// (on stdout, exit code 0), or a usage error (on stderr, exit code 2).
+struct EarlyExit {
     int exit_code = 0;
     std::string out;
     std::string err;
 };
 
 /// `arguments` without the program's name.
-[[nodiscard]] std::variant<CommandLine, NothingToRun> parse_command_line(
+[[nodiscard]] std::variant<CommandLine, EarlyExit> parse_command_line(
     const std::vector<std::string>& arguments);
 
-/// Prints it where it belongs; returns its exit code.
-int print(const NothingToRun& nothing);
+/// Prints both texts and returns the exit code.
+int print(const EarlyExit& early_exit);
 
 }  // namespace carom::cli

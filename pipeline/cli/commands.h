@@ -1,8 +1,8 @@
-// The commands: what each was asked to do, and the one table of all of them.
+// The commands: a struct with the options of each, and the table of all commands.
 //
-// A new command touches four files: this one (its struct with two functions, its row in
-// kCommandTable), options/ (describe: its options and its help), a file for run, and
-// CMakeLists.txt. Parser, help, manual, completion and the choice of the program follow from these.
+// A new command changes four files: this one (its struct with two functions, its row in
+// kCommandTable), options/ (describe: its options and its help), a new file for run, and
+// CMakeLists.txt. Parser, help, manual, completion and the choice of the program use these.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +17,27 @@ namespace carom::cli {
 struct CommandContext;      // run_program.h
 struct CommandDescription;  // command_description.h
 
-/// How a command talks.
+/// How a command prints messages.
 struct LoggingOptions {
     bool quiet = false;
     bool json = false;
 };
 
-/// The shot or bake, and what is changed in it.
+/// The shot or bake, and the changes to it.
 struct InputOptions {
     std::string path;
     std::vector<std::string> overrides;  // "render.samples=64"
     std::string quality;                 // "draft", "preview", "final"; empty: the shot's own
-    std::string camera_file;             // whose cameras film instead; empty: the shot's own
-    std::string root;  // the folder below which all files lie that the shot names; empty: anywhere
+    std::string camera_file;             // with the cameras to use; empty: the shot's own
+    std::string root;  // the folder in which all files of the shot must lie; empty: anywhere
 };
 
 struct CacheOptions {
-    std::string folder;  // empty: the usual one
-    std::string size;    // its limit, "20 GB"; empty: the usual one
+    std::string folder;  // empty: the default
+    std::string size;    // its limit, "20 GB"; empty: the default
 };
 
-/// How a plan or a plot looks.
+/// The appearance of a plan or a plot.
 struct DrawingOptions {
     std::string page = "auto";  // or "light", "dark"
     int width = 2000;           // of a .png, pixels
@@ -48,8 +48,8 @@ struct RenderCommand {
     CacheOptions cache;
     std::string output;  // empty: the shot's name in the current folder
     std::string frames;  // "0-47x2"; empty: all
-    std::string chunk;   // "2/8" of these: frames alone, no film; empty: a film
-    int threads = 0;     // 0: as many as there are processors
+    std::string chunk;   // "2/8" of these: only frames, no film; empty: a film
+    int threads = 0;     // 0: one per processor
     bool dry_run = false;
 };
 void describe(RenderCommand& command, CommandDescription& description);
@@ -64,21 +64,21 @@ struct MuxCommand {
 void describe(MuxCommand& command, CommandDescription& description);
 void run(const MuxCommand& command, CommandContext& context);
 
-/// What is in the cache, and what of it goes.
+/// Lists, prunes or verifies the cache.
 struct CacheCommand {
     enum class Action { list, prune, verify };
     Action action = Action::list;
     CacheOptions cache;
     bool json = false;       // list
-    std::string unused_for;  // prune: "30 d"; empty: whatever its age
+    std::string unused_for;  // prune: "30 d"; empty: any age
     bool all = false;        // prune
     bool dry_run = false;    // prune
-    bool keep = false;       // verify: damaged files are only named
+    bool keep = false;       // verify: damaged files are only listed
 };
 void describe(CacheCommand& command, CommandDescription& description);
 void run(const CacheCommand& command, CommandContext& context);
 
-/// The film of an existing shot at another speed. Texts as they were typed.
+/// Films an existing shot at another speed. The strings are as typed.
 struct RetimeCommand {
     RenderCommand render;
     std::string speed;  // "0.125", "1/8"
@@ -105,22 +105,22 @@ struct FrameCommand {
     CacheOptions cache;
     std::string output;
     std::optional<std::int64_t> frame;
-    std::string at;  // video time, "1.25s"; empty: `frame` counts, and without it frame 0
+    std::string at;  // video time, "1.25s"; empty: `frame`, or frame 0 without it
     int threads = 0;
 };
 void describe(FrameCommand& command, CommandDescription& description);
 void run(const FrameCommand& command, CommandContext& context);
 
-/// What a shot comes to.
+/// Prints a summary of a shot.
 struct InfoCommand {
     InputOptions input;
     std::string output;     // empty: standard output
-    bool resolved = false;  // the whole shot, every value with where it came from
+    bool resolved = false;  // print the whole shot, every value with its origin
 };
 void describe(InfoCommand& command, CommandDescription& description);
 void run(const InfoCommand& command, CommandContext& context);
 
-/// Frames of a film side by side.
+/// Renders frames of a film side by side into one picture.
 struct ContactSheetCommand {
     InputOptions input;  // quality empty: draft
     CacheOptions cache;
@@ -137,7 +137,7 @@ struct CheckCommand {
     InputOptions input;
     CacheOptions cache;
     bool json = false;
-    bool quick = false;  // nothing that needs a simulation
+    bool quick = false;  // skip checks that need a simulation
 };
 void describe(CheckCommand& command, CommandDescription& description);
 void run(const CheckCommand& command, CommandContext& context);
@@ -147,7 +147,7 @@ struct ExportCommand {
     CacheOptions cache;
     std::string output;
     std::string events;          // a second table; empty: none
-    std::optional<double> rate;  // Hz; none: the keys
+    std::optional<double> rate;  // Hz; empty: the keys of each track
 };
 void describe(ExportCommand& command, CommandDescription& description);
 void run(const ExportCommand& command, CommandContext& context);
@@ -172,24 +172,25 @@ struct PlanCommand {
 void describe(PlanCommand& command, CommandDescription& description);
 void run(const PlanCommand& command, CommandContext& context);
 
-/// A starter for a new shot.
+/// Writes a new shot from a template.
 struct NewCommand {
     std::string shot;  // the file to write
     std::string template_name = "break";
-    bool force = false;  // also over a file that is there
+    bool force = false;  // overwrite an existing file
 };
 void describe(NewCommand& command, CommandDescription& description);
 void run(const NewCommand& command, CommandContext& context);
 
-/// The JSON Schema of shots.
+/// Prints the JSON Schema of shots.
 struct SchemaCommand {
     std::string output;  // empty: standard output
 };
 void describe(SchemaCommand& command, CommandDescription& description);
 void run(const SchemaCommand& command, CommandContext& context);
 
+/// Converts a scene to a shot.
 struct ImportCommand {
-    std::string scene;   // of the older text format
+    std::string scene;   // in the older text format
     std::string output;  // empty: the scene's name and .yaml in the current folder
     double unit = 0.01;  // m
     std::string up = "y";
@@ -198,19 +199,19 @@ struct ImportCommand {
 void describe(ImportCommand& command, CommandDescription& description);
 void run(const ImportCommand& command, CommandContext& context);
 
-/// A keyed object from a table.
+/// Converts a table of motion to a keyed object.
 struct ImportTrackCommand {
     std::string table;
     std::string output;  // empty: the table's name and .yaml in the current folder
-    std::string object;  // of a table with several
-    std::string name;    // of the shot's object; empty: the motion alone
+    std::string object;  // to import from a table with several objects
+    std::string name;    // of the shot's object; empty: write only the motion
     std::string error;   // "0.01 mm"
     bool linear = false;
 };
 void describe(ImportTrackCommand& command, CommandDescription& description);
 void run(const ImportTrackCommand& command, CommandContext& context);
 
-/// The script that completes in a shell.
+/// Prints a shell completion script.
 struct CompletionCommand {
     std::string shell;   // "bash", "zsh", "fish"
     std::string output;  // empty: standard output
@@ -218,16 +219,16 @@ struct CompletionCommand {
 void describe(CompletionCommand& command, CommandDescription& description);
 void run(const CompletionCommand& command, CommandContext& context);
 
-/// Acceleration structures against each other. Texts as they were typed.
+/// Compares acceleration structures or triangle kernels. The strings are as typed.
 struct CompareCommand {
     InputOptions input;  // path empty: `scene`
     CacheOptions cache;
-    std::string scene;                  // one of the laboratory's
-    std::string triangles;              // kernels with commas between; empty: structures
-    int rounds = 5;                     // of triangles
+    std::string scene;                  // a scene of the laboratory
+    std::string triangles;              // comma-separated kernels; empty: compare structures
+    int rounds = 5;                     // for `triangles`
     std::string growth;                 // instead of one frame: "spheres", "mesh"
-    std::int64_t largest = 1'000'000;   // of `growth`
-    std::string accelerators = "all";   // names with commas between
+    std::int64_t largest = 1'000'000;   // number of shapes for `growth`
+    std::string accelerators = "all";   // comma-separated names
     std::string shadow_rays = "any";    // or "closest", "both"
     std::optional<std::int64_t> frame;  // of a shot
     std::string size;                   // "320x240"; empty: the scene's own
@@ -241,10 +242,11 @@ struct CompareCommand {
 void describe(CompareCommand& command, CommandDescription& description);
 void run(const CompareCommand& command, CommandContext& context);
 
-/// Headings of the help.
+/// The headings of the help.
 enum class Group { make, look, film, keep, tools };
 
-/// The program that runs a command: bin/carom becomes libexec/carom/carom-film or carom-lab.
+/// The program that runs a command: bin/carom itself, or libexec/carom/carom-film or carom-lab,
+/// which it executes.
 enum class Program { carom, film, lab };
 
 template <class T>
@@ -255,7 +257,7 @@ struct CommandRow {
     const char* summary;  // a sentence
 };
 
-/// In the order of the help. Who adds a command reads the first lines of this file.
+/// All commands in the order of the help. The first lines of this file explain how to add one.
 inline constexpr std::tuple kCommandTable{
     CommandRow<NewCommand>{"new", Group::make, Program::carom,
                            "Write a commented shot to start from."},
@@ -264,7 +266,7 @@ inline constexpr std::tuple kCommandTable{
     CommandRow<ImportCommand>{"import", Group::make, Program::carom,
                               "Convert a scene of the older text format to a shot."},
     CommandRow<ImportTrackCommand>{"import-track", Group::make, Program::carom,
-                                   "Convert a table of motion to a keyed object."},
+                                   "Convert a CSV table of motion to a keyed object."},
     CommandRow<PlanCommand>{"plan", Group::look, Program::carom,
                             "Draw the table from above, with all paths and events."},
     CommandRow<FrameCommand>{"frame", Group::look, Program::film, "Render a single frame."},
@@ -273,7 +275,7 @@ inline constexpr std::tuple kCommandTable{
     CommandRow<InfoCommand>{"info", Group::look, Program::carom,
                             "Print a summary of a shot, or every value of it."},
     CommandRow<ReportCommand>{"report", Group::look, Program::carom,
-                              "Print what happens in a shot, in numbers."},
+                              "Print the events, speeds and energy of a shot."},
     CommandRow<RenderCommand>{"render", Group::film, Program::film,
                               "Simulate a shot, render its frames and write the film."},
     CommandRow<RetimeCommand>{"retime", Group::film, Program::film,
@@ -281,23 +283,23 @@ inline constexpr std::tuple kCommandTable{
     CommandRow<MuxCommand>{"mux", Group::film, Program::film,
                            "Write a film from frames that are already rendered."},
     CommandRow<BakeCommand>{"bake", Group::keep, Program::carom,
-                            "Simulate a shot and keep its motion in a file."},
+                            "Simulate a shot and write its motion to a bake file."},
     CommandRow<ExportCommand>{"export", Group::keep, Program::carom,
                               "Write the motion as .csv or .json, the scene as .glb or .usda."},
     CommandRow<CacheCommand>{"cache", Group::keep, Program::carom,
-                             "List, prune or verify the kept bakes and frames."},
+                             "List, prune or verify the cache of bakes and frames."},
     CommandRow<CompareCommand>{"compare", Group::tools, Program::lab,
                                "Measure acceleration structures or ray-triangle tests."},
     CommandRow<SchemaCommand>{"schema", Group::tools, Program::carom,
                               "Print the JSON Schema of shots, for editors."},
     CommandRow<CompletionCommand>{"completion", Group::tools, Program::carom,
-                                  "Print the script that completes carom's words in a shell."},
+                                  "Print a completion script for a shell."},
 };
 
 template <class... T>
 std::variant<T...> one_of(const std::tuple<CommandRow<T>...>&);
 
-/// Any of the table's commands.
+/// A variant of all commands of the table.
 using Command = decltype(one_of(kCommandTable));
 
 template <class T>

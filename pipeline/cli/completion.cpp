@@ -20,10 +20,10 @@ struct Candidate {
     std::string description;
 };
 
-/// How far the words before the last one lead.
+/// What the words before the last one determine.
 struct Position {
     const CommandDescription* command = nullptr;
-    const Option* option = nullptr;  // whose value comes next
+    const Option* option = nullptr;  // the option whose value comes next
     std::vector<std::string> arguments;
 };
 
@@ -35,8 +35,8 @@ Position position_after(const CommandDescription& program, const std::vector<std
         } else if (word.size() > 1 && word.starts_with('-')) {
             const Option* option = position.command->find_option(word);
             position.option = option != nullptr && !option->is_flag() ? option : nullptr;
-        } else if (const auto* below = position.command->find_command(word)) {
-            position.command = below;
+        } else if (const auto* subcommand = position.command->find_command(word)) {
+            position.command = subcommand;
         } else {
             position.arguments.push_back(word);
         }
@@ -54,7 +54,7 @@ const Option* argument_at(const CommandDescription& command, std::size_t index) 
     return nullptr;
 }
 
-/// The tree of the shot or bake that was named, else an empty one.
+/// The YAML tree of the shot or bake that is named, or an empty one.
 config::Node shot_tree(const Position& position) {
     const Option* argument = argument_at(*position.command, 0);
     if (position.arguments.empty() || argument == nullptr || argument->offer != Offer::files) {
@@ -77,7 +77,7 @@ std::vector<Candidate> candidates_of(std::vector<std::string> words) {
     return candidates;
 }
 
-/// Values of an option or argument that begin with `typed`.
+/// The possible values of an option or argument of which `typed` is the beginning.
 std::vector<Candidate> values_of(const Option& option, const std::string& typed,
                                  const Position& position) {
     switch (option.offer) {
@@ -129,8 +129,8 @@ std::vector<Candidate> candidates_for(const Position& position, const std::strin
             }
         }
     } else if (!position.command->commands.empty()) {
-        for (const CommandDescription& below : position.command->commands) {
-            candidates.push_back({below.name, below.summary});
+        for (const CommandDescription& subcommand : position.command->commands) {
+            candidates.push_back({subcommand.name, subcommand.summary});
         }
     } else if (const Option* argument = argument_at(*position.command, position.arguments.size())) {
         candidates = values_of(*argument, typed, position);
@@ -161,7 +161,7 @@ std::string completion_lines(const std::vector<std::string>& words) noexcept {
     try {
         return lines_for(words);
     } catch (...) {
-        return {};  // Somebody is typing: no message would be read.
+        return {};  // A message would disturb the user, who is typing.
     }
 }
 

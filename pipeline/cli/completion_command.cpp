@@ -5,13 +5,13 @@ namespace carom::cli {
 
 namespace {
 
-// The program itself knows what can be typed (completion.h): each script passes the words on to it
-// and shows the answer. Shells give the words as they were typed, so the scripts remove quotes and
-// expand "~/", with which a shot may begin.
+// The program itself knows the completions (completion.h): each script passes the words to it and
+// shows its output. Shells pass the words as they were typed, so the scripts remove quotes and
+// expand "~/", with which the path of a shot may begin.
 
 constexpr const char* kBash = R"script(# bash completion for carom; made by 'carom completion bash'.
 _carom() {
-    # bash splits words at "=" and ":". Parts that no blank separates become one word again.
+    # bash splits words at "=" and ":". Parts without a blank between them are joined again.
     local line=$COMP_LINE part words=() offers prefix ending
     for part in "${COMP_WORDS[@]:0:COMP_CWORD+1}"; do
         if [[ ${#words[@]} -gt 0 && $line != [[:space:]]* ]]; then
@@ -73,7 +73,7 @@ function __carom_offers
     set -l words (commandline -opc) "$(commandline -ct)"
     set words (string replace -r '^~/' "$HOME/" -- $words)
     set -l offers ($words[1] __complete $words[2..-1] 2>/dev/null)
-    # Files for "--output=FILE" are looked for without what stands before them.
+    # Files for "--output=FILE" are searched without the prefix "--output=".
     string match -rq -- '^(?<prefix>--[^=]+=)?(?<typed>.*)$' "$(commandline -ct)"
     switch "$offers[1]"
         case ':folders'

@@ -25,7 +25,7 @@ namespace {
 using pipeline::PlannedFrame;
 using pipeline::Shot;
 
-/// `count` of `all` frames, the first and the last among them, evenly.
+/// `count` of `all` frames at even distances, with the first and the last one.
 pipeline::FrameRange spread_frames(std::int64_t count, std::int64_t all) {
     pipeline::FrameRange range;
     const std::int64_t steps = std::min(count, all);
@@ -36,9 +36,9 @@ pipeline::FrameRange spread_frames(std::int64_t count, std::int64_t all) {
     return range;
 }
 
-constexpr int kMostSamples = 4;  // of a picture that is small anyway
+constexpr int kMaxSamples = 4;  // enough for a small picture
 
-/// In the shot's proportions.
+/// Sets the size of the pictures, with the shot's aspect ratio.
 void set_picture_width(Shot& shot, int width) {
     const double proportion =
         static_cast<double>(shot.render.height) / static_cast<double>(shot.render.width);
@@ -73,14 +73,15 @@ void run(const ContactSheetCommand& command, CommandContext& context) {
     }
     const std::string path = output_or_default(command.output, options.path, "_sheet.png");
     if (!pipeline::is_picture_path(path) || pipeline::is_linear_picture(path)) {
-        throw InputError("cannot write a sheet to '" + path + "'; give a .png, .jpg, .bmp or .tga");
+        throw InputError("cannot write a contact sheet to '" + path +
+                         "'; the name must end in .png, .jpg, .bmp or .tga");
     }
     check_output_folder(path);
     ShotInput input = read_film_input(options, context);
     Shot& shot = input.shot;
     set_picture_width(shot, command.width);
     if (command.input.quality.empty()) {
-        shot.render.samples = std::min(shot.render.samples, kMostSamples);
+        shot.render.samples = std::min(shot.render.samples, kMaxSamples);
     }
     shot.render.aovs.clear();
     const std::int64_t all = film_frames(shot);
@@ -91,7 +92,7 @@ void run(const ContactSheetCommand& command, CommandContext& context) {
     job.frames = spread_frames(command.count, all);
     const std::vector<std::int64_t> frames = job.frames.frames(all);
     const sim::Bake bake = bake_of(input, options, command.cache, context);
-    // All pictures in one go, into the store; then from there.
+    // All pictures are rendered to the store in one job, and then read from there.
     (void)pipeline::make_film(
         shot, bake, job, make_console_observer(context.console, std::ssize(frames)), context.stop);
     context.console.end_progress();

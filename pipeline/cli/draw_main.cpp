@@ -1,5 +1,5 @@
-// libexec/carom/carom-draw WIDTH: SVG from standard input as PNG on standard output. Started by
-// bin/carom, which does not load librsvg itself.
+// The program libexec/carom/carom-draw WIDTH, which converts SVG on standard input to PNG on
+// standard output. bin/carom runs it, so that it does not load librsvg itself.
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -25,12 +25,12 @@ std::vector<std::byte> read_all(std::FILE* file) {
 int main(int argument_count, char** arguments) {
     try {
         if (argument_count != 2) {
-            throw carom::Error("this program only draws; call carom instead");
+            throw carom::Error("this program only draws for carom; run carom instead");
         }
         const std::vector<std::byte> png =
             carom::pipeline::svg_to_png(read_all(stdin), std::stoi(arguments[1]));
-        const bool written = std::fwrite(png.data(), 1, png.size(), stdout) == png.size();
-        return written && std::fflush(stdout) == 0 ? 0 : 1;
+        const bool is_written = std::fwrite(png.data(), 1, png.size(), stdout) == png.size();
+        return is_written && std::fflush(stdout) == 0 ? 0 : 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "carom: error: %s\n", error.what());
         return 1;

@@ -22,7 +22,7 @@ bool is_png(const std::string& path) {
 
 void check_drawing_path(const std::string& path, const std::string& what) {
     if (path != "-" && !is_png(path) && std::filesystem::path(path).extension() != ".svg") {
-        throw InputError("'" + path + "': " + what + " is written as .svg or .png");
+        throw InputError("'" + path + "': " + what + " can only be written as .svg or .png");
     }
     check_output_folder(path);
 }

@@ -1,4 +1,4 @@
-// Where drawings go.
+// Writes drawings as .svg or .png.
 #pragma once
 
 #include <string>
@@ -7,20 +7,21 @@
 
 namespace carom::cli {
 
-/// How a drawing is written.
+/// The file of a drawing.
 struct DrawingOutput {
     std::string path;  // .svg, .png, or "-": SVG on standard output
     int width = 0;     // of a .png, pixels
 };
 
-/// Throws InputError if a drawing cannot be written in the format that the name asks for, or if its
-/// folder does not exist. `what`: "a plan".
+/// Throws InputError if the name ends in neither .svg nor .png, or if its folder does not exist.
+/// `what` names the drawing: "a plan".
 void check_drawing_path(const std::string& path, const std::string& what);
 
-/// "light" and "dark" as they are; "auto" is light for pictures, which cannot ask their reader.
+/// The page for "light", "dark" or "auto". "auto" is light for a .png, which cannot adapt to the
+/// browser.
 [[nodiscard]] pipeline::PlanPage page_of(const std::string& page, const std::string& path);
 
-/// Whole or not at all, like write_text_output. Throws Error.
+/// Writes the drawing completely or not at all, like write_text_output. Throws Error.
 void write_drawing(const DrawingOutput& output, const std::string& svg);
 
 }  // namespace carom::cli

@@ -29,10 +29,10 @@ Format format_of(const std::string& path) {
     if (extension == ".usda") {
         return Format::usda;
     }
-    throw InputError("'" + path + "': an export is written as .csv, .json, .glb or .usda");
+    throw InputError("'" + path + "': an export can only be written as .csv, .json, .glb or .usda");
 }
 
-/// `shot` is empty where only tables are asked for of a bake: its own text need not be read.
+/// `shot` is empty if only tables of a bake are written, which do not need the shot.
 struct Source {
     std::optional<pipeline::Shot> shot;
     sim::Timeline timeline;
@@ -61,17 +61,18 @@ std::string tracks_text(const Source& source, Format format, std::optional<doubl
 }  // namespace
 
 void run(const ExportCommand& command, CommandContext& context) {
-    // Someone who asks for the events alone gets them alone.
+    // With --events and without -o only the events are written.
     const bool tracks_wanted = !command.output.empty() || command.events.empty();
     const std::string path = output_or_default(command.output, command.input.path, ".csv");
     const Format format = tracks_wanted ? format_of(path) : Format::csv;
     if (tracks_wanted) {
         if (path == command.events) {
-            throw InputError("'" + path + "' cannot hold both the tracks and the events");
+            throw InputError("'" + path +
+                             "' cannot contain both the tracks and the events; give two files");
         }
         if (command.rate && (format == Format::glb || format == Format::usda)) {
             throw InputError("'" + path +
-                             "' gets as many keys as it needs: --rate is for .csv and .json");
+                             "' has as many keys as it needs; --rate is only for .csv and .json");
         }
         check_output_folder(path);
     }

@@ -33,35 +33,35 @@ namespace {
 using pipeline::FilmJobOptions;
 using pipeline::Shot;
 
-/// How true the ways along objects are to what these did.
-void tell_fitted_paths(const Shot& shot, const sim::Timeline& timeline, Console& console) {
+/// Prints how far camera paths along objects deviate from the motion of these objects.
+void report_fitted_paths(const Shot& shot, const sim::Timeline& timeline, Console& console) {
     std::vector<pipeline::FittedPath> fitted;
     (void)pipeline::with_fitted_paths(shot.cameras, timeline, &fitted);
     for (const pipeline::FittedPath& path : fitted) {
         console.info(
-            fmt::format("camera '{}': the {} along '{}' is a Bezier curve of degree {}, at most "
-                        "{:.2g} mm from it",
+            fmt::format("camera '{}': the {} along '{}' is a Bezier curve of degree {}, which "
+                        "deviates from the motion of '{}' by at most {:.2g} mm",
                         path.rig, path.is_target ? "target" : "position", path.object, path.degree,
-                        path.error * 1000));
+                        path.object, path.error * 1000));
     }
 }
 
 std::int64_t chosen_frame(const FrameCommand& command, const Shot& shot) {
     const std::int64_t count = film_frames(shot);
     std::int64_t frame = command.frame.value_or(0);
-    std::string asked = fmt::format("frame {}", frame);
+    std::string given = fmt::format("frame {}", frame);
     if (!command.at.empty()) {
         frame = frame_shown_at(seconds_from_text(command.at), shot.timing.fps);
-        asked = "--at " + command.at;
+        given = "--at " + command.at;
     }
     if (frame < 0 || frame >= count) {
         throw InputError(
-            fmt::format("{} is outside the film, which has the frames 0 to {}", asked, count - 1));
+            fmt::format("{} is outside the film, which has the frames 0 to {}", given, count - 1));
     }
     return frame;
 }
 
-/// Lights that shadow rays are sent to: an environment of one colour is none.
+/// The number of lights that shadow rays are traced to, which excludes environments of one colour.
 std::size_t sampled_lights(const Shot& shot) {
     return static_cast<std::size_t>(
         std::count_if(shot.scene.lights.begin(), shot.scene.lights.end(), [](const auto& light) {
@@ -70,8 +70,8 @@ std::size_t sampled_lights(const Shot& shot) {
         }));
 }
 
-/// "81 frames, 12 of them". The frames of a cross-fade are mixed from two pictures each: where
-/// there are more pictures than frames, those are what is counted.
+/// "81 frames, 12 of them". If there are more pictures than frames, because each frame of a
+/// cross-fade is mixed from two, the rendered pictures are counted.
 std::string counts_text(const pipeline::FilmJobResult& result) {
     const std::string frames = fmt::format("{} frames", result.frames);
     const std::string made_of = result.pictures > result.frames
@@ -80,8 +80,8 @@ std::string counts_text(const pipeline::FilmJobResult& result) {
     return fmt::format("{}{}, {} of them", frames, made_of, result.rendered);
 }
 
-/// The distributed integrator's rays by kind, of what was rendered now.
-void tell_rays(const Shot& shot, const render::RenderStatistics& count, Console& console) {
+/// Prints the rays of the distributed integrator by kind, for the frames that were rendered now.
+void report_rays(const Shot& shot, const render::RenderStatistics& count, Console& console) {
     if (shot.render.integrator != render::IntegratorKind::distributed || count.camera_rays == 0) {
         return;
     }
@@ -104,29 +104,29 @@ void tell_rays(const Shot& shot, const render::RenderStatistics& count, Console&
     console.event("rays", members, text, false);
 }
 
-/// What --dry-run prints: whole stretches of frames, in order.
-void tell_status(const pipeline::FilmStatus& status) {
+/// Prints the output of --dry-run: ranges of frames in order.
+void print_status(const pipeline::FilmStatus& status) {
     std::string text;
     if (!status.stored.empty()) {
-        text += "there: " + pipeline::frames_text(status.stored) + "\n";
+        text += "stored: " + pipeline::frames_text(status.stored) + "\n";
     }
     if (!status.missing.empty()) {
         text += "to render: " + pipeline::frames_text(status.missing) + "\n";
     }
     if (!status.damaged.empty()) {
-        text += "of these stored, but damaged: " + pipeline::frames_text(status.damaged) + "\n";
+        text += "of these, stored but damaged: " + pipeline::frames_text(status.damaged) + "\n";
     }
-    text += fmt::format("{} frames, {} there, {} to render", status.frames.size(),
+    text += fmt::format("{} frames, {} stored, {} to render", status.frames.size(),
                         status.stored.size(), status.missing.size());
     if (status.pictures != std::ssize(status.missing)) {
-        text += fmt::format(", which show {} pictures", status.pictures);
+        text += fmt::format(" as {} pictures", status.pictures);
     }
     print_text(text + "\n");
 }
 
 void check_picture_path(const std::string& path) {
     if (!pipeline::is_picture_path(path)) {
-        throw InputError("cannot tell what picture to write from '" + path + "'; there are " +
+        throw InputError("cannot write a picture to '" + path + "'; the formats are " +
                          pipeline::list_pictures());
     }
 }
@@ -151,8 +151,9 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
                std::chrono::steady_clock::time_point begin, CommandContext& context) {
     const bool makes_film = !path.empty();
     if (!command.chunk.empty() && makes_film && !pipeline::is_image_sequence(path)) {
-        throw InputError("a chunk is no film: leave out -o and let 'carom mux' write '" + path +
-                         "' when all chunks are there, or write pictures (shot.####.exr)");
+        throw InputError("cannot write the film '" + path +
+                         "' from one chunk; omit -o and run 'carom mux' when all chunks are "
+                         "rendered, or write pictures (shot.####.exr)");
     }
     if (makes_film) {
         check_film(input, path, context.console);
@@ -168,9 +169,9 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
         return;
     }
     const sim::Bake bake = bake_of(input, command.input, command.cache, context);
-    tell_fitted_paths(input.shot, bake.timeline, context.console);
+    report_fitted_paths(input.shot, bake.timeline, context.console);
     if (command.dry_run) {
-        tell_status(pipeline::film_status(input.shot, bake, options, context.stop));
+        print_status(pipeline::film_status(input.shot, bake, options, context.stop));
         return;
     }
     const pipeline::FilmJobResult result = pipeline::make_film(
@@ -179,7 +180,7 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     context.console.info(counts_text(result) + " rendered now, in " +
                          duration_text(elapsed.count()));
-    tell_rays(input.shot, result.counts, context.console);
+    report_rays(input.shot, result.counts, context.console);
     if (makes_film) {
         print_path(path);
     }
@@ -208,7 +209,7 @@ void run(const FrameCommand& command, CommandContext& context) {
         output_or_default(command.output, command.input.path, numbered_extension(frame));
     check_picture_path(path);
     check_output_folder(path);
-    const pipeline::DisplayView view(input.shot.output);  // before rendering: it may fail
+    const pipeline::DisplayView view(input.shot.output);  // may fail, so before rendering
 
     FilmJobOptions options = job_options(command.cache, {}, {});
     options.threads = command.threads;
@@ -217,7 +218,7 @@ void run(const FrameCommand& command, CommandContext& context) {
     const render::Film film = pipeline::make_frame(
         input.shot, bake, frame, options, make_console_observer(context.console, 1), context.stop);
     context.console.end_progress();
-    tell_rays(input.shot, film.statistics, context.console);
+    report_rays(input.shot, film.statistics, context.console);
     const pipeline::PlannedFrame planned =
         pipeline::plan_frame(frame, input.shot.cameras, input.shot.timing, bake.timeline);
     pipeline::write_picture(

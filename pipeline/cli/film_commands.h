@@ -1,4 +1,4 @@
-// What the commands that write films have in common.
+// Shared by the commands that write films.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,8 @@
 
 namespace carom::cli {
 
-/// What `render` does once the shot is read and `path` chosen, counted from `begin`.
+/// Renders and writes a film as `render` does after it has read the shot and chosen `path`. The
+/// time that it prints begins at `begin`.
 void film_shot(ShotInput input, const std::string& path, const RenderCommand& command,
                std::chrono::steady_clock::time_point begin, CommandContext& context);
 

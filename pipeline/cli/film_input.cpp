@@ -19,7 +19,7 @@ ShotInput read_film_input(const InputOptions& input, CommandContext& context) {
     CheckedInput checked = load_shot_input(input);
     if (checked.input &&
         render::find_problem(checked.input->shot.render.acceleration, context.factory)) {
-        throw OtherProgram(render::kComparisonProgram);
+        throw NeedsProgram(render::kComparisonProgram);
     }
     return accept_shot_input(std::move(checked), input, context.console);
 }
@@ -56,11 +56,12 @@ std::int64_t count_job_frames(const Shot& shot, const FilmJobOptions& options,
     const std::vector<std::int64_t> frames = options.frames.frames(all);
     if (frames.empty()) {
         throw InputError(
-            fmt::format("none of the film's frames, 0 to {}, is in --frames {}", all - 1, text));
+            fmt::format("--frames {} selects no frame of the film, which has the frames 0 to {}",
+                        text, all - 1));
     }
     if (options.frames.last() >= all) {
-        console.warning(fmt::format(
-            "--frames {} goes past the film's end, which has the frames 0 to {}", text, all - 1));
+        console.warning(fmt::format("--frames {} exceeds the film, which has the frames 0 to {}",
+                                    text, all - 1));
     }
     return std::ssize(options.chunk.part_of(frames));
 }
@@ -83,7 +84,7 @@ void check_film(const ShotInput& input, const std::string& path, Console& consol
         throw InputError(problem);
     }
     check_output_folder(path);
-    static_cast<void>(pipeline::DisplayView(shot.output));  // before rendering: it may fail
+    static_cast<void>(pipeline::DisplayView(shot.output));  // may fail, so before rendering
 }
 
 }  // namespace carom::cli

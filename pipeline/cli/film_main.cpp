@@ -1,4 +1,5 @@
-// libexec/carom/carom-film: the commands that render. Started by bin/carom with its own arguments.
+// The program libexec/carom/carom-film, which runs the commands that render. bin/carom executes it
+// with its own arguments.
 #include "pipeline/cli/command_line.h"
 #include "pipeline/cli/helper_program.h"
 #include "pipeline/cli/run_program.h"
@@ -6,15 +7,15 @@
 int main(int argument_count, char** arguments) {
     using namespace carom::cli;
     const auto parsed = parse_command_line({arguments + 1, arguments + argument_count});
-    if (const auto* nothing = std::get_if<NothingToRun>(&parsed)) {
-        return print(*nothing);
+    if (const auto* early_exit = std::get_if<EarlyExit>(&parsed)) {
+        return print(*early_exit);
     }
     return run_command(std::get<CommandLine>(parsed),
                        [&](const Command& command, CommandContext& context) {
                            try {
                                run_here<Program::film>(command, context);
-                           } catch (const OtherProgram& other) {
-                               become_program(other.name(), arguments);
+                           } catch (const NeedsProgram& needed) {
+                               exec_program(needed.name(), arguments);
                            }
                        });
 }

@@ -7,7 +7,7 @@ namespace carom::cli {
 namespace {
 
 constexpr std::size_t kTerminalWidth = 80;
-constexpr std::size_t kColumn = 24;  // where the explanation of an option or a command begins
+constexpr std::size_t kColumn = 24;  // in which the explanation of an option or a command begins
 constexpr std::size_t kIndent = 2;
 
 /// A label and its explanation, side by side if the label is short.
@@ -35,16 +35,16 @@ void add_options(std::string& text, const CommandDescription& command, bool argu
     }
 }
 
-/// Under the heading of each group, in the table's order.
+/// Adds the commands below the headings of their groups, in the order of the table.
 void add_commands(std::string& text, const CommandDescription& command) {
     std::string heading;
-    for (const CommandDescription& below : command.commands) {
-        const std::string group = below.group.empty() ? "Commands" : below.group;
+    for (const CommandDescription& subcommand : command.commands) {
+        const std::string group = subcommand.group.empty() ? "Commands" : subcommand.group;
         if (group != heading) {
             heading = group;
             text += "\n" + heading + ":\n";
         }
-        text += entry(below.name, below.summary);
+        text += entry(subcommand.name, subcommand.summary);
     }
 }
 

@@ -23,12 +23,12 @@ std::string reason_of(int error) {
     return std::generic_category().message(error);
 }
 
-/// A file without a name, in memory: unlike a pipe it never blocks either side.
+/// An anonymous file in memory. Unlike a pipe it never blocks either side.
 class MemoryFile {
   public:
     MemoryFile() : descriptor_(::memfd_create("carom", MFD_CLOEXEC)) {
         if (descriptor_ < 0) {
-            throw Error("cannot make a file in memory: " + reason_of(errno));
+            throw Error("cannot create a file in memory: " + reason_of(errno));
         }
     }
     ~MemoryFile() { ::close(descriptor_); }
@@ -80,12 +80,12 @@ class FileActions {
     posix_spawn_file_actions_t actions_{};
 };
 
-/// Its wait status.
+/// Waits until the process ends and returns its wait status.
 int wait_for(pid_t process) {
     int status = 0;
     while (::waitpid(process, &status, 0) < 0) {
         if (errno != EINTR) {
-            throw Error("lost a program that was started: " + reason_of(errno));
+            throw Error("cannot wait for a program that was started: " + reason_of(errno));
         }
     }
     return status;
@@ -111,7 +111,7 @@ std::string helper_program(const std::string& name) {
     return ((is_helper ? folder : above / "libexec" / "carom") / name).string();
 }
 
-void become_program(const std::string& name, char** arguments) {
+void exec_program(const std::string& name, char** arguments) {
     const std::string path = helper_program(name);
     ::execv(path.c_str(), arguments);
     const bool is_laboratory = name == "carom-lab";

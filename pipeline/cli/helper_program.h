@@ -1,4 +1,4 @@
-// The programs behind bin/carom, in libexec/carom.
+// The helper programs of bin/carom, in libexec/carom.
 #pragma once
 
 #include <cstddef>
@@ -9,25 +9,28 @@
 
 namespace carom::cli {
 
-/// The path of "carom-film", found from where the running program is. $CAROM_LAB, if set, names
-/// another program for "carom-lab": scripts/run has one that builds it first.
+/// The path of a program such as "carom-film", relative to the path of the running program.
+/// $CAROM_LAB, if set, replaces the path of "carom-lab": scripts/run sets it to a script that
+/// builds the program first.
 [[nodiscard]] std::string helper_program(const std::string& name);
 
-/// Thrown by a command that another of these programs has to run.
-class OtherProgram {
+/// Thrown by a command that another of these programs must run.
+class NeedsProgram {
   public:
-    explicit OtherProgram(std::string name) : name_(std::move(name)) {}
+    explicit NeedsProgram(std::string name) : name_(std::move(name)) {}
     [[nodiscard]] const std::string& name() const { return name_; }
 
   private:
     std::string name_;
 };
 
-/// Becomes "carom-film" or "carom-lab", with these arguments. Throws Error if that fails.
-[[noreturn]] void become_program(const std::string& name, char** arguments);
+/// Replaces the running program by "carom-film" or "carom-lab" with these arguments (execv). Throws
+/// Error if that fails.
+[[noreturn]] void exec_program(const std::string& name, char** arguments);
 
-/// Runs it to its end with `input` as its standard input and returns its standard output; what it
-/// complains of goes to ours. Throws Error if it cannot be started or fails.
+/// Runs a program with one argument to its end, with `input` as its standard input, and returns its
+/// standard output. Its standard error is that of this program. `what` describes the program in
+/// errors. Throws Error if it cannot be started or fails.
 [[nodiscard]] std::vector<std::byte> run_helper(const std::string& name, const std::string& what,
                                                 const std::string& argument,
                                                 std::span<const std::byte> input);

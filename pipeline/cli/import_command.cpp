@@ -17,7 +17,8 @@ void run(const ImportCommand& command, CommandContext& context) {
         check_output_folder(path);
         std::error_code ignored;
         if (std::filesystem::equivalent(path, command.scene, ignored)) {
-            throw InputError("'" + path + "' is the scene itself");
+            throw InputError("the output '" + path +
+                             "' is the scene itself; give another file with -o");
         }
     }
     pipeline::ImportOptions options;
@@ -35,13 +36,13 @@ void run(const ImportCommand& command, CommandContext& context) {
                               false);
     }
     write_text_output(path, result.yaml);
-    // What was made is checked as 'carom check' would.
+    // The imported shot is checked like by 'carom check'.
     const pipeline::LoadResult shot =
         pipeline::load_shot_text(result.yaml, to_stdout ? folder + "/shot.yaml" : path);
     report_problems(shot.problems, context.console);
     if (!shot.shot) {
-        throw InputError("the shot that was made has " + count_text(shot.problems) +
-                         "; mend the scene or the shot");
+        throw InputError("the imported shot has " + count_text(shot.problems) +
+                         "; correct the scene or the shot");
     }
 }
 

@@ -14,20 +14,20 @@ namespace carom::cli {
 
 namespace {
 
-/// Metres. Throws InputError.
-double length_from_text(const std::string& text) {
+/// Parses a length and returns it in metres. Throws InputError.
+double parse_length(const std::string& text) {
     const auto parsed = pipeline::config::parse_quantity(text);
     const auto* quantity = std::get_if<pipeline::config::Quantity>(&parsed);
     constexpr pipeline::config::Exponents kLength{1, 0, 0, 0};
-    constexpr double kMost = 1;  // m
+    constexpr double kMaxLength = 1;  // m
     if (quantity == nullptr || (quantity->has_unit && quantity->exponents != kLength) ||
-        !(quantity->value >= 0 && quantity->value <= kMost)) {
+        !(quantity->value >= 0 && quantity->value <= kMaxLength)) {
         throw InputError("'" + text + "' is not a length up to 1 m; write 0.01mm or '0.1 mm'");
     }
     return quantity->value;
 }
 
-/// As objects of a shot are named.
+/// Whether an object of a shot may have this name.
 bool is_object_name(const std::string& name) {
     constexpr std::size_t kLongest = 64;
     return name.size() <= kLongest && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
@@ -43,20 +43,21 @@ void run(const ImportTrackCommand& command, CommandContext& context) {
         check_output_folder(path);
         std::error_code ignored;
         if (std::filesystem::equivalent(path, command.table, ignored)) {
-            throw InputError("'" + path + "' is the table itself");
+            throw InputError("the output '" + path +
+                             "' is the table itself; give another file with -o");
         }
     }
     if (!command.name.empty() && !is_object_name(command.name)) {
         throw InputError("'" + command.name +
-                         "' cannot be the name of an object: a letter, then letters, digits, _ "
-                         "and -, at most 64 in all");
+                         "' cannot be the name of an object; a name has at most 64 letters, "
+                         "digits, _ and -, and begins with a letter");
     }
     pipeline::ImportTrackOptions options;
     options.object = command.object;
     options.name = command.name;
     options.is_linear = command.linear;
     if (!command.error.empty()) {
-        options.error = length_from_text(command.error);
+        options.error = parse_length(command.error);
     }
     const pipeline::ImportTrackResult result = pipeline::import_track_file(command.table, options);
     report_problems(result.problems, context.console);

@@ -32,9 +32,9 @@ std::string world_lines(const Shot& shot) {
     });
     return line("simulated", fmt::format("{:.6g} s, steps of at most {:.4g} s", shot.world.duration,
                                          shot.world.step)) +
-           line("bodies", fmt::format("{} balls, {} others, {} events of force", balls,
+           line("bodies", fmt::format("{} balls, {} other bodies, {} force events", balls,
                                       std::ssize(bodies) - balls, shot.world.events.size())) +
-           line("seen",
+           line("visible",
                 fmt::format("{} objects, {} materials, {} lights", shot.scene.objects.size(),
                             shot.scene.materials.size(), shot.scene.lights.size()));
 }
@@ -62,30 +62,31 @@ std::string film_lines(const Shot& shot, std::uint64_t memory) {
     return text;
 }
 
-/// What it was read from, and what it refers to.
+/// The files that the shot was read from, and those that it names.
 std::string file_lines(const Shot& shot, const pipeline::ShotSource& source) {
     std::string text;
-    std::set<std::string> told;
-    const auto tell = [&](const std::string& name) {
-        if (!name.starts_with("--") && told.insert(name).second) {
-            text += line(told.size() == 1 ? "files" : "", name);
+    std::set<std::string> listed;
+    const auto add = [&](const std::string& name) {
+        if (!name.starts_with("--") && listed.insert(name).second) {
+            text += line(listed.size() == 1 ? "files" : "", name);
         }
     };
     for (int i = 0; i < source.sources().size(); ++i) {
-        tell(source.sources().at(i).name);
+        add(source.sources().at(i).name);
     }
     for (const sim::Asset& asset : shot.assets) {
-        tell(asset.path);
+        add(asset.path);
     }
     return text;
 }
 
-void warn_of_little_memory(std::uint64_t needed, Console& console) {
+void warn_if_memory_is_short(std::uint64_t needed, Console& console) {
     const std::optional<std::uint64_t> free = free_memory();
     if (free && needed > *free) {
         console.warning(fmt::format(
-            "the film will need about {} of memory, and {} are free; a faster 'output.preset', a "
-            "smaller picture or a sequence of pictures (shot.####.exr) needs less",
+            "the film will need about {} of memory, but only {} are free; a faster "
+            "'output.preset', a smaller picture or a sequence of pictures (shot.####.exr) needs "
+            "less",
             pipeline::memory_text(needed), pipeline::memory_text(*free)));
     }
 }
@@ -100,7 +101,7 @@ void run(const InfoCommand& command, CommandContext& context) {
                         context.console);
     }
     const std::uint64_t memory = pipeline::forecast_memory(input.shot, "");
-    warn_of_little_memory(memory, context.console);
+    warn_if_memory_is_short(memory, context.console);
     const std::string text =
         command.resolved ? pipeline::explained_yaml(*input.source, input.shot)
                          : line("shot", input.shot.name) + film_lines(input.shot, memory) +

@@ -1,4 +1,4 @@
-// A job's observer that talks to the console.
+// A job observer that prints to the console.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace carom::cli {
 
-/// Shows a job's progress and warnings. The console must outlive what this returns.
-/// `frames`: how many the "render" stage takes, 0 if it renders none.
+/// An observer that prints a job's progress and warnings. The console must outlive it. `frames` is
+/// the number of frames of the "render" stage, 0 if it renders none.
 [[nodiscard]] pipeline::JobObserver make_console_observer(Console& console,
                                                           std::int64_t frames = 0);
 

@@ -12,7 +12,7 @@ namespace carom::cli {
 
 namespace {
 
-/// Text without escapes or requests, and with hyphens that can be copied.
+/// Escapes a text for roff: backslashes, control lines, and hyphens so that they can be copied.
 std::string roff(const std::string& text) {
     std::string result;
     for (const char letter : text) {
@@ -59,12 +59,13 @@ std::string paragraphs(const std::vector<std::string>& texts) {
     return page;
 }
 
-/// Commands below this one that have no page of their own: of carom cache.
+/// The subcommands, which have no page of their own: those of carom cache.
 std::string subcommands(const CommandDescription& command, const std::string& path) {
     std::string page;
-    for (const CommandDescription& below : command.commands) {
-        page += ".SS " + roff(path + " " + below.name) + "\n" + roff(below.summary) + "\n";
-        for (const Option& option : below.options) {
+    for (const CommandDescription& subcommand : command.commands) {
+        page +=
+            ".SS " + roff(path + " " + subcommand.name) + "\n" + roff(subcommand.summary) + "\n";
+        for (const Option& option : subcommand.options) {
             page += entry(option);
         }
     }

@@ -13,7 +13,8 @@ namespace config = pipeline::config;
 
 namespace {
 
-/// For editors that know YAML schemas; empty where none is installed.
+/// The first line of the shot, for editors that support YAML schemas. Empty if no schema is
+/// installed.
 std::string schema_line(const config::ConfigFolders& folders) {
     const config::FoundFile schema = config::find_config_file("carom.schema.json", ".", folders);
     return schema.path.empty() ? "" : "# yaml-language-server: $schema=" + schema.path + "\n";
@@ -27,8 +28,7 @@ std::string template_text(std::string name, const config::ConfigFolders& folders
         config::find_config_file("templates/" + name + ".yaml", ".", folders);
     std::string text;
     if (found.path.empty()) {
-        throw InputError("the template '" + name +
-                         "' is not there; is carom installed completely?");
+        throw InputError("cannot find the template '" + name + "'; is carom installed completely?");
     }
     if (!config::read_text_file(found.path, config::YamlLimits{}.bytes, text)) {
         throw InputError("the file '" + found.path + "' " + text);
@@ -47,7 +47,7 @@ void run(const NewCommand& command, CommandContext& context) {
     check_output_folder(command.shot);
     std::error_code ignored;
     if (!command.force && fs::exists(command.shot, ignored)) {
-        throw InputError("'" + command.shot + "' is there already; --force writes over it");
+        throw InputError("'" + command.shot + "' already exists; use --force to overwrite it");
     }
     const std::string placeholder = "THIS";
     for (std::size_t at = text.find(placeholder); at != std::string::npos;
@@ -55,7 +55,7 @@ void run(const NewCommand& command, CommandContext& context) {
         text.replace(at, placeholder.size(), command.shot);
     }
     write_text_output(command.shot, schema_line(folders) + text);
-    context.console.info("'carom check', 'plan', 'frame' and 'render' take it as it is");
+    context.console.info("the shot is ready for 'carom check', 'plan', 'frame' and 'render'");
 }
 
 }  // namespace carom::cli

@@ -1,4 +1,4 @@
-// Where results go.
+// Writes results to files or to standard output.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@ namespace carom::cli {
 [[nodiscard]] std::string output_or_default(const std::string& given, const std::string& input,
                                             const std::string& extension);
 
-/// Throws InputError if the folder that `path` names does not exist: better than after an hour.
+/// Throws InputError if the folder of `path` does not exist. Called before the work begins.
 void check_output_folder(const std::string& path);
 
-/// Whole or not at all; "-" is stdout, and what is there but no regular file (a pipe, a device) is
-/// written to as it stands. The path is printed as a result unless the text itself went to stdout.
-/// Throws Error.
+/// Writes the file completely or not at all. "-" is stdout, and an existing path that is not a
+/// regular file (a pipe, a device) is written to directly. The path is printed as a result unless
+/// the text was written to stdout or directly. Throws Error.
 void write_text_output(const std::string& path, const std::string& text);
 
 }  // namespace carom::cli

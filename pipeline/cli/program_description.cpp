@@ -27,11 +27,11 @@ void add_help_option(CommandDescription& description) {
     description.option("-h,--help", static_cast<bool*>(nullptr), "", "Print this help.");
 }
 
-/// The options of every command that can run, which stand last.
+/// Adds the options that every command has, at the end of its list.
 void add_common_options(CommandDescription& description, ProgramOptions& options) {
     add_help_option(description);
-    for (CommandDescription& below : description.commands) {
-        add_common_options(below, options);
+    for (CommandDescription& subcommand : description.commands) {
+        add_common_options(subcommand, options);
     }
     if (!description.commands.empty()) {
         return;
@@ -39,11 +39,11 @@ void add_common_options(CommandDescription& description, ProgramOptions& options
     description.flag("-q,--quiet", options.quiet, "Print only errors and warnings.");
     description
         .option("--log", &options.log, "FORMAT",
-                "Print messages as text, or as json with one object per line.")
+                "The format of messages: text (the default), or json with one object per line.")
         .one_of({"text", "json"});
 }
 
-void describe_itself(CommandDescription& program) {
+void describe_program_itself(CommandDescription& program) {
     program.name = "carom";
     program.summary = "Turn a billiard shot written in YAML into a film.";
     program.details = {
@@ -51,14 +51,14 @@ void describe_itself(CommandDescription& program) {
         "like, at any speed and with any camera."};
     program.examples = {
         {"carom new shot.yaml", "Write a commented shot to start from."},
-        {"carom check shot.yaml", "Report every problem of it, with its line."},
-        {"carom plan shot.yaml -o shot.svg", "Draw it from above, within a second."},
+        {"carom check shot.yaml", "Report every problem of the shot, with its line."},
+        {"carom plan shot.yaml -o shot.svg", "Draw the shot from above, within a second."},
         {"carom render shot.yaml -o film.mp4",
-         "Simulate it, render its frames and write the film."}};
+         "Simulate the shot, render its frames and write the film."}};
     program.notes = {
-        "Results go to standard output, messages to standard error. The exit code is 0 after "
-        "success, 1 after a failure while running, 2 after wrong usage or input, and 130 after an "
-        "interruption.",
+        "Results are written to standard output, messages to standard error. The exit code is 0 "
+        "after success, 1 after a failure while running, 2 after wrong usage or input, and 130 "
+        "after an interruption.",
         "'carom COMMAND --help' explains a command."};
     add_help_option(program);
     program.option("--version", static_cast<bool*>(nullptr), "", "Print the version.");
@@ -73,7 +73,7 @@ ProgramOptions::ProgramOptions() {
 
 CommandDescription describe_program(ProgramOptions& options) {
     CommandDescription program;
-    describe_itself(program);
+    describe_program_itself(program);
     const auto add = [&](const auto& row) {
         const std::size_t index = program.commands.size();
         CommandDescription& added = program.command(row.name, row.summary);

@@ -1,4 +1,4 @@
-// The whole program as data, from the table of commands.
+// The description of the whole program, made from the table of commands.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace carom::cli {
 
-/// What the parser writes to: one of each command, of which one is chosen.
+/// The variables to which the parser writes: one struct per command, of which one is chosen.
 struct ProgramOptions {
     ProgramOptions();
 
@@ -20,7 +20,7 @@ struct ProgramOptions {
     std::size_t chosen = 0;
 };
 
-/// Writes to `options`, which must outlive it and stay where it is.
+/// The description refers to `options`, which must outlive it and must not be moved.
 [[nodiscard]] CommandDescription describe_program(ProgramOptions& options);
 
 }  // namespace carom::cli

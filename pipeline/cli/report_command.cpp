@@ -29,7 +29,7 @@ void run(const ReportCommand& command, CommandContext& context) {
     }
     ShotInput input = read_shot_input(command.input, context.console);
     const sim::Timeline timeline = bake_of(input, command.input, command.cache, context).timeline;
-    // Someone who asks for the plot alone gets it alone.
+    // With --plot and without -o and --json only the plot is written.
     if (command.plot.empty() || !command.output.empty() || command.json) {
         write_report(command, timeline);
     }

@@ -12,7 +12,7 @@ namespace {
 
 using pipeline::Fate;
 
-/// Objects, one per line.
+/// A JSON array with one object per line.
 std::string array(const std::vector<std::string>& objects) {
     return objects.empty() ? "[]" : "[\n" + join(objects, ",\n") + "]";
 }
@@ -21,7 +21,7 @@ void add_place(JsonMembers& members, const Vec3& p) {
     members.add("x", p.x).add("y", p.y).add("z", p.z);
 }
 
-/// "a_speed_before" ... of an event's first object.
+/// Adds speed and spin before and after the event: "a_speed_before" and so on for its first object.
 void add_motion(JsonMembers& members, const std::string& which,
                 const std::optional<pipeline::SpeedChange>& change) {
     if (change) {

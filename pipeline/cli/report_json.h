@@ -7,9 +7,9 @@
 
 namespace carom::cli {
 
-/// Members start_time, end_time, largest_energy_rise, events, objects, energy and energy_over_time
-/// (as often as it was measured), in SI units with
-/// all digits; what an event does not have is left out.
+/// The members are start_time, end_time, largest_energy_rise, events, objects, energy and
+/// energy_over_time (every sample), in SI units with all digits. Members that an event does not
+/// have are omitted.
 [[nodiscard]] std::string report_json(const pipeline::ShotReport& report);
 
 }  // namespace carom::cli

@@ -18,9 +18,10 @@ namespace {
 namespace config = pipeline::config;
 using pipeline::Rational;
 
-/// The exact value of what an option was given: a plain number, or one with a unit of `exponents`.
-Rational value_of(std::string_view text, const config::Exponents& exponents,
-                  const std::string& expected) {
+/// The exact value of an option: a plain number, or one with a unit of the dimension `exponents`.
+/// Throws an InputError that says what was `expected`.
+Rational parse_value(std::string_view text, const config::Exponents& exponents,
+                     const std::string& expected) {
     const auto parsed = config::parse_quantity(text);
     const auto* quantity = std::get_if<config::Quantity>(&parsed);
     constexpr double kLargest = 1e6;
@@ -31,12 +32,12 @@ Rational value_of(std::string_view text, const config::Exponents& exponents,
     return config::to_rational(*quantity);
 }
 
-Rational time_of(std::string_view text) {
-    return value_of(text, {0, 0, 1, 0}, "a time; write 1.25s or 500ms");
+Rational parse_time(std::string_view text) {
+    return parse_value(text, {0, 0, 1, 0}, "a time; write 1.25s or 500ms");
 }
 
-Rational speed_of(std::string_view text) {
-    return value_of(text, {}, "a speed; write 0.125 or 1/8");
+Rational parse_speed(std::string_view text) {
+    return parse_value(text, {}, "a speed; write 0.125 or 1/8");
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -49,8 +50,8 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// "0s:1, 1s:1/8"
-std::vector<pipeline::SpeedKey> ramp_of(std::string_view text) {
+/// Parses a ramp: "0s:1, 1s:1/8".
+std::vector<pipeline::SpeedKey> parse_ramp(std::string_view text) {
     std::vector<pipeline::SpeedKey> ramp;
     while (!text.empty()) {
         const std::size_t comma = std::min(text.find(','), text.size());
@@ -60,8 +61,8 @@ std::vector<pipeline::SpeedKey> ramp_of(std::string_view text) {
             throw InputError("'" + std::string(key) +
                              "' in --ramp is not a film time and a speed; write 1s:1/8");
         }
-        ramp.push_back(
-            {time_of(trimmed(key.substr(0, colon))), speed_of(trimmed(key.substr(colon + 1)))});
+        ramp.push_back({parse_time(trimmed(key.substr(0, colon))),
+                        parse_speed(trimmed(key.substr(colon + 1)))});
         text.remove_prefix(std::min(comma + 1, text.size()));
     }
     return ramp;
@@ -70,26 +71,26 @@ std::vector<pipeline::SpeedKey> ramp_of(std::string_view text) {
 pipeline::RetimeOptions options_of(const RetimeCommand& command) {
     pipeline::RetimeOptions options;
     if (!command.speed.empty()) {
-        options.speed = speed_of(command.speed);
+        options.speed = parse_speed(command.speed);
     }
     if (!command.from.empty()) {
-        options.from = time_of(command.from);
+        options.from = parse_time(command.from);
     }
     if (!command.to.empty()) {
-        options.to = time_of(command.to);
+        options.to = parse_time(command.to);
     }
-    options.ramp = ramp_of(command.ramp);
+    options.ramp = parse_ramp(command.ramp);
     options.is_smooth = command.easing != "linear";
     options.reverse = command.reverse;
     options.rig = command.rig;
     if (!command.easing.empty() && options.ramp.empty()) {
-        throw InputError("--easing has no meaning without --ramp");
+        throw InputError("--easing has no effect without --ramp; give both");
     }
     const bool changes = options.speed || options.from || options.to || options.reverse ||
                          !options.ramp.empty() || !options.rig.empty();
     if (!changes) {
         throw InputError(
-            "nothing is to be changed; give --speed, --from, --to, --reverse, --ramp or --rig");
+            "no change is given; use --speed, --from, --to, --reverse, --ramp or --rig");
     }
     return options;
 }

@@ -16,15 +16,15 @@ namespace carom::cli {
 
 namespace {
 
-const char* what_interruption_leaves(const Command& command) {
+/// Says what an interruption leaves.
+const char* interruption_message(const Command& command) {
     if (std::holds_alternative<RenderCommand>(command)) {
-        return "interrupted; the frames that were finished are kept, and the same command goes on "
-               "from there";
+        return "interrupted; the finished frames are kept, and the same command resumes from there";
     }
     if (std::holds_alternative<CompareCommand>(command)) {
-        return "interrupted; what was measured until then is all that there is";
+        return "interrupted; the results contain only what was measured by then";
     }
-    return "interrupted; nothing was written";  // over in seconds
+    return "interrupted; nothing was written";  // the command takes only seconds
 }
 
 ExitCode run_guarded(const Command& command, const CommandHandler& handler,
@@ -35,7 +35,7 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
         return kDone;
     } catch (const Stopped&) {
         console.end_progress();
-        console.warning(what_interruption_leaves(command));
+        console.warning(interruption_message(command));
         return kInterrupted;
     } catch (const InputError& error) {
         console.end_progress();
@@ -47,12 +47,13 @@ ExitCode run_guarded(const Command& command, const CommandHandler& handler,
     } catch (const std::bad_alloc&) {
         console.end_progress();
         console.error("there is not enough memory");
-    } catch (const std::system_error& error) {  // of a thread that cannot be started
+    } catch (const std::system_error& error) {  // a thread could not be started
         console.end_progress();
-        console.error("the system gives no more: " + error.code().message());
+        console.error("the operating system cannot provide a resource, such as a thread: " +
+                      error.code().message());
     } catch (const std::exception& error) {
         console.end_progress();
-        console.error(std::string("this should not happen: ") + error.what());
+        console.error(std::string("internal error: ") + error.what());
     }
     return kFailed;
 }
@@ -64,9 +65,9 @@ ExitCode run_command(const CommandLine& line, const CommandHandler& handler) {
     std::optional<Interrupts> interrupts;
     try {
         interrupts.emplace(
-            [&console] { console.warning("stopping; a second Ctrl-C stops at once"); });
+            [&console] { console.warning("stopping; press Ctrl-C again to stop immediately"); });
     } catch (const std::exception& error) {
-        console.error(std::string("signals cannot be watched: ") + error.what());
+        console.error(error.what());
         return kFailed;
     }
     CommandContext context{console, interrupts->token()};

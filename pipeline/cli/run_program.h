@@ -1,4 +1,4 @@
-// The frame around every command: console, signals, exit codes.
+// Runs a command with a console, signal handling and exit codes.
 #pragma once
 
 #include <functional>
@@ -13,21 +13,21 @@
 
 namespace carom::cli {
 
-/// The input or the options are not right: exit code 2.
+/// The input or the options are invalid: exit code 2.
 class InputError : public Error {
   public:
     using Error::Error;
 };
 
-/// What a command's handler works with. Handlers return when done; failures are thrown.
+/// The environment of a command's handler. Handlers return after success and throw otherwise.
 struct CommandContext {
     Console& console;
     std::stop_token stop;
-    render::StructureFactory factory = nullptr;  // of a program that has more than the renderer
+    render::StructureFactory factory = nullptr;  // of structures that the renderer does not have
 };
 
-/// Runs a command of the programs `here`. What the others run is not linked. Throws InputError for
-/// their commands.
+/// Runs a command of the programs `here`. Commands of other programs are not linked; for these it
+/// throws InputError.
 template <Program... here>
 void run_here(const Command& command, CommandContext& context) {
     std::visit(
@@ -35,7 +35,7 @@ void run_here(const Command& command, CommandContext& context) {
             if constexpr (((kRowOf<T>.program == here) || ...)) {
                 run(chosen, context);
             } else {
-                throw InputError("this command is run by another program; call carom instead");
+                throw InputError("this program does not have this command; run carom instead");
             }
         },
         command);
@@ -43,11 +43,11 @@ void run_here(const Command& command, CommandContext& context) {
 
 using CommandHandler = std::function<void(const Command&, CommandContext&)>;
 
-/// Runs `handler` and turns what it throws into a sentence on stderr and an exit code.
+/// Runs `handler`. If it throws, prints the error on stderr and returns the exit code for it.
 [[nodiscard]] ExitCode run_command(const CommandLine& line, const CommandHandler& handler);
 
 /// Writes a result to stdout: a whole text, or a path on a line of its own (on a terminal without
-/// its control characters). Throws Error.
+/// control characters). Throws Error.
 void print_text(const std::string& text);
 void print_path(const std::string& path);
 

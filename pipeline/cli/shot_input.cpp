@@ -21,12 +21,12 @@ std::string counted(std::ptrdiff_t count, const char* noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-/// As a compiler would print it, with the severity emphasised.
+/// A problem in the format of a compiler, with the severity in colour.
 std::string text_of(const pipeline::Problem& problem, const Console& console) {
     std::string text = (problem.place.file.empty() ? "carom: " : "") + format(problem);
     const bool is_error = problem.severity == pipeline::Severity::error;
     const std::string word = is_error ? "error:" : "warning:";
-    const std::size_t at = text.find(": " + word + " ");  // behind the place, before the message
+    const std::size_t at = text.find(": " + word + " ");  // between the place and the message
     if (at != std::string::npos) {
         text.replace(at + 2, word.size(),
                      is_error ? console.error_word(word) : console.warning_word(word));
@@ -37,9 +37,9 @@ std::string text_of(const pipeline::Problem& problem, const Console& console) {
     return text;
 }
 
-/// Whether the options change what was simulated. The bake knows the hash of that. An earlier
-/// revision of the simulation made another hash of the same world, so the hash of the shot as it
-/// was baked decides where the two differ.
+/// Whether the options change the world that was simulated. The bake contains its hash. An earlier
+/// revision of the simulation computed another hash of the same world, so if the hashes differ, the
+/// world is compared with that of the shot as it was baked.
 bool changes_physics(const sim::Bake& bake, const pipeline::Shot& changed,
                      const InputOptions& input) {
     const Hash128 physics_hash = sim::physics_hash(changed.world);
@@ -51,21 +51,20 @@ bool changes_physics(const sim::Bake& bake, const pipeline::Shot& changed,
     return plain.shot && sim::physics_hash(plain.shot->world) != physics_hash;
 }
 
-/// The shot that a bake carries, under the options given. They may change the look but not what
-/// was simulated.
-pipeline::LoadResult load_carried_shot(const sim::Bake& bake, const InputOptions& input) {
+/// The shot in a bake, with the options applied. They may change the look but not the physics.
+pipeline::LoadResult load_shot_of_bake(const sim::Bake& bake, const InputOptions& input) {
     pipeline::LoadResult loaded = pipeline::load_shot_text(
         bake.shot_text, input.path, input.overrides, input.quality, input.camera_file, input.root);
-    const bool may_differ = !input.overrides.empty() || !input.quality.empty();
-    if (loaded.shot && may_differ && changes_physics(bake, *loaded.shot, input)) {
+    const bool has_changes = !input.overrides.empty() || !input.quality.empty();
+    if (loaded.shot && has_changes && changes_physics(bake, *loaded.shot, input)) {
         throw InputError("'" + input.path +
-                         "' is a bake: --set cannot change what was simulated; bake the shot "
-                         "again");
+                         "' is a bake: --set cannot change its physics; change the shot and bake "
+                         "it again");
     }
     return loaded;
 }
 
-/// The file to fix, in quotes: what was to be read, or the camera file if all errors are in that.
+/// The file to correct, in quotes: the input, or the camera file if it has all errors.
 std::string faulty_file(const InputOptions& input, const std::vector<pipeline::Problem>& problems) {
     const auto is_elsewhere = [&](const pipeline::Problem& problem) {
         return problem.severity == pipeline::Severity::error &&
@@ -82,7 +81,7 @@ bool is_bake_file(const std::string& path) {
     if (std::filesystem::path(path).extension() == ".bake") {
         return true;
     }
-    // To open a pipe would wait for somebody to write to it.
+    // Opening a pipe would block until another process writes to it.
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) {
         return false;
@@ -106,7 +105,7 @@ CheckedInput load_shot_input(const InputOptions& input) {
     pipeline::LoadResult loaded;
     if (is_bake_file(input.path)) {
         result.bake = read_bake_input(input.path);
-        loaded = load_carried_shot(*result.bake, input);
+        loaded = load_shot_of_bake(*result.bake, input);
     } else {
         loaded = pipeline::load_shot(input.path, input.overrides, input.quality, input.camera_file,
                                      input.root);

@@ -1,4 +1,4 @@
-// Reading what a command was given: a shot, or a bake.
+// Reads the input of a command: a shot or a bake.
 #pragma once
 
 #include <memory>
@@ -17,41 +17,42 @@ namespace carom::cli {
 
 struct ShotInput {
     pipeline::Shot shot;
-    std::optional<sim::Bake> bake;  // if the input was one
+    std::optional<sim::Bake> bake;  // if the input is a bake
     std::shared_ptr<const pipeline::ShotSource> source;
-    bool has_own_cameras = true;  // those of `source`, in their order
+    bool has_own_cameras = true;  // the cameras are those of `source`, in the same order
 };
 
-/// All that is wrong with an input, and the input unless an error is among it.
+/// All problems of an input, and the input unless one of them is an error.
 struct CheckedInput {
     std::vector<pipeline::Problem> problems;
     std::optional<ShotInput> input;
 };
 
-/// Throws InputError as below, but nothing that a problem says.
+/// Reads the input like read_shot_input, but returns its problems. Throws InputError if the options
+/// change the physics of a bake.
 [[nodiscard]] CheckedInput load_shot_input(const InputOptions& input);
 
-/// Whether the file is a bake, by its identifier; a name that ends in .bake promises one.
+/// Whether the file is a bake: its name ends in .bake, or it has the identifier of the format.
 [[nodiscard]] bool is_bake_file(const std::string& path);
 
-/// The bake, checked. Throws InputError.
+/// Reads and verifies a bake. Throws InputError.
 [[nodiscard]] sim::Bake read_bake_input(const std::string& path);
 
 /// Reports all problems on the console; throws InputError if one of them is an error.
 [[nodiscard]] ShotInput accept_shot_input(CheckedInput checked, const InputOptions& input,
                                           Console& console);
 
-/// The shot, or the bake and the shot that it carries. All problems are reported on the console;
-/// throws InputError if one of them is an error, or if the options change the physics of a bake.
+/// Reads the shot, or the bake and the shot in it. All problems are reported on the console. Throws
+/// InputError if one of them is an error, or if the options change the physics of a bake.
 [[nodiscard]] ShotInput read_shot_input(const InputOptions& input, Console& console);
 
-/// As a compiler would print them; one JSON event each if the console talks JSON.
+/// Prints problems in the format of a compiler, or each as a JSON event if the console prints JSON.
 void report_problems(const std::vector<pipeline::Problem>& problems, Console& console);
 
-/// "file", "line", "column", "end_column" ... of one.
+/// The JSON members of a problem: "file", "line", "column", "end_column" and so on.
 [[nodiscard]] JsonMembers members_of(const pipeline::Problem& problem);
 
-/// "2 errors and 1 warning"; empty if there are none.
+/// The number of problems as text: "2 errors and 1 warning"; empty if there are none.
 [[nodiscard]] std::string count_text(const std::vector<pipeline::Problem>& problems);
 
 }  // namespace carom::cli

@@ -16,17 +16,17 @@ double seconds_from_text(const std::string& text) {
         unit.remove_prefix(1);
     }
     constexpr double kLongestFilm = 1e6;  // s
-    const bool known = unit.empty() || unit == "s" || unit == "ms";
+    const bool is_known = unit.empty() || unit == "s" || unit == "ms";
     const double seconds = unit == "ms" ? value / 1000 : value;
-    if (error != std::errc() || !known || !(std::abs(seconds) <= kLongestFilm)) {
+    if (error != std::errc() || !is_known || !(std::abs(seconds) <= kLongestFilm)) {
         throw InputError("'" + text + "' is not a time; write 1.25s or 500ms");
     }
     return seconds;
 }
 
 std::int64_t frame_shown_at(double video_time, const pipeline::Rational& fps) {
-    constexpr double kShareOfAFrame = 1e-6;  // 0.7 s at 10 frames/s is frame 7, whatever 0.7 is
-    return static_cast<std::int64_t>(std::floor(video_time * fps.to_double() + kShareOfAFrame));
+    constexpr double kFrameTolerance = 1e-6;  // 0.7 s at 10 frames/s is frame 7 despite rounding
+    return static_cast<std::int64_t>(std::floor(video_time * fps.to_double() + kFrameTolerance));
 }
 
 }  // namespace carom::cli

@@ -1,4 +1,4 @@
-// Options of the command that measures the renderer itself.
+// The options of the command that measures acceleration structures and triangle kernels.
 #include "pipeline/cli/options/shared_options.h"
 
 namespace carom::cli {
@@ -7,7 +7,7 @@ namespace {
 
 void add_frame_choice(CommandDescription& description, CompareCommand& command) {
     Option& shot = description.argument("SHOT|BAKE", command.input.path,
-                                        "A shot or a bake, one frame of which is measured.");
+                                        "A shot or a bake. One frame of it is measured.");
     shot.is_required = false;
     shot.offers(Offer::files, {"yaml", "yml", "bake"});
     description
@@ -18,11 +18,11 @@ void add_frame_choice(CommandDescription& description, CompareCommand& command) 
         .one_of({"sphere_cube", "cylinder_axes", "cylinder_walls", "full_view", "stadium",
                  "smooth_mesh"});
     description.option("--accelerators", &command.accelerators, "NAMES",
-                       "Measure these structures: all (the default), or some, such as "
+                       "The structures to measure: all (the default), or a list such as "
                        "brute_force,kdtree,rtree.");
     description
         .option("--shadow-rays", &command.shadow_rays, "NAME",
-                "End shadow rays at any hit (the default), at the closest one as the oldest ray "
+                "End shadow rays at any hit (the default) or at the closest hit, as early ray "
                 "tracers did, or measure both.")
         .one_of({"any", "closest", "both"});
     description
@@ -30,7 +30,8 @@ void add_frame_choice(CommandDescription& description, CompareCommand& command) 
                 "The frame of the shot, counted from 0 (the default).")
         .from(0);
     description.option("--size", &command.size, "WxH",
-                       "The size of the picture, such as 160x120. The default is its own.");
+                       "The size of the picture, such as 160x120. The default is the size of the "
+                       "shot or scene.");
 }
 
 void add_output_files(CommandDescription& description, CompareCommand& command) {
@@ -38,22 +39,22 @@ void add_output_files(CommandDescription& description, CompareCommand& command) 
     description.flag("--json", command.json, "Print one JSON object, with all digits.");
     description
         .option("--csv", &command.csv, "FILE",
-                "Write a table as well, with a row for each structure or kernel.")
+                "Also write a CSV table with a row for each structure or kernel.")
         .offers(Offer::files);
-    description.option("--plot", &command.plot, "FILE", "Draw it as well, as .svg or .png.")
+    description.option("--plot", &command.plot, "FILE", "Also draw the results, as .svg or .png.")
         .offers(Offer::files);
     add_drawing(description, command.drawing);
 }
 
-/// Measurements other than of one frame, which exclude what says something about a frame.
+/// Adds the options for other measurements, which exclude the options about a frame.
 void add_other_measurements(CommandDescription& description, CompareCommand& command) {
     const std::vector<std::string> about_a_frame{"SHOT|BAKE", "--scene",  "--shadow-rays",
                                                  "--frame",   "--size",   "--set",
                                                  "--quality", "--threads"};
     description
         .option("--growth", &command.growth, "NAME",
-                "Measure how the cost of a ray grows with the number of shapes: of spheres, of "
-                "the triangles of a mesh, or of balls, half of which move.")
+                "Measure how the cost of a ray grows with the number of shapes: spheres, the "
+                "triangles of a mesh, or balls, half of which move.")
         .one_of({"spheres", "mesh", "balls"})
         .excludes(about_a_frame);
     description
@@ -65,11 +66,11 @@ void add_other_measurements(CommandDescription& description, CompareCommand& com
     excluded.insert(excluded.end(), {"--accelerators", "--growth"});
     description
         .option("--triangles", &command.triangles, "NAMES",
-                "Measure ray-triangle kernels: all, or some, such as wald,badouel.")
+                "Measure ray-triangle kernels instead: all, or a list such as wald,badouel.")
         .excludes(excluded);
     description
         .option("--rounds", &command.rounds, "N",
-                "How often each kernel is timed (default 5; 6 s per round for all of them).")
+                "How often each kernel is timed (default 5; a round of all kernels takes 6 s).")
         .needs("--triangles")
         .between(1, 1000);
 }
@@ -78,13 +79,13 @@ void add_other_measurements(CommandDescription& description, CompareCommand& com
 
 void describe(CompareCommand& command, CommandDescription& description) {
     description.details = {
-        "Every structure renders the same picture. They differ in the number of intersection tests "
-        "per ray and in the time. Tests are counted in a frame of their own, so that counting "
-        "takes no time from the frame that is timed. Brute force with more than 10^9 tests is "
-        "computed instead of measured, and marked so.",
+        "All structures render the same picture, but differ in the number of intersection tests "
+        "per ray and in the time. Tests are counted in a separate frame, so that counting does not "
+        "slow down the frame that is timed. With more than 10^9 tests, the numbers of brute force "
+        "are computed instead of measured, and marked as such.",
         "Triangle kernels are measured on one thread: with random rays and with rays that all hit, "
         "one, four and eight at a time, in float and double, with their errors.",
-        "Ctrl-C ends the command with what is measured by then."};
+        "Ctrl-C ends the command and prints what was measured by then."};
     add_frame_choice(description, command);
     add_changes(description, command.input);
     add_output_files(description, command);
@@ -96,7 +97,7 @@ void describe(CompareCommand& command, CommandDescription& description) {
         {"carom compare break.yaml --frame 40 --accelerators kdtree,embree",
          "Two structures on a frame of a shot."},
         {"carom compare --scene cylinder_walls --shadow-rays both --plot walls.svg",
-         "What shadow rays save that end at any hit."},
+         "How much shadow rays save if they end at any hit."},
         {"carom compare --growth mesh --accelerators bvh,wide_bvh,embree",
          "How the cost grows with the size of a mesh."},
         {"carom compare --triangles all --csv kernels.csv", "All triangle kernels, as a table."}};

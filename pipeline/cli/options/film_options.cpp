@@ -1,4 +1,4 @@
-// Options of the commands that render, and of the film of stored frames.
+// The options of the commands that render, and of the command that writes a film of stored frames.
 #include "pipeline/cli/options/shared_options.h"
 
 namespace carom::cli {
@@ -12,20 +12,21 @@ constexpr const char* kFilmFile =
 void add_retime_times(CommandDescription& description, RetimeCommand& retime) {
     description.option("--speed", &retime.speed, "RATIO",
                        "Seconds of the scene per second of film: 0.125 or 1/8. The default is the "
-                       "speed that the film has.");
-    description.option("--from", &retime.from, "TIME",
-                       "Begin at this scene time. Without it and --to everything is shown.");
+                       "speed of the original film.");
+    description.option(
+        "--from", &retime.from, "TIME",
+        "Begin at this scene time. Without --from and --to the whole film is shown.");
     description.option("--to", &retime.to, "TIME", "End at this scene time.");
     description.flag("--reverse", retime.reverse, "Play backwards.");
     description.option("--ramp", &retime.ramp, "T:V,...",
-                       "Change the speed in the course of the film, given as film times and "
-                       "speeds: 0s:1,1s:1/8,3s:1/8,4s:1. The last time is the film's length.");
+                       "Change the speed during the film, as a list of film times and speeds: "
+                       "0s:1,1s:1/8,3s:1/8,4s:1. The last time is the length of the film.");
     description
         .option("--easing", &retime.easing, "NAME",
-                "How the ramp changes: smooth (the default) or linear.")
+                "How the speed changes between the times of the ramp: smooth (the default) or "
+                "linear.")
         .one_of({"smooth", "linear"});
-    description
-        .option("--rig", &retime.rig, "NAME", "Show only what this camera of the shot films.")
+    description.option("--rig", &retime.rig, "NAME", "Use only this camera of the shot.")
         .offers(Offer::cameras);
 }
 
@@ -33,16 +34,17 @@ void add_retime_times(CommandDescription& description, RetimeCommand& retime) {
 
 void describe(RenderCommand& command, CommandDescription& description) {
     description.details = {
-        "Finished frames are kept: a run that was interrupted resumes when the command is "
-        "repeated, and a film that changes in part renders only that part again."};
+        "Finished frames are stored in the cache. So an interrupted run resumes when the command "
+        "is repeated, and after a change only the frames that it affects are rendered again."};
     add_input(description, command.input);
     add_changes(description, command.input);
     add_camera_file(description, command.input);
     add_output(description, command.output, kFilmFile);
     add_frames(description, command.frames);
     description.option("--chunk", &command.chunk, "K/N",
-                       "Render one machine's part of the frames, such as 2/8, and write no film. "
-                       "'carom mux' writes the film when all parts are rendered.");
+                       "Render only part K of N of the frames, such as 2/8, and write no film. Use "
+                       "it to distribute a film over machines. 'carom mux' writes the film when "
+                       "all parts are rendered.");
     add_dry_run(description, command.dry_run);
     add_threads(description, command.threads);
     add_cache(description, command.cache);
@@ -55,8 +57,8 @@ void describe(RenderCommand& command, CommandDescription& description) {
 
 void describe(RetimeCommand& command, CommandDescription& description) {
     description.details = {
-        "The cameras follow the same paths as in the original film. A shot whose bake was kept is "
-        "not simulated again, and frames that the film already has are not rendered again."};
+        "The cameras follow the same paths as in the original film. If the cache has the bake, the "
+        "shot is not simulated again, and frames in the cache are not rendered again."};
     RenderCommand& render = command.render;
     add_input(description, render.input);
     add_changes(description, render.input);
@@ -90,15 +92,16 @@ void describe(FrameCommand& command, CommandDescription& description) {
     add_threads(description, command.threads);
     add_cache(description, command.cache);
     description.examples = {
-        {"carom frame break.yaml --at 1.25s -o contact.png", "The film's picture at that time."},
+        {"carom frame break.yaml --at 1.25s -o contact.png", "The frame of the film at 1.25 s."},
         {"carom frame break.yaml --frame 40 --quality draft",
          "Frame 40 with few samples, as break.0040.png."}};
 }
 
 void describe(ContactSheetCommand& command, CommandDescription& description) {
     description.details = {
-        "The frames have draft quality unless --quality says otherwise. Each shows its number, its "
-        "scene time and its camera. They are kept like those of a film."};
+        "The frames have draft quality unless --quality is given. Each is labelled with its "
+        "number, "
+        "its scene time and its camera. The frames are stored in the cache like those of a film."};
     add_input(description, command.input);
     add_changes(description, command.input);
     add_camera_file(description, command.input);
@@ -106,11 +109,14 @@ void describe(ContactSheetCommand& command, CommandDescription& description) {
                "The picture: .png, .jpg, .bmp or .tga. The default is the shot's name and "
                "_sheet.png.");
     description
-        .option("--count", &command.count, "N", "How many frames, evenly spread (default 12).")
+        .option("--count", &command.count, "N",
+                "The number of frames, evenly distributed over the film (default 12).")
         .between(1, 400);
-    description.option("--columns", &command.columns, "N", "How many side by side (default 4).")
+    description
+        .option("--columns", &command.columns, "N", "The number of frames in a row (default 4).")
         .between(1, 40);
-    description.option("--width", &command.width, "N", "The width of each in pixels (default 320).")
+    description
+        .option("--width", &command.width, "N", "The width of each frame in pixels (default 320).")
         .between(32, 2000);
     add_threads(description, command.threads);
     add_cache(description, command.cache);
@@ -120,7 +126,7 @@ void describe(ContactSheetCommand& command, CommandDescription& description) {
 
 void describe(MuxCommand& command, CommandDescription& description) {
     description.details = {
-        "This command renders nothing. If frames are missing, it names them and ends with exit "
+        "This command renders nothing. If frames are missing, it lists them and ends with exit "
         "code 1."};
     add_input(description, command.input);
     add_changes(description, command.input);
@@ -130,8 +136,8 @@ void describe(MuxCommand& command, CommandDescription& description) {
     add_cache(description, command.cache);
     description.examples = {
         {"carom render break.yaml --chunk 1/2 && carom render break.yaml --chunk 2/2",
-         "The frames, perhaps on two machines that share a cache."},
-        {"carom mux break.yaml -o break.mp4", "The film of them."}};
+         "Render the frames in two parts, perhaps on two machines that share a cache."},
+        {"carom mux break.yaml -o break.mp4", "Write the film from these frames."}};
 }
 
 }  // namespace carom::cli

@@ -1,4 +1,4 @@
-// Options that several commands have.
+// Options that several commands share.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace carom::cli {
 
-/// SHOT|BAKE.
+/// The argument SHOT|BAKE.
 void add_input(CommandDescription& description, InputOptions& input);
 /// --set, --quality and --root.
 void add_changes(CommandDescription& description, InputOptions& input);

@@ -18,7 +18,7 @@ namespace {
 constexpr double kSecondsBetweenBars = 0.1;
 constexpr double kSecondsBeforeFirstLine = 2;
 constexpr double kSecondsBetweenLines = 5;
-constexpr int kUsualColumns = 80;
+constexpr int kDefaultColumns = 80;
 
 // ECMA-48: carriage return and erase the line; colours.
 constexpr const char* kEraseLine = "\r\x1b[K";
@@ -37,7 +37,7 @@ std::string utc_text(std::chrono::system_clock::time_point time) {
     return fmt::format("{}.{:03}Z", date.data(), milliseconds % 1000);
 }
 
-/// The last word on what reaches the screen: keeps the bar below the lines.
+/// Writes to the terminal and keeps the bar below the lines.
 class Screen {
   public:
     explicit Screen(ConsoleSettings settings) : settings_(std::move(settings)) {}
@@ -81,7 +81,7 @@ std::string json_line(const char* name, std::string_view value, const JsonMember
 struct Console::State {
     explicit State(ConsoleSettings given) : screen(std::move(given)) {}
 
-    /// A line for people or for machines. `level`: "info", "warning" or "error".
+    /// Writes a message as text or JSON. `level`: "info", "warning" or "error".
     void write_message(const char* level, const std::string& prefix, const std::string& message) {
         const std::lock_guard lock(mutex);
         screen.write_lines(screen.settings().json
@@ -97,7 +97,7 @@ struct Console::State {
 
 Console::Console(ConsoleSettings settings) {
     if (!settings.columns) {
-        settings.columns = [] { return kUsualColumns; };
+        settings.columns = [] { return kDefaultColumns; };
     }
     state_ = std::make_unique<State>(std::move(settings));
 }
@@ -149,20 +149,20 @@ void Console::progress(const ProgressSnapshot& snapshot) {
     if (settings.quiet) {
         return;
     }
-    const bool bar = settings.terminal && !settings.json;
+    const bool has_bar = settings.terminal && !settings.json;
     const double now = settings.clock();
     if (snapshot.stage != state.last_stage) {
         state.last_stage = snapshot.stage;
-        // A stage that is over at once is not worth a line.
-        state.next_progress = now + (bar || settings.json ? 0 : kSecondsBeforeFirstLine);
+        // No line is written for a stage that ends within this time.
+        state.next_progress = now + (has_bar || settings.json ? 0 : kSecondsBeforeFirstLine);
     }
     if (now < state.next_progress) {
         return;
     }
-    state.next_progress = now + (bar ? kSecondsBetweenBars : kSecondsBetweenLines);
+    state.next_progress = now + (has_bar ? kSecondsBetweenBars : kSecondsBetweenLines);
     if (settings.json) {
         state.screen.write_lines(json_line("event", "progress", progress_json(snapshot)));
-    } else if (bar) {
+    } else if (has_bar) {
         state.screen.draw_bar(progress_bar(snapshot, settings.columns() - 1));
     } else {
         state.screen.write_lines("carom: " + progress_line(snapshot) + "\n");

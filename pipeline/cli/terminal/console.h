@@ -1,4 +1,4 @@
-// Everything that a command says to the person or program that called it, on stderr.
+// Prints the messages and the progress of a command on stderr, for users or for programs.
 #pragma once
 
 #include <functional>
@@ -13,17 +13,17 @@ namespace carom::cli {
 
 struct ConsoleSettings {
     bool json = false;      // one JSON object per line, whatever else is set
-    bool quiet = false;     // errors and warnings only
-    bool terminal = false;  // a bar that is drawn over itself; otherwise a line every few seconds
+    bool quiet = false;     // print only errors and warnings
+    bool terminal = false;  // redraw a progress bar; otherwise write a line every few seconds
     bool colour = false;
 
     std::function<int()> columns{};                 // of the terminal; empty: 80
-    std::function<double()> clock{};                // seconds, steady
-    std::function<void(std::string_view)> write{};  // whole lines, or the bar with its controls
+    std::function<double()> clock{};                // a steady clock, in seconds
+    std::function<void(std::string_view)> write{};  // gets whole lines, or the bar with controls
 };
 
-/// stderr of this process: terminal, width and colour as the environment has them (NO_COLOR,
-/// TERM=dumb).
+/// The settings for stderr of this process. Terminal, width and colour are detected; NO_COLOR and
+/// TERM=dumb are respected.
 [[nodiscard]] ConsoleSettings console_on_stderr(bool json, bool quiet);
 
 /// Lines and the progress bar share the terminal: a line is written above the bar. Any thread may
@@ -39,19 +39,19 @@ class Console {
     void warning(const std::string& message);
     void error(const std::string& message);
 
-    /// `word` as messages of that kind show it: in colour where the terminal has any.
+    /// `word` in the colour of such messages, if the console uses colour.
     [[nodiscard]] std::string error_word(const std::string& word) const;
     [[nodiscard]] std::string warning_word(const std::string& word) const;
 
-    /// An event of its own kind: `members` for machines, `text` (whole lines) for people. Not
-    /// silenced by quiet if `important`.
+    /// Prints an event of the given kind: `members` as JSON, otherwise `text` (whole lines). If
+    /// `important`, it is also printed in quiet mode.
     void event(std::string_view kind, const JsonMembers& members, const std::string& text,
                bool important);
 
-    /// Shown at most ten times a second as a bar, every few seconds as a line.
+    /// Shows progress: as a bar at most ten times a second, or as a line every few seconds.
     void progress(const ProgressSnapshot& snapshot);
 
-    /// Takes the bar away.
+    /// Erases the bar.
     void end_progress();
 
   private:

@@ -44,7 +44,7 @@ std::string rate_text(double value, const std::string& unit) {
     constexpr std::array kPrefixes{Prefix{1e9, "G"}, Prefix{1e6, "M"}, Prefix{1e3, "k"}};
     const char* letter = "";
     for (const Prefix& prefix : kPrefixes) {
-        // 0.9995 and more would be rounded to 1000 of the lesser prefix
+        // 0.9995 and more would be rounded to 1000 with the smaller prefix
         if (value >= 0.9995 * prefix.factor) {
             value /= prefix.factor;
             letter = prefix.letter;

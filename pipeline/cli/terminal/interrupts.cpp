@@ -22,8 +22,8 @@ constexpr int kInterruptedExitCode = 130;
 constexpr char kSignalled = 's';
 constexpr char kFinished = 'f';
 
-// What the handler may touch: lock-free atomics and a pipe to the watching thread. A stop_source
-// may not be triggered from a handler, since that runs callbacks and takes locks.
+// A signal handler may only use lock-free atomics and the pipe to the watching thread. It must not
+// trigger a stop_source, since that runs callbacks and takes locks.
 std::atomic<int> signal_count{0};
 std::atomic<int> pipe_to_watcher{-1};
 static_assert(std::atomic<int>::is_always_lock_free);
@@ -56,7 +56,8 @@ Interrupts::Interrupts(std::function<void()> on_interrupt)
     : on_interrupt_(std::move(on_interrupt)) {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-        throw Error("cannot watch for signals: " + std::generic_category().message(errno));
+        throw Error("cannot create a pipe to handle signals: " +
+                    std::generic_category().message(errno));
     }
     signal_count = 0;
     pipe_to_watcher = ends[1];
@@ -67,7 +68,7 @@ Interrupts::Interrupts(std::function<void()> on_interrupt)
         if (what == kSignalled) {
             on_interrupt_();
             source_.request_stop();
-            // The destructor's letter may still come.
+            // The destructor will still write its byte.
             while (::read(read_end, &what, 1) < 0 && errno == EINTR) {
             }
         }

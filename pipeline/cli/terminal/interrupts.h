@@ -1,4 +1,4 @@
-// Ctrl-C and its relatives.
+// Handles Ctrl-C and other signals that ask the program to stop.
 #pragma once
 
 #include <functional>
@@ -7,11 +7,11 @@
 
 namespace carom::cli {
 
-/// As long as it lives, the first SIGINT, SIGTERM or SIGHUP triggers token() and calls
-/// `on_interrupt`, on a thread of its own; the second one ends the process at once with exit code
-/// 130. Signals that the process was started to ignore (nohup, a shell's background job) stay
-/// ignored. SIGPIPE is ignored: writing to a closed pipe fails like any other write. One object at
-/// a time in a process; construct it before other threads.
+/// While an object exists, the first SIGINT, SIGTERM or SIGHUP calls `on_interrupt` and triggers
+/// token(), on a separate thread; the second one ends the process immediately with exit code 130.
+/// Signals that were already ignored when the process started (nohup, background jobs of a shell)
+/// remain ignored. SIGPIPE is ignored, so that writing to a closed pipe fails like any other write.
+/// A process may have one object at a time, which must be constructed before other threads start.
 class Interrupts {
   public:
     explicit Interrupts(std::function<void()> on_interrupt);

@@ -33,19 +33,19 @@ void ProgressMeter::on_frame(bool found, std::uint64_t rays, double now) {
 
 std::optional<double> ProgressMeter::seconds_left(double elapsed) const {
     if (stage_ == kRenderStage && frames_total_ > 0) {
-        // Found frames take no time and say nothing about the others; frames in progress count as
-        // far as the share tells.
+        // Found frames take no time, so they are excluded from the rate. A frame in progress counts
+        // by its fraction.
         const auto total = static_cast<double>(frames_total_);
         const double reached = std::max(fraction_ * total, static_cast<double>(frames_done_));
         const double worked = reached - static_cast<double>(frames_found_);
-        constexpr double kTooLittle = 0.1;  // frames
-        if (worked < kTooLittle) {
+        constexpr double kMinFrames = 0.1;
+        if (worked < kMinFrames) {
             return std::nullopt;
         }
         return elapsed / worked * std::max(total - reached, 0.0);
     }
-    constexpr double kTooEarly = 0.01;
-    if (fraction_ < kTooEarly) {
+    constexpr double kMinFraction = 0.01;
+    if (fraction_ < kMinFraction) {
         return std::nullopt;
     }
     return elapsed * (1 - fraction_) / fraction_;
@@ -66,7 +66,7 @@ ProgressSnapshot ProgressMeter::snapshot(double now) const {
                 static_cast<double>(frames_done_) / static_cast<double>(frames_total_);
             snapshot.fraction = std::clamp(std::max(fraction_, by_frames), 0.0, 1.0);
         }
-        // Rays are known when their frame is finished: between two frames the rate stands.
+        // Rays are known only when a frame is finished, so the rate is constant between two frames.
         if (rays_ > 0 && last_frame_ > stage_begin_) {
             snapshot.rays_rate = static_cast<double>(rays_) / (last_frame_ - stage_begin_);
         }

@@ -1,4 +1,4 @@
-// What a job has done so far, how fast, and how long the rest will take.
+// Measures the progress of a job, its speed, and the remaining time.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@ struct ProgressSnapshot {
     double fraction = 0;              // of the stage, [0, 1]
     std::int64_t frames_total = 0;    // 0: the stage has no frames to count
     std::int64_t frames_done = 0;     // rendered or found
-    std::int64_t frames_found = 0;    // of these, finished by an earlier run
+    std::int64_t frames_found = 0;    // of these, frames that an earlier run finished
     double elapsed = 0;               // s since the stage began
-    std::optional<double> left;       // s, once there is something to go by
+    std::optional<double> left;       // s; empty until it can be estimated
     std::optional<double> rays_rate;  // per second of the stage
 };
 
-/// Adds up what a job's observer is told. Times are seconds of any steady clock. For one thread at
-/// a time.
+/// Accumulates the calls of a job's observer. Times are seconds of any steady clock. For one thread
+/// at a time.
 class ProgressMeter {
   public:
-    /// Frames that the "render" stage is going to take.
+    /// Sets the number of frames of the "render" stage.
     void expect_frames(std::int64_t total) { frames_total_ = total; }
 
     void on_progress(std::string_view stage, double fraction, double now);

@@ -15,7 +15,7 @@ namespace {
 constexpr int kWidestBar = 40;
 constexpr int kNarrowestBar = 8;
 
-// Rounded down: 100 % means done.
+// Rounded down, so that 100 % means finished.
 std::string percent(double fraction) {
     return fmt::format("{}", std::lround(std::floor(fraction * 100)));
 }
@@ -30,7 +30,7 @@ std::string bar_of(double fraction, int width) {
     return "[" + bar + "]";
 }
 
-/// What stands right of the bar, the most useful first.
+/// The texts on the right of the bar, the most useful first.
 std::vector<std::string> bar_details(const ProgressSnapshot& snapshot) {
     std::vector<std::string> details;
     if (snapshot.frames_total > 0) {

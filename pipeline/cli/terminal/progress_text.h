@@ -1,4 +1,4 @@
-// A job's progress as a bar, as a line and as JSON.
+// Formats a job's progress as a bar, as a line and as JSON.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace carom::cli {
 
-/// For a terminal, without a line break, at most `columns` wide:
+/// The progress as a bar for a terminal, without a line break, at most `columns` wide:
 ///   render [=========>                    ]  12/240  5 %  1 min 20 s left  8.12 Mrays/s
-/// What does not fit is left out from the right, the bar shrinks first.
+/// If it does not fit, first the bar shrinks, then texts are omitted from the right.
 [[nodiscard]] std::string progress_bar(const ProgressSnapshot& snapshot, int columns);
 
-/// For a log: "render: 12 of 240 frames (5 %, 3 from an earlier run), 1 min 20 s left, 8.12
-/// Mrays/s".
+/// The progress as a line of a log: "render: 12 of 240 frames (5 %, 3 from an earlier run), 1 min
+/// 20 s left, 8.12 Mrays/s".
 [[nodiscard]] std::string progress_line(const ProgressSnapshot& snapshot);
 
-/// For machines.
+/// The progress as JSON members.
 [[nodiscard]] JsonMembers progress_json(const ProgressSnapshot& snapshot);
 
 }  // namespace carom::cli

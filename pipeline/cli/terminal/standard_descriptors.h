@@ -1,11 +1,11 @@
-// Standard input, output and error of a process that was started without them.
+// Reserves standard input, output and error in a process that was started without them.
 #pragma once
 
 namespace carom::cli {
 
-/// Gives descriptors 0 to 2 that are closed (`carom … 2>&-`) to something that can be neither read
-/// from nor written to. Otherwise the next file that is opened would get the number, and messages
-/// would end up in a film. Call it before anything is opened.
-void hold_standard_descriptors();
+/// If descriptor 0, 1 or 2 is closed (`carom … 2>&-`), opens it so that reading and writing still
+/// fail. Otherwise the next file that is opened would get this descriptor, and messages would be
+/// written to a film. Must be called before anything is opened.
+void reserve_standard_descriptors();
 
 }  // namespace carom::cli

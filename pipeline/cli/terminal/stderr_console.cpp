@@ -12,7 +12,7 @@ namespace carom::cli {
 
 namespace {
 
-constexpr int kUsualColumns = 80;
+constexpr int kDefaultColumns = 80;
 
 bool environment_has(const char* name) {
     const char* value = std::getenv(name);
@@ -22,7 +22,7 @@ bool environment_has(const char* name) {
 int columns_of_stderr() {
     winsize size{};
     const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-    return known ? static_cast<int>(size.ws_col) : kUsualColumns;
+    return known ? static_cast<int>(size.ws_col) : kDefaultColumns;
 }
 
 double steady_seconds() {
@@ -31,7 +31,7 @@ double steady_seconds() {
 }
 
 void write_to_stderr(std::string_view text) {
-    // If nobody listens any more the work goes on.
+    // Errors are ignored: the work continues even if stderr was closed.
     static_cast<void>(write_all(STDERR_FILENO, std::as_bytes(std::span(text))));
 }
 

@@ -1,4 +1,4 @@
-// plan, new and schema, run as a user runs them.
+// End-to-end tests of plan, report --plot, info, contact-sheet, new, schema and import-track.
 #include "tests/pipeline/cli/end_to_end.h"
 
 namespace carom::cli {
@@ -22,14 +22,14 @@ TEST_F(AuthoringCommands, PlanOfShotAndOfItsBake_AreTheSameDrawing) {
     EXPECT_EQ(run({"plan", "tiny.bake", "-o", "-"}).out, text_of("p.svg"));
 }
 
-TEST_F(AuthoringCommands, PlanOfAnUnknownKind_IsRefused) {
+TEST_F(AuthoringCommands, PlanInAnUnknownFormat_IsRejected) {
     const RunResult result = run({"plan", "tiny.yaml", "-o", "p.gif"});
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.err, HasSubstr("'p.gif': a plan is written as .svg or .png"));
+    EXPECT_THAT(result.err, HasSubstr("'p.gif': a plan can only be written as .svg or .png"));
     EXPECT_THAT(results(), IsEmpty());
 }
 
-/// Width and height of a PNG file (RFC 2083, IHDR), 0 if it is none.
+/// Width and height of a PNG file (RFC 2083, IHDR), 0 if it is not a PNG file.
 std::pair<int, int> png_size(const std::string& bytes) {
     if (!bytes.starts_with("\x89PNG\r\n\x1a\n") || bytes.size() < 24) {
         return {0, 0};
@@ -44,7 +44,7 @@ std::pair<int, int> png_size(const std::string& bytes) {
     return {number(16), number(20)};
 }
 
-TEST_F(AuthoringCommands, PlanAsPng_IsAPictureOfThatWidth) {
+TEST_F(AuthoringCommands, PlanAsPng_HasTheGivenWidth) {
     const RunResult result = run({"plan", "tiny.yaml", "-o", "p.png", "--width", "300"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out, "p.png\n");
@@ -56,7 +56,7 @@ TEST_F(AuthoringCommands, PlanAsPng_IsAPictureOfThatWidth) {
     EXPECT_NE(text_of("p.png"), light);
 }
 
-TEST_F(AuthoringCommands, MissingDrawingProgram_IsSaid) {
+TEST_F(AuthoringCommands, MissingDrawingProgram_IsAnError) {
     std::filesystem::create_directory(path("bin"));
     std::filesystem::copy_file(carom::testing::carom_program(), path("bin/carom"));
     const RunResult result = carom::testing::RunningProgram(
@@ -67,7 +67,7 @@ TEST_F(AuthoringCommands, MissingDrawingProgram_IsSaid) {
     EXPECT_FALSE(exists("p.png"));
 }
 
-TEST_F(AuthoringCommands, ReportPlot_IsWrittenAloneOrBesideTheReport) {
+TEST_F(AuthoringCommands, ReportPlot_IsWrittenAloneOrWithTheReport) {
     const RunResult alone = run({"report", "tiny.yaml", "--plot", "s.svg"});
     EXPECT_EQ(alone.exit_code, 0) << alone.err;
     EXPECT_EQ(alone.out, "s.svg\n");
@@ -81,12 +81,12 @@ TEST_F(AuthoringCommands, ReportPlot_IsWrittenAloneOrBesideTheReport) {
     EXPECT_EQ(run({"report", "tiny.yaml", "--plot", "s.pdf"}).exit_code, 2);
 }
 
-TEST_F(AuthoringCommands, Info_SumsUpOrExplainsEveryValue) {
+TEST_F(AuthoringCommands, Info_PrintsASummaryOrEveryValue) {
     const RunResult brief = run({"info", "tiny.yaml"});
     EXPECT_EQ(brief.exit_code, 0) << brief.err;
     EXPECT_THAT(brief.out, HasSubstr("film        6 frames, 10 per second, 0.6 s, 64x36, 4 samples "
                                      "a pixel, .mp4\n"));
-    EXPECT_THAT(brief.out, HasSubstr("bodies      2 balls, 0 others, 1 events of force\n"));
+    EXPECT_THAT(brief.out, HasSubstr("bodies      2 balls, 0 other bodies, 1 force events\n"));
     const RunResult whole = run({"info", "tiny.yaml", "--resolved", "--set", "render.fps=12"});
     EXPECT_EQ(whole.exit_code, 0) << whole.err;
     EXPECT_THAT(whole.out,
@@ -100,7 +100,7 @@ TEST_F(AuthoringCommands, Info_SumsUpOrExplainsEveryValue) {
     EXPECT_EQ(run({"export", "a.bake", "-o", "-"}).out, run({"export", "b.bake", "-o", "-"}).out);
 }
 
-TEST_F(AuthoringCommands, ContactSheet_HasFramesInAGridAndKeepsThem) {
+TEST_F(AuthoringCommands, ContactSheet_HasFramesInAGridAndStoresThem) {
     const RunResult result = run({"contact-sheet", "tiny.yaml", "-o", "s.png", "--count", "3",
                                   "--columns", "2", "--width", "64"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -117,16 +117,16 @@ TEST_F(AuthoringCommands, ContactSheet_HasFramesInAGridAndKeepsThem) {
     EXPECT_EQ(stored_frames(), 3);
 }
 
-TEST_F(AuthoringCommands, ContactSheet_TakesNoMoreFramesThanThereAre) {
+TEST_F(AuthoringCommands, ContactSheet_HasAtMostTheFramesOfTheFilm) {
     ASSERT_EQ(run({"contact-sheet", "tiny.yaml", "--width", "32"}).exit_code, 0);
     EXPECT_EQ(png_size(text_of("tiny_sheet.png")), std::pair(148, 103));  // 6 frames in 4 columns
     EXPECT_EQ(stored_frames(), 6);
     const RunResult result = run({"contact-sheet", "tiny.yaml", "-o", "s.exr"});
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.err, HasSubstr("cannot write a sheet to 's.exr'"));
+    EXPECT_THAT(result.err, HasSubstr("cannot write a contact sheet to 's.exr'"));
 }
 
-TEST_F(AuthoringCommands, New_WritesAShotThatChecksAndOverwritesNothing) {
+TEST_F(AuthoringCommands, New_WritesAValidShotAndOverwritesNothing) {
     const RunResult result = run({"new", "my shot.yaml", "--template", "massé"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out, "my shot.yaml\n");
@@ -134,12 +134,12 @@ TEST_F(AuthoringCommands, New_WritesAShotThatChecksAndOverwritesNothing) {
     EXPECT_EQ(run({"check", "my shot.yaml"}).exit_code, 0);
     const RunResult again = run({"new", "my shot.yaml"});
     EXPECT_EQ(again.exit_code, 2);
-    EXPECT_THAT(again.err, HasSubstr("is there already; --force writes over it"));
+    EXPECT_THAT(again.err, HasSubstr("already exists; use --force to overwrite it"));
     EXPECT_EQ(run({"new", "my shot.yaml", "--force", "--template", "empty"}).exit_code, 0);
     EXPECT_EQ(run({"new", "a.yaml", "--template", "brek"}).exit_code, 2);
 }
 
-TEST_F(AuthoringCommands, Schema_GoesToStdoutOrAFile) {
+TEST_F(AuthoringCommands, Schema_IsWrittenToStdoutOrAFile) {
     const RunResult result = run({"schema"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_THAT(result.out, HasSubstr("http://json-schema.org/draft-07/schema#"));
@@ -147,7 +147,7 @@ TEST_F(AuthoringCommands, Schema_GoesToStdoutOrAFile) {
     EXPECT_EQ(text_of("s.json"), result.out);
 }
 
-TEST_F(AuthoringCommands, ImportTrack_MakesAFileToIncludeOfAnExport) {
+TEST_F(AuthoringCommands, ImportTrackOfAnExport_WritesAFileToInclude) {
     ASSERT_EQ(run({"export", "tiny.yaml", "--rate", "100", "-o", "t.csv"}).exit_code, 0);
     const RunResult result =
         run({"import-track", "t.csv", "--object", "one", "--name", "ghost", "-o", "ghost.yaml"});
@@ -160,12 +160,12 @@ TEST_F(AuthoringCommands, ImportTrack_MakesAFileToIncludeOfAnExport) {
             "include: ghost.yaml\nobjects: {ghost: {box: [0.05, 0.05, 0.05]}}\n");
     const RunResult checked = run({"check", "with.yaml"});
     EXPECT_EQ(checked.exit_code, 0) << checked.err;
-    // It is where the ball was, and exported again.
+    // The imported object has the motion of the ball and can be exported again.
     const RunResult again = run({"export", "with.yaml", "--rate", "10", "-o", "-"});
     EXPECT_THAT(again.out, HasSubstr("\nghost,0.6,"));
 }
 
-TEST_F(AuthoringCommands, ImportTrackOfABrokenTable_SaysWhereAndIsExitCode2) {
+TEST_F(AuthoringCommands, ImportTrackOfAnInvalidTable_ReportsPlacesWithExitCode2) {
     carom::testing::write_text(path("t.csv"), "time,x,y,z\n0,0,0,a\n1,0,0\n");
     const RunResult result = run({"import-track", "t.csv"});
     EXPECT_EQ(result.exit_code, 2);

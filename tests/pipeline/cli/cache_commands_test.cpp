@@ -1,4 +1,4 @@
-// cache, mux, chunks and --dry-run, run as a user runs them.
+// End-to-end tests of cache, mux, chunks and --dry-run.
 #include "tests/pipeline/cli/end_to_end.h"
 
 namespace carom::cli {
@@ -13,7 +13,7 @@ using ::testing::StartsWith;
 
 class CacheCommands : public EndToEnd {
   protected:
-    /// The largest frame that is stored.
+    /// The path of one stored frame.
     [[nodiscard]] std::string some_frame() const {
         for (const auto& entry :
              std::filesystem::recursive_directory_iterator(path("cache/frames"))) {
@@ -25,17 +25,18 @@ class CacheCommands : public EndToEnd {
     }
 };
 
-TEST_F(CacheCommands, ChunksThenMux_GiveTheFilm) {
+TEST_F(CacheCommands, ChunksAndMux_GiveTheFilm) {
     ASSERT_EQ(run({"render", "tiny.yaml", "-o", "whole.mp4", "--cache", "cache2"}).exit_code, 0);
     const RunResult first = run({"render", "tiny.yaml", "--chunk", "1/2"});
     EXPECT_EQ(first.exit_code, 0) << first.err;
     EXPECT_EQ(first.out, "");
     EXPECT_THAT(results(), ElementsAre("whole.mp4"));
     EXPECT_EQ(run({"render", "tiny.yaml", "--dry-run"}).out,
-              "there: 0-2\nto render: 3-5\n6 frames, 3 there, 3 to render\n");
+              "stored: 0-2\nto render: 3-5\n6 frames, 3 stored, 3 to render\n");
     const RunResult early = run({"mux", "tiny.yaml", "-o", "film.mp4"});
     EXPECT_EQ(early.exit_code, 1);
-    EXPECT_THAT(early.err, HasSubstr("3 of 6 frames are not in the cache: 3-5"));
+    EXPECT_THAT(early.err,
+                HasSubstr("3 of 6 frames are not in the cache: 3-5; 'carom render' renders them"));
     EXPECT_EQ(run({"render", "tiny.yaml", "--chunk", "2/2"}).exit_code, 0);
     const RunResult mux = run({"mux", "tiny.yaml", "-o", "film.mp4"});
     EXPECT_EQ(mux.exit_code, 0) << mux.err;
@@ -43,29 +44,36 @@ TEST_F(CacheCommands, ChunksThenMux_GiveTheFilm) {
     EXPECT_EQ(text_of("film.mp4"), text_of("whole.mp4"));
 }
 
-TEST_F(CacheCommands, ChunkAsAFilm_IsRefused) {
+TEST_F(CacheCommands, ChunkAsAFilm_IsRejected) {
     const RunResult result = run({"render", "tiny.yaml", "--chunk", "1/2", "-o", "film.mp4"});
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.err, HasSubstr("a chunk is no film"));
+    EXPECT_THAT(result.err, HasSubstr("cannot write the film 'film.mp4' from one chunk; omit -o"));
     EXPECT_EQ(run({"render", "tiny.yaml", "--chunk", "3/2"}).exit_code, 2);
     EXPECT_EQ(stored_frames(), 0);
 }
 
-TEST_F(CacheCommands, ListVerifyPrune_SayAndDo) {
+TEST_F(CacheCommands, ListVerifyAndPrune_ReportAndRemoveFiles) {
     EXPECT_THAT(run({"cache", "list"}).out, HasSubstr("0 frames, 0 B"));
     ASSERT_EQ(run({"render", "tiny.yaml", "-o", "film.mp4"}).exit_code, 0);
     EXPECT_THAT(run({"cache", "list"}).out, HasSubstr("\n6 frames, "));
     EXPECT_THAT(run({"cache", "list"}).out, HasSubstr("\n1 bake, "));
     EXPECT_THAT(run({"cache", "list", "--json"}).out, StartsWith("{\"kind\":\""));
-    EXPECT_EQ(run({"cache", "verify"}).exit_code, 0);
+    const RunResult intact = run({"cache", "verify"});
+    EXPECT_EQ(intact.exit_code, 0);
+    EXPECT_THAT(intact.err, HasSubstr("carom: checked 7 files in '"));
+    EXPECT_THAT(intact.err, HasSubstr("': none is damaged\n"));
 
     const std::string damaged = some_frame();
     std::filesystem::resize_file(damaged, 1000);
-    const RunResult named = run({"cache", "verify", "--keep"});
-    EXPECT_EQ(named.exit_code, 1);
-    EXPECT_EQ(named.out, damaged + "\n");
+    const RunResult kept = run({"cache", "verify", "--keep"});
+    EXPECT_EQ(kept.exit_code, 1);
+    EXPECT_EQ(kept.out, damaged + "\n");
+    EXPECT_THAT(kept.err, HasSubstr("' is damaged\n"));
     EXPECT_EQ(stored_frames(), 6);
-    EXPECT_THAT(run({"cache", "verify"}).err, HasSubstr("1 damaged file of 7"));
+    const RunResult removed = run({"cache", "verify"});
+    EXPECT_THAT(removed.err, HasSubstr("carom: error: 1 of 7 files in '"));
+    EXPECT_THAT(removed.err,
+                HasSubstr("' is damaged and was removed; it is made again when it is needed\n"));
     EXPECT_EQ(stored_frames(), 5);
 
     EXPECT_THAT(run({"cache", "prune", "--all", "--dry-run"}).err,
@@ -79,7 +87,7 @@ TEST_F(CacheCommands, ListVerifyPrune_SayAndDo) {
     EXPECT_EQ(stored_frames(), 0);
 }
 
-TEST_F(CacheCommands, RenderUnderALimit_KeepsTheCacheSmall) {
+TEST_F(CacheCommands, RenderWithALimit_KeepsTheCacheSmall) {
     ASSERT_EQ(run({"render", "tiny.yaml", "-o", "a.mp4"}).exit_code, 0);
     for (const auto& entry : std::filesystem::recursive_directory_iterator(path("cache"))) {
         if (entry.is_regular_file()) {
@@ -96,7 +104,7 @@ TEST_F(CacheCommands, RenderUnderALimit_KeepsTheCacheSmall) {
                 HasSubstr("'lots' is not a size"));
 }
 
-TEST_F(CacheCommands, BadOptions_AreRefused) {
+TEST_F(CacheCommands, InvalidOptions_AreRejected) {
     EXPECT_EQ(run({"cache"}).exit_code, 2);
     EXPECT_EQ(run({"cache", "burn"}).exit_code, 2);
     EXPECT_THAT(run({"cache", "prune", "--unused-for", "3 moons"}).err,

@@ -1,4 +1,4 @@
-// Films in other codecs and as pictures, run as a user runs them.
+// End-to-end tests of films in other codecs and as image sequences.
 #include "tests/pipeline/cli/end_to_end.h"
 #include "tests/pipeline/video/decoded_video.h"
 
@@ -23,7 +23,7 @@ TEST_F(CodecCommands, OtherCodecs_RenderNothingAgain) {
     const RunResult web = run({"render", "tiny.yaml", "-o", "a.webm"});
     EXPECT_EQ(web.exit_code, 0) << web.err;
     EXPECT_EQ(decode_video(path("a.webm")).codec, "vp9");
-    EXPECT_EQ(web.err.find("libvpx"), std::string::npos) << "encoders keep quiet";
+    EXPECT_EQ(web.err.find("libvpx"), std::string::npos) << "encoders print no messages";
     const RunResult pro =
         run({"render", "tiny.yaml", "-o", "a.mov", "--set", "output.codec=prores"});
     EXPECT_EQ(pro.exit_code, 0) << pro.err;
@@ -48,7 +48,7 @@ TEST_F(CodecCommands, Sequence_IsOnePicturePerFrame) {
     EXPECT_THAT(results(), ElementsAre("f.0001.exr", "f.0003.exr", "f.0005.exr"));
 }
 
-TEST_F(CodecCommands, SequenceOfWhatNoPictureIs_IsRefusedBeforeTheWork) {
+TEST_F(CodecCommands, SequenceInAVideoFormat_IsRejectedBeforeTheWork) {
     const RunResult result = run({"render", "tiny.yaml", "-o", "f.####.mp4"});
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_THAT(result.err, HasSubstr("there are .exr, .png, .jpg, .bmp and .tga"));

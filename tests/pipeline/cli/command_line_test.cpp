@@ -19,12 +19,12 @@ T parsed(const std::vector<std::string>& arguments) {
     return std::get<T>(std::get<CommandLine>(result).command);
 }
 
-NothingToRun refused(const std::vector<std::string>& arguments) {
-    return std::get<NothingToRun>(parse_command_line(arguments));
+EarlyExit early_exit(const std::vector<std::string>& arguments) {
+    return std::get<EarlyExit>(parse_command_line(arguments));
 }
 
-TEST(CommandLine, Help_ShowsTheFourFirstCommandsAndThenAllInGroups) {
-    const NothingToRun help = refused({"--help"});
+TEST(CommandLine, Help_ShowsFourFirstCommandsAndThenAllInGroups) {
+    const EarlyExit help = early_exit({"--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_EQ(help.err, "");
     std::size_t at = 0;
@@ -51,7 +51,7 @@ std::vector<std::string> all_commands() {
 
 TEST(CommandLine, EveryCommandsHelp_HasAnExampleThatParses) {
     for (const std::string& name : all_commands()) {
-        const NothingToRun help = refused({name, "--help"});
+        const EarlyExit help = early_exit({name, "--help"});
         EXPECT_EQ(help.exit_code, 0);
         const std::size_t heading = help.out.find("\nExample");
         ASSERT_NE(heading, std::string::npos) << name;
@@ -66,8 +66,8 @@ TEST(CommandLine, EveryCommandsHelp_HasAnExampleThatParses) {
 }
 
 TEST(CommandLine, Version_IsPrinted) {
-    EXPECT_THAT(refused({"--version"}).out, StartsWith("carom 0."));
-    EXPECT_EQ(refused({"--version"}).exit_code, 0);
+    EXPECT_THAT(early_exit({"--version"}).out, StartsWith("carom 0."));
+    EXPECT_EQ(early_exit({"--version"}).exit_code, 0);
 }
 
 TEST(CommandLine, Render_TakesItsOptions) {
@@ -124,7 +124,7 @@ TEST(CommandLine, Defaults_AreEmpty) {
     EXPECT_FALSE(parsed<ExportCommand>({"export", "a.yaml"}).rate.has_value());
 }
 
-TEST(CommandLine, Talk_IsReadAfterTheCommand) {
+TEST(CommandLine, LoggingOptions_AreReadAfterTheCommand) {
     const auto result = parse_command_line({"check", "a.yaml", "--log", "json", "-q"});
     EXPECT_TRUE(std::get<CommandLine>(result).logging.json);
     EXPECT_TRUE(std::get<CommandLine>(result).logging.quiet);
@@ -133,7 +133,7 @@ TEST(CommandLine, Talk_IsReadAfterTheCommand) {
 TEST(CommandLine, FrameAndAt_ExcludeEachOther) {
     EXPECT_EQ(parsed<FrameCommand>({"frame", "a.yaml", "--frame", "12"}).frame, 12);
     EXPECT_EQ(parsed<FrameCommand>({"frame", "a.yaml", "--at", "1.25s"}).at, "1.25s");
-    EXPECT_EQ(refused({"frame", "a.yaml", "--frame", "1", "--at", "1s"}).exit_code, 2);
+    EXPECT_EQ(early_exit({"frame", "a.yaml", "--frame", "1", "--at", "1s"}).exit_code, 2);
 }
 
 TEST(CommandLine, Report_TakesItsOptions) {
@@ -157,38 +157,39 @@ TEST(CommandLine, WrongUsage_IsExitCode2WithAPointerToHelp) {
         {"check", "a.yaml", "--log", "xml"},
     };
     for (const auto& arguments : wrong) {
-        const NothingToRun nothing = refused(arguments);
-        EXPECT_EQ(nothing.exit_code, 2);
-        EXPECT_EQ(nothing.out, "");
-        EXPECT_THAT(nothing.err, StartsWith("carom: error: "));
-        EXPECT_THAT(nothing.err, HasSubstr("\nSee 'carom "));
+        const EarlyExit result = early_exit(arguments);
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_EQ(result.out, "");
+        EXPECT_THAT(result.err, StartsWith("carom: error: "));
+        EXPECT_THAT(result.err, HasSubstr("\nSee 'carom "));
     }
 }
 
 TEST(CommandLine, MisspeltCommand_GetsAHint) {
-    EXPECT_THAT(refused({"rendr", "a.yaml"}).err,
+    EXPECT_THAT(early_exit({"rendr", "a.yaml"}).err,
                 StartsWith("carom: error: unknown command 'rendr' (did you mean 'render'?)\n"));
-    EXPECT_THAT(refused({"shot.yaml"}).err,
+    EXPECT_THAT(early_exit({"shot.yaml"}).err,
                 StartsWith("carom: error: unknown command 'shot.yaml'\n"));
-    EXPECT_THAT(refused({"--verison"}).err, StartsWith("carom: error: unknown option '--verison'"));
+    EXPECT_THAT(early_exit({"--verison"}).err,
+                StartsWith("carom: error: unknown option '--verison'"));
 }
 
 TEST(CommandLine, MissingShot_IsNamed) {
-    EXPECT_THAT(refused({"render"}).err, StartsWith("carom: error: SHOT|BAKE is required\n"));
+    EXPECT_THAT(early_exit({"render"}).err, StartsWith("carom: error: SHOT|BAKE is required\n"));
 }
 
 TEST(CommandLine, NoArguments_GiveTheHelpOnStderr) {
-    const NothingToRun nothing = refused({});
-    EXPECT_EQ(nothing.exit_code, 2);
-    EXPECT_EQ(nothing.out, "");
-    EXPECT_EQ(nothing.err, refused({"--help"}).out);
+    const EarlyExit result = early_exit({});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, early_exit({"--help"}).out);
 }
 
 TEST(CommandLine, Help_FitsEightyColumns) {
     std::vector<std::string> names = all_commands();
     names.emplace_back("--help");
     for (const std::string& name : names) {
-        std::istringstream lines(refused({name, "--help"}).out);
+        std::istringstream lines(early_exit({name, "--help"}).out);
         for (std::string line; std::getline(lines, line);) {
             EXPECT_LE(line.size(), 80U) << line;
         }

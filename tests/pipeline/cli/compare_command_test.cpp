@@ -1,4 +1,4 @@
-// `carom compare`, as a user runs it.
+// End-to-end tests of `carom compare`.
 #include <csignal>
 #include <set>
 #include <sstream>
@@ -29,7 +29,7 @@ std::vector<std::string> fields_of(const std::string& line) {
     return fields;
 }
 
-/// Every column has a name of its own, and every row a field for each.
+/// Checks that the names of all columns differ, and that every row has a field for each.
 void expect_well_formed(const std::string& csv) {
     std::istringstream lines(csv);
     std::string line;
@@ -78,7 +78,7 @@ TEST_F(CompareCommand, FrameOfAShot_IsMeasuredByAllStructures) {
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 14);
     EXPECT_THAT(csv, HasSubstr("\ntiny,embree,any,"));
     EXPECT_THAT(text_of("t.svg"), HasSubstr("wide_bvh"));
-    EXPECT_EQ(stored_frames(), 0);  // comparing keeps no pictures
+    EXPECT_EQ(stored_frames(), 0);  // comparing stores no pictures
 }
 
 TEST_F(CompareCommand, Growth_IsMeasuredInEveryForm) {
@@ -102,7 +102,7 @@ TEST_F(CompareCommand, Growth_IsMeasuredInEveryForm) {
     EXPECT_THAT(text_of("g.svg"), HasSubstr("<title>embree</title>"));
 }
 
-TEST_F(CompareCommand, WrongUse_IsRefusedWithASentence) {
+TEST_F(CompareCommand, WrongUsage_IsRejectedWithASentence) {
     const auto message = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "compare");
         const RunResult result = run(arguments);
@@ -125,7 +125,7 @@ TEST_F(CompareCommand, WrongUse_IsRefusedWithASentence) {
     EXPECT_EQ(message({"tiny.yaml", "--frame", "6"}),
               "carom: error: frame 6 is outside the film, which has the frames 0 to 5\n");
     EXPECT_EQ(message({"--scene", "stadium", "--plot", "x.pdf"}),
-              "carom: error: 'x.pdf': a plot is written as .svg or .png\n");
+              "carom: error: 'x.pdf': a plot can only be written as .svg or .png\n");
     EXPECT_THAT(message({"--scene", "teapot"}), HasSubstr("--scene: teapot not in {sphere_cube,"));
     EXPECT_EQ(message({"tiny.yaml", "--scene", "stadium"}),
               "carom: error: SHOT|BAKE excludes --scene\n"
@@ -138,8 +138,8 @@ TEST_F(CompareCommand, WrongUse_IsRefusedWithASentence) {
               "See 'carom compare --help'.\n");
 }
 
-TEST_F(CompareCommand, CtrlC_PrintsWhatIsMeasured) {
-    // The first rows are there at once; brute force over walls takes a while.
+TEST_F(CompareCommand, CtrlC_PrintsFinishedMeasurements) {
+    // The first rows are finished immediately; brute force over walls takes longer.
     RunningProgram program(
         carom::testing::carom_program(),
         {"compare", "--scene", "cylinder_walls", "--size", "64x48", "--accelerators",
@@ -147,8 +147,8 @@ TEST_F(CompareCommand, CtrlC_PrintsWhatIsMeasured) {
         options());
     const auto fraction = [&] {
         const std::string err = program.err_so_far();
-        const std::size_t at = err.rfind("\"share\":");
-        return at == std::string::npos ? 0.0 : std::atof(err.c_str() + at + 8);
+        const std::size_t at = err.rfind("\"fraction\":");
+        return at == std::string::npos ? 0.0 : std::atof(err.c_str() + at + 11);
     };
     for (int i = 0; i < 4000 && fraction() < 0.55; ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -160,7 +160,7 @@ TEST_F(CompareCommand, CtrlC_PrintsWhatIsMeasured) {
     EXPECT_THAT(result.out,
                 ::testing::EndsWith("\ninterrupted: the other structures are missing\n"));
     EXPECT_THAT(result.err,
-                HasSubstr("interrupted; what was measured until then is all that there is"));
+                HasSubstr("interrupted; the results contain only what was measured by then"));
 }
 
 TEST_F(CompareCommand, Triangles_AreMeasuredInEveryForm) {
@@ -207,7 +207,7 @@ TEST_F(CompareCommand, Triangles_PrintsTables) {
     }
 }
 
-TEST_F(CompareCommand, Triangles_WrongUse) {
+TEST_F(CompareCommand, WrongUsageOfTriangles_IsRejectedWithASentence) {
     const auto message = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "compare");
         const RunResult result = run(arguments);
@@ -222,11 +222,12 @@ TEST_F(CompareCommand, Triangles_WrongUse) {
     EXPECT_THAT(message({"--triangles", "all", "--rounds", "0"}), HasSubstr("--rounds"));
 }
 
-TEST_F(CompareCommand, CtrlC_KeepsTheTrianglesThatAreMeasured) {
+TEST_F(CompareCommand, CtrlC_PrintsFinishedMeasurementsOfTriangles) {
     RunningProgram program(carom::testing::carom_program(),
                            {"compare", "--triangles", "wald", "--rounds", "1000", "--log", "json"},
                            options());
-    for (int i = 0; i < 4000 && program.err_so_far().find("\"share\":") == std::string::npos; ++i) {
+    for (int i = 0; i < 4000 && program.err_so_far().find("\"fraction\":") == std::string::npos;
+         ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
@@ -237,7 +238,7 @@ TEST_F(CompareCommand, CtrlC_KeepsTheTrianglesThatAreMeasured) {
     EXPECT_THAT(result.out, ::testing::EndsWith("\ninterrupted: rounds or kernels are missing\n"));
 }
 
-// The shot has no meshes: all structures give the same pixels.
+// The shot has no meshes, so all structures give the same pixels.
 TEST_F(CompareCommand, ShotWithAComparisonStructure_IsRenderedByTheLaboratory) {
     const auto picture = [&](const std::string& structure) {
         const RunResult result =
@@ -256,7 +257,7 @@ TEST_F(CompareCommand, ShotWithAComparisonStructure_IsRenderedByTheLaboratory) {
     EXPECT_TRUE(exists("film.mp4"));
 }
 
-TEST_F(CompareCommand, MissingLaboratory_IsSaidWhereItIsNeeded) {
+TEST_F(CompareCommand, MissingLaboratory_IsAnErrorWhereItIsNeeded) {
     carom::testing::RunOptions without = options();
     without.environment["CAROM_LAB"] = path("no_laboratory");
     const auto message = [&](const std::vector<std::string>& arguments) {

@@ -11,7 +11,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// What a console writes, with a clock in our hand.
+/// Records what a console writes, with a clock that the test sets.
 struct Recorder {
     std::string text;
     double time = 1000;
@@ -24,14 +24,14 @@ struct Recorder {
     }
 };
 
-ProgressSnapshot at(double fraction) {
+ProgressSnapshot progress_at(double fraction) {
     ProgressSnapshot snapshot;
     snapshot.stage = "bake";
     snapshot.fraction = fraction;
     return snapshot;
 }
 
-/// So that times of day can be compared.
+/// Replaces all digits, so that texts with times can be compared.
 std::string with_digits_as_zero(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char letter) { return letter >= '0' && letter <= '9'; }, '0');
@@ -47,22 +47,22 @@ TEST(Console, Messages_AreLinesWithTheirLevel) {
     EXPECT_EQ(recorder.text, "carom: done {} %s\ncarom: warning: odd\ncarom: error: bad\n");
 }
 
-// A file's name, say.
-TEST(Console, TextOfOthers_CannotSpeakToTheTerminal) {
+// Such characters may be in the name of a file.
+TEST(Console, ControlCharactersInMessages_AreReplaced) {
     Recorder recorder;
     Console console(recorder.settings());
     console.error("no file '\x1b]0;title\x07'");
     EXPECT_EQ(recorder.text, "carom: error: no file '?]0;title?'\n");
 }
 
-TEST(Console, Quiet_KeepsWarningsAndErrorsOnly) {
+TEST(Console, Quiet_PrintsOnlyWarningsAndErrors) {
     Recorder recorder;
     ConsoleSettings settings = recorder.settings();
     settings.quiet = true;
     Console console(settings);
-    console.info("chat");
-    console.progress(at(0.5));
-    console.event("chat", {}, "chat\n", false);
+    console.info("information");
+    console.progress(progress_at(0.5));
+    console.event("note", {}, "note\n", false);
     console.warning("odd");
     console.event("problem", {}, "shot.yaml:1:1: error: bad\n", true);
     EXPECT_EQ(recorder.text, "carom: warning: odd\nshot.yaml:1:1: error: bad\n");
@@ -95,7 +95,7 @@ TEST(Console, Json_IsOneObjectPerLine) {
     JsonMembers members;
     members.add("line", 3);
     console.event("problem", members, "text for people\n", true);
-    console.progress(at(0.5));
+    console.progress(progress_at(0.5));
     EXPECT_EQ(with_digits_as_zero(recorder.text),
               R"({"time":"0000-00-00T00:00:00.000Z","level":"warning","message":"say \"hi\""})"
               "\n"
@@ -106,27 +106,27 @@ TEST(Console, Json_IsOneObjectPerLine) {
               "\n");
 }
 
-TEST(Console, LogWithoutTerminal_HasALineEveryFewSecondsOfAStage) {
+TEST(Console, ProgressWithoutTerminal_IsALineEveryFewSeconds) {
     Recorder recorder;
     Console console(recorder.settings());
     for (int i = 0; i < 100; ++i) {
         recorder.time += 0.11;
-        console.progress(at(i / 100.0));
+        console.progress(progress_at(i / 100.0));
     }
     EXPECT_EQ(recorder.text, "carom: bake: 19 %\ncarom: bake: 65 %\n");
     EXPECT_THAT(recorder.text, Not(HasSubstr("\r")));
 }
 
-TEST(Console, Bar_IsDrawnOverItselfBelowTheLines) {
+TEST(Console, Bar_IsRedrawnBelowTheLines) {
     Recorder recorder;
     ConsoleSettings settings = recorder.settings();
     settings.terminal = true;
     settings.columns = [] { return 31; };
     Console console(settings);
-    console.progress(at(0.5));
-    console.progress(at(0.6));  // too soon
+    console.progress(progress_at(0.5));
+    console.progress(progress_at(0.6));  // too soon
     recorder.time += 0.2;
-    console.progress(at(1));
+    console.progress(progress_at(1));
     console.warning("odd");
     console.end_progress();
     console.end_progress();  // twice does no harm
@@ -137,13 +137,13 @@ TEST(Console, Bar_IsDrawnOverItselfBelowTheLines) {
                                  erase);
 }
 
-TEST(Console, Destroyed_TakesItsBarAway) {
+TEST(Console, Destructor_ErasesTheBar) {
     Recorder recorder;
     ConsoleSettings settings = recorder.settings();
     settings.terminal = true;
     {
         Console console(settings);
-        console.progress(at(0.5));
+        console.progress(progress_at(0.5));
     }
     EXPECT_TRUE(recorder.text.ends_with("\r\x1b[K"));
 }

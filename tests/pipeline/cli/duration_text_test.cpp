@@ -18,7 +18,7 @@ TEST(DurationText, Times_HaveTwoUnits) {
     EXPECT_EQ(duration_text(100 * 24 * 3600.0), "100 d 00 h");
 }
 
-TEST(DurationText, SenselessTimes_AreAQuestionMark) {
+TEST(DurationText, InvalidTimes_AreAQuestionMark) {
     EXPECT_EQ(duration_text(-1), "?");
     EXPECT_EQ(duration_text(std::nan("")), "?");
     EXPECT_EQ(duration_text(HUGE_VAL), "?");

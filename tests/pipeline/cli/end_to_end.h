@@ -1,4 +1,4 @@
-// A folder with a tiny shot in it, and carom run there with a cache of its own.
+// A fixture that runs carom in a folder with a tiny shot and a separate cache.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ class EndToEnd : public ::testing::Test {
     [[nodiscard]] bool exists(const std::string& name) const {
         return std::filesystem::exists(folder_.path(name));
     }
-    /// Names in the folder besides the shot and caches, sorted.
+    /// The names in the folder, sorted, except the shot and the caches.
     [[nodiscard]] std::vector<std::string> results() const {
         std::vector<std::string> names;
         for (const std::string& name : folder_.names()) {
@@ -43,7 +43,7 @@ class EndToEnd : public ::testing::Test {
         std::sort(names.begin(), names.end());
         return names;
     }
-    /// Finished frames in a cache.
+    /// The number of finished frames in a cache.
     [[nodiscard]] int stored_frames(const std::string& cache = "cache") const {
         int count = 0;
         std::error_code ignored;

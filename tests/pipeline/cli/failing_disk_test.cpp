@@ -1,4 +1,4 @@
-// Disks that fill up and folders that cannot be written, run as a user runs them.
+// End-to-end tests with full disks, read-only folders and damaged files.
 #include <filesystem>
 
 #include "tests/pipeline/cli/end_to_end.h"
@@ -17,8 +17,8 @@ using ::testing::HasSubstr;
 
 class FailingDisk : public EndToEnd {
   protected:
-    /// Runs a shell line with a file system of its own at `small`, which is gone afterwards.
-    /// Needs user namespaces, or to be root.
+    /// Runs a shell command with a temporary file system mounted at `small`. Needs user namespaces
+    /// or root.
     [[nodiscard]] RunResult run_with_small_disk(const std::string& mount_options,
                                                 const std::string& line) const {
         std::filesystem::create_directories(path("small"));
@@ -34,8 +34,8 @@ class FailingDisk : public EndToEnd {
     }
 };
 
-TEST_F(FailingDisk, CacheOnAFullDisk_IsAnErrorAndTheFilmGoesOnWhenThereIsRoom) {
-    // 28 kB hold the bake and two or three of the six frames; then the disk grows.
+TEST_F(FailingDisk, CacheOnAFullDisk_IsAnErrorAndTheFilmResumesWithMoreSpace) {
+    // 28 kB are enough for the bake and two or three of the six frames. Then the disk is enlarged.
     const RunResult result =
         run_with_small_disk("size=28k",
                             "$CAROM render tiny.yaml --cache small -o film.mp4; echo first $?; "
@@ -49,12 +49,12 @@ TEST_F(FailingDisk, CacheOnAFullDisk_IsAnErrorAndTheFilmGoesOnWhenThereIsRoom) {
     EXPECT_THAT(result.err, HasSubstr("ls: cannot access"));
     EXPECT_THAT(result.out, HasSubstr("second 0\n"));
     EXPECT_EQ(result.err.find("6 of them rendered now"), std::string::npos)
-        << "what fitted was kept: " << result.err;
-    ASSERT_EQ(run({"render", "tiny.yaml", "-o", "calm.mp4"}).exit_code, 0);
-    EXPECT_EQ(text_of("film.mp4"), text_of("calm.mp4"));
+        << "the frames of the first run were stored: " << result.err;
+    ASSERT_EQ(run({"render", "tiny.yaml", "-o", "undisturbed.mp4"}).exit_code, 0);
+    EXPECT_EQ(text_of("film.mp4"), text_of("undisturbed.mp4"));
 }
 
-TEST_F(FailingDisk, FilmOnAFullDisk_IsAnErrorAndTheOldOneStays) {
+TEST_F(FailingDisk, FilmOnAFullDisk_IsAnErrorAndTheOldFilmRemains) {
     const RunResult result = run_with_small_disk("size=8k",
                                                  "echo old > small/film.mkv; "
                                                  "$CAROM render tiny.yaml -o small/film.mkv "
@@ -68,7 +68,7 @@ TEST_F(FailingDisk, FilmOnAFullDisk_IsAnErrorAndTheOldOneStays) {
     EXPECT_THAT(result.err, HasSubstr("No space left on device"));
 }
 
-TEST_F(FailingDisk, ReadOnlyTarget_IsRefusedBeforeAnythingIsRendered) {
+TEST_F(FailingDisk, ReadOnlyTarget_IsAnErrorBeforeAnythingIsRendered) {
     for (const std::string name : {"film.mp4", "film.##.exr"}) {
         const RunResult result = run_with_small_disk(
             "ro,size=1m", "$CAROM render tiny.yaml -o small/" + name + "; echo done $?");
@@ -89,11 +89,12 @@ TEST_F(FailingDisk, ReadOnlyCache_IsAnErrorWithItsName) {
         GTEST_SKIP() << "no file system can be mounted here: " << result.err;
     }
     EXPECT_THAT(result.out, HasSubstr("done 1\n")) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("small/frames': the folder cannot be made: Read-only file"));
+    EXPECT_THAT(result.err,
+                HasSubstr("small/frames': the folder cannot be created: Read-only file"));
     EXPECT_FALSE(exists("film.mp4"));
 }
 
-TEST_F(FailingDisk, DamagedBakeFile_IsRefused) {
+TEST_F(FailingDisk, DamagedBakeFile_IsAnError) {
     ASSERT_EQ(run({"bake", "tiny.yaml", "-o", "tiny.bake"}).exit_code, 0);
     std::string bytes = text_of("tiny.bake");
     bytes[bytes.size() / 3] = static_cast<char>(bytes[bytes.size() / 3] ^ 16);

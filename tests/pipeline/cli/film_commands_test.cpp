@@ -1,4 +1,4 @@
-// render and frame, run as a user runs them.
+// End-to-end tests of render and frame.
 #include <chrono>
 #include <thread>
 
@@ -23,7 +23,7 @@ using ::testing::StartsWith;
 
 class FilmCommands : public EndToEnd {
   protected:
-    /// A film that takes a second or two, so that there is time to interrupt it.
+    /// A film that takes a second or two, which is long enough to interrupt it.
     static std::vector<std::string> long_render(const std::string& output) {
         return {"render", "tiny.yaml",         "-o",    output,
                 "--set",  "render.samples=64", "--set", "render.fps=20"};
@@ -40,8 +40,8 @@ class FilmCommands : public EndToEnd {
         const RunResult result = program.wait();
         EXPECT_EQ(result.exit_code, 130) << result.err;
         EXPECT_EQ(result.out, "");
-        EXPECT_THAT(result.err, HasSubstr("a second Ctrl-C stops at once"));
-        EXPECT_THAT(result.err, HasSubstr("the same command goes on from there"));
+        EXPECT_THAT(result.err, HasSubstr("stopping; press Ctrl-C again to stop immediately"));
+        EXPECT_THAT(result.err, HasSubstr("the same command resumes from there"));
         EXPECT_THAT(results(), IsEmpty());
     }
 };
@@ -50,7 +50,7 @@ TEST_F(FilmCommands, Render_WritesTheFilmAndPrintsItsPath) {
     const RunResult result = run({"render", "tiny.yaml"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out, "tiny.mp4\n");
-    EXPECT_THAT(result.err, HasSubstr("carom: simulated the shot: there was no bake of it\n"));
+    EXPECT_THAT(result.err, HasSubstr("carom: simulated the shot: the cache had no bake of it\n"));
     EXPECT_THAT(result.err, HasSubstr("carom: 6 frames, 6 of them rendered now, in "));
     EXPECT_THAT(results(), ElementsAre("tiny.mp4"));
     const auto video = decode_video(path("tiny.mp4"));
@@ -60,16 +60,16 @@ TEST_F(FilmCommands, Render_WritesTheFilmAndPrintsItsPath) {
     EXPECT_EQ(video.rate_numerator, 10);
 }
 
-TEST_F(FilmCommands, SecondRender_TakesBakeAndFramesThatAreThere) {
+TEST_F(FilmCommands, SecondRender_UsesTheCachedBakeAndFrames) {
     ASSERT_EQ(run({"render", "tiny.yaml", "-o", "a.mp4"}).exit_code, 0);
     const RunResult again = run({"render", "tiny.yaml", "-o", "b.mp4"});
-    EXPECT_THAT(again.err, HasSubstr("using the bake that was kept"));
+    EXPECT_THAT(again.err, HasSubstr("using the cached bake"));
     EXPECT_THAT(again.err, HasSubstr("6 frames, 0 of them rendered now"));
     EXPECT_EQ(text_of("a.mp4"), text_of("b.mp4"));
 }
 
 /// In a cross-fade each frame is mixed from two pictures.
-TEST_F(FilmCommands, FilmWithACrossFade_CountsPicturesBesideFrames) {
+TEST_F(FilmCommands, FilmWithACrossFade_CountsPicturesAndFrames) {
     write_text(path("fade.yaml"), R"(carom: 1
 table: {kind: cloth}
 simulation: {duration: 1 s}
@@ -85,7 +85,7 @@ render: {size: [16, 16], fps: 10, samples: 1}
                 HasSubstr("carom: 10 frames made of 12 pictures, 0 of them rendered now, in "));
 }
 
-TEST_F(FilmCommands, Quiet_SaysNothingButTheResult) {
+TEST_F(FilmCommands, Quiet_PrintsOnlyTheResult) {
     const RunResult result = run({"render", "tiny.yaml", "-q"});
     EXPECT_EQ(result.out, "tiny.mp4\n");
     EXPECT_EQ(result.err, "");
@@ -103,7 +103,7 @@ TEST_F(FilmCommands, PhysicsOfABake_CannotBeSet) {
     ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
     const RunResult result = run({"render", "tiny.bake", "--set", "physics.gravity=1.6"});
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.err, HasSubstr("--set cannot change what was simulated"));
+    EXPECT_THAT(result.err, HasSubstr("--set cannot change its physics"));
     EXPECT_EQ(run({"render", "tiny.bake", "--set", "render.samples=1"}).exit_code, 0);
 }
 
@@ -117,7 +117,7 @@ TEST_F(FilmCommands, OneAndTwoThreads_GiveTheSameFilm) {
     EXPECT_EQ(text_of("1.mp4"), text_of("2.mp4"));
 }
 
-TEST_F(FilmCommands, FramesOption_PicksFrames) {
+TEST_F(FilmCommands, FramesOption_SelectsFrames) {
     ASSERT_EQ(run({"render", "tiny.yaml", "--frames", "1-5x2"}).exit_code, 0);
     EXPECT_EQ(decode_video(path("tiny.mp4")).frames.size(), 3U);
     for (const std::string range : {"7-9", "5-1", "many"}) {
@@ -127,16 +127,16 @@ TEST_F(FilmCommands, FramesOption_PicksFrames) {
     }
 }
 
-TEST_F(FilmCommands, FramesBeyondTheFilm_AreWarnedOf) {
+TEST_F(FilmCommands, FramesBeyondTheFilm_GiveAWarning) {
     const RunResult result = run({"render", "tiny.yaml", "--frames", "4-99"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_THAT(result.err,
-                HasSubstr("carom: warning: --frames 4-99 goes past the film's end, which "
-                          "has the frames 0 to 5\n"));
+                HasSubstr("carom: warning: --frames 4-99 exceeds the film, which has the frames 0 "
+                          "to 5\n"));
     EXPECT_EQ(decode_video(path("tiny.mp4")).frames.size(), 2U);
 }
 
-TEST_F(FilmCommands, OddSize_IsRefusedOnlyWhereTheFileCannotHaveIt) {
+TEST_F(FilmCommands, OddSize_IsRejectedOnlyByFormatsWithoutIt) {
     const std::vector<std::string> odd{"--set", "render.size=[65, 35]", "--frames", "0"};
     const auto render = [&](const std::string& output) {
         std::vector<std::string> arguments{"render", "tiny.yaml", "-o", output};
@@ -165,7 +165,7 @@ TEST_F(FilmCommands, OddSize_IsRefusedOnlyWhereTheFileCannotHaveIt) {
                              "carom: 'tiny.yaml' has no errors, but 1 warning\n");
 }
 
-TEST_F(FilmCommands, OutputThatCannotBe_IsRefusedBeforeTheWork) {
+TEST_F(FilmCommands, ImpossibleOutput_IsRejectedBeforeTheWork) {
     const RunResult extension = run({"render", "tiny.yaml", "-o", "film.avi"});
     EXPECT_EQ(extension.exit_code, 2);
     EXPECT_THAT(extension.err, HasSubstr("h264: .mp4, .mov, .mkv"));
@@ -175,7 +175,7 @@ TEST_F(FilmCommands, OutputThatCannotBe_IsRefusedBeforeTheWork) {
     EXPECT_FALSE(exists("cache"));
 }
 
-TEST_F(FilmCommands, Interrupted_LeavesNoFilmAndGoesOnToTheSameOne) {
+TEST_F(FilmCommands, Interrupted_LeavesNoFilmAndResumesToTheSameFilm) {
     for (const int signal : {SIGINT, SIGTERM}) {
         interrupt_after_first_frame(signal);
         std::filesystem::remove_all(path("cache"));
@@ -184,14 +184,14 @@ TEST_F(FilmCommands, Interrupted_LeavesNoFilmAndGoesOnToTheSameOne) {
     const int kept = stored_frames();
     const RunResult resumed = run(long_render("film.mp4"));
     EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-    // Nothing is rendered twice: every rendered frame is a new one in the store.
+    // No frame is rendered twice: every rendered frame is new in the store.
     EXPECT_THAT(resumed.err, HasSubstr("12 frames, " + std::to_string(stored_frames() - kept) +
                                        " of them rendered now"));
     ASSERT_EQ(run_carom(long_render("whole.mp4"), options("cache2")).exit_code, 0);
     EXPECT_EQ(text_of("film.mp4"), text_of("whole.mp4"));
 }
 
-TEST_F(FilmCommands, JsonLog_HasProgressAndNothingElse) {
+TEST_F(FilmCommands, JsonLog_HasProgressAndOnlyJson) {
     const RunResult result = run({"render", "tiny.yaml", "--log", "json"});
     EXPECT_EQ(result.out, "tiny.mp4\n");
     EXPECT_THAT(result.err, HasSubstr("\"event\":\"progress\",\"stage\":"));
@@ -215,7 +215,7 @@ TEST_F(FilmCommands, Frame_WritesEachKindOfPicture) {
     EXPECT_THAT(results(), ElementsAre("a.bmp", "a.exr", "a.jpg", "a.png"));
 }
 
-TEST_F(FilmCommands, FrameByTheDistributedIntegrator_TellsItsRaysWhenTheyAreTraced) {
+TEST_F(FilmCommands, FrameByTheDistributedIntegrator_PrintsTheRaysItTraced) {
     const std::vector<std::string> command{"frame", "tiny.yaml",
                                            "--set", "render.integrator=distributed",
                                            "--set", "render.distributed.pixel_samples=2",
@@ -237,7 +237,7 @@ TEST_F(FilmCommands, FrameByTheDistributedIntegrator_TellsItsRaysWhenTheyAreTrac
     EXPECT_THAT(json.err, HasSubstr("\"classic\":"));
 }
 
-TEST_F(FilmCommands, FrameByTime_IsTheOneShownThen) {
+TEST_F(FilmCommands, FrameByTime_IsTheOneShownAtThatTime) {
     ASSERT_EQ(run({"frame", "tiny.yaml", "--at", "0.39s", "-o", "a.png"}).exit_code, 0);
     ASSERT_EQ(run({"frame", "tiny.yaml", "--at", "300 ms", "-o", "b.png"}).exit_code, 0);
     EXPECT_EQ(run({"frame", "tiny.yaml", "--frame", "3"}).out, "tiny.0003.png\n");
@@ -259,7 +259,7 @@ TEST_F(FilmCommands, ShotWithoutACamera_CannotBeFilmed) {
     EXPECT_EQ(run({"bake", "blind.yaml"}).exit_code, 0);
 }
 
-TEST_F(FilmCommands, FrameOutsideTheFilm_IsRefused) {
+TEST_F(FilmCommands, FrameOutsideTheFilm_IsRejected) {
     const RunResult number = run({"frame", "tiny.yaml", "--frame", "6"});
     EXPECT_EQ(number.exit_code, 2);
     EXPECT_THAT(number.err, HasSubstr("frame 6 is outside the film, which has the frames 0 to 5"));

@@ -1,4 +1,4 @@
-// What the table of options becomes: completions in real shells, the manual in the real man.
+// End-to-end tests of the help: completions in real shells, the manual with the real man.
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
@@ -22,7 +22,7 @@ using ::testing::UnorderedElementsAre;
 
 class Help : public EndToEnd {
   protected:
-    /// Runs a shell's command in the test's folder; what it printed and its error are in files.
+    /// Runs a shell command in the test's folder and writes its output and its errors to files.
     int shell(const std::string& command) const {
         const std::string folder =
             std::filesystem::path(carom::testing::carom_program()).parent_path();
@@ -40,8 +40,8 @@ class Help : public EndToEnd {
         return result;
     }
 
-    /// The words of a line as bash gives them to a completion: with their quotes, with "=" and ":"
-    /// as words of their own, and with an empty word after a blank at the end.
+    /// The words of a line as bash passes them to a completion: with their quotes, with "=" and ":"
+    /// as separate words, and with an empty word after a blank at the end.
     static std::string bash_words(const std::string& line) {
         static const std::regex kWord(R"(("[^"]*"?|[^\s=:"])+|[=:]+|\s$)");
         std::string words;
@@ -51,7 +51,7 @@ class Help : public EndToEnd {
         return words;
     }
 
-    /// What bash offers when the tab key is pressed after this line.
+    /// The completions that bash offers when the tab key is pressed after this line.
     std::vector<std::string> bash_offers(const std::string& line) const {
         EXPECT_EQ(run({"completion", "bash", "-o", "carom.bash"}).exit_code, 0);
         carom::testing::write_text(path("press_tab"),
@@ -73,7 +73,7 @@ TEST_F(Help, Bash_CompletesCommands) {
     EXPECT_THAT(bash_offers("carom --v"), ElementsAre("--version"));
 }
 
-TEST_F(Help, Bash_CompletesOptionsOfTheCommandThatIsThere) {
+TEST_F(Help, Bash_CompletesOptionsOfTheTypedCommand) {
     EXPECT_THAT(bash_offers("carom render tiny.yaml --fr"), ElementsAre("--frames"));
     EXPECT_THAT(bash_offers("carom cache prune --un"), ElementsAre("--unused-for"));
     EXPECT_THAT(bash_offers("carom bake --"), Not(Contains("--frames")));
@@ -106,7 +106,7 @@ TEST_F(Help, Bash_OffersFilesByTheirEnding) {
 TEST_F(Help, Bash_CompletesKeysAndTheirValues) {
     EXPECT_THAT(bash_offers("carom render --set render.sam"), ElementsAre("render.samples="));
     EXPECT_THAT(bash_offers("carom render --set rend"), ElementsAre("render."));
-    // bash gives "=" as a word of its own and completes what follows it.
+    // bash passes "=" as a separate word and completes the word after it.
     EXPECT_THAT(bash_offers("carom render --set ball_set.kind=s"), ElementsAre("snooker"));
     EXPECT_THAT(bash_offers("carom render --set=ball_set.kind=s"), ElementsAre("snooker"));
     EXPECT_THAT(bash_offers("carom render --set ball_set.kind="),
@@ -131,8 +131,8 @@ TEST_F(Help, Bash_CompletesNamesOfTheShot) {
     EXPECT_THAT(bash_offers("carom render --set balls.m"), ElementsAre(""));
 }
 
-/// Whoever types is not to be disturbed.
-TEST_F(Help, Completion_OfWhatCannotBeRead_IsSilent) {
+/// A message would disturb the user while typing.
+TEST_F(Help, CompletionOfUnreadableFiles_PrintsNoErrors) {
     carom::testing::write_text(path("broken.yaml"), "carom: 1\nballs: {cue: [}\n");
     carom::testing::write_text(path("broken.bake"), "no bake");
     const std::vector<std::vector<std::string>> lines{
@@ -153,7 +153,7 @@ TEST_F(Help, Completion_OfWhatCannotBeRead_IsSilent) {
     }
 }
 
-TEST_F(Help, Zsh_TakesItsCompletion) {
+TEST_F(Help, Zsh_LoadsItsCompletion) {
     ASSERT_EQ(run({"completion", "zsh", "-o", "_carom"}).exit_code, 0);
     EXPECT_THAT(text_of("_carom"), StartsWith("#compdef carom\n"));
     EXPECT_EQ(shell("zsh -f -c 'autoload -U compinit; compinit -u -d ./dump; source ./_carom; "
@@ -163,9 +163,9 @@ TEST_F(Help, Zsh_TakesItsCompletion) {
     EXPECT_THAT(lines(), ElementsAre("_carom"));
 }
 
-TEST_F(Help, Zsh_AsksTheProgram) {
+TEST_F(Help, Zsh_OffersTheCompletionsOfTheProgram) {
     ASSERT_EQ(run({"completion", "zsh", "-o", "_carom"}).exit_code, 0);
-    // The last words of compadd and _files are what the menu is made of.
+    // The last words of compadd and _files form the menu.
     const auto offers = [&](const std::string& words) {
         EXPECT_EQ(shell("zsh -f -c 'compdef() {}; compadd() { [[ $1 != -S ]] || print "
                         "\"suffix<$2>\"; while [[ $1 != -- ]]; do shift; done; "
@@ -187,7 +187,7 @@ TEST_F(Help, Zsh_AsksTheProgram) {
     EXPECT_THAT(offers("carom render --threads \"\""), IsEmpty());
 }
 
-TEST_F(Help, Fish_TakesItsCompletion) {
+TEST_F(Help, Fish_OffersTheCompletionsOfTheProgram) {
     ASSERT_EQ(run({"completion", "fish", "-o", "carom.fish"}).exit_code, 0);
     const auto offers = [&](const std::string& line) {
         EXPECT_EQ(
@@ -209,7 +209,7 @@ TEST_F(Help, Fish_TakesItsCompletion) {
     EXPECT_THAT(offers("carom render --camera="), ElementsAre("--camera=tiny.yaml"));
 }
 
-TEST_F(Help, Manual_HasAPageForEveryCommandThatIsSetWithoutAWarning) {
+TEST_F(Help, Manual_HasAPageForEveryCommandThatIsFormattedWithoutAWarning) {
     std::filesystem::create_directory(path("man1"));
     ASSERT_EQ(run({"__manual", "man1"}).exit_code, 0);
     std::vector<std::string> pages{"carom"};
@@ -248,15 +248,15 @@ TEST_F(Help, OfEveryCommand_HasAnExample) {
     }
 }
 
-TEST_F(Help, UnknownShell_IsRefused) {
+TEST_F(Help, UnknownShell_IsRejected) {
     const RunResult result = run({"completion", "tcsh"});
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(result.out, "");
     EXPECT_THAT(results(), IsEmpty());
 }
 
-/// Everything where it belongs, and the program finds its configs from there.
-TEST_F(Help, Installed_IsWhole) {
+/// All files are in the right folders, and the installed program finds its configs.
+TEST_F(Help, Installation_IsComplete) {
     const std::string prefix = path("usr local");
     ASSERT_EQ(
         shell(std::string("cmake --install '") + CAROM_BINARY_DIR + "' --prefix '" + prefix + "'"),

@@ -29,7 +29,7 @@ TEST(Interrupts, FirstSignal_TriggersTheTokenAndIsReported) {
     }
 }
 
-TEST(InterruptsDeathTest, SecondSignal_EndsTheProcessAtOnce) {
+TEST(InterruptsDeathTest, SecondSignal_EndsTheProcessImmediately) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     EXPECT_EXIT(
         {
@@ -40,7 +40,7 @@ TEST(InterruptsDeathTest, SecondSignal_EndsTheProcessAtOnce) {
         ::testing::ExitedWithCode(130), "");
 }
 
-TEST(Interrupts, SignalIgnoredFromTheStart_StaysIgnored) {
+TEST(Interrupts, SignalIgnoredFromTheStart_RemainsIgnored) {
     ::signal(SIGHUP, SIG_IGN);
     {
         const Interrupts interrupts([] {});
@@ -51,7 +51,7 @@ TEST(Interrupts, SignalIgnoredFromTheStart_StaysIgnored) {
     ::signal(SIGHUP, SIG_DFL);
 }
 
-TEST(Interrupts, ClosedPipe_IsAnErrorOfTheWriteOnly) {
+TEST(Interrupts, ClosedPipe_IsOnlyAnErrorOfTheWrite) {
     const Interrupts interrupts([] {});
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
@@ -61,7 +61,7 @@ TEST(Interrupts, ClosedPipe_IsAnErrorOfTheWriteOnly) {
     ::close(ends[1]);
 }
 
-TEST(Interrupts, Destroyed_GivesTheSignalsBack) {
+TEST(Interrupts, Destructor_RestoresTheSignals) {
     {
         const Interrupts interrupts([] {});
     }

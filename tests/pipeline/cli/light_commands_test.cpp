@@ -1,4 +1,4 @@
-// check, bake, export and the program's frame, run as a user runs them.
+// End-to-end tests of the program itself and of check, bake, export, report and import.
 #include <filesystem>
 
 #include "tests/pipeline/cli/end_to_end.h"
@@ -17,21 +17,21 @@ using ::testing::StartsWith;
 
 class LightCommands : public EndToEnd {};
 
-TEST_F(LightCommands, Help_GoesToStdout) {
+TEST_F(LightCommands, Help_IsPrintedOnStdout) {
     const RunResult result = run({"--help"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_THAT(result.out, StartsWith("Usage: carom COMMAND [OPTIONS]\n"));
     EXPECT_EQ(result.err, "");
 }
 
-TEST_F(LightCommands, WrongUsage_GoesToStderr) {
+TEST_F(LightCommands, WrongUsage_IsReportedOnStderr) {
     const RunResult result = run({"chek", "tiny.yaml"});
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(result.out, "");
     EXPECT_THAT(result.err, StartsWith("carom: error: unknown command 'chek'"));
 }
 
-TEST_F(LightCommands, CheckOfAGoodShot_WritesNothing) {
+TEST_F(LightCommands, CheckOfAValidShot_WritesNothing) {
     const RunResult result = run({"check", "tiny.yaml"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out, "");
@@ -40,7 +40,7 @@ TEST_F(LightCommands, CheckOfAGoodShot_WritesNothing) {
     EXPECT_FALSE(exists("cache"));
 }
 
-TEST_F(LightCommands, CheckOfABrokenShot_NamesEveryPlaceAndIsExitCode2) {
+TEST_F(LightCommands, CheckOfAnInvalidShot_ReportsEveryPlaceWithExitCode2) {
     std::string text = carom::testing::tiny_shot();
     text.replace(text.find("position:"), 9, "postion: ");
     text.replace(text.find("fov: 40 deg"), 11, "fov: 40 kg ");
@@ -54,7 +54,7 @@ TEST_F(LightCommands, CheckOfABrokenShot_NamesEveryPlaceAndIsExitCode2) {
     EXPECT_THAT(result.err, HasSubstr("carom: error: 'bad.yaml' has "));
 }
 
-TEST_F(LightCommands, CheckWithJson_IsOneObjectPerLine) {
+TEST_F(LightCommands, CheckWithJsonLog_PrintsOneObjectPerLine) {
     write_text(path("bad.yaml"), "carom: 1\nfrobnicate: 3\n");
     const RunResult result = run({"check", "bad.yaml", "--log", "json"});
     EXPECT_EQ(result.exit_code, 2);
@@ -77,9 +77,9 @@ TEST_F(LightCommands, MissingShot_IsExitCode2) {
     EXPECT_THAT(results(), IsEmpty());
 }
 
-TEST_F(LightCommands, OddSize_IsWarnedOfAtCheckTimeWithAHint) {
+TEST_F(LightCommands, CheckOfAnOddSize_GivesAWarningWithAHint) {
     const RunResult result = run({"check", "tiny.yaml", "--set", "render.size=[65, 36]"});
-    EXPECT_EQ(result.exit_code, 0) << "pictures can have it";
+    EXPECT_EQ(result.exit_code, 0) << "image sequences support it";
     EXPECT_THAT(result.err, HasSubstr("64x36 and 66x36"));
 }
 
@@ -95,11 +95,11 @@ TEST_F(LightCommands, Bake_PrintsItsPathAndIsTheSameEveryTime) {
     EXPECT_EQ(text_of("new.bake"), first);
 }
 
-TEST_F(LightCommands, BakeOfABake_IsRefused) {
+TEST_F(LightCommands, BakeOfABake_IsRejected) {
     ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
     const RunResult result = run({"bake", "tiny.bake"});
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.err, HasSubstr("is a bake already"));
+    EXPECT_THAT(result.err, HasSubstr("is already a bake"));
 }
 
 TEST_F(LightCommands, DamagedBake_IsExitCode2) {
@@ -138,14 +138,14 @@ TEST_F(LightCommands, ExportAtARate_SamplesEvenly) {
     EXPECT_THAT(results(), IsEmpty());
 }
 
-TEST_F(LightCommands, ExportAtAnImpossibleRate_IsRefusedInOneLine) {
+TEST_F(LightCommands, ExportAtAnImpossibleRate_IsRejectedInOneLine) {
     for (const std::string rate : {"0", "-5", "1e7", "nan", "fast", "240Hz"}) {
         const RunResult result = run({"export", "tiny.yaml", "--rate=" + rate, "-o", "-"});
         EXPECT_EQ(result.exit_code, 2);
         EXPECT_EQ(result.out, "");
         EXPECT_EQ(result.err, "carom: error: --rate: '" + rate +
-                                  "' is not a number of samples per second above 0 and at most "
-                                  "1000000, as 240\n"
+                                  "' is not a number of samples per second; write a number above 0 "
+                                  "and at most 1000000, such as 240\n"
                                   "See 'carom export --help'.\n");
     }
 }
@@ -155,7 +155,7 @@ TEST_F(LightCommands, ExportOfEventsAlone_WritesNoTracks) {
     EXPECT_THAT(results(), ElementsAre("e.csv"));
 }
 
-TEST_F(LightCommands, ExportForOtherPrograms_IsByTheNamesEnding) {
+TEST_F(LightCommands, ExportFormat_IsSelectedByTheFileName) {
     const RunResult glb = run({"export", "tiny.yaml", "-o", "a.glb"});
     EXPECT_EQ(glb.exit_code, 0) << glb.err;
     EXPECT_EQ(glb.out, "a.glb\n");
@@ -164,7 +164,7 @@ TEST_F(LightCommands, ExportForOtherPrograms_IsByTheNamesEnding) {
     EXPECT_THAT(text_of("a.usda"), StartsWith("#usda 1.0\n"));
     EXPECT_EQ(run({"export", "tiny.yaml", "-o", "a.json", "--rate", "10"}).out, "a.json\n");
     EXPECT_THAT(text_of("a.json"), HasSubstr("\"carom_export\": 1"));
-    // The bake carries the shot: the same files.
+    // The bake contains the shot, so it gives the same files.
     ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
     for (const std::string name : {"a.glb", "a.usda"}) {
         const std::string of_shot = text_of(name);
@@ -173,14 +173,14 @@ TEST_F(LightCommands, ExportForOtherPrograms_IsByTheNamesEnding) {
     }
 }
 
-TEST_F(LightCommands, ExportOfAnUnknownKind_IsRefused) {
+TEST_F(LightCommands, ExportInAnUnknownFormat_IsRejected) {
     const RunResult result = run({"export", "tiny.yaml", "-o", "a.fbx"});
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_THAT(result.err,
-                HasSubstr("'a.fbx': an export is written as .csv, .json, .glb or .usda"));
+                HasSubstr("'a.fbx': an export can only be written as .csv, .json, .glb or .usda"));
     const RunResult rate = run({"export", "tiny.yaml", "-o", "a.glb", "--rate", "10"});
     EXPECT_EQ(rate.exit_code, 2);
-    EXPECT_THAT(rate.err, HasSubstr("--rate is for .csv and .json"));
+    EXPECT_THAT(rate.err, HasSubstr("--rate is only for .csv and .json"));
     EXPECT_THAT(results(), IsEmpty());
 }
 
@@ -208,7 +208,7 @@ TEST_F(LightCommands, ReportAsJson_IsOneObject) {
               std::count(result.out.begin(), result.out.end(), '}'));
 }
 
-TEST_F(LightCommands, ReportOfTheExample_Fits120ColumnsAndTellsTheBreak) {
+TEST_F(LightCommands, ReportOfTheExample_Fits120ColumnsAndListsTheBreak) {
     const RunResult result = run({"report", CAROM_SOURCE_DIR "/examples/nine_ball_break.yaml"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.out, HasSubstr("strike    cue"));
@@ -220,14 +220,14 @@ TEST_F(LightCommands, ReportOfTheExample_Fits120ColumnsAndTellsTheBreak) {
     }
 }
 
-TEST_F(LightCommands, MissingFolderOfTheOutput_IsNamedBeforeTheWork) {
+TEST_F(LightCommands, MissingFolderOfTheOutput_IsReportedBeforeTheWork) {
     const RunResult result = run({"bake", "tiny.yaml", "-o", "none/tiny.bake"});
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_THAT(result.err, HasSubstr("there is no folder 'none'"));
 }
 
 TEST_F(LightCommands, FullStdout_IsExitCode1) {
-    // /dev/full takes nothing; the shell's redirection, since this test redirects to files.
+    // Writing to /dev/full fails. The shell redirects, since RunningProgram redirects to files.
     const std::string command = "'" + carom::testing::carom_program() + "' export '" +
                                 path("tiny.yaml") + "' -o - --cache '" + path("cache") +
                                 "' > /dev/full 2> '" + path("err") + "'";
@@ -236,7 +236,7 @@ TEST_F(LightCommands, FullStdout_IsExitCode1) {
     EXPECT_THAT(text_of("err"), HasSubstr("No space left on device"));
 }
 
-TEST_F(LightCommands, MissingRenderer_IsSaid) {
+TEST_F(LightCommands, MissingRenderer_IsAnError) {
     std::filesystem::create_directory(path("bin"));
     std::filesystem::copy_file(carom::testing::carom_program(), path("bin/carom"));
     const RunResult result =
@@ -247,8 +247,8 @@ TEST_F(LightCommands, MissingRenderer_IsSaid) {
     EXPECT_THAT(result.err, HasSubstr("libexec/carom/carom-film"));
 }
 
-/// The libraries that the dynamic loader maps for a program: with this variable it lists them
-/// instead of running it (ld.so(8)).
+/// The libraries of a program: with this variable the dynamic loader lists them instead of running
+/// the program (ld.so(8)).
 std::string libraries_of(const std::string& program) {
     return carom::testing::RunningProgram(program, {"--help"},
                                           {{}, {{"LD_TRACE_LOADED_OBJECTS", "1"}}})
@@ -256,7 +256,7 @@ std::string libraries_of(const std::string& program) {
         .out;
 }
 
-TEST_F(LightCommands, LightProgram_LoadsNeitherPicturesNorVideo) {
+TEST_F(LightCommands, LightProgram_LoadsNeitherImageNorVideoLibraries) {
     const std::string light = libraries_of(carom::testing::carom_program());
     ASSERT_THAT(light, HasSubstr("libc.so"));
     for (const char* library :
@@ -269,7 +269,7 @@ TEST_F(LightCommands, LightProgram_LoadsNeitherPicturesNorVideo) {
     EXPECT_THAT(libraries_of(carom::testing::carom_draw_program()), HasSubstr("librsvg"));
 }
 
-TEST_F(LightCommands, ImportOfTheSample_MakesAShotThatChecksAndBakes) {
+TEST_F(LightCommands, ImportOfTheSample_WritesAValidShotThatCanBeBaked) {
     const std::string scene = CAROM_SOURCE_DIR "/tests/examples/sample_scene.txt";
     const RunResult made = run({"import", scene, "-o", "shot.yaml"});
     EXPECT_EQ(made.exit_code, 0) << made.err;
@@ -284,7 +284,7 @@ TEST_F(LightCommands, ImportOfTheSample_MakesAShotThatChecksAndBakes) {
     EXPECT_THAT(report.out, HasSubstr("Striker"));
 }
 
-TEST_F(LightCommands, ImportOfABrokenScene_SaysWhereAndIsExitCode2) {
+TEST_F(LightCommands, ImportOfAnInvalidScene_ReportsPlacesWithExitCode2) {
     write_text(path("scene.txt"), "camera C { video_ende 1 }\n");
     const RunResult result = run({"import", "scene.txt"});
     EXPECT_EQ(result.exit_code, 2);
@@ -294,7 +294,7 @@ TEST_F(LightCommands, ImportOfABrokenScene_SaysWhereAndIsExitCode2) {
     EXPECT_FALSE(exists("scene.yaml"));
 }
 
-TEST_F(LightCommands, ImportOverItsOwnScene_IsRefused) {
+TEST_F(LightCommands, ImportOverItsOwnScene_IsRejected) {
     write_text(path("scene.txt"), "camera C { }\n");
     const RunResult result = run({"import", "scene.txt", "-o", "scene.txt"});
     EXPECT_EQ(result.exit_code, 2);

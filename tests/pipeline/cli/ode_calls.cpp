@@ -1,5 +1,5 @@
-// Stands in front of libode: the program's own functions of these names are found first, count, and
-// hand on to the library's.
+// Counts the calls of libode: the functions here are found before those of the same names in the
+// library, and call these.
 #include "tests/pipeline/cli/ode_calls.h"
 
 #include <atomic>

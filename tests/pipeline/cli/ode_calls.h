@@ -1,4 +1,4 @@
-// How often the program under test has called ODE.
+// Counts how often the program under test has called ODE.
 #pragma once
 
 namespace carom::testing {
@@ -9,7 +9,7 @@ struct OdeCalls {
     int steps = 0;   // dWorldStep and dWorldQuickStep
 };
 
-/// Since the process began.
+/// The numbers of calls since the process started.
 [[nodiscard]] OdeCalls ode_calls();
 
 }  // namespace carom::testing

@@ -1,4 +1,4 @@
-// What `carom frame` writes, read back by OpenImageIO as a compositor would.
+// End-to-end tests of the files of `carom frame`, read by OpenImageIO like a compositor does.
 #include <Imath/ImathMatrix.h>
 #include <OpenImageIO/imageio.h>
 
@@ -52,7 +52,7 @@ class PictureCommands : public EndToEnd {
     }
 };
 
-TEST_F(PictureCommands, DisplayFormats_ShowTheSame) {
+TEST_F(PictureCommands, DisplayFormats_HaveTheSamePixels) {
     const Picture png = frame("a.png");
     ASSERT_EQ(png.spec.width, 64);
     ASSERT_EQ(png.spec.height, 36);
@@ -73,7 +73,7 @@ TEST_F(PictureCommands, DisplayFormats_ShowTheSame) {
     EXPECT_EQ(png.spec.get_string_attribute("scene_time"), "0.2");
 }
 
-TEST_F(PictureCommands, Exr_HasChannelsMattesAndWhatItIs) {
+TEST_F(PictureCommands, Exr_HasChannelsMattesAndMetadata) {
     const Picture exr =
         frame("a.exr", {"render.aovs=[depth, normal, albedo, motion, object_id, material_id, "
                         "cryptomatte_object, cryptomatte_material, variance]"});
@@ -110,7 +110,7 @@ TEST_F(PictureCommands, Exr_HasChannelsMattesAndWhatItIs) {
     EXPECT_NE(exr.spec.get_string_attribute("carom_version"), "");
     Imath::M44f world_to_ndc;
     ASSERT_TRUE(exr.spec.getattribute("worldToNDC", OIIO::TypeMatrix, &world_to_ndc));
-    // What a pixel's depth and the matrix say of the cloth is where the cloth is.
+    // The depth of a pixel of the cloth and the matrix give the height of the cloth.
     const int low_right = 64 * 30 + 60;
     const float depth = exr.at(low_right, "Z");
     const Imath::V3f ndc(60.5f / 64, 30.5f / 36, 1 - 0.001f / depth);
@@ -126,7 +126,7 @@ TEST_F(PictureCommands, Exr_HasChannelsMattesAndWhatItIs) {
     }
 }
 
-TEST_F(PictureCommands, StoredFrame_KeepsTheMattes) {
+TEST_F(PictureCommands, StoredFrame_HasTheMattes) {
     const std::vector<std::string> settings{"render.aovs=[cryptomatte_object]"};
     const Picture fresh = frame("a.exr", settings);
     const Picture stored = frame("b.exr", settings);
@@ -145,7 +145,7 @@ TEST_F(PictureCommands, GlowAndView_RenderNothingAgain) {
     EXPECT_NE(plain.values, glowing.values);
 }
 
-TEST_F(PictureCommands, OcioWithoutAConfiguration_IsRefusedBeforeTheWork) {
+TEST_F(PictureCommands, OcioWithoutAConfiguration_IsAnErrorBeforeTheWork) {
     RunOptions without = options();
     without.environment["OCIO"] = "/no/such/config.ocio";
     for (const std::string command : {"frame", "render"}) {

@@ -1,4 +1,4 @@
-// The installed layout's bin/carom, run as a user runs it.
+// Runs bin/carom of the build tree like a user.
 #pragma once
 
 #include <map>
@@ -20,8 +20,8 @@ struct RunResult {
     std::string err;
 };
 
-/// A started bin/carom (or another program of the build tree). stdout and stderr go to files, so
-/// that neither ever blocks it.
+/// A running bin/carom (or another program of the build tree). Its stdout and stderr are files, so
+/// that writing to them never blocks.
 class RunningProgram {
   public:
     RunningProgram(const std::string& program, const std::vector<std::string>& arguments,
@@ -31,7 +31,7 @@ class RunningProgram {
     RunningProgram& operator=(const RunningProgram&) = delete;
 
     void send(int signal) const;
-    /// What it has written so far.
+    /// What it has written to stderr so far.
     [[nodiscard]] std::string err_so_far() const;
     [[nodiscard]] RunResult wait();
 

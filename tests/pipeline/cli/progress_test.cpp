@@ -24,7 +24,7 @@ TEST(ProgressBar, WideTerminal_ShowsEverything) {
               "8.12 Mrays/s");
 }
 
-TEST(ProgressBar, NarrowTerminal_DropsWhatMattersLeast) {
+TEST(ProgressBar, NarrowTerminal_OmitsTheLeastImportantTexts) {
     const std::string bar = progress_bar(rendering(), 60);
     EXPECT_EQ(bar, "render [=====>            ]   72/240   30 %  1 min 20 s left");
     for (int columns = 1; columns < 120; ++columns) {
@@ -40,7 +40,7 @@ TEST(ProgressBar, Ends_AreEmptyAndFull) {
     EXPECT_EQ(progress_bar(snapshot, 30), "bake [================]  100 %");
 }
 
-TEST(ProgressLine, Snapshot_IsASentence) {
+TEST(ProgressLine, Snapshot_IsFormattedAsALine) {
     ProgressSnapshot snapshot = rendering();
     EXPECT_EQ(progress_line(snapshot),
               "render: 72 of 240 frames (30 %), 1 min 20 s left, 8.12 Mrays/s");
@@ -54,7 +54,7 @@ TEST(ProgressLine, Snapshot_IsASentence) {
     EXPECT_EQ(progress_line(snapshot), "bake: 99 %");
 }
 
-TEST(ProgressJson, Snapshot_HasItsNumbers) {
+TEST(ProgressJson, Snapshot_HasAllNumbers) {
     EXPECT_EQ(progress_json(rendering()).object(),
               R"({"stage":"render","fraction":0.3,"frames_total":240,"frames_done":72,)"
               R"("frames_found":0,"seconds_elapsed":34,"seconds_left":80,)"
@@ -81,7 +81,7 @@ TEST(ProgressMeter, FoundFrames_DoNotShortenTheEstimate) {
     EXPECT_DOUBLE_EQ(meter.snapshot(205).rays_rate.value(), 1000);  // until the next frame
 }
 
-TEST(ProgressMeter, FrameInProgress_CountsAsFarAsItIs) {
+TEST(ProgressMeter, FrameInProgress_CountsByItsFraction) {
     ProgressMeter meter;
     meter.expect_frames(10);
     meter.on_progress("render", 0, 100);
@@ -91,15 +91,15 @@ TEST(ProgressMeter, FrameInProgress_CountsAsFarAsItIs) {
     EXPECT_DOUBLE_EQ(meter.snapshot(102).left.value(), 18);
 }
 
-TEST(ProgressMeter, ShareAlone_GivesAnEstimate) {
+TEST(ProgressMeter, FractionWithoutFrames_GivesAnEstimate) {
     ProgressMeter meter;
     meter.on_progress("bake", 0, 10);
     EXPECT_FALSE(meter.snapshot(11).left.has_value());
     meter.on_progress("bake", 0.25, 12);
     EXPECT_DOUBLE_EQ(meter.snapshot(12).left.value(), 6);
-    meter.on_progress("bake", 0.2, 13);  // never goes back
+    meter.on_progress("bake", 0.2, 13);  // the fraction never decreases
     EXPECT_DOUBLE_EQ(meter.snapshot(13).fraction, 0.25);
-    meter.on_progress("encode", 0, 20);  // a new stage starts afresh
+    meter.on_progress("encode", 0, 20);  // a new stage starts at 0
     EXPECT_DOUBLE_EQ(meter.snapshot(20).fraction, 0);
     EXPECT_EQ(meter.snapshot(20).frames_total, 0);
 }

@@ -1,4 +1,4 @@
-// retime, and films under another camera, run as a user runs them.
+// End-to-end tests of retime, and of films with another camera.
 #include "tests/pipeline/cli/end_to_end.h"
 #include "tests/pipeline/video/decoded_video.h"
 
@@ -19,7 +19,7 @@ class RetimeCommands : public EndToEnd {
     }
 };
 
-TEST_F(RetimeCommands, SlowMotion_IsThatStretchThatMuchLonger) {
+TEST_F(RetimeCommands, SlowMotion_LengthensTheSelectedInterval) {
     ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
     const RunResult result =
         run({"retime", "tiny.bake", "--speed", "0.125", "--from", "100ms", "--to", "0.2 s"});
@@ -30,22 +30,22 @@ TEST_F(RetimeCommands, SlowMotion_IsThatStretchThatMuchLonger) {
     EXPECT_EQ(frames_of("r.mp4"), 10U);
 }
 
-TEST_F(RetimeCommands, Reverse_RendersOnlyTheFrameAtTheEnd) {
+TEST_F(RetimeCommands, Reverse_RendersOnlyTheLastFrame) {
     ASSERT_EQ(run({"render", "tiny.yaml"}).exit_code, 0);
     const RunResult result = run({"retime", "tiny.yaml", "--reverse", "-o", "back.mp4"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("using the bake that was kept"));
+    EXPECT_THAT(result.err, HasSubstr("using the cached bake"));
     EXPECT_THAT(result.err, HasSubstr("6 frames, 1 of them rendered now"));
 }
 
-TEST_F(RetimeCommands, WhatCannotBe_IsSaidBeforeTheWork) {
+TEST_F(RetimeCommands, InvalidOptions_AreRejectedBeforeTheWork) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
-        {{}, "nothing is to be changed; give --speed"},
+        {{}, "no change is given; use --speed"},
         {{"--speed", "fast"}, "'fast' is not a speed; write 0.125 or 1/8"},
         {{"--speed", "1 s"}, "'1 s' is not a speed"},
         {{"--from", "noon"}, "'noon' is not a time; write 1.25s or 500ms"},
         {{"--ramp", "1s"}, "'1s' in --ramp is not a film time and a speed"},
-        {{"--reverse", "--easing", "linear"}, "--easing has no meaning without --ramp"},
+        {{"--reverse", "--easing", "linear"}, "--easing has no effect without --ramp; give both"},
         {{"--from", "1s", "--to", "2s"}, "no camera shows scene time 1 s ('seat' 0 s to 0.6 s)"},
     };
     for (const auto& [options, text] : wrong) {
@@ -58,7 +58,7 @@ TEST_F(RetimeCommands, WhatCannotBe_IsSaidBeforeTheWork) {
     EXPECT_THAT(results(), IsEmpty());
 }
 
-TEST_F(RetimeCommands, OtherCamera_FilmsTheBakeAndTellsHowTrueItsWayIs) {
+TEST_F(RetimeCommands, OtherCamera_FilmsTheBakeAndReportsTheErrorOfItsPath) {
     write_text(
         path("other.yaml"),
         "cameras:\n"
@@ -74,7 +74,7 @@ TEST_F(RetimeCommands, OtherCamera_FilmsTheBakeAndTellsHowTrueItsWayIs) {
     EXPECT_EQ(run({"frame", "tiny.bake", "--camera", "other.yaml", "--frame", "4"}).exit_code, 2);
 }
 
-TEST_F(RetimeCommands, ErrorsOfACameraFile_AreCountedUnderItsOwnName) {
+TEST_F(RetimeCommands, ErrorsOfACameraFile_AreReportedWithItsName) {
     write_text(path("other.yaml"), "cameras: [{name: chase, video: [0 s, 1 s], scene: 0 s}]\n");
     ASSERT_EQ(run({"bake", "tiny.yaml"}).exit_code, 0);
     const RunResult result = run({"render", "tiny.bake", "--camera", "other.yaml", "-o", "b.mp4"});

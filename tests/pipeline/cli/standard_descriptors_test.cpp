@@ -11,10 +11,10 @@
 namespace carom::cli {
 namespace {
 
-/// 0 if nothing that is opened gets one of the three numbers, and the closed ones still fail.
+/// 0 if files that are opened get none of the three descriptors, and the closed one still fails.
 int outcome_without(int descriptor) {
     ::close(descriptor);
-    hold_standard_descriptors();
+    reserve_standard_descriptors();
     char byte = 0;
     const bool fails = descriptor == STDIN_FILENO ? ::read(descriptor, &byte, 1) < 0
                                                   : ::write(descriptor, &byte, 1) < 0;
@@ -24,7 +24,7 @@ int outcome_without(int descriptor) {
     return ::open("/dev/null", O_RDWR) > STDERR_FILENO ? 0 : 2;
 }
 
-TEST(StandardDescriptorsDeathTest, ClosedOnes_AreNobodyElses) {
+TEST(StandardDescriptorsDeathTest, ClosedDescriptors_AreNotReused) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         EXPECT_EXIT(std::_Exit(outcome_without(descriptor)), ::testing::ExitedWithCode(0), "")
@@ -32,8 +32,8 @@ TEST(StandardDescriptorsDeathTest, ClosedOnes_AreNobodyElses) {
     }
 }
 
-TEST(StandardDescriptors, OpenOnes_StayAsTheyAre) {
-    hold_standard_descriptors();
+TEST(StandardDescriptors, OpenDescriptors_AreUnchanged) {
+    reserve_standard_descriptors();
     EXPECT_EQ(::write(STDERR_FILENO, "", 0), 0);
 }
 

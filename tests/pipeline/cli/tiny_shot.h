@@ -1,4 +1,4 @@
-// A shot that simulates and renders in a blink.
+// A shot that is simulated and rendered within a fraction of a second.
 #pragma once
 
 #include <string>

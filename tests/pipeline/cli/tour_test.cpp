@@ -1,5 +1,4 @@
-// docs/tour.md, followed to the letter: its files written, its commands run, what it shows
-// compared.
+// Follows docs/tour.md exactly: writes its files, runs its commands and compares their output.
 #include <fstream>
 
 #include "tests/pipeline/cli/end_to_end.h"
@@ -55,7 +54,7 @@ std::vector<Block> blocks_of(const std::string& page) {
     return blocks;
 }
 
-/// As a shell splits them; quotes keep blanks.
+/// The words of a line, split like a shell does, with blanks inside quotes.
 std::vector<std::string> words_of(const std::string& line) {
     std::vector<std::string> words(1);
     bool is_quoted = false;
@@ -73,7 +72,7 @@ std::vector<std::string> words_of(const std::string& line) {
 
 class Tour : public EndToEnd {
   protected:
-    /// The command's output, both kinds. What renders does so in a blink.
+    /// The output of a command on stdout and stderr. Commands that render get a tiny size.
     std::string run_line(const std::string& line, bool fails) {
         std::vector<std::string> words = words_of(line);
         if (words[0] == "touch") {
@@ -100,7 +99,7 @@ class Tour : public EndToEnd {
     }
 };
 
-TEST_F(Tour, IsTrueToTheLetter) {
+TEST_F(Tour, EveryCommand_PrintsWhatThePageShows) {
     const std::vector<Block> blocks = blocks_of(CAROM_SOURCE_DIR "/docs/tour.md");
     EXPECT_GT(blocks.size(), 20U);
     std::string output;
@@ -125,7 +124,7 @@ TEST_F(Tour, IsTrueToTheLetter) {
             }
         }
     }
-    // What the tour promises: three cameras, one of them slow.
+    // The tour promises three cameras, one of them in slow motion.
     EXPECT_THAT(run({"plan", "shot.yaml", "-o", "-"}).out, HasSubstr("1/20×"));
     for (const char* film :
          {"draft.mp4", "shot.mp4", "slower.mp4", "back.mp4", "sheet.png", "frame.png"}) {
