@@ -36,7 +36,7 @@ LaboratoryScene scene_of_shot(const CompareCommand& command, CommandContext& con
         throw InputError(fmt::format("frame {} is outside the film, which has the frames 0 to {}",
                                      frame, frames - 1));
     }
-    const sim::Bake bake = bake_of(input, command.input, command.cache, context);
+    const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
     const pipeline::FilmSource source(input.shot, bake.timeline);
     pipeline::FrameInputs inputs = source.inputs(frame);
     LaboratoryScene scene;

@@ -18,7 +18,7 @@ void run(const BakeCommand& command, CommandContext& context) {
     const std::string path = output_or_default(command.output, command.input.path, ".bake");
     check_output_folder(path);
     ShotInput input = read_shot_input(command.input, context.console);
-    const sim::Bake bake = bake_of(input, command.input, command.cache, context);
+    const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
     sim::write_bake(bake, path);
     context.console.info(fmt::format("{} objects, {} events", bake.timeline.tracks.size(),
                                      bake.timeline.events.size()));

@@ -8,8 +8,8 @@ namespace carom::cli {
 
 namespace {
 
-sim::Bake bake_of_shot(const ShotInput& input, const std::string& path, const CacheOptions& cache,
-                       CommandContext& context) {
+sim::Bake obtain_bake_of_shot(const ShotInput& input, const std::string& path,
+                              const CacheOptions& cache, CommandContext& context) {
     const BakeReason reason(input.shot, path, cache.folder);
     pipeline::BakedShot baked = pipeline::bake_or_reuse(
         input.shot, cache.folder, make_console_observer(context.console), context.stop);
@@ -32,14 +32,14 @@ void report_cameras(const ShotInput& input, const sim::Timeline& timeline, Conso
 
 }  // namespace
 
-sim::Bake bake_of(ShotInput& input, const InputOptions& options, const CacheOptions& cache,
-                  CommandContext& context) {
+sim::Bake obtain_bake(ShotInput& input, const InputOptions& options, const CacheOptions& cache,
+                      CommandContext& context) {
     sim::Bake bake;
     if (input.bake) {
         pipeline::add_keyed_motions(*input.bake, input.shot);  // --set may have changed them
         bake = std::move(*input.bake);
     } else {
-        bake = bake_of_shot(input, options.path, cache, context);
+        bake = obtain_bake_of_shot(input, options.path, cache, context);
     }
     report_problems(pipeline::simulation_problems(bake.timeline, input.source.get()),
                     context.console);
@@ -47,7 +47,7 @@ sim::Bake bake_of(ShotInput& input, const InputOptions& options, const CacheOpti
     return bake;
 }
 
-sim::Timeline timeline_of_bake(const std::string& path, Console& console) {
+sim::Timeline read_timeline_of_bake(const std::string& path, Console& console) {
     sim::Timeline timeline = read_bake_input(path).timeline;
     report_problems(pipeline::simulation_problems(timeline, nullptr), console);
     return timeline;

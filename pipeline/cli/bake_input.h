@@ -10,11 +10,11 @@ namespace carom::cli {
 /// The input's bake, or else the shot's cached bake or a new one. Prints the progress, and why the
 /// shot was simulated or not. Reports probable mistakes that the motion shows: strikes that miss,
 /// cameras inside balls. Throws Error, Stopped.
-[[nodiscard]] sim::Bake bake_of(ShotInput& input, const InputOptions& options,
-                                const CacheOptions& cache, CommandContext& context);
+[[nodiscard]] sim::Bake obtain_bake(ShotInput& input, const InputOptions& options,
+                                    const CacheOptions& cache, CommandContext& context);
 
 /// The timeline of a bake file, for commands that need nothing else of it: the shot in it is not
 /// parsed. Reports the warnings of its simulation. Throws Error.
-[[nodiscard]] sim::Timeline timeline_of_bake(const std::string& path, Console& console);
+[[nodiscard]] sim::Timeline read_timeline_of_bake(const std::string& path, Console& console);
 
 }  // namespace carom::cli

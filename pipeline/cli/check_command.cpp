@@ -37,8 +37,8 @@ std::optional<sim::Bake> simulate(const pipeline::Shot& shot, const std::stop_to
 }
 
 /// The input's bake, or the cached bake, or a simulation.
-std::optional<sim::Bake> bake_of(ShotInput& input, const CacheOptions& cache,
-                                 CommandContext& context) {
+std::optional<sim::Bake> obtain_bake(ShotInput& input, const CacheOptions& cache,
+                                     CommandContext& context) {
     if (input.bake) {
         pipeline::add_keyed_motions(*input.bake, input.shot);
         return std::move(input.bake);
@@ -49,7 +49,7 @@ std::optional<sim::Bake> bake_of(ShotInput& input, const CacheOptions& cache,
 
 void check_motion(ShotInput& input, const CheckCommand& command, CommandContext& context,
                   std::vector<Problem>& problems) {
-    const std::optional<sim::Bake> bake = bake_of(input, command.cache, context);
+    const std::optional<sim::Bake> bake = obtain_bake(input, command.cache, context);
     if (!bake) {
         context.console.info(
             fmt::format("the motion was not checked, because simulating it takes more than {} "

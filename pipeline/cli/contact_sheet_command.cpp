@@ -91,7 +91,7 @@ void run(const ContactSheetCommand& command, CommandContext& context) {
     job.factory = context.factory;
     job.frames = spread_frames(command.count, all);
     const std::vector<std::int64_t> frames = job.frames.frames(all);
-    const sim::Bake bake = bake_of(input, options, command.cache, context);
+    const sim::Bake bake = obtain_bake(input, options, command.cache, context);
     // All pictures are rendered to the store in one job, and then read from there.
     (void)pipeline::make_film(
         shot, bake, job, make_console_observer(context.console, std::ssize(frames)), context.stop);

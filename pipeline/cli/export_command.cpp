@@ -40,10 +40,10 @@ struct Source {
 
 Source read_source(const ExportCommand& command, bool shot_wanted, CommandContext& context) {
     if (!shot_wanted && is_bake_file(command.input.path)) {
-        return {std::nullopt, timeline_of_bake(command.input.path, context.console)};
+        return {std::nullopt, read_timeline_of_bake(command.input.path, context.console)};
     }
     ShotInput input = read_shot_input(command.input, context.console);
-    sim::Timeline timeline = bake_of(input, command.input, command.cache, context).timeline;
+    sim::Timeline timeline = obtain_bake(input, command.input, command.cache, context).timeline;
     return {std::move(input.shot), std::move(timeline)};
 }
 

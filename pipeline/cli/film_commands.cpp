@@ -51,7 +51,7 @@ std::int64_t chosen_frame(const FrameCommand& command, const Shot& shot) {
     std::int64_t frame = command.frame.value_or(0);
     std::string given = fmt::format("frame {}", frame);
     if (!command.at.empty()) {
-        frame = frame_shown_at(seconds_from_text(command.at), shot.timing.fps);
+        frame = frame_shown_at(parse_seconds(command.at), shot.timing.fps);
         given = "--at " + command.at;
     }
     if (frame < 0 || frame >= count) {
@@ -168,7 +168,7 @@ void film_shot(ShotInput input, const std::string& path, const RenderCommand& co
         context.console.info("chunk " + command.chunk + " has no frames");
         return;
     }
-    const sim::Bake bake = bake_of(input, command.input, command.cache, context);
+    const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
     report_fitted_paths(input.shot, bake.timeline, context.console);
     if (command.dry_run) {
         print_status(pipeline::film_status(input.shot, bake, options, context.stop));
@@ -194,7 +194,7 @@ void run(const MuxCommand& command, CommandContext& context) {
     options.output = path;
     const std::int64_t frames =
         count_job_frames(input.shot, options, command.frames, context.console);
-    const sim::Bake bake = bake_of(input, command.input, command.cache, context);
+    const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
     const pipeline::FilmJobResult result = pipeline::mux_film(
         input.shot, bake, options, make_console_observer(context.console, frames), context.stop);
     context.console.end_progress();
@@ -214,7 +214,7 @@ void run(const FrameCommand& command, CommandContext& context) {
     FilmJobOptions options = job_options(command.cache, {}, {});
     options.threads = command.threads;
     options.factory = context.factory;
-    const sim::Bake bake = bake_of(input, command.input, command.cache, context);
+    const sim::Bake bake = obtain_bake(input, command.input, command.cache, context);
     const render::Film film = pipeline::make_frame(
         input.shot, bake, frame, options, make_console_observer(context.console, 1), context.stop);
     context.console.end_progress();

@@ -21,7 +21,7 @@ ShotInput read_film_input(const InputOptions& input, CommandContext& context) {
         render::find_problem(checked.input->shot.render.acceleration, context.factory)) {
         throw NeedsProgram(render::kComparisonProgram);
     }
-    return accept_shot_input(std::move(checked), input, context.console);
+    return require_shot_input(std::move(checked), input, context.console);
 }
 
 FilmJobOptions job_options(const CacheOptions& cache, const std::string& frames,

@@ -98,7 +98,7 @@ std::string cannot_start(const std::string& what, const std::string& path, int r
 
 }  // namespace
 
-std::string helper_program(const std::string& name) {
+std::string helper_path(const std::string& name) {
     const char* laboratory = std::getenv("CAROM_LAB");
     if (name == "carom-lab" && laboratory != nullptr) {
         return laboratory;
@@ -112,7 +112,7 @@ std::string helper_program(const std::string& name) {
 }
 
 void exec_program(const std::string& name, char** arguments) {
-    const std::string path = helper_program(name);
+    const std::string path = helper_path(name);
     ::execv(path.c_str(), arguments);
     const bool is_laboratory = name == "carom-lab";
     throw Error(cannot_start(
@@ -123,7 +123,7 @@ void exec_program(const std::string& name, char** arguments) {
 
 std::vector<std::byte> run_helper(const std::string& name, const std::string& what,
                                   const std::string& argument, std::span<const std::byte> input) {
-    std::string path = helper_program(name);
+    std::string path = helper_path(name);
     std::string word = argument;
     const std::array<char*, 3> arguments{path.data(), word.data(), nullptr};
     const MemoryFile in;

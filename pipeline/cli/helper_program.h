@@ -12,7 +12,7 @@ namespace carom::cli {
 /// The path of a program such as "carom-film", relative to the path of the running program.
 /// $CAROM_LAB, if set, replaces the path of "carom-lab": scripts/run sets it to a script that
 /// builds the program first.
-[[nodiscard]] std::string helper_program(const std::string& name);
+[[nodiscard]] std::string helper_path(const std::string& name);
 
 /// Thrown by a command that another of these programs must run.
 class NeedsProgram {

@@ -11,7 +11,8 @@ void run(const PlanCommand& command, CommandContext& context) {
     const std::string path = output_or_default(command.output, command.input.path, ".svg");
     check_drawing_path(path, "a plan");
     ShotInput input = read_shot_input(command.input, context.console);
-    const sim::Timeline timeline = bake_of(input, command.input, command.cache, context).timeline;
+    const sim::Timeline timeline =
+        obtain_bake(input, command.input, command.cache, context).timeline;
     write_drawing({path, command.drawing.width},
                   pipeline::plan_svg(input.shot, timeline, {page_of(command.drawing.page, path)}));
 }

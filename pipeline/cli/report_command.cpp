@@ -22,13 +22,14 @@ void write_report(const ReportCommand& command, const sim::Timeline& timeline) {
 void run(const ReportCommand& command, CommandContext& context) {
     check_output_folder(command.output);
     if (command.plot.empty() && is_bake_file(command.input.path)) {
-        return write_report(command, timeline_of_bake(command.input.path, context.console));
+        return write_report(command, read_timeline_of_bake(command.input.path, context.console));
     }
     if (!command.plot.empty()) {
         check_drawing_path(command.plot, "a plot");
     }
     ShotInput input = read_shot_input(command.input, context.console);
-    const sim::Timeline timeline = bake_of(input, command.input, command.cache, context).timeline;
+    const sim::Timeline timeline =
+        obtain_bake(input, command.input, command.cache, context).timeline;
     // With --plot and without -o and --json only the plot is written.
     if (command.plot.empty() || !command.output.empty() || command.json) {
         write_report(command, timeline);

@@ -119,7 +119,7 @@ CheckedInput load_shot_input(const InputOptions& input) {
     return checked;
 }
 
-ShotInput accept_shot_input(CheckedInput checked, const InputOptions& input, Console& console) {
+ShotInput require_shot_input(CheckedInput checked, const InputOptions& input, Console& console) {
     report_problems(checked.problems, console);
     if (!checked.input) {
         throw InputError(faulty_file(input, checked.problems) + " has " +
@@ -129,7 +129,7 @@ ShotInput accept_shot_input(CheckedInput checked, const InputOptions& input, Con
 }
 
 ShotInput read_shot_input(const InputOptions& input, Console& console) {
-    return accept_shot_input(load_shot_input(input), input, console);
+    return require_shot_input(load_shot_input(input), input, console);
 }
 
 JsonMembers members_of(const pipeline::Problem& problem) {

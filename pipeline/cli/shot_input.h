@@ -39,8 +39,8 @@ struct CheckedInput {
 [[nodiscard]] sim::Bake read_bake_input(const std::string& path);
 
 /// Reports all problems on the console; throws InputError if one of them is an error.
-[[nodiscard]] ShotInput accept_shot_input(CheckedInput checked, const InputOptions& input,
-                                          Console& console);
+[[nodiscard]] ShotInput require_shot_input(CheckedInput checked, const InputOptions& input,
+                                           Console& console);
 
 /// Reads the shot, or the bake and the shot in it. All problems are reported on the console. Throws
 /// InputError if one of them is an error, or if the options change the physics of a bake.

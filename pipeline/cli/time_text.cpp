@@ -8,7 +8,7 @@
 
 namespace carom::cli {
 
-double seconds_from_text(const std::string& text) {
+double parse_seconds(const std::string& text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));

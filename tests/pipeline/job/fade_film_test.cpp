@@ -12,8 +12,8 @@
 namespace carom::pipeline {
 namespace {
 
-using carom::testing::film_by;
-using carom::testing::frame_by;
+using carom::testing::make_film_with;
+using carom::testing::make_frame_with;
 using carom::testing::read_text;
 using carom::testing::ScratchFolder;
 using carom::testing::tiny_shot;
@@ -65,7 +65,7 @@ struct FadeJob {
         observer.on_frame = [this](std::int64_t frame, bool, double, std::uint64_t) {
             reported.push_back(frame);
         };
-        return film_by(renderer(), shot, tiny_timeline(), options(name), observer, {});
+        return make_film_with(renderer(), shot, tiny_timeline(), options(name), observer, {});
     }
 };
 
@@ -104,7 +104,7 @@ TEST(FadeFilm, Pictures_AreCountedSeparatelyFromFrames) {
 TEST(FadeFilm, SingleFrame_IsTheSameAsInTheFilm) {
     FadeJob job;
     const render::Film film =
-        frame_by(job.renderer(), job.shot, tiny_timeline(), 7, job.options(""), {}, {});
+        make_frame_with(job.renderer(), job.shot, tiny_timeline(), 7, job.options(""), {}, {});
     EXPECT_EQ(film.rgba[0], 2.5F);
 }
 
@@ -116,8 +116,9 @@ TEST(FadeFilm, Video_IsTheSameFromTheStore) {
     FadeJob pieces;  // only frames inside the fade, then all
     FilmJobOptions options = pieces.options("c.mkv");
     options.frames = parse_frame_range("5-6");
-    EXPECT_EQ(film_by(pieces.renderer(), pieces.shot, tiny_timeline(), options, {}, {}).rendered,
-              2);
+    EXPECT_EQ(
+        make_film_with(pieces.renderer(), pieces.shot, tiny_timeline(), options, {}, {}).rendered,
+        2);
     EXPECT_EQ(pieces.film("d.mkv").rendered, 0);
     EXPECT_EQ(read_text(job.folder.path("a.mkv")), read_text(pieces.folder.path("d.mkv")));
 }

@@ -20,8 +20,8 @@ namespace {
 
 using carom::testing::fake_picture;
 using carom::testing::FakeRenderer;
-using carom::testing::film_by;
-using carom::testing::frame_by;
+using carom::testing::make_film_with;
+using carom::testing::make_frame_with;
 using carom::testing::read_text;
 using carom::testing::ScratchFolder;
 using carom::testing::write_text;
@@ -58,7 +58,7 @@ struct JobFixture {
     }
 
     FilmJobResult film(const RenderFunction& render, const FilmJobOptions& options) {
-        return film_by(render, shot, timeline, options, observer, stop.get_token());
+        return make_film_with(render, shot, timeline, options, observer, stop.get_token());
     }
 
     FilmJobResult film(const std::string& name = "film.mkv") {
@@ -320,8 +320,9 @@ TEST(FilmPipeline, TwoConcurrentJobs_RenderEachPictureOnce) {
         return job.renderer.function()(inputs, context);
     };
     FilmJobResult other;
-    std::thread second(
-        [&] { other = film_by(slow, job.shot, job.timeline, job.options("b.mkv"), {}, {}); });
+    std::thread second([&] {
+        other = make_film_with(slow, job.shot, job.timeline, job.options("b.mkv"), {}, {});
+    });
     const FilmJobResult result = job.film(slow, job.options("a.mkv"));
     second.join();
     EXPECT_EQ(result.rendered + other.rendered, kPictures);
@@ -483,8 +484,8 @@ TEST(FilmPipeline, NoSelectedFrame_IsAnError) {
 TEST(FramePipeline, OneFrame_IsStoredAndSharedWithTheFilm) {
     JobFixture job;
     const auto frame = [&] {
-        return frame_by(job.renderer.function(), job.shot, job.timeline, 3, job.options(),
-                        job.observer, {});
+        return make_frame_with(job.renderer.function(), job.shot, job.timeline, 3, job.options(),
+                               job.observer, {});
     };
     const render::Film first = frame();
     EXPECT_EQ(first.width, 32);

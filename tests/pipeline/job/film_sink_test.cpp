@@ -17,7 +17,7 @@ namespace carom::pipeline {
 namespace {
 
 using carom::testing::fake_picture;
-using carom::testing::film_by;
+using carom::testing::make_film_with;
 using carom::testing::ScratchFolder;
 using carom::testing::tiny_timeline;
 using ::testing::Contains;
@@ -43,7 +43,7 @@ struct Export {
                          {"Z", std::vector<float>(pixels, 2)}};
             return film;
         };
-        return film_by(render, shot, tiny_timeline(), options, {}, {});
+        return make_film_with(render, shot, tiny_timeline(), options, {}, {});
     }
     [[nodiscard]] render::Film picture(const std::string& name) const {
         return render::read_exr(folder.path(name));
@@ -110,7 +110,7 @@ TEST(Hdr10, Film_ContainsTheLightLevelsOfItsBrightestFrames) {
         return film;
     };
     options.frames = parse_frame_range("2-10x4");
-    ASSERT_EQ(film_by(render, job.shot, tiny_timeline(), options, {}, {}).rendered, 3);
+    ASSERT_EQ(make_film_with(render, job.shot, tiny_timeline(), options, {}, {}).rendered, 3);
     const std::string file = carom::testing::read_text(path);
     const std::size_t at = file.find("clli");
     ASSERT_NE(at, std::string::npos);

@@ -16,8 +16,8 @@ namespace carom::pipeline {
 namespace {
 
 using carom::testing::FakeRenderer;
-using carom::testing::film_by;
-using carom::testing::frame_by;
+using carom::testing::make_film_with;
+using carom::testing::make_frame_with;
 using carom::testing::read_text;
 using carom::testing::ScratchFolder;
 using carom::testing::write_text;
@@ -44,7 +44,7 @@ struct ChunkFixture {
     FilmJobResult render(const FilmJobOptions& options) {
         JobObserver observer;
         observer.on_warning = [this](const std::string& text) { warning = text; };
-        return film_by(renderer.function(), shot, bake.timeline, options, observer, {});
+        return make_film_with(renderer.function(), shot, bake.timeline, options, observer, {});
     }
     FilmJobResult render_chunk(std::int64_t number, std::int64_t of) {
         FilmJobOptions chunk = options();
@@ -172,7 +172,7 @@ TEST(CacheLimit, OtherPartsOfTheFilm_AreKept) {
     EXPECT_EQ(job.render(options).rendered, 0);
     EXPECT_THAT(job.status().missing, ElementsAre(8, 9, 10, 11));
     age_all();
-    (void)frame_by(job.renderer.function(), job.shot, job.bake.timeline, 0, options, {}, {});
+    (void)make_frame_with(job.renderer.function(), job.shot, job.bake.timeline, 0, options, {}, {});
     EXPECT_THAT(job.status().missing, ElementsAre(8, 9, 10, 11));
 }
 

@@ -33,7 +33,7 @@ void run_logged_job(const std::string& cache, const std::string& video, const st
     observer.on_warning = [&](const std::string& text) {
         std::ofstream(log + ".warnings", std::ios::app) << text << '\n';
     };
-    (void)film_by(render, shot, timeline, options, observer, {});
+    (void)make_film_with(render, shot, timeline, options, observer, {});
     ::close(file);
 }
 

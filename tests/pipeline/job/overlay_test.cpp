@@ -14,7 +14,7 @@ namespace carom::pipeline {
 namespace {
 
 using carom::testing::FakeRenderer;
-using carom::testing::film_by;
+using carom::testing::make_film_with;
 using carom::testing::read_text;
 using carom::testing::ScratchFolder;
 using carom::testing::tiny_shot;
@@ -125,7 +125,7 @@ struct OverlayJob {
         FilmJobOptions options;
         options.output = folder.path(name);
         options.cache_folder = folder.path("cache");
-        return film_by(renderer.function(), shot, tiny_timeline(), options, {}, {});
+        return make_film_with(renderer.function(), shot, tiny_timeline(), options, {}, {});
     }
     [[nodiscard]] std::string bytes(const std::string& name) const {
         return read_text(folder.path(name));

@@ -54,18 +54,19 @@ render::Film fake_picture(const pipeline::Shot& shot, const pipeline::FrameInput
     return film;
 }
 
-pipeline::FilmJobResult film_by(const pipeline::RenderFunction& render, const pipeline::Shot& shot,
-                                const sim::Timeline& timeline, pipeline::FilmJobOptions options,
-                                const pipeline::JobObserver& observer,
-                                const std::stop_token& stop) {
+pipeline::FilmJobResult make_film_with(const pipeline::RenderFunction& render,
+                                       const pipeline::Shot& shot, const sim::Timeline& timeline,
+                                       pipeline::FilmJobOptions options,
+                                       const pipeline::JobObserver& observer,
+                                       const std::stop_token& stop) {
     options.renderer = render;
     return make_film(shot, {timeline, {}, {}, {}}, options, observer, stop);
 }
 
-render::Film frame_by(const pipeline::RenderFunction& render, const pipeline::Shot& shot,
-                      const sim::Timeline& timeline, std::int64_t frame,
-                      pipeline::FilmJobOptions options, const pipeline::JobObserver& observer,
-                      const std::stop_token& stop) {
+render::Film make_frame_with(const pipeline::RenderFunction& render, const pipeline::Shot& shot,
+                             const sim::Timeline& timeline, std::int64_t frame,
+                             pipeline::FilmJobOptions options,
+                             const pipeline::JobObserver& observer, const std::stop_token& stop) {
     options.renderer = render;
     return make_frame(shot, {timeline, {}, {}, {}}, frame, options, observer, stop);
 }

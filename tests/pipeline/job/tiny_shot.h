@@ -24,14 +24,17 @@ namespace carom::testing {
                                         const pipeline::FrameInputs& inputs);
 
 /// Calls make_film or make_frame for a bake with this timeline, with pictures that `render` makes.
-pipeline::FilmJobResult film_by(const pipeline::RenderFunction& render, const pipeline::Shot& shot,
-                                const sim::Timeline& timeline, pipeline::FilmJobOptions options,
-                                const pipeline::JobObserver& observer, const std::stop_token& stop);
-[[nodiscard]] render::Film frame_by(const pipeline::RenderFunction& render,
-                                    const pipeline::Shot& shot, const sim::Timeline& timeline,
-                                    std::int64_t frame, pipeline::FilmJobOptions options,
-                                    const pipeline::JobObserver& observer,
-                                    const std::stop_token& stop);
+pipeline::FilmJobResult make_film_with(const pipeline::RenderFunction& render,
+                                       const pipeline::Shot& shot, const sim::Timeline& timeline,
+                                       pipeline::FilmJobOptions options,
+                                       const pipeline::JobObserver& observer,
+                                       const std::stop_token& stop);
+[[nodiscard]] render::Film make_frame_with(const pipeline::RenderFunction& render,
+                                           const pipeline::Shot& shot,
+                                           const sim::Timeline& timeline, std::int64_t frame,
+                                           pipeline::FilmJobOptions options,
+                                           const pipeline::JobObserver& observer,
+                                           const std::stop_token& stop);
 
 /// A renderer that returns fake_picture and records the calls.
 class FakeRenderer {
