@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             const bool is_import_error =
                 problem.message.find("unknown key") != std::string::npos ||
                 problem.message.find("cannot be the name") != std::string::npos ||
-                problem.message.find("is not YAML") != std::string::npos;
+                problem.message.starts_with("YAML syntax");
             if (is_import_error) {
                 std::fprintf(stderr, "%s\n%s", result.yaml.c_str(), format(problem).c_str());
                 std::abort();
