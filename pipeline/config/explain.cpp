@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 
 #include "pipeline/config/emit_yaml.h"
-#include "pipeline/config/load_shot.h"
+#include "pipeline/config/key_conditions.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/source_set.h"
 #include "pipeline/config/table_node.h"
@@ -17,7 +17,6 @@ using namespace config;
 namespace {
 
 constexpr std::size_t kCommentColumn = 48;
-constexpr const char* kDefault = "# default";
 
 /// The map among the kinds of value that a key takes, or nullptr.
 const MapInfo* map_of(const TypeInfo* type) {
@@ -140,7 +139,7 @@ class Explainer {
             write_measures(*standard, node, indent);
         }
         if (info != nullptr) {
-            write_defaults(*info, &node, indent);
+            write_defaults(*info, node, indent);
         }
     }
 
@@ -173,21 +172,21 @@ class Explainer {
         }
     }
 
-    /// Of the keys that `node` (nullptr: nobody) does not give.
-    void write_defaults(const MapInfo& info, const Node* node, const std::string& indent) {
+    /// Of the keys that `node` does not give, and could.
+    void write_defaults(const MapInfo& info, const Node& node, const std::string& indent) {
         for (const KeyInfo& key : info.keys) {
-            if (node != nullptr && node->find(key.name) != nullptr) {
+            if (node.find(key.name) != nullptr) {
                 continue;
             }
             if (key.is_always_there) {
                 const std::size_t before = text_.size();
                 text_ += indent + emit_key(key.name) + ":\n";
                 const std::size_t header = text_.size();
-                write_defaults(*key.type.map, nullptr, indent + "  ");
+                write_defaults(*key.type.map, {}, indent + "  ");
                 if (text_.size() == header) {
                     text_.resize(before);
                 }
-            } else if (!key.default_text.empty()) {
+            } else if (!key.default_text.empty() && can_be_added(info, key, node)) {
                 write_line(indent + emit_key(key.name) + ": " + key.default_text, "default");
             }
         }
@@ -206,47 +205,10 @@ class Explainer {
     std::string text_;
 };
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = text.find('\n', at);
-        lines.push_back(text.substr(at, end - at));
-        at = end + 1;
-    }
-    return lines;
-}
-
-/// Some defaults have no meaning beside what was given ('facing' for a light all around) or stand
-/// against it ('fov' against 'focal_length'); the parser knows which, and they are taken out as it
-/// complains. True if there were any.
-bool take_out_refused(std::string& text) {
-    std::vector<std::string> lines = lines_of(text);
-    bool has_changed = false;
-    for (const Problem& problem : load_shot_text(text, "shot.yaml").problems) {
-        const auto line = static_cast<std::size_t>(problem.place.line);
-        if (problem.severity == Severity::error && problem.place.file == "shot.yaml" && line >= 1 &&
-            line <= lines.size() && lines[line - 1].ends_with(kDefault)) {
-            lines[line - 1].clear();
-            has_changed = true;
-        }
-    }
-    if (has_changed) {
-        text.clear();
-        for (const std::string& line : lines) {
-            text += line.empty() ? "" : line + "\n";
-        }
-    }
-    return has_changed;
-}
-
 }  // namespace
 
 std::string explained_yaml(const ShotSource& source, const Shot& shot) {
-    constexpr int kMostRounds = 100;  // a hundred problems are told at a time
-    std::string text = Explainer(source, shot).text();
-    for (int round = 0; round < kMostRounds && take_out_refused(text); ++round) {
-    }
-    return text;
+    return Explainer(source, shot).text();
 }
 
 }  // namespace carom::pipeline

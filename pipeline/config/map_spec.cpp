@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "pipeline/config/key_conditions.h"
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
 
@@ -11,15 +12,6 @@ namespace carom::pipeline::config {
 namespace {
 
 constexpr std::size_t kMostListedKeys = 12;
-
-std::vector<std::string> quoted(const std::vector<std::string>& words) {
-    std::vector<std::string> result;
-    result.reserve(words.size());
-    for (const std::string& word : words) {
-        result.push_back("'" + word + "'");
-    }
-    return result;
-}
 
 /// What was probably meant by something that only looks like a key; empty if nothing is known.
 std::string explain_odd_key(const Entry& entry) {
@@ -160,8 +152,21 @@ void KeyTable::require_last() {
     info_.keys.back().default_text.clear();
 }
 
+void KeyTable::pair_last(std::vector<std::string> partners, bool is_needed) {
+    info_.keys.back().goes_with = std::move(partners);
+    info_.keys.back().is_needed_there = is_needed;
+}
+
+void KeyTable::exclude_last(Exclusion exclusion) {
+    info_.keys.back().exclusions.push_back(std::move(exclusion));
+}
+
 void KeyTable::add_group(KeyGroup::Rule rule, std::vector<std::string> keys) {
     info_.groups.push_back({rule, std::move(keys)});
+}
+
+void KeyTable::set_kinds(std::vector<std::string> keys) {
+    info_.kinds = std::move(keys);
 }
 
 void KeyTable::add_check(Step check) {
@@ -184,6 +189,7 @@ void KeyTable::read(Reader& reader, const Node& node, void* target) const {
             steps_[i](reader, entry->value, target);
         }
     }
+    check_conditions(reader, node, info_);
     for (const Step& check : checks_) {
         check(reader, node, target);
     }

@@ -17,6 +17,14 @@
 
 namespace carom::pipeline::config {
 
+/// A value of another key of the same map that excludes a key.
+struct Exclusion {
+    std::string by;                           // the other key
+    bool (*is_excluding)(const Node& value);  // of that key
+    std::string unless;  // a third key: beside it nothing is excluded; may be empty
+    std::string reason;  // what follows "'scale' "; {}: the label of the map
+};
+
 /// A key of a map.
 struct KeyInfo {
     std::string name;
@@ -25,6 +33,10 @@ struct KeyInfo {
     std::string description;
     bool is_required = false;
     bool is_always_there = false;  // a map whose keys have their defaults even if it is not given
+    /// It has a meaning only beside one of these keys; empty: it always has. See MapInfo::kinds.
+    std::vector<std::string> goes_with{};
+    bool is_needed_there = false;  // and it is required beside them
+    std::vector<Exclusion> exclusions{};
 };
 
 /// Keys that depend on each other.
@@ -39,6 +51,9 @@ struct MapInfo {
     std::string description;
     std::vector<KeyInfo> keys;
     std::vector<KeyGroup> groups;
+    /// Keys that each make it another kind of thing ("a sphere light"). The first that is given
+    /// decides which keys have a meaning.
+    std::vector<std::string> kinds;
 
     [[nodiscard]] std::vector<std::string> key_names() const;
 };
@@ -113,8 +128,12 @@ class KeyTable {
     /// A map of keys that is read in place.
     void add_map(std::string_view name, const MapInfo& map, std::string_view description,
                  Step read);
+    // Of the key added last.
     void require_last();
+    void pair_last(std::vector<std::string> partners, bool is_needed);
+    void exclude_last(Exclusion exclusion);
     void add_group(KeyGroup::Rule rule, std::vector<std::string> keys);
+    void set_kinds(std::vector<std::string> keys);
     void add_check(Step check);
 
     [[nodiscard]] const MapInfo& info() const { return info_; }
@@ -185,6 +204,30 @@ class MapSpec {
     /// The key added last must be there, and so has no default.
     MapSpec& required() {
         table_.require_last();
+        return *this;
+    }
+
+    /// The key added last has a meaning only beside one of `partners`.
+    MapSpec& goes_with(std::vector<std::string> partners) {
+        table_.pair_last(std::move(partners), false);
+        return *this;
+    }
+
+    /// The key added last has a meaning only beside `partner`, which needs it.
+    MapSpec& needed_by(std::string partner) {
+        table_.pair_last({std::move(partner)}, true);
+        return *this;
+    }
+
+    /// The key added last cannot be given beside some values of another key.
+    MapSpec& excluded_by(Exclusion exclusion) {
+        table_.exclude_last(std::move(exclusion));
+        return *this;
+    }
+
+    /// Messages say of which kind a map is by its key and the map's name: "a sphere light".
+    MapSpec& kinds(std::vector<std::string> keys) {
+        table_.set_kinds(std::move(keys));
         return *this;
     }
 

@@ -43,6 +43,15 @@ std::string quote(std::string_view text) {
     return "'" + std::string(text.substr(0, end)) + "...'";
 }
 
+std::vector<std::string> quoted(std::span<const std::string> words) {
+    std::vector<std::string> result;
+    result.reserve(words.size());
+    for (const std::string& word : words) {
+        result.push_back("'" + word + "'");
+    }
+    return result;
+}
+
 std::string join(std::span<const std::string> words, std::string_view last) {
     return carom::join(words, ", ", fmt::format(" {} ", last));
 }

@@ -12,6 +12,9 @@ namespace carom::pipeline::config {
 /// The text in single quotes, cut after 60 characters.
 [[nodiscard]] std::string quote(std::string_view text);
 
+/// Each word in single quotes.
+[[nodiscard]] std::vector<std::string> quoted(std::span<const std::string> words);
+
 /// "a, b and c"; `last` is the word between the last two.
 [[nodiscard]] std::string join(std::span<const std::string> words, std::string_view last);
 

@@ -88,53 +88,10 @@ struct PathKeys {
     double look_ahead = 0;
 };
 
-/// `key` stands beside one of `needed`, which is then required if `is_required`.
-struct Company {
-    const char* key;
-    std::vector<const char*> needed;
-    bool is_required = false;
-};
-
-const std::vector<Company>& companies() {
-    static const std::vector<Company> all{
-        {"pace", {"bezier", "spline", "along", "orbit"}, false},
-        {"easing", {"bezier", "spline", "along", "orbit"}, false},
-        {"from", {"along"}, true},
-        {"to", {"along"}, true},
-        {"radius", {"orbit"}, true},
-        {"angles", {"orbit"}, false},
-        {"turn", {"orbit"}, false},
-        {"offset", {"follow", "along", "orbit"}, false},
-        {"smoothing", {"follow", "orbit"}, false},
-        {"look_ahead", {"follow", "orbit"}, false},
-    };
-    return all;
-}
-
-void check_path(Reader& reader, const Node& node, PathKeys& /*keys*/) {
-    for (const Company& company : companies()) {
-        const Entry* entry = node.find(company.key);
-        const Entry* partner = nullptr;
-        std::string list;
-        for (const char* needed : company.needed) {
-            partner = partner != nullptr ? partner : node.find(needed);
-            const bool is_last = needed == company.needed.back();
-            list += (list.empty() ? "'" : is_last ? " or '" : ", '") + std::string(needed) + "'";
-        }
-        if (entry != nullptr && partner == nullptr) {
-            reader.error(entry->key_place,
-                         std::string("'") + company.key + "' has no meaning without " + list);
-        }
-        if (entry == nullptr && partner != nullptr && company.is_required) {
-            reader.error(partner->key_place,
-                         std::string("'") + partner->key + "' needs the key '" + company.key + "'");
-        }
-    }
-}
-
 const MapSpec<PathKeys>& path_spec() {
     static const MapSpec<PathKeys> spec = [] {
         MapSpec<PathKeys> s("path", "The path of a camera or of its target.");
+        const std::vector<std::string> curves{"bezier", "spline", "along", "orbit"};
         s.key("bezier", &PathKeys::bezier, list_of(control_point(), 1, 64),
               "control points of a Bezier curve: points, or {of, at, offset}");
         s.key("spline", &PathKeys::spline, list_of(control_point(), 1, 256),
@@ -147,28 +104,36 @@ const MapSpec<PathKeys>& path_spec() {
               "a circle or ellipse around a point, {of, at, offset}, or a ball or object as it "
               "moves");
         s.key("pace", &PathKeys::even_pace, choice<bool>({{"time", false}, {"even", true}}),
-              "speed along the curve; `even`: constant speed");
+              "speed along the curve; `even`: constant speed")
+            .goes_with(curves);
         s.key("easing", &PathKeys::easing, easing(),
-              "easing of the motion along the curve, as for values that change");
-        s.key("from", &PathKeys::from, time(between(0, kLongest)), "start scene time of `along`");
+              "easing of the motion along the curve, as for values that change")
+            .goes_with(curves);
+        s.key("from", &PathKeys::from, time(between(0, kLongest)), "start scene time of `along`")
+            .needed_by("along");
         s.key("to", &PathKeys::to, time(between(0, kLongest)),
-              "end scene time of `along`; if it is before `from`, the path runs backwards");
+              "end scene time of `along`; if it is before `from`, the path runs backwards")
+            .needed_by("along");
         s.key("radius", &PathKeys::radii, radii(),
-              "radius of the `orbit`, or two radii along x and y");
-        s.key(
-            "angles", &PathKeys::angles, angles(),
-            "start and end angle of the `orbit`, from x towards y. The default is one revolution");
+              "radius of the `orbit`, or two radii along x and y")
+            .needed_by("orbit");
+        s.key("angles", &PathKeys::angles, angles(),
+              "start and end angle of the `orbit`, from x towards y. The default is one revolution")
+            .goes_with({"orbit"});
         s.key("turn", &PathKeys::turn, rotation(),
-              "rotation of the plane of the `orbit`: angles about x, y and z, or {axis, angle}");
+              "rotation of the plane of the `orbit`: angles about x, y and z, or {axis, angle}")
+            .goes_with({"orbit"});
         s.key("offset", &PathKeys::offset, vector3(Dimension::length),
               "offset from the object (`follow`, `along`) or from the centre (`orbit`), in world "
-              "axes");
+              "axes")
+            .goes_with({"follow", "along", "orbit"});
         s.key("smoothing", &PathKeys::smoothing, time(between(0, 60)),
-              "length of the time window over which the followed path is averaged");
+              "length of the time window over which the followed path is averaged")
+            .goes_with({"follow", "orbit"});
         s.key("look_ahead", &PathKeys::look_ahead, time(between(-60, 60)),
-              "scene time by which the position is ahead of the frame");
+              "scene time by which the position is ahead of the frame")
+            .goes_with({"follow", "orbit"});
         s.exactly_one_of({"bezier", "spline", "along", "follow", "orbit"});
-        s.check(check_path);
         return s;
     }();
     return spec;

@@ -89,32 +89,7 @@ ValueType<SpotAngles> spot_angle() {
     return result;
 }
 
-/// Keys that mean nothing for this kind of light.
-void refuse_keys(Reader& reader, const Node& node, std::string_view kind,
-                 const std::vector<std::string>& keys) {
-    for (const std::string& key : keys) {
-        if (const Entry* entry = node.find(key)) {
-            reader.error(entry->key_place,
-                         "'" + key + "' has no meaning for " + std::string(kind) + " light");
-        }
-    }
-}
-
-void check_kind(Reader& reader, const Node& node, LightSection& keys) {
-    if (node.find("sphere") != nullptr) {
-        refuse_keys(reader, node, "a sphere", {"facing", "roll", "rotation", "angle"});
-    } else if (node.find("rectangle") != nullptr) {
-        refuse_keys(reader, node, "a rectangle", {"rotation", "angle"});
-    } else if (node.find("environment") != nullptr) {
-        refuse_keys(reader, node, "an environment", {"at", "facing", "roll", "angle", "falloff"});
-    } else if (node.find("point") != nullptr) {
-        refuse_keys(reader, node, "a point", {"facing", "roll", "rotation", "angle", "radiance"});
-    } else if (node.find("spot") != nullptr) {
-        refuse_keys(reader, node, "a spot", {"roll", "rotation", "radiance"});
-    } else if (node.find("directional") != nullptr) {
-        refuse_keys(reader, node, "a directional",
-                    {"at", "roll", "rotation", "angle", "radiance", "falloff"});
-    }
+void check_directions(Reader& reader, const Node& node, LightSection& keys) {
     if (keys.angle.inner > keys.angle.outer || keys.angle.outer <= 0) {
         reader.error(node.find("angle")->value.place,
                      "the second value of 'angle' must be above 0 and not less than the first");
@@ -135,6 +110,7 @@ const MapSpec<LightSection>& light_spec() {
             "A light source. Points, spots and directional lights have no surface: they cast hard "
             "shadows and are invisible except as a dot in smooth balls.");
         const auto strength = colour(between(0, kBrightest));
+        const std::vector<std::string> placed{"point", "spot", "rectangle", "sphere"};
         s.key("point", &LightSection::point, strength, "point light: its intensity in W/sr");
         s.key("spot", &LightSection::spot, strength,
               "point light within a cone: its intensity in W/sr");
@@ -149,26 +125,34 @@ const MapSpec<LightSection>& light_spec() {
               "light from all directions: an equirectangular picture, a colour or a sky. A shot "
               "has at most one");
         s.key("at", &LightSection::at, vector3(Dimension::length),
-              "position of a point or spot, or of the centre of a rectangle or sphere");
+              "position of a point or spot, or of the centre of a rectangle or sphere")
+            .goes_with(placed);
         s.key("facing", &LightSection::facing, vector3(Dimension::none),
-              "direction in which a rectangle, a spot or a directional light shines");
+              "direction in which a rectangle, a spot or a directional light shines")
+            .goes_with({"rectangle", "spot", "directional"});
         s.key("angle", &LightSection::angle, spot_angle(),
-              "angle of a spot from its axis: its edge, or [start of the falloff, edge]");
-        s.key("roll", &LightSection::roll, angle(), "rotation of a rectangle about `facing`");
-        s.key("rotation", &LightSection::rotation, angle(), "rotation of an environment about z");
+              "angle of a spot from its axis: its edge, or [start of the falloff, edge]")
+            .goes_with({"spot"});
+        s.key("roll", &LightSection::roll, angle(), "rotation of a rectangle about `facing`")
+            .goes_with({"rectangle"});
+        s.key("rotation", &LightSection::rotation, angle(), "rotation of an environment about z")
+            .goes_with({"environment"});
         s.key("radiance", &LightSection::radiance, colour(between(0, kBrightest)),
-              "radiance in W/(m^2 sr). It multiplies the picture of an environment");
+              "radiance in W/(m^2 sr). It multiplies the picture of an environment")
+            .goes_with({"rectangle", "sphere", "environment"});
         s.key("strength", &LightSection::strength, number(between(0, kBrightest)),
               "factor of the radiance");
-        s.key(
-            "falloff", &LightSection::falloff,
-            choice<render::Falloff>({{"inverse_square", render::Falloff::inverse_square},
-                                     {"none", render::Falloff::none}}),
-            "how the light of a point, spot, rectangle or sphere decreases with distance. With "
-            "`none`, each surface that faces the light receives pi times the radiance in W/m^2 (or "
-            "the number of a point or spot in W/m^2) at any distance, which no real lamp does");
+        s.key("falloff", &LightSection::falloff,
+              choice<render::Falloff>({{"inverse_square", render::Falloff::inverse_square},
+                                       {"none", render::Falloff::none}}),
+              "how the light of a point, spot, rectangle or sphere decreases with distance. With "
+              "`none`, each surface that faces the light receives pi times the radiance in W/m^2 "
+              "(or the number of a point or spot in W/m^2) at any distance, which no real lamp "
+              "does")
+            .goes_with(placed);
         s.exactly_one_of({"point", "spot", "directional", "rectangle", "sphere", "environment"});
-        s.check(check_kind);
+        s.kinds({"sphere", "rectangle", "environment", "point", "spot", "directional"});
+        s.check(check_directions);
         return s;
     }();
     return spec;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -38,29 +39,42 @@ const MapSpec<ObjectPhysics>& object_physics_spec() {
     return spec;
 }
 
+using PhysicsWord = std::pair<std::string, std::optional<BodyKind>>;
+
+const std::vector<PhysicsWord>& physics_words() {
+    static const std::vector<PhysicsWord> words{
+        {"false", std::nullopt}, {"fixed", BodyKind::fixed}, {"true", BodyKind::kinematic}};
+    return words;
+}
+
+/// Whether an object with this `physics` takes part in the simulation. Then only rotations are
+/// allowed, because the simulation has no scaled shapes except meshes.
+bool takes_part(const Node& physics) {
+    const auto is_meant = [&](const PhysicsWord& word) {
+        return physics.is_scalar() && physics.text == word.first && word.second.has_value();
+    };
+    return physics.is_map() ||
+           std::any_of(physics_words().begin(), physics_words().end(), is_meant);
+}
+
 /// `false`, `fixed`, `true` or a map.
 ValueType<std::optional<ObjectPhysics>> object_physics() {
     using Result = std::optional<ObjectPhysics>;
-    using Kind = std::optional<BodyKind>;
-    const auto word = convert<Result>(
-        choice<Kind>(
-            {{"false", std::nullopt}, {"fixed", BodyKind::fixed}, {"true", BodyKind::kinematic}}),
-        [](Kind kind) -> Result {
-            if (!kind) {
-                return std::nullopt;
-            }
-            ObjectPhysics physics;
-            physics.kind = *kind;
-            return physics;
-        });
+    const auto word = convert<Result>(choice<std::optional<BodyKind>>(physics_words()),
+                                      [](std::optional<BodyKind> kind) -> Result {
+                                          if (!kind) {
+                                              return std::nullopt;
+                                          }
+                                          ObjectPhysics physics;
+                                          physics.kind = *kind;
+                                          return physics;
+                                      });
     const auto map = convert<Result>(record(object_physics_spec()),
                                      [](ObjectPhysics physics) -> Result { return physics; });
     return any_of<Result>({{is_scalar, word}, {is_map, map}});
 }
 
-/// With physics, only rotations are allowed, because the simulation has no scaled shapes except
-/// meshes.
-void check_transform(Reader& reader, const Node& node, ObjectSection& object) {
+void check_axes(Reader& reader, const Node& node, ObjectSection& object) {
     if (object.axes) {
         const std::vector<Vec3>& a = *object.axes;
         const double volume = std::abs(a[0].cross(a[1]).dot(a[2]));
@@ -68,22 +82,6 @@ void check_transform(Reader& reader, const Node& node, ObjectSection& object) {
             reader.error(node.find("axes")->key_place,
                          "the axes of " + reader.label() + " lie in one plane");
             object.axes.reset();
-        }
-    }
-    if (!object.physics) {
-        return;
-    }
-    for (const char* key : {"axes", "scale"}) {
-        const Entry* entry = node.find(key);
-        const bool is_mesh = node.find("mesh") != nullptr && std::string(key) == "scale";
-        if (entry != nullptr && !is_mesh) {
-            const bool is_axes = std::string(key) == "axes";
-            const std::string what = std::string("'") + key + "' cannot be used with 'physics'" +
-                                     (is_axes ? "; " : " except for a mesh; ");
-            reader.error(entry->key_place,
-                         what + (is_axes ? "rotate " + reader.label() + " with 'rotate' instead"
-                                         : "give the shape of " + reader.label() +
-                                               " its final size instead"));
         }
     }
 }
@@ -178,10 +176,16 @@ const MapSpec<ObjectSection>& object_spec() {
         s.key("rotate", &ObjectSection::rotate, rotation(),
               "angles about the world's x, y and z axis in this order, or {axis, angle}");
         s.key("scale", &ObjectSection::scale, scale(),
-              "factors by which the object's own axes are scaled before it is rotated");
+              "factors by which the object's own axes are scaled before it is rotated")
+            .excluded_by({"physics", takes_part, "mesh",
+                          "cannot be used with 'physics' except for a mesh; give the shape of {} "
+                          "its final size "
+                          "instead"});
         s.key("axes", &ObjectSection::axes, list_of(vector3(Dimension::none), 3, 3),
               "instead of `rotate` and `scale`: the vectors to which the x, y and z axes are "
-              "mapped, of any length and at any angles");
+              "mapped, of any length and at any angles")
+            .excluded_by({"physics", takes_part, "",
+                          "cannot be used with 'physics'; rotate {} with 'rotate' instead"});
         s.key("smooth", &ObjectSection::smooth, angle(between(0, std::numbers::pi)),
               "edges of a mesh look round if the angle between their triangles is at most this");
         s.key("material", &ObjectSection::material, name_of(ReferenceKind::material),
@@ -202,7 +206,7 @@ const MapSpec<ObjectSection>& object_spec() {
         s.at_most_one_of({"rotate", "axes"});
         s.at_most_one_of({"scale", "axes"});
         s.check(check_shape);
-        s.check(check_transform);
+        s.check(check_axes);
         s.check(check_motion);
         s.check(check_smooth);
         return s;

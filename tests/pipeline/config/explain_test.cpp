@@ -1,12 +1,18 @@
 // Tests of the explained shot, which has the origin of each value.
 #include "pipeline/config/explain.h"
 
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pipeline/config/load_shot.h"
+#include "pipeline/config/reference_examples.h"
 #include "sim/bake.h"
+#include "tests/pipeline/config/load.h"
 #include "tests/pipeline/config/shot_text.h"
+#include "tests/pipeline/video/scratch_folder.h"
 
 namespace carom::pipeline {
 namespace {
@@ -79,7 +85,7 @@ balls: {cue: {at: [0, 0]}}
     EXPECT_THAT(text, ContainsRegex("\n  # cushion_height: 0.028 m +# of the table's kind"));
 }
 
-class ExplainedTable : public testing::TestWithParam<const char*> {};
+class ExplainedTable : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ExplainedTable, ReadsBackAsTheSameTable) {
     const LoadResult original = load_shot_text(
@@ -92,12 +98,12 @@ TEST_P(ExplainedTable, ReadsBackAsTheSameTable) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ExplainedTable,
-                         testing::Values("kind: pool", "kind: pool, size: 8 ft",
-                                         "kind: pool, size: 7 ft", "kind: pool, pockets: none",
-                                         "kind: snooker", "kind: carom", "kind: cloth",
-                                         "kind: custom, length: 2 m, width: 1 m"));
+                         ::testing::Values("kind: pool", "kind: pool, size: 8 ft",
+                                           "kind: pool, size: 7 ft", "kind: pool, pockets: none",
+                                           "kind: snooker", "kind: carom", "kind: cloth",
+                                           "kind: custom, length: 2 m, width: 1 m"));
 
-class ExplainedExample : public testing::TestWithParam<const char*> {};
+class ExplainedExample : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ExplainedExample, ReadsBackAsTheSameShot) {
     const std::string path = std::string(CAROM_SOURCE_DIR) + "/examples/" + GetParam() + ".yaml";
@@ -116,8 +122,112 @@ TEST_P(ExplainedExample, ReadsBackAsTheSameShot) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ExplainedExample,
-                         testing::Values("nine_ball_break", "masse", "domino_run", "slow_motion",
-                                         "distributed", "bullet_time"));
+                         ::testing::Values("nine_ball_break", "masse", "domino_run", "slow_motion",
+                                           "distributed", "bullet_time"));
+
+/// Without comments: where a value comes from, and measures that a table has anyway.
+std::string without_comments(const std::string& text) {
+    std::istringstream lines(text);
+    std::string result;
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t comment = line.rfind("  # ");
+        if (comment != std::string::npos) {
+            line.resize(line.find_last_not_of(' ', comment) + 1);
+        }
+        const std::size_t first = line.find_first_not_of(' ');
+        if (first != std::string::npos && line[first] != '#') {
+            result += line + "\n";
+        }
+    }
+    return result;
+}
+
+/// The shot has no problem, the loader accepts every default that its explained text has, and with
+/// these it explains to the same text.
+void expect_defaults_are_accepted(const LoadResult& original) {
+    EXPECT_EQ(all_problems(original), "");
+    const std::string text = explained(original);
+    const LoadResult again = load_shot_text(text, "/nowhere/explained.yaml");
+    EXPECT_EQ(all_problems(again), "") << text;
+    EXPECT_EQ(without_comments(explained(again)), without_comments(text));
+}
+
+TEST(ExplainedDefaults, OfExamples_AreAccepted) {
+    int count = 0;
+    for (const char* folder : {"/examples", "/examples/gallery"}) {
+        for (const auto& entry :
+             std::filesystem::directory_iterator(std::string(CAROM_SOURCE_DIR) + folder)) {
+            if (entry.path().extension() == ".yaml") {
+                SCOPED_TRACE(entry.path().string());
+                expect_defaults_are_accepted(load_shot(entry.path().string()));
+                ++count;
+            }
+        }
+    }
+    EXPECT_GT(count, 30);
+}
+
+TEST(ExplainedDefaults, OfReferenceExamples_AreAccepted) {
+    const carom::testing::ScratchFolder folder;
+    std::ofstream(folder.path("logo.png"));  // of the example with a picture
+    for (const auto& [section, yaml] : config::reference_examples()) {
+        SCOPED_TRACE(section);
+        const bool has_camera = yaml.find("cameras:") != std::string::npos;
+        expect_defaults_are_accepted(load_shot_text(
+            "carom: 1\n" + (has_camera ? "" : kCamera) + yaml, folder.path("shot.yaml")));
+    }
+}
+
+class ExplainedDefault : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(ExplainedDefault, IsAccepted) {
+    const bool has_camera = GetParam().starts_with("cameras:");
+    expect_defaults_are_accepted(
+        load_shot_text("carom: 1\ntable: {kind: pool}\nballs: {cue: {at: [0, 0]}}\n" +
+                           (has_camera ? "" : kCamera) + GetParam(),
+                       std::string(CAROM_SOURCE_DIR) + "/tests/pipeline/config/shot.yaml"));
+}
+
+/// A camera with these keys; `position` is one of them.
+std::string camera(const std::string& keys) {
+    return "cameras: [{video: [0 s, 1 s], scene: [0 s, 1 s], target: [0, 0, 0], " + keys + "}]\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Light, ExplainedDefault,
+                         ::testing::Values("lights: {a: {point: 1}}", "lights: {a: {spot: 1}}",
+                                           "lights: {a: {directional: 1}}",
+                                           "lights: {a: {rectangle: [1 m, 1 m]}}",
+                                           "lights: {a: {sphere: 0.1 m}}",
+                                           "lights: {a: {environment: 1}}",
+                                           "lights: {a: {environment: {turbidity: 3}}}"));
+INSTANTIATE_TEST_SUITE_P(
+    CameraPath, ExplainedDefault,
+    ::testing::Values(camera("position: {bezier: [[0, -1, 1], [0, -2, 1]]}"),
+                      camera("position: {spline: [[0, -1, 1], [0, -2, 1]]}"),
+                      camera("position: {along: cue, from: 0 s, to: 1 s, offset: [0, -1, 1]}"),
+                      camera("position: {follow: cue, offset: [0, -1, 1]}"),
+                      camera("position: {orbit: [0, 0, 1], radius: 1 m}"),
+                      camera("position: {orbit: cue, radius: 1 m, offset: [0, 0, 1]}")));
+INSTANTIATE_TEST_SUITE_P(
+    Lens, ExplainedDefault,
+    ::testing::Values(camera("position: [0, -1, 1], fov: 30 deg, f_number: 4"),
+                      camera("position: [0, -1, 1], focal_length: 50 mm, aperture: 5 mm"),
+                      camera("position: [0, -1, 1], f_number: {from: 2, to: 4}")));
+INSTANTIATE_TEST_SUITE_P(
+    Object, ExplainedDefault,
+    ::testing::Values(
+        "objects: {a: {box: [1 cm, 1 cm, 1 cm], at: [0.5, 0, 0.3]}}",
+        "objects: {a: {box: [1 cm, 1 cm, 1 cm], at: [0.5, 0, 0.3], physics: false}}",
+        "objects: {a: {box: [1 cm, 1 cm, 1 cm], at: [0.5, 0, 0.3], physics: fixed}}",
+        "objects: {a: {box: [1 cm, 1 cm, 1 cm], at: [0.5, 0, 0.3], physics: {mass: 9 g}}}",
+        "objects: {a: {mesh: files/triangle.obj, at: [0.5, 0, 0.3], physics: fixed}}",
+        "objects: {a: {sphere: 1 cm, at: [0.5, 0, 0.3], axes: [[1, 0, 0], [0, 1, 0], [0, 0, 2]]}}",
+        "objects: {a: {disk: 1 cm, at: [0.5, 0, 0.3], rotate: [10 deg, 0, 0]}}",
+        "objects: {a: {sphere: 1 cm, at: [0.5, 0, 0.3], physics: true, motion: {keys: [{at: 0 s}, "
+        "{at: 1 s, position: [0.6, 0, 0.3]}]}}}"));
+INSTANTIATE_TEST_SUITE_P(Shutter, ExplainedDefault,
+                         ::testing::Values("render: {shutter: {angle: 90 deg}}",
+                                           "render: {shutter: {time: 1/48 s}}"));
 
 }  // namespace
 }  // namespace carom::pipeline

@@ -42,6 +42,24 @@ TEST(Reference, Page_MatchesTheTableOfKeys) {
                               << "; copy reference.md from the build folder over it";
 }
 
+/// The keys on which others depend.
+std::vector<std::string> named_in_conditions(const config::MapInfo& map) {
+    std::vector<std::string> keys = map.kinds;
+    for (const config::KeyGroup& group : map.groups) {
+        keys.insert(keys.end(), group.keys.begin(), group.keys.end());
+    }
+    for (const config::KeyInfo& key : map.keys) {
+        keys.insert(keys.end(), key.goes_with.begin(), key.goes_with.end());
+        for (const config::Exclusion& exclusion : key.exclusions) {
+            keys.push_back(exclusion.by);
+            if (!exclusion.unless.empty()) {
+                keys.push_back(exclusion.unless);
+            }
+        }
+    }
+    return keys;
+}
+
 void check_map(const config::MapInfo& map, std::set<const config::MapInfo*>& seen) {
     if (!seen.insert(&map).second) {
         return;
@@ -60,10 +78,8 @@ void check_map(const config::MapInfo& map, std::set<const config::MapInfo*>& see
             }
         }
     }
-    for (const config::KeyGroup& group : map.groups) {
-        for (const std::string& key : group.keys) {
-            EXPECT_EQ(names.count(key), 1U) << map.name << " groups an unknown key " << key;
-        }
+    for (const std::string& key : named_in_conditions(map)) {
+        EXPECT_EQ(names.count(key), 1U) << map.name << " has a condition on an unknown key " << key;
     }
 }
 
