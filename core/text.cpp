@@ -11,13 +11,16 @@ std::string join(std::span<const std::string> words, std::string_view separator)
     return fmt::format("{}", fmt::join(words, separator));
 }
 
-std::string join(std::span<const std::string> words, std::string_view separator,
-                 std::string_view last_separator) {
+std::string enumerate(std::span<const std::string> words, std::string_view conjunction) {
     if (words.size() < 2) {
-        return join(words, separator);
+        return join(words, "");
     }
-    return fmt::format("{}{}{}", fmt::join(words.first(words.size() - 1), separator),
-                       last_separator, words.back());
+    return fmt::format("{} {} {}", fmt::join(words.first(words.size() - 1), ", "), conjunction,
+                       words.back());
+}
+
+std::string counted(std::uint64_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 std::string decimal_text(double value, int decimals) {

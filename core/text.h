@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,9 +12,12 @@ namespace carom {
 /// "a, b, c" for the separator ", ".
 [[nodiscard]] std::string join(std::span<const std::string> words, std::string_view separator);
 
-/// "a, b and c" for the last separator " and ".
-[[nodiscard]] std::string join(std::span<const std::string> words, std::string_view separator,
-                               std::string_view last_separator);
+/// "a, b and c" for the conjunction "and".
+[[nodiscard]] std::string enumerate(std::span<const std::string> words,
+                                    std::string_view conjunction);
+
+/// "1 file", "2 files".
+[[nodiscard]] std::string counted(std::uint64_t count, std::string_view noun);
 
 /// `value` rounded to that many decimals, without trailing zeros: "1.25", "3"; never "-0".
 [[nodiscard]] std::string decimal_text(double value, int decimals);

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "core/json_text.h"
+#include "core/text.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/store/cache_folder.h"
 #include "pipeline/store/cache_maintenance.h"
@@ -27,10 +28,6 @@ std::uint64_t limit_of(const CacheOptions& cache) {
     } catch (const Error& error) {
         throw InputError(error.what());
     }
-}
-
-std::string counted(std::uint64_t count, const char* noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 /// A time in the local time zone.

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "core/text.h"
 #include "pipeline/cli/run_program.h"
 #include "pipeline/config/load_shot.h"
 #include "sim/bake.h"
@@ -16,10 +17,6 @@
 namespace carom::cli {
 
 namespace {
-
-std::string counted(std::ptrdiff_t count, const char* noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 /// A problem in the format of a compiler, with the severity in colour.
 std::string text_of(const pipeline::Problem& problem, const Console& console) {

@@ -40,7 +40,7 @@ Decimal decimal(double value, bool upwards) {
 }
 
 std::string alternatives(const std::vector<std::string>& forms) {
-    return "(" + carom::join(forms, "|") + ")";
+    return "(" + join(forms, "|") + ")";
 }
 
 /// "[3-9]"; empty if the range is empty.

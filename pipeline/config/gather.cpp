@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "core/limits.h"
+#include "core/text.h"
 #include "pipeline/config/layers.h"
 #include "pipeline/config/merge.h"
 #include "pipeline/config/parse_yaml.h"
@@ -251,10 +252,10 @@ std::optional<Node> Gatherer::read_preset(const std::string& name, const Place& 
     const FoundFile found =
         is_name ? find_config_file("quality/" + name + ".yaml", folder, folders_) : FoundFile{};
     if (found.path.empty()) {
-        problems_.error(
-            place,
-            "there is no quality preset " + quote(name) +
-                (known.empty() ? std::string() : " (the presets are " + join(known, "and") + ")"));
+        problems_.error(place,
+                        "there is no quality preset " + quote(name) +
+                            (known.empty() ? std::string()
+                                           : " (the presets are " + enumerate(known, "and") + ")"));
         return std::nullopt;
     }
     std::optional<Node> preset = read_file(found.path, found.path, place, open_files);
@@ -272,7 +273,8 @@ void keep_cameras_and_look(Node& tree, ProblemList& problems) {
         const bool is_wrong = std::find(allowed.begin(), allowed.end(), entry.key) == allowed.end();
         if (is_wrong) {
             problems.error(entry.key_place, "a camera file may contain only " +
-                                                join(allowed, "and") + ", not " + quote(entry.key));
+                                                enumerate(allowed, "and") + ", not " +
+                                                quote(entry.key));
         }
         return is_wrong;
     });

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/text.h"
 #include "pipeline/config/text.h"
 
 namespace carom::pipeline::config {
@@ -40,7 +41,7 @@ std::string why_meaningless(const MapInfo& info, const KeyInfo& key, const Node&
     }
     return find_any(map, key.goes_with) != nullptr
                ? std::string()
-               : "has no meaning without " + join(quoted(key.goes_with), "or");
+               : "has no meaning without " + enumerate(quoted(key.goes_with), "or");
 }
 
 /// What excludes `key` from the map, or nullptr.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/text.h"
 #include "pipeline/config/key_conditions.h"
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
@@ -35,7 +36,7 @@ std::optional<std::string> report_unknown(Reader& reader, const Entry& entry, co
     }
     if (help.empty() && known.size() <= kMostListedKeys) {
         help = known.size() == 1 ? " (the only key is " + known[0] + ")"
-                                 : " (the keys are " + join(known, "and") + ")";
+                                 : " (the keys are " + enumerate(known, "and") + ")";
     }
     reader.error(entry.key_place,
                  "unknown key " + quote(entry.key) + " in " + reader.label() + help);
@@ -71,7 +72,7 @@ void check_group(Reader& reader, const Node& node, const KeyGroup& group, bool m
     if (given.empty() && may_lack && group.rule == KeyGroup::Rule::exactly_one) {
         reader.error(reader.key_place(), reader.label() + " needs " +
                                              (group.keys.size() > 2 ? "one of " : "either ") +
-                                             join(quoted(group.keys), "or"));
+                                             enumerate(quoted(group.keys), "or"));
     }
     for (std::size_t i = 1; i < given.size(); ++i) {
         report_contradiction(reader, *given[0], *given[i]);

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "core/text.h"
 #include "pipeline/config/reference_examples.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/show_quantity.h"
@@ -51,7 +52,7 @@ std::string describe_elements(const std::vector<TypeInfo>& elements) {
             words.push_back(std::move(word));
         }
     }
-    return join(words, "or");
+    return enumerate(words, "or");
 }
 
 /// "(0 s, 3600 s]"
@@ -146,7 +147,7 @@ std::string describe_groups(const MapInfo& map) {
         }
         const bool is_needed = group.rule == KeyGroup::Rule::exactly_one;
         text += std::string("\n") + (is_needed ? "Exactly" : "At most") + " one of " +
-                join(words, "and") + ".\n";
+                enumerate(words, "and") + ".\n";
     }
     return text;
 }

@@ -30,11 +30,11 @@ std::string object(const Members& members) {
     for (const auto& [name, value] : members) {
         items.push_back(json_string(name) + ": " + value);
     }
-    return "{" + carom::join(items, ", ") + "}";
+    return "{" + join(items, ", ") + "}";
 }
 
 std::string array(const std::vector<std::string>& items) {
-    return "[" + carom::join(items, ", ") + "]";
+    return "[" + join(items, ", ") + "]";
 }
 
 std::string quoted_array(const std::vector<std::string>& words) {

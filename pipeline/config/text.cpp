@@ -4,8 +4,6 @@
 #include <array>
 #include <cstdint>
 
-#include <fmt/core.h>
-
 #include "core/text.h"
 #include "core/utf8.h"
 #include "pipeline/config/source_set.h"
@@ -50,10 +48,6 @@ std::vector<std::string> quoted(std::span<const std::string> words) {
         result.push_back("'" + word + "'");
     }
     return result;
-}
-
-std::string join(std::span<const std::string> words, std::string_view last) {
-    return carom::join(words, ", ", fmt::format(" {} ", last));
 }
 
 std::optional<std::string> nearest_name(std::string_view name, std::span<const std::string> known) {

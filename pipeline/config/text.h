@@ -15,9 +15,6 @@ namespace carom::pipeline::config {
 /// Each word in single quotes.
 [[nodiscard]] std::vector<std::string> quoted(std::span<const std::string> words);
 
-/// "a, b and c"; `last` is the word between the last two.
-[[nodiscard]] std::string join(std::span<const std::string> words, std::string_view last);
-
 /// The name in `known` that is nearest to `name` by the Damerau-Levenshtein distance (insertions,
 /// deletions, substitutions and exchanges of neighbours; Damerau 1964, in its optimal string
 /// alignment form). The distance may be at most one third of the longer name's length, or 1 if that

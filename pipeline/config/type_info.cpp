@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "core/text.h"
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
 
@@ -27,7 +28,7 @@ std::string plural(const TypeInfo& element) {
         case TypeInfo::Kind::name:
             return "names";
         case TypeInfo::Kind::choice:
-            return "words (" + join(element.choices, "and") + ")";
+            return "words (" + enumerate(element.choices, "and") + ")";
         case TypeInfo::Kind::map:
             return "maps of keys";
         default:
@@ -52,7 +53,7 @@ std::string describe_alternatives(const TypeInfo& type) {
     for (const TypeInfo& element : type.elements) {
         words.push_back(describe(element));
     }
-    return join(words, "or");
+    return enumerate(words, "or");
 }
 
 }  // namespace
@@ -80,7 +81,7 @@ std::string describe(const Range& range, Dimension dimension) {
         words.push_back((range.high_open ? "less than " : "at most ") +
                         show(*range.high, dimension));
     }
-    return join(words, "and");
+    return enumerate(words, "and");
 }
 
 std::string describe(const TypeInfo& type) {
@@ -98,7 +99,7 @@ std::string describe(const TypeInfo& type) {
         case TypeInfo::Kind::file:
             return "the name of a file";
         case TypeInfo::Kind::choice:
-            return (type.choices.size() > 1 ? "one of " : "") + join(type.choices, "and");
+            return (type.choices.size() > 1 ? "one of " : "") + enumerate(type.choices, "and");
         case TypeInfo::Kind::list:
             return describe_list(type);
         case TypeInfo::Kind::named:

@@ -26,7 +26,7 @@ Exponents plus(const Exponents& a, const Exponents& b) {
 }
 
 std::string group(const std::vector<std::string>& names) {
-    return "(" + carom::join(names, "|") + ")";
+    return "(" + join(names, "|") + ")";
 }
 
 /// The exponents of the named units, without duplicates.

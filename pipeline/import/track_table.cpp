@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include "core/text.h"
 #include "pipeline/config/show_quantity.h"
 #include "pipeline/config/text.h"
 #include "pipeline/import/csv_lines.h"
@@ -128,7 +129,7 @@ class TableReader {
         }
         if (!missing.empty() && (group.is_required || missing.size() < group.names.size())) {
             problems_.error(header, std::string(missing.size() > 1 ? "columns " : "column ") +
-                                        config::join(missing, "and") +
+                                        enumerate(missing, "and") +
                                         (missing.size() > 1 ? " are missing" : " is missing"));
         }
     }
@@ -259,7 +260,7 @@ class TableReader {
         } else if (object_.empty() && names.size() > 1) {
             problems_.error(lines_.front().cells[columns_.at("object")].place,
                             "the table has several objects; choose one with --object: " +
-                                config::join(names, "or"));
+                                enumerate(names, "or"));
         }
     }
 

@@ -16,11 +16,17 @@ TEST(Join, Words_AreSeparated) {
     EXPECT_EQ(join(Words{"a", "", "{c}"}, ", "), "a, , {c}");
 }
 
-TEST(Join, LastSeparator_IsBetweenTheLastTwo) {
-    EXPECT_EQ(join(Words{}, ", ", " or "), "");
-    EXPECT_EQ(join(Words{"a"}, ", ", " or "), "a");
-    EXPECT_EQ(join(Words{"a", "b"}, ", ", " or "), "a or b");
-    EXPECT_EQ(join(Words{"a", "b", "c"}, ", ", " or "), "a, b or c");
+TEST(Enumerate, Conjunction_StandsBetweenTheLastTwo) {
+    EXPECT_EQ(enumerate(Words{}, "or"), "");
+    EXPECT_EQ(enumerate(Words{"a"}, "or"), "a");
+    EXPECT_EQ(enumerate(Words{"a", "b"}, "or"), "a or b");
+    EXPECT_EQ(enumerate(Words{"a", "b", "c"}, "or"), "a, b or c");
+}
+
+TEST(Counted, OneThing_IsSingular) {
+    EXPECT_EQ(counted(0, "file"), "0 files");
+    EXPECT_EQ(counted(1, "file"), "1 file");
+    EXPECT_EQ(counted(2, "damaged file"), "2 damaged files");
 }
 
 TEST(DecimalText, TrailingZeros_AreOmitted) {

@@ -2,6 +2,7 @@
 #include <array>
 #include <string>
 
+#include "core/text.h"
 #include "pipeline/config/build/builder.h"
 #include "pipeline/config/text.h"
 #include "pipeline/shot/table_scene.h"
@@ -69,7 +70,7 @@ std::optional<TableMeasures> standard_measures(Builder& builder, const TableSect
                              "there is no " + kind_name(kind) + " table of size " +
                                  quote(section.size.value_or("")) +
                                  (known.size() == 1 ? "; the size is " : "; the sizes are ") +
-                                 join(known, "and"));
+                                 enumerate(known, "and"));
     }
     return measures;
 }

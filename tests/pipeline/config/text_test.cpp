@@ -48,11 +48,5 @@ TEST(FindInvalidUtf8, EveryKindOfFault_HasItsOffset) {
     EXPECT_EQ(find_invalid_utf8(std::string_view("a\0b", 3)), 1U);  // NUL
 }
 
-TEST(Join, Words_FormAList) {
-    const std::vector<std::string> words{"a", "b", "c"};
-    EXPECT_EQ(join(words, "and"), "a, b and c");
-    EXPECT_EQ(join(std::span(words).first(1), "and"), "a");
-}
-
 }  // namespace
 }  // namespace carom::pipeline::config
