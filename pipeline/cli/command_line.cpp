@@ -120,7 +120,7 @@ std::string usage_error(const CLI::App& app, const CommandDescription& program,
     }
     const std::string& given = arguments.front();
     return std::string("unknown ") + (given.starts_with('-') ? "option" : "command") + " '" +
-           given + "'" + pipeline::config::hint(given, names);
+           given + "'" + pipeline::config::hint(given, names).text;
 }
 
 EarlyExit exit_with_usage_error(const CLI::App& app, const CommandDescription& program,

@@ -20,18 +20,10 @@ namespace {
 
 /// A problem in the format of a compiler, with the severity in colour.
 std::string text_of(const pipeline::Problem& problem, const Console& console) {
-    std::string text = (problem.place.file.empty() ? "carom: " : "") + format(problem);
-    const bool is_error = problem.severity == pipeline::Severity::error;
-    const std::string word = is_error ? "error:" : "warning:";
-    const std::size_t at = text.find(": " + word + " ");  // between the place and the message
-    if (at != std::string::npos) {
-        text.replace(at + 2, word.size(),
-                     is_error ? console.error_word(word) : console.warning_word(word));
-    }
-    if (text.empty() || text.back() != '\n') {
-        text += '\n';
-    }
-    return text;
+    const std::string word = problem.severity == pipeline::Severity::error
+                                 ? console.error_word("error:")
+                                 : console.warning_word("warning:");
+    return (problem.place.file.empty() ? "carom: " : "") + format(problem, word);
 }
 
 /// Whether the options change the world that was simulated. The bake contains its hash. An earlier
@@ -139,8 +131,8 @@ JsonMembers members_of(const pipeline::Problem& problem) {
         .add("end_column", place.column + place.length)
         .add("key", problem.key_path)
         .add("message", problem.message);
-    if (const std::string meant = pipeline::suggestion(problem); !meant.empty()) {
-        members.add("suggestion", meant);
+    if (!problem.suggestion.empty()) {
+        members.add("suggestion", problem.suggestion);
     }
     std::string trail;  // innermost first
     for (const pipeline::SourcePlace& by : problem.included_by) {

@@ -43,6 +43,7 @@ ValueType<Vec3> colour(Range range) {
     ValueType<Vec3> hexadecimal;
     hexadecimal.info.kind = TypeInfo::Kind::text;
     hexadecimal.info.noun = "a colour such as \"#1a6b3c\"";
+    hexadecimal.info.pattern = "^#[0-9a-fA-F]{6}$";
     const TypeInfo type = hexadecimal.info;
     hexadecimal.read = [type](Reader& reader, const Node& node) {
         std::optional<Vec3> value = parse_hexadecimal_colour(node.text);

@@ -126,12 +126,11 @@ std::vector<std::string> nearby_names(const fs::path& name, const std::string& f
 
 /// " (did you mean 'rigs/orbit.yaml'?)", or nothing. The name of an existing file without its
 /// folder is recognised, too.
-std::string file_hint(const fs::path& name, const std::string& folder,
-                      const ConfigFolders& folders) {
+Message file_hint(const fs::path& name, const std::string& folder, const ConfigFolders& folders) {
     std::vector<std::string> names = nearby_names(name, folder, folders);
     for (const std::string& known : names) {
         if (fs::path(known).filename() == name.filename() && known != name.string()) {
-            return " (did you mean " + quote(known) + "?)";
+            return {" (did you mean " + quote(known) + "?)", known};
         }
     }
     // Paths in the same folder are always similar, so the file's own name must be similar, too.
@@ -193,7 +192,7 @@ FoundFile find_config_file(std::string_view name, const std::string& folder,
     const bool is_missing = first_problem == "does not exist";
     return {{},
             "file " + quote(name) + " " + first_problem +
-                (is_missing ? file_hint(fs::path(name), folder, folders) : "")};
+                (is_missing ? file_hint(fs::path(name), folder, folders) : Message())};
 }
 
 std::vector<std::string> preset_names(const ConfigFolders& folders) {

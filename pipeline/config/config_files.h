@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/config/message.h"
+
 namespace carom::pipeline::config {
 
 /// Folders with tables, ball sets, looks and quality presets, in the order of the search.
@@ -21,8 +23,8 @@ struct ConfigFolders {
 [[nodiscard]] ConfigFolders standard_config_folders();
 
 struct FoundFile {
-    std::string path;     // absolute, without "." and ".."; empty if there is no such file
-    std::string problem;  // the reason if `path` is empty
+    std::string path;  // absolute, without "." and ".."; empty if there is no such file
+    Message problem;   // the reason if `path` is empty
 };
 
 /// Searches for `name` in `folder` and then in the config folders: under the same name, and under

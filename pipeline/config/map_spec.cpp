@@ -30,11 +30,11 @@ std::string explain_odd_key(const Entry& entry) {
 /// Reports a key that the map does not have; the key that was probably meant.
 std::optional<std::string> report_unknown(Reader& reader, const Entry& entry, const MapInfo& info) {
     const std::vector<std::string> known = info.key_names();
-    std::string help = explain_odd_key(entry);
-    if (help.empty()) {
+    Message help = explain_odd_key(entry);
+    if (help.text.empty()) {
         help = hint(entry.key, known);
     }
-    if (help.empty() && known.size() <= kMostListedKeys) {
+    if (help.text.empty() && known.size() <= kMostListedKeys) {
         help = known.size() == 1 ? " (the only key is " + known[0] + ")"
                                  : " (the keys are " + enumerate(known, "and") + ")";
     }

@@ -45,9 +45,9 @@ void report_missing_unit(Reader& reader, const Node& node, const TypeInfo& type,
 }
 
 /// The allowed units, for an unknown unit without a similar known one.
-std::string units_help(const std::string& wrong, const TypeInfo& type) {
-    const bool is_unit = wrong.find("unknown unit") != std::string::npos;
-    if (!is_unit || wrong.find("did you mean") != std::string::npos) {
+std::string units_help(const QuantityProblem& problem, const TypeInfo& type) {
+    const bool is_unit = problem.kind == QuantityProblem::Kind::unknown_unit;
+    if (!is_unit || !problem.message.suggestion.empty()) {
         return {};
     }
     const std::string& units = info(type.dimension).units;
@@ -70,12 +70,14 @@ std::optional<Quantity> read_quantity(Reader& reader, const Node& node, const Ty
         reader.wrong_type(node, describe(type));
         return std::nullopt;
     }
-    const std::variant<Quantity, std::string> parsed = parse_quantity(node.text);
-    if (const std::string* wrong = std::get_if<std::string>(&parsed)) {
-        if (*wrong == "is not a number") {
+    const std::variant<Quantity, QuantityProblem> parsed = parse_quantity(node.text);
+    if (const auto* problem = std::get_if<QuantityProblem>(&parsed)) {
+        if (problem->kind == QuantityProblem::Kind::not_a_number) {
             reader.wrong_type(node, describe(type));
         } else {
-            reader.error(node.place, quote(node.text) + " " + *wrong + units_help(*wrong, type));
+            Message message = quote(node.text) + " " + problem->message;
+            message.text += units_help(*problem, type);
+            reader.error(node.place, std::move(message));
         }
         return std::nullopt;
     }

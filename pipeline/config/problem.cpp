@@ -87,10 +87,13 @@ std::string include_chain_text(const Problem& problem, const std::string& blank)
 }  // namespace
 
 std::string format(const Problem& problem) {
-    const std::string kind = problem.severity == Severity::error ? "error: " : "warning: ";
+    return format(problem, problem.severity == Severity::error ? "error:" : "warning:");
+}
+
+std::string format(const Problem& problem, const std::string& severity_word) {
     const std::string place = place_text(problem.place);
-    std::string text =
-        printable(place) + (place.empty() ? "" : ": ") + kind + printable(problem.message);
+    std::string text = printable(place) + (place.empty() ? "" : ": ") + severity_word + " " +
+                       printable(problem.message);
     if (problem.source_line.empty() || problem.place.line < 1) {
         return text + "\n" + include_chain_text(problem, "     ");
     }
@@ -100,18 +103,6 @@ std::string format(const Problem& problem) {
     const ShownLine shown = show_line(problem);
     return text + "\n" + margin + number + " | " + shown.text + "\n" + blank + " | " + shown.caret +
            "\n" + include_chain_text(problem, blank);
-}
-
-std::string suggestion(const Problem& problem) {
-    constexpr std::string_view kBegin = "(did you mean '";
-    constexpr std::string_view kEnd = "'?)";
-    const std::size_t begin = problem.message.rfind(kBegin);
-    if (begin == std::string::npos) {
-        return {};
-    }
-    const std::size_t from = begin + kBegin.size();
-    const std::size_t end = problem.message.find(kEnd, from);
-    return end == std::string::npos ? std::string() : problem.message.substr(from, end - from);
 }
 
 bool has_errors(const std::vector<Problem>& problems) {

@@ -27,6 +27,7 @@ struct Problem {
     /// The place that includes that file, the place that includes the including file, and so on;
     /// empty for the shot itself.
     std::vector<SourcePlace> included_by{};
+    std::string suggestion{};  // what the message says was probably meant ("position"), or empty
 };
 
 /// The message as text, with the source line and a caret:
@@ -37,8 +38,8 @@ struct Problem {
 ///         = included by other.yaml:3:10
 [[nodiscard]] std::string format(const Problem& problem);
 
-/// The suggestion in the message ("position"), or an empty text.
-[[nodiscard]] std::string suggestion(const Problem& problem);
+/// The same with another word for its severity than "error:" or "warning:", such as a coloured one.
+[[nodiscard]] std::string format(const Problem& problem, const std::string& severity_word);
 
 [[nodiscard]] bool has_errors(const std::vector<Problem>& problems);
 

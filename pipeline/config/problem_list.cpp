@@ -15,12 +15,12 @@ constexpr std::size_t kMaxStored = 10000;
 
 }  // namespace
 
-void ProblemList::error(const Place& place, std::string message, std::string key_path) {
+void ProblemList::error(const Place& place, Message message, std::string key_path) {
     ++error_count_;
     add({place, Severity::error, std::move(message), std::move(key_path)});
 }
 
-void ProblemList::warning(const Place& place, std::string message, std::string key_path) {
+void ProblemList::warning(const Place& place, Message message, std::string key_path) {
     add({place, Severity::warning, std::move(message), std::move(key_path)});
 }
 
@@ -34,7 +34,7 @@ void ProblemList::add(Entry entry) {
 
 std::vector<Problem> ProblemList::take() {
     const auto order = [](const Entry& e) {
-        return std::tie(e.place.source, e.place.line, e.place.column, e.severity, e.message);
+        return std::tie(e.place.source, e.place.line, e.place.column, e.severity, e.message.text);
     };
     std::stable_sort(entries_.begin(), entries_.end(),
                      [&](const Entry& a, const Entry& b) { return order(a) < order(b); });
@@ -53,8 +53,9 @@ std::vector<Problem> ProblemList::take() {
             break;
         }
         problems.push_back({entry.severity, sources_->describe(entry.place),
-                            std::move(entry.key_path), std::move(entry.message),
-                            sources_->line_of(entry.place), sources_->include_chain(entry.place)});
+                            std::move(entry.key_path), std::move(entry.message.text),
+                            sources_->line_of(entry.place), sources_->include_chain(entry.place),
+                            std::move(entry.message.suggestion)});
     }
     entries_.clear();
     return problems;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/config/message.h"
 #include "pipeline/config/problem.h"
 #include "pipeline/config/source_set.h"
 
@@ -13,8 +14,8 @@ class ProblemList {
   public:
     explicit ProblemList(const SourceSet& sources) : sources_(&sources) {}
 
-    void error(const Place& place, std::string message, std::string key_path = {});
-    void warning(const Place& place, std::string message, std::string key_path = {});
+    void error(const Place& place, Message message, std::string key_path = {});
+    void warning(const Place& place, Message message, std::string key_path = {});
 
     [[nodiscard]] bool has_error() const { return error_count_ > 0; }
 
@@ -26,7 +27,7 @@ class ProblemList {
     struct Entry {
         Place place;
         Severity severity = Severity::error;
-        std::string message;
+        Message message;
         std::string key_path;
     };
     void add(Entry entry);

@@ -24,8 +24,17 @@ void skip_blanks(std::string_view& text) {
     }
 }
 
-std::string unknown_unit(std::string_view name) {
-    return "has the unknown unit " + quote(name) + hint(name, unit_names());
+QuantityProblem unknown_unit(std::string_view name) {
+    return {QuantityProblem::Kind::unknown_unit,
+            "has the unknown unit " + quote(name) + hint(name, unit_names())};
+}
+
+QuantityProblem not_a_number() {
+    return {QuantityProblem::Kind::not_a_number, "is not a number"};
+}
+
+QuantityProblem other(const std::string& message) {
+    return {QuantityProblem::Kind::other, message};
 }
 
 /// The problem of `rest`, the text after the number `number`, if it contains an unusual space or a
@@ -130,8 +139,8 @@ int take_power(std::string_view& text) {
     return negative ? -power : power;
 }
 
-/// Parses "km/h" or "N m" and applies it. The string is the problem, or empty.
-std::string apply_units(Quantity& quantity, std::string_view text) {
+/// Parses "km/h" or "N m" and applies it; the problem with it, if there is one.
+std::optional<QuantityProblem> apply_units(Quantity& quantity, std::string_view text) {
     const std::string_view whole = text;
     int sign = 1;
     int unit_count = 0;
@@ -168,7 +177,7 @@ std::string apply_units(Quantity& quantity, std::string_view text) {
     }
     quantity.has_unit = true;
     quantity.is_in_degrees = unit_count == 1 && last->is_degree;
-    return {};
+    return std::nullopt;
 }
 
 bool is_angular(const Exponents& e) {
@@ -182,23 +191,23 @@ bool looks_like_number(std::string_view text) {
     return number_length(text) > 0;
 }
 
-std::variant<Quantity, std::string> parse_quantity(std::string_view text) {
+std::variant<Quantity, QuantityProblem> parse_quantity(std::string_view text) {
     skip_blanks(text);
     while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) {
         text.remove_suffix(1);
     }
     const std::size_t length = number_length(text);
     if (length == 0) {
-        return "is not a number";
+        return not_a_number();
     }
     const std::string wrong_notation =
         find_notation_problem(text.substr(0, length), text.substr(length));
     if (!wrong_notation.empty()) {
-        return wrong_notation;
+        return other(wrong_notation);
     }
     std::optional<Number> number = take_number(text, length);
     if (!number) {
-        return "is too large";
+        return other("is too large");
     }
     std::string_view rest = text;
     skip_blanks(rest);
@@ -209,10 +218,10 @@ std::variant<Quantity, std::string> parse_quantity(std::string_view text) {
         const std::optional<Number> divisor =
             divisor_length > 0 ? take_number(rest, divisor_length) : std::nullopt;
         if (!divisor) {
-            return "is not a number";
+            return not_a_number();
         }
         if (divisor->value == 0) {
-            return "divides by zero";
+            return other("divides by zero");
         }
         number->value /= divisor->value;
         number->exact = number->exact && divisor->exact ? divide(*number->exact, *divisor->exact)
@@ -224,9 +233,8 @@ std::variant<Quantity, std::string> parse_quantity(std::string_view text) {
     quantity.exact = number->exact;
     skip_blanks(text);
     if (!text.empty()) {
-        std::string wrong = apply_units(quantity, text);
-        if (!wrong.empty()) {
-            return wrong;
+        if (std::optional<QuantityProblem> problem = apply_units(quantity, text)) {
+            return *std::move(problem);
         }
     }
     if (is_angular(quantity.exponents) && !quantity.is_in_degrees) {
@@ -235,7 +243,7 @@ std::variant<Quantity, std::string> parse_quantity(std::string_view text) {
         quantity.value = to_double(*quantity.exact).value_or(quantity.value);
     }
     if (!std::isfinite(quantity.value)) {
-        return "is too large";
+        return other("is too large");
     }
     return quantity;
 }

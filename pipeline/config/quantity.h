@@ -6,6 +6,7 @@
 #include <string_view>
 #include <variant>
 
+#include "pipeline/config/message.h"
 #include "pipeline/config/units.h"
 
 namespace carom::pipeline::config {
@@ -19,10 +20,17 @@ struct Quantity {
     bool is_in_degrees = false;
 };
 
+/// The problem of the text of a number.
+struct QuantityProblem {
+    enum class Kind { not_a_number, unknown_unit, other };
+    Kind kind = Kind::other;
+    Message message;  // without its subject: "has the unknown unit ..."
+};
+
 /// Parses a number or a fraction of two numbers, with an optional unit after it. The result does
 /// not depend on the locale. NaN, infinities, hexadecimal numbers and numbers too large for a
-/// double are refused. The string is the problem, without its subject: "is not a number" ...
-[[nodiscard]] std::variant<Quantity, std::string> parse_quantity(std::string_view text);
+/// double are refused.
+[[nodiscard]] std::variant<Quantity, QuantityProblem> parse_quantity(std::string_view text);
 
 /// Whether the text starts with a number, so that it is a misspelt quantity and not a word.
 [[nodiscard]] bool looks_like_number(std::string_view text);

@@ -57,15 +57,15 @@ Place Reader::key_place() const {
     return steps_.empty() ? root_place_ : steps_.back().place;
 }
 
-void Reader::error(const Place& place, std::string message) {
+void Reader::error(const Place& place, Message message) {
     problems_->error(place, std::move(message), key_path());
 }
 
-void Reader::warning(const Place& place, std::string message) {
+void Reader::warning(const Place& place, Message message) {
     problems_->warning(place, std::move(message), key_path());
 }
 
-void Reader::error_at_path(const Place& place, std::string message, std::string key_path) {
+void Reader::error_at_path(const Place& place, Message message, std::string key_path) {
     problems_->error(place, std::move(message), std::move(key_path));
 }
 

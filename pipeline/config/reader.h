@@ -69,10 +69,10 @@ class Reader {
     /// The place of the current key, or of the current element of a list.
     [[nodiscard]] Place key_place() const;
 
-    void error(const Place& place, std::string message);
-    void warning(const Place& place, std::string message);
+    void error(const Place& place, Message message);
+    void warning(const Place& place, Message message);
     /// Adds an error that is found later, for the value at `key_path`.
-    void error_at_path(const Place& place, std::string message, std::string key_path);
+    void error_at_path(const Place& place, Message message, std::string key_path);
     /// Sets whether a part of the shot could not be read (an included file is missing), so that
     /// missing keys are not reported.
     void set_partial(bool is_partial) { is_partial_ = is_partial; }

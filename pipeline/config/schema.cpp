@@ -88,9 +88,8 @@ std::string integer_schema(const TypeInfo& type) {
 }
 
 std::string text_schema(const TypeInfo& type) {
-    if (type.noun.rfind("a colour", 0) == 0) {
-        return object(
-            {{"type", json_string("string")}, {"pattern", json_string("^#[0-9a-fA-F]{6}$")}});
+    if (!type.pattern.empty()) {
+        return text_of(type.pattern);
     }
     // YAML may read a word as a number.
     return object(

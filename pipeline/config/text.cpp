@@ -69,9 +69,9 @@ std::optional<std::string> nearest_name(std::string_view name, std::span<const s
     return nearest;
 }
 
-std::string hint(std::string_view name, std::span<const std::string> known) {
+Message hint(std::string_view name, std::span<const std::string> known) {
     const std::optional<std::string> nearest = nearest_name(name, known);
-    return nearest ? " (did you mean '" + *nearest + "'?)" : std::string();
+    return nearest ? Message(" (did you mean '" + *nearest + "'?)", *nearest) : Message();
 }
 
 std::optional<OddSpace> find_odd_space(std::string_view text) {

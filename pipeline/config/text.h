@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/config/message.h"
+
 namespace carom::pipeline::config {
 
 /// The text in single quotes, cut after 60 characters.
@@ -23,7 +25,7 @@ namespace carom::pipeline::config {
                                                       std::span<const std::string> known);
 
 /// " (did you mean 'position'?)", or nothing.
-[[nodiscard]] std::string hint(std::string_view name, std::span<const std::string> known);
+[[nodiscard]] Message hint(std::string_view name, std::span<const std::string> known);
 
 /// A character that looks like a space but does not separate words in YAML.
 struct OddSpace {

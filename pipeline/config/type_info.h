@@ -50,8 +50,9 @@ struct TypeInfo {
     std::vector<std::string> choices;
     std::vector<TypeInfo> elements;
     int fewest = 0;
-    int most = -1;     // -1: any number
-    std::string noun;  // text: what it stands for; name, named: of what; any_of: its own name
+    int most = -1;        // -1: any number
+    std::string pattern;  // text: a regular expression that it matches; empty: any text
+    std::string noun;     // text: what it stands for; name, named: of what; any_of: its own name
     const MapInfo* map = nullptr;
 };
 

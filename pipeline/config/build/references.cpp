@@ -110,8 +110,8 @@ void check_references(Builder& builder) {
         if (std::find(known.begin(), known.end(), reference.name) != known.end()) {
             continue;
         }
-        std::string message = wrong_kind(builder, reference);
-        if (message.empty()) {
+        Message message = wrong_kind(builder, reference);
+        if (message.text.empty()) {
             message = "there is no " + noun(reference.kind) + " " + quote(reference.name) +
                       hint(reference.name, known);
         }

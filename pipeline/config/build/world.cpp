@@ -25,8 +25,8 @@ void check_pairs(Builder& builder) {
     for (const Node& pair : pairs->value.items) {
         for (const Node& name : pair.find("between")->value.items) {
             const bool is_known = std::find(known.begin(), known.end(), name.text) != known.end();
-            const std::string help = hint(name.text, known);
-            if (!is_known && !help.empty()) {
+            const Message help = hint(name.text, known);
+            if (!is_known && !help.text.empty()) {
                 builder.reader.warning(
                     name.place, "no object has the physical material " + quote(name.text) + help);
             }

@@ -100,7 +100,7 @@ ValueType<ShutterSection> bare_shutter() {
     result.info.elements = {shutter_turn().info, shutter_time().info};
     const TypeInfo type = result.info;
     result.read = [type](Reader& reader, const Node& node) -> std::optional<ShutterSection> {
-        const std::variant<Quantity, std::string> parsed = parse_quantity(node.text);
+        const std::variant<Quantity, QuantityProblem> parsed = parse_quantity(node.text);
         const Quantity* value = std::get_if<Quantity>(&parsed);
         if (value != nullptr && !value->has_unit && value->value != 0) {
             reader.error(node.place,

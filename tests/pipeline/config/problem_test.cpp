@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "pipeline/config/load_shot.h"
+
 namespace carom::pipeline {
 namespace {
 
@@ -38,11 +40,18 @@ TEST(Problem, OfAnIncludedFile_HasTheIncludingPlace) {
                                                    "      = included by --quality\n"));
 }
 
-TEST(Problem, Suggestion_IsThatOfTheMessage) {
-    EXPECT_EQ(suggestion(unknown_key()), "position");
-    Problem problem;
-    problem.message = "the file is empty";
-    EXPECT_EQ(suggestion(problem), "");
+TEST(Problem, Suggestion_IsWhatTheMessageOffers) {
+    const std::vector<Problem> problems =
+        load_shot_text("carom: 1\nrendr: {}\nsimulation: {duration: x}\n", "s.yaml").problems;
+    ASSERT_EQ(problems.size(), 2U);
+    EXPECT_EQ(problems[0].message, "unknown key 'rendr' in the shot (did you mean 'render'?)");
+    EXPECT_EQ(problems[0].suggestion, "render");
+    EXPECT_EQ(problems[1].suggestion, "");
+}
+
+TEST(Problem, SeverityWord_MayBeAnother) {
+    const std::string text = format(unknown_key(), "<b>error:</b>");
+    EXPECT_THAT(text, testing::StartsWith("shot.yaml:14:9: <b>error:</b> unknown key 'postion'"));
 }
 
 TEST(Problem, WithoutALine_IsOneLine) {

@@ -14,15 +14,15 @@ constexpr double kPi = 3.14159265358979323846;
 
 Quantity parsed(std::string_view text) {
     const auto result = parse_quantity(text);
-    const auto* wrong = std::get_if<std::string>(&result);
-    EXPECT_EQ(wrong, nullptr) << "'" << text << "' " << *wrong;
+    const auto* wrong = std::get_if<QuantityProblem>(&result);
+    EXPECT_EQ(wrong, nullptr) << "'" << text << "' " << wrong->message.text;
     return wrong != nullptr ? Quantity{} : std::get<Quantity>(result);
 }
 
 std::string refused(std::string_view text) {
     const auto result = parse_quantity(text);
-    const auto* wrong = std::get_if<std::string>(&result);
-    return wrong != nullptr ? *wrong : "taken";
+    const auto* wrong = std::get_if<QuantityProblem>(&result);
+    return wrong != nullptr ? wrong->message.text : "taken";
 }
 
 struct UnitCase {

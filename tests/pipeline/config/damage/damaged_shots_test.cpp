@@ -50,7 +50,7 @@ std::string key_of(const std::string& line) {
 /// it is used.
 bool refers_to_name(const Problem& problem, const Damage& damage) {
     const std::string old_key = key_of(damage.old_line);
-    const std::string suggested = pipeline::suggestion(problem);
+    const std::string& suggested = problem.suggestion;
     const bool is_missing = old_key != key_of(damage.new_line) && !old_key.empty() &&
                             problem.message.find("'" + old_key + "'") != std::string::npos;
     return is_missing ||

@@ -1,0 +1,24 @@
+// The sentence of a problem.
+#pragma once
+
+#include <string>
+#include <utility>
+
+namespace carom::pipeline::config {
+
+/// Made from a text alone wherever nothing is suggested.
+struct Message {
+    std::string text;
+    std::string suggestion;  // the name that the text offers for a wrong one ("position"), or empty
+
+    Message(std::string sentence = {}, std::string meant = {})
+        : text(std::move(sentence)), suggestion(std::move(meant)) {}
+    Message(const char* sentence) : text(sentence) {}
+};
+
+/// The message with a text before it.
+inline Message operator+(const std::string& before, const Message& message) {
+    return {before + message.text, message.suggestion};
+}
+
+}  // namespace carom::pipeline::config
