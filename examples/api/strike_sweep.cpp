@@ -35,7 +35,8 @@ int main(int argc, char** argv) try {
             stop.request_stop();
         }
     };
-    auto loaded = pipeline::load_shot(argv[1], {"render.size=[160, 90]"}, "draft");
+    auto loaded =
+        pipeline::load_shot(argv[1], {.overrides = {"render.size=[160, 90]"}, .quality = "draft"});
     if (!loaded.shot) {
         throw Error(format(loaded.problems.front()));
     }

@@ -26,6 +26,13 @@ std::string text_of(const pipeline::Problem& problem, const Console& console) {
     return (problem.place.file.empty() ? "carom: " : "") + format(problem, word);
 }
 
+pipeline::LoadOptions load_options(const InputOptions& input) {
+    return {.overrides = input.overrides,
+            .quality = input.quality,
+            .camera_file = input.camera_file,
+            .root = input.root};
+}
+
 /// Whether the options change the world that was simulated. The bake contains its hash. An earlier
 /// revision of the simulation computed another hash of the same world, so if the hashes differ, the
 /// world is compared with that of the shot as it was baked.
@@ -36,14 +43,14 @@ bool changes_physics(const sim::Bake& bake, const pipeline::Shot& changed,
         return false;
     }
     const pipeline::LoadResult plain =
-        pipeline::load_shot_text(bake.shot_text, input.path, {}, {}, {}, input.root);
+        pipeline::load_shot_text(bake.shot_text, input.path, {.root = input.root});
     return plain.shot && sim::physics_hash(plain.shot->world) != physics_hash;
 }
 
 /// The shot in a bake, with the options applied. They may change the look but not the physics.
 pipeline::LoadResult load_shot_of_bake(const sim::Bake& bake, const InputOptions& input) {
-    pipeline::LoadResult loaded = pipeline::load_shot_text(
-        bake.shot_text, input.path, input.overrides, input.quality, input.camera_file, input.root);
+    pipeline::LoadResult loaded =
+        pipeline::load_shot_text(bake.shot_text, input.path, load_options(input));
     const bool has_changes = !input.overrides.empty() || !input.quality.empty();
     if (loaded.shot && has_changes && changes_physics(bake, *loaded.shot, input)) {
         throw InputError("'" + input.path +
@@ -96,8 +103,7 @@ CheckedInput load_shot_input(const InputOptions& input) {
         result.bake = read_bake_input(input.path);
         loaded = load_shot_of_bake(*result.bake, input);
     } else {
-        loaded = pipeline::load_shot(input.path, input.overrides, input.quality, input.camera_file,
-                                     input.root);
+        loaded = pipeline::load_shot(input.path, load_options(input));
     }
     CheckedInput checked{std::move(loaded.problems), {}};
     if (loaded.shot) {

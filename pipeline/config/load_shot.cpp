@@ -68,16 +68,15 @@ std::optional<Shot> read_shot(const Gathered& gathered, const std::string& name,
 }  // namespace
 
 LoadResult load_shot_text(const std::string& text, const std::string& origin,
-                          const std::vector<std::string>& overrides, const std::string& quality,
-                          const std::string& camera_file, const std::string& root) {
+                          const LoadOptions& options) {
     SourceSet sources;
     ProblemList problems(sources);
     LoadResult result;
     ConfigFolders folders = standard_config_folders();
-    folders.root = root;
+    folders.root = options.root;
     const int source = sources.add({origin, absolute_folder(origin), text});
-    Gathered gathered =
-        gather(sources, source, folders, {overrides, quality, camera_file}, problems);
+    Gathered gathered = gather(sources, source, folders,
+                               {options.overrides, options.quality, options.camera_file}, problems);
     std::map<const Node*, std::string> files;
     if (gathered.root) {
         Reader reader(sources, folders, problems);
@@ -114,9 +113,7 @@ std::string folder_problem(const std::string& path) {
 
 }  // namespace
 
-LoadResult load_shot(const std::string& path, const std::vector<std::string>& overrides,
-                     const std::string& quality, const std::string& camera_file,
-                     const std::string& root) {
+LoadResult load_shot(const std::string& path, const LoadOptions& options) {
     std::string text;
     if (!read_text_file(path, YamlLimits{}.bytes, text)) {
         Problem problem;
@@ -126,7 +123,7 @@ LoadResult load_shot(const std::string& path, const std::vector<std::string>& ov
             fs::is_directory(path, ignored) ? folder_problem(path) : "the file " + text;
         return {std::nullopt, {problem}, nullptr};
     }
-    return load_shot_text(text, path, overrides, quality, camera_file, root);
+    return load_shot_text(text, path, options);
 }
 
 }  // namespace carom::pipeline

@@ -19,23 +19,26 @@ struct LoadResult {
     std::shared_ptr<const ShotSource> source;  // null if there is no shot
 };
 
-/// `overrides` are "render.samples=64" as given to --set, `quality` the name of a preset in
-/// configs/quality ("draft", "preview", "final") or empty, `camera_file` a file whose cameras
-/// replace those of the shot (gather.h) or empty, `root` the folder that must contain all files of
-/// the shot (config_files.h) or empty. A file that cannot be read is a problem, not an exception.
-/// Nothing is simulated, so loading takes only milliseconds. Several threads may load concurrently.
-[[nodiscard]] LoadResult load_shot(const std::string& path,
-                                   const std::vector<std::string>& overrides = {},
-                                   const std::string& quality = {},
-                                   const std::string& camera_file = {},
-                                   const std::string& root = {});
+/// What changes a shot while it is loaded, and what it may read.
+struct LoadOptions {
+    /// Values as given to --set: "render.samples=64".
+    std::vector<std::string> overrides{};
+    /// The name of a preset in configs/quality: "draft", "preview" or "final". Empty: the one that
+    /// the shot names, if any.
+    std::string quality{};
+    /// A file whose cameras replace the shot's (gather.h). Empty: none.
+    std::string camera_file{};
+    /// The folder that must hold all files that the shot names (config_files.h). Empty: any.
+    std::string root{};
+};
+
+/// A file that cannot be read is a problem, not an exception. Nothing is simulated, so that loading
+/// takes milliseconds. Any number of threads may load at the same time.
+[[nodiscard]] LoadResult load_shot(const std::string& path, const LoadOptions& options = {});
 
 /// Like load_shot for a text in memory (a bake's shot_text, a fuzzer's input). Relative paths are
 /// relative to the folder of `origin`.
 [[nodiscard]] LoadResult load_shot_text(const std::string& text, const std::string& origin,
-                                        const std::vector<std::string>& overrides = {},
-                                        const std::string& quality = {},
-                                        const std::string& camera_file = {},
-                                        const std::string& root = {});
+                                        const LoadOptions& options = {});
 
 }  // namespace carom::pipeline

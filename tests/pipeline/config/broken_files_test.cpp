@@ -51,8 +51,8 @@ TEST_P(BrokenFile, Problems_AreReportedInFull) {
     const std::string file = GetParam() + ".yaml";
     const std::string text = read(file);
     const std::vector<std::string> quality = options(text, "quality");
-    const LoadResult result =
-        load_shot(file, options(text, "set"), quality.empty() ? "" : quality[0]);
+    const LoadResult result = load_shot(
+        file, {.overrides = options(text, "set"), .quality = quality.empty() ? "" : quality[0]});
     std::string reported;
     for (const Problem& problem : result.problems) {
         reported += format(problem);

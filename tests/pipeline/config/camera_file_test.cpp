@@ -29,8 +29,9 @@ class CameraFile : public testing::Test {
     }
     LoadResult load_with(const std::string& text, const std::vector<std::string>& overrides = {}) {
         write("other.yaml", text);
-        return load_shot((folder_ / "shot.yaml").string(), overrides, "",
-                         (folder_ / "other.yaml").string());
+        return load_shot(
+            (folder_ / "shot.yaml").string(),
+            {.overrides = overrides, .camera_file = (folder_ / "other.yaml").string()});
     }
     std::string problems_with(const std::string& text) {
         std::string all;
@@ -98,7 +99,8 @@ TEST_F(CameraFile, Physics_IsAnError) {
 }
 
 TEST_F(CameraFile, MissingFile_IsAProblem) {
-    const LoadResult result = load_shot((folder_ / "shot.yaml").string(), {}, "", "nowhere.yaml");
+    const LoadResult result =
+        load_shot((folder_ / "shot.yaml").string(), {.camera_file = "nowhere.yaml"});
     EXPECT_FALSE(result.shot);
     ASSERT_EQ(result.problems.size(), 1U);
     EXPECT_EQ(result.problems[0].message, "file 'nowhere.yaml' does not exist");

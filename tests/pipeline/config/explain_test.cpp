@@ -34,7 +34,7 @@ balls:
     at: [0, 0]
 render: {samples: 16}
 )",
-                                             "s.yaml", {"render.samples=32"});
+                                             "s.yaml", {.overrides = {"render.samples=32"}});
     const std::string text = explained(loaded);
     EXPECT_THAT(text, ContainsRegex("\n  duration: 2 s +# s.yaml:2\n"));
     EXPECT_THAT(text, ContainsRegex("\n  step: 1/240 s +# default\n"));

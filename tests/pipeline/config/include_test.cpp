@@ -30,7 +30,7 @@ class Include : public testing::Test {
     }
     Shot load_file(const std::string& path, const std::vector<std::string>& overrides = {},
                    const std::string& quality = {}) const {
-        LoadResult result = load_shot(path, overrides, quality);
+        LoadResult result = load_shot(path, {.overrides = overrides, .quality = quality});
         EXPECT_EQ(all_problems(result), "");
         return result.shot ? std::move(*result.shot) : Shot{};
     }
@@ -270,8 +270,8 @@ TEST_F(Include, FileOutsideTheRoot_IsAnError) {
     write("farm/mine.yaml", "simulation: {seed: 4}\n");
     fs::create_directory_symlink(folder_ / "outside", folder_ / "farm/link");
     const auto problems = [&](const std::string& text) {
-        return all_problems(load_shot(write("farm/shot.yaml", "carom: 1\n" + text), {}, {}, {},
-                                      (folder_ / "farm").string()));
+        return all_problems(load_shot(write("farm/shot.yaml", "carom: 1\n" + text),
+                                      {.root = (folder_ / "farm").string()}));
     };
     const std::string inside =
         "include: [mine.yaml, looks/club.yaml]\nballs: {cue: {at: [0, 0]}}\n";

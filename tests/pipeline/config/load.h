@@ -26,7 +26,7 @@ inline std::string all_problems(const LoadResult& result) {
 inline Shot load(const std::string& text, const std::vector<std::string>& overrides = {},
                  const std::string& quality = {}) {
     const std::string origin = std::string(CAROM_SOURCE_DIR) + "/tests/pipeline/config/shot.yaml";
-    LoadResult result = load_shot_text(text, origin, overrides, quality);
+    LoadResult result = load_shot_text(text, origin, {.overrides = overrides, .quality = quality});
     EXPECT_EQ(all_problems(result), "");
     return result.shot ? std::move(*result.shot) : Shot{};
 }

@@ -95,7 +95,7 @@ std::vector<std::string> shipped_shots() {
 TEST(Examples, All_HaveNoProblemAndTheirFilesExist) {
     EXPECT_GE(shipped_shots().size(), 15u);
     for (const std::string& file : shipped_shots()) {
-        const LoadResult result = load_shot(file, {}, "");
+        const LoadResult result = load_shot(file);
         EXPECT_EQ(all_problems(result), "") << file;
         ASSERT_TRUE(result.shot) << file;
         for (const render::ObjectDescription& object : result.shot->scene.objects) {

@@ -106,7 +106,7 @@ TEST_P(Example, IsCheckedBakedAndRendered) {
     for (const std::string& name : names_in("examples")) {
         if (name == GetParam() || included_example(name) == GetParam()) {
             SCOPED_TRACE(name);
-            expect_frames(load_shot(kSource + "/examples/" + name + ".yaml", tiny()),
+            expect_frames(load_shot(kSource + "/examples/" + name + ".yaml", {.overrides = tiny()}),
                           folder.path("cache"));
         }
     }
@@ -137,7 +137,7 @@ class Rig : public ::testing::TestWithParam<std::string> {
                 "simulation: {duration: 5 s}\n"
                 "events: [{strike: {ball: cue, at: 0.2 s, toward: one, speed: 3}}]\n" +
                 cameras,
-            kSource + "/examples/shot.yaml", tiny());
+            kSource + "/examples/shot.yaml", {.overrides = tiny()});
     }
 };
 
