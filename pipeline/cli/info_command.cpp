@@ -91,6 +91,14 @@ void warn_if_memory_is_short(std::uint64_t needed, Console& console) {
     }
 }
 
+/// Warns, too, if there is not enough memory for the film.
+std::string summary(const ShotInput& input, Console& console) {
+    const std::uint64_t memory = pipeline::forecast_memory(input.shot, "");
+    warn_if_memory_is_short(memory, console);
+    return line("shot", input.shot.name) + film_lines(input.shot, memory) +
+           world_lines(input.shot) + file_lines(input.shot, *input.source);
+}
+
 }  // namespace
 
 void run(const InfoCommand& command, CommandContext& context) {
@@ -100,12 +108,8 @@ void run(const InfoCommand& command, CommandContext& context) {
         report_problems(pipeline::simulation_problems(input.bake->timeline, input.source.get()),
                         context.console);
     }
-    const std::uint64_t memory = pipeline::forecast_memory(input.shot, "");
-    warn_if_memory_is_short(memory, context.console);
-    const std::string text =
-        command.resolved ? pipeline::explained_yaml(*input.source, input.shot)
-                         : line("shot", input.shot.name) + film_lines(input.shot, memory) +
-                               world_lines(input.shot) + file_lines(input.shot, *input.source);
+    const std::string text = command.resolved ? pipeline::explained_yaml(*input.source, input.shot)
+                                              : summary(input, context.console);
     write_text_output(command.output.empty() ? "-" : command.output, text);
 }
 

@@ -100,6 +100,14 @@ TEST_F(AuthoringCommands, Info_PrintsASummaryOrEveryValue) {
     EXPECT_EQ(run({"export", "a.bake", "-o", "-"}).out, run({"export", "b.bake", "-o", "-"}).out);
 }
 
+TEST_F(AuthoringCommands, InfoResolved_ForecastsNoMemory) {
+    // The film of such pictures needs more memory than most machines have.
+    const RunResult result =
+        run({"info", "tiny.yaml", "--resolved", "--set", "render.size=[16384, 16384]"});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.err, "");
+}
+
 TEST_F(AuthoringCommands, ContactSheet_HasFramesInAGridAndStoresThem) {
     const RunResult result = run({"contact-sheet", "tiny.yaml", "-o", "s.png", "--count", "3",
                                   "--columns", "2", "--width", "64"});

@@ -162,7 +162,7 @@ double largest_rotation_error(const sim::Track& track) {
         const sim::Key& from = track.keys()[i - 1];
         const sim::Key& to = track.keys()[i];
         const sim::RotationSegment rotation(from.angular_velocity_out, to.angular_velocity_in,
-                                   to.time - from.time);
+                                            to.time - from.time);
         const Quat end = rotation.advance(from.orientation, 0, rotation.substeps());
         largest = std::max(largest, sim::angle_between(end, to.orientation));
     }
