@@ -251,7 +251,7 @@ void Balls::add_energy(double time, EnergySample& sample) const {
     }
 }
 
-bool Balls::all_rest() const {
+bool Balls::are_all_at_rest() const {
     return std::all_of(balls_.begin(), balls_.end(), [](const Ball& b) { return b.is_still(); });
 }
 

@@ -75,7 +75,7 @@ class Balls {
     [[nodiscard]] std::size_t stepped_count() const { return stepped_count_; }
 
     void add_energy(double time, EnergySample& sample) const;
-    [[nodiscard]] bool all_rest() const;
+    [[nodiscard]] bool are_all_at_rest() const;
 
   private:
     void resolve_ground_impact(Ball& ball, double time, MotionState& state);

@@ -298,7 +298,7 @@ bool Scheduler::is_resting(const std::string& name) const {
         return false;
     }
     if (name.empty()) {
-        return balls_.all_rest() && stepped_.all_rest();
+        return balls_.are_all_at_rest() && stepped_.are_all_at_rest();
     }
     for (std::size_t i = 0; i < stepped_.all().size(); ++i) {
         if (*stepped_.all()[i].name == name) {

@@ -243,7 +243,7 @@ void SteppedBodies::add_energy(EnergySample& sample) const {
     }
 }
 
-bool SteppedBodies::all_rest() const {
+bool SteppedBodies::are_all_at_rest() const {
     return std::none_of(bodies_.begin(), bodies_.end(),
                         [](const StepBody& body) { return !body.is_ball && body.is_awake; });
 }

@@ -56,7 +56,7 @@ class SteppedBodies {
     }
 
     void add_energy(EnergySample& sample) const;
-    [[nodiscard]] bool all_rest() const;
+    [[nodiscard]] bool are_all_at_rest() const;
     void finish(double time);
 
   private:
