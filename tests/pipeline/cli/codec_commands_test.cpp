@@ -51,7 +51,7 @@ TEST_F(CodecCommands, Sequence_IsOnePicturePerFrame) {
 TEST_F(CodecCommands, SequenceInAVideoFormat_IsRejectedBeforeTheWork) {
     const RunResult result = run({"render", "tiny.yaml", "-o", "f.####.mp4"});
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.err, HasSubstr("there are .exr, .png, .jpg, .bmp and .tga"));
+    EXPECT_THAT(result.err, HasSubstr("the known types are .exr, .png, .jpg, .bmp and .tga"));
     EXPECT_THAT(results(), IsEmpty());
     EXPECT_EQ(stored_frames(), 0);
 }
