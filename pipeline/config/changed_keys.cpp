@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 8> kSections{"simulation", "physics", "ba
                                                     "rack",       "balls",   "objects",  "events"};
 
 // The keys of balls and objects that are not compared.
-constexpr std::array<std::string_view, 4> kLook{"look", "material", "smooth", "motion"};
+constexpr std::array<std::string_view, 3> kLook{"look", "material", "smooth"};
 
 Node parse(const std::string& text) {
     SourceSet sources;
@@ -71,8 +71,11 @@ void remove_look(Node& root) {
             continue;
         }
         for (Entry& named : entries->value.entries) {
-            std::erase_if(named.value.entries, [](const Entry& entry) {
-                return std::find(kLook.begin(), kLook.end(), entry.key) != kLook.end();
+            // Without physics an object that keys move is only visible.
+            const bool is_only_visible = named.value.find("physics") == nullptr;
+            std::erase_if(named.value.entries, [&](const Entry& entry) {
+                return std::find(kLook.begin(), kLook.end(), entry.key) != kLook.end() ||
+                       (is_only_visible && entry.key == "motion");
             });
         }
     }

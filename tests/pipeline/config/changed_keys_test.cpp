@@ -45,6 +45,17 @@ TEST(ChangedKeys, Look_IsIgnored) {
     EXPECT_THAT(changes("material: brass", "material: wood"), IsEmpty());
 }
 
+TEST(ChangedKeys, MotionByKeys_IsComparedWhereItTakesPartInThePhysics) {
+    const auto door = [](const std::string& angle, const std::string& physics) {
+        return "objects: {door: {box: [1, 1, 1], motion: {keys: [{turn: " + angle + "}]}" +
+               physics + "}}\n";
+    };
+    const std::string physics = ", physics: true";
+    EXPECT_THAT(changed_physics_keys(door("1 rad", ""), door("2 rad", "")), IsEmpty());
+    EXPECT_THAT(changed_physics_keys(door("1 rad", physics), door("2 rad", physics)),
+                ElementsAre("objects.door.motion.keys[0].turn"));
+}
+
 TEST(ChangedKeys, TextThatCannotBeRead_HasNoKeys) {
     EXPECT_THAT(changed_physics_keys("a: [", "a: ["), IsEmpty());
     EXPECT_THAT(changed_physics_keys("", "rack: {set: nine_ball}"), ElementsAre("rack"));
