@@ -18,7 +18,9 @@ namespace {
 
 /// Says what an interruption leaves.
 const char* interruption_message(const Command& command) {
-    if (std::holds_alternative<RenderCommand>(command)) {
+    if (std::holds_alternative<RenderCommand>(command) ||
+        std::holds_alternative<RetimeCommand>(command) ||
+        std::holds_alternative<ContactSheetCommand>(command)) {
         return "interrupted; the finished frames are kept, and the same command resumes from there";
     }
     if (std::holds_alternative<CompareCommand>(command)) {

@@ -19,7 +19,7 @@ bool is_letter(char c) {
 void Conversion::note(const std::string& text) {
     constexpr std::size_t kMost = 100;
     if (notes.size() <= kMost && noted.insert(text).second) {
-        notes.push_back(notes.size() < kMost ? text : "and more of the kind");
+        notes.push_back(notes.size() < kMost ? text : "further notes are not listed");
     }
 }
 

@@ -37,10 +37,10 @@ std::vector<Rig> timed(Conversion& conversion) {
         rig.time_start = camera.time_start.value_or(rig.video_start);
         rig.time_end = camera.time_end.value_or(rig.time_start + rig.video_end - rig.video_start);
         if (!camera.video_start || !camera.video_end || !camera.time_start || !camera.time_end) {
-            conversion.note("camera " + quote(camera.name.text) +
-                            ": times by default; it films from " + yaml(rig.video_start) + " to " +
-                            yaml(rig.video_end) + " s of the film what happens from " +
-                            yaml(rig.time_start) + " to " + yaml(rig.time_end) + " s");
+            conversion.note("camera " + quote(camera.name.text) + " has default times: from " +
+                            yaml(rig.video_start) + " to " + yaml(rig.video_end) +
+                            " s of the film, it shows the scene from " + yaml(rig.time_start) +
+                            " to " + yaml(rig.time_end) + " s");
         }
         if (!(rig.video_end > rig.video_start)) {
             conversion.problems.error(camera.name.place,
@@ -68,8 +68,8 @@ void close_gaps(std::vector<Rig>& rigs, Conversion& conversion) {
         const double gap = rig.video_start - end;
         const std::string name = quote(rig.camera->name.text);
         if (gap > 1e-9) {
-            conversion.note("nobody films for " + yaml(gap) + " s before camera " + name +
-                            "; the film goes on without a gap");
+            conversion.note("the gap of " + yaml(gap) + " s before camera " + name +
+                            " was removed from the film");
             rig.video_start -= gap;
             rig.video_end -= gap;
             shift += gap;
@@ -151,7 +151,7 @@ void write_sky(std::ostringstream& out, const Rig& rig, Conversion& conversion) 
     const double roll = looks_along(last, start) ? 0 : roll_between(last, start, end);
     if (std::abs(roll) > 1e-9) {
         out << "    roll: [0 deg, " << degrees(roll) << "]\n";
-        conversion.note(owner + ": the turn of its sky vector became a roll at constant speed");
+        conversion.note(owner + ": the rotation of its sky vector became a roll at constant speed");
     }
 }
 
@@ -164,17 +164,18 @@ void write_lens(std::ostringstream& out, const Rig& rig, Conversion& conversion)
     const double end = camera.fov_end.value_or(camera.fov_start.value_or(kDefaultFov));
     const std::string owner = "camera " + quote(camera.name.text);
     if (!camera.fov_start) {
-        conversion.note(owner + ": FOV by default, " + yaml(kDefaultFov));
+        conversion.note(owner + " has the default FOV, " + yaml(kDefaultFov));
     }
     conversion.note(
-        "FOV is taken as the distance of a plane of projection one unit wide: the wider angle of "
-        "the picture is 2 atan(1 / (2 FOV))");
+        "FOV is interpreted as the distance of an image plane that is one unit wide: the wider "
+        "angle of view is 2 atan(1 / (2 FOV))");
     out << "    fov: "
         << start_end(degrees(vertical_angle(start, height / width)),
                      degrees(vertical_angle(end, height / width)))
         << "\n";
     if (start != end) {
-        conversion.note(owner + ": while it zooms the angle goes evenly, not the distance FOV");
+        conversion.note(owner +
+                        ": during its zoom the angle changes linearly, not the distance FOV");
     }
     out << "    focus: "
         << start_end(focus(camera.dof_start, conversion.axes),
@@ -186,7 +187,9 @@ void write_lens(std::ostringstream& out, const Rig& rig, Conversion& conversion)
         const double radius = conversion.axes.length(dof_c);
         out << "    aperture: " << yaml(std::min(radius, 10.0)) << " m\n";
         conversion.note(
-            "dof_c is the radius of a lens evenly filled with rays; what is focused on is a plane");
+            "dof_c is the radius of a lens with uniformly distributed rays; the surface in focus "
+            "is "
+            "a plane");
     }
 }
 
@@ -218,7 +221,7 @@ std::string render_section(Conversion& conversion) {
     const Settings& s = given ? *given : kNone;
     const auto defaulted = [&](const Real& value, double otherwise, const char* name) {
         if (!value) {
-            conversion.note(std::string(name) + " by default: " + yaml(otherwise));
+            conversion.note(std::string(name) + " has its default, " + yaml(otherwise));
         }
         return value.value_or(otherwise);
     };

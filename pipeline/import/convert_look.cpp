@@ -78,8 +78,9 @@ std::string picture(const Texture& texture, Conversion& conversion) {
     const fs::path path = fs::path(conversion.scene_folder) / texture.filename->text;
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
-        conversion.note("texture " + quote(texture.name.text) + ": there is no file " +
-                        quote(texture.filename->text) + "; the diffuse colour stands for it");
+        conversion.note("texture " + quote(texture.name.text) + ": no file " +
+                        quote(texture.filename->text) +
+                        " was found; the diffuse colour replaces it");
         return {};
     }
     const fs::path relative = fs::proximate(path, conversion.shot_folder, error);
@@ -99,8 +100,9 @@ std::string diffuse_picture(const Material& material, Conversion& conversion) {
     };
     if (material.scale_u.value_or(1) != 1 || material.scale_v.value_or(1) != 1) {
         conversion.note(
-            "scale_U and scale_V are taken as shares of the shape that one picture covers: of a "
-            "sphere's turn, of a rectangle's edge");
+            "scale_U and scale_V are interpreted as the fraction of the shape that one picture "
+            "covers: "
+            "of a sphere's circumference, of a rectangle's edge");
     }
     return "{image: {file: " + yaml_text(file) + ", scale: [" + repeats(material.scale_u) + ", " +
            repeats(material.scale_v) + "], is_linear: true}}";
@@ -138,7 +140,7 @@ std::string rectangle_light(const Light& light, const Vec3& towards, Conversion&
     const Vec3 middle = *light.position + *light.x / 2 + across / 2;
     Vec3 normal = u.cross(across / breadth);
     normal = normal.dot(towards - middle) < 0 ? -normal : normal;
-    conversion.note("light_rect " + quote(light.name.text) + " shines to one side only");
+    conversion.note("light_rect " + quote(light.name.text) + " emits light from one side only");
     // The first axis of the format's light, and the rotation from it.
     const Vec3 n = axes.direction(normal);
     const Vec3 level = Vec3(0, 0, 1).cross(n);
@@ -194,7 +196,7 @@ std::string materials_section(Conversion& conversion) {
 std::string lights_section(Conversion& conversion) {
     std::vector<Light> lights = conversion.scene.lights;
     if (lights.empty()) {
-        conversion.note("the text has no lights: there is one over the camera");
+        conversion.note("the text has no lights: a light above the camera was added");
         lights.push_back(light_over_camera(conversion));
     }
     const Vec3 towards = middle_of_moving_spheres(conversion.scene);

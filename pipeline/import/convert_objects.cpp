@@ -88,8 +88,8 @@ void push_out(Object& sphere, const std::vector<std::pair<std::string, BoxFrame>
             const double depth = *sphere.radius - distance;
             sphere.position = nearest + way * ((1 + 1e-7) * *sphere.radius / distance);
             if (depth > 1e-6 * *sphere.radius) {
-                conversion.note(owner(sphere) + " reached " + yaml(depth) + " into box " + name +
-                                " and was moved out");
+                conversion.note(owner(sphere) + " overlapped box " + name + " by " + yaml(depth) +
+                                " and was moved out of it");
             }
         }
     }
@@ -102,7 +102,7 @@ std::string rotation(const Object& object, const Axes& axes, Conversion& convers
     const Vec3 z = object.pole.value_or(axes.author_up()).normalized();
     const Vec3 x = perpendicular_part(object.equator.value_or(Vec3(1, 0, 0)), z);
     if (x.length() < 1e-9 || z.length() < 0.5) {
-        conversion.note(owner(object) + ": v_e and v_n do not span a plane; it is not turned");
+        conversion.note(owner(object) + ": v_e and v_n do not span a plane; it is not rotated");
         return {};
     }
     const Vec3 our_z = axes.direction(z);
@@ -173,7 +173,7 @@ std::string shape(const Object& object, Conversion& conversion) {
 
 std::string physics(const Object& object, Conversion& conversion) {
     if (object.kind == ShapeKind::box && object.uses_physics) {
-        conversion.note("boxes that use physics are fixed: others collide with them");
+        conversion.note("boxes that use physics became fixed objects, with which others collide");
         return "physics: fixed";
     }
     if (object.uses_physics) {
@@ -188,18 +188,18 @@ void add_events(const Object& object, const std::string& name, double last_time,
     const ImportOptions& options = conversion.options;
     for (const ForceEvent& event : object.events) {
         if (!object.uses_physics) {
-            conversion.note(owner(object) + " does not use physics; its forces are left out");
+            conversion.note(owner(object) + " does not use physics; its forces were left out");
             return;
         }
         if (event.time > last_time) {
             conversion.note(owner(object) + ": a force at " + yaml(event.time) +
-                            " s, after all that is filmed, is left out");
+                            " s, after the end of the film, was left out");
             continue;
         }
         // In the author's units the density is 1, so momentum scales as density unit^4.
         const double scale = options.force_time * options.density * std::pow(options.unit, 4);
-        conversion.note("a force acts for " + yaml(options.force_time) +
-                        " s on a body that weighs 1 per cubic unit, as one impulse");
+        conversion.note("a force became one impulse: it acts for " + yaml(options.force_time) +
+                        " s on a body with density 1 per cubic unit");
         out << "  - impulse: {object: " << name << ", at: " << yaml(event.time)
             << " s, newton_seconds: " << yaml(conversion.axes.direction(event.force) * scale)
             << "}\n";
@@ -239,7 +239,8 @@ std::string objects_and_events(Conversion& conversion, double last_time) {
     }
     if (anything_moves) {
         conversion.note(
-            "gravity is 9.81 m/s^2 and friction and restitution are ours: the text has none");
+            "gravity is 9.81 m/s^2, and friction and restitution are carom's defaults, because the "
+            "text has none");
     }
     std::string text;
     if (!scene.objects.empty()) {

@@ -282,14 +282,17 @@ std::string whole_text(const std::string& table, const ImportTrackOptions& optio
         from, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
     std::string text = fmt::format(
         "# Made by carom import-track from {}: {} keys for {} rows{}.\n", from, keys.size(), rows,
-        (keys.size() < rows ? ", met within " + config::show(1000 * options.error) + " mm"
-                            : std::string()));
+        (keys.size() < rows
+             ? ", with errors of at most " + config::show(1000 * options.error) + " mm"
+             : std::string()));
     if (options.name.empty()) {
-        return text + "# Goes beneath an object of a shot, indented as its other keys are.\n" +
+        return text +
+               "# Insert this below an object of a shot, with the indentation of its other "
+               "keys.\n" +
                motion_text(keys, options.is_linear, "");
     }
-    return text + "# Include it in a shot whose 'objects' say what '" + options.name +
-           "' looks like.\ncarom: 1\nobjects:\n  " + options.name + ":\n" +
+    return text + "# Include this file in a shot whose 'objects' describe the look of '" +
+           options.name + "'.\ncarom: 1\nobjects:\n  " + options.name + ":\n" +
            motion_text(keys, options.is_linear, "    ");
 }
 

@@ -223,7 +223,7 @@ TEST(Import, BallThatPenetratesTheTable_IsMovedOut) {
             "box ground { vertex0 { 0 -5 0 } vertex1 { 200 -5 0 } vertex2 { 200 -5 100 } heigth 5 "
             "use_physics 1 } sphere Ball { position { 60 3.8 54.5 } radius 4 use_physics 1 }",
         "scene.txt", "/nowhere", "/nowhere");
-    EXPECT_TRUE(has_note(result, "reached 0.2 into box 'ground'"));
+    EXPECT_TRUE(has_note(result, "overlapped box 'ground' by 0.2"));
     const Shot shot = shot_of(result);
     const auto ball = std::find_if(shot.world.bodies.begin(), shot.world.bodies.end(),
                                    [](const sim::Body& b) { return b.name == "Ball"; });
@@ -240,7 +240,7 @@ TEST(Import, SphereAxes_BecomeItsRotation) {
 
 TEST(Import, WithoutLights_OneIsAddedAboveTheCamera) {
     const ImportResult result = import_scene(kCamera, "scene.txt", "/nowhere", "/nowhere");
-    EXPECT_TRUE(has_note(result, "one over the camera"));
+    EXPECT_TRUE(has_note(result, "a light above the camera was added"));
     const Shot shot = shot_of(result);
     ASSERT_EQ(shot.scene.lights.size(), 1U);
     const auto& light = std::get<render::PointLight>(shot.scene.lights[0].light);
@@ -296,7 +296,7 @@ TEST(Import, GapsInTheFilm_AreClosed) {
                          "camera D { video_start 3 video_end 4 time_start 5 time_end 6 "
                          "add_position { 0 0 -9 } add_target { 0 0 1 } }",
                      "scene.txt", "/nowhere", "/nowhere");
-    EXPECT_TRUE(has_note(result, "nobody films for 2 s"));
+    EXPECT_TRUE(has_note(result, "the gap of 2 s before camera"));
     const Shot shot = shot_of(result);
     EXPECT_EQ(shot.cameras[1].video_start, Rational(1));
     EXPECT_EQ(shot.cameras[1].time_map.scene_start, Rational(5));

@@ -63,7 +63,7 @@ TEST(ImportTrack, PositionsAlone_AreKeysOfASmoothMotion) {
     EXPECT_THAT(result.problems, IsEmpty());
     EXPECT_EQ(result.yaml,
               "# Made by carom import-track from t.csv: 3 keys for 3 rows.\n"
-              "# Goes beneath an object of a shot, indented as its other keys are.\n"
+              "# Insert this below an object of a shot, with the indentation of its other keys.\n"
               "motion:\n"
               "  keys:\n"
               "    - {at: 0, position: [0, 0, 0]}\n"
