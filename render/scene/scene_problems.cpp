@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -72,7 +73,7 @@ class LightCheck {
     void operator()(const SpotLight& light) {
         require(light.direction.length() > 1e-9, "facing", "the axis has no length");
         require(light.inner_angle >= 0 && light.inner_angle <= light.outer_angle &&
-                    light.outer_angle > 0 && light.outer_angle <= 3.1415926535897932,
+                    light.outer_angle > 0 && light.outer_angle <= std::numbers::pi,
                 "angle", "the angles are not 0 <= inner <= outer <= 180 degrees");
         require_radiance(light.intensity);
     }

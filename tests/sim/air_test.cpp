@@ -1,5 +1,6 @@
 // Balls in the air: exact parabolas, bounces and landings.
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -50,7 +51,7 @@ TEST(BallInAir_Thrown, FollowsTheParabolaAndKeepsItsSpin) {
 TEST(JumpShot_OverABall, ClearsItAndLandsWhereTheParabolaSays) {
     WorldDescription world = cloth_world(3);
     world.bodies = {ball("cue", 0, 0), ball("one", 0.25, 0), ball("two", 3, 0)};
-    const double elevation = 40 * 3.14159265358979324 / 180;
+    const double elevation = 40 * std::numbers::pi / 180;
     world.events = {strike_towards("cue", "two", 4, 0, {0, 0}, elevation)};
     const Timeline timeline = bake(world);
     EXPECT_EQ(find_event(timeline, EventKind::impact, "cue", "one"), nullptr);

@@ -1,5 +1,6 @@
 // Bodies that are only balanced fall; bodies with stable support fall asleep.
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 namespace carom::sim::test {
 namespace {
 
-constexpr double kDegree = 3.14159265358979324 / 180;
+constexpr double kDegree = std::numbers::pi / 180;
 
 Body solid(const std::string& name, const BodyShape& shape, const Vec3& position) {
     Body body;

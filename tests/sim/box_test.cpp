@@ -1,6 +1,7 @@
 // Boxes: sliding, stacks, dominoes, free rotation, balls against them.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ Quat about_y(double angle) {
 WorldDescription slope_world(double degrees) {
     WorldDescription world = cloth_world(2);
     world.contact_law.otherwise = {0.3, 0.4, 0};
-    const double angle = degrees * 3.14159265358979324 / 180;
+    const double angle = degrees * std::numbers::pi / 180;
     Body slope = box("slope", {2, 1, 0.1}, {0, 0, 1});
     slope.kind = BodyKind::fixed;
     slope.pose.orientation = about_y(angle);
@@ -50,7 +51,7 @@ TEST(Box_OnASlopeBelowTheFrictionAngle, StaysWhereItIs) {
 TEST(Box_OnASlopeAboveTheFrictionAngle, SlidesByCoulombsLaw) {
     for (const double degrees : {22.5, 25.0, 30.0}) {
         const WorldDescription world = slope_world(degrees);
-        const double angle = degrees * 3.14159265358979324 / 180;
+        const double angle = degrees * std::numbers::pi / 180;
         const double expected =
             0.5 * kGravity * (std::sin(angle) - 0.4 * std::cos(angle)) * 0.6 * 0.6;
         const Vec3 end = state_at(bake(world), "slider", 0.6).position;
@@ -226,7 +227,7 @@ TEST(Ball_OnAFixedRamp, JumpsOffItsEnd) {
     WorldDescription world = cloth_world(3);
     Body ramp = box("ramp", {0.6, 0.4, 0.1}, {0.5, 0, 0});
     ramp.kind = BodyKind::fixed;
-    ramp.pose.orientation = about_y(-12 * 3.14159265358979324 / 180);
+    ramp.pose.orientation = about_y(-12 * std::numbers::pi / 180);
     world.bodies = {ramp, ball("cue", -0.3, 0, {2.2, 0, 0}, rolling_spin({2.2, 0, 0}))};
     const Timeline timeline = bake(world);
     double highest = 0;

@@ -1,5 +1,6 @@
 // Cushion impacts in complete bakes.
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@
 namespace carom::sim::test {
 namespace {
 
-constexpr double kPi = 3.14159265358979324;
+constexpr double kPi = std::numbers::pi;
 
 LevelState mirrored(const LevelState& s, const Vec2& inward, double restitution) {
     LevelState after = s;
@@ -133,7 +134,7 @@ TEST(Cushion_Mirror, ReflectsThePath) {
         WorldDescription world = walled_world(1);
         world.contact_law.ball_cushion = {CushionModel::mirror, 0.8, 0};
         world.contact_law.ball_cloth = {0, 0, 0, 0.5};
-        const double a = angle * 3.14159265358979324 / 180;
+        const double a = angle * std::numbers::pi / 180;
         const Vec3 velocity(3 * std::cos(a), 3 * std::sin(a), 0);
         world.bodies = {ball("cue", -0.2, 0, velocity)};
         const Timeline timeline = bake(world);

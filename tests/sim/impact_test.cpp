@@ -1,5 +1,6 @@
 // Compares impulses with their published formulas.
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ class Impact : public ::testing::Test {
 TEST_F(Impact, BallBall_AnyCutAndSpin_GivesTheImpulsesOfTheFormula) {
     for (int cut = 0; cut <= 80; cut += 5) {
         for (const double spin : {-80.0, 0.0, 35.0}) {
-            const double angle = cut * 3.14159265358979 / 180;
+            const double angle = cut * std::numbers::pi / 180;
             const Vec3 normal(-std::cos(angle), -std::sin(angle), 0);
             BallBody a = ball({0, 0, kRadius}, {3, 0, 0}, {20, 50, spin});
             BallBody b = ball(a.state.position - normal * (2 * kRadius), {0, 0, 0});

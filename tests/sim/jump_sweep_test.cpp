@@ -1,6 +1,7 @@
 // Jump shots over a ball, and bounces, for many speeds and angles.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -48,7 +49,7 @@ TEST(JumpShot_Sweep, ClearsTheBallAndLandsAsTheParabolaDoes) {
                 for (const double away : {0.12, 0.2, 0.35}) {
                     WorldDescription world = cloth_world(1.5);
                     world.contact_law.ball_cloth.restitution = restitution;
-                    const double elevation = degrees * 3.14159265358979324 / 180;
+                    const double elevation = degrees * std::numbers::pi / 180;
                     const Jump jump = jump_of(speed, elevation, world.contact_law.ball_cloth);
                     const double flight = 2 * jump.rise / kGravity;
                     const double landing = jump.forward * flight;

@@ -1,6 +1,7 @@
 // Kinematic bodies: they push others by the laws of impact and friction, and follow their paths.
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 namespace carom::sim::test {
 namespace {
 
-constexpr double kPi = 3.14159265358979324;
+constexpr double kPi = std::numbers::pi;
 
 Quat about(const Vec3& axis, double angle) {
     return {std::cos(angle / 2), axis * std::sin(angle / 2)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@
 namespace carom::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979324;
+constexpr double kPi = std::numbers::pi;
 
 struct Equipment {
     double mass, radius, nose_height, restitution, friction, cloth_friction;

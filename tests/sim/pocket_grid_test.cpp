@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -16,7 +17,7 @@
 namespace carom::sim::test {
 namespace {
 
-constexpr double kDegree = 3.14159265358979324 / 180;
+constexpr double kDegree = std::numbers::pi / 180;
 /// Balls rattle in the jaws: within this (m) of an edge, dropping or not is not tested.
 constexpr double kRattle = 2e-3;
 

@@ -1,5 +1,6 @@
 // Solids: hulls, mass properties, nearest points and contacts.
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@
 namespace carom::sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979324;
+constexpr double kPi = std::numbers::pi;
 
 std::vector<Vec3> box_corners(const Vec3& half) {
     std::vector<Vec3> corners;

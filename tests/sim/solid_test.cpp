@@ -1,6 +1,7 @@
 // Capsules, cylinders and hulls: rolling, standing, sliding, in flight, and hit by balls.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 namespace carom::sim::test {
 namespace {
 
-constexpr double kPi = 3.14159265358979324;
+constexpr double kPi = std::numbers::pi;
 
 Body solid(const std::string& name, const BodyShape& shape, const Vec3& position,
            double mass = 0.2) {

@@ -1,5 +1,6 @@
 // Two balls, compared with the impulse formula and the classic rules of thumb.
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@
 namespace carom::sim::test {
 namespace {
 
-constexpr double kPi = 3.14159265358979324;
+constexpr double kPi = std::numbers::pi;
 
 /// A cue ball that moves along +x and hits the object ball at the given cut angle, sliding or
 /// rolling. At the impact it has `speed`.

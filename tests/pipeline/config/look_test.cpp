@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 
 #include <gmock/gmock.h>
 
@@ -193,7 +194,7 @@ TEST(Materials, Textures_FillEveryField) {
             .base);
     EXPECT_EQ(placed.size, Vec2(0.2, 0.3));
     EXPECT_EQ(placed.offset, Vec2(0.5, 0));
-    EXPECT_NEAR(placed.rotation, 3.14159265358979, 1e-12);
+    EXPECT_NEAR(placed.rotation, std::numbers::pi, 1e-12);
     EXPECT_TRUE(image.is_linear);
     const auto cloth = std::get<render::ClothTexture>(
         read_material("{base: {cloth: {colour: [0, 0.1, 0.3], thread: 1 mm, variation: 0}}}").base);
@@ -383,7 +384,7 @@ TEST(Objects, Smooth_IsAnAngleOfAMesh) {
         "objects:\n"
         "  statue: {mesh: files/triangle.obj, smooth: 180 deg, at: [0, 0, 1]}\n");
     EXPECT_NEAR(std::get<render::MeshShape>(object(shot, "statue").shape).smooth_angle,
-                3.14159265358979, 1e-12);
+                std::numbers::pi, 1e-12);
 }
 
 TEST(Objects, Transform_IsScaleThenRotateThenAt) {

@@ -2,6 +2,7 @@
 #include "pipeline/config/quantity_schema.h"
 
 #include <array>
+#include <numbers>
 #include <regex>
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 namespace carom::pipeline::config {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = std::numbers::pi;
 
 /// Whether the parser accepts a text for a key of this type.
 bool parser_takes(const std::string& text, const TypeInfo& type) {

@@ -2,6 +2,7 @@
 
 #include <clocale>
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@
 namespace carom::pipeline::config {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = std::numbers::pi;
 
 Quantity parsed(std::string_view text) {
     const auto result = parse_quantity(text);

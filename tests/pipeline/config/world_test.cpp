@@ -1,4 +1,6 @@
 // Tests of the sections simulation, physics, balls, objects and events.
+#include <numbers>
+
 #include <gmock/gmock.h>
 
 #include "sim/shape/mass_properties.h"
@@ -261,7 +263,7 @@ TEST(Objects, Solids_HaveTheSameShapeInWorldAndScene) {
     const auto& cylinder = std::get<sim::Cylinder>(body(shot, "roller").shape);
     EXPECT_EQ(cylinder.radius, 0.02);
     EXPECT_EQ(cylinder.height, 0.1);
-    EXPECT_NEAR(body(shot, "roller").mass, 800 * 3.14159265358979 * 0.02 * 0.02 * 0.1, 1e-9);
+    EXPECT_NEAR(body(shot, "roller").mass, 800 * std::numbers::pi * 0.02 * 0.02 * 0.1, 1e-9);
     EXPECT_EQ(std::get<sim::Capsule>(body(shot, "pill").shape).length, 0.06);
     EXPECT_EQ(body(shot, "pill").mass, 0.1);
     EXPECT_EQ(body(shot, "post").kind, sim::BodyKind::fixed);
@@ -322,7 +324,7 @@ TEST(Objects, RoundedBox_CollidesAsAHullWithTheSameFlatSides) {
         EXPECT_NEAR(out.length(), 0.005, 1e-15);
     }
     EXPECT_EQ(on_side, 6 * 4);  // the corners of the six flat sides
-    const double pi = 3.14159265358979;
+    const double pi = std::numbers::pi;
     const double core = 0.03 * 0.01 * 0.02;
     const double sides = 2 * 0.005 * (0.03 * 0.01 + 0.01 * 0.02 + 0.02 * 0.03);
     const double edges = pi * 0.005 * 0.005 * (0.03 + 0.01 + 0.02);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ namespace {
 
 using render::MeshShape;
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = std::numbers::pi;
 
 /// The volume by the divergence theorem; positive if the corners are counter-clockwise seen from
 /// outside.

@@ -1,6 +1,7 @@
 #include "pipeline/import/import_track.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <gmock/gmock.h>
 
@@ -18,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = std::numbers::pi;
 
 ImportTrackOptions named(double error = 1e-5) {
     ImportTrackOptions options;

@@ -1,6 +1,7 @@
 #include "pipeline/report/shot_report.h"
 
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -75,7 +76,7 @@ TEST(ShotReport, Impact_HasSpeedsAndCutAngle) {
     EXPECT_NEAR(impact.a->after, 1, 1e-12);
     EXPECT_EQ(impact.b->before, 0);
     EXPECT_NEAR(impact.b->after, 2 * std::sqrt(0.75), 1e-12);
-    EXPECT_NEAR(*impact.cut, 3.14159265358979 / 6, 1e-12);
+    EXPECT_NEAR(*impact.cut, std::numbers::pi / 6, 1e-12);
     EXPECT_FALSE(report.events[2].b);
     EXPECT_FALSE(report.events[2].cut);
 }

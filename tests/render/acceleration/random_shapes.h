@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include "render/acceleration/moving_shape.h"
@@ -133,7 +134,8 @@ inline render::TriangleMesh bumpy_ball(float radius, int rings) {
     const int sectors = 2 * rings;
     for (int r = 0; r <= rings; ++r) {
         for (int s = 0; s < sectors; ++s) {
-            const float theta = 3.14159265f * static_cast<float>(r) / static_cast<float>(rings);
+            const float theta =
+                std::numbers::pi_v<float> * static_cast<float>(r) / static_cast<float>(rings);
             const float phi = 6.2831853f * static_cast<float>(s) / static_cast<float>(sectors);
             const float size = radius * (1 + 0.2f * std::sin(5 * theta) * std::cos(4 * phi));
             mesh.vertices.emplace_back(size * std::sin(theta) * std::cos(phi),

@@ -1,6 +1,7 @@
 // Blur has closed forms: how long an object covers a pixel, and the size of the circle of
 // confusion.
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -142,7 +143,7 @@ TEST(DepthOfField, SmallSpotOutOfFocus_SpreadsOverTheCircleOfConfusion) {
         }
     }
     // The ball's area, in pixels, is spread and not lost.
-    const double area = 3.14159265 * 0.02 * 0.02 / (kPixel * kPixel);
+    const double area = std::numbers::pi * 0.02 * 0.02 / (kPixel * kPixel);
     EXPECT_NEAR(inside, area, 0.05 * area);
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 namespace carom::test {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = std::numbers::pi;
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
 /// Nearest t > 0 at which a ray in object axes hits a shape.

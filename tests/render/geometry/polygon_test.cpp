@@ -1,6 +1,7 @@
 #include "render/geometry/polygon.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -28,7 +29,7 @@ double absolute_area(const std::vector<Vec3>& corners,
 TEST(Triangulate, ConvexPolygon_CoversItOnce) {
     std::vector<Vec3> corners;
     for (int i = 0; i < 12; ++i) {
-        const double angle = 2 * 3.14159265358979 * i / 12;
+        const double angle = 2 * std::numbers::pi * i / 12;
         corners.emplace_back(std::cos(angle), std::sin(angle), 0);
     }
     const auto triangles = triangulate(corners);

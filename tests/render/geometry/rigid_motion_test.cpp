@@ -1,6 +1,7 @@
 #include "render/geometry/rigid_motion.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -73,7 +74,7 @@ TEST(RigidMotion, WholeTurnsBetweenKeys_AreNotMissed) {
     // Exactly two turns between keys: the poses at ends and middle are the same.
     sim::Key a = key(0, Vec3(0), Vec3(0));
     sim::Key b = key(1, Vec3(0), Vec3(0));
-    const Vec3 rate(0, 0, 4 * 3.14159265358979323846);
+    const Vec3 rate(0, 0, 4 * std::numbers::pi);
     a.angular_velocity_out = rate;
     b.angular_velocity_in = rate;
     const RigidMotion motion(sim::Track("top", {a, b}), 0, 1);

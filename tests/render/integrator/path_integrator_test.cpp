@@ -1,5 +1,7 @@
 #include "render/integrator/path_integrator.h"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "render/material/fresnel.h"
@@ -32,7 +34,7 @@ TEST(PathIntegrator, FloorUnderALamp_ShowsLambertsFormFactor) {
     const double ra = std::sqrt(1 + a * a);
     const double rb = std::sqrt(1 + b * b);
     const double factor =
-        2 / 3.14159265358979 * (a / ra * std::atan(b / ra) + b / rb * std::atan(a / rb));
+        2 / std::numbers::pi * (a / ra * std::atan(b / ra) + b / rb * std::atan(a / rb));
     const double exact = 0.5 * 10 * factor;
     EXPECT_NEAR(seen.mean, exact, 4 * seen.error + 1e-4 * exact);
     EXPECT_LT(seen.error, 2e-3 * exact);

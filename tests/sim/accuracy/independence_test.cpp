@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@
 namespace carom::sim::test {
 namespace {
 
-constexpr double kPi = 3.14159265358979324;
+constexpr double kPi = std::numbers::pi;
 
 /// Time of the third impact of each ball with a ball or a cushion; the end if it has fewer.
 std::map<std::string, double> third_impacts(const Timeline& timeline) {

@@ -1,6 +1,7 @@
 // Complete bakes of one ball: the worst case over speeds, spins and directions.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@
 namespace carom::sim::test {
 namespace {
 
-constexpr double kPi = 3.14159265358979324;
+constexpr double kPi = std::numbers::pi;
 
 /// Spin in units of speed / R: about the axis of rolling (follow > 0, draw < 0), about the
 /// vertical, and about the direction of travel, as from an elevated stick.

@@ -1,6 +1,7 @@
 // Complete bakes of two balls: the worst case over cuts, speeds, spins and friction laws.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 namespace carom::sim::test {
 namespace {
 
-constexpr double kPi = 3.14159265358979324;
+constexpr double kPi = std::numbers::pi;
 
 /// Components along the line of centres (from cue to object ball), across it to the left, and up.
 struct Frame {
