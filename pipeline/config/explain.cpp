@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kCommentColumn = 48;
 
-/// The map among the kinds of value that a key takes, or nullptr.
+/// The map among the types that a key accepts, or nullptr.
 const MapInfo* map_of(const TypeInfo* type) {
     if (type == nullptr) {
         return nullptr;
@@ -33,7 +33,7 @@ const MapInfo* map_of(const TypeInfo* type) {
     for (const TypeInfo& element : type->elements) {
         if (const MapInfo* map = map_of(&element)) {
             if (found != nullptr && found != map) {
-                return nullptr;  // which of them it is only the parser knows
+                return nullptr;  // only the parser knows which of them is meant
             }
             found = map;
         }
@@ -41,7 +41,7 @@ const MapInfo* map_of(const TypeInfo* type) {
     return found;
 }
 
-/// Of the elements of a list or of what the user names; nullptr if `type` is no such thing.
+/// The type of the elements of a list or of a map with the user's names; nullptr for other types.
 const TypeInfo* element_of(const TypeInfo* type, TypeInfo::Kind kind) {
     if (type == nullptr) {
         return nullptr;
@@ -100,8 +100,9 @@ class Explainer {
         return &node == short_side_ ? origin + ", makes the picture " + picture_ : origin;
     }
 
-    /// What follows "key:" or "-": `first` is that, `indent` what lines below begin with.
-    /// `standard` holds the measures of the table part that `node` describes, or is nullptr.
+    /// Writes a value after `first`, which ends in "key:" or "-"; further lines begin with
+    /// `indent`. `standard` has the measures of the table part that `node` describes, or is
+    /// nullptr.
     void write_value(const Node& node, const TypeInfo* type, const std::string& first,
                      const std::string& indent, const Node* standard = nullptr) {
         if (node.is_map() && !node.entries.empty()) {
@@ -143,7 +144,8 @@ class Explainer {
         }
     }
 
-    /// The measures of the table, or of the part `key` of it, whose measures `standard` are.
+    /// The standard measures of the table, or of its part `key` if `standard` has those of the
+    /// table.
     [[nodiscard]] const Node* measures_of(const Node& parent, const std::string& key,
                                           const Node* standard) const {
         if (&parent == &source_.root() && key == "table") {
@@ -153,8 +155,8 @@ class Explainer {
         return part != nullptr && part->value.is_map() ? &part->value : nullptr;
     }
 
-    /// The measures that `given` leaves to the table's kind and size, as comments: they are rounded
-    /// here, and a shot that gave them would be another one to the last digit.
+    /// Writes the measures that follow from the table's kind and size, as comments: they are
+    /// rounded here, so that a shot that gave them would differ in the last digits.
     void write_measures(const Node& standard, const Node& given, const std::string& indent) {
         for (const Entry& entry : standard.entries) {
             if (given.find(entry.key) != nullptr) {
@@ -172,7 +174,7 @@ class Explainer {
         }
     }
 
-    /// Of the keys that `node` does not give, and could.
+    /// Writes the defaults of the keys that `node` could give but does not.
     void write_defaults(const MapInfo& info, const Node& node, const std::string& indent) {
         for (const KeyInfo& key : info.keys) {
             if (node.find(key.name) != nullptr) {
@@ -200,8 +202,8 @@ class Explainer {
 
     const ShotSource& source_;
     Node table_;                        // the measures of the shot's table
-    const Node* short_side_ = nullptr;  // of the shot, if it has one
-    std::string picture_;               // its size after that
+    const Node* short_side_ = nullptr;  // the shot's key, if given
+    std::string picture_;               // the size that results from it
     std::string text_;
 };
 

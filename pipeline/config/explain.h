@@ -1,4 +1,4 @@
-// A shot as it was understood: every value with where it came from.
+// A shot with all its values and the place where each was set.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 namespace carom::pipeline {
 
 /// The whole shot after includes, presets and overrides, as YAML that reads back as the same shot
-/// (to the last digits of defaults): one value a line, with a comment that says which line of which
-/// file (or which option) gave it, or that it is the default. Defaults that follow from other
-/// values (a ball's mass from its size) or have no meaning beside them are left out, except the
-/// measures of a standard table, which stand in comments. Beside a `short_side` stands the size
-/// that the picture has by it.
+/// (except for the last digits of defaults). Each line has one value, with a comment that names the
+/// file and line (or the option) that set it, or says that it is the default. Defaults that follow
+/// from other values (a ball's mass from its size) or have no meaning beside them are omitted,
+/// except the measures of a standard table, which are written as comments. The comment of a
+/// `short_side` also gives the size of the picture.
 [[nodiscard]] std::string explained_yaml(const ShotSource& source, const Shot& shot);
 
 }  // namespace carom::pipeline

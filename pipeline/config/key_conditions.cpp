@@ -25,7 +25,8 @@ const Entry* find_any(const Node& map, const std::vector<std::string>& keys) {
     return nullptr;
 }
 
-/// Why `key` has no meaning in the map, to follow its name; empty if it has one.
+/// The reason why `key` has no meaning in the map, as it follows the key in a message; empty if it
+/// has one.
 std::string why_meaningless(const MapInfo& info, const KeyInfo& key, const Node& map) {
     if (key.goes_with.empty()) {
         return {};
@@ -44,7 +45,7 @@ std::string why_meaningless(const MapInfo& info, const KeyInfo& key, const Node&
                : "has no meaning without " + enumerate(quoted(key.goes_with), "or");
 }
 
-/// What excludes `key` from the map, or nullptr.
+/// The first exclusion that applies to `key` in the map, or nullptr.
 const Exclusion* find_exclusion(const KeyInfo& key, const Node& map) {
     const auto excludes = [&](const Exclusion& exclusion) {
         const Entry* by = map.find(exclusion.by);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostListedKeys = 12;
 
-/// What was probably meant by something that only looks like a key; empty if nothing is known.
+/// What was probably meant by a text that only looks like a key; empty if unknown.
 std::string explain_odd_key(const Entry& entry) {
     if (entry.key == "<<") {
         return " (carom has no merge keys; an alias stands for a whole value, and 'include' "
@@ -27,7 +27,7 @@ std::string explain_odd_key(const Entry& entry) {
     return {};
 }
 
-/// Reports a key that the map does not have; the key that was probably meant.
+/// Reports an unknown key. Returns the key that was probably meant.
 std::optional<std::string> report_unknown(Reader& reader, const Entry& entry, const MapInfo& info) {
     const std::vector<std::string> known = info.key_names();
     Message help = explain_odd_key(entry);
@@ -53,7 +53,7 @@ void report_contradiction(Reader& reader, const Entry& first, const Entry& secon
     reader.error(second.key_place, message);
 }
 
-/// A key as it has to be given, with its value where only one is possible.
+/// A key as it must be written, with its value if only one is possible.
 std::string spell(const KeyInfo& key) {
     const Range& range = key.type.range;
     if (key.type.kind == TypeInfo::Kind::integer && range.low && range.low == range.high) {
@@ -79,9 +79,9 @@ void check_group(Reader& reader, const Node& node, const KeyGroup& group, bool m
     }
 }
 
-/// Reports entries of `node` that `info` does not know, missing required keys and broken groups.
+/// Reports unknown entries of `node`, missing required keys and violated groups.
 void check_keys(Reader& reader, const Node& node, const MapInfo& info) {
-    std::set<std::string> meant;  // by misspelt keys: not missing as well
+    std::set<std::string> meant;  // by misspelt keys, which are not also reported as missing
     bool has_unknown = false;
     for (const Entry& entry : node.entries) {
         const bool is_known =

@@ -1,5 +1,6 @@
-// The table of keys: what each map of the format may hold, as data, and how its values reach the
-// C++ fields of the same names. The parser, docs/reference.md and the JSON Schema read this table.
+// The table of keys: the keys of each map of the format as data, and how their values are stored in
+// the C++ fields of the same names. The parser, docs/reference.md and the JSON Schema use this
+// table.
 #pragma once
 
 #include <cstddef>
@@ -20,22 +21,22 @@ namespace carom::pipeline::config {
 /// A value of another key of the same map that excludes a key.
 struct Exclusion {
     std::string by;                           // the other key
-    bool (*is_excluding)(const Node& value);  // of that key
-    std::string unless;  // a third key: beside it nothing is excluded; may be empty
-    std::string reason;  // what follows "'scale' "; {}: the label of the map
+    bool (*is_excluding)(const Node& value);  // whether this value of `by` excludes the key
+    std::string unless;                       // a third key that lifts the exclusion; may be empty
+    std::string reason;  // the message after the quoted key; {} stands for the label of the map
 };
 
 /// A key of a map.
 struct KeyInfo {
     std::string name;
     TypeInfo type;
-    std::string default_text;  // as it would be typed; empty: none
+    std::string default_text;  // as a user would type it; empty: no default
     std::string description;
     bool is_required = false;
-    bool is_always_there = false;  // a map whose keys have their defaults even if it is not given
-    /// It has a meaning only beside one of these keys; empty: it always has. See MapInfo::kinds.
+    bool is_always_there = false;  // a map whose keys have defaults even if the map is missing
+    /// The key has a meaning only together with one of these; if empty, always. See MapInfo::kinds.
     std::vector<std::string> goes_with{};
-    bool is_needed_there = false;  // and it is required beside them
+    bool is_needed_there = false;  // the keys of `goes_with` require it
     std::vector<Exclusion> exclusions{};
 };
 
@@ -51,19 +52,19 @@ struct MapInfo {
     std::string description;
     std::vector<KeyInfo> keys;
     std::vector<KeyGroup> groups;
-    /// Keys that each make it another kind of thing ("a sphere light"). The first that is given
-    /// decides which keys have a meaning.
+    /// Keys that each decide the kind of the object ("a sphere light"). The first one given decides
+    /// which other keys have a meaning.
     std::vector<std::string> kinds;
 
     [[nodiscard]] std::vector<std::string> key_names() const;
 };
 
-/// Reads a node into the object at `value`; false after a problem was reported, and then the object
-/// is as it was. Without the object's C++ type, so that the compiler generates what copies and
-/// calls such functions once and not for each type.
+/// Reads a node into the object at `value`. Returns false after it reported a problem; the object
+/// is then unchanged. The type does not depend on the object's, so that the compiler generates the
+/// code that copies and calls such functions only once.
 using ReadFunction = std::function<bool(Reader&, const Node&, void* value)>;
 
-/// How a V is read: a ReadFunction that is made from, and called like, a function that returns
+/// Reads a V: a ReadFunction that is constructed from, and called like, a function that returns
 /// std::optional<V>.
 template <class V>
 class ValueReader {
@@ -102,12 +103,13 @@ template <class V>
 struct ValueType {
     TypeInfo info;
     ValueReader<V> read;  // empty after a problem was reported
-    /// As it would be typed; may be empty (such defaults are left out of the reference).
+    /// Formats a value as a user would type it; may be empty (then the reference omits the
+    /// default).
     std::function<std::string(const V&)> show;
 };
 
-/// The keys of a map and how each is read, without the C++ type that the map fills. It keeps what
-/// the compiler generates for each key of each type small.
+/// The keys of a map and how each is read, independent of the C++ type that the map fills, so that
+/// the compiler generates little code for each key of each type.
 class KeyTable {
   public:
     /// Reads a value into the object at `target`, or checks that object.
@@ -122,13 +124,13 @@ class KeyTable {
 
     void add(std::string_view name, const TypeInfo& type, std::string_view default_text,
              std::string_view description, Step read);
-    /// A key whose value is read into what is `offset` bytes into the target.
+    /// Adds a key whose value is stored `offset` bytes from the start of the target.
     void add_field(std::string_view name, const TypeInfo& type, std::string_view default_text,
                    std::string_view description, ReadFunction read, std::ptrdiff_t offset);
-    /// A map of keys that is read in place.
+    /// Adds a nested map whose keys are read directly into the target.
     void add_map(std::string_view name, const MapInfo& map, std::string_view description,
                  Step read);
-    // Of the key added last.
+    // The following three apply to the key that was added last.
     void require_last();
     void pair_last(std::vector<std::string> partners, bool is_needed);
     void exclude_last(Exclusion exclusion);
@@ -176,7 +178,7 @@ class MapSpec {
         return *this;
     }
 
-    /// The same for what is not one field: `set` takes (T&, V).
+    /// As `key`, for a value that is not a single field: `set` takes (T&, V).
     template <class V, class Set>
     MapSpec& set(std::string_view name, const ValueType<V>& type, Set setter,
                  std::string_view description, std::string_view default_text = {}) {
@@ -189,8 +191,8 @@ class MapSpec {
         return *this;
     }
 
-    /// A map of keys read in place, so that what it leaves out keeps the field's value. `spec` must
-    /// outlive this one (they are all static).
+    /// A nested map that is read directly into the field: keys that are not given keep the field's
+    /// values. `spec` must outlive this object (all of them are static).
     template <class Access, class U>
     MapSpec& map(std::string_view name, Access access, const MapSpec<U>& spec,
                  std::string_view description) {
@@ -201,31 +203,31 @@ class MapSpec {
         return *this;
     }
 
-    /// The key added last must be there, and so has no default.
+    /// The key added last is required and therefore has no default.
     MapSpec& required() {
         table_.require_last();
         return *this;
     }
 
-    /// The key added last has a meaning only beside one of `partners`.
+    /// The key added last has a meaning only together with one of `partners`.
     MapSpec& goes_with(std::vector<std::string> partners) {
         table_.pair_last(std::move(partners), false);
         return *this;
     }
 
-    /// The key added last has a meaning only beside `partner`, which needs it.
+    /// The key added last has a meaning only together with `partner`, which requires it.
     MapSpec& needed_by(std::string partner) {
         table_.pair_last({std::move(partner)}, true);
         return *this;
     }
 
-    /// The key added last cannot be given beside some values of another key.
+    /// The key added last cannot be given together with some values of another key.
     MapSpec& excluded_by(Exclusion exclusion) {
         table_.exclude_last(std::move(exclusion));
         return *this;
     }
 
-    /// Messages say of which kind a map is by its key and the map's name: "a sphere light".
+    /// Keys that decide the kind of the map. Messages name the kind by its key: "a sphere light".
     MapSpec& kinds(std::vector<std::string> keys) {
         table_.set_kinds(std::move(keys));
         return *this;
@@ -241,7 +243,7 @@ class MapSpec {
         return *this;
     }
 
-    /// What only holds between keys; called when all of them have been read.
+    /// Adds a check of several keys together; called after all of them have been read.
     MapSpec& check(void (*function)(Reader&, const Node&, T&)) {
         table_.add_check([function](Reader& reader, const Node& node, void* target) {
             function(reader, node, *static_cast<T*>(target));
@@ -258,7 +260,7 @@ class MapSpec {
     }
 
   private:
-    /// Of a field of the prototype.
+    /// The offset of a field of the prototype, in bytes.
     [[nodiscard]] std::ptrdiff_t offset_of(const void* field) const {
         return static_cast<const char*>(field) -
                static_cast<const char*>(static_cast<const void*>(&prototype_));

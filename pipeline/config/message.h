@@ -6,17 +6,17 @@
 
 namespace carom::pipeline::config {
 
-/// Made from a text alone wherever nothing is suggested.
+/// A text alone converts to a message without a suggestion.
 struct Message {
     std::string text;
-    std::string suggestion;  // the name that the text offers for a wrong one ("position"), or empty
+    std::string suggestion;  // the name that the text suggests ("position"), or empty
 
     Message(std::string sentence = {}, std::string meant = {})
         : text(std::move(sentence)), suggestion(std::move(meant)) {}
     Message(const char* sentence) : text(sentence) {}
 };
 
-/// The message with a text before it.
+/// The message with a prefix.
 inline Message operator+(const std::string& before, const Message& message) {
     return {before + message.text, message.suggestion};
 }

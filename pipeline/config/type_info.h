@@ -1,4 +1,4 @@
-// What a key's value may be, as data: for messages, the reference and the JSON Schema.
+// The type of a key's value as data, for messages, the reference and the JSON Schema.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct MapInfo;
 struct Range {
     std::optional<double> low;
     std::optional<double> high;
-    bool low_open = false;  // the end itself is out
+    bool low_open = false;  // the end is excluded
     bool high_open = false;
 
     [[nodiscard]] bool contains(double value) const;
@@ -27,7 +27,7 @@ struct TypeInfo {
         integer,
         quantity,  // a number with `dimension` and `range`
         text,      // any word
-        name,      // of something in the shot: `noun` says of what
+        name,      // a name in the shot; `noun` says of what
         file,
         choice,  // one of `choices`
         list,    // `elements[0]`, `fewest` to `most` times
@@ -35,7 +35,7 @@ struct TypeInfo {
         map,     // `map`
         any_of,  // one of `elements`
     };
-    // Written in type_info.cpp, so that not every file that copies one generates them again.
+    // Defined in type_info.cpp, so that files that copy a TypeInfo do not generate them again.
     TypeInfo();
     TypeInfo(const TypeInfo&);
     TypeInfo(TypeInfo&&) noexcept;
@@ -46,13 +46,13 @@ struct TypeInfo {
     Kind kind = Kind::text;
     Dimension dimension = Dimension::none;
     Range range;
-    std::string needed_unit;  // quantity: one that fits, where a plain number is refused; else ""
+    std::string needed_unit;  // quantity: a suitable unit if plain numbers are rejected, or empty
     std::vector<std::string> choices;
     std::vector<TypeInfo> elements;
     int fewest = 0;
     int most = -1;        // -1: any number
     std::string pattern;  // text: a regular expression that it matches; empty: any text
-    std::string noun;     // text: what it stands for; name, named: of what; any_of: its own name
+    std::string noun;     // text: what it means; name, named: what is named; any_of: its name
     const MapInfo* map = nullptr;
 };
 

@@ -7,7 +7,7 @@ namespace carom::pipeline::config {
 namespace {
 
 constexpr double kLongest = 3600;    // s
-constexpr double kMostRounds = 100;  // of an orbit
+constexpr double kMostRounds = 100;  // turns of an orbit
 constexpr double kTurn = 6.283185307179586;
 
 const MapSpec<ControlPoint>& control_point_spec() {
@@ -36,7 +36,7 @@ ValueType<ControlPoint> control_point() {
 
 using Centre = std::variant<ControlPoint, FollowPath>;
 
-/// The middle of an orbit: a place, or an object that it goes along with.
+/// The centre of an orbit: a point, or an object that the orbit follows.
 ValueType<Centre> centre() {
     const auto place =
         convert<Centre>(control_point(), [](const ControlPoint& point) -> Centre { return point; });
@@ -49,7 +49,7 @@ ValueType<Centre> centre() {
     return any_of<Centre>({{is_scalar, object}, {is_list, place}, {is_map, place}});
 }
 
-/// One radius, or two along x and y.
+/// One radius, or two radii along x and y.
 ValueType<Vec2> radii() {
     const auto one =
         convert<Vec2>(length(above_up_to(0, 1000)), [](double r) { return Vec2(r, r); });
@@ -69,7 +69,7 @@ ValueType<Angles> angles() {
                            });
 }
 
-/// What a path's map says.
+/// The contents of a path's map.
 struct PathKeys {
     std::optional<std::vector<ControlPoint>> bezier;
     std::optional<std::vector<ControlPoint>> spline;

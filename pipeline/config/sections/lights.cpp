@@ -12,8 +12,8 @@ using render::LightDescription;
 
 constexpr double kBrightest = 1e9;
 
-/// Half edges of a rectangle that faces `normal`: u level with the floor (x if it faces up or
-/// down), turned by `roll` about the normal.
+/// Half the edges of a rectangle that faces `normal`: u is parallel to the floor (along x if the
+/// rectangle faces up or down) and rotated by `roll` about the normal.
 render::RectangleLight rectangle_light(const LightSection& keys) {
     const Vec3 normal = keys.facing / std::sqrt(keys.facing.dot(keys.facing));
     const Vec3 level = Vec3(0, 0, 1).cross(normal);
@@ -71,7 +71,7 @@ ValueType<EnvironmentSection> environment() {
     return any_of<EnvironmentSection>({{is_constant, constant}, {is_scalar, image}, {is_map, sky}});
 }
 
-/// One angle, a hard edge, or two.
+/// One angle (a hard edge) or two.
 ValueType<SpotAngles> spot_angle() {
     const auto one = convert<SpotAngles>(angle(above_up_to(0, std::numbers::pi)), [](double edge) {
         return SpotAngles{edge, edge};
