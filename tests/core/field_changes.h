@@ -109,7 +109,7 @@ class FieldChanges {
 
     template <class T>
     void change(std::vector<T>& values, const std::string& place, bool counts) {
-        values.emplace_back();
+        values.push_back(make<T>());
         report_(place + " and another", counts);
         of(values.front(), place + "[0]", counts);
     }
@@ -131,7 +131,7 @@ class FieldChanges {
             value.reset();
             report_(place + " removed", counts);
         } else {
-            of_new(value.emplace(), place, counts);
+            of_new(value.emplace(make<T>()), place, counts);
         }
     }
 
@@ -146,6 +146,16 @@ class FieldChanges {
              ...);
         }
         (std::index_sequence_for<T...>{});
+    }
+
+    /// A new value. Imath's vectors leave their numbers undefined unless they are given.
+    template <class T>
+    static T make() {
+        if constexpr (std::is_same_v<T, Vec2> || std::is_same_v<T, Vec3>) {
+            return T(0);
+        } else {
+            return T();
+        }
     }
 
     /// Reports a new part and then changes it.

@@ -274,7 +274,7 @@ TEST_F(LightCommands, ImportOfTheSample_WritesAValidShotThatCanBeBaked) {
     const RunResult made = run({"import", scene, "-o", "shot.yaml"});
     EXPECT_EQ(made.exit_code, 0) << made.err;
     EXPECT_EQ(made.out, "shot.yaml\n");
-    EXPECT_THAT(made.err, HasSubstr("note: a force acts for 0.05 s"));
+    EXPECT_THAT(made.err, HasSubstr("note: a force became one impulse: it acts for 0.05 s"));
     const RunResult checked = run({"check", "shot.yaml"});
     EXPECT_EQ(checked.exit_code, 0) << checked.err;
     EXPECT_THAT(checked.err, Not(HasSubstr("warning")));
