@@ -1,10 +1,9 @@
 #include "pipeline/video/container.h"
 
 #include <array>
-#include <cctype>
-#include <filesystem>
 
 #include "pipeline/video/codec_info.h"
+#include "pipeline/video/picture_kind.h"
 
 namespace carom::pipeline {
 
@@ -33,10 +32,7 @@ std::span<const Container> containers() {
 }
 
 const Container* find_container(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    for (char& letter : extension) {
-        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    }
+    const std::string extension = extension_of(path);
     for (const Container& container : kContainers) {
         if (container.extension == extension) {
             return &container;
