@@ -156,6 +156,9 @@ void KeyTable::require_last() {
 void KeyTable::pair_last(std::vector<std::string> partners, bool is_needed) {
     info_.keys.back().goes_with = std::move(partners);
     info_.keys.back().is_needed_there = is_needed;
+    if (is_needed) {
+        info_.keys.back().default_text.clear();
+    }
 }
 
 void KeyTable::exclude_last(Exclusion exclusion) {

@@ -135,6 +135,9 @@ std::string describe_default(const KeyInfo& key) {
     if (key.is_required) {
         return "required";
     }
+    if (key.is_needed_there) {
+        return "required with `" + join(key.goes_with, "`, `") + "`";
+    }
     return key.default_text.empty() ? "" : "`" + key.default_text + "`";
 }
 
