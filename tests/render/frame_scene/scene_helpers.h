@@ -1,6 +1,7 @@
 // Helpers that make scenes and rays in one line each.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -23,6 +24,27 @@ inline Mat44 placed(const Vec3& position, const Quat& turn = Quat(), const Vec3&
 
 inline Quat turn_about(const Vec3& axis, double angle) {
     return Quat(std::cos(angle / 2), std::sin(angle / 2) * axis.normalized());
+}
+
+/// Scaled, sheared, rotated, translated, and every other time mirrored.
+inline Mat44 random_affine(TestRandom& random) {
+    Mat44 m;
+    for (;;) {
+        for (int row = 0; row < 3; ++row) {
+            for (int axis = 0; axis < 3; ++axis) {
+                m[row][axis] = static_cast<double>(random.between(-1.5f, 1.5f));
+            }
+            m[3][row] = static_cast<double>(random.between(-3, 3));
+        }
+        if (std::abs(m.determinant()) > 0.3) {
+            return m;
+        }
+    }
+}
+
+/// Distance of a coordinate from the interval [-half, half].
+inline double beyond(double p, double half) {
+    return std::max(std::abs(p) - half, 0.0);
 }
 
 /// A scene with the materials "plain" (0) and "painted" (1, textured).
