@@ -17,7 +17,8 @@ enum class CushionModel {
 
 enum class BallFriction {
     constant,   // `friction` of the pair
-    alciatore,  // 0.009951 + 0.108 exp(-1.088 v), v the relative surface speed in m/s (TP A-14)
+    alciatore,  // 0.009951 + 0.108 exp(-1.088 v), v the relative surface speed in m/s (Alciatore,
+                // TP A-14: a fit to Marlow 1995, Table 10)
 };
 
 struct BallCloth {
@@ -30,20 +31,35 @@ struct BallCloth {
 
 struct BallBall {
     double restitution = 0.95;  // [0, 1]
-    double friction = 0.05;     // -, >= 0
-    BallFriction friction_model = BallFriction::constant;
+    double friction = 0.05;     // -, >= 0; with the model `constant` only
+    BallFriction friction_model = BallFriction::alciatore;
+    double friction_factor = 1;  // >= 0; the state of the balls: more than 1 for dirty ones
     bool operator==(const BallBall&) const = default;
+};
+
+/// How the restitution of a cushion falls with the speed at which a ball approaches it,
+/// perpendicular to the cushion. Up to the speed `above` the cushion is nearly rigid and the
+/// restitution constant. By default it is constant at all speeds.
+struct RestitutionFall {
+    double above = 0;  // m/s, >= 0
+    double slope = 0;  // decrease for each m/s, s/m, >= 0
+    double least = 0;  // it falls no further than this, [0, 1]
+    bool operator==(const RestitutionFall&) const = default;
 };
 
 struct BallCushion {
     CushionModel model = CushionModel::han2005;
-    double restitution = 0.85;  // [0, 1]
+    double restitution = 0.85;  // of a slow ball, [0, 1]
     double friction = 0.2;      // -, >= 0
+    RestitutionFall fall{};
     bool operator==(const BallCushion&) const = default;
 };
 
-/// A model with its published parameters.
+/// A model with its published parameters, and the fall that docs/physics.md derives for it.
 [[nodiscard]] BallCushion usual_cushion(CushionModel model);
+
+/// The restitution for a ball that approaches at `speed` (m/s, perpendicular to the cushion).
+[[nodiscard]] double restitution_at(const BallCushion& law, double speed);
 
 /// Any two other materials.
 struct PairContact {

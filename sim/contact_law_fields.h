@@ -17,13 +17,20 @@ constexpr auto fields_of(Describes<BallCloth>) {
 constexpr auto fields_of(Describes<BallBall>) {
     using T = BallBall;
     return fields<T>(field("restitution", &T::restitution), field("friction", &T::friction),
-                     field("friction_model", &T::friction_model));
+                     field("friction_model", &T::friction_model),
+                     field("friction_factor", &T::friction_factor));
+}
+
+constexpr auto fields_of(Describes<RestitutionFall>) {
+    using T = RestitutionFall;
+    return fields<T>(field("above", &T::above), field("slope", &T::slope),
+                     field("least", &T::least));
 }
 
 constexpr auto fields_of(Describes<BallCushion>) {
     using T = BallCushion;
     return fields<T>(field("model", &T::model), field("restitution", &T::restitution),
-                     field("friction", &T::friction));
+                     field("friction", &T::friction), field("fall", &T::fall));
 }
 
 constexpr auto fields_of(Describes<PairContact>) {

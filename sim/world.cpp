@@ -83,11 +83,18 @@ void check_contact_law(const ContactLaw& law, ProblemCollector& collector) {
                       "restitution has to be in [0, 1]");
     collector.require(is_not_negative(law.ball_ball.friction), "friction",
                       "friction has to be 0 or more");
+    collector.require(is_not_negative(law.ball_ball.friction_factor), "friction_factor",
+                      "friction_factor has to be 0 or more");
     collector.about_contact("ball_cushion");
     collector.require(is_fraction(law.ball_cushion.restitution), "restitution",
                       "restitution has to be in [0, 1]");
     collector.require(is_not_negative(law.ball_cushion.friction), "friction",
                       "friction has to be 0 or more");
+    const RestitutionFall& fall = law.ball_cushion.fall;
+    collector.require(
+        is_not_negative(fall.above) && is_not_negative(fall.slope) && is_fraction(fall.least),
+        "restitution",
+        "restitution has to fall above a speed of 0 or more, by 0 or more, to at least [0, 1]");
     check_pair(law.otherwise, "otherwise", "other materials", collector);
     for (const auto& [names, pair] : law.pairs) {
         check_pair(pair, "pairs", "'" + names.first + "' and '" + names.second + "'", collector);

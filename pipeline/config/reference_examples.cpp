@@ -37,6 +37,10 @@ cameras:
         {"ball_cushion", R"(physics:
   ball_cushion: {model: han2005, restitution: 0.8}
 )"},
+        {"cushion_restitution", R"(physics:
+  ball_cushion:
+    restitution: {slow: 0.9, falls_above: 1.9 m/s, by: 0.09, least: 0.7}
+)"},
         {"cushion_numbers", R"(physics:
   ball_cushion:
     model: mathavan2010

@@ -84,9 +84,9 @@ ImpulsePair lining_impact(BallBody& ball, const Vec3& normal, double restitution
 double ball_friction(const BallBall& law, double slip_speed) {
     // Alciatore, TP A-14, fit to Marlow's data.
     if (law.friction_model == BallFriction::alciatore) {
-        return 9.951e-3 + 0.108 * exponential(-1.088 * slip_speed);
+        return law.friction_factor * (9.951e-3 + 0.108 * exponential(-1.088 * slip_speed));
     }
-    return law.friction;
+    return law.friction_factor * law.friction;
 }
 
 Vec3 contact_slip(const BallBody& a, const BallBody& b, const Vec3& normal) {

@@ -22,7 +22,7 @@ ImpulsePair mirror(BallBody& ball, const Vec3& inward, double restitution) {
 /// speed along n; the tangential impulse is the one that stops the slip s, |s| / A with A = 7/(2m),
 /// or Coulomb's mu J_n if that is less. Written with vectors, it is the impact of a sphere with a
 /// fixed point.
-ImpulsePair han2005(BallBody& ball, const Vec3& normal, const BallCushion& law) {
+ImpulsePair han2005(BallBody& ball, const Vec3& normal, double restitution, double friction_limit) {
     MotionState& state = ball.state;
     const double approach = -state.velocity.dot(normal);
     if (approach <= 0) {
@@ -32,8 +32,8 @@ ImpulsePair han2005(BallBody& ball, const Vec3& normal, const BallCushion& law) 
     const Vec3 surface = state.velocity + state.angular_velocity.cross(arm);
     const Vec3 slip = surface - normal * surface.dot(normal);
     const double slip_speed = std::sqrt(slip.dot(slip));
-    const double along = ball.mass * (1 + law.restitution) * approach;
-    const double across = std::min(slip_speed * ball.mass * 2 / 7, law.friction * along);
+    const double along = ball.mass * (1 + restitution) * approach;
+    const double across = std::min(slip_speed * ball.mass * 2 / 7, friction_limit * along);
     Vec3 friction(0, 0, 0);
     if (slip_speed > 0) {
         friction = slip * (-across / slip_speed);
@@ -47,14 +47,17 @@ ImpulsePair han2005(BallBody& ball, const Vec3& normal, const BallCushion& law) 
 
 ImpulsePair cushion_impact(BallBody& ball, const Vec3& inward, const Vec3& contact_normal,
                            const ContactLaw& law) {
-    switch (law.ball_cushion.model) {
+    const BallCushion& cushion = law.ball_cushion;
+    const double approach = std::max(-ball.state.velocity.dot(inward), 0.0);
+    const double restitution = restitution_at(cushion, approach);
+    switch (cushion.model) {
         case CushionModel::mirror:
-            return mirror(ball, inward, law.ball_cushion.restitution);
+            return mirror(ball, inward, restitution);
         case CushionModel::han2005:
-            return han2005(ball, contact_normal, law.ball_cushion);
+            return han2005(ball, contact_normal, restitution, cushion.friction);
         case CushionModel::mathavan2010:
-            return mathavan_impact(ball, contact_normal, law.ball_cushion.restitution,
-                                   law.ball_cushion.friction, law.ball_cloth.sliding_friction);
+            return mathavan_impact(ball, contact_normal, restitution, cushion.friction,
+                                   law.ball_cloth.sliding_friction);
     }
     return {};
 }

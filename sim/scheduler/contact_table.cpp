@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/impact/ball_impact.h"
+
 namespace carom::sim {
 namespace {
 
@@ -34,7 +36,8 @@ ContactTable::ContactTable(const ContactLaw& law)
     set("ball", "cloth",
         {cloth.restitution, cloth.sliding_friction, kRollingLever * cloth.rolling_friction,
          cloth.spinning_friction});
-    set("ball", "ball", {law.ball_ball.restitution, law.ball_ball.friction, 0, 0});
+    // Impacts use the friction at their own slip; balls in lasting contact slip slowly.
+    set("ball", "ball", {law.ball_ball.restitution, ball_friction(law.ball_ball, 0), 0, 0});
     set("ball", "cushion", {law.ball_cushion.restitution, law.ball_cushion.friction, 0, 0});
 }
 

@@ -111,7 +111,7 @@ TEST(Cushion_HanOverThreeMetres, AgreesWithTheClosedForm) {
 TEST(Cushion_Mathavan, IsTheImpactOfItsModel) {
     for (const double side : {-60.0, 0.0, 60.0}) {
         WorldDescription world = walled_world(0.5);
-        world.contact_law.ball_cushion = usual_cushion(CushionModel::mathavan2010);
+        world.contact_law.ball_cushion = constant_cushion(CushionModel::mathavan2010);
         world.bodies = {ball("cue", 0, 0.3, {1.5, 1.5, 0}, {0, 0, side})};
         const Timeline timeline = bake(world);
         const Event* impact = find_event(timeline, EventKind::impact, "cue", "cushion");
@@ -171,6 +171,60 @@ TEST(Cushion_Han, HeadOnRollingBall_ReboundsByTheFormula) {
     EXPECT_NEAR(key.velocity_out.x, expected, 1e-12);
     EXPECT_NEAR(key.velocity_out.y, 0, 1e-12);
     EXPECT_EQ(key.velocity_out.z, 0);
+}
+
+TEST(Cushion_RestitutionByASpeed, IsConstantThenFallsToItsLeast) {
+    const BallCushion law{CushionModel::mirror, 0.9, 0, {2, 0.1, 0.6}};
+    for (const auto& [speed, expected] : std::vector<std::pair<double, double>>{
+             {0, 0.9}, {0.5, 0.9}, {2, 0.9}, {3, 0.8}, {4.5, 0.65}, {5, 0.6}, {20, 0.6}}) {
+        EXPECT_NEAR(restitution_at(law, speed), expected, 1e-15) << speed;
+        EXPECT_EQ(restitution_at({CushionModel::mirror, 0.9, 0}, speed), 0.9) << speed;
+    }
+    // It never rises, whatever its least value.
+    EXPECT_EQ(restitution_at({CushionModel::mirror, 0.5, 0, {2, 0.1, 0.6}}, 9), 0.5);
+}
+
+/// The speed along x just after a ball of this speed has hit the cushion at `degrees` to the
+/// perpendicular.
+double rebound(const BallCushion& law, double speed, double degrees, double roll) {
+    WorldDescription world = walled_world(0.2);
+    world.contact_law.ball_cushion = law;
+    const double angle = degrees * kPi / 180;
+    const Vec3 velocity(speed * std::cos(angle), speed * std::sin(angle), 0);
+    world.bodies = {
+        ball("cue", 2.54 / 2 - kRadius - 1e-6, 0, velocity, rolling_spin(velocity) * roll)};
+    const Timeline timeline = bake(world);
+    const Event* impact = find_event(timeline, EventKind::impact, "cue", "cushion");
+    return impact != nullptr ? -key_at(timeline, "cue", impact->time).velocity_out.x : 0;
+}
+
+// The speed that counts is the one perpendicular to the cushion, in every model.
+TEST(Cushion_RestitutionThatFalls, DependsOnThePerpendicularSpeed) {
+    for (const auto model :
+         {CushionModel::mirror, CushionModel::han2005, CushionModel::mathavan2010}) {
+        const BallCushion law{model, 0.9, 0.1, {1.5, 0.1, 0.5}};
+        for (const double speed : {0.5, 1.4, 3.0, 6.0}) {
+            for (const double degrees : {0.0, 60.0}) {
+                const double across = speed * std::cos(degrees * kPi / 180);
+                const BallCushion constant{model, restitution_at(law, across), 0.1};
+                EXPECT_NEAR(rebound(law, speed, degrees, 0), rebound(constant, speed, degrees, 0),
+                            1e-6)
+                    << speed << " m/s at " << degrees << " degrees";
+            }
+        }
+    }
+}
+
+// Models with a rigid cushion keep the same fraction of the speed at all speeds.
+TEST(Cushion_DefaultModels, KeepLessOfAHardShot) {
+    for (const auto model : {CushionModel::han2005, CushionModel::mathavan2010}) {
+        const auto kept = [&](double speed) {
+            return rebound(usual_cushion(model), speed, 0, 1) / speed;
+        };
+        EXPECT_NEAR(kept(0.3), kept(1.8), 1e-3);
+        EXPECT_LT(kept(2.5), kept(1.8) - 0.04);
+        EXPECT_LT(kept(5), kept(2.5) - 0.07);
+    }
 }
 
 TEST(Cushion_RunningEnglish, WidensTheRebound) {

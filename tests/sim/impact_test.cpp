@@ -102,6 +102,12 @@ TEST(BallFriction_Alciatore, FallsWithSpeed) {
     EXPECT_NEAR(ball_friction(law, 1), 0.009951 + 0.108 * std::exp(-1.088), 1e-14);
 }
 
+TEST(BallFriction_Factor, MultipliesBothLaws) {
+    EXPECT_EQ(ball_friction({0.95, 0.06, BallFriction::constant, 1.5}, 3), 1.5 * 0.06);
+    EXPECT_EQ(ball_friction({0.95, 0, BallFriction::alciatore, 2.5}, 1),
+              2.5 * ball_friction({0.95, 0, BallFriction::alciatore}, 1));
+}
+
 /// Han 2005, equations 13 to 17, in its own coordinates (x into the cushion, y along it).
 struct HanAnswer {
     double vx, vy;

@@ -214,5 +214,17 @@ TEST(Mathavan_RollingBall, ReboundsAsMeasured) {
     EXPECT_LT(std::sqrt(squares / 8), 0.025);
 }
 
+// Over the whole range of that figure the measured rebound is described by the fraction
+// 0.925 - 0.085 (v - 1.9) of the speed above 1.9 m/s, and 0.925 below.
+TEST(Mathavan_RestitutionThatFalls, FollowsTheMeasurementsAtAllSpeeds) {
+    const BallCushion law = usual_cushion(CushionModel::mathavan2010);
+    for (double speed = 0.2; speed < 4; speed += 0.1) {
+        Equipment table = kPaper;
+        table.restitution = restitution_at(law, speed);
+        const PaperState q = ours(table, {speed, kPi / 2, 1, 0});
+        EXPECT_NEAR(-q.y / speed, 0.925 - 0.085 * std::max(0.0, speed - 1.9), 0.02) << speed;
+    }
+}
+
 }  // namespace
 }  // namespace carom::sim

@@ -22,8 +22,22 @@ Vec3 rolling_spin(const Vec3& velocity, double radius) {
     return Vec3(0, 0, 1).cross(velocity) / radius;
 }
 
+ContactLaw constant_law() {
+    ContactLaw law;
+    law.ball_ball = {0.95, 0.05, BallFriction::constant};
+    law.ball_cushion = {CushionModel::han2005, 0.85, 0.2};
+    return law;
+}
+
+BallCushion constant_cushion(CushionModel model) {
+    BallCushion law = usual_cushion(model);
+    law.fall = {};
+    return law;
+}
+
 WorldDescription cloth_world(double duration) {
     WorldDescription world;
+    world.contact_law = constant_law();
     world.duration = duration;
     world.table.emplace();
     world.table->kind = billiards::TableKind::cloth;
@@ -33,6 +47,7 @@ WorldDescription cloth_world(double duration) {
 
 WorldDescription walled_world(double duration) {
     WorldDescription world;
+    world.contact_law = constant_law();
     world.duration = duration;
     world.table = billiards::standard_table(billiards::TableKind::pool, "9 ft");
     world.table->corner_pocket.reset();
@@ -42,6 +57,7 @@ WorldDescription walled_world(double duration) {
 
 WorldDescription nine_ball_world(double duration) {
     WorldDescription world;
+    world.contact_law = constant_law();
     world.duration = duration;
     world.table = billiards::standard_table(billiards::TableKind::pool, "9 ft");
     world.bodies.push_back(ball("cue", -0.75, 0.12));

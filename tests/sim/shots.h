@@ -19,6 +19,13 @@ inline constexpr double kGravity = 9.81;
 /// The spin of a ball that rolls with `velocity`.
 [[nodiscard]] Vec3 rolling_spin(const Vec3& velocity, double radius = kRadius);
 
+/// The contact law of these worlds: constant ball-ball friction of 0.05, and Han's cushion with
+/// 0.85 and 0.2 at all speeds.
+[[nodiscard]] ContactLaw constant_law();
+
+/// A cushion model with its published parameters at all speeds.
+[[nodiscard]] BallCushion constant_cushion(CushionModel model);
+
 /// An unbounded cloth.
 [[nodiscard]] WorldDescription cloth_world(double duration);
 

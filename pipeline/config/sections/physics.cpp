@@ -36,14 +36,19 @@ const MapSpec<BallCloth>& ball_cloth_spec() {
 /// A coefficient of friction, or the name of a law for it.
 ValueType<BallBall> ball_friction() {
     const auto constant = convert<BallBall>(number(between(0, kLargestFriction)), [](double value) {
-        return BallBall{0, value, sim::BallFriction::constant};
+        BallBall law;
+        law.friction = value;
+        law.friction_model = sim::BallFriction::constant;
+        return law;
     });
-    const auto law =
+    const auto by_speed =
         convert<BallBall>(choice<sim::BallFriction>({{"alciatore", sim::BallFriction::alciatore}}),
                           [](sim::BallFriction model) {
-                              return BallBall{0, BallBall{}.friction, model};
+                              BallBall law;
+                              law.friction_model = model;
+                              return law;
                           });
-    return any_of<BallBall>({{is_number, constant}, {is_scalar, law}});
+    return any_of<BallBall>({{is_number, constant}, {is_scalar, by_speed}});
 }
 
 const MapSpec<BallBall>& ball_ball_spec() {
@@ -57,9 +62,12 @@ const MapSpec<BallBall>& ball_ball_spec() {
                 law.friction = value.friction;
                 law.friction_model = value.friction_model;
             },
-            "coefficient of Coulomb friction, or `alciatore`: a coefficient that depends on the "
-            "relative speed (TP A-14)",
-            show(BallBall{}.friction));
+            "coefficient of Coulomb friction, or `alciatore`: a coefficient that falls with the "
+            "relative speed (Alciatore, TP A-14)",
+            "alciatore");
+        s.key("friction_factor", &BallBall::friction_factor, number(between(0, kLargestFriction)),
+              "multiplies the friction, according to the state of the balls: 1 for used ones, more "
+              "for dirty ones");
         return s;
     }();
     return spec;
@@ -67,8 +75,45 @@ const MapSpec<BallBall>& ball_ball_spec() {
 
 /// The values have a different meaning in each model, so each model has its own, and those of a
 /// ball set remain valid when a shot changes the model.
+/// Restitution of a slow ball, and how it falls with speed.
+struct Restitution {
+    double slow = BallCushion{}.restitution;
+    sim::RestitutionFall fall = sim::usual_cushion(BallCushion{}.model).fall;
+};
+
+const MapSpec<Restitution>& restitution_spec() {
+    static const MapSpec<Restitution> spec = [] {
+        MapSpec<Restitution> s(
+            "cushion_restitution",
+            "A restitution that falls with the speed at which the ball approaches the cushion, "
+            "perpendicular to it.");
+        s.key("slow", &Restitution::slow, number(between(0, 1)),
+              "coefficient of restitution of a slow ball")
+            .required();
+        s.key(
+            "falls_above", [](Restitution& r) -> double& { return r.fall.above; },
+            quantity(Dimension::speed, between(0, 100)), "speed up to which it is constant");
+        s.key(
+            "by", [](Restitution& r) -> double& { return r.fall.slope; }, number(between(0, 10)),
+            "decrease for each m/s above that speed");
+        s.key(
+            "least", [](Restitution& r) -> double& { return r.fall.least; }, number(between(0, 1)),
+            "it falls no further than this");
+        return s;
+    }();
+    return spec;
+}
+
+/// One number, which holds at all speeds, or a restitution that falls with speed.
+ValueType<Restitution> cushion_restitution() {
+    const auto constant = convert<Restitution>(number(between(0, 1)), [](double value) {
+        return Restitution{value, sim::RestitutionFall{}};
+    });
+    return any_of<Restitution>({{is_scalar, constant}, {is_map, record(restitution_spec())}});
+}
+
 struct CushionNumbers {
-    std::optional<double> restitution;
+    std::optional<Restitution> restitution;
     std::optional<double> friction;
 };
 
@@ -84,23 +129,32 @@ BallCushion CushionEntry::law() const {
     const CushionNumbers& own = model == sim::CushionModel::mirror    ? mirror
                                 : model == sim::CushionModel::han2005 ? han2005
                                                                       : mathavan2010;
-    const BallCushion usual = sim::usual_cushion(model);
-    return {model, chosen.restitution.value_or(own.restitution.value_or(usual.restitution)),
-            chosen.friction.value_or(own.friction.value_or(usual.friction))};
+    BallCushion law = sim::usual_cushion(model);
+    for (const CushionNumbers* numbers : {&own, &chosen}) {
+        if (numbers->restitution) {
+            law.restitution = numbers->restitution->slow;
+            law.fall = numbers->restitution->fall;
+        }
+        law.friction = numbers->friction.value_or(law.friction);
+    }
+    return law;
 }
+
+constexpr const char* kUsualRestitution =
+    "one number for all speeds, or a map for a restitution that falls with speed. The defaults: "
+    "`mirror` 0.85 at all speeds; `han2005` 0.85 and `mathavan2010` 0.98 for slow balls, falling "
+    "above 1.9 m/s";
+constexpr const char* kUsualFriction =
+    "coefficient of friction between ball and cushion. The defaults are 0.2 for `han2005` and "
+    "0.14 for `mathavan2010`; `mirror` has none";
 
 const MapSpec<CushionNumbers>& cushion_numbers_spec() {
     static const MapSpec<CushionNumbers> spec = [] {
-        MapSpec<CushionNumbers> s(
-            "cushion_numbers",
-            "The values that one cushion model uses. The published values are 0.85 and 0.2 for "
-            "`han2005`, 0.98 and 0.14 for `mathavan2010`.");
-        s.key("restitution", &CushionNumbers::restitution, number(between(0, 1)),
-              "coefficient of restitution as the model defines it. The default is the published "
-              "value");
-        s.key(
-            "friction", &CushionNumbers::friction, number(between(0, kLargestFriction)),
-            "coefficient of friction between ball and cushion. The default is the published value");
+        MapSpec<CushionNumbers> s("cushion_numbers", "The values that one cushion model uses.");
+        s.key("restitution", &CushionNumbers::restitution, cushion_restitution(),
+              kUsualRestitution);
+        s.key("friction", &CushionNumbers::friction, number(between(0, kLargestFriction)),
+              kUsualFriction);
         return s;
     }();
     return spec;
@@ -116,10 +170,11 @@ const MapSpec<CushionEntry>& ball_cushion_spec() {
               "the published model that gives the impulse");
         s.key(
             "restitution",
-            [](CushionEntry& e) -> std::optional<double>& { return e.chosen.restitution; },
-            number(between(0, 1)),
-            "coefficient of restitution as the model defines it. The default is the value of the "
-            "model's own section below");
+            [](CushionEntry& e) -> std::optional<Restitution>& { return e.chosen.restitution; },
+            cushion_restitution(),
+            "coefficient of restitution as the model defines it: one number for all speeds, or a "
+            "map for one that falls with speed. The default is the value of the model's own "
+            "section below");
         s.key(
             "friction", [](CushionEntry& e) -> std::optional<double>& { return e.chosen.friction; },
             number(between(0, kLargestFriction)),

@@ -65,13 +65,41 @@ TEST(Physics, CushionNumbers_BelongToTheModel) {
     };
     using sim::BallCushion;
     using enum sim::CushionModel;
-    EXPECT_EQ(law("model: han2005"), (BallCushion{han2005, 0.85, 0.2}));
-    EXPECT_EQ(law("model: mathavan2010"), (BallCushion{mathavan2010, 0.98, 0.14}));
+    const sim::RestitutionFall fall{1.9, 0.09, 0.7};
+    EXPECT_EQ(law("model: mirror"), (BallCushion{mirror, 0.85, 0}));
+    EXPECT_EQ(law("model: han2005"), (BallCushion{han2005, 0.85, 0.2, fall}));
+    EXPECT_EQ(law("model: mathavan2010"), (BallCushion{mathavan2010, 0.98, 0.14, fall}));
     EXPECT_EQ(law("model: mathavan2010, han2005: {friction: 0.5}"),
-              (BallCushion{mathavan2010, 0.98, 0.14}));
-    EXPECT_EQ(law("han2005: {friction: 0.5}"), (BallCushion{han2005, 0.85, 0.5}));
+              (BallCushion{mathavan2010, 0.98, 0.14, fall}));
+    EXPECT_EQ(law("han2005: {friction: 0.5}"), (BallCushion{han2005, 0.85, 0.5, fall}));
     EXPECT_EQ(law("restitution: 0.7, han2005: {restitution: 0.8, friction: 0.5}"),
               (BallCushion{han2005, 0.7, 0.5}));
+}
+
+TEST(Physics, CushionRestitution_IsOneNumberOrFallsWithSpeed) {
+    const auto law = [](const std::string& restitution) {
+        return load_sections("physics: {ball_cushion: {restitution: " + restitution + "}}\n")
+            .world.contact_law.ball_cushion;
+    };
+    using sim::BallCushion;
+    using sim::CushionModel;
+    EXPECT_EQ(law("0.7"), (BallCushion{CushionModel::han2005, 0.7, 0.2}));
+    EXPECT_EQ(law("{slow: 0.9}"), (BallCushion{CushionModel::han2005, 0.9, 0.2, {1.9, 0.09, 0.7}}));
+    EXPECT_EQ(law("{slow: 0.9, falls_above: 3 m/s, by: 0.1, least: 0.5}"),
+              (BallCushion{CushionModel::han2005, 0.9, 0.2, {3, 0.1, 0.5}}));
+}
+
+TEST(Physics, BallFriction_IsOneNumberOrALawTimesAFactor) {
+    const auto law = [](const std::string& numbers) {
+        return load_sections("physics: {ball_ball: {" + numbers + "}}\n")
+            .world.contact_law.ball_ball;
+    };
+    using sim::BallBall;
+    using sim::BallFriction;
+    EXPECT_EQ(law(""), (BallBall{0.95, 0.05, BallFriction::alciatore, 1}));
+    EXPECT_EQ(law("friction: 0.06"), (BallBall{0.95, 0.06, BallFriction::constant, 1}));
+    EXPECT_EQ(law("friction: alciatore, friction_factor: 2.5"),
+              (BallBall{0.95, 0.05, BallFriction::alciatore, 2.5}));
 }
 
 TEST(Balls, RadiusAndMass_AreThoseOfTheSet) {

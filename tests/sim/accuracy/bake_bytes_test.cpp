@@ -92,7 +92,7 @@ TEST(BakeBytes_OfABreak, AreTheSameInEveryBuild) {
 
 TEST(BakeBytes_OfAJumpAndAMasse, AreTheSameInEveryBuild) {
     WorldDescription world = nine_ball_world(4);
-    world.contact_law.ball_cushion = usual_cushion(CushionModel::mathavan2010);
+    world.contact_law.ball_cushion = constant_cushion(CushionModel::mathavan2010);
     world.contact_law.hop = true;
     world.events = {strike_towards("cue", "five", 5, 0.1, {0, 0}, 0.6),
                     strike_towards("cue", "one", 3, 2, {-0.3, -0.2}, 1.1)};
@@ -101,7 +101,7 @@ TEST(BakeBytes_OfAJumpAndAMasse, AreTheSameInEveryBuild) {
 
 TEST(BakeBytes_OfMathavansCushions, AreTheSameInEveryBuild) {
     WorldDescription world = walled_world(6);
-    world.contact_law.ball_cushion = usual_cushion(CushionModel::mathavan2010);
+    world.contact_law.ball_cushion = constant_cushion(CushionModel::mathavan2010);
     world.bodies = {ball("cue", -0.2, 0.1, {3.5, 1.7, 0}, {-20, 60, 40}),
                     ball("one", 0.4, -0.3, {-1.1, -2.6, 0}, {0, 0, -70})};
     expect_hashes(world, "6ffb6f0c5130403ee40bb382835388c9", "1fc071e63fb05080df596aff92440083");
