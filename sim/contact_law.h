@@ -48,9 +48,9 @@ struct RestitutionFall {
 };
 
 struct BallCushion {
-    CushionModel model = CushionModel::han2005;
-    double restitution = 0.85;  // of a slow ball, [0, 1]
-    double friction = 0.2;      // -, >= 0
+    CushionModel model = CushionModel::mathavan2010;
+    double restitution = 0.98;  // of a slow ball, [0, 1]
+    double friction = 0.14;     // -, >= 0
     RestitutionFall fall{};
     bool operator==(const BallCushion&) const = default;
 };
@@ -72,7 +72,7 @@ struct PairContact {
 struct ContactLaw {
     BallCloth ball_cloth;
     BallBall ball_ball;
-    BallCushion ball_cushion;
+    BallCushion ball_cushion = usual_cushion(CushionModel::mathavan2010);
     PairContact otherwise;  // pairs neither named in `pairs` nor built in
     /// Names in alphabetical order. A ball with "floor", "pocket" (its lining and floor) and "rail"
     /// has built-in values (contact_law.cpp) that an entry here replaces. In an impact a pocket's

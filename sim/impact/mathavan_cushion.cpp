@@ -10,9 +10,9 @@ namespace {
 const Vec3 kUp(0, 0, 1);
 /// Largest steps as a fraction of the approach speed, and of the remaining slip, whose direction
 /// turns faster the smaller it is.
-constexpr double kMaxStep = 1.0 / 64;
+constexpr double kMaxStep = 1.0 / 16;
 constexpr double kMaxStiffStep = 1.0 / 256;
-constexpr double kMaxSlipFraction = 0.15;
+constexpr double kMaxSlipFraction = 0.3;
 /// Slip below this fraction of the ball's speed counts as none.
 constexpr double kNoSlip = 1e-10;
 /// Limit for a ball wedged under the nose by friction, which would be pressed there forever.
@@ -75,13 +75,19 @@ class CushionContact {
         if (is_stiff(motion, now, step)) {
             step = std::min(step, kMaxStiffStep * approach);
         }
-        return after(motion, step);
+        return after(motion, now, step);
     }
 
-    /// The motion after `step`, by the classic Runge-Kutta method; by the implicit midpoint rule
-    /// where a slip turns faster than it grows or shrinks, as after sticking.
+    /// The motion after `step`.
     [[nodiscard]] Motion after(const Motion& motion, double step) {
-        const Forces now = forces(motion, 0);
+        return after(motion, forces(motion, 0), step);
+    }
+
+  private:
+    /// The motion after `step` under the forces `now` at its beginning, by the classic Runge-Kutta
+    /// method; by the implicit midpoint rule where a slip turns faster than it grows or shrinks, as
+    /// after sticking.
+    [[nodiscard]] Motion after(const Motion& motion, const Forces& now, double step) {
         if (is_stiff(motion, now, step)) {
             const Forces middle = forces(motion, 0.5 * step);
             return motion + rate(motion + rate(motion, middle) * (0.5 * step), middle) * step;
@@ -93,7 +99,6 @@ class CushionContact {
         return motion + (k1 + k2 * 2 + k3 * 2 + k4) * (step / 6);
     }
 
-  private:
     [[nodiscard]] double next_step(const Motion& motion, const Motion& change,
                                    double longest) const {
         for (const Vec3& normal : {normal_, kUp}) {
@@ -176,28 +181,43 @@ class CushionContact {
     Forces forces_;
 };
 
-/// The part of `step` after which `is_over` turns true, by bisection; it is true after all of it.
-template <typename Condition>
-double bisect_end(CushionContact& contact, const Motion& motion, double step, Condition is_over) {
+/// The part of `step` after which `progress` reaches 0 from below, by Illinois' variant of the rule
+/// of false position; after all of `step` it is `high_value` >= 0.
+template <typename Progress>
+double find_end(CushionContact& contact, const Motion& motion, double step, double high_value,
+                Progress progress) {
     double low = 0;
+    double low_value = progress(motion);
     double high = step;
-    for (int i = 0; i < 60 && high - low > 1e-16 * step; ++i) {
-        const double middle = 0.5 * (low + high);
-        (is_over(contact.after(motion, middle)) ? high : low) = middle;
+    const double scale = high_value - low_value;
+    for (int i = 0; i < 60 && high - low > 1e-16 * step && high_value > 1e-15 * scale; ++i) {
+        const double middle = low + (high - low) * (low_value / (low_value - high_value));
+        const double value = progress(contact.after(motion, middle));
+        if (value >= 0) {
+            high = middle;
+            high_value = value;
+            low_value *= 0.5;
+        } else {
+            low = middle;
+            low_value = value;
+            high_value *= 0.5;
+        }
     }
     return high;
 }
 
-/// Integrates `motion` until `is_over`; returns the normal impulse up to then.
-template <typename Condition>
+/// Integrates `motion` until `progress` of it, which rises, is 0; returns the normal impulse up to
+/// then.
+template <typename Progress>
 double integrate_until(CushionContact& contact, Motion& motion, double approach,
-                       Condition is_over) {
+                       Progress progress) {
     double impulse = 0;
-    for (int i = 0; i < kMaxSteps && !is_over(motion) && impulse < kMaxImpulse * approach; ++i) {
+    for (int i = 0; i < kMaxSteps && progress(motion) < 0 && impulse < kMaxImpulse * approach;
+         ++i) {
         double step = 0;
         Motion next = contact.advance(motion, approach, step);
-        if (is_over(next)) {
-            step = bisect_end(contact, motion, step, is_over);
+        if (const double value = progress(next); value >= 0) {
+            step = find_end(contact, motion, step, value, progress);
             next = contact.after(motion, step);
         }
         motion = next;
@@ -219,11 +239,11 @@ ImpulsePair mathavan_impact(BallBody& ball, const Vec3& normal, double restituti
     const double speed = length(motion.velocity) + length(motion.spin);
     CushionContact contact(normal, friction, cloth_friction, kNoSlip * speed);
     double impulse = integrate_until(contact, motion, approach,
-                                     [&](const Motion& m) { return m.velocity.dot(normal) >= 0; });
+                                     [&](const Motion& m) { return m.velocity.dot(normal); });
     // The work of compression is negative; restitution returns the fraction e^2 of it.
     const double final_work = (1 - restitution * restitution) * motion.work;
     impulse += integrate_until(contact, motion, approach,
-                               [&](const Motion& m) { return m.work >= final_work; });
+                               [&](const Motion& m) { return m.work - final_work; });
     state.velocity = motion.velocity;
     // Wedged under the nose: the remaining approach velocity is removed.
     const Vec3 level(normal.x, normal.y, 0);
