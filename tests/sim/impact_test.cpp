@@ -134,7 +134,8 @@ HanAnswer han(double vx, double vy, const Vec3& w, double e, double mu) {
 }
 
 TEST(CushionImpact_Han2005, AgreesWithThePapersEquations) {
-    const ContactLaw law;
+    ContactLaw law;
+    law.ball_cushion = {CushionModel::han2005, 0.85, 0.2};
     const double sine = 0.27;
     const Vec3 inward(-1, 0, 0);
     const Vec3 normal(-std::sqrt(1 - sine * sine), 0, -sine);
