@@ -1,6 +1,7 @@
 #include "sim/impact/mathavan_cushion.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/length.h"
 
@@ -181,29 +182,34 @@ class CushionContact {
     Forces forces_;
 };
 
-/// The part of `step` after which `progress` reaches 0 from below, by Illinois' variant of the rule
-/// of false position; after all of `step` it is `high_value` >= 0.
+/// The part of `step` after which `progress` is 0, by Illinois' variant of the rule of false
+/// position; it is negative before the step and `high_value` >= 0 after it.
 template <typename Progress>
 double find_end(CushionContact& contact, const Motion& motion, double step, double high_value,
                 Progress progress) {
     double low = 0;
     double low_value = progress(motion);
     double high = step;
-    const double scale = high_value - low_value;
-    for (int i = 0; i < 60 && high - low > 1e-16 * step && high_value > 1e-15 * scale; ++i) {
-        const double middle = low + (high - low) * (low_value / (low_value - high_value));
-        const double value = progress(contact.after(motion, middle));
+    double end = step;
+    double value = high_value;
+    double last = 0;  // neither side has stayed yet
+    const double close = 1e-14 * (high_value - low_value);
+    for (int i = 0; i < 60 && std::abs(value) > close; ++i) {
+        end = low + (high - low) * (low_value / (low_value - high_value));
+        value = progress(contact.after(motion, end));
+        // An end of the interval that stays for a second time counts half.
         if (value >= 0) {
-            high = middle;
+            high = end;
             high_value = value;
-            low_value *= 0.5;
+            low_value *= last > 0 ? 0.5 : 1;
         } else {
-            low = middle;
+            low = end;
             low_value = value;
-            high_value *= 0.5;
+            high_value *= last < 0 ? 0.5 : 1;
         }
+        last = value;
     }
-    return high;
+    return end;
 }
 
 /// Integrates `motion` until `progress` of it, which rises, is 0; returns the normal impulse up to
@@ -212,13 +218,14 @@ template <typename Progress>
 double integrate_until(CushionContact& contact, Motion& motion, double approach,
                        Progress progress) {
     double impulse = 0;
-    for (int i = 0; i < kMaxSteps && progress(motion) < 0 && impulse < kMaxImpulse * approach;
-         ++i) {
+    bool is_over = progress(motion) >= 0;
+    for (int i = 0; i < kMaxSteps && !is_over && impulse < kMaxImpulse * approach; ++i) {
         double step = 0;
         Motion next = contact.advance(motion, approach, step);
         if (const double value = progress(next); value >= 0) {
             step = find_end(contact, motion, step, value, progress);
             next = contact.after(motion, step);
+            is_over = true;
         }
         motion = next;
         impulse += step;

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
-#include <utility>
+#include <cstddef>
 
 namespace carom::sim {
 namespace {
@@ -20,63 +19,62 @@ int longest_axis(const Aabb& box) {
 
 }  // namespace
 
-void Aabb::extend(const Vec3& point) {
-    for (int axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], point[axis]);
-        high[axis] = std::max(high[axis], point[axis]);
-    }
-}
-
-void Aabb::extend(const Aabb& box) {
-    extend(box.low);
-    extend(box.high);
-}
-
 void Aabb::grow(double margin) {
     low -= Vec3(margin);
     high += Vec3(margin);
 }
 
-double Aabb::squared_distance(const Vec3& point) const {
-    const Vec3 nearest(std::clamp(point.x, low.x, high.x), std::clamp(point.y, low.y, high.y),
-                       std::clamp(point.z, low.z, high.z));
-    const Vec3 d = point - nearest;
-    return d.dot(d);
-}
-
-AabbTree::AabbTree(std::vector<Aabb> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
-    if (boxes_.empty()) {
+AabbTree::AabbTree(const std::vector<Aabb>& boxes) {
+    if (boxes.empty()) {
         return;
     }
-    std::iota(order_.begin(), order_.end(), 0U);
+    items_.reserve(boxes.size());
+    for (const Aabb& box : boxes) {
+        items_.push_back({box, static_cast<std::uint32_t>(items_.size())});
+    }
     nodes_.emplace_back();
-    split(0, 0, static_cast<std::uint32_t>(boxes_.size()));
+    split(0, 0, static_cast<std::uint32_t>(items_.size()));
+}
+
+/// Moves the items with the lowest centres along the axis before `middle`.
+template <double Vec3::*kAxis>
+void AabbTree::partition(std::span<Item> items, std::size_t middle) {
+    const auto centre = [](const Item& item) { return item.box.low.*kAxis + item.box.high.*kAxis; };
+    std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(middle),
+                     items.end(), [&](const Item& a, const Item& b) {
+                         return centre(a) < centre(b) ||
+                                (centre(a) == centre(b) && a.index < b.index);
+                     });
 }
 
 void AabbTree::split(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
-    Aabb box = boxes_[order_[begin]];
-    for (std::uint32_t i = begin; i < end; ++i) {
-        box.extend(boxes_[order_[i]]);
+    const std::span<Item> items(items_.data() + begin, end - begin);
+    Aabb box = items.front().box;
+    for (const Item& item : items) {
+        box.extend(item.box);
     }
     nodes_[node].box = box;
-    if (end - begin <= kLeafSize) {
+    if (items.size() <= kLeafSize) {
         nodes_[node].first = begin;
         nodes_[node].count = end - begin;
         return;
     }
-    const int axis = longest_axis(box);
-    const std::uint32_t middle = begin + (end - begin) / 2;
-    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                     [&](std::uint32_t a, std::uint32_t b) {
-                         const double ka = boxes_[a].low[axis] + boxes_[a].high[axis];
-                         const double kb = boxes_[b].low[axis] + boxes_[b].high[axis];
-                         return ka < kb || (ka == kb && a < b);
-                     });
+    const std::uint32_t half = (end - begin) / 2;
+    switch (longest_axis(box)) {
+        case 0:
+            partition<&Vec3::x>(items, half);
+            break;
+        case 1:
+            partition<&Vec3::y>(items, half);
+            break;
+        default:
+            partition<&Vec3::z>(items, half);
+    }
     const auto children = static_cast<std::uint32_t>(nodes_.size());
     nodes_[node].first = children;
     nodes_.resize(nodes_.size() + 2);
-    split(children, begin, middle);
-    split(children + 1, middle, end);
+    split(children, begin, begin + half);
+    split(children + 1, begin + half, end);
 }
 
 void AabbTree::query(const Aabb& box, std::vector<std::uint32_t>& found) const {
@@ -108,8 +106,8 @@ void AabbTree::walk(const Predicate& is_hit, std::vector<std::uint32_t>& found) 
             continue;
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            if (is_hit(boxes_[order_[i]])) {
-                found.push_back(order_[i]);
+            if (is_hit(items_[i].box)) {
+                found.push_back(items_[i].index);
             }
         }
     }
