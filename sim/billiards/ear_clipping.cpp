@@ -143,10 +143,6 @@ class Outline {
 
 }  // namespace
 
-double doubled_area(const Vec2& a, const Vec2& b, const Vec2& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 std::vector<std::array<std::uint32_t, 3>> clip_ears(std::span<const Loop> loops) {
     return Outline(loops).clip();
 }

@@ -209,6 +209,12 @@ double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
     return (p - (a + s * span)).length();
 }
 
+/// Whether the point is farther than `distance` from the box of the segment.
+bool is_outside_box(const Vec2& p, const Vec2& a, const Vec2& b, double distance) {
+    return p.x < std::min(a.x, b.x) - distance || p.x > std::max(a.x, b.x) + distance ||
+           p.y < std::min(a.y, b.y) - distance || p.y > std::max(a.y, b.y) + distance;
+}
+
 // A triangular grid over the bounding box, away from all edges. Points in holes find no triangle.
 std::vector<Vec2> inner_points(std::span<const Loop> loops, double spacing) {
     Vec2 low = loops[0][0];
@@ -219,13 +225,16 @@ std::vector<Vec2> inner_points(std::span<const Loop> loops, double spacing) {
             high[axis] = std::max(high[axis], p[axis]);
         }
     }
+    const double margin = 0.6 * spacing;
     const auto is_free = [&](const Vec2& point) {
         for (const Loop& loop : loops) {
-            for (std::size_t i = 0; i < loop.size(); ++i) {
-                if (distance_to_segment(point, loop[i], loop[(i + 1) % loop.size()]) <
-                    0.6 * spacing) {
+            const Vec2* from = &loop.back();
+            for (const Vec2& to : loop) {
+                if (!is_outside_box(point, *from, to, margin) &&
+                    distance_to_segment(point, *from, to) < margin) {
                     return false;
                 }
+                from = &to;
             }
         }
         return true;

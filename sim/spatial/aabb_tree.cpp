@@ -7,7 +7,7 @@
 namespace carom::sim {
 namespace {
 
-constexpr std::uint32_t kLeafSize = 4;
+constexpr std::uint32_t kLeafSize = 8;
 
 int longest_axis(const Aabb& box) {
     const Vec3 size = box.high - box.low;
