@@ -39,7 +39,7 @@ struct SetVelocity {
     std::optional<Vec3> angular;  // rad/s, world axes
 };
 
-/// A ball struck by a cue stick (Alciatore, TP ). Exactly one of `toward` and
+/// A ball struck by a cue stick (Alciatore, TP and B-8). Exactly one of `toward` and
 /// `direction` gives the aim, exactly one of `speed` and `ball_speed` the strength.
 struct Strike {
     std::optional<double> speed;        // of the stick, m/s, > 0
@@ -50,7 +50,12 @@ struct Strike {
     double elevation = 0;               // of the stick, rad, [0, pi/2)
     Vec2 tip{0, 0};             // offset to the right and up as the shooter sees it, in ball radii
     double stick_mass = 0.567;  // kg, > 0
-    double end_mass_ratio = 1.0 / 30;  // effective end mass / ball mass, > 0 (squirt)
+    /// Effective end mass / ball mass, > 0 (squirt). At an offset of R/2, 1/22 gives the 2.5
+    /// degrees of a regular shaft, 1/30 the 1.8 degrees of a low-deflection shaft (quoted from
+    /// Alciatore).
+    double end_mass_ratio = 1.0 / 22;
+    /// Of the tip, [0, 1]: 0.71 to 0.75 leather, 0.81 to 0.87 phenolic (Alciatore, TP B-8).
+    double tip_restitution = 0.73;
 };
 
 /// The occurrence that starts an event (see ForceEvent).

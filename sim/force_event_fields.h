@@ -32,7 +32,8 @@ constexpr auto fields_of(Describes<Strike>) {
                      field("toward", &T::toward), field("toward_point", &T::toward_point),
                      field("direction", &T::direction), field("elevation", &T::elevation),
                      field("tip", &T::tip), field("stick_mass", &T::stick_mass),
-                     field("end_mass_ratio", &T::end_mass_ratio));
+                     field("end_mass_ratio", &T::end_mass_ratio),
+                     field("tip_restitution", &T::tip_restitution));
 }
 
 constexpr auto fields_of(Describes<Trigger>) {

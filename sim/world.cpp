@@ -302,6 +302,8 @@ class EventChecker {
                            "stick_mass has to be greater than 0");
         collector_.require(is_positive(strike.end_mass_ratio), "end_mass_ratio",
                            "end_mass_ratio has to be greater than 0");
+        collector_.require(strike.tip_restitution >= 0 && strike.tip_restitution <= 1,
+                           "tip_restitution", "tip_restitution has to be in [0, 1]");
     }
 
     const WorldDescription& world_;

@@ -13,7 +13,7 @@
 namespace carom::pipeline {
 
 /// The warnings of the simulation, each at the key to which it refers: "strike on 'cue' at 0.5 s:
-/// it never touched 'one', which it was aimed at". Without a source they have no place.
+/// the ball never hit its target 'one'". Without a source they have no place.
 [[nodiscard]] std::vector<Problem> simulation_problems(const sim::Timeline& timeline,
                                                        const ShotSource* source);
 

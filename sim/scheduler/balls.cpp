@@ -47,6 +47,10 @@ Ground ground_at_start(const Ball& ball, const StaticEnvironment& environment) {
 
 }  // namespace
 
+bool stays_in_contact(const Ball& ball, double separation, const Vec3& normal) {
+    return separation < kLandingSpeed && (ball.ground == Ground::none || std::abs(normal.z) > 1e-6);
+}
+
 Balls::Balls(const WorldDescription& world, const StaticEnvironment& environment,
              Recorder& recorder)
     : environment_(environment),

@@ -20,6 +20,10 @@ inline constexpr double kLeastLoggedSpeed = 4 * kLeastSeparation;
 /// takes as long.
 inline constexpr double kLeastFlight = 0.01;
 
+/// A ball that leaves a contact at `separation` (m/s), in the air or from a surface that is not
+/// vertical, may be too slow to come free: then it stays in contact and is activated in ODE.
+[[nodiscard]] bool stays_in_contact(const Ball& ball, double separation, const Vec3& normal);
+
 class Balls {
   public:
     Balls(const WorldDescription& world, const StaticEnvironment& environment, Recorder& recorder);

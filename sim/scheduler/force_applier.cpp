@@ -21,9 +21,13 @@ std::string seconds(double time) {
 
 }  // namespace
 
-ForceApplier::ForceApplier(const WorldDescription& world, Balls& balls, SteppedBodies& stepped,
-                           Recorder& recorder)
-    : world_(world), balls_(balls), stepped_(stepped), recorder_(recorder) {
+ForceApplier::ForceApplier(const WorldDescription& world, const StaticEnvironment& environment,
+                           Balls& balls, SteppedBodies& stepped, Recorder& recorder)
+    : world_(world),
+      environment_(environment),
+      balls_(balls),
+      stepped_(stepped),
+      recorder_(recorder) {
     for (std::uint32_t i = 0; i < stepped.all().size(); ++i) {
         index_by_name_.emplace(*stepped.all()[i].name, i);
     }
@@ -119,18 +123,66 @@ void ForceApplier::apply(const Strike& strike, const DueAction& due, std::uint32
     if (strike.tip.dot(strike.tip) > kMiscueOffset * kMiscueOffset) {
         recorder_.warn({Subject::event(due.event), "tip",
                         "strike on '" + struck.name + "' at " + seconds(due.time) +
-                            ": a tip more than half a radius off centre would miscue"});
+                            ": the tip is more than half a radius off centre, where it would "
+                            "slip off the ball (a miscue)"});
     }
+    if (strike.toward) {
+        aimed_strikes_.push_back({struck.name, *strike.toward, due.time, due.event});
+    }
+    TouchingBalls touching = find_touching_balls(balls_.all(), body, due.time, environment_);
+    if (touching.indices.size() == 1) {
+        strike_free(strike, aim, due.time, body);
+    } else {
+        strike_group(strike, aim, due.time, std::move(touching));
+    }
+}
+
+void ForceApplier::strike_free(const Strike& strike, const Vec3& aim, double time,
+                               std::uint32_t body) {
+    const Ball& struck = balls_[body];
+    const MotionState before = struck.segment.state_at(time);
     const StrikeResult result = strike_ball(strike, aim, struck.mass, struck.radius);
     MotionState after = before;
     after.velocity += result.velocity;
     after.angular_velocity += result.angular_velocity;
-    recorder_.log_action(EventKind::strike, due.time, due.time, struck.name, before.position,
+    recorder_.log_action(EventKind::strike, time, time, struck.name, before.position,
                          result.velocity);
-    if (strike.toward) {
-        aimed_strikes_.push_back({struck.name, *strike.toward, due.time, due.event});
+    set_state(body, time, before, after);
+}
+
+void ForceApplier::strike_group(const Strike& strike, const Vec3& aim, double time,
+                                TouchingBalls touching) {
+    TouchingGroup& group = touching.group;
+    const std::vector<BallBody> before = group.balls;
+    const PushResult push = push_balls(group, strike, aim, environment_.law.ball_ball);
+    const auto ball_of = [&](std::size_t i) -> const Ball& { return balls_[touching.indices[i]]; };
+    recorder_.log_action(EventKind::strike, time, time, ball_of(group.struck).name,
+                         before[group.struck].state.position, push.velocity);
+    std::vector<std::uint32_t> lasting;
+    for (std::size_t i = 0; i < group.contacts.size(); ++i) {
+        const PushContact& contact = group.contacts[i];
+        const BallBody& a = group.balls[contact.first];
+        const BallBody& b = group.balls[contact.second];
+        if (push.contacts[i].normal * (1 / a.mass + 1 / b.mass) > kLeastLoggedSpeed) {
+            recorder_.log_impact(time, ball_of(contact.first).name, ball_of(contact.second).name,
+                                 a.state.position - contact.normal * a.radius, contact.normal,
+                                 push.contacts[i]);
+        }
+        const double separation = (a.state.velocity - b.state.velocity).dot(contact.normal);
+        if (stays_in_contact(ball_of(contact.first), separation, contact.normal) ||
+            stays_in_contact(ball_of(contact.second), separation, contact.normal)) {
+            lasting.push_back(touching.indices[contact.first]);
+            lasting.push_back(touching.indices[contact.second]);
+        }
     }
-    set_state(body, due.time, before, after);
+    for (std::size_t i = 0; i < group.balls.size(); ++i) {
+        set_state(touching.indices[i], time, before[i].state, group.balls[i].state);
+    }
+    for (const std::uint32_t ball : lasting) {
+        if (!balls_[ball].is_stepped()) {
+            balls_.activate(ball, time);
+        }
+    }
 }
 
 void ForceApplier::apply_kick(const DueAction& due, std::uint32_t body) {
@@ -198,8 +250,7 @@ std::vector<Diagnostic> ForceApplier::missed_strikes() const {
         if (!hit) {
             warnings.push_back({Subject::event(strike.event), "toward",
                                 "strike on '" + strike.ball + "' at " + seconds(strike.time) +
-                                    ": it never touched '" + strike.target +
-                                    "', which it was aimed at"});
+                                    ": the ball never hit its target '" + strike.target + "'"});
         }
     }
     return warnings;

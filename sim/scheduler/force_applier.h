@@ -8,13 +8,14 @@
 #include "sim/scheduler/balls.h"
 #include "sim/scheduler/force_schedule.h"
 #include "sim/scheduler/stepped_bodies.h"
+#include "sim/scheduler/touching_balls.h"
 
 namespace carom::sim {
 
 class ForceApplier {
   public:
-    ForceApplier(const WorldDescription& world, Balls& balls, SteppedBodies& stepped,
-                 Recorder& recorder);
+    ForceApplier(const WorldDescription& world, const StaticEnvironment& environment, Balls& balls,
+                 SteppedBodies& stepped, Recorder& recorder);
 
     void apply(const DueAction& action);
 
@@ -27,6 +28,8 @@ class ForceApplier {
     void apply(const Impulse& impulse, const DueAction& due, std::uint32_t body);
     void apply(const SetVelocity& velocity, const DueAction& due, std::uint32_t body);
     void apply(const Strike& strike, const DueAction& due, std::uint32_t body);
+    void strike_free(const Strike& strike, const Vec3& aim, double time, std::uint32_t body);
+    void strike_group(const Strike& strike, const Vec3& aim, double time, TouchingBalls touching);
     void apply_kick(const DueAction& due, std::uint32_t body);
     void apply_impulse(std::uint32_t body, double time, const Vec3& impulse,
                        const Vec3& angular_impulse);
@@ -45,6 +48,7 @@ class ForceApplier {
     };
 
     const WorldDescription& world_;
+    const StaticEnvironment& environment_;
     Balls& balls_;
     SteppedBodies& stepped_;
     Recorder& recorder_;

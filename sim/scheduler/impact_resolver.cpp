@@ -30,12 +30,6 @@ Vec2 nearest_on(const billiards::CushionCorner& corner, const Vec2& point) {
     return corner.centre + d * (corner.radius / std::sqrt(d.dot(d)));
 }
 
-/// A ball that separates so slowly, in the air or from a surface that is not vertical, stays in
-/// contact: it is activated in ODE.
-bool stays_in_contact(const Ball& ball, double separation, const Vec3& normal) {
-    return separation < kLandingSpeed && (ball.ground == Ground::none || std::abs(normal.z) > 1e-6);
-}
-
 }  // namespace
 
 void ImpactResolver::resolve(const PredictedEvent& event) {

@@ -38,7 +38,7 @@ Scheduler::Scheduler(const WorldDescription& world)
       predictor_(environment_, balls_.all(), stepped_.all()),
       resolver_(environment_, balls_, stepped_, recorder_),
       schedule_(world.events),
-      force_applier_(world, balls_, stepped_, recorder_),
+      force_applier_(world, environment_, balls_, stepped_, recorder_),
       line_triggers_(world.events, stepped_.all()) {}
 
 bool Scheduler::run(const WorkContext& context, std::uint64_t max_steps) {

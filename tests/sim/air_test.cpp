@@ -53,6 +53,7 @@ TEST(JumpShot_OverABall, ClearsItAndLandsWhereTheParabolaSays) {
     world.bodies = {ball("cue", 0, 0), ball("one", 0.25, 0), ball("two", 3, 0)};
     const double elevation = 40 * std::numbers::pi / 180;
     world.events = {strike_towards("cue", "two", 4, 0, {0, 0}, elevation)};
+    std::get<Strike>(world.events[0].action).tip_restitution = 1;
     const Timeline timeline = bake(world);
     EXPECT_EQ(find_event(timeline, EventKind::impact, "cue", "one"), nullptr);
     // The strike, then the impact with the slate, which returns the fraction e of the descent;

@@ -1,7 +1,8 @@
-// Alciatore, TP A-30 (speed and spin) and TP A-31 (squirt).
+// Alciatore, TP A-30 (speed and spin), TP A-31 (squirt) and TP B-8 (restitution of the tip).
 #include "sim/stick/strike.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -15,9 +16,12 @@ StrikeResult struck(const Strike& strike) {
     return strike_ball(strike, Vec3(0, 1, 0), kMass, kRadius);
 }
 
+/// A tip that loses no energy, as in TP A-30, on a shaft with 1/30 of the ball's mass at its end.
 Strike at_tip(double a, double b, double elevation = 0) {
     Strike strike;
     strike.speed = 2;
+    strike.tip_restitution = 1;
+    strike.end_mass_ratio = 1.0 / 30;
     strike.tip = {a, b};
     strike.elevation = elevation;
     return strike;
@@ -133,6 +137,50 @@ TEST(Strike_Sweep, ConservesTheEnergyOfStickAndBall) {
         EXPECT_NEAR(ball + 0.5 * stick * after * after, 0.5 * stick * speed * speed,
                     1e-12 * stick * speed * speed);
     });
+}
+
+// A tip of restitution e returns e^2 of the energy of its compression, which ends when tip and
+// struck point are equally fast: 1/2 V^2 / (1/M + (1 + 5/2 b^2)/m).
+TEST(Strike_Sweep, LosesTheRestOfTheEnergyOfCompression) {
+    for (const double e : {0.0, 0.3, 0.73, 0.84}) {
+        sweep([=](double a, double up, double theta, double speed, double stick) {
+            Strike strike = at_tip(a, up, theta);
+            strike.speed = speed;
+            strike.stick_mass = stick;
+            strike.tip_restitution = e;
+            const StrikeResult result = struck(strike);
+            const Vec3& w = result.angular_velocity;
+            const double v = result.velocity.length();
+            const double ball = 0.5 * kMass * (v * v + 0.4 * kRadius * kRadius * w.dot(w));
+            const double after = speed - kMass * v / stick;
+            const double lost = 0.5 * stick * (speed * speed - after * after) - ball;
+            const double compression =
+                0.5 * speed * speed / (1 / stick + (1 + 2.5 * (a * a + up * up)) / kMass);
+            EXPECT_NEAR(lost, (1 - e * e) * compression, 1e-12 * stick * speed * speed);
+        });
+    }
+}
+
+// Alciatore's FAQ: with leather tips the ball is 1.27 to 1.35 times as fast as the stick. Pool
+// balls weigh 5.5 to 6 oz (156 to 170 g), usual sticks 18 to 21 oz (510 to 595 g).
+TEST(Strike_CentreHitWithALeatherTip, GivesTheMeasuredRatio) {
+    for (const double ounces : {18.0, 19.0, 20.0, 21.0}) {
+        Strike strike;
+        strike.speed = 1;
+        strike.stick_mass = ounces * 0.028349523;
+        const double ratio = struck(strike).velocity.length();
+        EXPECT_GT(ratio, 1.27) << ounces;
+        EXPECT_LT(ratio, 1.35) << ounces;
+    }
+}
+
+// A regular shaft deflects the ball by about 2.5 degrees at half a radius (Alciatore, quoted).
+TEST(Strike_WithTheDefaultShaft, SquirtsAsARegularOne) {
+    Strike strike;
+    strike.speed = 1;
+    strike.tip = {0.5, 0};
+    const Vec3 v = struck(strike).velocity;
+    EXPECT_NEAR(std::atan2(-v.x, v.y) * 180 / std::numbers::pi, 2.5, 0.05);
 }
 
 TEST(Strike_ByBallSpeed, GivesThatSpeed) {

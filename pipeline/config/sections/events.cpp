@@ -251,7 +251,9 @@ void add_strike_keys(MapSpec<ForceEvent>& s) {
     s.key(
         "ball_speed",
         [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).ball_speed; },
-        quantity(Dimension::speed, above_up_to(0, 100)), "speed of the ball after the impact");
+        quantity(Dimension::speed, above_up_to(0, 100)),
+        "speed that the strike adds to the ball. A ball that touches others is pushed until it has "
+        "this speed, together with them");
     add_toward(s);
     s.key(
         "direction", [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).direction; },
@@ -270,13 +272,19 @@ void add_strike_keys(MapSpec<ForceEvent>& s) {
         "end_mass_ratio", [](ForceEvent& e) -> double& { return strike_of(e).end_mass_ratio; },
         number(above_up_to(0, 1)),
         "effective end mass of the stick divided by the mass of the ball, which determines the "
-        "squirt");
+        "squirt: 1/22 for a regular shaft, 1/30 for a low-deflection one");
+    s.key(
+        "tip_restitution", [](ForceEvent& e) -> double& { return strike_of(e).tip_restitution; },
+        number(between(0, 1)),
+        "restitution of the tip: 0.73 for leather, 0.84 for a phenolic one (Alciatore, TP B-8)");
 }
 
 const MapSpec<ForceEvent>& strike_spec() {
     static const MapSpec<ForceEvent> spec = [] {
         MapSpec<ForceEvent> s =
-            event_of<Strike>("strike", "A cue stick strikes a ball (Alciatore, TP A-30, A-31).");
+            event_of<Strike>("strike",
+                             "A cue stick strikes a ball (Alciatore, TP A-30, A-31 "
+                             "and B-8).");
         s.key("ball", &ForceEvent::object, name_of(ReferenceKind::ball), "the ball").required();
         add_start(s);
         add_strike_keys(s);

@@ -47,7 +47,7 @@ TEST_F(CheckCommandRun, StrikeThatMisses_IsAWarningAtItsAim) {
     write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 0.1}");
     EXPECT_EQ(
         messages(),
-        R"(s.yaml:6:36: warning: strike on 'cue' at 0.100 s: it never touched 'one', which it was aimed at
+        R"(s.yaml:6:36: warning: strike on 'cue' at 0.100 s: the ball never hit its target 'one'
     6 |   - strike: {ball: cue, at: 0.1 s, toward: one, speed: 0.1}
       |                                    ^~~~~~
 carom: 's.yaml' has no errors, but 1 warning
@@ -58,7 +58,7 @@ TEST_F(CheckCommandRun, Miscue_IsAWarningAtTheTip) {
     write_shot("{ball: cue, at: 0.1 s, toward: one, speed: 3, tip: [0, 0.7]}");
     EXPECT_EQ(
         messages(),
-        R"(s.yaml:6:59: warning: strike on 'cue' at 0.100 s: a tip more than half a radius off centre would miscue
+        R"(s.yaml:6:59: warning: strike on 'cue' at 0.100 s: the tip is more than half a radius off centre, where it would slip off the ball (a miscue)
     6 |   - strike: {ball: cue, at: 0.1 s, toward: one, speed: 3, tip: [0, 0.7]}
       |                                                           ^~~
 carom: 's.yaml' has no errors, but 1 warning
@@ -166,8 +166,8 @@ TEST_F(CheckCommandRun, OtherCommands_WarnToo) {
     for (const std::string command : {"bake", "plan", "report", "export"}) {  // baked once
         const RunResult result = run({command, "s.yaml", "-q"});
         EXPECT_EQ(result.exit_code, 0);
-        EXPECT_THAT(result.err, StartsWith("s.yaml:6:36: warning: strike on 'cue' at 0.100 s: it "
-                                           "never touched 'one'"))
+        EXPECT_THAT(result.err, StartsWith("s.yaml:6:36: warning: strike on 'cue' at 0.100 s: the "
+                                           "ball never hit its target 'one'"))
             << command;
     }
     EXPECT_THAT(messages(), StartsWith("s.yaml:6:36: warning: strike on"));  // of the kept bake
@@ -178,8 +178,9 @@ TEST_F(CheckCommandRun, Bake_GivesTheWarningsOfItsSimulation) {
     ASSERT_EQ(run({"bake", "s.yaml", "-o", "s.bake"}).exit_code, 0);
     std::filesystem::remove_all(path("cache"));
     for (const std::string command : {"check", "info", "report"}) {
-        EXPECT_THAT(run({command, "s.bake"}).err,
-                    HasSubstr("warning: strike on 'cue' at 0.100 s: it never touched 'one'"))
+        EXPECT_THAT(
+            run({command, "s.bake"}).err,
+            HasSubstr("warning: strike on 'cue' at 0.100 s: the ball never hit its target 'one'"))
             << command;
     }
     EXPECT_FALSE(exists("cache/bakes")) << "nothing was simulated again";

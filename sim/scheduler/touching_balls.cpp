@@ -1,0 +1,75 @@
+#include "sim/scheduler/touching_balls.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/length.h"
+
+namespace carom::sim {
+namespace {
+
+/// During a push, about 2 ms, balls that approach or separate more slowly than this (m/s) change
+/// their gap by no more than kTouchingGap.
+constexpr double kTouchingSpeed = 0.01;
+
+bool touch(const MotionState& a, const MotionState& b, double distance) {
+    const Vec3 d = a.position - b.position;
+    const double reach = distance + kTouchingGap;
+    return d.dot(d) <= reach * reach &&
+           std::abs((a.velocity - b.velocity).dot(unit(d))) <= kTouchingSpeed;
+}
+
+PushContact contact_of(const Ball& a, const Ball& b, const Vec3& normal,
+                       const StaticEnvironment& environment) {
+    PushContact contact;
+    contact.normal = normal;
+    if (a.material != MaterialId::ball || b.material != MaterialId::ball) {
+        contact.friction = environment.contacts.between(a.material, b.material).friction;
+    }
+    contact.is_level = !environment.law.hop && a.ground != Ground::none && b.ground != Ground::none;
+    return contact;
+}
+
+}  // namespace
+
+TouchingBalls find_touching_balls(const std::vector<Ball>& balls, std::uint32_t struck, double time,
+                                  const StaticEnvironment& environment) {
+    TouchingBalls found;
+    std::vector<std::uint32_t>& indices = found.indices;
+    indices.push_back(struck);
+    std::vector<char> is_found(balls.size(), 0);
+    is_found[struck] = 1;
+    for (std::size_t next = 0; next < indices.size(); ++next) {
+        const Ball& ball = balls[indices[next]];
+        const MotionState state = ball.segment.state_at(time);
+        for (std::uint32_t other = 0; other < balls.size(); ++other) {
+            if (is_found[other] == 0 && touch(state, balls[other].segment.state_at(time),
+                                              ball.radius + balls[other].radius)) {
+                is_found[other] = 1;
+                indices.push_back(other);
+            }
+        }
+    }
+    std::sort(indices.begin(), indices.end());
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const Ball& ball = balls[indices[i]];
+        found.group.balls.push_back(ball.body_at(time));
+        const BallBody& body = found.group.balls.back();
+        if (indices[i] == struck) {
+            found.group.struck = i;
+        }
+        for (std::size_t k = 0; k < i; ++k) {
+            const BallBody& other = found.group.balls[k];
+            if (touch(body.state, other.state, body.radius + other.radius)) {
+                const Vec3 normal = unit(other.state.position - body.state.position);
+                found.group.contacts.push_back(
+                    contact_of(balls[indices[k]], ball, normal, environment));
+                found.group.contacts.back().first = k;
+                found.group.contacts.back().second = i;
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace carom::sim

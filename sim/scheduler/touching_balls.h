@@ -1,0 +1,27 @@
+// The balls that touch a struck ball, as a group for push_balls().
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/scheduler/balls.h"
+#include "sim/stick/push.h"
+
+namespace carom::sim {
+
+/// Gaps up to this (m) count as contact in a strike. While the tip presses, a ball moves ten times
+/// as far. Coordinates rounded to 0.01 mm leave 14 micrometres, the balls of a rack about 30.
+inline constexpr double kTouchingGap = 5e-5;
+
+struct TouchingBalls {
+    std::vector<std::uint32_t> indices;  // ascending, in Balls
+    TouchingGroup group;                 // in the same order
+};
+
+/// The ball `struck` and the balls that touch it at `time`, directly or through others. Balls that
+/// approach or leave each other do not count as touching.
+[[nodiscard]] TouchingBalls find_touching_balls(const std::vector<Ball>& balls,
+                                                std::uint32_t struck, double time,
+                                                const StaticEnvironment& environment);
+
+}  // namespace carom::sim

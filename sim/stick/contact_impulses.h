@@ -1,0 +1,54 @@
+// Impulses between touching balls that do not rebound.
+#pragma once
+
+#include <vector>
+
+#include "sim/stick/push.h"
+
+namespace carom::sim {
+
+struct BallVelocity {
+    Vec3 linear{0, 0, 0};   // m/s
+    Vec3 angular{0, 0, 0};  // rad/s
+};
+
+/// On the first ball of a contact, N s.
+struct ContactImpulse {
+    double normal = 0;
+    Vec3 friction{0, 0, 0};
+};
+
+/// Solves the contacts of a group for one increment of an external impulse: afterwards no contact
+/// closes, a contact that opens has no impulse, and the friction, of at most its coefficient times
+/// the normal impulse, acts against the slip, or stops it.
+class ContactImpulses {
+  public:
+    explicit ContactImpulses(const TouchingGroup& group);
+
+    /// Changes `velocities`, which are those without contacts, and `impulses`, which are first
+    /// guesses. `friction`: one coefficient for each contact.
+    void solve(std::vector<BallVelocity>& velocities, const std::vector<double>& friction,
+               std::vector<ContactImpulse>& impulses) const;
+
+    /// The velocity of the first ball's surface relative to the second's, along the normal and
+    /// across it.
+    struct Relative {
+        double normal = 0;
+        Vec3 slip{0, 0, 0};
+    };
+    [[nodiscard]] Relative relative_velocity(const PushContact& contact,
+                                             const std::vector<BallVelocity>& velocities) const;
+
+  private:
+    void add(const std::vector<ContactImpulse>& impulses,
+             std::vector<BallVelocity>& velocities) const;
+    /// One step of projected gradient descent from `from`; returns the largest change, m/s.
+    double descend(const std::vector<BallVelocity>& velocities, const std::vector<double>& friction,
+                   const std::vector<ContactImpulse>& from, std::vector<ContactImpulse>& to) const;
+
+    const TouchingGroup& group_;
+    std::vector<double> inverse_masses_;  // of each contact: sum over its two balls
+    double step_ = 1;                     // of the descent
+};
+
+}  // namespace carom::sim

@@ -1,0 +1,42 @@
+// A strike on a ball that touches others: the impulses of the tip and of all contacts together.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "sim/impact/ball_impact.h"
+#include "sim/stick/strike.h"
+
+namespace carom::sim {
+
+/// Two balls of a group that touch.
+struct PushContact {
+    std::size_t first = 0, second = 0;  // indices in the group
+    Vec3 normal{0, 0, 1};               // unit, from the second to the first
+    std::optional<double> friction;     // Coulomb, >= 0; otherwise ball_friction() at the slip
+    bool is_level = false;              // the vertical part of the impulse is left out
+};
+
+/// A struck ball and all balls that touch it, directly or through others.
+struct TouchingGroup {
+    std::vector<BallBody> balls;
+    std::size_t struck = 0;
+    std::vector<PushContact> contacts;
+};
+
+struct PushResult {
+    double impulse = 0;                 // of the tip, N s
+    Vec3 velocity{0, 0, 0};             // change of the struck ball's, m/s
+    std::vector<ImpulsePair> contacts;  // on each contact of the group
+};
+
+/// Pushes the group with the stick and changes the states of its balls. While the tip presses, the
+/// balls do not rebound from each other: no contact closes, none pulls, and friction acts against
+/// the slip. The tip's impulse ends when its restitution has returned e^2 of the work of its
+/// compression; with `ball_speed`, when the struck ball's velocity has changed by that much. A
+/// group of one ball moves as strike_ball() says. docs/physics.md derives the closed forms.
+PushResult push_balls(TouchingGroup& group, const Strike& strike, const Vec3& aim,
+                      const BallBall& law);
+
+}  // namespace carom::sim
