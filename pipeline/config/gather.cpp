@@ -45,6 +45,9 @@ class Gatherer {
     /// The camera file `path`, which is given by the option at `place`.
     std::optional<Node> read_camera_file(const std::string& path, const Place& place);
 
+    /// The file `path` with its includes, which is read for the value at `place`.
+    std::optional<Node> read_config_file(const std::string& path, const Place& place);
+
     [[nodiscard]] bool is_complete() const { return is_complete_; }
 
   private:
@@ -297,6 +300,11 @@ std::optional<Node> Gatherer::read_camera_file(const std::string& path, const Pl
     return tree;
 }
 
+std::optional<Node> Gatherer::read_config_file(const std::string& path, const Place& place) {
+    std::vector<OpenFile> open_files{{sources_.at(place.source).name, path}};
+    return read_file(path, path, place, open_files);
+}
+
 }  // namespace
 
 Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folders,
@@ -337,6 +345,17 @@ Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folder
         std::rotate(root->entries.begin(), version, version + 1);
     }
     return {std::move(root), gatherer.is_complete()};
+}
+
+std::optional<Node> read_config(SourceSet& sources, const std::string& name, const Place& named_at,
+                                const ConfigFolders& folders, ProblemList& problems) {
+    for (const std::string& folder : folders.folders) {
+        const FoundFile found = find_config_file(name, folder, {{folder}});
+        if (!found.path.empty()) {
+            return Gatherer(sources, folders, problems).read_config_file(found.path, named_at);
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace carom::pipeline::config

@@ -32,4 +32,11 @@ struct Gathered {
 [[nodiscard]] Gathered gather(SourceSet& sources, int root_source, const ConfigFolders& folders,
                               const GatherOptions& options, ProblemList& problems);
 
+/// The file of that name in the config folders ("balls/pool.yaml"), merged over its includes; empty
+/// if no folder has it, or after a problem. `named_at` is the place in the shot for which it is
+/// read.
+[[nodiscard]] std::optional<Node> read_config(SourceSet& sources, const std::string& name,
+                                              const Place& named_at, const ConfigFolders& folders,
+                                              ProblemList& problems);
+
 }  // namespace carom::pipeline::config

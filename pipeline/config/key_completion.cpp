@@ -111,8 +111,16 @@ void add_names(const Node& shot, const char* section, std::vector<std::string>& 
 void add_values(const TypeInfo& type, const Node& shot, std::vector<std::string>& values) {
     if (type.kind == TypeInfo::Kind::boolean) {
         values.insert(values.end(), {"true", "false"});
-    } else if (type.kind == TypeInfo::Kind::choice) {
+    } else if (type.kind == TypeInfo::Kind::choice || type.kind == TypeInfo::Kind::text) {
         values.insert(values.end(), type.choices.begin(), type.choices.end());
+        const std::size_t dot = type.more_choices.find('.');
+        if (dot != std::string::npos) {
+            const Node* map = value_of(&shot, type.more_choices.substr(0, dot));
+            const Node* more = value_of(map, type.more_choices.substr(dot + 1));
+            for (const Entry& entry : more != nullptr ? more->entries : std::vector<Entry>()) {
+                values.push_back(entry.key);
+            }
+        }
     } else if (type.kind == TypeInfo::Kind::name && type.noun == "a material") {
         add_names(shot, "materials", values);
     } else if (type.kind == TypeInfo::Kind::name) {

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "pipeline/config/build/build_shot.h"
+#include "pipeline/config/conditions.h"
 #include "pipeline/config/config_files.h"
 #include "pipeline/config/emit_yaml.h"
 #include "pipeline/config/gather.h"
@@ -79,6 +80,7 @@ LoadResult load_shot_text(const std::string& text, const std::string& origin,
                                {options.overrides, options.quality, options.camera_file}, problems);
     std::map<const Node*, std::string> files;
     if (gathered.root) {
+        apply_conditions(*gathered.root, sources, folders, problems, !gathered.is_complete);
         Reader reader(sources, folders, problems);
         result.shot = read_shot(gathered, fs::path(origin).stem().string(), reader);
         files = reader.absolute_paths();

@@ -112,8 +112,13 @@ std::string describe_type(const TypeInfo& type) {
             return with_range(text + (type.needed_unit.empty() ? "" : " with unit"), type);
         case TypeInfo::Kind::integer:
             return with_range("whole number", type);
-        case TypeInfo::Kind::boolean:
         case TypeInfo::Kind::text:
+            for (const std::string& word : type.choices) {
+                text += "`" + word + "`, ";
+            }
+            return text.empty() ? describe(type)
+                                : text + "or another word of `" + type.more_choices + "`";
+        case TypeInfo::Kind::boolean:
         case TypeInfo::Kind::name:
         case TypeInfo::Kind::file:
             break;

@@ -28,6 +28,21 @@ cameras:
   pairs:
     - {between: [tile, cloth], friction: 0.35, restitution: 0.1}
 )"},
+        {"stick", R"(physics:
+  shaft: low_deflection
+  stick: {mass: 19 oz}
+)"},
+        {"conditions", R"(physics: {cloth: club, balls: dirty}
+conditions:
+  cloth:
+    club:
+      ball_cloth: {sliding_friction: 0.24, rolling_friction: 0.012}
+)"},
+        {"condition", R"(physics: {tip: soft, shaft: club}
+conditions:
+  tip: {soft: {stick: {mass: 18 oz}}}
+  shaft: {club: {stick: {end_mass_ratio: 1/25}}}
+)"},
         {"ball_cloth", R"(physics:
   ball_cloth: {sliding_friction: 0.15, rolling_friction: 0.008}
 )"},

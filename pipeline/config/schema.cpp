@@ -92,8 +92,11 @@ std::string text_schema(const TypeInfo& type) {
         return text_of(type.pattern);
     }
     // YAML may read a word as a number.
-    return object(
+    const std::string any = object(
         {{"type", array({json_string("string"), json_string("number"), json_string("boolean")})}});
+    return type.choices.empty()
+               ? any
+               : any_of({object({{"enum", quoted_array(type.choices)}}), any});  // for suggestions
 }
 
 std::string choice_schema(const TypeInfo& type) {

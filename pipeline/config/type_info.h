@@ -47,7 +47,8 @@ struct TypeInfo {
     Dimension dimension = Dimension::none;
     Range range;
     std::string needed_unit;  // quantity: a suitable unit if plain numbers are rejected, or empty
-    std::vector<std::string> choices;
+    std::vector<std::string> choices;  // choice: all of them; text: some, to be suggested
+    std::string more_choices;  // text: the map of the shot whose keys are choices, too ("a.b")
     std::vector<TypeInfo> elements;
     int fewest = 0;
     int most = -1;        // -1: any number

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/text.h"
 #include "pipeline/config/text.h"
 
 namespace carom::pipeline::config {
@@ -48,11 +49,11 @@ ValueType<bool> boolean() {
     return result;
 }
 
-ValueType<std::string> text(std::string noun) {
+namespace {
+
+ValueType<std::string> text_of_type(TypeInfo type) {
     ValueType<std::string> result;
-    result.info.kind = TypeInfo::Kind::text;
-    result.info.noun = std::move(noun);
-    const TypeInfo type = result.info;
+    result.info = type;
     result.read = [type](Reader& reader, const Node& node) -> std::optional<std::string> {
         if (!node.is_scalar()) {
             reader.wrong_type(node, describe(type));
@@ -62,6 +63,24 @@ ValueType<std::string> text(std::string noun) {
     };
     result.show = [](const std::string& value) { return value; };
     return result;
+}
+
+}  // namespace
+
+ValueType<std::string> text(std::string noun) {
+    TypeInfo type;
+    type.kind = TypeInfo::Kind::text;
+    type.noun = std::move(noun);
+    return text_of_type(std::move(type));
+}
+
+ValueType<std::string> word(std::vector<std::string> suggested, std::string more) {
+    TypeInfo type;
+    type.kind = TypeInfo::Kind::text;
+    type.noun = "a word such as " + enumerate(suggested, "or");
+    type.choices = std::move(suggested);
+    type.more_choices = std::move(more);
+    return text_of_type(std::move(type));
 }
 
 ValueType<std::string> name_of(ReferenceKind kind) {

@@ -15,6 +15,10 @@ namespace carom::pipeline::config {
 /// Any word; `noun` describes its meaning.
 [[nodiscard]] ValueType<std::string> text(std::string noun);
 
+/// Any word, of which `suggested` and the keys of the shot's map `more` ("conditions.cloth") are
+/// suggested.
+[[nodiscard]] ValueType<std::string> word(std::vector<std::string> suggested, std::string more);
+
 /// The name of something in the shot; it is checked after everything has been read.
 [[nodiscard]] ValueType<std::string> name_of(ReferenceKind kind);
 

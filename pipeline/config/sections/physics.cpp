@@ -1,5 +1,6 @@
 #include <optional>
 
+#include "pipeline/config/conditions.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/show_quantity.h"
 
@@ -255,7 +256,77 @@ ValueType<Vec3> gravity() {
                          {is_list, vector3(Dimension::acceleration, between(-1000, 1000))}});
 }
 
+/// Adds the keys whose values depend on the condition of the table, the balls and the stick.
+void add_conditional_keys(MapSpec<World>& s) {
+    s.map(
+        "ball_cloth", [](World& w) -> BallCloth& { return w.contact_law.ball_cloth; },
+        ball_cloth_spec(), "contact of a ball with the cloth");
+    s.map(
+        "ball_ball", [](World& w) -> BallBall& { return w.contact_law.ball_ball; },
+        ball_ball_spec(), "contact of a ball with a ball");
+    s.set(
+        "ball_cushion", record(ball_cushion_spec()),
+        [](World& w, const CushionEntry& e) { w.contact_law.ball_cushion = e.law(); },
+        "contact of a ball with a cushion");
+    s.set(
+        "stick", record(stick_spec()), [](World&, const sim::Strike&) {},
+        "what the strikes use that do not give their own values");
+}
+
+/// Adds the words for conditions. They have been replaced by numbers (conditions.h).
+void add_words(MapSpec<World>& s) {
+    for (const ConditionKey& key : condition_keys()) {
+        s.set(
+            key.name, word(key.words, "conditions." + key.name), [](World&, const std::string&) {},
+            "condition of " + key.description +
+                ": a word for the numbers that `conditions` has for it. Keys that a file gives "
+                "beside it have precedence");
+    }
+}
+
+const MapSpec<World>& condition_spec() {
+    static const MapSpec<World> spec = [] {
+        MapSpec<World> s("condition", "The numbers of a word, with the keys that `physics` has.");
+        add_conditional_keys(s);
+        return s;
+    }();
+    return spec;
+}
+
 }  // namespace
+
+const MapSpec<sim::Strike>& stick_spec() {
+    using sim::Strike;
+    static const MapSpec<Strike> spec = [] {
+        MapSpec<Strike> s("stick", "The stick of every strike that does not give its own values.");
+        s.key("end_mass_ratio", &Strike::end_mass_ratio, number(above_up_to(0, 1)),
+              "effective end mass of the stick divided by the mass of the ball, which determines "
+              "the squirt");
+        s.key("mass", &Strike::stick_mass, quantity(Dimension::mass, above_up_to(0, 10)),
+              "mass of the whole stick");
+        return s;
+    }();
+    return spec;
+}
+
+const MapSpec<NotStored>& conditions_spec() {
+    static const MapSpec<NotStored> spec = [] {
+        MapSpec<NotStored> s(
+            "conditions",
+            "The words for the condition of the table, the balls and the stick, and their numbers: "
+            "below each word is a part of a `physics` section. configs/balls/ has the words of "
+            "each kind of ball with their sources; a shot that uses a word without including one "
+            "of its files gets the numbers for its kind of ball. A shot may add words of its own.");
+        for (const ConditionKey& key : condition_keys()) {
+            s.set(
+                key.name, named("condition", condition_spec()),
+                [](NotStored&, const std::vector<Named<World>>&) {},
+                "the words for the condition of " + key.description);
+        }
+        return s;
+    }();
+    return spec;
+}
 
 const MapSpec<World>& physics_spec() {
     static const MapSpec<World> spec = [] {
@@ -263,16 +334,8 @@ const MapSpec<World>& physics_spec() {
         s.set(
             "gravity", gravity(), [](World& world, const Vec3& value) { world.gravity = value; },
             "one number (downwards) or a vector", show(9.81, Dimension::acceleration));
-        s.map(
-            "ball_cloth", [](World& w) -> BallCloth& { return w.contact_law.ball_cloth; },
-            ball_cloth_spec(), "contact of a ball with the cloth");
-        s.map(
-            "ball_ball", [](World& w) -> BallBall& { return w.contact_law.ball_ball; },
-            ball_ball_spec(), "contact of a ball with a ball");
-        s.set(
-            "ball_cushion", record(ball_cushion_spec()),
-            [](World& w, const CushionEntry& e) { w.contact_law.ball_cushion = e.law(); },
-            "contact of a ball with a cushion");
+        add_words(s);
+        add_conditional_keys(s);
         s.map(
             "otherwise", [](World& w) -> PairContact& { return w.contact_law.otherwise; },
             otherwise_spec(), "contact of any other two materials");

@@ -7,10 +7,17 @@
 
 namespace carom::pipeline::config {
 
+/// For a section that is read only to find its problems.
+struct NotStored {};
+
 [[nodiscard]] const MapSpec<ShotFile>& shot_spec();
 
 [[nodiscard]] const MapSpec<sim::WorldDescription>& simulation_spec();
 [[nodiscard]] const MapSpec<sim::WorldDescription>& physics_spec();
+/// `physics.stick`; `mass` is the strike's `stick_mass`.
+[[nodiscard]] const MapSpec<sim::Strike>& stick_spec();
+/// The keys are checked and not stored, because conditions.h has merged them into `physics`.
+[[nodiscard]] const MapSpec<NotStored>& conditions_spec();
 [[nodiscard]] const MapSpec<BallSetSection>& ball_set_spec();
 [[nodiscard]] const MapSpec<TableSection>& table_spec();
 [[nodiscard]] const MapSpec<RackSection>& rack_spec();

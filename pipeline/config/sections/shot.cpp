@@ -32,6 +32,10 @@ const MapSpec<ShotFile>& shot_spec() {
         s.map("simulation", &ShotFile::world, simulation_spec(),
               "duration, time step and seed of the simulation");
         s.map("physics", &ShotFile::world, physics_spec(), "gravity and contacts");
+        s.set(
+            "conditions", record(conditions_spec()), [](ShotFile&, NotStored) {},
+            "the numbers of the words that `physics` uses for the condition of the table, the "
+            "balls and the stick");
         s.map("ball_set", &ShotFile::ball_set, ball_set_spec(), "properties that all balls share");
         s.key("table", &ShotFile::table, record(table_spec()), "the billiard table");
         s.key("rack", &ShotFile::rack, record(rack_spec()), "the object balls of a game");
