@@ -6,6 +6,7 @@
 
 #include "pipeline/config/emit_yaml.h"
 #include "pipeline/config/key_conditions.h"
+#include "pipeline/config/parse_yaml.h"
 #include "pipeline/config/sections/sections.h"
 #include "pipeline/config/source_set.h"
 #include "pipeline/config/table_node.h"
@@ -189,8 +190,25 @@ class Explainer {
                     text_.resize(before);
                 }
             } else if (!key.default_text.empty() && can_be_added(info, key, node)) {
-                write_line(indent + emit_key(key.name) + ": " + key.default_text, "default");
+                write_default(indent + emit_key(key.name) + ":", key.default_text, indent + "  ");
             }
+        }
+    }
+
+    /// Writes a default after `first`; a map has a line for each of its keys, which begins with
+    /// `indent`.
+    void write_default(const std::string& first, const std::string& value,
+                       const std::string& indent) {
+        if (!value.starts_with('{')) {
+            write_line(first + " " + value, "default");
+            return;
+        }
+        SourceSet sources;
+        ProblemList problems(sources);
+        const int source = sources.add({"default", "", value});
+        text_ += first + "\n";
+        for (const Entry& entry : parse_yaml(sources, source, problems).value_or(Node{}).entries) {
+            write_line(indent + emit_key(entry.key) + ": " + emit_flow(entry.value), "default");
         }
     }
 

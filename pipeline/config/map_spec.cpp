@@ -148,6 +148,10 @@ void KeyTable::add_map(std::string_view name, const MapInfo& map, std::string_vi
     info_.keys.back().is_always_there = true;
 }
 
+void KeyTable::keep_last() {
+    info_.keys.back().is_always_there = true;
+}
+
 void KeyTable::require_last() {
     info_.keys.back().is_required = true;
     info_.keys.back().default_text.clear();

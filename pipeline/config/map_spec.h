@@ -130,7 +130,8 @@ class KeyTable {
     /// Adds a nested map whose keys are read directly into the target.
     void add_map(std::string_view name, const MapInfo& map, std::string_view description,
                  Step read);
-    // The following three apply to the key that was added last.
+    // The following four apply to the key that was added last.
+    void keep_last();
     void require_last();
     void pair_last(std::vector<std::string> partners, bool is_needed);
     void exclude_last(Exclusion exclusion);
@@ -206,6 +207,12 @@ class MapSpec {
     /// The key added last is required and therefore has no default.
     MapSpec& required() {
         table_.require_last();
+        return *this;
+    }
+
+    /// The keys of the map that was added last have their defaults even if the map is missing.
+    MapSpec& always_there() {
+        table_.keep_last();
         return *this;
     }
 

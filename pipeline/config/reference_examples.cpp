@@ -56,7 +56,15 @@ conditions:
   ball_cushion:
     restitution: {slow: 0.9, falls_above: 1.9 m/s, by: 0.09, least: 0.7}
 )"},
-        {"cushion_numbers", R"(physics:
+        {"mirror", R"(physics:
+  ball_cushion: {model: mirror, mirror: {restitution: 1}}
+)"},
+        {"han2005", R"(physics:
+  ball_cushion:
+    model: han2005
+    han2005: {restitution: 0.8, friction: 0.2}
+)"},
+        {"mathavan2010", R"(physics:
   ball_cushion:
     model: mathavan2010
     mathavan2010: {restitution: 0.98, friction: 0.14}

@@ -1,4 +1,7 @@
 #include <optional>
+#include <string>
+
+#include <fmt/core.h>
 
 #include "pipeline/config/conditions.h"
 #include "pipeline/config/sections/sections.h"
@@ -74,8 +77,6 @@ const MapSpec<BallBall>& ball_ball_spec() {
     return spec;
 }
 
-/// The values have a different meaning in each model, so each model has its own, and those of a
-/// ball set remain valid when a shot changes the model.
 /// Restitution of a slow ball, and how it falls with speed.
 struct Restitution {
     double slow = BallCushion{}.restitution;
@@ -113,6 +114,8 @@ ValueType<Restitution> cushion_restitution() {
     return any_of<Restitution>({{is_scalar, constant}, {is_map, record(restitution_spec())}});
 }
 
+/// The values have a different meaning in each model, so each model has its own, and those of a
+/// ball set remain valid when a shot changes the model.
 struct CushionNumbers {
     std::optional<Restitution> restitution;
     std::optional<double> friction;
@@ -141,23 +144,47 @@ BallCushion CushionEntry::law() const {
     return law;
 }
 
-constexpr const char* kUsualRestitution =
-    "one number for all speeds, or a map for a restitution that falls with speed. The defaults: "
-    "`mirror` 0.85 at all speeds; `han2005` 0.85 and `mathavan2010` 0.98 for slow balls, falling "
-    "above 1.9 m/s";
-constexpr const char* kUsualFriction =
-    "coefficient of friction between ball and cushion. The defaults are 0.2 for `han2005` and "
-    "0.14 for `mathavan2010`; `mirror` has none";
+/// The restitution of a model as a user would type it.
+std::string show_restitution(const BallCushion& law) {
+    return law.fall == sim::RestitutionFall{}
+               ? show(law.restitution)
+               : fmt::format("{{slow: {}, falls_above: {}, by: {}, least: {}}}",
+                             show(law.restitution), show(law.fall.above, Dimension::speed),
+                             show(law.fall.slope), show(law.fall.least));
+}
 
-const MapSpec<CushionNumbers>& cushion_numbers_spec() {
-    static const MapSpec<CushionNumbers> spec = [] {
-        MapSpec<CushionNumbers> s("cushion_numbers", "The values that one cushion model uses.");
-        s.key("restitution", &CushionNumbers::restitution, cushion_restitution(),
-              kUsualRestitution);
-        s.key("friction", &CushionNumbers::friction, number(between(0, kLargestFriction)),
-              kUsualFriction);
-        return s;
-    }();
+MapSpec<CushionNumbers> cushion_numbers_spec(const std::string& name, sim::CushionModel model) {
+    const BallCushion usual = sim::usual_cushion(model);
+    MapSpec<CushionNumbers> s(name, "The values that the cushion model `" + name + "` uses.");
+    s.set(
+        "restitution", cushion_restitution(),
+        [](CushionNumbers& numbers, const Restitution& value) { numbers.restitution = value; },
+        "one number for all speeds, or a map for a restitution that falls with speed",
+        show_restitution(usual));
+    s.set(
+        "friction", number(between(0, kLargestFriction)),
+        [](CushionNumbers& numbers, double value) { numbers.friction = value; },
+        std::string("coefficient of friction between ball and cushion") +
+            (model == sim::CushionModel::mirror ? "; this model has none and ignores it" : ""),
+        show(usual.friction));
+    return s;
+}
+
+const MapSpec<CushionNumbers>& mirror_spec() {
+    static const MapSpec<CushionNumbers> spec =
+        cushion_numbers_spec("mirror", sim::CushionModel::mirror);
+    return spec;
+}
+
+const MapSpec<CushionNumbers>& han_spec() {
+    static const MapSpec<CushionNumbers> spec =
+        cushion_numbers_spec("han2005", sim::CushionModel::han2005);
+    return spec;
+}
+
+const MapSpec<CushionNumbers>& mathavan_spec() {
+    static const MapSpec<CushionNumbers> spec =
+        cushion_numbers_spec("mathavan2010", sim::CushionModel::mathavan2010);
     return spec;
 }
 
@@ -168,7 +195,10 @@ const MapSpec<CushionEntry>& ball_cushion_spec() {
               choice<sim::CushionModel>({{"mirror", sim::CushionModel::mirror},
                                          {"han2005", sim::CushionModel::han2005},
                                          {"mathavan2010", sim::CushionModel::mathavan2010}}),
-              "the published model that gives the impulse");
+              "the published model that gives the impulse. `mirror` is for tests: it reverses the "
+              "velocity perpendicular to the cushion, times a restitution of " +
+                  show(sim::usual_cushion(sim::CushionModel::mirror).restitution) +
+                  " unless another is given, and leaves the rest");
         s.key(
             "restitution",
             [](CushionEntry& e) -> std::optional<Restitution>& { return e.chosen.restitution; },
@@ -181,11 +211,9 @@ const MapSpec<CushionEntry>& ball_cushion_spec() {
             number(between(0, kLargestFriction)),
             "coefficient of friction between ball and cushion. The default is the value of the "
             "model's own section below");
-        s.map("mirror", &CushionEntry::mirror, cushion_numbers_spec(),
-              "used with the model `mirror`");
-        s.map("han2005", &CushionEntry::han2005, cushion_numbers_spec(),
-              "used with the model `han2005`");
-        s.map("mathavan2010", &CushionEntry::mathavan2010, cushion_numbers_spec(),
+        s.map("mirror", &CushionEntry::mirror, mirror_spec(), "used with the model `mirror`");
+        s.map("han2005", &CushionEntry::han2005, han_spec(), "used with the model `han2005`");
+        s.map("mathavan2010", &CushionEntry::mathavan2010, mathavan_spec(),
               "used with the model `mathavan2010`");
         return s;
     }();
@@ -265,12 +293,14 @@ void add_conditional_keys(MapSpec<World>& s) {
         "ball_ball", [](World& w) -> BallBall& { return w.contact_law.ball_ball; },
         ball_ball_spec(), "contact of a ball with a ball");
     s.set(
-        "ball_cushion", record(ball_cushion_spec()),
-        [](World& w, const CushionEntry& e) { w.contact_law.ball_cushion = e.law(); },
-        "contact of a ball with a cushion");
+         "ball_cushion", record(ball_cushion_spec()),
+         [](World& w, const CushionEntry& e) { w.contact_law.ball_cushion = e.law(); },
+         "contact of a ball with a cushion")
+        .always_there();
     s.set(
-        "stick", record(stick_spec()), [](World&, const sim::Strike&) {},
-        "what the strikes use that do not give their own values");
+         "stick", record(stick_spec()), [](World&, const sim::Strike&) {},
+         "what the strikes use that do not give their own values")
+        .always_there();
 }
 
 /// Adds the words for conditions. They have been replaced by numbers (conditions.h).
