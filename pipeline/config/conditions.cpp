@@ -199,8 +199,10 @@ class Conditions {
 };
 
 /// The keys of `physics.stick` and the keys of a strike that they replace.
-constexpr std::array<std::pair<const char*, const char*>, 2> kStickKeys{
-    {{"end_mass_ratio", "end_mass_ratio"}, {"mass", "stick_mass"}}};
+constexpr std::array<std::pair<const char*, const char*>, 3> kStickKeys{
+    {{"tip_restitution", "tip_restitution"},
+     {"end_mass_ratio", "end_mass_ratio"},
+     {"mass", "stick_mass"}}};
 
 /// The table of the keys of a strike.
 const MapInfo& strike_info() {

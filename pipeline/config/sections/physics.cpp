@@ -329,6 +329,8 @@ const MapSpec<sim::Strike>& stick_spec() {
     using sim::Strike;
     static const MapSpec<Strike> spec = [] {
         MapSpec<Strike> s("stick", "The stick of every strike that does not give its own values.");
+        s.key("tip_restitution", &Strike::tip_restitution, number(between(0, 1)),
+              "restitution of the tip");
         s.key("end_mass_ratio", &Strike::end_mass_ratio, number(above_up_to(0, 1)),
               "effective end mass of the stick divided by the mass of the ball, which determines "
               "the squirt");

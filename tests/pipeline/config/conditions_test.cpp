@@ -177,7 +177,8 @@ TEST(Conditions, Null_RemovesAWordOrOneOfItsNumbers) {
 }
 
 TEST(Conditions, Stick_IsThatOfEveryStrikeWithoutItsOwn) {
-    const Shot words = struck("physics: {shaft: low_deflection}\n");
+    const Shot words = struck("physics: {shaft: low_deflection, tip: phenolic}\n");
+    EXPECT_EQ(strike_of(words).tip_restitution, 0.84);
     EXPECT_EQ(strike_of(words).end_mass_ratio, 1.0 / 30);
     EXPECT_EQ(strike_of(words).stick_mass, sim::Strike{}.stick_mass);
     const Shot numbers = struck("physics: {shaft: regular, stick: {mass: 0.6, end_mass_ratio: 0.1}}\n");
