@@ -62,6 +62,10 @@ Node table_node(const TableMeasures& measures) {
     add_pocket(pockets, "corner", measures.corner_pocket);
     add_pocket(pockets, "side", measures.side_pocket);
     if (!pockets.entries.empty()) {
+        Node has_return;
+        has_return.kind = Node::Kind::scalar;
+        has_return.text = measures.has_ball_return ? "true" : "false";
+        pockets.entries.push_back({"return", {}, std::move(has_return)});
         table.entries.push_back({"pockets", {}, std::move(pockets)});
     }
     return table;

@@ -26,7 +26,7 @@ PocketMeasures fit_hole(PocketMeasures pocket, bool is_corner, double cushion_wi
 }
 
 // World Pool-Billiard Association, Tournament Table and Equipment Specifications; of a range, the
-// middle.
+// middle. Its 9 ft and 8 ft tables.
 TableMeasures pool_table(double length, double width) {
     TableMeasures table;
     table.kind = TableKind::pool;
@@ -52,32 +52,55 @@ TableMeasures pool_table(double length, double width) {
     return table;
 }
 
+// The table of bars and of the BCA's leagues. The WPA specifies no table of this size: field and
+// pockets are those of the Billiard Congress of America, Equipment Specifications, 2008; the rest
+// is as on the WPA's tables.
+TableMeasures bar_table() {
+    TableMeasures table = pool_table(78 * kInch, 39 * kInch);
+    PocketMeasures& corner = *table.corner_pocket;  // its jaws at 142 degrees (+-1) are the WPA's
+    corner.mouth = 5 * kInch;                       // 4 7/8 to 5 1/8 in
+    corner.shelf = 1.75 * kInch;                    // 1 5/8 to 1 7/8 in
+    corner = fit_hole(corner, true, table.cushion_width);
+    PocketMeasures& side = *table.side_pocket;  // its shelf of 0 to 3/8 in is the WPA's
+    side.mouth = 5.5 * kInch;                   // 5 3/8 to 5 5/8 in
+    side.jaw_angle = 103 * kDegree;             // +-2
+    side = fit_hole(side, false, table.cushion_width);
+    return table;
+}
+
 // World Professional Billiards and Snooker Association, Official Rules of the Games of Snooker and
-// English Billiards, section 1. Its pocket templates are not published; the figures here were
-// chosen to look and play like them, with round jaws.
+// English Billiards, section 1. The association publishes neither the height of the nose nor its
+// pocket templates.
 TableMeasures snooker_table() {
     TableMeasures table;
     table.kind = TableKind::snooker;
-    table.length = 3.569;          // 11 ft 8 1/2 in
-    table.width = 1.778;           // 5 ft 10 in
-    table.nose_height = 0.028;     // ours; Mathavan et al. 2010 take 7/5 R, 36.75 mm
+    table.length = 3.569;  // 11 ft 8 1/2 in
+    table.width = 1.778;   // 5 ft 10 in
+    // Where a snooker ball touches the cushion: 7/5 R of 26.25 mm (Mathavan, Jackson & Parkin,
+    // "A theoretical analysis of billiard ball dynamics under cushion impacts", 2010). A level
+    // push at this height leaves a rolling ball rolling.
+    table.nose_height = 0.03675;
     table.cushion_width = 0.0508;  // 2 in, traditional
-    table.rail_width = 0.105;
-    table.rail_height = 0.038;
-    table.height = 0.8255;  // cloth; the rail's top at 2 ft 9 1/2 in to 2 ft 10 1/2 in
+    table.rail_width = 0.105;      // ours
+    table.rail_height = 0.042;     // ours
+    table.height = 0.8255;         // cloth; the rail's top at 2 ft 9 1/2 in to 2 ft 10 1/2 in
+    // Ours, to look and play like the templates: round jaws, a corner pocket of about 3 1/2 in.
     PocketMeasures corner;
     corner.mouth = 0.0880;
     corner.jaw_angle = 135 * kDegree;  // the jaws end up parallel
     corner.shelf = 0.040;
-    corner.drop = 0.12;
+    corner.drop = 0.125;
     corner.lip_radius = 0.065;
     table.corner_pocket = fit_hole(corner, true, table.cushion_width);
+    // Throat and rounding follow the middle pocket of an open simulator's snooker table (Kiefl,
+    // pooltool, "Generic Snooker", 2025): 84.57 mm between jaws rounded with 66.9 mm. Its slate
+    // begins to fall 1.6 mm inside of the line of the nose; here it does on the line.
     PocketMeasures side;
-    side.mouth = 0.120;
-    side.jaw_angle = 100 * kDegree;
-    side.shelf = 0.006;
-    side.drop = 0.12;
-    side.lip_radius = 0.036;
+    side.mouth = 0.1115;
+    side.jaw_angle = 105 * kDegree;  // so that the rounding takes up most of the jaw
+    side.shelf = 0;
+    side.drop = 0.125;
+    side.lip_radius = 0.060;
     table.side_pocket = fit_hole(side, false, table.cushion_width);
     return table;
 }
@@ -106,7 +129,7 @@ std::optional<TableMeasures> standard_table(TableKind kind, std::string_view siz
         return pool_table(92 * kInch, 46 * kInch);  // WPA, section 4
     }
     if (kind == TableKind::pool && size == "7 ft") {
-        return pool_table(78 * kInch, 39 * kInch);  // BCA Equipment Specifications 2008
+        return bar_table();
     }
     if (kind == TableKind::snooker && size == "12 ft") {
         return snooker_table();

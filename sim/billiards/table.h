@@ -39,7 +39,8 @@ struct TableMeasures {
     double height = 0.7874;         // of the cloth above the floor, m
     std::optional<PocketMeasures> corner_pocket;
     std::optional<PocketMeasures> side_pocket;
-    bool has_cushions = true;  // false: `cloth`, an unbounded plane
+    bool has_ball_return = true;  // a pocket that is full lets its first ball go
+    bool has_cushions = true;     // false: `cloth`, an unbounded plane
     bool operator==(const TableMeasures&) const = default;
 };
 

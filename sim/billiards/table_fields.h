@@ -21,7 +21,8 @@ constexpr auto fields_of(Describes<TableMeasures>) {
         field("nose_height", &T::nose_height), field("cushion_width", &T::cushion_width),
         field("rail_width", &T::rail_width), field("rail_height", &T::rail_height),
         field("height", &T::height), field("has_cushions", &T::has_cushions),
-        field("corner_pocket", &T::corner_pocket), field("side_pocket", &T::side_pocket));
+        field("corner_pocket", &T::corner_pocket), field("side_pocket", &T::side_pocket),
+        field("has_ball_return", &T::has_ball_return));
 }
 
 }  // namespace carom::sim::billiards

@@ -1,5 +1,6 @@
 #include "sim/scheduler/ball_state.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace carom::sim {
@@ -34,6 +35,26 @@ Ball make_ball(const Body& body, double radius, const StaticEnvironment& environ
                           body.angular_velocity};
     ball.rested_at = body.pose.position;
     return ball;
+}
+
+/// Free fall straight down to `height`, where the ball rests.
+MotionSegment sinking_segment(double time, const MotionState& state, double height,
+                              double gravity) {
+    constexpr double kClose = 1e-9;  // m
+    const double fall = state.position.z - height;
+    MotionState sinking{state.position, state.orientation, {0, 0, 0}, {0, 0, 0}};
+    if (fall < kClose) {
+        MotionSegment still;
+        still.kind = MotionKind::resting;
+        still.start = time;
+        still.state = sinking;
+        return still;
+    }
+    const double speed = std::max(-state.velocity.z, 0.0);
+    sinking.velocity.z = -speed;
+    MotionSegment segment = flight_segment(time, sinking, {0, 0, -gravity});
+    segment.end = time + 2 * fall / (speed + std::sqrt(speed * speed + 2 * gravity * fall));
+    return segment;
 }
 
 }  // namespace
@@ -74,6 +95,9 @@ std::vector<Ball> make_balls(const WorldDescription& world, const StaticEnvironm
 
 MotionSegment next_segment(const Ball& ball, double time, const MotionState& state,
                            const StaticEnvironment& environment) {
+    if (ball.sinks_to) {
+        return sinking_segment(time, state, *ball.sinks_to, environment.downward_gravity);
+    }
     if (ball.ground == Ground::none) {
         return flight_segment(time, state, environment.gravity);
     }

@@ -36,10 +36,15 @@ struct Ball {
     bool is_lying = false;         // at rest where ODE left it, not on a Ground
     bool is_potted = false;
     bool is_off_table = false;
+    /// Height (m) of the centre at which the ball stops, if it has left a pocket through the floor.
+    /// It falls straight and touches nothing.
+    std::optional<double> sinks_to;
+    bool is_warned_of = false;                // that something acts on it although it has left
     std::optional<std::size_t> flight_event;  // logged event with which its last flight began
     Vec3 rested_at{0, 0, 0};                  // its centre when it last rested, or at the start
     std::uint32_t version = 0;                // counts its segments: older predictions are invalid
 
+    [[nodiscard]] bool is_returned() const { return sinks_to.has_value(); }
     [[nodiscard]] bool is_still() const { return segment.kind == MotionKind::resting; }
     [[nodiscard]] bool is_stepped() const { return segment.kind == MotionKind::stepped; }
     /// True if the ball moves and, if ODE steps it, has moved visibly since it last rested.
@@ -60,7 +65,8 @@ struct Ball {
 [[nodiscard]] std::vector<Ball> make_balls(const WorldDescription& world,
                                            const StaticEnvironment& environment);
 
-/// The segment that `ball` begins at `time` from `state`, on `ball.ground` or in flight.
+/// The segment that `ball` begins at `time` from `state`: on `ball.ground`, in flight, or on its
+/// way out of a pocket.
 [[nodiscard]] MotionSegment next_segment(const Ball& ball, double time, const MotionState& state,
                                          const StaticEnvironment& environment);
 

@@ -56,6 +56,7 @@ Balls::Balls(const WorldDescription& world, const StaticEnvironment& environment
     : environment_(environment),
       recorder_(recorder),
       balls_(make_balls(world, environment)),
+      return_(environment, balls_),
       is_changed_(balls_.size(), 0) {}
 
 void Balls::start(double time) {
@@ -69,9 +70,22 @@ void Balls::start(double time) {
 void Balls::change_state(std::uint32_t index, double time, const MotionState& before,
                          MotionState after) {
     Ball& ball = balls_[index];
+    if (ball.is_returned()) {
+        return warn_of_returned(ball);
+    }
     resolve_ground_impact(ball, time, after);
     begin_segment(ball, time, after);
     recorder_.add_break(ball.track, time, before, ball.segment.state);
+}
+
+void Balls::warn_of_returned(Ball& ball) {
+    if (!ball.is_warned_of) {
+        recorder_.warn({Subject::body(ball.name), "",
+                        "'" + ball.name +
+                            "' has left the table through its ball return: nothing moves it any "
+                            "more"});
+    }
+    ball.is_warned_of = true;
 }
 
 void Balls::change_stepped_state(std::uint32_t index, double time, const MotionState& before,
@@ -160,7 +174,11 @@ std::vector<std::uint32_t> Balls::take_changed() {
 
 void Balls::begin_next_segment(std::uint32_t index, double time) {
     Ball& ball = balls_[index];
-    begin_segment(ball, time, ball.segment.state_at(time));
+    const MotionState before = ball.segment.state_at(time);
+    begin_segment(ball, time, before);
+    if (ball.is_returned()) {  // it stops abruptly
+        return recorder_.add_break(ball.track, time, before, ball.segment.state);
+    }
     recorder_.add_key(ball.track, time, ball.segment.state);
 }
 
@@ -209,10 +227,20 @@ void Balls::log_below_cloth(std::uint32_t index, double time, const Vec3& centre
         ball.is_potted = true;
         recorder_.log(EventKind::potted, time, ball.name, centre,
                       environment_.table.pockets[static_cast<std::size_t>(pocket)].name);
+        return_.note_potted(index, static_cast<std::size_t>(pocket), time);
     } else {
         ball.is_off_table = true;
         recorder_.log(EventKind::off_table, time, ball.name, centre);
     }
+}
+
+void Balls::leave_table(const BallReturn::Leaving& leaving, double time) {
+    Ball& ball = balls_[leaving.ball];
+    const MotionState before = ball.segment.state_at(time);
+    ball.ground = Ground::none;
+    ball.sinks_to = leaving.stops_at;
+    begin_segment(ball, time, before);
+    recorder_.add_break(ball.track, time, before, ball.segment.state);
 }
 
 void Balls::warn_of_balls_in_pocket_mouths() const {
@@ -224,7 +252,7 @@ void Balls::warn_of_balls_in_pocket_mouths() const {
         recorder_.warn({Subject::body(ball.name), "",
                         "'" + ball.name + "' is not potted: it rests in the mouth of the pocket '" +
                             environment_.table.pockets[static_cast<std::size_t>(pocket)].name +
-                            "', on balls that fell in before"});
+                            "', held by other balls"});
     }
 }
 
@@ -238,6 +266,10 @@ void Balls::put_to_rest(std::uint32_t index, double time, MotionState state) {
     ball.is_lying = true;
     recorder_.add_key(ball.track, time, state);
     recorder_.log(EventKind::resting, time, ball.name, state.position);
+    const int pocket = environment_.pocket_below(state.position);
+    if (pocket >= 0 && !ball.is_potted && !ball.is_off_table) {
+        return_.note_blocked(index, static_cast<std::size_t>(pocket), time);
+    }
 }
 
 void Balls::finish(double time) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/ode/impact_solver.h"
+#include "sim/scheduler/ball_return.h"
 #include "sim/scheduler/ball_state.h"
 #include "sim/scheduler/recorder.h"
 
@@ -62,7 +63,13 @@ class Balls {
     /// The ball's centre is below the cloth. Logs, the first time, that it is potted or off the
     /// table.
     void log_below_cloth(std::uint32_t index, double time, const Vec3& centre);
-    /// Warns of balls that rest over a pocket's hole on balls that fell in before.
+    /// True if a ball leaves a pocket through its floor now: take_returned() has to follow before
+    /// the time goes on.
+    [[nodiscard]] bool is_return_due() const { return return_.is_due(); }
+    [[nodiscard]] std::vector<BallReturn::Leaving> take_returned() { return return_.take_due(); }
+    /// The ball falls out of sight through the floor of its pocket and no longer takes part.
+    void leave_table(const BallReturn::Leaving& leaving, double time);
+    /// Warns of balls that rest over a pocket's hole, held by other balls.
     void warn_of_balls_in_pocket_mouths() const;
     /// Sets the straight path of the ball during a step that ODE is trying.
     void set_trial_path(std::uint32_t index, double time, const MotionState& state) {
@@ -82,6 +89,7 @@ class Balls {
     [[nodiscard]] bool are_all_at_rest() const;
 
   private:
+    void warn_of_returned(Ball& ball);
     void resolve_ground_impact(Ball& ball, double time, MotionState& state);
     void begin_segment(Ball& ball, double time, const MotionState& state);
     void mark_changed(Ball& ball);
@@ -91,6 +99,7 @@ class Balls {
     const StaticEnvironment& environment_;
     Recorder& recorder_;
     std::vector<Ball> balls_;
+    BallReturn return_;
     ode::ImpactSolver solver_;
     std::vector<std::uint32_t> changed_;
     std::vector<char> is_changed_;  // per ball, so that none is listed twice

@@ -99,6 +99,10 @@ void EventPredictor::predict_ball(std::uint32_t index, const SearchHorizon& hori
         push(queue, ball, index, PredictedEventKind::segment_end, 0,
              std::max(now, ball.segment.end));
     }
+    if (ball.is_returned()) {
+        next_search_[index] = kNever;
+        return;
+    }
     grid_.find_near(index, neighbours_);
     for (const std::uint32_t other : neighbours_) {
         // A pair of changed balls is predicted once, with the first of them.
@@ -150,7 +154,8 @@ void EventPredictor::predict_ball_impact(std::uint32_t index, std::uint32_t othe
                                          double until, PredictedEventQueue& queue) const {
     const Ball& ball = balls_[index];
     const Ball& other_ball = balls_[other];
-    if (ball.is_still() && other_ball.is_still()) {
+    if ((ball.is_still() && other_ball.is_still()) || ball.is_returned() ||
+        other_ball.is_returned()) {
         return;
     }
     // ODE handles pairs in which it has both balls.
@@ -212,7 +217,7 @@ void EventPredictor::predict_all_solid_impacts(const SearchHorizon& horizon,
     ++solid_version_;
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
         const Ball& ball = balls_[i];
-        if (ball.is_stepped() || ball.is_lying) {
+        if (ball.is_stepped() || ball.is_lying || ball.is_returned()) {
             continue;
         }
         // Without a next search the prediction extends to the end of the segment.

@@ -95,7 +95,16 @@ void Scheduler::run_window() {
     if (last) {
         resolver_.resolve(*last);
     }
+    return_balls();
     check_triggers();
+}
+
+/// Between two steps of ODE, because a ball that leaves may be part of one.
+void Scheduler::return_balls() {
+    for (const BallReturn::Leaving& leaving : balls_.take_returned()) {
+        stepped_.wake_around(leaving.ball, now_);
+        balls_.leave_table(leaving, now_);
+    }
 }
 
 /// Processes the events up to the window's end in order. Where a ball hits a body that ODE steps,
@@ -268,7 +277,7 @@ void Scheduler::process(const PredictedEvent& event) {
     check_triggers();
     // A ball that was just activated is stepped by ODE from here on, in a new window.
     const bool was_activated = balls_.all()[event.first].is_stepped() || !was_stepping;
-    if (stepped_.is_active() && was_activated) {
+    if ((stepped_.is_active() && was_activated) || balls_.is_return_due()) {
         window_end_ = now_;
     }
 }

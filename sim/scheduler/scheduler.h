@@ -46,6 +46,7 @@ class Scheduler {
     void cross_line(const PredictedEvent& event);
     void reset_event_count();
     [[nodiscard]] SearchHorizon horizon() const;
+    void return_balls();
     void check_triggers();
     void check_rest_triggers();
     void sample_energy();

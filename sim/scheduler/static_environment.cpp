@@ -121,6 +121,7 @@ StaticEnvironment::StaticEnvironment(const WorldDescription& world)
 void StaticEnvironment::add_table(const WorldDescription& world, bool has_boxes) {
     has_cloth = true;
     has_cushions = world.table->has_cushions;
+    has_ball_return = world.table->has_ball_return;
     nose_height = world.table->nose_height;
     cloth_half_extent =
         Vec2(world.table->length, world.table->width) * 0.5 + Vec2(world.table->cushion_width);

@@ -63,6 +63,7 @@ struct StaticEnvironment {
     ContactTable contacts;  // the law of each pair of materials
     bool has_cloth = false;
     bool has_cushions = false;
+    bool has_ball_return = false;
     Vec2 cloth_half_extent{0, 0};  // the cloth lies under |x|, |y| up to these
     double nose_height = 0;
     billiards::TableGeometry table;

@@ -87,6 +87,11 @@ void SteppedBodies::adopt_balls(double time) {
     }
 }
 
+void SteppedBodies::wake_around(std::uint32_t ball, double time) {
+    adopt_balls(time);
+    sleep_.wake_near(balls_.all()[ball].segment.position_at(time), balls_.all()[ball].radius, time);
+}
+
 double SteppedBodies::try_step(double now, double until) {
     adopt_balls(now);
     has_trial_step_ = true;

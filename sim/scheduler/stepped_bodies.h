@@ -54,6 +54,8 @@ class SteppedBodies {
     void wake_near(const Vec3& position, double distance, double time) {
         sleep_.wake_near(position, distance, time);
     }
+    /// Wakes the balls and solids that rest on a ball which leaves the table.
+    void wake_around(std::uint32_t ball, double time);
 
     void add_energy(EnergySample& sample) const;
     [[nodiscard]] bool are_all_at_rest() const;

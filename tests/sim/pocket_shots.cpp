@@ -23,7 +23,7 @@ const std::vector<PocketTable>& pocket_tables() {
     static const std::vector<PocketTable> tables{{TableKind::pool, "9 ft", 0.028575, 0.170097},
                                                  {TableKind::pool, "8 ft", 0.028575, 0.170097},
                                                  {TableKind::pool, "7 ft", 0.028575, 0.170097},
-                                                 {TableKind::snooker, "12 ft", 0.02619375, 0.14}};
+                                                 {TableKind::snooker, "12 ft", 0.02625, 0.14}};
     return tables;
 }
 

@@ -18,7 +18,7 @@ struct Table {
 const std::vector<Table> kTables = {{billiards::TableKind::pool, "9 ft", 0.028575},
                                     {billiards::TableKind::pool, "8 ft", 0.028575},
                                     {billiards::TableKind::pool, "7 ft", 0.028575},
-                                    {billiards::TableKind::snooker, "12 ft", 0.02619375}};
+                                    {billiards::TableKind::snooker, "12 ft", 0.02625}};
 
 /// A ball that rolls towards the pocket's middle from `distance` away.
 WorldDescription shot_at(const Table& table, const billiards::Pocket& pocket, double distance,
@@ -151,12 +151,14 @@ TEST(Ball_RollingAlongTheCushion, PassesTheSidePocketOrFallsIn) {
     EXPECT_GT(state_at(result, "one", 0.4).position.x, -0.2);
 }
 
-/// A pocket holds a few balls. Those above them are not potted, and a warning says so.
+/// Without a ball return a pocket holds a few balls. Those above them are not potted, and a warning
+/// says so.
 TEST(Pocket_ThatIsFull, IsWarnedOf) {
     const Table& table = kTables[0];
     WorldDescription world;
     world.duration = 6;
     world.table = billiards::standard_table(table.kind, table.size);
+    world.table->has_ball_return = false;
     const auto pocket = billiards::build_table(*world.table, table.radius).pockets.at(0);
     for (int i = 0; i < 6; ++i) {
         world.bodies.push_back(ball("b" + std::to_string(i), pocket.centre.x, pocket.centre.y));
@@ -171,7 +173,7 @@ TEST(Pocket_ThatIsFull, IsWarnedOf) {
             expected.push_back({Subject::body(body.name), "",
                                 "'" + body.name +
                                     "' is not potted: it rests in the mouth of the pocket '" +
-                                    pocket.name + "', on balls that fell in before",
+                                    pocket.name + "', held by other balls",
                                 Severity::warning});
         }
     }

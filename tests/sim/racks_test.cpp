@@ -26,7 +26,7 @@ const std::vector<Game> kGames{
     {RackKind::ten_ball, TableKind::pool, "9 ft", 0.028575, 0.170097, "one", 7},
     {RackKind::eight_ball, TableKind::pool, "8 ft", 0.028575, 0.170097, "one", 10},
     {RackKind::fifteen_ball, TableKind::pool, "7 ft", 0.028575, 0.170097, "one", 10},
-    {RackKind::snooker, TableKind::snooker, "12 ft", 0.02619375, 0.14, "pink", 8},
+    {RackKind::snooker, TableKind::snooker, "12 ft", 0.02625, 0.14, "pink", 8},
     {RackKind::carom, TableKind::carom, "10 ft", 0.03075, 0.21, "red", 1},
 };
 

@@ -18,7 +18,7 @@ struct Table {
 
 const std::vector<Table> kTables = {{billiards::TableKind::pool, "9 ft", 0.028575},
                                     {billiards::TableKind::pool, "7 ft", 0.028575},
-                                    {billiards::TableKind::snooker, "12 ft", 0.02619375},
+                                    {billiards::TableKind::snooker, "12 ft", 0.02625},
                                     {billiards::TableKind::carom, "10 ft", 0.03075}};
 
 class Standing {

@@ -108,6 +108,7 @@ void override_measures(TableMeasures& measures, const TableSection& section) {
     } else if (section.pockets) {
         override_pocket(measures.corner_pocket, section.pockets->corner);
         override_pocket(measures.side_pocket, section.pockets->side);
+        measures.has_ball_return = section.pockets->has_return;
     }
 }
 

@@ -39,6 +39,9 @@ const MapSpec<PocketsSection>& pockets_spec() {
         s.key("corner", &PocketsSection::corner, record(pocket_spec()), "the four corner pockets");
         s.key("side", &PocketsSection::side, record(pocket_spec()),
               "the two side pockets, in the middle of the long sides");
+        s.key("return", &PocketsSection::has_return, boolean(),
+              "whether the table has a ball return: where a ball falls into a pocket that is full, "
+              "the one that fell in first leaves through the pocket's floor");
         return s;
     }();
     return spec;

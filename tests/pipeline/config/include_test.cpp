@@ -133,7 +133,7 @@ TEST_F(Include, ConfigsOfTheSourceTree_AreFoundFromAnyFolder) {
                                       "carom: 1\ninclude: ../configs/balls/snooker.yaml\n"
                                       "balls: {cue: {at: [0, 0]}}\n" +
                                           kCamera));
-    EXPECT_EQ(std::get<sim::Sphere>(shot.world.bodies.at(0).shape).radius, 0.02619375);
+    EXPECT_EQ(std::get<sim::Sphere>(shot.world.bodies.at(0).shape).radius, 0.02625);
 }
 
 TEST_F(Include, DeepIncludes_AreAnError) {

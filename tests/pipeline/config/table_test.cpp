@@ -89,7 +89,7 @@ TEST(Rack, Balls_AreInTheWorldAndTheScene) {
 TEST(Rack, SnookerBalls_HaveTheirRadius) {
     const Shot shot = load_sections("table: {kind: snooker}\nrack: {set: snooker}\n");
     EXPECT_EQ(shot.world.bodies.size(), 21U);
-    EXPECT_EQ(std::get<sim::Sphere>(shot.world.bodies[0].shape).radius, 0.02619375);
+    EXPECT_EQ(std::get<sim::Sphere>(shot.world.bodies[0].shape).radius, 0.02625);
 }
 
 TEST(Placement, BallInAPocketsJaws_HasNoWarning) {

@@ -25,7 +25,7 @@ inline constexpr std::array<NamedTable, 5> kTables{
     {{"pool_9ft", TableKind::pool, "9 ft", 0.028575},
      {"pool_8ft", TableKind::pool, "8 ft", 0.028575},
      {"pool_7ft", TableKind::pool, "7 ft", 0.028575},
-     {"snooker_12ft", TableKind::snooker, "12 ft", 0.02619375},
+     {"snooker_12ft", TableKind::snooker, "12 ft", 0.02625},
      {"carom_10ft", TableKind::carom, "10 ft", 0.03075}}};
 
 inline std::vector<const Surface*> parts(const TableGeometry& geometry, SurfacePart part) {

@@ -103,7 +103,7 @@ TEST(Rack, Numbers_MatchTheNamesAndOccurOnce) {
 // top cushion, pink midway between centre and top cushion.
 TEST(Rack, Snooker_HasItsSpotsAndFifteenReds) {
     const TableMeasures table = *standard_table(TableKind::snooker, "12 ft");
-    const double radius = 0.02619375;
+    const double radius = 0.02625;
     const auto balls = rack(RackKind::snooker, table, radius, {0, 0});
     ASSERT_EQ(balls.size(), 21U);
     const double end = 3.569 / 2;
@@ -133,7 +133,7 @@ TEST(Rack, ThousandSeeds_NeverOverlapAndKeepTheGapsInTheirRange) {
         for (const double gap : {0.0, 3e-5, 1e-3}) {
             EXPECT_GE(smallest_gap(pool_rack(RackKind::fifteen_ball, {gap, seed}), kRadius), 0);
             EXPECT_GE(
-                smallest_gap(rack(RackKind::snooker, table, 0.02619375, {gap, seed}), 0.02619375),
+                smallest_gap(rack(RackKind::snooker, table, 0.02625, {gap, seed}), 0.02619375),
                 0);
         }
     }

@@ -48,7 +48,7 @@ const std::array<Game, 6> kGames{{
     {TableKind::pool, "9 ft", 0.028575, 0.170097, {RackKind::nine_ball, RackKind::eight_ball}},
     {TableKind::pool, "8 ft", 0.028575, 0.170097, {RackKind::ten_ball, RackKind::fifteen_ball}},
     {TableKind::pool, "7 ft", 0.028575, 0.170097, {RackKind::eight_ball, RackKind::nine_ball}},
-    {TableKind::snooker, "12 ft", 0.02619375, 0.14, {RackKind::snooker, RackKind::snooker}},
+    {TableKind::snooker, "12 ft", 0.02625, 0.14, {RackKind::snooker, RackKind::snooker}},
     {TableKind::carom, "10 ft", 0.03075, 0.21, {RackKind::carom, RackKind::carom}},
     {TableKind::cloth, "", 0.028575, 0.17, {RackKind::nine_ball, RackKind::fifteen_ball}},
 }};
