@@ -155,6 +155,7 @@ void ForceApplier::strike_group(const Strike& strike, const Vec3& aim, double ti
     TouchingGroup& group = touching.group;
     const std::vector<BallBody> before = group.balls;
     const PushResult push = push_balls(group, strike, aim, environment_.law.ball_ball);
+    part_balls(group, push);
     const auto ball_of = [&](std::size_t i) -> const Ball& { return balls_[touching.indices[i]]; };
     recorder_.log_action(EventKind::strike, time, time, ball_of(group.struck).name,
                          before[group.struck].state.position, push.velocity);

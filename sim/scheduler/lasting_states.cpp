@@ -105,16 +105,47 @@ void mark_repeated(const std::vector<Event>& events, const Trains& trains,
     }
 }
 
+/// A ball that presses against another bounces off it every few hundredths of a millisecond, and
+/// slides and rolls in turns. Sliding or rolling that interrupts the other for less than this (s)
+/// is no state of its own.
+constexpr double kInterruption = 1e-4;
+
+bool is_brief(const Event& state, const Event& next) {
+    const bool slides_or_rolls =
+        state.kind == EventKind::sliding || state.kind == EventKind::rolling;
+    return slides_or_rolls && next.time - state.time < kInterruption;
+}
+
+/// Marks interruptions and the return from them.
+void mark_interruptions(const std::vector<Event>& events, std::vector<char>& is_dropped) {
+    std::map<std::string, std::vector<std::size_t>> kept;  // states of each ball
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        if (!is_state(events[i].kind) || is_dropped[i] != 0) {
+            continue;
+        }
+        std::vector<std::size_t>& states = kept[events[i].a];
+        const EventKind kind = events[i].kind;
+        const bool may_return = kind == EventKind::sliding || kind == EventKind::rolling;
+        if (may_return && states.size() >= 2 && events[states[states.size() - 2]].kind == kind &&
+            is_brief(events[states.back()], events[i])) {
+            is_dropped[states.back()] = is_dropped[i] = 1;
+            states.pop_back();
+        } else {
+            states.push_back(i);
+        }
+    }
+}
+
 }  // namespace
 
 void keep_lasting_states(std::vector<Event>& events) {
-    const Trains trains = trains_of(events);
-    if (trains.empty()) {
-        return;
-    }
     std::vector<char> is_dropped(events.size(), 0);
-    mark_passing(events, trains, is_dropped);
-    mark_repeated(events, trains, is_dropped);
+    const Trains trains = trains_of(events);
+    if (!trains.empty()) {
+        mark_passing(events, trains, is_dropped);
+        mark_repeated(events, trains, is_dropped);
+    }
+    mark_interruptions(events, is_dropped);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < events.size(); ++i) {
         if (is_dropped[i] == 0) {

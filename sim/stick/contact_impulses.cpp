@@ -42,6 +42,7 @@ ContactImpulses::ContactImpulses(const TouchingGroup& group) : group_(group) {
             std::max(largest, (counts[contact.first] * a + counts[contact.second] * b) / (a + b));
     }
     step_ = 1 / largest;
+    least_.assign(group.contacts.size(), 0);
 }
 
 ContactImpulses::Relative ContactImpulses::relative_velocity(
@@ -80,7 +81,7 @@ double ContactImpulses::descend(const std::vector<BallVelocity>& velocities,
         const Relative relative = relative_velocity(group_.contacts[i], velocities);
         const double scale = step_ / inverse_masses_[i];
         ContactImpulse& impulse = to[i];
-        impulse.normal = std::max(from[i].normal - relative.normal * scale, 0.0);
+        impulse.normal = std::max(from[i].normal - (relative.normal - least_[i]) * scale, 0.0);
         impulse.friction = from[i].friction - relative.slip * (scale / kSlipResponse);
         const double limit = friction[i] * impulse.normal;
         const double size = length(impulse.friction);

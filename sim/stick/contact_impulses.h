@@ -1,6 +1,7 @@
 // Impulses between touching balls that do not rebound.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "sim/stick/push.h"
@@ -30,6 +31,9 @@ class ContactImpulses {
     void solve(std::vector<BallVelocity>& velocities, const std::vector<double>& friction,
                std::vector<ContactImpulse>& impulses) const;
 
+    /// From now on a contact counts as closing if it opens more slowly than this, m/s.
+    void set_least_separations(std::vector<double> speeds) { least_ = std::move(speeds); }
+
     /// The velocity of the first ball's surface relative to the second's, along the normal and
     /// across it.
     struct Relative {
@@ -48,6 +52,7 @@ class ContactImpulses {
 
     const TouchingGroup& group_;
     std::vector<double> inverse_masses_;  // of each contact: sum over its two balls
+    std::vector<double> least_;           // separation speeds of the contacts
     double step_ = 1;                     // of the descent
 };
 

@@ -22,14 +22,27 @@ struct PushState {
     double work = 0;                       // of the tip's compression, J
 };
 
+std::vector<BallVelocity> velocities_of(const TouchingGroup& group) {
+    std::vector<BallVelocity> velocities;
+    for (const BallBody& ball : group.balls) {
+        velocities.push_back({ball.state.velocity, ball.state.angular_velocity});
+    }
+    return velocities;
+}
+
+void set_velocities(TouchingGroup& group, const std::vector<BallVelocity>& velocities) {
+    for (std::size_t i = 0; i < group.balls.size(); ++i) {
+        group.balls[i].state.velocity = velocities[i].linear;
+        group.balls[i].state.angular_velocity = velocities[i].angular;
+    }
+}
+
 class Push {
   public:
     Push(const TouchingGroup& group, const TipContact& tip, const Strike& strike,
          const BallBall& law)
         : group_(group), tip_(tip), strike_(strike), law_(law), solver_(group) {
-        for (const BallBody& ball : group.balls) {
-            state_.velocities.push_back({ball.state.velocity, ball.state.angular_velocity});
-        }
+        state_.velocities = velocities_of(group);
         state_.contacts.resize(group.contacts.size());
         start_ = state_.velocities[group.struck];
     }
@@ -204,11 +217,24 @@ PushResult push_balls(TouchingGroup& group, const Strike& strike, const Vec3& ai
     for (const ContactImpulse& impulse : push.state().contacts) {
         result.contacts.push_back({impulse.normal, length(impulse.friction)});
     }
-    for (std::size_t i = 0; i < group.balls.size(); ++i) {
-        group.balls[i].state.velocity = push.state().velocities[i].linear;
-        group.balls[i].state.angular_velocity = push.state().velocities[i].angular;
-    }
+    set_velocities(group, push.state().velocities);
     return result;
+}
+
+void part_balls(TouchingGroup& group, const PushResult& push) {
+    std::vector<double> least;
+    for (std::size_t i = 0; i < group.contacts.size(); ++i) {
+        const PushContact& contact = group.contacts[i];
+        const double change = push.contacts[i].normal * (1 / group.balls[contact.first].mass +
+                                                         1 / group.balls[contact.second].mass);
+        least.push_back(change > kLeastSeparation ? kLeastSeparation : 0);
+    }
+    ContactImpulses contacts(group);
+    contacts.set_least_separations(std::move(least));
+    std::vector<BallVelocity> velocities = velocities_of(group);
+    std::vector<ContactImpulse> impulses(group.contacts.size());
+    contacts.solve(velocities, std::vector<double>(group.contacts.size(), 0), impulses);
+    set_velocities(group, velocities);
 }
 
 }  // namespace carom::sim

@@ -39,4 +39,8 @@ struct PushResult {
 PushResult push_balls(TouchingGroup& group, const Strike& strike, const Vec3& aim,
                       const BallBall& law);
 
+/// Parts the pairs that were pushed, as after every impact: they separate at kLeastSeparation or
+/// faster.
+void part_balls(TouchingGroup& group, const PushResult& push);
+
 }  // namespace carom::sim

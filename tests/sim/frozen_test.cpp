@@ -63,6 +63,8 @@ TEST(FrozenPair_StruckStraight, MovesOnTogether) {
         EXPECT_NEAR(one.position.y, 0, 1e-12);
     }
     EXPECT_EQ(count_events(timeline, EventKind::impact), 1);
+    EXPECT_EQ(count_events(timeline, EventKind::sliding), 2);
+    EXPECT_EQ(count_events(timeline, EventKind::rolling), 2);
     expect_energy_never_rises(timeline, 0.1);
 }
 
@@ -114,6 +116,7 @@ TEST(FrozenPair_WithSpin, GoesOnWithoutGainingEnergy) {
             const Timeline timeline = bake(world);
             EXPECT_TRUE(timeline.warnings.empty());
             expect_energy_never_rises(timeline, 0.1);
+            EXPECT_LT(timeline.events.size(), 30U);
             const Vec3 apart =
                 state_at(timeline, "one", 2).position - state_at(timeline, "cue", 2).position;
             EXPECT_GT(apart.length(), 2 * kRadius - 1e-9);

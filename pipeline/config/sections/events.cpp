@@ -252,8 +252,8 @@ void add_strike_keys(MapSpec<ForceEvent>& s) {
         "ball_speed",
         [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).ball_speed; },
         quantity(Dimension::speed, above_up_to(0, 100)),
-        "speed that the strike adds to the ball. A ball that touches others is pushed until it has "
-        "this speed, together with them");
+        "speed that the strike gives to a resting ball. One that touches other balls is pushed, "
+        "together with them, until it has this speed");
     add_toward(s);
     s.key(
         "direction", [](ForceEvent& e) -> std::optional<double>& { return strike_of(e).direction; },
