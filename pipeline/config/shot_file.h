@@ -36,6 +36,7 @@ struct PocketsSection {
     bool none = false;
     std::optional<PocketSection> corner;
     std::optional<PocketSection> side;
+    std::optional<double> jaw_restitution;
     bool has_return = true;
 };
 

@@ -62,6 +62,7 @@ Node table_node(const TableMeasures& measures) {
     add_pocket(pockets, "corner", measures.corner_pocket);
     add_pocket(pockets, "side", measures.side_pocket);
     if (!pockets.entries.empty()) {
+        add(pockets, "jaw_restitution", measures.jaw_restitution, Dimension::none);
         Node has_return;
         has_return.kind = Node::Kind::scalar;
         has_return.text = measures.has_ball_return ? "true" : "false";

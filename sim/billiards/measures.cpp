@@ -49,6 +49,9 @@ TableMeasures pool_table(double length, double width) {
     side.shelf = 0.1875 * kInch;     // 0 to 3/8 in
     side.drop = 0.125;               // ours
     table.side_pocket = fit_hole(side, false, table.cushion_width);
+    // Ours. The jaws have a thin facing, harder than the cushion's rubber and glued to the wood.
+    // From 0.8 on, fast balls that run along the rail rattle out (docs/tables.md).
+    table.jaw_restitution = 0.7;
     return table;
 }
 
@@ -102,6 +105,7 @@ TableMeasures snooker_table() {
     side.drop = 0.125;
     side.lip_radius = 0.060;
     table.side_pocket = fit_hole(side, false, table.cushion_width);
+    table.jaw_restitution = 1;  // ours: the cushion's rubber runs round the jaws
     return table;
 }
 

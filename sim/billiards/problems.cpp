@@ -65,6 +65,10 @@ void check_measures(const TableMeasures& measures, ProblemCollector& problems) {
         problems.require("rail_height", "rail height", measures.rail_height,
                          measures.nose_height + 0.001, 0.6);
     }
+    if (!(measures.jaw_restitution >= 0 && measures.jaw_restitution <= 1)) {
+        problems.add("pockets.jaw_restitution",
+                     "the table's jaw restitution must be between 0 and 1");
+    }
     if (measures.corner_pocket) {
         check_pocket(*measures.corner_pocket, "corner", problems);
     }

@@ -22,7 +22,8 @@ constexpr auto fields_of(Describes<TableMeasures>) {
         field("rail_width", &T::rail_width), field("rail_height", &T::rail_height),
         field("height", &T::height), field("has_cushions", &T::has_cushions),
         field("corner_pocket", &T::corner_pocket), field("side_pocket", &T::side_pocket),
-        field("has_ball_return", &T::has_ball_return));
+        field("has_ball_return", &T::has_ball_return),
+        field("jaw_restitution", &T::jaw_restitution));
 }
 
 }  // namespace carom::sim::billiards

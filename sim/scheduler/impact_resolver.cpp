@@ -41,11 +41,11 @@ void ImpactResolver::resolve(const PredictedEvent& event) {
         case PredictedEventKind::solid:
             return resolve_solid_impact(event);
         case PredictedEventKind::cushion_face:
-            return resolve_cushion_impact(
-                event, nearest_on(environment_.table.faces[event.second], level));
+            return resolve_face_impact(event, level);
         case PredictedEventKind::cushion_corner:
             return resolve_cushion_impact(
-                event, nearest_on(environment_.table.corners[event.second], level));
+                event, nearest_on(environment_.table.corners[event.second], level),
+                environment_.law);
         case PredictedEventKind::pocket_edge:
             return enter_pocket(event);
         case PredictedEventKind::rim:
@@ -216,7 +216,14 @@ void ImpactResolver::bounce(const PredictedEvent& event, const SurfaceContact& c
     }
 }
 
-void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const Vec2& nearest) {
+void ImpactResolver::resolve_face_impact(const PredictedEvent& event, const Vec2& centre) {
+    const billiards::CushionFace& face = environment_.table.faces[event.second];
+    resolve_cushion_impact(event, nearest_on(face, centre),
+                           face.is_jaw ? environment_.jaw_law : environment_.law);
+}
+
+void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const Vec2& nearest,
+                                            const ContactLaw& law) {
     const Ball& ball = balls_[event.first];
     BallBody body = ball.body_at(event.time);
     const MotionState before = body.state;
@@ -226,11 +233,12 @@ void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const V
     const double approach = -before.velocity.dot(inward);
     ImpulsePair impulse;
     if (ball.material == MaterialId::ball) {
-        impulse = cushion_impact(body, inward, normal, environment_.law);
+        impulse = cushion_impact(body, inward, normal, law);
     } else {
-        const ContactNumbers& law =
+        const ContactNumbers& numbers =
             environment_.contacts.between(ball.material, MaterialId::cushion);
-        impulse = ball_static_impact(balls_.solver(), body, normal, law.restitution, law.friction);
+        impulse = ball_static_impact(balls_.solver(), body, normal, numbers.restitution,
+                                     numbers.friction);
     }
     if (!environment_.law.hop) {
         body.state.velocity.z = 0;

@@ -21,7 +21,9 @@ class ImpactResolver {
   private:
     void resolve_ball_impact(const PredictedEvent& event);
     void resolve_solid_impact(const PredictedEvent& event);
-    void resolve_cushion_impact(const PredictedEvent& event, const Vec2& nearest);
+    void resolve_face_impact(const PredictedEvent& event, const Vec2& centre);
+    void resolve_cushion_impact(const PredictedEvent& event, const Vec2& nearest,
+                                const ContactLaw& law);
     void resolve_surface_impact(const PredictedEvent& event);
     void resolve_slate_impact(const PredictedEvent& event);
     void enter_pocket(const PredictedEvent& event);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "shots.h"
 
@@ -11,6 +12,23 @@ namespace {
 constexpr double kDistance = 0.5;  // m
 constexpr int kOffsets = 13;       // to both sides of the middle
 constexpr double kApart = 0.005;
+
+/// True if a ball that rolls from `start` drops into that pocket within `duration`.
+bool drops_from(const PocketTable& table, const billiards::PocketLayout& pocket, const Vec2& start,
+                const Vec3& velocity, double duration, double jaw_restitution) {
+    Body body = ball("one", start.x, start.y, velocity, rolling_spin(velocity, table.radius));
+    body.shape = Sphere{table.radius};
+    body.mass = table.mass;
+    body.pose.position.z = table.radius;
+    WorldDescription world;
+    world.duration = duration;
+    world.table = billiards::standard_table(table.kind, table.size);
+    world.table->jaw_restitution = jaw_restitution;
+    world.bodies = {body};
+    const Timeline timeline = bake(world);
+    const Event* potted = find_event(timeline, EventKind::potted, "one");
+    return potted != nullptr && potted->b == pocket.pocket.name;
+}
 
 }  // namespace
 
@@ -36,18 +54,40 @@ bool drops(const PocketTable& table, const billiards::PocketLayout& pocket,
     const Vec2 left(-direction.y, direction.x);
     const Vec2 start = pocket.mouth - direction * kDistance + left * shot.offset;
     const Vec3 velocity(direction.x * shot.speed, direction.y * shot.speed, 0);
-    Body body = ball("one", start.x, start.y, velocity, rolling_spin(velocity, table.radius));
-    body.shape = Sphere{table.radius};
-    body.mass = table.mass;
-    body.pose.position.z = table.radius;
-    WorldDescription world;
     // Enough time to come to rest in the jaws, but not to return from another cushion.
-    world.duration = 1.2 * kDistance / shot.speed + 0.6;
-    world.table = billiards::standard_table(table.kind, table.size);
-    world.bodies = {body};
-    const Timeline timeline = bake(world);
-    const Event* potted = find_event(timeline, EventKind::potted, "one");
-    return potted != nullptr && potted->b == pocket.pocket.name;
+    return drops_from(table, pocket, start, velocity, 1.2 * kDistance / shot.speed + 0.6,
+                      table.layout().measures.jaw_restitution);
+}
+
+bool drops_along_rail(const PocketTable& table, const RailShot& shot, double jaw_restitution) {
+    const billiards::TableLayout layout = table.layout();
+    const billiards::PocketLayout& pocket = layout.pockets.front();  // front left
+    const double field_edge = -0.5 * layout.measures.width;
+    const double tip = -layout.nose.x + pocket.measures.mouth * std::numbers::sqrt2 / 2;
+    const Vec2 direction(-std::cos(shot.angle), -std::sin(shot.angle));
+    const Vec2 at_tip(tip, field_edge + table.radius + shot.gap + 1e-6);
+    const Vec3 velocity(direction.x * shot.speed, direction.y * shot.speed, 0);
+    return drops_from(table, pocket, at_tip - direction * kDistance, velocity,
+                      1.2 * kDistance / shot.speed + 0.6, jaw_restitution);
+}
+
+double rail_opening(const PocketTable& table, double speed, double angle, double jaw_restitution) {
+    constexpr double kStep = 3e-3;
+    double inside = -kStep;
+    while (inside < 0.05 &&
+           drops_along_rail(table, {speed, angle, inside + kStep}, jaw_restitution)) {
+        inside += kStep;
+    }
+    if (inside < 0) {
+        return 0;
+    }
+    double outside = inside + kStep;
+    while (outside - inside > 1e-4) {
+        const double middle = 0.5 * (inside + outside);
+        (drops_along_rail(table, {speed, angle, middle}, jaw_restitution) ? inside : outside) =
+            middle;
+    }
+    return inside;
 }
 
 Opening find_opening(const PocketTable& table, const billiards::PocketLayout& pocket, double speed,

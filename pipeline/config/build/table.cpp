@@ -108,6 +108,8 @@ void override_measures(TableMeasures& measures, const TableSection& section) {
     } else if (section.pockets) {
         override_pocket(measures.corner_pocket, section.pockets->corner);
         override_pocket(measures.side_pocket, section.pockets->side);
+        measures.jaw_restitution =
+            section.pockets->jaw_restitution.value_or(measures.jaw_restitution);
         measures.has_ball_return = section.pockets->has_return;
     }
 }

@@ -58,9 +58,9 @@ const MapSpec<BallSetSection>& ball_set_spec() {
                                {"snooker", BallSet::snooker},
                                {"carom", BallSet::carom}}),
               "determines radius, mass and colours. The default is the kind of the table");
-        s.key("radius", &BallSetSection::radius, length(inside(0, 0.5)),
-              "radius of a ball. The defaults are pool 28.575 mm, snooker 26.19375 mm, carom 30.75 "
-              "mm");
+        s.key(
+            "radius", &BallSetSection::radius, length(inside(0, 0.5)),
+            "radius of a ball. The defaults are pool 28.575 mm, snooker 26.25 mm, carom 30.75 mm");
         s.key("mass", &BallSetSection::mass, quantity(Dimension::mass, inside(0, 100)),
               "mass of a ball. The defaults are pool 170.097 g, snooker 140 g, carom 210 g");
         return s;

@@ -39,6 +39,10 @@ const MapSpec<PocketsSection>& pockets_spec() {
         s.key("corner", &PocketsSection::corner, record(pocket_spec()), "the four corner pockets");
         s.key("side", &PocketsSection::side, record(pocket_spec()),
               "the two side pockets, in the middle of the long sides");
+        s.key(
+            "jaw_restitution", &PocketsSection::jaw_restitution, number(between(0, 1)),
+            "restitution of the straight part of the jaws, as a fraction of that of the cushions. "
+            "The default is 0.7, snooker 1");
         s.key("return", &PocketsSection::has_return, boolean(),
               "whether the table has a ball return: where a ball falls into a pocket that is full, "
               "the one that fell in first leaves through the pocket's floor");

@@ -134,6 +134,9 @@ INSTANTIATE_TEST_SUITE_P(
                  "side pockets' jaw angle must be between 95 and 175 degrees"},
         BadTable{"drop", "pockets.side.drop", [](TableMeasures& m) { m.side_pocket->drop = 0; },
                  "side pockets' drop must"},
+        BadTable{"jaw_restitution", "pockets.jaw_restitution",
+                 [](TableMeasures& m) { m.jaw_restitution = 1.1; },
+                 "the table's jaw restitution must be between 0 and 1"},
         BadTable{"throat", "pockets.corner.throat",
                  [](TableMeasures& m) { m.corner_pocket->throat = 0.2; },
                  "corner pockets' throat does not fit their mouth and jaw angle: jaws at this "

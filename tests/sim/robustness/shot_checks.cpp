@@ -139,6 +139,18 @@ void check_places(const WorldDescription& world, const Timeline& timeline,
     }
 }
 
+/// Whether a ball leaves or has left through a pocket's floor: it passes through everything.
+bool is_returned(const WorldDescription& world, const Vec3& place, double radius) {
+    if (!world.table || !world.table->has_ball_return) {
+        return false;
+    }
+    constexpr double kBelow = 1e-3;  // m
+    const auto is_below_floor = [&](const std::optional<billiards::PocketMeasures>& pocket) {
+        return pocket && place.z < radius - pocket->drop - kBelow;
+    };
+    return is_below_floor(world.table->corner_pocket) || is_below_floor(world.table->side_pocket);
+}
+
 /// Reports pairs of overlapping balls.
 void check_pairs(const WorldDescription& world, const Timeline& timeline,
                  std::vector<std::string>& faults) {
@@ -164,7 +176,8 @@ void check_pairs(const WorldDescription& world, const Timeline& timeline,
             for (std::size_t j = 0; j < i; ++j) {
                 const double depth =
                     balls[i].radius + balls[j].radius - (balls[i].place - balls[j].place).length();
-                if (depth <= kAllowed) {
+                if (depth <= kAllowed || is_returned(world, balls[i].place, balls[i].radius) ||
+                    is_returned(world, balls[j].place, balls[j].radius)) {
                     continue;
                 }
                 faults.push_back(text("'%s' is %.3f mm in '%s' at %.4f s, z %.4f",
