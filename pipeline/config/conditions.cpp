@@ -50,7 +50,8 @@ std::string word_at(Node& root, std::string_view section, std::string_view key) 
 
 /// The kind of ball, as build/balls.cpp chooses it.
 std::string kind_of_balls(Node& root) {
-    for (const std::string& kind : {word_at(root, "ball_set", "kind"), word_at(root, "table", "kind")}) {
+    for (const std::string& kind :
+         {word_at(root, "ball_set", "kind"), word_at(root, "table", "kind")}) {
         if (kind == "snooker" || kind == "carom" || kind == "pool") {
             return kind;
         }
@@ -156,17 +157,19 @@ class Conditions {
     }
 
     void report_unknown(const ConditionKey& key, const Node& word) {
+        const Node* own = map_at(&own_, key.name);
+        if (own != nullptr && own->find(word.text) != nullptr) {
+            return;  // its value is not a map, which was reported
+        }
         std::vector<std::string> known;
         for (Node* conditions : {&standard_, &own_}) {
             const Node* words = map_at(conditions, key.name);
             for (const Entry& entry : words != nullptr ? words->entries : std::vector<Entry>()) {
-                if (std::find(known.begin(), known.end(), entry.key) == known.end()) {
+                if (entry.value.is_map() &&
+                    std::find(known.begin(), known.end(), entry.key) == known.end()) {
                     known.push_back(entry.key);
                 }
             }
-        }
-        if (std::find(known.begin(), known.end(), word.text) != known.end()) {
-            return;  // its value is not a map, which was reported
         }
         const Message message =
             "'" + key.name + "' of 'physics' must be " +
@@ -180,9 +183,8 @@ class Conditions {
         const std::span<const ConditionKey> keys = condition_keys();
         std::stable_partition(
             physics.entries.begin(), physics.entries.end(), [&](const Entry& entry) {
-                return std::any_of(keys.begin(), keys.end(), [&](const ConditionKey& key) {
-                    return key.name == entry.key;
-                });
+                return std::any_of(keys.begin(), keys.end(),
+                                   [&](const ConditionKey& key) { return key.name == entry.key; });
             });
     }
 

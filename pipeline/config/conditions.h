@@ -33,9 +33,9 @@ struct ConditionKey {
 /// The words remain. Of `conditions` only the words that `physics` uses remain, without numbers, so
 /// that the result means the same without the files from which the numbers came.
 ///
-/// A word that `conditions` does not have is taken from configs/balls/<kind>.yaml, where the kind is
-/// that of the ball set, else that of the table, else pool. All of `conditions` is checked, and a
-/// word that is found nowhere is a problem; with `is_partial` (an included file is missing) it is
+/// A word that `conditions` does not have is taken from configs/balls/<kind>.yaml, where the kind
+/// is that of the ball set, else that of the table, else pool. All of `conditions` is checked, and
+/// a word that is found nowhere is a problem; with `is_partial` (an included file is missing) it is
 /// not.
 void apply_conditions(Node& root, SourceSet& sources, const ConfigFolders& folders,
                       ProblemList& problems, bool is_partial);

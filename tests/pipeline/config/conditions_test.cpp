@@ -25,10 +25,11 @@ using ::testing::Not;
 
 /// A shot with one strike, the given sections and the overrides.
 Shot struck(const std::string& sections, const std::vector<std::string>& overrides = {}) {
-    return load("carom: 1\nballs: {cue: {at: [0, 0]}}\n"
-                "events: [{strike: {ball: cue, speed: 1, direction: 0 deg}}]\n" +
-                    kCamera + sections,
-                overrides);
+    return load(
+        "carom: 1\nballs: {cue: {at: [0, 0]}}\n"
+        "events: [{strike: {ball: cue, speed: 1, direction: 0 deg}}]\n" +
+            kCamera + sections,
+        overrides);
 }
 
 const sim::Strike& strike_of(const Shot& shot) {
@@ -93,8 +94,8 @@ TEST(Conditions, EveryWordOfTheTable_ChangesANumber) {
 TEST(Conditions, WordsOfTheTable_AreThoseOfTheFiles) {
     for (const std::string kind : {"pool", "snooker", "carom"}) {
         SCOPED_TRACE(kind);
-        const config::Node tree =
-            config::readable_tree("carom: 1\ninclude: balls/" + kind + ".yaml\n", "/nowhere/t.yaml");
+        const config::Node tree = config::readable_tree(
+            "carom: 1\ninclude: balls/" + kind + ".yaml\n", "/nowhere/t.yaml");
         ASSERT_NE(tree.find("conditions"), nullptr);
         const config::Node& conditions = tree.find("conditions")->value;
         EXPECT_EQ(conditions.entries.size(), config::condition_keys().size());
@@ -117,9 +118,8 @@ TEST(Conditions, NumberBesideAWord_WinsInEitherOrderOfTheFiles) {
     write("word.yaml", "physics: {cloth: worn}\n");
     write("number.yaml", "physics: {ball_cloth: {rolling_friction: 0.007}}\n");
     for (const char* order : {"[word.yaml, number.yaml]", "[number.yaml, word.yaml]"}) {
-        const LoadResult result =
-            load_shot_text("carom: 1\n" + kCamera + "include: " + order + "\n",
-                           folder.path("shot.yaml"));
+        const LoadResult result = load_shot_text(
+            "carom: 1\n" + kCamera + "include: " + order + "\n", folder.path("shot.yaml"));
         EXPECT_EQ(all_problems(result), "");
         ASSERT_TRUE(result.shot);
         EXPECT_EQ(cloth_of(*result.shot).rolling_friction, 0.007) << order;
@@ -181,7 +181,8 @@ TEST(Conditions, Stick_IsThatOfEveryStrikeWithoutItsOwn) {
     EXPECT_EQ(strike_of(words).tip_restitution, 0.84);
     EXPECT_EQ(strike_of(words).end_mass_ratio, 1.0 / 30);
     EXPECT_EQ(strike_of(words).stick_mass, sim::Strike{}.stick_mass);
-    const Shot numbers = struck("physics: {shaft: regular, stick: {mass: 0.6, end_mass_ratio: 0.1}}\n");
+    const Shot numbers =
+        struck("physics: {shaft: regular, stick: {mass: 0.6, end_mass_ratio: 0.1}}\n");
     EXPECT_EQ(strike_of(numbers).stick_mass, 0.6);
     EXPECT_EQ(strike_of(numbers).end_mass_ratio, 0.1);
     const Shot own = load(
@@ -217,7 +218,7 @@ physics:
   cloth: worn
   ball_cloth: {sliding_friction: 0.25}
   ball_cushion: {model: mirror}
-)",
+)" + kCamera,
                                              "s.yaml");
     ASSERT_TRUE(loaded.shot);
     const std::string text = explained_yaml(*loaded.source, *loaded.shot);
@@ -228,9 +229,11 @@ physics:
     EXPECT_THAT(text, ContainsRegex("\n    mirror:\n      restitution: 0.85 +# default\n"));
     EXPECT_THAT(text, ContainsRegex("\n      restitution:\n        slow: 0.98 +# default\n"));
     const LoadResult again = load_shot_text(text, "/nowhere/again.yaml");
-    EXPECT_EQ(all_problems(again), all_problems(again)) << text;
+    EXPECT_EQ(all_problems(again), "") << text;
     ASSERT_TRUE(again.shot);
-    EXPECT_EQ(shot_text(*again.shot), shot_text(*loaded.shot));
+    EXPECT_EQ(cloth_of(*again.shot), cloth_of(*loaded.shot));
+    EXPECT_EQ(again.shot->world.contact_law.ball_cushion,
+              loaded.shot->world.contact_law.ball_cushion);
 }
 
 // Without the files of configs/ only the words of the shot are known.
