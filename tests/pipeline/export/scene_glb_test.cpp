@@ -130,8 +130,9 @@ TEST(SceneGlb, TurnsBetweenKeys_AreSmall) {
 }
 
 TEST(SceneGlb, Impact_HasAKey) {
-    const auto impact =
-        std::ranges::find(sample().timeline.events, sim::EventKind::impact, &sim::Event::kind);
+    const auto impact = std::ranges::find_if(sample().timeline.events, [](const sim::Event& e) {
+        return e.kind == sim::EventKind::impact && e.a == "cue";
+    });
     ASSERT_NE(impact, sample().timeline.events.end());
     EXPECT_THAT(glb().channel("cue", "translation").times,
                 Contains(static_cast<float>(impact->time)));
