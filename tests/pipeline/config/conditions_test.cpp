@@ -252,6 +252,15 @@ TEST(Conditions, FileOfAnotherFolder_IsUsedIfItComesFirst) {
     unsetenv("CAROM_CONFIGS");
 }
 
+// The missing file may have the word.
+TEST(Conditions, UnknownWord_IsNotReportedIfAFileIsMissing) {
+    const LoadResult result =
+        load_shot_text("carom: 1\n" + kCamera + "include: gone.yaml\nphysics: {cloth: club}\n",
+                       "/nowhere/t.yaml");
+    ASSERT_EQ(result.problems.size(), 1U) << all_problems(result);
+    EXPECT_THAT(result.problems[0].message, HasSubstr("gone.yaml"));
+}
+
 TEST(Conditions, Completion_OffersTheWords) {
     const config::Node tree = config::readable_tree(
         "carom: 1\nconditions: {cloth: {club: {}, \"two words\": {}}}\n", "/nowhere/t.yaml");
