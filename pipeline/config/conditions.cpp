@@ -63,9 +63,11 @@ class Conditions {
   public:
     Conditions(Node& root, SourceSet& sources, const ConfigFolders& folders, ProblemList& problems,
                bool is_partial)
-        : root_(root), sources_(sources), folders_(folders), problems_(problems) {
-        is_partial_ = is_partial;
-    }
+        : root_(root),
+          sources_(sources),
+          folders_(folders),
+          problems_(problems),
+          is_partial_(is_partial) {}
 
     void apply() {
         take_section();

@@ -254,9 +254,8 @@ TEST(Conditions, FileOfAnotherFolder_IsUsedIfItComesFirst) {
 
 // The missing file may have the word.
 TEST(Conditions, UnknownWord_IsNotReportedIfAFileIsMissing) {
-    const LoadResult result =
-        load_shot_text("carom: 1\n" + kCamera + "include: gone.yaml\nphysics: {cloth: club}\n",
-                       "/nowhere/t.yaml");
+    const LoadResult result = load_shot_text(
+        "carom: 1\n" + kCamera + "include: gone.yaml\nphysics: {cloth: club}\n", "/nowhere/t.yaml");
     ASSERT_EQ(result.problems.size(), 1U) << all_problems(result);
     EXPECT_THAT(result.problems[0].message, HasSubstr("gone.yaml"));
 }
