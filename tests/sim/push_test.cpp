@@ -179,6 +179,27 @@ TEST(Push_WithSideSpin, ThrowsTheObjectBallByTheClosedForm) {
     }
 }
 
+// Follow at b (in radii) makes the front of the cue ball move down at 5/2 b P/m, and friction turns
+// the object ball backwards. On the cloth only the spins yield, by 5 F/m together; F <= mu P/2. In
+// the air the balls yield as well.
+TEST(Push_WithFollow, TurnsTheObjectBallBackwards) {
+    for (const bool is_level : {true, false}) {
+        for (const double b : {0.02, 0.3}) {
+            const double mu = 0.06;
+            TouchingGroup group = group_of({ball_at(0, 0), ball_at(2 * kRadius, 0)}, mu, is_level);
+            const PushResult push =
+                push_balls(group, level_strike(2, {0, b}), {1, 0, 0}, kConstant);
+            const double friction = std::min(2.5 * b / (is_level ? 5 : 7), 0.5 * mu) * push.impulse;
+            const MotionState& object = group.balls[1].state;
+            EXPECT_NEAR(object.angular_velocity.y * kRadius, -2.5 * friction / kMass, 1e-12);
+            EXPECT_NEAR(object.velocity.z, is_level ? 0 : -friction / kMass, 1e-12);
+            EXPECT_NEAR(group.balls[0].state.velocity.z, -object.velocity.z, 1e-12);
+            EXPECT_NEAR(object.velocity.x, 0.5 * push.impulse / kMass, 1e-12);
+            EXPECT_NEAR(push.contacts[0].tangential, friction, 1e-12);
+        }
+    }
+}
+
 TEST(Push_AwayFromTheOtherBall, LeavesItAlone) {
     TouchingGroup group = frozen_pair(0.05);
     const Strike strike = level_strike(2, {0.1, 0.2});
