@@ -184,6 +184,32 @@ TEST(LineOfThree_StruckStraight, MovesOnTogether) {
               4 * kRadius + 1e-3);
 }
 
+// The cue ball frozen to the apex of a tight rack: its impulse reaches all balls at once.
+TEST(Rack_WithTheCueBallFrozenToIt, OpensSymmetrically) {
+    WorldDescription world = cloth_world(3);
+    const double row = std::sqrt(3) * kRadius + 1e-9;
+    for (int i = 0; i < 5; ++i) {
+        for (int k = 0; k <= i; ++k) {
+            world.bodies.push_back(ball("b" + std::to_string(i) + std::to_string(k), i * row,
+                                        (2 * k - i) * (kRadius + 1e-9)));
+        }
+    }
+    world.bodies.push_back(ball("cue", -2 * kRadius - 1e-9, 0));
+    world.events = {strike_along("cue", 0, 6, 0.1)};
+    const Timeline timeline = bake(world);
+    EXPECT_TRUE(timeline.warnings.empty());
+    expect_energy_never_rises(timeline, 0.1);
+    for (int i = 0; i < 5; ++i) {
+        for (int k = 0; k <= i; ++k) {
+            const std::string prefix = "b" + std::to_string(i);
+            const Vec3 a = key_at(timeline, prefix + std::to_string(k), 0.1).velocity_out;
+            const Vec3 b = key_at(timeline, prefix + std::to_string(i - k), 0.1).velocity_out;
+            EXPECT_NEAR((a - Vec3(b.x, -b.y, 0)).length(), 0, 1e-9) << prefix << k;
+            EXPECT_GT(a.x, 0);
+        }
+    }
+}
+
 /// Places of balls frozen to the cushion at the head of a 9 ft pool table without pockets: the
 /// distance of the centre at which a ball just touches the nose is found by rolling one there.
 double cushion_place() {
