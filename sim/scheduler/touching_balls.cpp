@@ -69,6 +69,10 @@ TouchingBalls find_touching_balls(const std::vector<Ball>& balls, std::uint32_t 
             }
         }
     }
+    std::vector<PushContact>& contacts = found.group.contacts;
+    std::stable_partition(contacts.begin(), contacts.end(), [&](const PushContact& contact) {
+        return contact.first == found.group.struck || contact.second == found.group.struck;
+    });
     return found;
 }
 

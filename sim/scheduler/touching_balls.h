@@ -15,7 +15,7 @@ inline constexpr double kTouchingGap = 5e-5;
 
 struct TouchingBalls {
     std::vector<std::uint32_t> indices;  // ascending, in Balls
-    TouchingGroup group;                 // in the same order
+    TouchingGroup group;                 // in the same order; the struck ball's contacts come first
 };
 
 /// The ball `struck` and the balls that touch it at `time`, directly or through others. Balls that
