@@ -77,6 +77,9 @@ class ShotMaker {
         for (int i = 0; i < count; ++i) {
             add_event();
         }
+        if (dice_.one_in(3)) {
+            strike_a_frozen_ball();
+        }
         return world_;
     }
 
@@ -169,6 +172,32 @@ class ShotMaker {
                 continue;
             }
             world_.bodies.push_back(sphere(name, place));
+            return;
+        }
+    }
+
+    /// Strikes a new ball that touches another on the bed at the start, or a little later, when it
+    /// may have been moved.
+    void strike_a_frozen_ball() {
+        const Vec2 half(0.5 * world_.table->length - 1.001 * game_.radius,
+                        0.5 * world_.table->width - 1.001 * game_.radius);
+        for (int attempt = 0; attempt < 50; ++attempt) {
+            const Body& other = world_.bodies[static_cast<std::size_t>(
+                dice_.below(static_cast<int>(world_.bodies.size())))];
+            const double angle = dice_.between(-3.2, 3.2);
+            const Vec3 place =
+                other.pose.position + Vec3(std::cos(angle), std::sin(angle), 0) *
+                                          (2 * game_.radius + dice_.between(1e-12, 3e-5));
+            if (!std::holds_alternative<Sphere>(other.shape) || place.z != game_.radius ||
+                std::abs(place.x) > half.x || std::abs(place.y) > half.y || !is_free(place)) {
+                continue;
+            }
+            world_.bodies.push_back(sphere("frozen", place));
+            ForceEvent event;
+            event.object = "frozen";
+            event.time = dice_.one_in(2) ? 0 : dice_.between(0, 0.2);
+            event.action = strike(event.object);
+            world_.events.push_back(std::move(event));
             return;
         }
     }
