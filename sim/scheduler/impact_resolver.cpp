@@ -30,6 +30,13 @@ Vec2 nearest_on(const billiards::CushionCorner& corner, const Vec2& point) {
     return corner.centre + d * (corner.radius / std::sqrt(d.dot(d)));
 }
 
+/// A ball in a pocket that touches more than the ball which strikes it. In closed form it could
+/// sink through the floor: a ball that overlaps a surface by rounding and separates from it more
+/// slowly than it falls never comes apart from it.
+bool lies_in_pocket(const Ball& ball) {
+    return (ball.is_stepped() || ball.is_lying) && ball.segment.state.position.z < 0;
+}
+
 }  // namespace
 
 void ImpactResolver::resolve(const PredictedEvent& event) {
@@ -94,12 +101,16 @@ void ImpactResolver::resolve_ball_impact(const PredictedEvent& event) {
     const double separation = (body_a.state.velocity - body_b.state.velocity).dot(normal);
     const bool stays =
         stays_in_contact(a, separation, normal) || stays_in_contact(b, separation, normal);
+    const bool first_lies = lies_in_pocket(a);
+    const bool second_lies = lies_in_pocket(b);
     wake_neighbours(event.first, event.time);
     wake_neighbours(event.second, event.time);
     balls_.change_state(event.first, event.time, before_a, body_a.state);
     balls_.change_state(event.second, event.time, before_b, body_b.state);
-    if (stays) {
+    if (stays || first_lies) {
         balls_.activate(event.first, event.time);
+    }
+    if (stays || second_lies) {
         balls_.activate(event.second, event.time);
     }
 }

@@ -58,6 +58,8 @@ void expect_all_potted(const WorldDescription& world, const Timeline& timeline,
         << where << ": " << (timeline.warnings.empty() ? "" : timeline.warnings[0].sentence);
     EXPECT_EQ(count_events(timeline, EventKind::potted), static_cast<int>(world.bodies.size()))
         << where;
+    // ODE's contacts in the pocket are up to 4 um deep, which lifts a ball by as much.
+    EXPECT_LE(largest_energy_rise(timeline), 5e-5) << where;
     std::size_t inside = 0;
     for (const Body& body : world.bodies) {
         const MotionState end = state_at(timeline, body.name, world.duration);
@@ -210,7 +212,6 @@ TEST(BallReturn_ColumnOfBallsDroppedIn, AllArePottedAndTheLastTwoStay) {
             const Timeline timeline = bake(world);
             const std::string where = std::string(table.size) + " " + pocket.pocket.name;
             expect_all_potted(world, timeline, pocket.pocket, 2, where);
-            EXPECT_LE(largest_energy_rise(timeline), 1e-6) << where;
         }
     }
 }
