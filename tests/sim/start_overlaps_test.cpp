@@ -54,6 +54,10 @@ TEST(StartOverlaps_OfABallFrozenToACushion, AreNoneButExistAMillimetreFurther) {
         const double rise = standing.world().table->nose_height - table.radius;
         const double distance = std::sqrt(table.radius * table.radius - rise * rise);
         for (const billiards::CushionFace& face : standing.geometry().faces) {
+            // Behind a round jaw the straight rest is so short that a ball there touches the liner.
+            if ((face.to - face.from).length() < 0.01) {
+                continue;
+            }
             const Vec2 middle = (face.from + face.to) * 0.5;
             const auto frozen = standing.at(middle + face.normal * distance, table.radius);
             EXPECT_TRUE(frozen.empty()) << table.size << " " << frozen[0].sentence();
