@@ -98,6 +98,11 @@ balls:
   cue: {at: [-0.3, -0.2], velocity: [2, 0.5], spin: [0 rad/s, 0 rad/s, 20 rad/s]}
   eight: {at: [0.8, 0.25]}
 )"},
+        {"touching", R"(table: {kind: pool}
+balls:
+  cue: {at: [-0.3, 0]}
+  one: {touching: {ball: cue, direction: 30 deg}}
+)"},
         {"rotation", R"(table: {kind: pool}
 balls:
   eight: {at: [0.8, 0.25], rotate: {axis: [0, 0, 1], angle: 30 deg}}

@@ -63,8 +63,15 @@ struct BallLook {
     std::optional<double> disc_radius;
 };
 
+/// The place of a ball that touches another one.
+struct TouchingPlace {
+    std::string ball;
+    double direction = 0;  // of this ball as seen from the other, counter-clockwise from +x, rad
+};
+
 struct BallSection {
     std::optional<Coordinates> at;
+    std::optional<TouchingPlace> touching;
     std::optional<Coordinates> velocity;
     std::optional<Vec3> spin;  // rad/s
     std::optional<Quat> rotate;

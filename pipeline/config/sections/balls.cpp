@@ -68,14 +68,32 @@ const MapSpec<BallSetSection>& ball_set_spec() {
     return spec;
 }
 
+const MapSpec<TouchingPlace>& touching_spec() {
+    static const MapSpec<TouchingPlace> spec = [] {
+        MapSpec<TouchingPlace> s("touching",
+                                 "Places a ball against another one, as players say frozen to it: "
+                                 "both lie on the cloth and touch.");
+        s.key("ball", &TouchingPlace::ball, name_of(ReferenceKind::ball), "the other ball")
+            .required();
+        s.key("direction", &TouchingPlace::direction, angle(),
+              "where this ball lies as seen from the other, counter-clockwise from +x")
+            .required();
+        return s;
+    }();
+    return spec;
+}
+
 const MapSpec<BallSection>& ball_spec() {
     static const MapSpec<BallSection> spec = [] {
         MapSpec<BallSection> s(
             "ball",
             "One ball. The name of a racked ball changes that ball; any other name adds a ball.");
         s.key("at", &BallSection::at, coordinates(Dimension::length),
-              "position of the centre. With two coordinates the ball lies on the cloth. Required "
-              "unless the ball is racked");
+              "position of the centre. With two coordinates the ball lies on the cloth. This or "
+              "`touching` is required unless the ball is racked");
+        s.key("touching", &BallSection::touching, record(touching_spec()),
+              "position against another ball");
+        s.at_most_one_of({"at", "touching"});
         s.key("velocity", &BallSection::velocity, coordinates(Dimension::speed),
               "velocity at the start");
         s.key("spin", &BallSection::spin, vector3(Dimension::angular_speed),

@@ -1,4 +1,5 @@
 // Tests of the sections simulation, physics, balls, objects and events.
+#include <cmath>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -116,6 +117,22 @@ TEST(Balls, TwoCoordinates_LieOnTheCloth) {
     const Shot shot = load_sections("balls: {a: {at: [1, 2]}, b: {at: [1, 3, 0.5]}}\n");
     EXPECT_EQ(body(shot, "a").pose.position, Vec3(1, 2, 0.028575));
     EXPECT_EQ(body(shot, "b").pose.position, Vec3(1, 3, 0.5));
+}
+
+TEST(Balls, Touching_LieOnTheClothInTheGivenDirection) {
+    const Shot shot = load_sections(
+        "balls:\n"
+        "  two: {touching: {ball: one, direction: 0 deg}}\n"
+        "  one: {touching: {ball: cue, direction: 60 deg}}\n"
+        "  cue: {at: [0.1, 0.2]}\n"
+        "  large: {touching: {ball: cue, direction: -90 deg}, radius: 40 mm}\n");
+    const double r = 0.028575;
+    const Vec3 one(0.1 + r, 0.2 + r * std::sqrt(3.0), r);
+    EXPECT_LT((body(shot, "one").pose.position - one).length(), 1e-15);
+    EXPECT_LT((body(shot, "two").pose.position - one - Vec3(2 * r, 0, 0)).length(), 1e-15);
+    const Vec3 apart = body(shot, "large").pose.position - body(shot, "cue").pose.position;
+    EXPECT_NEAR(apart.length(), r + 0.04, 1e-15);
+    EXPECT_EQ(body(shot, "large").pose.position.z, 0.04);
 }
 
 TEST(Balls, LargerRadius_KeepsTheDensityOfTheSet) {
