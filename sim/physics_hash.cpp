@@ -8,7 +8,7 @@ namespace carom::sim {
 namespace {
 
 /// Counts up with every change to the simulation that can change a bake.
-constexpr std::int64_t kSimulationRevision = 10;
+constexpr std::int64_t kSimulationRevision = 11;
 
 }  // namespace
 
