@@ -29,12 +29,12 @@ bool is_forced(const Timeline& timeline, double from, double to) {
     });
 }
 
-}  // namespace
-
-double largest_energy_rise(const Timeline& timeline) {
+/// Calls `visit` with each rise of the total energy above its lowest value since the last force
+/// event, and with the largest kinetic energy since then, J.
+template <typename Visit>
+void visit_rises(const Timeline& timeline, Visit visit) {
     double lowest = std::numeric_limits<double>::infinity();
     double kinetic = 0;
-    double largest = 0;
     for (std::size_t i = 0; i < timeline.energy.size(); ++i) {
         const EnergySample& sample = timeline.energy[i];
         if (i > 0 && is_forced(timeline, timeline.energy[i - 1].time, sample.time)) {
@@ -43,10 +43,24 @@ double largest_energy_rise(const Timeline& timeline) {
         }
         kinetic = std::max(kinetic, sample.kinetic);
         if (sample.total() > lowest && kinetic > 0) {
-            largest = std::max(largest, (sample.total() - lowest) / kinetic);
+            visit(sample.total() - lowest, kinetic);
         }
         lowest = std::min(lowest, sample.total());
     }
+}
+
+}  // namespace
+
+double largest_energy_rise(const Timeline& timeline) {
+    double largest = 0;
+    visit_rises(timeline,
+                [&](double rise, double kinetic) { largest = std::max(largest, rise / kinetic); });
+    return largest;
+}
+
+double largest_energy_gain(const Timeline& timeline) {
+    double largest = 0;
+    visit_rises(timeline, [&](double rise, double) { largest = std::max(largest, rise); });
     return largest;
 }
 

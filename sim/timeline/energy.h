@@ -10,4 +10,7 @@ namespace carom::sim {
 /// force or torque do not count.
 [[nodiscard]] double largest_energy_rise(const Timeline& timeline);
 
+/// The largest such rise in joules.
+[[nodiscard]] double largest_energy_gain(const Timeline& timeline);
+
 }  // namespace carom::sim
