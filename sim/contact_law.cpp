@@ -22,8 +22,8 @@ const PairContact* built_in(const std::string& a, const std::string& b) {
 
 BallCushion usual_cushion(CushionModel model) {
     // Rolling snooker balls keep 0.925 - 0.085 (v - 1.9) of their speed above 1.9 m/s (Mathavan et
-    // al. 2010, Fig. 7a); this fall gives that. Faster balls were not measured; with the least value
-    // a ball of 9 m/s makes 4.5 lengths of a pool table, and makers of cushions ask for four.
+    // al. 2010, Fig. 7a); this fall gives that. Faster balls were not measured; with the least
+    // value a ball of 9 m/s makes 4.5 lengths of a pool table, and makers of cushions ask for four.
     const RestitutionFall fall{1.9, 0.09, 0.7};
     switch (model) {
         case CushionModel::mirror:

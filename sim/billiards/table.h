@@ -42,7 +42,7 @@ struct TableMeasures {
     bool has_ball_return = true;  // a pocket that is full lets its first ball go
     /// Restitution of the straight part of the jaws as a fraction of that of the cushions.
     double jaw_restitution = 0.7;
-    bool has_cushions = true;     // false: `cloth`, an unbounded plane
+    bool has_cushions = true;  // false: `cloth`, an unbounded plane
     bool operator==(const TableMeasures&) const = default;
 };
 

@@ -80,7 +80,8 @@ balls: {cue: {at: [0, 0]}}
     EXPECT_THAT(text,
                 ContainsRegex("\n      drop: 130 mm +# s.yaml:2\n      # mouth: 0.088 m +# of "
                               "the table's kind and size\n"));
-    EXPECT_THAT(text, ContainsRegex("\n    # side:\n    #   mouth: 0.1115 m +# of the table's kind"));
+    EXPECT_THAT(text,
+                ContainsRegex("\n    # side:\n    #   mouth: 0.1115 m +# of the table's kind"));
     EXPECT_THAT(text, ContainsRegex("\n  # length: 3.569 m +# of the table's kind and size\n"));
     EXPECT_THAT(text, ContainsRegex("\n  # cushion_height: 0.03675 m +# of the table's kind"));
 }

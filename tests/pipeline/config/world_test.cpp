@@ -72,7 +72,8 @@ TEST(Physics, CushionNumbers_BelongToTheModel) {
     EXPECT_EQ(law("model: mathavan2010"), (BallCushion{mathavan2010, 0.98, 0.14, fall}));
     EXPECT_EQ(law("model: mathavan2010, han2005: {friction: 0.5}"),
               (BallCushion{mathavan2010, 0.98, 0.14, fall}));
-    EXPECT_EQ(law("model: han2005, han2005: {friction: 0.5}"), (BallCushion{han2005, 0.85, 0.5, fall}));
+    EXPECT_EQ(law("model: han2005, han2005: {friction: 0.5}"),
+              (BallCushion{han2005, 0.85, 0.5, fall}));
     EXPECT_EQ(law("model: han2005, restitution: 0.7, han2005: {restitution: 0.8, friction: 0.5}"),
               (BallCushion{han2005, 0.7, 0.5}));
 }
@@ -85,7 +86,8 @@ TEST(Physics, CushionRestitution_IsOneNumberOrFallsWithSpeed) {
     using sim::BallCushion;
     using sim::CushionModel;
     EXPECT_EQ(law("0.7"), (BallCushion{CushionModel::mathavan2010, 0.7, 0.14}));
-    EXPECT_EQ(law("{slow: 0.9}"), (BallCushion{CushionModel::mathavan2010, 0.9, 0.14, {1.9, 0.09, 0.7}}));
+    EXPECT_EQ(law("{slow: 0.9}"),
+              (BallCushion{CushionModel::mathavan2010, 0.9, 0.14, {1.9, 0.09, 0.7}}));
     EXPECT_EQ(law("{slow: 0.9, falls_above: 3 m/s, by: 0.1, least: 0.5}"),
               (BallCushion{CushionModel::mathavan2010, 0.9, 0.14, {3, 0.1, 0.5}}));
 }

@@ -133,8 +133,7 @@ TEST(Rack, ThousandSeeds_NeverOverlapAndKeepTheGapsInTheirRange) {
         for (const double gap : {0.0, 3e-5, 1e-3}) {
             EXPECT_GE(smallest_gap(pool_rack(RackKind::fifteen_ball, {gap, seed}), kRadius), 0);
             EXPECT_GE(
-                smallest_gap(rack(RackKind::snooker, table, 0.02625, {gap, seed}), 0.02619375),
-                0);
+                smallest_gap(rack(RackKind::snooker, table, 0.02625, {gap, seed}), 0.02619375), 0);
         }
     }
 }
