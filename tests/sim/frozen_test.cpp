@@ -16,15 +16,10 @@ constexpr double kStick = 0.567;
 /// A strike in the direction `angle`, counter-clockwise from +x.
 ForceEvent strike_along(const std::string& object, double angle, double speed, double time = 0,
                         Vec2 tip = {0, 0}, double elevation = 0) {
-    Strike strike;
-    strike.speed = speed;
+    ForceEvent event = strike_towards(object, "", speed, time, tip, elevation);
+    Strike& strike = std::get<Strike>(event.action);
+    strike.toward.reset();
     strike.direction = angle;
-    strike.tip = tip;
-    strike.elevation = elevation;
-    ForceEvent event;
-    event.object = object;
-    event.time = time;
-    event.action = strike;
     return event;
 }
 
