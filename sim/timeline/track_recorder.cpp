@@ -18,6 +18,12 @@ namespace {
 
 constexpr double kSame = 1e-9;  // absolute below one, relative above
 
+/// Breaks below this speed (m/s) can form a train; balls that touch part at 5e-5 m/s.
+constexpr double kTinyJump = 4e-4;
+/// Metres by which angular velocities count as speeds: about the radius of a ball.
+constexpr double kSpinRadius = 0.03;
+constexpr double kTrainInterval = 1e-3;  // s
+
 bool is_same(const Vec3& a, const Vec3& b) {
     const double size = std::max(1.0, std::max(a.length(), b.length()));
     return (a - b).length() <= kSame * size;
@@ -145,6 +151,14 @@ void TrackRecorder::add_key(const Key& key, bool is_kept) {
     dense_.push_back(key);
 }
 
+/// Whether a break of that jump (m/s) need not be kept: it is one of a train, and a kept key is
+/// near. The ends of motion segments between the breaks of a train, which have no jump, belong to
+/// it.
+bool TrackRecorder::is_in_train(double time, double jump) {
+    was_tiny_ = jump <= kTinyJump && (jump > 0 || was_tiny_);
+    return was_tiny_ && !dense_.empty() && time - dense_[kept_.back()].time < kTrainInterval;
+}
+
 void TrackRecorder::add(double time, const MotionState& state) {
     if (dense_.empty() || dense_.back().time != time) {
         add_key(smooth_key(time, state), false);
@@ -164,11 +178,13 @@ void TrackRecorder::add_break(double time, const MotionState& before, const Moti
         !is_same(before.orientation, after.orientation)) {
         throw Error(fmt::format("track '{}': the pose jumps at {:f} s", name_, time));
     }
+    const double jump = (after.velocity - before.velocity).length() +
+                        kSpinRadius * (after.angular_velocity - before.angular_velocity).length();
     if (dense_.empty() || dense_.back().time != time) {
         Key key = smooth_key(time, before);
         key.velocity_out = after.velocity;
         key.angular_velocity_out = after.angular_velocity;
-        add_key(key, true);
+        add_key(key, !is_in_train(time, jump));
         return;
     }
     Key& last = dense_.back();
@@ -178,7 +194,7 @@ void TrackRecorder::add_break(double time, const MotionState& before, const Moti
     }
     last.velocity_out = after.velocity;
     last.angular_velocity_out = after.angular_velocity;
-    if (kept_.back() != dense_.size() - 1) {
+    if (kept_.back() != dense_.size() - 1 && !is_in_train(time, jump)) {
         kept_.push_back(dense_.size() - 1);
     }
 }

@@ -16,7 +16,9 @@ struct KeyReduction {
 };
 
 /// Takes states in order of time. Keys added by `add` may be dropped; those of `add_break`, the
-/// first and the last are always kept. Throws an Error that names the track if times are out of
+/// first and the last are kept, except within trains of tiny breaks (two balls that press against
+/// each other part and meet again thousands of times a second), of which one in a millisecond is
+/// kept. Throws an Error that names the track if times are out of
 /// order or two states of one instant differ.
 class TrackRecorder {
   public:
@@ -37,11 +39,13 @@ class TrackRecorder {
 
   private:
     void add_key(const Key& key, bool is_kept);
+    [[nodiscard]] bool is_in_train(double time, double jump);
 
     std::string name_;
     KeyReduction reduction_;
     std::vector<Key> dense_;
     std::vector<std::size_t> kept_;  // indices into dense_, increasing
+    bool was_tiny_ = false;          // the last break was tiny, or belongs to a train
 };
 
 }  // namespace carom::sim

@@ -1,5 +1,6 @@
 #include "sim/timeline/track_recorder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -172,6 +173,35 @@ TEST(TrackRecorder, Breaks_AreNeverDropped) {
     const Track track = recorder.finish();
     ASSERT_EQ(track.keys().size(), 3U);
     EXPECT_EQ(track.keys()[1].time, 2);
+}
+
+// A ball that is pressed against another bounces every 30 microseconds. One real impact in between.
+TEST(TrackRecorder, TrainOfTinyBreaks_KeepsOneInAMillisecondAndEachRealOne) {
+    constexpr double kInterval = 3e-5;
+    constexpr int kBreaks = 10000;
+    constexpr int kImpact = 4321;
+    TrackRecorder recorder("ball");
+    Dense dense;
+    MotionState state;
+    state.velocity = {1, 0, 0};
+    for (int i = 0; i < kBreaks; ++i) {
+        const double time = kInterval * i;
+        MotionState after = state;
+        after.velocity.x = i < kImpact ? 1 : 0.4;
+        after.velocity.y = i % 2 == 0 ? 5e-5 : -5e-5;
+        recorder.add_break(time, state, after);
+        dense.emplace_back(time, after);
+        state = after;
+        state.position += after.velocity * kInterval;
+    }
+    const Track track = recorder.finish();
+    EXPECT_LT(track.keys().size(), kBreaks * kInterval * 1000 + 10);
+    expect_within_bound(track, dense);
+    const auto at_impact = [&](const Key& key) { return key.time == kInterval * kImpact; };
+    const auto impact = std::find_if(track.keys().begin(), track.keys().end(), at_impact);
+    ASSERT_NE(impact, track.keys().end());
+    EXPECT_EQ(impact->velocity_in.x, 1);
+    EXPECT_EQ(impact->velocity_out.x, 0.4);
 }
 
 TEST(TrackRecorder, BreakAtTheTimeOfAState_MakesItABreak) {
