@@ -151,10 +151,15 @@ void TrackRecorder::add_key(const Key& key, bool is_kept) {
     dense_.push_back(key);
 }
 
-/// Whether a break of that jump (m/s) need not be kept: it is one of a train, and a kept key is
-/// near. The ends of motion segments between the breaks of a train, which have no jump, belong to
-/// it.
-bool TrackRecorder::is_in_train(double time, double jump) {
+/// Whether a break need not be kept: it is one of a train, and a kept key is near. The ends of
+/// motion segments between the breaks of a train, which have no jump, belong to it; coming to rest
+/// does not.
+bool TrackRecorder::is_in_train(double time, const MotionState& before, const MotionState& after) {
+    const double jump = (after.velocity - before.velocity).length() +
+                        kSpinRadius * (after.angular_velocity - before.angular_velocity).length();
+    if (after.velocity == Vec3(0, 0, 0) && after.angular_velocity == Vec3(0, 0, 0)) {
+        return was_tiny_ = false;
+    }
     was_tiny_ = jump <= kTinyJump && (jump > 0 || was_tiny_);
     return was_tiny_ && !dense_.empty() && time - dense_[kept_.back()].time < kTrainInterval;
 }
@@ -178,13 +183,11 @@ void TrackRecorder::add_break(double time, const MotionState& before, const Moti
         !is_same(before.orientation, after.orientation)) {
         throw Error(fmt::format("track '{}': the pose jumps at {:f} s", name_, time));
     }
-    const double jump = (after.velocity - before.velocity).length() +
-                        kSpinRadius * (after.angular_velocity - before.angular_velocity).length();
     if (dense_.empty() || dense_.back().time != time) {
         Key key = smooth_key(time, before);
         key.velocity_out = after.velocity;
         key.angular_velocity_out = after.angular_velocity;
-        add_key(key, !is_in_train(time, jump));
+        add_key(key, !is_in_train(time, before, after));
         return;
     }
     Key& last = dense_.back();
@@ -194,7 +197,7 @@ void TrackRecorder::add_break(double time, const MotionState& before, const Moti
     }
     last.velocity_out = after.velocity;
     last.angular_velocity_out = after.angular_velocity;
-    if (kept_.back() != dense_.size() - 1 && !is_in_train(time, jump)) {
+    if (kept_.back() != dense_.size() - 1 && !is_in_train(time, before, after)) {
         kept_.push_back(dense_.size() - 1);
     }
 }

@@ -39,7 +39,8 @@ class TrackRecorder {
 
   private:
     void add_key(const Key& key, bool is_kept);
-    [[nodiscard]] bool is_in_train(double time, double jump);
+    [[nodiscard]] bool is_in_train(double time, const MotionState& before,
+                                   const MotionState& after);
 
     std::string name_;
     KeyReduction reduction_;
