@@ -46,8 +46,7 @@ ImpulsePair han2005(BallBody& ball, const Vec3& normal, double restitution, doub
 }  // namespace
 
 ImpulsePair cushion_impact(BallBody& ball, const Vec3& inward, const Vec3& contact_normal,
-                           const ContactLaw& law) {
-    const BallCushion& cushion = law.ball_cushion;
+                           const BallCushion& cushion, double cloth_friction) {
     const double approach = std::max(-ball.state.velocity.dot(inward), 0.0);
     const double restitution = restitution_at(cushion, approach);
     switch (cushion.model) {
@@ -57,7 +56,7 @@ ImpulsePair cushion_impact(BallBody& ball, const Vec3& inward, const Vec3& conta
             return han2005(ball, contact_normal, restitution, cushion.friction);
         case CushionModel::mathavan2010:
             return mathavan_impact(ball, contact_normal, restitution, cushion.friction,
-                                   law.ball_cloth.sliding_friction);
+                                   cloth_friction);
     }
     return {};
 }

@@ -1,9 +1,9 @@
 #include "sim/impact/mathavan_cushion.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/length.h"
+#include "sim/numeric/false_position.h"
 
 namespace carom::sim {
 namespace {
@@ -182,34 +182,14 @@ class CushionContact {
     Forces forces_;
 };
 
-/// The part of `step` after which `progress` is 0, by Illinois' variant of the rule of false
-/// position; it is negative before the step and `high_value` >= 0 after it.
+/// The part of `step` after which `progress` is 0; it is negative before the step and `high_value`
+/// >= 0 after it.
 template <typename Progress>
 double find_end(CushionContact& contact, const Motion& motion, double step, double high_value,
                 Progress progress) {
-    double low = 0;
-    double low_value = progress(motion);
-    double high = step;
-    double end = step;
-    double value = high_value;
-    double last = 0;  // neither side has stayed yet
-    const double close = 1e-14 * (high_value - low_value);
-    for (int i = 0; i < 60 && std::abs(value) > close; ++i) {
-        end = low + (high - low) * (low_value / (low_value - high_value));
-        value = progress(contact.after(motion, end));
-        // An end of the interval that stays for a second time counts half.
-        if (value >= 0) {
-            high = end;
-            high_value = value;
-            low_value *= last > 0 ? 0.5 : 1;
-        } else {
-            low = end;
-            low_value = value;
-            high_value *= last < 0 ? 0.5 : 1;
-        }
-        last = value;
-    }
-    return end;
+    const double low_value = progress(motion);
+    return false_position({0, low_value}, {step, high_value}, 1e-14 * (high_value - low_value),
+                          [&](double part) { return progress(contact.after(motion, part)); });
 }
 
 /// Integrates `motion` until `progress` of it, which rises, is 0; returns the normal impulse up to

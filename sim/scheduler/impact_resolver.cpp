@@ -52,7 +52,7 @@ void ImpactResolver::resolve(const PredictedEvent& event) {
         case PredictedEventKind::cushion_corner:
             return resolve_cushion_impact(
                 event, nearest_on(environment_.table.corners[event.second], level),
-                environment_.law);
+                environment_.law.ball_cushion);
         case PredictedEventKind::pocket_edge:
             return enter_pocket(event);
         case PredictedEventKind::rim:
@@ -230,11 +230,11 @@ void ImpactResolver::bounce(const PredictedEvent& event, const SurfaceContact& c
 void ImpactResolver::resolve_face_impact(const PredictedEvent& event, const Vec2& centre) {
     const billiards::CushionFace& face = environment_.table.faces[event.second];
     resolve_cushion_impact(event, nearest_on(face, centre),
-                           face.is_jaw ? environment_.jaw_law : environment_.law);
+                           face.is_jaw ? environment_.jaw : environment_.law.ball_cushion);
 }
 
 void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const Vec2& nearest,
-                                            const ContactLaw& law) {
+                                            const BallCushion& cushion) {
     const Ball& ball = balls_[event.first];
     BallBody body = ball.body_at(event.time);
     const MotionState before = body.state;
@@ -244,7 +244,8 @@ void ImpactResolver::resolve_cushion_impact(const PredictedEvent& event, const V
     const double approach = -before.velocity.dot(inward);
     ImpulsePair impulse;
     if (ball.material == MaterialId::ball) {
-        impulse = cushion_impact(body, inward, normal, law);
+        impulse = cushion_impact(body, inward, normal, cushion,
+                                 environment_.law.ball_cloth.sliding_friction);
     } else {
         const ContactNumbers& numbers =
             environment_.contacts.between(ball.material, MaterialId::cushion);

@@ -23,7 +23,7 @@ class ImpactResolver {
     void resolve_solid_impact(const PredictedEvent& event);
     void resolve_face_impact(const PredictedEvent& event, const Vec2& centre);
     void resolve_cushion_impact(const PredictedEvent& event, const Vec2& nearest,
-                                const ContactLaw& law);
+                                const BallCushion& cushion);
     void resolve_surface_impact(const PredictedEvent& event);
     void resolve_slate_impact(const PredictedEvent& event);
     void enter_pocket(const PredictedEvent& event);

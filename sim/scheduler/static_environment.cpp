@@ -103,7 +103,7 @@ Aabb bounds_of(const std::vector<Vec3>& vertices) {
 StaticEnvironment::StaticEnvironment(const WorldDescription& world)
     : gravity(world.gravity),
       law(world.contact_law),
-      jaw_law(world.contact_law),
+      jaw(world.contact_law.ball_cushion),
       contacts(law),
       floor_height(world.floor_height) {
     if (gravity.x == 0 && gravity.y == 0 && gravity.z < 0) {
@@ -123,7 +123,6 @@ void StaticEnvironment::add_table(const WorldDescription& world, bool has_boxes)
     has_cloth = true;
     has_cushions = world.table->has_cushions;
     has_ball_return = world.table->has_ball_return;
-    BallCushion& jaw = jaw_law.ball_cushion;
     jaw.restitution *= world.table->jaw_restitution;
     jaw.fall.slope *= world.table->jaw_restitution;
     jaw.fall.least *= world.table->jaw_restitution;

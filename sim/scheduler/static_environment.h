@@ -60,7 +60,7 @@ struct StaticEnvironment {
     /// Gravity (m/s^2) if it pulls straight down. Otherwise 0, and no ball rolls in closed form.
     double downward_gravity = 0;
     ContactLaw law;
-    ContactLaw jaw_law;     // for the straight parts of the pockets' jaws
+    BallCushion jaw;        // for the straight parts of the pockets' jaws
     ContactTable contacts;  // the law of each pair of materials
     bool has_cloth = false;
     bool has_cushions = false;

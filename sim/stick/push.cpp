@@ -1,9 +1,9 @@
 #include "sim/stick/push.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/length.h"
+#include "sim/numeric/false_position.h"
 #include "sim/stick/contact_impulses.h"
 
 namespace carom::sim {
@@ -93,34 +93,15 @@ class Push {
     }
 
   private:
-    /// The state after the part of `increment` at whose end `value` is 0 (regula falsi, Illinois
-    /// variant).
+    /// The state after the part of `increment` at whose end `value` is 0; after all of it there is
+    /// `state`.
     template <typename Value>
     PushState end_within(Value value, double increment, double at_low, double at_high,
                          PushState state) const {
-        double low = 0;
-        double high = increment;
-        int last_side = 0;
-        const double enough = 1e-15 * at_low;
-        for (int i = 0; i < 100 && high - low > 1e-15 * high; ++i) {
-            const double middle = (low * at_high - high * at_low) / (at_high - at_low);
-            state = after(middle, last_, middle / increment);
-            const double now = value(state);
-            if (std::abs(now) <= enough) {
-                break;
-            }
-            const int side = now > 0 ? 1 : -1;
-            if (side > 0) {
-                low = middle;
-                at_low = now;
-                at_high *= side == last_side ? 0.5 : 1;
-            } else {
-                high = middle;
-                at_high = now;
-                at_low *= side == last_side ? 0.5 : 1;
-            }
-            last_side = side;
-        }
+        false_position({0, at_low}, {increment, at_high}, 1e-15 * at_low, [&](double part) {
+            state = after(part, last_, part / increment);
+            return value(state);
+        });
         return state;
     }
 

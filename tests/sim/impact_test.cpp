@@ -134,8 +134,7 @@ HanAnswer han(double vx, double vy, const Vec3& w, double e, double mu) {
 }
 
 TEST(CushionImpact_Han2005, AgreesWithThePapersEquations) {
-    ContactLaw law;
-    law.ball_cushion = {CushionModel::han2005, 0.85, 0.2};
+    const BallCushion law{CushionModel::han2005, 0.85, 0.2};
     const double sine = 0.27;
     const Vec3 inward(-1, 0, 0);
     const Vec3 normal(-std::sqrt(1 - sine * sine), 0, -sine);
@@ -144,9 +143,8 @@ TEST(CushionImpact_Han2005, AgreesWithThePapersEquations) {
             for (const double follow : {-40.0, 0.0, 70.0}) {
                 const Vec3 spin(5, follow, side);
                 BallBody b = ball({0, 0, kRadius}, {2, vy, 0}, spin);
-                cushion_impact(b, inward, normal, law);
-                const HanAnswer expected =
-                    han(2, vy, spin, law.ball_cushion.restitution, law.ball_cushion.friction);
+                cushion_impact(b, inward, normal, law, 0.2);
+                const HanAnswer expected = han(2, vy, spin, law.restitution, law.friction);
                 EXPECT_NEAR(b.state.velocity.x, expected.vx, 1e-12);
                 EXPECT_NEAR(b.state.velocity.y, expected.vy, 1e-12);
                 EXPECT_NEAR((b.state.angular_velocity - expected.spin).length(), 0, 1e-9);
@@ -156,10 +154,9 @@ TEST(CushionImpact_Han2005, AgreesWithThePapersEquations) {
 }
 
 TEST(CushionImpact_Mirror, ReversesOnlyTheNormalVelocity) {
-    ContactLaw law;
-    law.ball_cushion = {CushionModel::mirror, 0.7, 0};
+    const BallCushion law{CushionModel::mirror, 0.7, 0};
     BallBody b = ball({0, 0, kRadius}, {2, -1, 0}, {3, 4, 5});
-    cushion_impact(b, {-1, 0, 0}, {-1, 0, 0}, law);
+    cushion_impact(b, {-1, 0, 0}, {-1, 0, 0}, law, 0.2);
     EXPECT_EQ(b.state.velocity, Vec3(2 - 1.7 * 2, -1, 0));
     EXPECT_EQ(b.state.angular_velocity, Vec3(3, 4, 5));
 }
